@@ -1,0 +1,138 @@
+//! Maps and sets whose order never depends on a hash.
+//!
+//! Generated code must be the same to the byte in every process. So the only containers in this crate
+//! that can be iterated keep insertion order; [`HashMap`] can be asked but not walked.
+
+use std::hash::Hash;
+
+use indexmap::IndexMap;
+use rustc_hash::FxBuildHasher;
+
+/// A map that can be looked up but not iterated.
+#[derive(Clone, Debug)]
+pub struct HashMap<K, V>(rustc_hash::FxHashMap<K, V>);
+
+impl<K, V> Default for HashMap<K, V> {
+    fn default() -> Self {
+        HashMap(rustc_hash::FxHashMap::default())
+    }
+}
+
+impl<K: Eq + Hash, V> HashMap<K, V> {
+    /// The value at `key`.
+    pub fn get(&self, key: &K) -> Option<&V> {
+        self.0.get(key)
+    }
+
+    /// Whether `key` is present.
+    pub fn contains(&self, key: &K) -> bool {
+        self.0.contains_key(key)
+    }
+
+    /// Sets `key` and returns what it held.
+    pub fn insert(&mut self, key: K, value: V) -> Option<V> {
+        self.0.insert(key, value)
+    }
+
+    /// Removes `key` and returns what it held.
+    pub fn remove(&mut self, key: &K) -> Option<V> {
+        self.0.remove(key)
+    }
+
+    /// The value at `key`, made first if it is absent.
+    pub fn get_or_insert_with(&mut self, key: K, value: impl FnOnce() -> V) -> &mut V {
+        self.0.entry(key).or_insert_with(value)
+    }
+
+    /// The number of entries.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether there is no entry.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl<K: Eq + Hash, V> FromIterator<(K, V)> for HashMap<K, V> {
+    fn from_iter<I: IntoIterator<Item = (K, V)>>(entries: I) -> Self {
+        HashMap(entries.into_iter().collect())
+    }
+}
+
+/// A map that is iterated in the order of first insertion. Entries are never removed, so an entry's
+/// index is stable.
+#[derive(Clone, Debug)]
+pub struct OrderedMap<K, V>(IndexMap<K, V, FxBuildHasher>);
+
+impl<K, V> Default for OrderedMap<K, V> {
+    fn default() -> Self {
+        OrderedMap(IndexMap::with_hasher(FxBuildHasher))
+    }
+}
+
+impl<K: Eq + Hash, V> OrderedMap<K, V> {
+    /// The value at `key`.
+    pub fn get(&self, key: &K) -> Option<&V> {
+        self.0.get(key)
+    }
+
+    /// The value at `key`, to change.
+    pub fn get_mut(&mut self, key: &K) -> Option<&mut V> {
+        self.0.get_mut(key)
+    }
+
+    /// Whether `key` is present.
+    pub fn contains(&self, key: &K) -> bool {
+        self.0.contains_key(key)
+    }
+
+    /// Sets `key`, which keeps its place if it was present, and returns what it held.
+    pub fn insert(&mut self, key: K, value: V) -> Option<V> {
+        self.0.insert(key, value)
+    }
+
+    /// The value at `key`, made first if it is absent.
+    pub fn get_or_insert_with(&mut self, key: K, value: impl FnOnce() -> V) -> &mut V {
+        self.0.entry(key).or_insert_with(value)
+    }
+
+    /// The index of `key`, which is added with `value` if it is absent.
+    pub fn index_or_insert_with(&mut self, key: K, value: impl FnOnce() -> V) -> usize {
+        let entry = self.0.entry(key);
+        let index = entry.index();
+        entry.or_insert_with(value);
+        index
+    }
+
+    /// The index of `key`.
+    pub fn index_of(&self, key: &K) -> Option<usize> {
+        self.0.get_index_of(key)
+    }
+
+    /// The key at an index this map has given out.
+    pub fn key_at(&self, index: usize) -> &K {
+        &self.0.get_index(index).expect("an index of this map").0
+    }
+
+    /// The value at an index this map has given out.
+    pub fn value_at(&self, index: usize) -> &V {
+        &self.0[index]
+    }
+
+    /// Entries in order of insertion.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (&K, &V)> + ExactSizeIterator {
+        self.0.iter()
+    }
+
+    /// The number of entries.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether there is no entry.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}

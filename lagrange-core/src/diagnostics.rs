@@ -1,0 +1,134 @@
+//! Mistakes of a declaration: where they are, what is wrong in the user's words, what helps.
+//!
+//! A phase adds to a [`Report`] and goes on as far as it can; the pipeline stops at the barrier between
+//! phases. Wording lives with the phase that finds the mistake, in its `messages` file.
+
+use std::fmt;
+
+use proc_macro2::Span;
+
+/// A stretch of the user's source, from its first to its last token.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin {
+    /// Span of the first token.
+    pub start: Span,
+    /// Span of the last token.
+    pub end: Span,
+}
+
+impl Origin {
+    /// From the start of `self` to the end of `other`.
+    pub fn to(self, other: Origin) -> Origin {
+        Origin { start: self.start, end: other.end }
+    }
+}
+
+impl From<Span> for Origin {
+    fn from(span: Span) -> Origin {
+        Origin { start: span, end: span }
+    }
+}
+
+/// How bad it is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Severity {
+    /// The declaration has no meaning; no equations are derived.
+    Error,
+    /// The declaration works but probably not as meant.
+    Warning,
+}
+
+/// One mistake.
+#[derive(Clone, Debug)]
+pub struct Diagnostic {
+    /// How bad it is.
+    pub severity: Severity,
+    /// What is wrong, in one sentence without a full stop.
+    pub message: String,
+    /// The offending tokens.
+    pub origin: Origin,
+    /// Other places that matter, each with what is there.
+    pub related: Vec<(Origin, String)>,
+    /// What to do about it.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// Adds a related place.
+    pub fn related(&mut self, origin: Origin, note: impl Into<String>) -> &mut Self {
+        self.related.push((origin, note.into()));
+        self
+    }
+
+    /// Sets the help.
+    pub fn help(&mut self, help: impl Into<String>) -> &mut Self {
+        self.help = Some(help.into());
+        self
+    }
+}
+
+/// `error at 3:7: unknown name …`, with related places and help on lines of their own; lines and columns
+/// count from one.
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let at = |origin: Origin| {
+            let start = origin.start.start();
+            format!("{}:{}", start.line, start.column + 1)
+        };
+        let severity = match self.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        };
+        write!(f, "{severity} at {}: {}", at(self.origin), self.message)?;
+        for (origin, note) in &self.related {
+            write!(f, "\n  note at {}: {note}", at(*origin))?;
+        }
+        match &self.help {
+            Some(help) => write!(f, "\n  help: {help}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Collects the mistakes of one declaration in the order in which they are found.
+#[derive(Clone, Default, Debug)]
+#[must_use = "mistakes must reach the user"]
+pub struct Report {
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl Report {
+    /// Adds an error; details can be chained.
+    pub fn error(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> &mut Diagnostic {
+        self.add(Severity::Error, origin.into(), message.into())
+    }
+
+    /// Adds a warning; details can be chained.
+    pub fn warning(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> &mut Diagnostic {
+        self.add(Severity::Warning, origin.into(), message.into())
+    }
+
+    fn add(&mut self, severity: Severity, origin: Origin, message: String) -> &mut Diagnostic {
+        self.diagnostics.push(Diagnostic { severity, message, origin, related: Vec::new(), help: None });
+        let last = self.diagnostics.len() - 1;
+        &mut self.diagnostics[last]
+    }
+
+    /// Whether anything in it is an error.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
+    }
+
+    /// Everything found so far.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.diagnostics
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.diagnostics.iter().try_for_each(|diagnostic| writeln!(f, "{diagnostic}"))
+    }
+}
+
+impl std::error::Error for Report {}

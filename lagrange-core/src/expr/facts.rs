@@ -1,0 +1,96 @@
+//! What is known of every expression from its construction on.
+
+use std::ops::BitOr;
+
+use super::{ExprId, Function, Graph, Node};
+use crate::number::Number;
+use crate::symbol::Role;
+
+/// The kinds of symbols an expression mentions.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Dependencies(u8);
+
+impl Dependencies {
+    /// Depends on nothing.
+    pub const NONE: Dependencies = Dependencies(0);
+    /// Depends on a parameter.
+    pub const PARAMETER: Dependencies = Dependencies(1);
+    /// Depends on an input.
+    pub const INPUT: Dependencies = Dependencies(2);
+    /// Depends on time.
+    pub const TIME: Dependencies = Dependencies(4);
+    /// Depends on a coordinate.
+    pub const COORDINATE: Dependencies = Dependencies(8);
+    /// Depends on a velocity.
+    pub const VELOCITY: Dependencies = Dependencies(16);
+    /// Depends on an acceleration.
+    pub const ACCELERATION: Dependencies = Dependencies(32);
+    /// Contains a place holder of an unfinished computation.
+    pub const PLACEHOLDER: Dependencies = Dependencies(64);
+
+    /// Whether any kind of `other` is among these.
+    pub fn intersects(self, other: Dependencies) -> bool {
+        self.0 & other.0 != 0
+    }
+
+    /// Whether the value never changes during a motion.
+    pub fn is_constant_in_motion(self) -> bool {
+        self.0 & !Dependencies::PARAMETER.0 == 0
+    }
+
+    fn of_role(role: Role) -> Dependencies {
+        match role {
+            Role::Parameter(_) => Dependencies::PARAMETER,
+            Role::Input(_) => Dependencies::INPUT,
+            Role::Time => Dependencies::TIME,
+            Role::Coordinate(_) => Dependencies::COORDINATE,
+            Role::Velocity(_) => Dependencies::VELOCITY,
+            Role::Acceleration(_) => Dependencies::ACCELERATION,
+            Role::Placeholder(_) => Dependencies::PLACEHOLDER,
+        }
+    }
+}
+
+impl BitOr for Dependencies {
+    type Output = Dependencies;
+    fn bitor(self, other: Dependencies) -> Dependencies {
+        Dependencies(self.0 | other.0)
+    }
+}
+
+/// What is known of one expression.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Facts {
+    pub(super) dependencies: Dependencies,
+    pub(super) nonnegative: bool,
+}
+
+impl Facts {
+    pub(super) fn of(graph: &Graph, node: &Node) -> Facts {
+        let mut dependencies = match node {
+            Node::Symbol(symbol) => Dependencies::of_role(graph.symbols.get(*symbol).role),
+            _ => Dependencies::NONE,
+        };
+        node.for_each_child(|child| dependencies = dependencies | graph.dependencies(child));
+        Facts { dependencies, nonnegative: is_nonnegative(graph, node) }
+    }
+}
+
+fn is_nonnegative(graph: &Graph, node: &Node) -> bool {
+    let known = |id: &ExprId| graph.is_nonnegative(*id);
+    match node {
+        Node::Number(value) => !value.is_negative(),
+        Node::Pi => true,
+        Node::Symbol(_) => false,
+        Node::Sum { constant, terms } => {
+            !constant.is_negative() && terms.iter().all(|(term, c)| !c.is_negative() && known(term))
+        }
+        // A power with a fractional exponent is a principal root: never negative.
+        Node::Product(factors) => factors.iter().all(|(base, exponent): &(ExprId, Number)| {
+            exponent.is_even() || !exponent.is_integer() || known(base)
+        }),
+        Node::Call(Function::Abs | Function::Exp | Function::Cosh | Function::Hypot, _) => true,
+        Node::Call(_, _) => false,
+        Node::Choose { then, otherwise, .. } => known(then) && known(otherwise),
+    }
+}

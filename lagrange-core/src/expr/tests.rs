@@ -1,0 +1,105 @@
+use super::{ExprId, Graph, Relation};
+use crate::number::Number;
+use crate::symbol::Role;
+
+fn letters() -> (Graph, [ExprId; 4]) {
+    let mut graph = Graph::new();
+    let letters = ["a", "b", "c", "d"];
+    let ids = std::array::from_fn(|i| graph.symbol(letters[i], Role::Parameter(i as u32)));
+    (graph, ids)
+}
+
+#[test]
+fn equal_terms_are_collected() {
+    let (mut g, [a, b, ..]) = letters();
+    let twice = g.add(a, a);
+    assert_eq!(twice, g.scale(Number::TWO, a));
+    let sum = g.add(a, b);
+    assert_eq!(sum, g.add(b, a));
+    assert_eq!(g.subtract(sum, b), a);
+    assert!({ let zero = g.subtract(a, a); g.is_zero(zero) });
+}
+
+#[test]
+fn opposite_and_scaled_sums_share_a_node() {
+    let (mut g, [a, b, ..]) = letters();
+    let difference = g.subtract(a, b);
+    let opposite = g.subtract(b, a);
+    assert_eq!(g.split_coefficient(opposite), (Number::MINUS_ONE, difference));
+    let scaled = g.sum(Number::ZERO, [(a, Number::from(3)), (b, Number::from(-3))]);
+    assert_eq!(g.split_coefficient(scaled), (Number::from(3), difference));
+}
+
+#[test]
+fn nested_sums_open_only_to_cancel() {
+    let (mut g, [a, b, c, d]) = letters();
+    let ab = g.add(a, b);
+    let abc = g.add(ab, c);
+    assert_eq!(g.subtract(abc, ab), c);
+    let abd = g.add(ab, d);
+    let cd = g.subtract(c, d);
+    assert_eq!(g.subtract(abc, abd), cd);
+    let a_and_ab = g.add(a, ab);
+    assert!(g.reachable(&[a_and_ab]).contains(&ab), "nothing cancels: {ab:?} stays shared");
+    let one = g.number(1);
+    let shifted = g.add(a, one);
+    assert_eq!(g.subtract(shifted, one), a);
+}
+
+#[test]
+fn equal_bases_are_collected_where_the_domain_allows() {
+    let (mut g, [a, b, ..]) = letters();
+    let half = Number::ratio(1, 2).expect("no zero");
+    let product = g.multiply(a, b);
+    assert_eq!(product, g.multiply(b, a));
+    assert_eq!(g.divide(product, a), b);
+    let square = g.square(a);
+    assert_eq!(square, g.multiply(a, a));
+    let root = g.power(a, half.clone());
+    let root_squared = g.multiply(root, root);
+    assert_ne!(root_squared, a, "the root of a negative number is not a number");
+    let magnitude = g.power(square, half.clone());
+    assert_ne!(magnitude, a);
+    assert_eq!(g.multiply(magnitude, magnitude), square, "a square is not negative");
+}
+
+#[test]
+fn numbers_are_folded_exactly() {
+    let (mut g, [a, ..]) = letters();
+    let half = Number::ratio(1, 2).expect("no zero");
+    let four = g.number(4);
+    let root = g.power(four, half.clone());
+    assert_eq!(g.as_number(root), Some(&Number::TWO));
+    let two = g.number(2);
+    let surd = g.power(two, half);
+    assert_eq!(g.as_number(surd), None);
+    assert_eq!(g.multiply(surd, surd), two);
+    let zero = g.number(0);
+    assert_eq!(g.multiply(zero, a), zero);
+    let pole = g.reciprocal(zero);
+    assert_eq!(g.as_number(pole), None, "a division by zero is kept, not hidden");
+}
+
+#[test]
+fn conditions_between_numbers_are_decided() {
+    let (mut g, [a, b, ..]) = letters();
+    let (one, two) = (g.number(1), g.number(2));
+    assert_eq!(g.choose(Relation::Greater, two, one, a, b), a);
+    assert_eq!(g.choose(Relation::LessEqual, two, one, a, b), b);
+    assert_eq!(g.choose(Relation::Less, a, b, one, one), one);
+    let swapped = g.choose(Relation::Greater, b, a, one, two);
+    assert_eq!(g.choose(Relation::Less, a, b, one, two), swapped);
+}
+
+#[test]
+fn long_products_are_nested() {
+    let mut g = Graph::new();
+    let factors = (0..100_000).map(|i| g.symbol(&format!("x{i}"), Role::Parameter(i))).collect::<Vec<_>>();
+    let product = g.product(factors.iter().map(|&x| (x, Number::ONE)));
+    let widest = g.reachable(&[product]).into_iter().map(|id| {
+        let mut children = 0;
+        g.node(id).for_each_child(|_| children += 1);
+        children
+    });
+    assert_eq!(widest.max(), Some(16));
+}

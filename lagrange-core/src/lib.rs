@@ -1,0 +1,9 @@
+//! Everything of `lagrange` that happens at compile time.
+#![forbid(unsafe_code)]
+
+pub mod collections;
+pub mod diagnostics;
+pub mod expr;
+pub mod number;
+pub mod symbol;
+pub mod syntax;

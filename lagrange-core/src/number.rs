@@ -1,0 +1,334 @@
+//! Exact rational numbers.
+//!
+//! Every literal of a declaration is kept exactly: `0.1` is one tenth. Arithmetic stays in machine
+//! words as long as numerator and denominator fit and moves to big integers when they do not.
+//! Rounding happens once, when a constant is written into generated code.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use num_bigint::BigInt;
+use num_rational::{BigRational, Ratio};
+use num_traits::{CheckedAdd, CheckedMul, One, Pow, Signed, ToPrimitive, Zero};
+
+/// Powers whose result would need more bits than this are left unevaluated.
+const LARGEST_POWER_BITS: u64 = 4096;
+/// Decimal exponents beyond this are refused: no scalar can represent them.
+const LARGEST_DECIMAL_EXPONENT: i64 = 5000;
+
+/// A rational number in lowest terms, with a positive denominator.
+///
+/// Equal numbers have equal representations, so `==` and `Hash` are exact.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Number(Repr);
+
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Repr {
+    Word(Ratio<i64>),
+    /// Only for values that do not fit `Word`.
+    Big(Box<BigRational>),
+}
+
+impl Number {
+    /// Zero.
+    pub const ZERO: Number = Number(Repr::Word(Ratio::new_raw(0, 1)));
+    /// One.
+    pub const ONE: Number = Number(Repr::Word(Ratio::new_raw(1, 1)));
+    /// Minus one.
+    pub const MINUS_ONE: Number = Number(Repr::Word(Ratio::new_raw(-1, 1)));
+    /// Two.
+    pub const TWO: Number = Number(Repr::Word(Ratio::new_raw(2, 1)));
+
+    /// `numerator / denominator`; `None` if the denominator is zero.
+    pub fn ratio(numerator: i64, denominator: i64) -> Option<Number> {
+        if denominator == 0 {
+            return None;
+        }
+        Some(Number::from_big(BigRational::new(numerator.into(), denominator.into())))
+    }
+
+    /// Reads an unsigned integer or decimal literal such as `3`, `0.1` or `2.5e-3`; underscores may
+    /// separate digits. `None` if the text is no such literal or its exponent is out of all reason.
+    pub fn parse_decimal(text: &str) -> Option<Number> {
+        let text = text.replace('_', "");
+        let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+            Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),
+            None => (text.as_str(), 0),
+        };
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits = format!("{whole}{fraction}");
+        if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
+            return None;
+        }
+        let scale = exponent.checked_sub(fraction.len() as i64)?;
+        if scale.abs() > LARGEST_DECIMAL_EXPONENT {
+            return None;
+        }
+        let power = Pow::pow(BigInt::from(10), scale.unsigned_abs());
+        let digits = BigRational::from_integer(digits.parse::<BigInt>().ok()?);
+        Some(Number::from_big(if scale < 0 { digits / power } else { digits * power }))
+    }
+
+    fn from_big(value: BigRational) -> Number {
+        match (value.numer().to_i64(), value.denom().to_i64()) {
+            (Some(numerator), Some(denominator)) => Number(Repr::Word(Ratio::new_raw(numerator, denominator))),
+            _ => Number(Repr::Big(Box::new(value))),
+        }
+    }
+
+    fn to_big(&self) -> BigRational {
+        match &self.0 {
+            Repr::Word(ratio) => BigRational::new_raw((*ratio.numer()).into(), (*ratio.denom()).into()),
+            Repr::Big(big) => (**big).clone(),
+        }
+    }
+
+    /// Whether this is zero.
+    pub fn is_zero(&self) -> bool {
+        *self == Number::ZERO
+    }
+
+    /// Whether this is one.
+    pub fn is_one(&self) -> bool {
+        *self == Number::ONE
+    }
+
+    /// Whether this is below zero.
+    pub fn is_negative(&self) -> bool {
+        match &self.0 {
+            Repr::Word(ratio) => *ratio.numer() < 0,
+            Repr::Big(big) => big.is_negative(),
+        }
+    }
+
+    /// Whether the denominator is one.
+    pub fn is_integer(&self) -> bool {
+        match &self.0 {
+            Repr::Word(ratio) => *ratio.denom() == 1,
+            Repr::Big(big) => big.is_integer(),
+        }
+    }
+
+    /// Whether this is an even integer.
+    pub fn is_even(&self) -> bool {
+        self.is_integer() && (self * &Number(Repr::Word(Ratio::new_raw(1, 2)))).is_integer()
+    }
+
+    /// The value, if it is an integer that fits.
+    pub fn to_i32(&self) -> Option<i32> {
+        match &self.0 {
+            Repr::Word(ratio) if *ratio.denom() == 1 => i32::try_from(*ratio.numer()).ok(),
+            _ => None,
+        }
+    }
+
+    /// The nearest `f64`; infinite if the magnitude is out of range.
+    pub fn to_f64(&self) -> f64 {
+        let exact = |n: &i64| n.unsigned_abs() <= 1 << 53;
+        match &self.0 {
+            // One rounding of exact operands: correctly rounded.
+            Repr::Word(ratio) if exact(ratio.numer()) && exact(ratio.denom()) => {
+                *ratio.numer() as f64 / *ratio.denom() as f64
+            }
+            _ => self.to_big().to_f64().unwrap_or(f64::NAN),
+        }
+    }
+
+    /// Magnitude.
+    pub fn abs(&self) -> Number {
+        if self.is_negative() { -self } else { self.clone() }
+    }
+
+    /// `1 / self`; `None` for zero.
+    pub fn reciprocal(&self) -> Option<Number> {
+        (!self.is_zero()).then(|| match &self.0 {
+            Repr::Word(ratio) if *ratio.numer() != i64::MIN => Number(Repr::Word(ratio.recip())),
+            _ => Number::from_big(self.to_big().recip()),
+        })
+    }
+
+    /// `self` to an integer power; `None` for a negative power of zero and for results too long to be useful.
+    pub fn power(&self, exponent: i32) -> Option<Number> {
+        let base = if exponent < 0 { self.reciprocal()? } else { self.clone() };
+        let magnitude = exponent.unsigned_abs();
+        let big = base.to_big();
+        let bits = big.numer().bits().max(big.denom().bits());
+        // ±1 and 0 never grow.
+        if bits > 1 && bits.saturating_mul(magnitude.into()) > LARGEST_POWER_BITS {
+            return None;
+        }
+        Some(Number::from_big(Pow::pow(big, magnitude)))
+    }
+
+    /// The exact square root of a square; `None` for every other number.
+    pub fn exact_sqrt(&self) -> Option<Number> {
+        if self.is_negative() {
+            return None;
+        }
+        let big = self.to_big();
+        let root = BigRational::new_raw(big.numer().sqrt(), big.denom().sqrt());
+        (&root * &root == big).then(|| Number::from_big(root))
+    }
+}
+
+impl From<i64> for Number {
+    fn from(value: i64) -> Number {
+        Number(Repr::Word(Ratio::from_integer(value)))
+    }
+}
+
+impl std::ops::Add for &Number {
+    type Output = Number;
+    fn add(self, other: &Number) -> Number {
+        if let (Repr::Word(a), Repr::Word(b)) = (&self.0, &other.0)
+            && let Some(sum) = a.checked_add(b)
+        {
+            return Number(Repr::Word(sum));
+        }
+        Number::from_big(self.to_big() + other.to_big())
+    }
+}
+
+impl std::ops::Sub for &Number {
+    type Output = Number;
+    fn sub(self, other: &Number) -> Number {
+        self + &-other
+    }
+}
+
+impl std::ops::Mul for &Number {
+    type Output = Number;
+    fn mul(self, other: &Number) -> Number {
+        if self.is_one() {
+            return other.clone();
+        }
+        if other.is_one() {
+            return self.clone();
+        }
+        if let (Repr::Word(a), Repr::Word(b)) = (&self.0, &other.0)
+            && let Some(product) = a.checked_mul(b)
+        {
+            return Number(Repr::Word(product));
+        }
+        Number::from_big(self.to_big() * other.to_big())
+    }
+}
+
+impl std::ops::Neg for &Number {
+    type Output = Number;
+    fn neg(self) -> Number {
+        match &self.0 {
+            Repr::Word(ratio) if *ratio.numer() != i64::MIN => {
+                Number(Repr::Word(Ratio::new_raw(-ratio.numer(), *ratio.denom())))
+            }
+            _ => Number::from_big(-self.to_big()),
+        }
+    }
+}
+
+impl PartialOrd for Number {
+    fn partial_cmp(&self, other: &Number) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Number {
+    fn cmp(&self, other: &Number) -> Ordering {
+        match (&self.0, &other.0) {
+            (Repr::Word(a), Repr::Word(b)) => a.cmp(b),
+            _ => self.to_big().cmp(&other.to_big()),
+        }
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Repr::Word(ratio) => ratio.fmt(f),
+            Repr::Big(big) => big.fmt(f),
+        }
+    }
+}
+
+impl fmt::Debug for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl Zero for Number {
+    fn zero() -> Number {
+        Number::ZERO
+    }
+    fn is_zero(&self) -> bool {
+        self.is_zero()
+    }
+}
+
+impl One for Number {
+    fn one() -> Number {
+        Number::ONE
+    }
+}
+
+impl std::ops::Add for Number {
+    type Output = Number;
+    fn add(self, other: Number) -> Number {
+        &self + &other
+    }
+}
+
+impl std::ops::Mul for Number {
+    type Output = Number;
+    fn mul(self, other: Number) -> Number {
+        &self * &other
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Number;
+
+    fn number(text: &str) -> Number {
+        Number::parse_decimal(text).unwrap_or_else(|| panic!("{text} is a literal"))
+    }
+
+    #[test]
+    fn decimal_literals_are_exact() {
+        assert_eq!(number("0.1"), Number::ratio(1, 10).expect("no zero"));
+        assert_eq!(number("2.5e-3"), Number::ratio(1, 400).expect("no zero"));
+        assert_eq!(number("1_000"), Number::from(1000));
+        assert_eq!(&number("0.1") + &number("0.2"), number("0.3"));
+        assert_eq!(number("9.81").to_f64(), 9.81);
+        assert_eq!(number("1e400").to_f64(), f64::INFINITY);
+        assert_eq!(number("1e-400").to_f64(), 0.0);
+    }
+
+    #[test]
+    fn texts_that_are_no_numbers_are_refused() {
+        for text in ["", ".", "e5", "1.2.3", "0x10", "1e", "1e99999999999999999999", "1e1000000000"] {
+            assert_eq!(Number::parse_decimal(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn arithmetic_leaves_machine_words_and_returns() {
+        let large = Number::from(i64::MAX);
+        let square = &large * &large;
+        assert_eq!(square.to_string(), "85070591730234615847396907784232501249");
+        let back = &square * &large.reciprocal().expect("not zero");
+        assert_eq!(back, large);
+        assert_eq!(&Number::from(i64::MIN) + &large, Number::MINUS_ONE);
+        assert_eq!(-&-&Number::from(i64::MIN), Number::from(i64::MIN));
+    }
+
+    #[test]
+    fn powers_and_roots_are_exact_or_absent() {
+        assert_eq!(Number::from(2).power(-3), Number::ratio(1, 8));
+        assert_eq!(Number::ZERO.power(-1), None);
+        assert_eq!(Number::from(10).power(1_000_000_000), None);
+        assert_eq!(Number::MINUS_ONE.power(i32::MAX), Some(Number::MINUS_ONE));
+        assert_eq!(number("2.25").exact_sqrt(), Some(number("1.5")));
+        assert_eq!(Number::from(2).exact_sqrt(), None);
+    }
+}

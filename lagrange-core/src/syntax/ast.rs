@@ -1,0 +1,210 @@
+//! The syntax tree of a declaration, as written: names unresolved, nothing simplified.
+//!
+//! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth are
+//! built, walked and dropped without recursion. Children have smaller ids than their parents.
+
+use proc_macro2::{Span, TokenStream};
+
+use crate::diagnostics::Origin;
+use crate::expr::Relation;
+use crate::number::Number;
+
+/// A whole `system!` declaration.
+#[derive(Clone, Debug)]
+pub struct Declaration {
+    /// Attributes to keep on the struct (docs, derives), without those of the language.
+    pub attributes: TokenStream,
+    /// Traits named in `#[derive(…)]` attributes.
+    pub derives: Vec<Name>,
+    /// Visibility of the struct, possibly empty.
+    pub visibility: TokenStream,
+    /// Name of the struct.
+    pub name: Name,
+    /// The number type of the emitted code.
+    pub scalar: ScalarType,
+    /// Statements in source order, without those that could not be read.
+    pub statements: Vec<Statement>,
+    /// The expressions that statements refer to.
+    pub expressions: Expressions,
+}
+
+/// A name and where it stands.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// The identifier, without a raw prefix.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The number type of the emitted code.
+#[derive(Clone, Debug)]
+pub enum ScalarType {
+    /// `pub struct Name;`
+    F64,
+    /// `#[scalar(f32)]`
+    F32,
+    /// `pub struct Name<S>;` with the name of the type parameter.
+    Generic(Name),
+}
+
+/// A statement and the stretch of source it covers.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// What it says.
+    pub kind: StatementKind,
+    /// From the keyword to the semicolon.
+    pub origin: Origin,
+}
+
+/// What a statement says.
+#[derive(Clone, Debug)]
+pub enum StatementKind {
+    /// `param a, b = 1.0;`
+    Parameters(Vec<Definition>),
+    /// `input u;`
+    Inputs(Vec<Definition>),
+    /// `const k = 1/2;`
+    Constants(Vec<Definition>),
+    /// `coord x, theta;`
+    Coordinates(Vec<Name>),
+    /// `let n = e;`
+    Let(Name, AstId),
+    /// `let (a, b) = e;`
+    LetTuple(Vec<Name>, AstId),
+    /// `kinetic = e;`
+    Kinetic(AstId),
+    /// `potential = e;`
+    Potential(AstId),
+    /// `lagrangian = e;`
+    Lagrangian(AstId),
+    /// `dissipation = e;`
+    Dissipation(AstId),
+    /// `force x = e;`
+    ForceOn(Name, AstId),
+    /// `force f at p;`
+    ForceAt {
+        /// A vector of two or three components.
+        force: AstId,
+        /// The point it acts on, a vector of as many components.
+        point: AstId,
+    },
+    /// `torque m on angle;`
+    Torque {
+        /// The moment.
+        moment: AstId,
+        /// The angle it turns.
+        angle: AstId,
+    },
+    /// `output name = e;`
+    Output(Name, AstId),
+    /// `emit { a, no b }`
+    Emit(Vec<EmitItem>),
+}
+
+/// One `name = value` of a `param`, `input` or `const` statement.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The declared name.
+    pub name: Name,
+    /// The value behind `=`, if there is one.
+    pub value: Option<AstId>,
+}
+
+/// One entry of `emit { … }`: a product to add, or with `no` in front one to leave out.
+#[derive(Clone, Debug)]
+pub struct EmitItem {
+    /// The product.
+    pub product: Name,
+    /// Whether it is wanted.
+    pub wanted: bool,
+}
+
+/// Identifies an expression of one [`Expressions`] arena.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct AstId(u32);
+
+/// A binary operator.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BinaryOperator {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `^`
+    Power,
+}
+
+/// One `if` condition `left relation right`.
+#[derive(Clone, Copy, Debug)]
+pub struct Condition {
+    /// Left operand.
+    pub left: AstId,
+    /// `<`, `<=`, `>` or `>=`.
+    pub relation: Relation,
+    /// Right operand.
+    pub right: AstId,
+}
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub enum Expression {
+    /// A literal, exactly.
+    Number(Number),
+    /// A name, not yet resolved.
+    Name(String),
+    /// `(a, b)` or `(a, b, c)`.
+    Tuple(Vec<AstId>),
+    /// `-a`
+    Negate(AstId),
+    /// `a + b` and its kin; the span is that of the operator.
+    Binary(BinaryOperator, Span, AstId, AstId),
+    /// `f(a, b)`, or `a.f(b)` with the receiver as first argument.
+    Call(Name, Vec<AstId>),
+    /// `a.x`
+    Component(AstId, Name),
+    /// `if c { a } else { b }`; longer chains nest in `otherwise`.
+    If {
+        /// The condition.
+        condition: Condition,
+        /// Value where the condition holds.
+        then: AstId,
+        /// Value elsewhere.
+        otherwise: AstId,
+    },
+    /// Something that was reported already.
+    Invalid,
+}
+
+/// The arena of expressions of one declaration.
+#[derive(Clone, Default, Debug)]
+pub struct Expressions {
+    nodes: Vec<(Expression, Origin)>,
+}
+
+impl Expressions {
+    /// Adds an expression; its children must have been added before.
+    pub fn add(&mut self, expression: Expression, origin: Origin) -> AstId {
+        self.nodes.push((expression, origin));
+        AstId((self.nodes.len() - 1) as u32)
+    }
+
+    /// The expression behind an id.
+    pub fn get(&self, id: AstId) -> &Expression {
+        &self.nodes[id.0 as usize].0
+    }
+
+    /// Where it stands.
+    pub fn origin(&self, id: AstId) -> Origin {
+        self.nodes[id.0 as usize].1
+    }
+
+    /// Every expression with its id, children before parents.
+    pub fn iter(&self) -> impl Iterator<Item = (AstId, &Expression)> {
+        self.nodes.iter().enumerate().map(|(index, (expression, _))| (AstId(index as u32), expression))
+    }
+}

@@ -1,0 +1,2 @@
+//! Declarations as the user writes them.
+pub mod ast;
