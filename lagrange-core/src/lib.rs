@@ -1,9 +1,11 @@
 //! Everything of `lagrange` that happens at compile time.
 #![forbid(unsafe_code)]
 
+pub mod calculus;
 pub mod collections;
 pub mod diagnostics;
 pub mod expr;
+pub mod functions;
 pub mod number;
 pub mod symbol;
 pub mod syntax;

@@ -71,7 +71,9 @@ impl Number {
 
     fn from_big(value: BigRational) -> Number {
         match (value.numer().to_i64(), value.denom().to_i64()) {
-            (Some(numerator), Some(denominator)) => Number(Repr::Word(Ratio::new_raw(numerator, denominator))),
+            (Some(numerator), Some(denominator)) => {
+                Number(Repr::Word(Ratio::new_raw(numerator, denominator)))
+            }
             _ => Number(Repr::Big(Box::new(value))),
         }
     }

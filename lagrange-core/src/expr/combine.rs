@@ -244,6 +244,10 @@ fn vanishing<'a>(
     opened.sort_unstable_by(|a, b| (a.0, a.2).cmp(&(b.0, b.2)));
     opened.chunk_by(|a, b| a.0 == b.0).find_map(|same| {
         let total = same.iter().fold(Number::ZERO, |total, (_, weight, _)| &total + weight);
-        if same.len() > 1 && total.is_zero() { same.iter().find_map(|(_, _, position)| *position) } else { None }
+        if same.len() > 1 && total.is_zero() {
+            same.iter().find_map(|(_, _, position)| *position)
+        } else {
+            None
+        }
     })
 }

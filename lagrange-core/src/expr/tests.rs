@@ -17,7 +17,10 @@ fn equal_terms_are_collected() {
     let sum = g.add(a, b);
     assert_eq!(sum, g.add(b, a));
     assert_eq!(g.subtract(sum, b), a);
-    assert!({ let zero = g.subtract(a, a); g.is_zero(zero) });
+    assert!({
+        let zero = g.subtract(a, a);
+        g.is_zero(zero)
+    });
 }
 
 #[test]

@@ -1,0 +1,63 @@
+//! How expressions depend on the velocities: not at all, affinely, or otherwise.
+
+use crate::collections::HashMap;
+use crate::expr::{Dependencies, ExprId, Graph, Node};
+use crate::number::Number;
+
+/// Dependence on the velocities.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Degree {
+    /// Does not mention a velocity.
+    Free,
+    /// A sum of velocities with velocity-free coefficients, plus something velocity-free.
+    Affine,
+    /// Anything else.
+    Nonlinear,
+}
+
+/// The degrees of expressions, each found once.
+#[derive(Default, Debug)]
+pub struct Degrees {
+    known: HashMap<ExprId, Degree>,
+}
+
+impl Degrees {
+    /// Finds the degree of everything `roots` are made of.
+    pub fn classify(&mut self, graph: &Graph, roots: &[ExprId]) {
+        for id in graph.reachable_until(roots, |id| self.known.contains(&id)) {
+            if !self.known.contains(&id) {
+                let degree = self.derive(graph, id);
+                self.known.insert(id, degree);
+            }
+        }
+    }
+
+    /// The degree of an expression that has been classified; velocity-free ones need not have been.
+    pub fn of(&self, graph: &Graph, id: ExprId) -> Degree {
+        if !graph.dependencies(id).intersects(Dependencies::VELOCITY) {
+            return Degree::Free;
+        }
+        self.known.get(&id).copied().unwrap_or(Degree::Nonlinear)
+    }
+
+    fn derive(&self, graph: &Graph, id: ExprId) -> Degree {
+        let of = |child: &ExprId| self.of(graph, *child);
+        match graph.node(id) {
+            _ if !graph.dependencies(id).intersects(Dependencies::VELOCITY) => Degree::Free,
+            Node::Symbol(_) => Degree::Affine,
+            Node::Sum { terms, .. } => terms.iter().map(|(term, _)| of(term)).max().unwrap_or(Degree::Free),
+            Node::Product(factors) => {
+                let mut moving = factors.iter().filter(|(base, _)| of(base) != Degree::Free);
+                match (moving.next(), moving.next()) {
+                    (Some((base, exponent)), None) if *exponent == Number::ONE => of(base),
+                    _ => Degree::Nonlinear,
+                }
+            }
+            Node::Choose { left, right, then, otherwise, .. } => match of(left).max(of(right)) {
+                Degree::Free => of(then).max(of(otherwise)),
+                _ => Degree::Nonlinear,
+            },
+            _ => Degree::Nonlinear,
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Derivatives of one node with respect to its operands: the edges of the chain rule.
+
+use crate::calculus::{partial, substitute};
+use crate::collections::HashMap;
+use crate::expr::{ExprId, Graph, Node};
+use crate::functions::row;
+use crate::number::Number;
+use crate::symbol::Role;
+
+/// `(operand, ∂node/∂operand)` for every operand with a derivative; conditions have none.
+pub fn partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
+    match graph.node(id).clone() {
+        Node::Number(_) | Node::Pi | Node::Symbol(_) => Vec::new(),
+        Node::Sum { terms, .. } => terms.iter().map(|(term, c)| (*term, graph.number(c.clone()))).collect(),
+        Node::Product(factors) => {
+            (0..factors.len()).map(|i| (factors[i].0, differentiate_factor(graph, &factors, i))).collect()
+        }
+        Node::Call(function, arguments) => {
+            let partials = (row(function).partials)(graph, &arguments, id);
+            arguments.iter().copied().zip(partials).collect()
+        }
+        Node::Choose { relation, left, right, then, otherwise } => {
+            let (zero, one) = (graph.number(0), graph.number(1));
+            vec![
+                (then, graph.choose(relation, left, right, one, zero)),
+                (otherwise, graph.choose(relation, left, right, zero, one)),
+            ]
+        }
+    }
+}
+
+/// `(operand, operand, ∂²node/∂operand∂operand)`, each unordered pair once and without vanishing ones.
+pub fn second_partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId, ExprId)> {
+    match graph.node(id).clone() {
+        Node::Product(factors) => second_partials_of_product(graph, &factors),
+        Node::Call(function, arguments) => {
+            let scratch = (0..arguments.len()).map(|i| placeholder(graph, i)).collect::<Vec<_>>();
+            let value = graph.call(function, &scratch);
+            let first = (row(function).partials)(graph, &scratch, value);
+            let back = scratch.iter().copied().zip(arguments.iter().copied()).collect::<HashMap<_, _>>();
+            let mut found = Vec::new();
+            for (i, &slope) in first.iter().enumerate() {
+                for j in i..arguments.len() {
+                    let second = partial(graph, slope, scratch[j]);
+                    let second = substitute(graph, second, &back);
+                    if !graph.is_zero(second) {
+                        found.push((arguments[i], arguments[j], second));
+                    }
+                }
+            }
+            found
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Stands for an argument while a function is differentiated twice: arguments themselves may dissolve in
+/// what the constructors make of the first derivative.
+fn placeholder(graph: &mut Graph, index: usize) -> ExprId {
+    graph.symbol("argument", Role::Placeholder(index as u32))
+}
+
+fn second_partials_of_product(
+    graph: &mut Graph,
+    factors: &[(ExprId, Number)],
+) -> Vec<(ExprId, ExprId, ExprId)> {
+    let mut found = Vec::new();
+    for i in 0..factors.len() {
+        let (lowered, scale) = lower_exponent(factors, i);
+        for j in i..factors.len() {
+            let (twice, second_scale) = lower_exponent(&lowered, j);
+            let coefficient = &scale * &second_scale;
+            if !coefficient.is_zero() {
+                let product = graph.product(twice);
+                found.push((factors[i].0, factors[j].0, graph.scale(coefficient, product)));
+            }
+        }
+    }
+    found
+}
+
+fn differentiate_factor(graph: &mut Graph, factors: &[(ExprId, Number)], index: usize) -> ExprId {
+    let (lowered, scale) = lower_exponent(factors, index);
+    let product = graph.product(lowered);
+    graph.scale(scale, product)
+}
+
+/// The power rule on one factor: the factors with that exponent lowered by one, and the old exponent.
+fn lower_exponent(factors: &[(ExprId, Number)], index: usize) -> (Vec<(ExprId, Number)>, Number) {
+    let mut lowered = factors.to_vec();
+    let exponent = lowered[index].1.clone();
+    lowered[index].1 = &exponent + &Number::MINUS_ONE;
+    (lowered, exponent)
+}

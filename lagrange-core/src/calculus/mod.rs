@@ -1,0 +1,20 @@
+//! Calculus on the graph: every result is again a graph of about the size of its input.
+
+mod adjoint;
+mod degree;
+mod evaluate;
+mod local;
+mod partial;
+mod rate;
+mod substitute;
+
+pub use adjoint::{adjoint, gradient};
+pub use degree::{Degree, Degrees};
+pub use evaluate::evaluate;
+pub use local::{partials, second_partials};
+pub use partial::partial;
+pub use rate::{AccelerationTerms, Rates};
+pub use substitute::substitute;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,34 @@
+//! Substitution of expressions for expressions.
+
+use crate::collections::HashMap;
+use crate::expr::{ExprId, Graph, Node};
+use crate::functions::apply;
+
+/// `root` with every expression that `replacements` knows replaced, all at once.
+pub fn substitute(graph: &mut Graph, root: ExprId, replacements: &HashMap<ExprId, ExprId>) -> ExprId {
+    let mut image: HashMap<ExprId, ExprId> = HashMap::default();
+    for id in graph.reachable_until(&[root], |id| replacements.contains(&id)) {
+        let new = match replacements.get(&id) {
+            Some(&replacement) => replacement,
+            None => rebuild(graph, id, |child| image.get(&child).copied().unwrap_or(child)),
+        };
+        image.insert(id, new);
+    }
+    image.get(&root).copied().unwrap_or(root)
+}
+
+/// The node with every operand mapped, made by the constructors.
+fn rebuild(graph: &mut Graph, id: ExprId, map: impl Fn(ExprId) -> ExprId) -> ExprId {
+    match graph.node(id).clone() {
+        Node::Number(_) | Node::Pi | Node::Symbol(_) => id,
+        Node::Sum { constant, terms } => graph.sum(constant, terms.iter().map(|(t, c)| (map(*t), c.clone()))),
+        Node::Product(factors) => graph.product(factors.iter().map(|(b, e)| (map(*b), e.clone()))),
+        Node::Call(function, arguments) => {
+            let arguments = arguments.iter().map(|argument| map(*argument)).collect::<Vec<_>>();
+            apply(graph, function, &arguments)
+        }
+        Node::Choose { relation, left, right, then, otherwise } => {
+            graph.choose(relation, map(left), map(right), map(then), map(otherwise))
+        }
+    }
+}
