@@ -113,7 +113,7 @@ impl<K: Eq + Hash, V> OrderedMap<K, V> {
 
     /// The key at an index this map has given out.
     pub fn key_at(&self, index: usize) -> &K {
-        &self.0.get_index(index).expect("an index of this map").0
+        self.0.get_index(index).expect("an index of this map").0
     }
 
     /// The value at an index this map has given out.

@@ -274,11 +274,7 @@ pub const ROWS: [Row; 19] = [
         latex: r"\max\left(#1, #2\right)",
         rust: "max",
         value: |x| if x[0] > x[1] || x[0].is_nan() { x[0] } else { x[1] },
-        partials: |g, x, _| {
-            let mut swapped = indicators(g, x[1], x[0]);
-            swapped.reverse();
-            swapped
-        },
+        partials: |g, x, _| indicators(g, x[1], x[0]),
     },
     Row {
         function: Function::Power,
@@ -431,7 +427,7 @@ fn inverse_root(graph: &mut Graph, constant: Number, sign: Number, x: ExprId) ->
     graph.power(radicand, half_of(Number::MINUS_ONE))
 }
 
-/// 1 and 0 where a < b, 0 and 1 elsewhere.
+/// 1 and 0 where a < b; 0 and 1 elsewhere.
 fn indicators(graph: &mut Graph, a: ExprId, b: ExprId) -> Vec<ExprId> {
     let (zero, one) = (graph.number(0), graph.number(1));
     vec![graph.choose(Relation::Less, a, b, one, zero), graph.choose(Relation::Less, a, b, zero, one)]
@@ -469,7 +465,7 @@ mod tests {
 
     #[test]
     fn known_values_agree_with_the_numeric_ones() {
-        for row in ROWS.iter() {
+        for row in &ROWS {
             if let Some(value) = row.at_zero {
                 assert_eq!((row.value)(&[0.0]), value as f64, "{}", row.name);
             }
@@ -485,7 +481,7 @@ mod tests {
 
     #[test]
     fn not_a_number_comes_through_every_function() {
-        for row in ROWS.iter() {
+        for row in &ROWS {
             for position in 0..row.arity {
                 let mut arguments = [0.5, 0.25];
                 arguments[position] = f64::NAN;

@@ -26,7 +26,7 @@ fn central_difference(f: impl Fn(f64) -> f64, x: f64) -> f64 {
 
 #[test]
 fn derivatives_of_every_function_agree_with_differences_and_with_the_adjoint() {
-    for row in ROWS.iter() {
+    for row in &ROWS {
         let mut g = Graph::new();
         let variables = coordinates(&mut g);
         let f = apply(&mut g, row.function, &variables[..row.arity]);

@@ -26,7 +26,7 @@ impl Graph {
         let mut constant = constant;
         let mut collected = Vec::new();
         for (term, coefficient) in terms {
-            self.push_term(&mut constant, &mut collected, term, coefficient);
+            self.push_term(&mut constant, &mut collected, term, &coefficient);
         }
         merge(&mut collected, |_, a, b| Some(a + b));
         while let Some(position) = self.cancelling_sum(&constant, &collected) {
@@ -34,19 +34,25 @@ impl Graph {
             let Node::Sum { constant: inner, terms } = self.node(nested).clone() else { break };
             constant = &constant + &(&inner * &coefficient);
             for (term, weight) in &terms {
-                self.push_term(&mut constant, &mut collected, *term, weight * &coefficient);
+                self.push_term(&mut constant, &mut collected, *term, &(weight * &coefficient));
             }
             merge(&mut collected, |_, a, b| Some(a + b));
         }
         self.finish_sum(constant, collected)
     }
 
-    fn push_term(&self, constant: &mut Number, terms: &mut Vec<Weighted>, term: ExprId, coefficient: Number) {
+    fn push_term(
+        &self,
+        constant: &mut Number,
+        terms: &mut Vec<Weighted>,
+        term: ExprId,
+        coefficient: &Number,
+    ) {
         if let Some(value) = self.as_number(term) {
-            *constant = &*constant + &(value * &coefficient);
+            *constant = &*constant + &(value * coefficient);
         } else {
             let (inner, term) = self.split_coefficient(term);
-            terms.push((term, &inner * &coefficient));
+            terms.push((term, &inner * coefficient));
         }
     }
 
@@ -241,7 +247,7 @@ fn vanishing<'a>(
             opened.push((*id, weight.clone(), None));
         }
     }
-    opened.sort_unstable_by(|a, b| (a.0, a.2).cmp(&(b.0, b.2)));
+    opened.sort_unstable_by_key(|(id, _, position)| (*id, *position));
     opened.chunk_by(|a, b| a.0 == b.0).find_map(|same| {
         let total = same.iter().fold(Number::ZERO, |total, (_, weight, _)| &total + weight);
         if same.len() > 1 && total.is_zero() {
