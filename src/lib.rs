@@ -6,5 +6,6 @@
 extern crate std;
 
 pub mod scalar;
+pub mod system;
 
 pub use crate::scalar::Scalar;
