@@ -5,6 +5,7 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+pub mod integrate;
 pub mod scalar;
 pub mod system;
 
