@@ -1,0 +1,45 @@
+//! Sums of many small increments without accumulation of rounding errors.
+//!
+//! Compensated summation after Kahan and Møller: the part of each increment that rounding cuts off is kept
+//! and added to the next one. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VIII.5,
+//! algorithm 5.1.
+
+use crate::scalar::Scalar;
+use crate::system::StateVector;
+
+/// A state and the part of its increments that did not fit into it.
+pub(super) struct Compensated<Y> {
+    value: Y,
+    remainder: Y,
+}
+
+impl<Y> Compensated<Y> {
+    /// Starts at `value`, taken as exact.
+    pub(super) fn new<S: Scalar>(value: Y) -> Self
+    where
+        Y: StateVector<S>,
+    {
+        let mut remainder = value;
+        remainder.as_mut().fill(S::ZERO);
+        Compensated { value, remainder }
+    }
+
+    /// The sum so far.
+    pub(super) fn value(&self) -> &Y {
+        &self.value
+    }
+
+    /// Adds an increment, component by component.
+    pub(super) fn add<S: Scalar>(&mut self, increment: &Y)
+    where
+        Y: StateVector<S>,
+    {
+        let components = self.value.as_mut().iter_mut().zip(self.remainder.as_mut());
+        for ((value, remainder), increment) in components.zip(increment.as_ref()) {
+            let wanted = *remainder + *increment;
+            let before = *value;
+            *value = before + wanted;
+            *remainder = wanted + (before - *value);
+        }
+    }
+}
