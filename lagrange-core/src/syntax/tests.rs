@@ -2,6 +2,7 @@ mod expressions;
 mod header;
 mod mistakes;
 mod statements;
+mod systems;
 
 use super::ast::{
     AstId, BinaryOperator, Declaration, Definition, EmitItem, Expression, Expressions, Name, StatementKind,
