@@ -1,5 +1,6 @@
 mod expressions;
 mod header;
+mod limits;
 mod mistakes;
 mod statements;
 mod systems;
