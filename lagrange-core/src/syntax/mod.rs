@@ -1,2 +1,86 @@
-//! Declarations as the user writes them.
+//! Declarations as the user writes them: tokens to syntax tree.
+//!
+//! Knows how things are written, not what they mean: names are not resolved, functions not looked up,
+//! vectors not told from numbers. Reading goes on behind a mistake, at the next comma or semicolon, so that
+//! all mistakes of a declaration are found at once.
+//!
+//! ```text
+//! declaration = attribute* visibility "struct" NAME [ "<" NAME ">" ] ";" statement*
+//! statement   = ( "param" | "input" ) NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
+//!             | "const" NAME "=" sum { "," NAME "=" sum } ";"
+//!             | "coord" NAME { "," NAME } ";"
+//!             | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
+//!             | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
+//!             | "force" NAME "=" sum ";"
+//!             | "force" sum "at" sum ";"
+//!             | "torque" sum "on" sum ";"
+//!             | "output" NAME "=" sum ";"
+//!             | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
+//! sum         = product { ( "+" | "-" ) product }
+//! product     = signed { ( "*" | "/" ) signed }
+//! signed      = { "-" } power
+//! power       = operand [ "^" signed ]
+//! operand     = atom { "." NAME [ "(" [ sum { "," sum } ] ")" ] }
+//! atom        = NUMBER | NAME [ "(" [ sum { "," sum } ] ")" ] | "(" sum ")"
+//!             | "(" sum "," sum [ "," sum ] ")"
+//!             | "if" sum ( "<" | "<=" | ">" | ">=" ) sum "{" sum "}" "else" ( "{" sum "}" | if )
+//! ```
+
 pub mod ast;
+mod attributes;
+mod conditionals;
+mod cursor;
+mod definitions;
+mod expressions;
+mod header;
+mod keywords;
+mod literals;
+mod messages;
+mod names;
+mod operands;
+mod parser;
+mod recovery;
+mod statements;
+#[cfg(test)]
+mod tests;
+mod text;
+mod unexpected;
+
+use proc_macro2::TokenStream;
+
+use crate::diagnostics::Report;
+use ast::Declaration;
+use cursor::Cursor;
+use header::{default_header, header_ahead};
+use parser::Parser;
+
+/// Reads the input of `system!`.
+///
+/// Whatever can be read is in the result, whether or not there are mistakes elsewhere. It is `None` only if
+/// no struct is named, which is an error in the report.
+pub fn parse_tokens(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
+    let cursor = &mut Cursor::new(tokens);
+    let parser = &mut Parser::new(report);
+    let header = parser.header(cursor).ok()?;
+    Some(with_statements(header, parser, cursor))
+}
+
+/// Reads a declaration from a string.
+///
+/// The text may also be a bare list of statements: then the system is public, has no attributes, computes
+/// in `f64` and is named `System`. A text that does not consist of tokens, because of an unclosed bracket for
+/// example, gives an error and `None`.
+pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
+    let cursor = &mut Cursor::new(text::tokens(text, report)?);
+    let parser = &mut Parser::new(report);
+    let header = match header_ahead(cursor) {
+        true => parser.header(cursor).ok()?,
+        false => default_header(),
+    };
+    Some(with_statements(header, parser, cursor))
+}
+
+fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cursor) -> Declaration {
+    let statements = parser.statements(cursor);
+    Declaration { statements, expressions: std::mem::take(&mut parser.expressions), ..header }
+}

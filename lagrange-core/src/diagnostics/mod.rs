@@ -3,9 +3,13 @@
 //! A phase adds to a [`Report`] and goes on as far as it can; the pipeline stops at the barrier between
 //! phases. Wording lives with the phase that finds the mistake, in its `messages` file.
 
+mod spelling;
+
 use std::fmt;
 
 use proc_macro2::Span;
+
+pub use spelling::nearest;
 
 /// A stretch of the user's source, from its first to its last token.
 #[derive(Clone, Copy, Debug)]

@@ -1,0 +1,122 @@
+//! Attributes of the struct: those of the language are consumed, all others are kept.
+
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+
+use super::ast::Name;
+use super::cursor::{Cursor, group_origin};
+use super::messages;
+use super::parser::{Parsed, Parser, Reported};
+use crate::diagnostics::Origin;
+
+/// What the attributes of the struct say.
+#[derive(Default)]
+pub(super) struct Attributes {
+    pub(super) kept: TokenStream,
+    pub(super) derives: Vec<Name>,
+    /// Whether `#[scalar(…)]` asks for `f32`, and where it stands.
+    pub(super) scalar: Option<(bool, Origin)>,
+    accuracy: Option<Origin>,
+}
+
+impl Parser<'_> {
+    /// Reads the attributes before the struct.
+    pub(super) fn attributes(&mut self, cursor: &mut Cursor) -> Attributes {
+        let mut attributes = Attributes::default();
+        while cursor.at('#') {
+            let _ = self.attribute(cursor, &mut attributes);
+        }
+        attributes
+    }
+
+    fn attribute(&mut self, cursor: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
+        let pound = cursor.advance();
+        let inner = cursor.eat('!');
+        let Some(group) = cursor.eat_group(Delimiter::Bracket) else {
+            return Err(self.fail(cursor.before(), messages::ATTRIBUTE));
+        };
+        if let Some(span) = inner {
+            let help = messages::INNER_ATTRIBUTE_HELP;
+            return Err(self.fail_with_help(span, messages::INNER_ATTRIBUTE, help));
+        }
+        self.inside(&group, Self::shallow)?;
+        let mut content = Cursor::inside(&group);
+        match content.eat_ident() {
+            Some(name) if name == "scalar" => self.scalar(&name, &mut content, attributes),
+            Some(name) if name == "accuracy" => self.accuracy(&name, &mut content, attributes),
+            name => {
+                let list = content.eat_group(Delimiter::Parenthesis);
+                if let Some(list) = list.filter(|_| name.is_some_and(|name| name == "derive")) {
+                    attributes.derives.extend(traits(&list));
+                }
+                attributes.kept.extend(pound.into_iter().chain([TokenTree::Group(group)]));
+                Ok(())
+            }
+        }
+    }
+
+    fn scalar(&mut self, name: &Ident, content: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
+        let (argument, origin) = self.argument(name, content, messages::SCALAR_FORM)?;
+        let single = match argument.to_string().as_str() {
+            "f32" => true,
+            "f64" => false,
+            _ => return Err(self.fail(argument.span(), messages::SCALAR_FORM)),
+        };
+        match attributes.scalar.replace((single, origin)) {
+            Some((_, first)) => Err(self.repeated(name, first)),
+            None => Ok(()),
+        }
+    }
+
+    fn accuracy(&mut self, name: &Ident, content: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
+        let (argument, origin) = self.argument(name, content, messages::ACCURACY_FORM)?;
+        match argument.to_string().as_str() {
+            "standard" => {}
+            level @ ("fast" | "strict") => {
+                let message = messages::future_accuracy(level);
+                return Err(self.fail_with_help(argument.span(), message, messages::FUTURE_ACCURACY_HELP));
+            }
+            _ => return Err(self.fail(argument.span(), messages::ACCURACY_FORM)),
+        }
+        match attributes.accuracy.replace(origin) {
+            Some(first) => Err(self.repeated(name, first)),
+            None => Ok(()),
+        }
+    }
+
+    /// The only word in the parentheses behind an attribute's name.
+    fn argument(&mut self, name: &Ident, content: &mut Cursor, form: &str) -> Parsed<(Ident, Origin)> {
+        let group = content.eat_group(Delimiter::Parenthesis).filter(|_| content.at_end());
+        let origin = Origin::from(name.span()).to(group.as_ref().map_or(content.before(), group_origin));
+        match group.as_ref().and_then(only_word) {
+            Some(word) => Ok((word, origin)),
+            None => Err(self.fail(origin, form)),
+        }
+    }
+
+    fn repeated(&mut self, name: &Ident, first: Origin) -> Reported {
+        let message = messages::repeated_attribute(&name.to_string());
+        self.report.error(name.span(), message).related(first, messages::FIRST_HERE);
+        Reported
+    }
+}
+
+fn only_word(group: &Group) -> Option<Ident> {
+    let mut content = Cursor::inside(group);
+    content.eat_ident().filter(|_| content.at_end())
+}
+
+/// The last segment of each path in a list of traits.
+fn traits(list: &Group) -> Vec<Name> {
+    let mut content = Cursor::inside(list);
+    let mut traits = Vec::new();
+    let mut last: Option<(String, Span)> = None;
+    while let Some(token) = content.advance() {
+        if let TokenTree::Ident(ident) = &token {
+            last = Some((ident.to_string(), ident.span()));
+        }
+        if content.at(',') || content.at_end() {
+            traits.extend(last.take().map(|(text, span)| Name { text, span }));
+        }
+    }
+    traits
+}

@@ -1,0 +1,145 @@
+//! `if c { a } else { b }`.
+
+use proc_macro2::{Delimiter, TokenTree};
+
+use super::ast::{AstId, Condition, Expression};
+use super::cursor::{Cursor, as_group, group_origin};
+use super::expressions::Operand;
+use super::messages;
+use super::parser::{Parsed, Parser, Reported};
+use crate::diagnostics::Origin;
+use crate::expr::Relation;
+
+/// `if condition { then } else`, with what follows still to be read.
+struct Branch {
+    start: Origin,
+    condition: Condition,
+    then: AstId,
+}
+
+impl Parser<'_> {
+    /// Reads a chain that begins with the `if` here.
+    pub(super) fn conditional(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
+        let mut branches = Vec::new();
+        let last = loop {
+            branches.push(self.branch(cursor)?);
+            if !cursor.at_word("if") {
+                break self.block(cursor)?;
+            }
+        };
+        let nest = |otherwise: Operand, branch: Branch| {
+            let Branch { start, condition, then } = branch;
+            let expression = Expression::If { condition, then, otherwise: otherwise.id };
+            self.add(expression, start.to(otherwise.origin))
+        };
+        Ok(branches.into_iter().rev().fold(last, nest))
+    }
+
+    fn branch(&mut self, cursor: &mut Cursor) -> Parsed<Branch> {
+        let start = cursor.skip_one();
+        let condition = self.nested(start, |parser| parser.condition(cursor))?;
+        let then = self.block(cursor)?;
+        if cursor.eat_word("else").is_none() {
+            let origin = start.to(then.origin);
+            return Err(self.fail_with_help(origin, messages::MISSING_ELSE, messages::MISSING_ELSE_HELP));
+        }
+        Ok(Branch { start, condition, then: then.id })
+    }
+
+    fn condition(&mut self, cursor: &mut Cursor) -> Parsed<Condition> {
+        let block_follows = as_group(cursor.peek_past(1), Delimiter::Brace).is_some();
+        if let Some(group) = cursor.group(Delimiter::Parenthesis).filter(|_| block_follows).cloned() {
+            cursor.skip_one();
+            return self.inside(&group, |parser, cursor| {
+                let condition = parser.comparison(cursor)?;
+                if cursor.at_end() { Ok(condition) } else { Err(parser.no_block(cursor, "`)`")) }
+            });
+        }
+        let condition = self.comparison(cursor)?;
+        if cursor.group(Delimiter::Brace).is_some() {
+            Ok(condition)
+        } else {
+            Err(self.no_block(cursor, "`{`"))
+        }
+    }
+
+    fn comparison(&mut self, cursor: &mut Cursor) -> Parsed<Condition> {
+        if cursor.at('!') {
+            return Err(self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP));
+        }
+        let left = self.expression(cursor)?;
+        let Some(relation) = relation(cursor) else {
+            return Err(self.no_relation(cursor));
+        };
+        let right = self.expression(cursor)?;
+        Ok(Condition { left, relation, right })
+    }
+
+    fn no_relation(&mut self, cursor: &Cursor) -> Reported {
+        let equality = cursor.at_pair('=', '=') || cursor.at_pair('!', '=') || cursor.equals_past(0);
+        if equality && !cursor.at_pair('=', '<') {
+            self.fail_with_help(cursor.here(), messages::EQUALITY, messages::EQUALITY_HELP)
+        } else if is_logical(cursor) {
+            self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP)
+        } else {
+            self.no_operator(cursor, messages::COMPARISON)
+        }
+    }
+
+    /// Reports what stands behind a comparison instead of what should.
+    fn no_block(&mut self, cursor: &Cursor, wanted: &str) -> Reported {
+        if is_logical(cursor) {
+            self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP)
+        } else if cursor.at('<') || cursor.at('>') || cursor.at_pair('=', '=') {
+            self.fail_with_help(cursor.here(), messages::COMPARISON_CHAIN, messages::LOGIC_HELP)
+        } else {
+            self.no_operator(cursor, wanted)
+        }
+    }
+
+    /// `{ e }`.
+    fn block(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
+        let Some(group) = cursor.eat_group(Delimiter::Brace) else {
+            return Err(self.fail(cursor.here(), messages::expected("`{`", cursor.peek())));
+        };
+        let origin = group_origin(&group);
+        match self.inside(&group, |parser, cursor| parser.block_content(cursor, origin)) {
+            Ok(id) => Ok(Operand { id, origin }),
+            Err(Reported) => Ok(self.add(Expression::Invalid, origin)),
+        }
+    }
+
+    fn block_content(&mut self, cursor: &mut Cursor, origin: Origin) -> Parsed<AstId> {
+        if cursor.at_end() {
+            return Err(self.fail(origin, messages::EMPTY_BLOCK));
+        }
+        let value = if cursor.at_statement() { None } else { Some(self.expression(cursor)?) };
+        match value {
+            Some(value) if cursor.at_end() => Ok(value),
+            Some(_) if !cursor.at(';') => Err(self.no_operator(cursor, "`}`")),
+            _ => Err(self.fail_with_help(cursor.here(), messages::BLOCK_CONTENT, messages::LET_HELP)),
+        }
+    }
+}
+
+fn is_logical(cursor: &Cursor) -> bool {
+    cursor.at_pair('&', '&') || cursor.at_pair('|', '|')
+}
+
+/// Takes an order relation, if one stands here.
+fn relation(cursor: &mut Cursor) -> Option<Relation> {
+    let (strict, or_equal) = match cursor.peek() {
+        Some(TokenTree::Punct(punct)) if punct.as_char() == '<' => (Relation::Less, Relation::LessEqual),
+        Some(TokenTree::Punct(punct)) if punct.as_char() == '>' => {
+            (Relation::Greater, Relation::GreaterEqual)
+        }
+        _ => return None,
+    };
+    let with_equality = cursor.at_pair('<', '=') || cursor.at_pair('>', '=');
+    cursor.skip_one();
+    if with_equality {
+        cursor.skip_one();
+        return Some(or_equal);
+    }
+    Some(strict)
+}

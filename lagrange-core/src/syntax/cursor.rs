@@ -1,0 +1,217 @@
+//! A position in a sequence of tokens.
+
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+
+use super::keywords;
+use crate::diagnostics::Origin;
+
+/// Walks the tokens of one bracket group, or of the whole input. Groups inside count as one token each and
+/// get a cursor of their own, so every token is copied once.
+pub(super) struct Cursor {
+    tokens: Vec<TokenTree>,
+    next: usize,
+    /// What stands behind the last token: the closing bracket, or the last token itself.
+    end: Span,
+}
+
+impl Cursor {
+    /// At the start of a whole input.
+    pub(super) fn new(tokens: TokenStream) -> Cursor {
+        let tokens = tokens.into_iter().collect::<Vec<_>>();
+        let end = tokens.last().map_or_else(Span::call_site, |token| origin(token).end);
+        Cursor { tokens, next: 0, end }
+    }
+
+    /// Behind the opening bracket of a group.
+    pub(super) fn inside(group: &Group) -> Cursor {
+        Cursor { tokens: group.stream().into_iter().collect(), next: 0, end: group.span_close() }
+    }
+
+    /// The next token.
+    pub(super) fn peek(&self) -> Option<&TokenTree> {
+        self.peek_past(0)
+    }
+
+    /// The token behind the next `count` ones.
+    pub(super) fn peek_past(&self, count: usize) -> Option<&TokenTree> {
+        self.tokens.get(self.next + count)
+    }
+
+    /// Takes the next token.
+    pub(super) fn advance(&mut self) -> Option<TokenTree> {
+        let token = self.tokens.get(self.next)?.clone();
+        self.next += 1;
+        Some(token)
+    }
+
+    /// Whether no token is left.
+    pub(super) fn at_end(&self) -> bool {
+        self.next == self.tokens.len()
+    }
+
+    /// Where the next token stands; at the end, what stands there.
+    pub(super) fn here(&self) -> Origin {
+        self.peek().map_or(Origin::from(self.end), origin)
+    }
+
+    /// Where the last token that was taken stands; at the start, the same as [`Cursor::here`].
+    pub(super) fn before(&self) -> Origin {
+        match self.next.checked_sub(1).and_then(|last| self.tokens.get(last)) {
+            Some(token) => origin(token),
+            None => self.here(),
+        }
+    }
+
+    /// How many tokens were taken; see [`Cursor::since`].
+    pub(super) fn position(&self) -> usize {
+        self.next
+    }
+
+    /// Where the tokens stand that were taken since the cursor was at a position; if there are none, the same
+    /// as [`Cursor::here`].
+    pub(super) fn since(&self, position: usize) -> Origin {
+        match self.tokens.get(position) {
+            Some(first) if position < self.next => origin(first).to(self.before()),
+            _ => self.here(),
+        }
+    }
+
+    /// Whether the next token is this punctuation character.
+    pub(super) fn at(&self, punctuation: char) -> bool {
+        is_punct(self.peek(), punctuation)
+    }
+
+    /// Whether the next tokens are these two characters without a space between them.
+    pub(super) fn at_pair(&self, first: char, second: char) -> bool {
+        is_joint(self.peek(), first) && is_punct(self.peek_past(1), second)
+    }
+
+    /// Takes the next token if it is this punctuation character.
+    pub(super) fn eat(&mut self, punctuation: char) -> Option<Span> {
+        let found = self.at(punctuation);
+        found.then(|| self.skip_one().end)
+    }
+
+    /// Takes an `=` that is not the beginning of `==` or `=>`.
+    pub(super) fn eat_equals(&mut self) -> Option<Span> {
+        let found = self.equals_past(0);
+        found.then(|| self.skip_one().end)
+    }
+
+    /// Whether behind the next `count` tokens stands an `=` that is not the beginning of `==` or `=>`.
+    pub(super) fn equals_past(&self, count: usize) -> bool {
+        let follower = self.peek_past(count + 1);
+        let joint = is_joint(self.peek_past(count), '=');
+        let longer = joint && (is_punct(follower, '=') || is_punct(follower, '>'));
+        is_punct(self.peek_past(count), '=') && !longer
+    }
+
+    /// The next token, if it is an identifier.
+    pub(super) fn ident(&self) -> Option<&Ident> {
+        match self.peek() {
+            Some(TokenTree::Ident(ident)) => Some(ident),
+            _ => None,
+        }
+    }
+
+    /// Takes the next token if it is an identifier.
+    pub(super) fn eat_ident(&mut self) -> Option<Ident> {
+        let ident = self.ident().cloned()?;
+        self.next += 1;
+        Some(ident)
+    }
+
+    /// Whether the next token is this word.
+    pub(super) fn at_word(&self, word: &str) -> bool {
+        self.ident().is_some_and(|ident| ident == word)
+    }
+
+    /// Takes the next token if it is this word.
+    pub(super) fn eat_word(&mut self, word: &str) -> Option<Span> {
+        let found = self.at_word(word);
+        found.then(|| self.skip_one().end)
+    }
+
+    /// The next token, if it is a group in these brackets.
+    pub(super) fn group(&self, delimiter: Delimiter) -> Option<&Group> {
+        as_group(self.peek(), delimiter)
+    }
+
+    /// Takes the next token if it is a group in these brackets.
+    pub(super) fn eat_group(&mut self, delimiter: Delimiter) -> Option<Group> {
+        let group = self.group(delimiter).cloned()?;
+        self.next += 1;
+        Some(group)
+    }
+
+    /// Takes the next token and says where it stood.
+    pub(super) fn skip_one(&mut self) -> Origin {
+        let origin = self.here();
+        self.next = (self.next + 1).min(self.tokens.len());
+        origin
+    }
+
+    /// The keyword that begins a statement here, if the next token is one.
+    pub(super) fn statement_keyword(&self) -> Option<String> {
+        self.ident().map(Ident::to_string).filter(|word| keywords::begins_statement(word))
+    }
+
+    /// Whether a statement begins here, judged by its keyword and the token behind that.
+    pub(super) fn at_statement(&self) -> bool {
+        let follows = match self.peek_past(1) {
+            Some(TokenTree::Ident(_) | TokenTree::Group(_)) => true,
+            _ => self.equals_past(1),
+        };
+        follows && self.statement_keyword().is_some()
+    }
+
+    /// Skips to what ends the current statement: its `;`, the next statement or the last token.
+    pub(super) fn skip_statement(&mut self) {
+        while !self.at_end() && !self.at(';') && !self.at_statement() {
+            self.next += 1;
+        }
+    }
+
+    /// Skips to the next `,`, but not beyond the current statement.
+    pub(super) fn skip_item(&mut self) {
+        while !self.at_end() && !self.at(',') && !self.at(';') && !self.at_statement() {
+            self.next += 1;
+        }
+    }
+}
+
+/// Where a token stands, a group from bracket to bracket.
+fn origin(token: &TokenTree) -> Origin {
+    match token {
+        TokenTree::Group(group) => group_origin(group),
+        other => Origin::from(other.span()),
+    }
+}
+
+/// Where a group stands, from bracket to bracket.
+pub(super) fn group_origin(group: &Group) -> Origin {
+    Origin { start: group.span_open(), end: group.span_close() }
+}
+
+/// The token, if it is a group in these brackets.
+pub(super) fn as_group(token: Option<&TokenTree>, delimiter: Delimiter) -> Option<&Group> {
+    match token {
+        Some(TokenTree::Group(group)) if group.delimiter() == delimiter => Some(group),
+        _ => None,
+    }
+}
+
+fn as_punct(token: Option<&TokenTree>) -> Option<&Punct> {
+    match token {
+        Some(TokenTree::Punct(punct)) => Some(punct),
+        _ => None,
+    }
+}
+
+fn is_punct(token: Option<&TokenTree>, character: char) -> bool {
+    as_punct(token).is_some_and(|punct| punct.as_char() == character)
+}
+
+fn is_joint(token: Option<&TokenTree>, character: char) -> bool {
+    as_punct(token).is_some_and(|punct| punct.as_char() == character && punct.spacing() == Spacing::Joint)
+}

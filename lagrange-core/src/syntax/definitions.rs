@@ -1,0 +1,140 @@
+//! Statements that declare names or list products.
+
+use proc_macro2::{Delimiter, Group, TokenTree};
+
+use super::ast::{AstId, Definition, EmitItem, Name, StatementKind};
+use super::cursor::{Cursor, group_origin};
+use super::messages;
+use super::parser::{Parsed, Parser, Reported};
+
+impl Parser<'_> {
+    /// `a, b = 1.0`.
+    pub(super) fn definitions(&mut self, cursor: &mut Cursor) -> Vec<Definition> {
+        self.items(cursor, |parser, cursor| {
+            let name = parser.declared_name(cursor);
+            let value = cursor.eat_equals().map(|_| parser.item_value(cursor));
+            Ok(Definition { name: name?, value })
+        })
+    }
+
+    /// `a = 1, b = 2`.
+    pub(super) fn constants(&mut self, cursor: &mut Cursor) -> Vec<Definition> {
+        let definitions = self.definitions(cursor);
+        for Definition { name, .. } in definitions.iter().filter(|definition| definition.value.is_none()) {
+            let message = messages::constant_without_value(&name.text);
+            self.report.error(name.span, message).help(messages::CONSTANT_WITHOUT_VALUE_HELP);
+        }
+        definitions
+    }
+
+    /// `x, theta`.
+    pub(super) fn coordinates(&mut self, cursor: &mut Cursor) -> Vec<Name> {
+        self.items(cursor, |parser, cursor| {
+            let name = parser.declared_name(cursor);
+            if let Some(equals) = cursor.eat_equals() {
+                let help = messages::COORDINATE_WITH_VALUE_HELP;
+                parser.report.error(equals, messages::COORDINATE_WITH_VALUE).help(help);
+                parser.item_value(cursor);
+            }
+            name
+        })
+    }
+
+    /// Reads items between commas, with or without a comma behind the last one, up to what ends the
+    /// statement. Those that cannot be read are left out.
+    fn items<T>(
+        &mut self,
+        cursor: &mut Cursor,
+        mut read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Vec<T> {
+        let mut items = Vec::new();
+        loop {
+            self.skipped = false;
+            match read(self, cursor) {
+                Ok(item) => items.push(item),
+                Err(Reported) => self.skip_item(cursor),
+            }
+            if !self.skipped && !at_item_end(cursor) {
+                self.no_operator(cursor, "`,` or `;`");
+                self.skip_item(cursor);
+            }
+            if cursor.eat(',').is_none() || at_list_end(cursor) {
+                return items;
+            }
+        }
+    }
+
+    /// Reads an expression up to the next comma or the end of the statement.
+    fn item_value(&mut self, cursor: &mut Cursor) -> AstId {
+        let start = cursor.position();
+        self.expression(cursor).unwrap_or_else(|Reported| {
+            self.skip_item(cursor);
+            self.unreadable(cursor, start)
+        })
+    }
+
+    /// `n = e` or `(a, b) = e`.
+    pub(super) fn binding(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        match cursor.eat_group(Delimiter::Parenthesis) {
+            None => Ok(StatementKind::Let(self.declared_name(cursor)?, self.assigned(cursor)?)),
+            Some(group) => {
+                let names = self.inside(&group, Self::component_names);
+                let value = self.assigned(cursor)?;
+                Ok(StatementKind::LetTuple(self.two_or_three(names?, &group)?, value))
+            }
+        }
+    }
+
+    fn component_names(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Name>> {
+        let mut names = vec![self.declared_name(cursor)?];
+        while cursor.eat(',').is_some() && !cursor.at_end() {
+            names.push(self.declared_name(cursor)?);
+        }
+        if cursor.at_end() {
+            return Ok(names);
+        }
+        Err(self.fail(cursor.here(), messages::expected("`,` or `)`", cursor.peek())))
+    }
+
+    fn two_or_three(&mut self, names: Vec<Name>, group: &Group) -> Parsed<Vec<Name>> {
+        match names.len() {
+            2 | 3 => Ok(names),
+            count => Err(self.fail(group_origin(group), messages::component_count(count))),
+        }
+    }
+
+    /// `{ a, no b }`.
+    pub(super) fn emit(&mut self, cursor: &mut Cursor) -> Parsed<Vec<EmitItem>> {
+        let Some(group) = cursor.eat_group(Delimiter::Brace) else {
+            let message = messages::expected("`{`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, messages::EMIT_HELP));
+        };
+        // A mistake between the braces leaves the end of the statement in place.
+        Ok(self.inside(&group, Self::emit_items).unwrap_or_default())
+    }
+
+    fn emit_items(&mut self, cursor: &mut Cursor) -> Parsed<Vec<EmitItem>> {
+        let mut items = Vec::new();
+        while !cursor.at_end() {
+            // Without a name behind it, `no` is the name.
+            let wanted =
+                !matches!(cursor.peek_past(1), Some(TokenTree::Ident(_))) || cursor.eat_word("no").is_none();
+            items.push(EmitItem { product: self.name(cursor)?, wanted });
+            if cursor.eat(',').is_none() && !cursor.at_end() {
+                let message = messages::expected("`,` or `}`", cursor.peek());
+                return Err(self.fail_with_help(cursor.here(), message, messages::EMIT_HELP));
+            }
+        }
+        Ok(items)
+    }
+}
+
+/// Whether an item ends here, be it that the semicolon behind it was forgotten.
+fn at_item_end(cursor: &Cursor) -> bool {
+    cursor.at(',') || cursor.at(';') || cursor.at_end() || cursor.statement_keyword().is_some()
+}
+
+/// Whether no item follows a comma. A keyword before `=` is an item with a wrong name.
+fn at_list_end(cursor: &Cursor) -> bool {
+    cursor.at(';') || cursor.at_end() || (cursor.at_statement() && !cursor.equals_past(1))
+}

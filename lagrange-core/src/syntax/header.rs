@@ -1,0 +1,146 @@
+//! The head of a declaration: attributes, visibility and the struct.
+
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+
+use super::ast::{Declaration, Expressions, Name, ScalarType};
+use super::attributes::Attributes;
+use super::cursor::{Cursor, group_origin};
+use super::keywords;
+use super::messages;
+use super::parser::{Parsed, Parser};
+use crate::diagnostics::Origin;
+
+/// Name of a system that is given as a bare list of statements.
+const DEFAULT_NAME: &str = "System";
+
+/// The declaration that a bare list of statements belongs to.
+pub(super) fn default_header() -> Declaration {
+    let public = TokenTree::from(Ident::new("pub", Span::call_site()));
+    let name = Name { text: DEFAULT_NAME.to_owned(), span: Span::call_site() };
+    declaration(Attributes::default(), public.into(), name, ScalarType::F64)
+}
+
+/// Whether a struct follows, perhaps behind attributes and a visibility.
+pub(super) fn header_ahead(cursor: &Cursor) -> bool {
+    let mut ahead = 0;
+    loop {
+        match cursor.peek_past(ahead) {
+            Some(TokenTree::Ident(word)) if word == "struct" => return true,
+            Some(TokenTree::Ident(word)) if word != "pub" => return false,
+            Some(TokenTree::Punct(punct)) if !matches!(punct.as_char(), '#' | '!') => return false,
+            Some(TokenTree::Literal(_)) | None => return false,
+            Some(_) => ahead += 1,
+        }
+    }
+}
+
+fn declaration(
+    attributes: Attributes,
+    visibility: TokenStream,
+    name: Name,
+    scalar: ScalarType,
+) -> Declaration {
+    Declaration {
+        attributes: attributes.kept,
+        derives: attributes.derives,
+        visibility,
+        name,
+        scalar,
+        statements: Vec::new(),
+        expressions: Expressions::default(),
+    }
+}
+
+impl Parser<'_> {
+    /// Reads the head up to its semicolon; the declaration has no statements yet.
+    pub(super) fn header(&mut self, cursor: &mut Cursor) -> Parsed<Declaration> {
+        let attributes = self.attributes(cursor);
+        let visibility = self.visibility(cursor);
+        if cursor.eat_word("struct").is_none() {
+            let message = messages::expected(messages::HEADER, cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, messages::HEADER_HELP));
+        }
+        let name = self.type_name(cursor)?;
+        let parameter = self.type_parameter(cursor);
+        let scalar = self.scalar_type(&attributes, parameter);
+        self.end_of_header(cursor);
+        Ok(declaration(attributes, visibility, name, scalar))
+    }
+
+    fn type_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
+        let name = self.name(cursor)?;
+        if keywords::is_rust(&name.text) || name.text == "_" {
+            let message = messages::keyword_as_type(&name.text);
+            return Err(self.fail_with_help(name.span, message, messages::OTHER_NAME_HELP));
+        }
+        Ok(name)
+    }
+
+    /// `<S>`; anything else between angle brackets is reported and skipped.
+    fn type_parameter(&mut self, cursor: &mut Cursor) -> Option<Name> {
+        let start = cursor.position();
+        cursor.eat('<')?;
+        let name = cursor.ident().filter(|ident| !keywords::is_rust(&ident.to_string())).cloned();
+        let name = name.and_then(|ident| self.plain(&ident).ok());
+        if name.is_some() {
+            cursor.skip_one();
+            if cursor.eat('>').is_some() {
+                return name;
+            }
+        }
+        while !cursor.at_end() && !cursor.at(';') && cursor.group(Delimiter::Brace).is_none() {
+            cursor.skip_one();
+        }
+        let error = self.report.error(cursor.since(start), messages::TYPE_PARAMETERS);
+        error.help(messages::TYPE_PARAMETERS_HELP);
+        name
+    }
+
+    fn scalar_type(&mut self, attributes: &Attributes, parameter: Option<Name>) -> ScalarType {
+        match (parameter, attributes.scalar) {
+            (None, Some((true, _))) => ScalarType::F32,
+            (None, _) => ScalarType::F64,
+            (Some(name), None) => ScalarType::Generic(name),
+            (Some(name), Some((_, attribute))) => {
+                let error = self.report.error(attribute, messages::SCALAR_WITH_PARAMETER);
+                error.related(Origin::from(name.span), messages::TYPE_PARAMETER_HERE);
+                error.help(messages::SCALAR_WITH_PARAMETER_HELP);
+                ScalarType::Generic(name)
+            }
+        }
+    }
+
+    fn end_of_header(&mut self, cursor: &mut Cursor) {
+        let body = match cursor.eat_group(Delimiter::Brace) {
+            None => cursor.eat_group(Delimiter::Parenthesis),
+            brace => brace,
+        };
+        if let Some(body) = &body {
+            self.report.error(group_origin(body), messages::STRUCT_BODY).help(messages::HEADER_HELP);
+        }
+        if cursor.eat(';').is_some() || body.is_some() {
+            return;
+        }
+        if cursor.at_end() || cursor.statement_keyword().is_some() {
+            self.missing_semicolon(cursor);
+        } else {
+            self.fail(cursor.here(), messages::expected("`;`", cursor.peek()));
+            cursor.skip_statement();
+            cursor.eat(';');
+        }
+    }
+
+    /// `pub`, `pub(…)`, what a `macro_rules!` macro passes on as a visibility, or nothing.
+    fn visibility(&mut self, cursor: &mut Cursor) -> TokenStream {
+        if let Some(fragment) = cursor.eat_group(Delimiter::None) {
+            return fragment.stream();
+        }
+        if !cursor.at_word("pub") {
+            return TokenStream::new();
+        }
+        let public = cursor.advance();
+        let restriction = cursor.eat_group(Delimiter::Parenthesis);
+        let restriction = restriction.filter(|group| self.inside(group, Self::shallow).is_ok());
+        public.into_iter().chain(restriction.map(TokenTree::Group)).collect()
+    }
+}

@@ -1,0 +1,49 @@
+//! Numbers.
+
+use proc_macro2::Literal;
+
+use super::messages;
+use super::parser::{Parsed, Parser};
+use crate::number::Number;
+
+/// Longer literals are refused before any arithmetic is done on them.
+const LONGEST_LITERAL: usize = 5000;
+
+impl Parser<'_> {
+    /// The exact value of a literal.
+    pub(super) fn number(&mut self, literal: &Literal) -> Parsed<Number> {
+        let (text, span) = (literal.to_string(), literal.span());
+        if !text.starts_with(|first: char| first.is_ascii_digit()) {
+            return Err(self.fail(span, messages::no_number(&text)));
+        }
+        let (decimal, suffix) = text.split_at(decimal_length(&text));
+        if decimal == "0" && suffix.starts_with(['x', 'o', 'b']) {
+            return Err(self.fail(span, messages::NOT_DECIMAL));
+        }
+        if !suffix.is_empty() {
+            let digits = decimal.trim_end_matches('_');
+            return Err(self.fail_with_help(span, messages::SUFFIX, messages::suffix_help(digits)));
+        }
+        let value = if text.len() > LONGEST_LITERAL { None } else { Number::parse_decimal(&text) };
+        value.ok_or_else(|| self.fail(span, messages::excessive_number(&text)))
+    }
+}
+
+/// How much of a literal is a decimal number; a type suffix may follow.
+fn decimal_length(text: &str) -> usize {
+    let mantissa = leading(text, |byte| byte.is_ascii_digit() || byte == b'_' || byte == b'.');
+    let Some(exponent) = text[mantissa..].strip_prefix(['e', 'E']) else {
+        return mantissa;
+    };
+    let unsigned = exponent.strip_prefix(['+', '-']).unwrap_or(exponent);
+    let digits = leading(unsigned, |byte| byte.is_ascii_digit() || byte == b'_');
+    if unsigned[..digits].bytes().any(|byte| byte.is_ascii_digit()) {
+        text.len() - unsigned.len() + digits
+    } else {
+        mantissa
+    }
+}
+
+fn leading(text: &str, fits: impl Fn(u8) -> bool) -> usize {
+    text.bytes().take_while(|&byte| fits(byte)).count()
+}

@@ -1,0 +1,234 @@
+//! What mistakes of writing are called, and what helps against them.
+
+use proc_macro2::{Delimiter, TokenTree};
+
+/// Longer pieces of the input are cut in messages.
+const LONGEST_QUOTE: usize = 40;
+
+/// A piece of the input as messages show it.
+fn quoted(text: &str) -> String {
+    format!("`{}`", shortened(text))
+}
+
+fn shortened(text: &str) -> String {
+    match text.char_indices().nth(LONGEST_QUOTE) {
+        None => text.to_owned(),
+        Some((cut, _)) => format!("{}…", &text[..cut]),
+    }
+}
+
+fn found(token: Option<&TokenTree>) -> String {
+    match token {
+        None => "nothing more".to_owned(),
+        Some(TokenTree::Group(group)) => match group.delimiter() {
+            Delimiter::Parenthesis => "`(`".to_owned(),
+            Delimiter::Bracket => "`[`".to_owned(),
+            Delimiter::Brace => "`{`".to_owned(),
+            Delimiter::None => "an expression".to_owned(),
+        },
+        Some(other) => quoted(&other.to_string()),
+    }
+}
+
+/// For every place where only certain tokens can stand.
+pub(super) fn expected(wanted: &str, token: Option<&TokenTree>) -> String {
+    format!("expected {wanted}, found {}", found(token))
+}
+
+/// For what can stand behind an expression.
+pub(super) fn expected_operator_or(wanted: &str, token: Option<&TokenTree>) -> String {
+    let conjunction = if wanted.contains(" or ") { "," } else { " or" };
+    expected(&format!("an operator{conjunction} {wanted}"), token)
+}
+
+// Text that is no sequence of tokens.
+
+pub(super) fn unbalanced(bracket: char) -> String {
+    match bracket {
+        '(' | '[' | '{' => format!("`{bracket}` is never closed"),
+        _ => format!("`{bracket}` closes no open bracket of its kind"),
+    }
+}
+
+pub(super) const UNCLOSED_QUOTE: &str = "this quotation mark begins no readable text";
+pub(super) const UNREADABLE_END: &str = "the text ends too early";
+
+pub(super) fn meaningless_character(character: char) -> String {
+    format!("`{}` has no meaning here", character.escape_debug())
+}
+
+// The head of a declaration.
+
+pub(super) const HEADER: &str = "`struct Name;`";
+pub(super) const HEADER_HELP: &str = "begin with the type to emit, such as `pub struct CartPole;`";
+pub(super) const STRUCT_BODY: &str = "fields come from `param` and `input` statements, not from the struct";
+pub(super) const TYPE_PARAMETERS: &str = "only one plain type parameter, the number type, is possible here";
+pub(super) const TYPE_PARAMETERS_HELP: &str =
+    "write `struct Name<S>;`; that `S` is a number need not be said";
+pub(super) const ATTRIBUTE: &str = "expected `[` behind `#`";
+pub(super) const INNER_ATTRIBUTE: &str = "attributes that begin with `#!` have no place here";
+pub(super) const INNER_ATTRIBUTE_HELP: &str = "write `#[…]`, or `///` for documentation";
+pub(super) const SCALAR_FORM: &str = "`scalar` names the number type: `#[scalar(f64)]` or `#[scalar(f32)]`";
+pub(super) const SCALAR_WITH_PARAMETER: &str = "the number type is given by the type parameter already";
+pub(super) const SCALAR_WITH_PARAMETER_HELP: &str = "leave out either `#[scalar(…)]` or the type parameter";
+pub(super) const TYPE_PARAMETER_HERE: &str = "the type parameter";
+pub(super) const ACCURACY_FORM: &str = "`accuracy` names a level: `#[accuracy(standard)]`";
+pub(super) const FIRST_HERE: &str = "first given here";
+
+pub(super) fn keyword_as_type(name: &str) -> String {
+    format!("{} is a keyword of Rust and cannot name a type", quoted(name))
+}
+
+pub(super) fn future_accuracy(level: &str) -> String {
+    format!("the accuracy level `{level}` is not available yet")
+}
+
+pub(super) const FUTURE_ACCURACY_HELP: &str = "leave the attribute out, or write `#[accuracy(standard)]`";
+
+pub(super) fn repeated_attribute(name: &str) -> String {
+    format!("`{name}` is given twice")
+}
+
+// Statements.
+
+pub(super) const STATEMENT: &str = "a statement";
+pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes and documentation belong to the struct only";
+pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "write `//` for comments between statements";
+pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
+pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
+pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";
+pub(super) const COORDINATE_WITH_VALUE_HELP: &str =
+    "initial values belong to the state from which a simulation starts";
+pub(super) const FORCE_HELP: &str =
+    "write `force x = e;` for a coordinate or `force (fx, fy) at (px, py);` for a point";
+pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
+pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
+
+pub(super) fn future_statement(keyword: &str) -> String {
+    format!("`{keyword}` statements are not available yet")
+}
+
+pub(super) fn unknown_statement(word: &str) -> String {
+    format!("no statement begins with {}", quoted(word))
+}
+
+pub(super) fn meant(candidate: &str) -> String {
+    format!("did you mean `{candidate}`?")
+}
+
+pub(super) fn meant_let(name: &str) -> String {
+    format!("to name an expression, write `let {} = …;`", shortened(name))
+}
+
+pub(super) fn statements_are(keywords: &[&str]) -> String {
+    format!("statements begin with one of `{}`", keywords.join("`, `"))
+}
+
+pub(super) fn constant_without_value(name: &str) -> String {
+    format!("the constant {} needs a value", quoted(name))
+}
+
+pub(super) const CONSTANT_WITHOUT_VALUE_HELP: &str =
+    "write `const name = value;`, or `param name;` for a value known only when the program runs";
+
+pub(super) fn component_count(count: usize) -> String {
+    format!("a vector has two or three components, not {count}")
+}
+
+// Names.
+
+pub(super) fn statement_keyword_as_name(name: &str) -> String {
+    format!("keyword as name: {} begins a statement", quoted(name))
+}
+
+pub(super) fn rust_keyword_as_name(name: &str) -> String {
+    format!("keyword as name: {} is a keyword of Rust", quoted(name))
+}
+
+pub(super) fn function_as_name(name: &str) -> String {
+    format!("{} is a function and cannot be declared", quoted(name))
+}
+
+pub(super) fn built_in_as_name(name: &str, meaning: &str) -> String {
+    format!("{} is {meaning} and cannot be declared", quoted(name))
+}
+
+pub(super) const UNDERSCORE_AS_NAME: &str = "`_` is not a name";
+
+pub(super) fn reserved_name(name: &str) -> String {
+    format!("{} begins with two underscores, which is kept for generated code", quoted(name))
+}
+
+pub(super) fn raw_name(name: &str) -> String {
+    format!("{} is a raw identifier, which cannot be used as a name here", quoted(name))
+}
+
+pub(super) const OTHER_NAME_HELP: &str = "choose another name";
+
+// Expressions.
+
+pub(super) const OPERAND: &str = "an expression";
+pub(super) const NESTED_TOO_DEEPLY: &str = "brackets are nested too deeply";
+pub(super) const NESTED_TOO_DEEPLY_HELP: &str = "name a part of the expression with `let`";
+pub(super) const EMPTY_PARENTHESES: &str = "nothing stands between these parentheses";
+pub(super) const EMPTY_BLOCK: &str = "nothing stands between these braces";
+pub(super) const BLOCK_CONTENT: &str = "a block holds exactly one expression";
+pub(super) const LET_HELP: &str = "name parts of expressions with `let` statements of their own";
+pub(super) const ONE_COMPONENT_HELP: &str = "leave the comma out to write a number in parentheses";
+pub(super) const MISSING_ELSE: &str = "this `if` has no value when its condition does not hold";
+pub(super) const MISSING_ELSE_HELP: &str = "add `else { … }`";
+pub(super) const COMPARISON: &str = "`<`, `<=`, `>` or `>=`";
+pub(super) const EQUALITY: &str = "conditions cannot ask whether numbers are equal";
+pub(super) const EQUALITY_HELP: &str = "compare with `<`, `<=`, `>` or `>=`";
+pub(super) const LOGIC: &str = "a condition is a single comparison, without `&&`, `||` and `!`";
+pub(super) const LOGIC_HELP: &str =
+    "put one `if` into the other, or compare `min(a, b)` or `max(a, b)` with zero";
+pub(super) const COMPARISON_CHAIN: &str = "a condition is a single comparison";
+pub(super) const COMPARISON_PLACE: &str = "comparisons have a place only between `if` and `{`";
+pub(super) const COMPARISON_PLACE_HELP: &str = "write `if a < b { … } else { … }`";
+pub(super) const UNARY_PLUS: &str = "`+` has nothing on its left";
+pub(super) const UNARY_PLUS_HELP: &str = "leave the sign out";
+pub(super) const REFERENCE: &str = "references have no meaning here";
+pub(super) const REFERENCE_HELP: &str = "leave out the `&`: names stand for values";
+pub(super) const MAGNITUDE_HELP: &str = "write `abs(x)` for a magnitude";
+pub(super) const VECTOR_HELP: &str = "write vectors in parentheses: `(a, b)`";
+pub(super) const PARENTHESES_HELP: &str = "group with parentheses";
+pub(super) const LEADING_ZERO_HELP: &str = "write a digit before the point: `0.5`";
+pub(super) const COMMENT_HELP: &str = "write `//` for comments";
+pub(super) const DOUBLE_STAR: &str = "`**` is not an operator";
+pub(super) const DOUBLE_STAR_HELP: &str = "write `^` for powers";
+pub(super) const PATH: &str = "paths with `::` have no meaning here";
+pub(super) const PATH_HELP: &str = "functions go by their plain name: `sin(x)` or `x.sin()`";
+pub(super) const MACRO: &str = "macros cannot be called in expressions";
+pub(super) const CONVERSION: &str = "`as` has no meaning here";
+pub(super) const CONVERSION_HELP: &str = "leave the conversion out: all numbers are of one type";
+pub(super) const REMAINDER: &str = "`%` is not an operator";
+pub(super) const INDEX: &str = "square brackets have no meaning here";
+pub(super) const INDEX_HELP: &str = "the components of a vector are `.x`, `.y` and `.z`";
+pub(super) const NUMBERED_COMPONENT: &str = "components are not numbered";
+pub(super) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
+
+pub(super) fn keyword_as_value(word: &str) -> String {
+    format!("the keyword {} has no value", quoted(word))
+}
+
+pub(super) const KEYWORD_AS_VALUE_HELP: &str =
+    "give the expression a name with `let` and use that name in both places";
+
+// Numbers.
+
+pub(super) fn no_number(literal: &str) -> String {
+    format!("{} is not a number", quoted(literal))
+}
+
+pub(super) const SUFFIX: &str = "numbers have no type of their own here";
+
+pub(super) fn suffix_help(digits: &str) -> String {
+    format!("write {}", quoted(digits))
+}
+
+pub(super) const NOT_DECIMAL: &str = "numbers are written in decimal";
+
+pub(super) fn excessive_number(literal: &str) -> String {
+    format!("the number {} is too long or too extreme to be kept exactly", quoted(literal))
+}

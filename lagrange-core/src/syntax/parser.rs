@@ -1,0 +1,89 @@
+//! What the readers of statements and of expressions share.
+
+use proc_macro2::{Group, TokenTree};
+
+use super::ast::{AstId, Expression, Expressions};
+use super::cursor::{Cursor, group_origin};
+use super::messages;
+use crate::diagnostics::{Origin, Report};
+
+/// Bracket groups and conditions deeper than this are refused: nothing else is read by recursion.
+const DEEPEST_NESTING: u32 = 64;
+
+/// Reads one declaration; the grammar is spread over the modules named after its parts.
+pub(super) struct Parser<'r> {
+    pub(super) report: &'r mut Report,
+    pub(super) expressions: Expressions,
+    /// Whether tokens of the current statement were skipped, so that nothing is said about its end.
+    pub(super) skipped: bool,
+    depth: u32,
+}
+
+/// A mistake was reported that makes a part of the input unreadable.
+pub(super) struct Reported;
+
+/// Something read, unless a mistake was reported instead.
+pub(super) type Parsed<T> = Result<T, Reported>;
+
+impl<'r> Parser<'r> {
+    pub(super) fn new(report: &'r mut Report) -> Parser<'r> {
+        Parser { report, expressions: Expressions::default(), skipped: false, depth: 0 }
+    }
+
+    /// Reports a mistake.
+    pub(super) fn fail(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> Reported {
+        self.report.error(origin, message);
+        Reported
+    }
+
+    /// Reports a mistake with what to do about it.
+    pub(super) fn fail_with_help(
+        &mut self,
+        origin: impl Into<Origin>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Reported {
+        self.report.error(origin, message).help(help);
+        Reported
+    }
+
+    /// What stands for the tokens since a position of the cursor, which a reported mistake made unreadable.
+    pub(super) fn unreadable(&mut self, cursor: &Cursor, start: usize) -> AstId {
+        self.expressions.add(Expression::Invalid, cursor.since(start))
+    }
+
+    /// Reads what stands between the brackets of a group.
+    pub(super) fn inside<T>(
+        &mut self,
+        group: &Group,
+        read: impl FnOnce(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Parsed<T> {
+        self.nested(group_origin(group), |parser| read(parser, &mut Cursor::inside(group)))
+    }
+
+    /// Checks that tokens which are kept as they are can be walked by recursion.
+    pub(super) fn shallow(&mut self, cursor: &mut Cursor) -> Parsed<()> {
+        while let Some(token) = cursor.advance() {
+            if let TokenTree::Group(group) = token {
+                self.inside(&group, Self::shallow)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads something that may hold others of its kind.
+    pub(super) fn nested<T>(
+        &mut self,
+        origin: Origin,
+        read: impl FnOnce(&mut Self) -> Parsed<T>,
+    ) -> Parsed<T> {
+        if self.depth == DEEPEST_NESTING {
+            let help = messages::NESTED_TOO_DEEPLY_HELP;
+            return Err(self.fail_with_help(origin, messages::NESTED_TOO_DEEPLY, help));
+        }
+        self.depth += 1;
+        let result = read(self);
+        self.depth -= 1;
+        result
+    }
+}

@@ -1,0 +1,107 @@
+//! Statements, one by one.
+
+use super::ast::{AstId, Statement, StatementKind};
+use super::cursor::Cursor;
+use super::messages;
+use super::parser::{Parsed, Parser, Reported};
+
+impl Parser<'_> {
+    /// Reads statements up to the end of the input. Those that cannot be read are reported and left out.
+    pub(super) fn statements(&mut self, cursor: &mut Cursor) -> Vec<Statement> {
+        let mut statements = Vec::new();
+        while !cursor.at_end() {
+            let start = cursor.position();
+            if let Some(kind) = self.statement(cursor) {
+                statements.push(Statement { kind, origin: cursor.since(start) });
+            }
+        }
+        statements
+    }
+
+    /// Reads one statement with its semicolon; takes at least one token.
+    fn statement(&mut self, cursor: &mut Cursor) -> Option<StatementKind> {
+        if cursor.eat(';').is_some() || self.misplaced_attributes(cursor) || self.future_statement(cursor) {
+            return None;
+        }
+        self.skipped = false;
+        let kind = self.statement_kind(cursor);
+        if kind.is_err() {
+            self.skip_statement(cursor);
+        }
+        let complete = self.skipped || matches!(kind, Ok(StatementKind::Emit(_)));
+        if cursor.eat(';').is_none() && !complete {
+            self.missing_semicolon(cursor);
+        }
+        kind.ok()
+    }
+
+    fn statement_kind(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        let Some(keyword) = cursor.eat_ident() else {
+            return Err(self.fail(cursor.here(), messages::expected(messages::STATEMENT, cursor.peek())));
+        };
+        match keyword.to_string().as_str() {
+            "param" => Ok(StatementKind::Parameters(self.definitions(cursor))),
+            "input" => Ok(StatementKind::Inputs(self.definitions(cursor))),
+            "const" => Ok(StatementKind::Constants(self.constants(cursor))),
+            "coord" => Ok(StatementKind::Coordinates(self.coordinates(cursor))),
+            "let" => self.binding(cursor),
+            "kinetic" => Ok(StatementKind::Kinetic(self.assigned(cursor)?)),
+            "potential" => Ok(StatementKind::Potential(self.assigned(cursor)?)),
+            "lagrangian" => Ok(StatementKind::Lagrangian(self.assigned(cursor)?)),
+            "dissipation" => Ok(StatementKind::Dissipation(self.assigned(cursor)?)),
+            "force" => self.force(cursor),
+            "torque" => self.torque(cursor),
+            "output" => Ok(StatementKind::Output(self.declared_name(cursor)?, self.assigned(cursor)?)),
+            "emit" => Ok(StatementKind::Emit(self.emit(cursor)?)),
+            _ => Err(self.unknown_statement(&keyword, cursor)),
+        }
+    }
+
+    /// `= e`, up to the end of the statement.
+    pub(super) fn assigned(&mut self, cursor: &mut Cursor) -> Parsed<AstId> {
+        match cursor.eat_equals() {
+            Some(_) => Ok(self.value(cursor)),
+            None => Err(self.fail(cursor.here(), messages::expected("`=`", cursor.peek()))),
+        }
+    }
+
+    /// Reads the expression that ends the statement. What is unreadable is still a value, so that a name
+    /// stays declared although its value is wrong.
+    fn value(&mut self, cursor: &mut Cursor) -> AstId {
+        let start = cursor.position();
+        self.expression(cursor).unwrap_or_else(|Reported| {
+            self.skip_statement(cursor);
+            self.unreadable(cursor, start)
+        })
+    }
+
+    /// `x = e` or `e at e`.
+    fn force(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        if cursor.ident().is_some() && cursor.equals_past(1) {
+            let name = self.name(cursor)?;
+            return Ok(StatementKind::ForceOn(name, self.assigned(cursor)?));
+        }
+        let force = self.expression(cursor)?;
+        self.connective("at", messages::FORCE_HELP, cursor)?;
+        Ok(StatementKind::ForceAt { force, point: self.value(cursor) })
+    }
+
+    /// `e on e`.
+    fn torque(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        let moment = self.expression(cursor)?;
+        self.connective("on", messages::TORQUE_HELP, cursor)?;
+        Ok(StatementKind::Torque { moment, angle: self.value(cursor) })
+    }
+
+    fn connective(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
+        if cursor.eat_word(word).is_some() {
+            return Ok(());
+        }
+        let wanted = format!("`{word}`");
+        if cursor.at_end() || cursor.at(';') || cursor.at('=') || cursor.statement_keyword().is_some() {
+            let message = messages::expected(&wanted, cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, help));
+        }
+        Err(self.no_operator(cursor, &wanted))
+    }
+}

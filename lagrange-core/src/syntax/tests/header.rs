@@ -1,0 +1,112 @@
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use quote::quote;
+
+use super::{errors, read, read_wrong, statements};
+use crate::diagnostics::Report;
+use crate::syntax::ast::{Declaration, ScalarType};
+use crate::syntax::parse_tokens;
+
+fn scalar(declaration: &Declaration) -> &str {
+    match &declaration.scalar {
+        ScalarType::F32 => "f32",
+        ScalarType::F64 => "f64",
+        ScalarType::Generic(name) => &name.text,
+    }
+}
+
+#[test]
+fn attributes_are_kept_or_consumed() {
+    let declaration = read(
+        "/// A cart.\n#[derive(Clone, ::core::fmt::Debug)] #[scalar(f32)] #[accuracy(standard)]
+        #[cfg(all())] #[derive(PartialEq,)] pub(crate) struct Cart; coord x;",
+    );
+    assert_eq!(declaration.name.text, "Cart");
+    assert_eq!(scalar(&declaration), "f32");
+    assert_eq!(declaration.visibility.to_string(), "pub (crate)");
+    let derives = declaration.derives.iter().map(|name| name.text.as_str());
+    assert_eq!(derives.collect::<Vec<_>>(), ["Clone", "Debug", "PartialEq"]);
+    let kept = declaration.attributes.to_string();
+    let expected = "# [doc = \" A cart.\"] # [derive (Clone , :: core :: fmt :: Debug)] \
+                    # [cfg (all ())] # [derive (PartialEq ,)]";
+    assert_eq!(kept, expected);
+    assert_eq!(statements(&declaration), ["coord x"]);
+}
+
+#[test]
+fn number_types_are_chosen_in_the_head() {
+    assert_eq!(scalar(&read("struct A;")), "f64");
+    assert_eq!(scalar(&read("#[scalar(f64)] struct A;")), "f64");
+    assert_eq!(scalar(&read("struct A<S>;")), "S");
+}
+
+#[test]
+fn a_bare_list_of_statements_is_a_system() {
+    let declaration = read("coord x;");
+    assert_eq!(declaration.name.text, "System");
+    assert_eq!(declaration.visibility.to_string(), "pub");
+    assert_eq!(scalar(&declaration), "f64");
+    assert!(declaration.attributes.is_empty() && declaration.derives.is_empty());
+}
+
+#[test]
+fn tokens_need_a_struct() {
+    for text in ["", "coord x;", "pub enum A;", "#[a]", "struct", "struct fn;", "struct 1;"] {
+        let mut report = Report::default();
+        let tokens = text.parse().expect("tokens");
+        assert!(parse_tokens(tokens, &mut report).is_none(), "{text}");
+        assert_eq!(report.diagnostics().len(), 1, "{text}: {report}");
+    }
+}
+
+#[test]
+fn fragments_of_other_macros_are_read_as_units() {
+    let fragment = |text: &str| {
+        let tokens = text.parse::<TokenStream>().expect("tokens");
+        TokenStream::from(TokenTree::from(Group::new(Delimiter::None, tokens)))
+    };
+    let (visibility, sum) = (fragment("pub"), fragment("a + b"));
+    let mut report = Report::default();
+    let tokens = quote!(#visibility struct A; let c = #sum * 2;);
+    let declaration = parse_tokens(tokens, &mut report).expect("a struct");
+    assert!(!report.has_errors(), "{report}");
+    assert_eq!(declaration.visibility.to_string(), "pub");
+    assert_eq!(statements(&declaration), ["let c (* (+ a b) 2)"]);
+}
+
+#[test]
+fn wrong_heads_leave_a_skeleton() {
+    let cases = [
+        ("struct A { x: f64 }", "fields come from `param` and `input` statements, not from the struct"),
+        ("struct A(f64);", "fields come from `param` and `input` statements, not from the struct"),
+        ("struct A<'a>;", "only one plain type parameter, the number type, is possible here"),
+        ("struct A<S, T>;", "only one plain type parameter, the number type, is possible here"),
+        ("struct A<S: Float>;", "only one plain type parameter, the number type, is possible here"),
+        ("struct A<const N: usize>;", "only one plain type parameter, the number type, is possible here"),
+        ("struct A<>;", "only one plain type parameter, the number type, is possible here"),
+        ("struct A where A: Copy;", "expected `;`, found `where`"),
+        ("struct A", "missing `;` behind this"),
+        ("#[scalar(f32)] struct A<S>;", "the number type is given by the type parameter already"),
+        ("#[scalar(f16)] struct A;", "`scalar` names the number type: `#[scalar(f64)]` or `#[scalar(f32)]`"),
+        ("#[scalar] struct A;", "`scalar` names the number type: `#[scalar(f64)]` or `#[scalar(f32)]`"),
+        (
+            "#[scalar(f32, f64)] struct A;",
+            "`scalar` names the number type: `#[scalar(f64)]` or `#[scalar(f32)]`",
+        ),
+        ("#[scalar(f32)] #[scalar(f32)] struct A;", "`scalar` is given twice"),
+        ("#[accuracy(fast)] struct A;", "the accuracy level `fast` is not available yet"),
+        ("#[accuracy(strict)] struct A;", "the accuracy level `strict` is not available yet"),
+        ("#[accuracy(best)] struct A;", "`accuracy` names a level: `#[accuracy(standard)]`"),
+        ("#[accuracy(standard)] #[accuracy(standard)] struct A;", "`accuracy` is given twice"),
+        ("#![a] struct A;", "attributes that begin with `#!` have no place here"),
+        ("# struct A;", "expected `[` behind `#`"),
+    ];
+    for (head, message) in cases {
+        let text = format!("{head}\ncoord x;");
+        let found = errors(&text);
+        assert_eq!(found.len(), 1, "{head}: {found:#?}");
+        assert!(found[0].ends_with(message), "{head}: {found:#?}");
+        let declaration = read_wrong(&text).0.expect("the struct has a name");
+        assert_eq!(declaration.name.text, "A");
+        assert_eq!(statements(&declaration), ["coord x"], "{head}");
+    }
+}

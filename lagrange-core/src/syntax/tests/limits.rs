@@ -1,0 +1,135 @@
+use std::thread;
+
+use proptest::prelude::{ProptestConfig, any, prop_assert, proptest};
+use proptest::strategy::Strategy;
+
+use crate::diagnostics::Report;
+use crate::syntax::ast::Expression;
+use crate::syntax::parse_text;
+
+const LONG: usize = 100_000;
+
+/// Reads a text on a stack of 2 MiB; gives the number of nodes and of mistakes.
+fn read(text: String) -> (usize, usize) {
+    let work = move || {
+        let mut report = Report::default();
+        let declaration = parse_text(&text, &mut report);
+        let nodes = declaration.map_or(0, |declaration| declaration.expressions.iter().count());
+        (nodes, report.diagnostics().len())
+    };
+    let thread = thread::Builder::new().stack_size(2 << 20).spawn(work).expect("a thread");
+    thread.join().expect("no panic")
+}
+
+fn chain(first: &str, link: &str, last: &str) -> (usize, usize) {
+    read(format!("kinetic = {first}{}{last};", link.repeat(LONG)))
+}
+
+#[test]
+fn long_chains_are_read() {
+    assert_eq!(chain("x", " + x", ""), (2 * LONG + 1, 0));
+    assert_eq!(chain("x", " * x - x", ""), (4 * LONG + 1, 0));
+    assert_eq!(chain("x", "^x", ""), (2 * LONG + 1, 0));
+    assert_eq!(chain("x", "^-x", ""), (3 * LONG + 1, 0));
+    assert_eq!(chain("", "-", "x"), (LONG + 1, 0));
+    assert_eq!(chain("x", ".sin()", ""), (LONG + 1, 0));
+    assert_eq!(chain("x", ".y", ""), (LONG + 1, 0));
+    assert_eq!(chain("", "if x < y { x } else ", "{ z }"), (4 * LONG + 1, 0));
+    assert_eq!(chain("max(x", ", x", ")"), (LONG + 2, 0));
+}
+
+#[test]
+fn long_texts_are_read() {
+    assert_eq!(read("let a = 1;".repeat(LONG)), (LONG, 0));
+    assert_eq!(read(format!("param a{};", ", a = 1".repeat(LONG))), (LONG, 0));
+    assert_eq!(read("@".repeat(LONG)), (0, 1));
+    assert_eq!(read("@;".repeat(LONG)), (0, LONG));
+    assert_eq!(read("let let ".repeat(LONG)).0, 0);
+    assert_eq!(read("let a = ".repeat(LONG)), (LONG, LONG));
+    assert_eq!(read("param a = , ".repeat(LONG)).0, LONG);
+}
+
+#[test]
+fn brackets_are_read_to_a_depth_of_64() {
+    let nested = |depth| read(format!("kinetic = {}x{};", "(".repeat(depth), ")".repeat(depth)));
+    assert_eq!(nested(64), (1, 0));
+    assert_eq!(nested(65), (1, 1));
+    assert_eq!(nested(LONG), (1, 1));
+}
+
+#[test]
+fn deep_nesting_of_any_kind_is_harmless() {
+    let deep = |open: &str, inner: &str, close: &str| {
+        let text = format!("kinetic = {}{inner}{};", open.repeat(LONG), close.repeat(LONG));
+        read(text).1
+    };
+    assert_eq!(deep("sin(", "x", ")"), 1);
+    assert_eq!(deep("(x, ", "x", ")"), 1);
+    assert_eq!(deep("x.max(", "x", ")"), 1);
+    assert_eq!(deep("if x < x {", "x", "} else { x }"), 1);
+    assert_eq!(deep("if x < x { x } else {", "x", "}"), 1);
+    // A condition misses its comparison at every readable depth.
+    assert!(deep("if (", "x < x", ")") <= 64);
+    assert_eq!(deep("if ", "x", " < x { x } else { x }"), 1);
+    assert_eq!(deep("[", "x", "]"), 1);
+    assert_eq!(deep("(", "x", ""), 1);
+    assert_eq!(deep("", "x", ")"), 1);
+    let deep_attribute = format!("#[a{}{}] struct A;", "(".repeat(LONG), ")".repeat(LONG));
+    assert_eq!(read(deep_attribute), (0, 1));
+    let deep_visibility = format!("pub{}{} struct A;", "(".repeat(LONG), ")".repeat(LONG));
+    assert_eq!(read(deep_visibility), (0, 1));
+}
+
+/// Texts that look like declarations from afar.
+fn shuffled_words() -> impl Strategy<Value = String> {
+    let words = [
+        "param", "coord", "let", "kinetic", "force", "at", "torque", "on", "emit", "no", "const", "body",
+        "if", "else", "struct", "pub", "#", "[", "]", "(", ")", "{", "}", "<", "=", ">", "+", "-", "*", "/",
+        "^", ".", ",", ";", ":", "!", "&", "|", "x", "sin", "t", "_", "r#x", "1", "2.", "0.5", "1e5", "1f32",
+        "'a", "\"s\"", "//", "///", "\n", " ", "θ", "²",
+    ];
+    proptest::collection::vec(proptest::sample::select(words.to_vec()), 0..60)
+        .prop_map(|words| words.concat())
+}
+
+/// Every child is older than its parent, and an unreadable part comes with an error.
+fn is_sound(text: &str) -> bool {
+    let mut report = Report::default();
+    let Some(declaration) = parse_text(text, &mut report) else {
+        return report.has_errors();
+    };
+    report.to_string();
+    let expressions = &declaration.expressions;
+    expressions.iter().all(|(id, expression)| match expression {
+        Expression::Binary(_, _, left, right) => *left < id && *right < id,
+        Expression::Call(_, children) | Expression::Tuple(children) => {
+            children.iter().all(|child| *child < id)
+        }
+        Expression::Negate(child) | Expression::Component(child, _) => *child < id,
+        Expression::If { condition, then, otherwise } => {
+            [condition.left, condition.right, *then, *otherwise].into_iter().all(|child| child < id)
+        }
+        Expression::Invalid => report.has_errors(),
+        Expression::Number(_) | Expression::Name(_) => true,
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn arbitrary_texts_are_harmless(text in any::<String>()) {
+        prop_assert!(is_sound(&text));
+    }
+
+    #[test]
+    fn shuffled_words_are_harmless(text in shuffled_words()) {
+        prop_assert!(is_sound(&text));
+    }
+
+    #[test]
+    fn statements_with_arbitrary_values_are_harmless(text in "\\PC{0,40}") {
+        let statements = format!("let a = {text}; coord x;");
+        prop_assert!(is_sound(&statements));
+    }
+}

@@ -1,0 +1,158 @@
+use super::{errors, read_wrong, statements};
+
+#[test]
+fn all_mistakes_of_a_text_are_reported_where_they_are() {
+    let text = "
+param m = 1.0, type, l = 2.0f32, g;
+coord x, y = 1
+kinetc = 1/2 * m * dot(x)^2;
+let a = x +;
+potential = m * g * (y;
+";
+    assert_eq!(errors(text), ["error at 6:21: `(` is never closed"]);
+    let text = text.replace("(y;", "(y z);");
+    let (declaration, report) = read_wrong(&text);
+    let expected = "\
+error at 2:16: keyword as name: `type` is a keyword of Rust
+  help: choose another name
+error at 2:26: numbers have no type of their own here
+  help: write `2.0`
+error at 3:12: a coordinate has no value in the declaration
+  help: initial values belong to the state from which a simulation starts
+error at 4:1: expected an operator, `,` or `;`, found `kinetc`
+  help: write `*` between the factors of a product
+error at 5:12: expected an expression, found `;`
+error at 6:24: expected an operator, `,` or `)`, found `z`
+  help: write `*` between the factors of a product
+";
+    assert_eq!(report, expected);
+    let expected = ["param (m 1) (l ?) g", "coord x y", "let a ?", "potential (* (* m g) ?)"];
+    assert_eq!(statements(&declaration.expect("tokens")), expected);
+}
+
+#[test]
+fn a_forgotten_semicolon_is_seen_at_the_next_statement() {
+    let text = "coord x\nkinetic = dot(x)^2\nlet a = x\nforce (a, a) at (a, a)\noutput b = a";
+    let (declaration, report) = read_wrong(text);
+    let expected = "\
+error at 1:7: missing `;` behind this
+  note at 2:1: the next statement begins here
+error at 2:18: missing `;` behind this
+  note at 3:1: the next statement begins here
+error at 3:9: missing `;` behind this
+  note at 4:1: the next statement begins here
+error at 4:22: missing `;` behind this
+  note at 5:1: the next statement begins here
+error at 5:12: missing `;` behind this
+";
+    assert_eq!(report, expected);
+    assert_eq!(declaration.expect("tokens").statements.len(), 5);
+}
+
+#[test]
+fn reading_goes_on_at_the_next_statement() {
+    let text = "let a = x +\nlet b = 2;\nparam c,\ncoord d;\n+ 3;\nlet = 4;\nlet let e = 5;";
+    let (declaration, report) = read_wrong(text);
+    let expected = "\
+error at 2:1: expected an expression, found `let`
+error at 3:8: missing `;` behind this
+  note at 4:1: the next statement begins here
+error at 5:1: expected a statement, found `+`
+error at 6:5: expected a name, found `=`
+error at 7:5: keyword as name: `let` begins a statement
+  help: choose another name
+";
+    assert_eq!(report, expected);
+    assert_eq!(statements(&declaration.expect("tokens")), ["let a ?", "let b 2", "param c", "coord d"]);
+}
+
+#[test]
+fn unknown_statements_get_the_nearest_keyword() {
+    let helps = [
+        ("kinetc = 1;", "did you mean `kinetic`?"),
+        ("parameter a;", "did you mean `param`?"),
+        ("coords x;", "did you mean `coord`?"),
+        ("speed = 1;", "to name an expression, write `let speed = …;`"),
+        ("speed limit;", "statements begin with one of `param`, `const`, `coord`"),
+    ];
+    for (text, help) in helps {
+        let report = read_wrong(text).1;
+        assert!(report.starts_with("error at 1:1: no statement begins with"), "{report}");
+        assert!(report.contains(help), "{report}");
+    }
+}
+
+#[test]
+fn names_that_cannot_be_declared_say_why() {
+    let cases = [
+        ("fn", "keyword as name: `fn` is a keyword of Rust"),
+        ("self", "keyword as name: `self` is a keyword of Rust"),
+        ("gen", "keyword as name: `gen` is a keyword of Rust"),
+        ("const", "keyword as name: `const` begins a statement"),
+        ("body", "keyword as name: `body` begins a statement"),
+        ("sin", "`sin` is a function and cannot be declared"),
+        ("powi", "`powi` is a function and cannot be declared"),
+        ("t", "`t` is time and cannot be declared"),
+        ("pi", "`pi` is the number 3.14159… and cannot be declared"),
+        ("_", "`_` is not a name"),
+        ("__a", "`__a` begins with two underscores, which is kept for generated code"),
+        ("r#type", "`r#type` is a raw identifier, which cannot be used as a name here"),
+    ];
+    for (name, message) in cases {
+        for statement in ["param {}, b;", "coord {};", "let {} = 1;", "let (a, {}) = e;", "output {} = 1;"] {
+            let text = statement.replace("{}", name);
+            let found = errors(&text);
+            assert_eq!(found.len(), 1, "{text}: {found:#?}");
+            assert!(found[0].ends_with(message), "{text}: {found:#?}");
+        }
+    }
+}
+
+#[test]
+fn incomplete_statements_say_what_is_missing() {
+    let cases = [
+        ("const k, l = 1;", "error at 1:7: the constant `k` needs a value"),
+        ("param 3 = 1;", "error at 1:7: expected a name, found `3`"),
+        ("param a = 1 b = 2;", "error at 1:13: expected an operator, `,` or `;`, found `b`"),
+        ("kinetic 1;", "error at 1:9: expected `=`, found `1`"),
+        ("kinetic == 1;", "error at 1:9: expected `=`, found `=`"),
+        ("let (a) = b;", "error at 1:5: a vector has two or three components, not 1"),
+        ("let (a, b, c, d) = e;", "error at 1:5: a vector has two or three components, not 4"),
+        ("let (a b) = e;", "error at 1:8: expected `,` or `)`, found `b`"),
+        ("let () = e;", "error at 1:6: expected a name, found nothing more"),
+        ("force (a, b);", "error at 1:13: expected `at`, found `;`"),
+        ("force (a, b) = c;", "error at 1:14: expected `at`, found `=`"),
+        ("torque m;", "error at 1:9: expected `on`, found `;`"),
+        ("torque m at a;", "error at 1:10: expected an operator or `on`, found `at`"),
+        ("emit a, b;", "error at 1:6: expected `{`, found `a`"),
+        ("emit { a b }", "error at 1:10: expected `,` or `}`, found `b`"),
+        ("emit { 1 }", "error at 1:8: expected a name, found `1`"),
+        ("/// doc\ncoord x;", "error at 1:1: attributes and documentation belong to the struct only"),
+        ("let a = b /// doc\n;", "error at 1:11: expected an operator or `;`, found `#`"),
+    ];
+    for (text, message) in cases {
+        assert_eq!(errors(text), [message], "{text}");
+    }
+}
+
+#[test]
+fn texts_that_are_no_tokens_say_where() {
+    let cases = [
+        ("let a = (b", "error at 1:9: `(` is never closed"),
+        ("let a = b)", "error at 1:10: `)` closes no open bracket of its kind"),
+        ("let a = (b]", "error at 1:11: `]` closes no open bracket of its kind"),
+        ("let θ = x²;", "error at 1:10: `²` has no meaning here"),
+        ("let a = \"b;", "error at 1:9: this quotation mark begins no readable text"),
+        ("\u{feff}let a = x\u{0};", "error at 1:11: `\\0` has no meaning here"),
+    ];
+    for (text, message) in cases {
+        assert_eq!(errors(text), [message], "{text}");
+        assert!(read_wrong(text).0.is_none());
+    }
+}
+
+#[test]
+fn long_words_are_cut_in_messages() {
+    let report = read_wrong(&format!("{} = 1;", "a".repeat(10_000))).1;
+    assert!(report.len() < 300, "{report}");
+}

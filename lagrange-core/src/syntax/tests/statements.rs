@@ -1,0 +1,91 @@
+use super::{errors, read, statements};
+
+#[test]
+fn every_statement_has_its_form() {
+    let text = "
+        param a, b = 1.0, c;
+        input u, w = -2;
+        const k = 1/2, pi2 = 2 * pi;
+        coord x, theta;
+        let n = a + b;
+        let (p, q) = (a, b);
+        let (r, s, v) = (a, b, c);
+        kinetic = dot(x)^2;
+        potential = x;
+        lagrangian = x;
+        dissipation = x;
+        force x = u;
+        force (u, w) at (p, q);
+        force f at p + q;
+        torque -m on theta - x;
+        output tip = (p, q);
+        emit { jacobian, no energy }";
+    let expected = [
+        "param a (b 1) c",
+        "input u (w (- 2))",
+        "const (k (/ 1 2)) (pi2 (* 2 pi))",
+        "coord x theta",
+        "let n (+ a b)",
+        "let (p q) (vector a b)",
+        "let (r s v) (vector a b c)",
+        "kinetic (^ (dot x) 2)",
+        "potential x",
+        "lagrangian x",
+        "dissipation x",
+        "force x u",
+        "force (vector u w) at (vector p q)",
+        "force f at (+ p q)",
+        "torque (- m) on (- theta x)",
+        "output tip (vector p q)",
+        "emit jacobian -energy",
+    ];
+    assert_eq!(statements(&read(text)), expected);
+}
+
+#[test]
+fn separators_may_be_repeated_where_nothing_is_lost() {
+    assert_eq!(statements(&read(";param a, b = 1,;; coord x,;")), ["param a (b 1)", "coord x"]);
+    assert_eq!(statements(&read("emit { }; emit { no, no no, }")), ["emit", "emit no -no"]);
+    assert_eq!(statements(&read("emit { a }\ncoord x;")), ["emit a", "coord x"]);
+    assert!(read("").statements.is_empty());
+    assert!(read("// nothing but a comment").statements.is_empty());
+}
+
+#[test]
+fn words_inside_statements_are_free_as_names() {
+    assert_eq!(statements(&read("force at at on; torque on on at;")), ["force at at on", "torque on on at"]);
+    assert_eq!(statements(&read("param no, θ = 1;")), ["param no (θ 1)"]);
+}
+
+#[test]
+fn statements_reach_from_keyword_to_semicolon() {
+    let declaration = read("  coord x ;\nemit { a }\n");
+    let columns = declaration
+        .statements
+        .iter()
+        .map(|statement| (statement.origin.start.start().column, statement.origin.end.end().column));
+    assert_eq!(columns.collect::<Vec<_>>(), [(2, 11), (0, 10)]);
+}
+
+#[test]
+fn statements_for_later_are_refused_and_skipped() {
+    let text = "
+        constraint c = x - y;
+        event hit = if x < 0 { x } else { y }, falling => { dot(x) = -dot(x); };
+        gravity = (0, -g);
+        reduce x;
+        body rod { mass: m; coord: 3; }
+        body rod { mass: m };
+        coord x;";
+    let report = [
+        "error at 2:9: `constraint` statements are not available yet",
+        "error at 3:9: `event` statements are not available yet",
+        "error at 4:9: `gravity` statements are not available yet",
+        "error at 5:9: `reduce` statements are not available yet",
+        "error at 6:9: `body` statements are not available yet",
+        "error at 7:9: `body` statements are not available yet",
+    ];
+    assert_eq!(errors(text), report);
+    let (declaration, _) = super::read_wrong(text);
+    assert_eq!(statements(&declaration.expect("no lexical mistake")), ["coord x"]);
+}
