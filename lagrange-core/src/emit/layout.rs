@@ -10,11 +10,11 @@ use crate::number::Number;
 use crate::symbol::{Role, Symbol};
 
 /// An expression with names for some of its parts.
-pub(super) struct View<'v> {
+pub(super) struct View<'v, 'n> {
     pub(super) graph: &'v Graph,
     /// Written out even if it has a name.
     pub(super) root: ExprId,
-    pub(super) names: &'v dyn Fn(ExprId) -> Option<&'v str>,
+    pub(super) names: &'v dyn Fn(ExprId) -> Option<&'n str>,
 }
 
 /// `coefficient · Π base ^ exponent`, factors in the order of reading.
@@ -65,8 +65,32 @@ pub(super) fn write(root: ExprId, expand: impl Fn(ExprId, Strength) -> Vec<Piece
     text
 }
 
-impl<'v> View<'v> {
-    pub(super) fn name(&self, id: ExprId) -> Option<&'v str> {
+/// Terms with their signs between them; `product` writes a term without its sign.
+pub(super) fn sum(
+    terms: &[Term],
+    product: impl Fn(&Term) -> (Strength, Vec<Piece>),
+) -> (Strength, Vec<Piece>) {
+    let mut pieces = Vec::new();
+    let mut strength = Strength::Sum;
+    for (position, term) in terms.iter().enumerate() {
+        let sign = match (position, term.coefficient.is_negative()) {
+            (0, false) => "",
+            (0, true) => "-",
+            (_, false) => " + ",
+            (_, true) => " - ",
+        };
+        pieces.push(Piece::text(sign));
+        let (own, term_pieces) = product(term);
+        pieces.extend(term_pieces);
+        if terms.len() == 1 && sign.is_empty() {
+            strength = own;
+        }
+    }
+    (strength, pieces)
+}
+
+impl<'v, 'n> View<'v, 'n> {
+    pub(super) fn name(&self, id: ExprId) -> Option<&'n str> {
         if id == self.root { None } else { (self.names)(id) }
     }
 

@@ -11,9 +11,24 @@ const LONGEST_REPEATED: usize = 24;
 /// The length taken for a name.
 const NAME_LENGTH: usize = 4;
 
+/// Names with what they stand for, each before its first use, and the texts of `roots`, all written by
+/// `write` with the names it is given.
+pub(super) fn define(
+    graph: &Graph,
+    roots: &[ExprId],
+    max_length: usize,
+    write: impl for<'n> Fn(ExprId, &dyn Fn(ExprId) -> Option<&'n str>) -> String,
+) -> (Vec<(String, String)>, Vec<String>) {
+    let names = common_parts(graph, roots, max_length);
+    let name_of = |id: ExprId| names.get(&id).map(String::as_str);
+    let root = |&id: &ExprId| name_of(id).map_or_else(|| write(id, &name_of), str::to_owned);
+    let definitions = names.iter().map(|(&id, name)| (name.clone(), write(id, &name_of))).collect();
+    (definitions, roots.iter().map(root).collect())
+}
+
 /// Names for parts of `roots`, in an order in which no part holds a later one. None if the roots written
 /// out have at most about `max_length` characters.
-pub(super) fn common_parts(graph: &Graph, roots: &[ExprId], max_length: usize) -> OrderedMap<ExprId, String> {
+fn common_parts(graph: &Graph, roots: &[ExprId], max_length: usize) -> OrderedMap<ExprId, String> {
     let parts = graph.reachable(roots);
     let mut names = OrderedMap::default();
     let mut lengths: HashMap<ExprId, usize> = HashMap::default();

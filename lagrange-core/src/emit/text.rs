@@ -3,8 +3,8 @@
 //! The text of an expression is written out in full unless names are given for shared parts. A graph can
 //! stand for a text that is exponentially longer; [`definitions`] never writes that.
 
-use super::layout::{Piece, Strength, Term, View, write as write_pieces};
-use super::naming::common_parts;
+use super::layout::{Piece, Strength, Term, View, sum, write as write_pieces};
+use super::naming::define;
 use super::numerals::numeral;
 use crate::expr::{ExprId, Graph, Node};
 use crate::functions::row;
@@ -17,7 +17,7 @@ pub fn text(graph: &Graph, expr: ExprId) -> String {
 }
 
 /// The expression with those of its parts written by name that have one; `expr` itself is written out.
-pub fn write<'n>(graph: &'n Graph, expr: ExprId, names: &'n dyn Fn(ExprId) -> Option<&'n str>) -> String {
+pub fn write<'n>(graph: &Graph, expr: ExprId, names: &dyn Fn(ExprId) -> Option<&'n str>) -> String {
     let view = View { graph, root: expr, names };
     write_pieces(expr, |id, least| pieces(&view, id, least))
 }
@@ -32,14 +32,7 @@ pub fn definitions(
     roots: &[ExprId],
     max_length: usize,
 ) -> (Vec<(String, String)>, Vec<String>) {
-    let names = common_parts(graph, roots, max_length);
-    let name_of = |id: ExprId| names.get(&id).map(String::as_str);
-    let define = |(&id, name): (&ExprId, &String)| (name.clone(), write(graph, id, &name_of));
-    let root = |&id: &ExprId| match name_of(id) {
-        Some(name) => name.to_owned(),
-        None => write(graph, id, &name_of),
-    };
-    (names.iter().map(define).collect(), roots.iter().map(root).collect())
+    define(graph, roots, max_length, |id, names| write(graph, id, names))
 }
 
 fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
@@ -51,7 +44,7 @@ fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
         (_, Node::Pi) => (Strength::Atom, vec![Piece::text("pi")]),
         (_, Node::Call(function, arguments)) => (Strength::Atom, call(row(*function).name, arguments)),
         (_, Node::Choose { .. }) => (Strength::Choice, choice(view, id)),
-        (_, Node::Number(_) | Node::Sum { .. } | Node::Product(_)) => sum(&view.terms(id)),
+        (_, Node::Number(_) | Node::Sum { .. } | Node::Product(_)) => sum(&view.terms(id), product),
     };
     parenthesised(strength < least, pieces)
 }
@@ -105,26 +98,6 @@ fn choice(view: &View, id: ExprId) -> Vec<Piece> {
         pieces.extend([Piece::text("{ "), last, Piece::text(" }")]);
     }
     pieces
-}
-
-fn sum(terms: &[Term]) -> (Strength, Vec<Piece>) {
-    let mut pieces = Vec::new();
-    let mut strength = Strength::Sum;
-    for (position, term) in terms.iter().enumerate() {
-        let sign = match (position, term.coefficient.is_negative()) {
-            (0, false) => "",
-            (0, true) => "-",
-            (_, false) => " + ",
-            (_, true) => " - ",
-        };
-        pieces.push(Piece::text(sign));
-        let (own, term_pieces) = product(term);
-        pieces.extend(term_pieces);
-        if terms.len() == 1 && sign.is_empty() {
-            strength = own;
-        }
-    }
-    (strength, pieces)
 }
 
 /// The term without its sign.
