@@ -9,11 +9,18 @@
 //! Every result equals its input wherever the input is defined; it may be defined in more places.
 
 mod collect;
+mod expand;
+mod group;
 mod monomial;
 mod pairs;
+mod polynomial;
+mod present;
 mod rules;
+mod size;
+mod waves;
 
 pub use collect::collect;
+pub use present::{present, proves_zero};
 pub use rules::{Arguments, RULES, Rule};
 
 #[cfg(test)]

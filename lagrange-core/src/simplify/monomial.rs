@@ -36,6 +36,16 @@ impl Monomial {
         self.0.is_empty()
     }
 
+    /// The exponent of a factor.
+    pub(super) fn exponent(&self, base: ExprId) -> Option<&Number> {
+        self.0.iter().find(|(factor, _)| *factor == base).map(|(_, exponent)| exponent)
+    }
+
+    /// The sum of the exponents.
+    pub(super) fn degree(&self) -> Number {
+        self.0.iter().fold(Number::ZERO, |degree, (_, exponent)| &degree + exponent)
+    }
+
     pub(super) fn times(&self, other: &Monomial) -> Monomial {
         Monomial::new(self.0.iter().chain(&other.0).cloned().collect())
     }

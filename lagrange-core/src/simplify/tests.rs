@@ -1,1 +1,2 @@
+mod presentation;
 mod rules;

@@ -1,0 +1,221 @@
+//! Multiplying out within a budget.
+//!
+//! Expressions are taken in ascending order, so that what they are made of is known when their turn
+//! comes. Arguments of functions, bases of roots and of denominators stay closed, but are themselves
+//! written in the form that [`Expander::readable`] gives. What exceeds the budget stays closed too.
+
+use std::rc::Rc;
+
+use super::group::group;
+use super::monomial::Term;
+use super::pairs::join;
+use super::polynomial::Polynomial;
+use super::rules::RULES;
+use super::size::Sizes;
+use super::waves;
+use crate::calculus::substitute;
+use crate::collections::HashMap;
+use crate::expr::{ExprId, Function, Graph, Node};
+use crate::functions::apply;
+use crate::number::Number;
+
+/// Higher powers of sums are left as powers.
+const HIGHEST_POWER: i32 = 8;
+/// How many monomials may be made on the way for each one allowed in a result.
+const EFFORT_PER_MONOMIAL: usize = 100;
+
+/// What the result is for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// Short formulas.
+    Reading,
+    /// As few different ways of writing the same value as possible.
+    Comparing,
+}
+
+/// Polynomials of expressions, each found once.
+pub(super) struct Expander {
+    purpose: Purpose,
+    budget: usize,
+    effort: usize,
+    expanded: HashMap<ExprId, Rc<Polynomial>>,
+    readable: HashMap<ExprId, ExprId>,
+    sizes: Sizes,
+}
+
+impl Expander {
+    pub(super) fn new(purpose: Purpose, budget: usize) -> Expander {
+        Expander {
+            purpose,
+            budget,
+            effort: budget.saturating_mul(EFFORT_PER_MONOMIAL),
+            expanded: HashMap::default(),
+            readable: HashMap::default(),
+            sizes: Sizes::default(),
+        }
+    }
+
+    /// Expands everything `root` is made of, unless that alone would take all effort.
+    pub(super) fn expand_all(&mut self, graph: &mut Graph, root: ExprId) -> Option<()> {
+        let parts = graph.reachable(&[root]);
+        self.spend(parts.len())?;
+        for id in parts {
+            let polynomial = match self.expand(graph, id) {
+                Some(polynomial) => polynomial,
+                None => self.closed(graph, id),
+            };
+            self.expanded.insert(id, Rc::new(polynomial));
+            if self.purpose == Purpose::Reading {
+                self.readable(graph, id);
+            }
+        }
+        Some(())
+    }
+
+    /// The polynomial of something that has been expanded.
+    pub(super) fn polynomial(&self, graph: &Graph, id: ExprId) -> Rc<Polynomial> {
+        self.expanded.get(&id).cloned().unwrap_or_else(|| Rc::new(Polynomial::atom(graph, id)))
+    }
+
+    /// The polynomial with identities applied: each rule for reading, powers of sines and hyperbolic
+    /// sines replaced for comparing.
+    pub(super) fn simplified(&mut self, graph: &mut Graph, polynomial: &Polynomial) -> Option<Polynomial> {
+        match self.purpose {
+            Purpose::Reading => Some(apply_rules(graph, polynomial)),
+            Purpose::Comparing => waves::reduce(self, graph, polynomial),
+        }
+    }
+
+    /// The shortest form known of something that has been expanded.
+    pub(super) fn readable(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
+        if let Some(&known) = self.readable.get(&id) {
+            return known;
+        }
+        let form = match self.purpose {
+            Purpose::Comparing => self.grouped(graph, id).unwrap_or(id),
+            Purpose::Reading => {
+                let as_it_is = self.with_readable_parts(graph, id);
+                let grouped = self.grouped(graph, id).unwrap_or(as_it_is);
+                let is_short = self.sizes.of(graph, grouped) <= self.sizes.of(graph, as_it_is);
+                if is_short { grouped } else { as_it_is }
+            }
+        };
+        self.readable.insert(id, form);
+        form
+    }
+
+    /// The polynomial simplified and regrouped, if the effort left allows that.
+    fn grouped(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+        let polynomial = self.polynomial(graph, id);
+        self.spend(polynomial.len())?;
+        let simplified = self.simplified(graph, &polynomial)?;
+        Some(group(graph, &simplified))
+    }
+
+    fn closed(&mut self, graph: &mut Graph, id: ExprId) -> Polynomial {
+        let atom = self.with_readable_parts(graph, id);
+        Polynomial::atom(graph, atom)
+    }
+
+    fn with_readable_parts(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
+        let mut parts = Vec::new();
+        graph.node(id).for_each_child(|child| parts.push(child));
+        let forms = parts.into_iter().map(|part| (part, self.readable(graph, part))).collect::<Vec<_>>();
+        if forms.iter().all(|(part, form)| part == form) {
+            return id;
+        }
+        substitute(graph, id, &forms.into_iter().collect())
+    }
+
+    /// Uses up a part of the effort; `None` when there is not enough left.
+    pub(super) fn spend(&mut self, monomials: usize) -> Option<()> {
+        self.effort = self.effort.checked_sub(monomials)?;
+        Some(())
+    }
+
+    pub(super) fn within_budget(&self, polynomial: Polynomial) -> Option<Polynomial> {
+        (polynomial.len() <= self.budget).then_some(polynomial)
+    }
+
+    pub(super) fn times(&mut self, a: &Polynomial, b: &Polynomial) -> Option<Polynomial> {
+        self.spend(a.len().saturating_mul(b.len()))?;
+        self.within_budget(a.times(b))
+    }
+
+    fn expand(&mut self, graph: &mut Graph, id: ExprId) -> Option<Polynomial> {
+        match graph.node(id).clone() {
+            Node::Number(value) => Some(Polynomial::constant(value)),
+            Node::Pi | Node::Symbol(_) => Some(Polynomial::atom(graph, id)),
+            Node::Sum { constant, terms } => self.expand_sum(graph, constant, &terms),
+            Node::Product(factors) => {
+                let mut product = Polynomial::constant(Number::ONE);
+                for (base, exponent) in &factors {
+                    let power = self.expand_power(graph, *base, exponent)?;
+                    product = self.times(&product, &power)?;
+                }
+                Some(product)
+            }
+            Node::Call(function @ (Function::Sin | Function::Cos), arguments)
+                if self.purpose == Purpose::Comparing =>
+            {
+                let angle = self.polynomial(graph, arguments[0]);
+                waves::expand(self, graph, function, &angle)
+            }
+            Node::Call(function, arguments) => {
+                let arguments = arguments.iter().map(|x| self.readable(graph, *x)).collect::<Vec<_>>();
+                let call = apply(graph, function, &arguments);
+                Some(Polynomial::atom(graph, call))
+            }
+            Node::Choose { .. } => Some(self.closed(graph, id)),
+        }
+    }
+
+    fn expand_sum(
+        &mut self,
+        graph: &Graph,
+        constant: Number,
+        terms: &[(ExprId, Number)],
+    ) -> Option<Polynomial> {
+        let mut sum = Polynomial::constant(constant);
+        for (term, coefficient) in terms {
+            let term = self.polynomial(graph, *term);
+            self.spend(term.len())?;
+            sum.add_scaled(&term, coefficient);
+        }
+        self.within_budget(sum)
+    }
+
+    fn expand_power(&mut self, graph: &mut Graph, base: ExprId, exponent: &Number) -> Option<Polynomial> {
+        let polynomial = self.polynomial(graph, base);
+        let integer = exponent.to_i32();
+        if let (Some((monomial, coefficient)), Some(integer)) = (polynomial.single(), integer)
+            && let Some(coefficient) = coefficient.power(integer)
+        {
+            return Some(Polynomial::of_terms([Term { coefficient, monomial: monomial.power(exponent) }]));
+        }
+        match integer {
+            Some(integer @ 0..=HIGHEST_POWER) => {
+                let one = Polynomial::constant(Number::ONE);
+                (0..integer).try_fold(one, |power, _| self.times(&power, &polynomial))
+            }
+            _ => {
+                let base = self.readable(graph, base);
+                let power = graph.power(base, exponent.clone());
+                Some(Polynomial::atom(graph, power))
+            }
+        }
+    }
+}
+
+/// Applies the rules and collects equal terms until neither changes anything.
+fn apply_rules(graph: &mut Graph, polynomial: &Polynomial) -> Polynomial {
+    let mut polynomial = polynomial.clone();
+    loop {
+        let before = polynomial.len();
+        let joined = join(graph, &RULES, polynomial.terms());
+        polynomial = Polynomial::of_terms(joined.into_iter().map(|joined| joined.term));
+        if polynomial.len() == before {
+            return polynomial;
+        }
+    }
+}
