@@ -7,5 +7,6 @@ pub mod diagnostics;
 pub mod expr;
 pub mod functions;
 pub mod number;
+pub mod program;
 pub mod symbol;
 pub mod syntax;
