@@ -16,6 +16,7 @@ mod ir;
 mod labels;
 mod lower;
 mod passes;
+mod variability;
 mod verify;
 
 pub use builder::Builder;
@@ -25,6 +26,7 @@ pub use ir::{Float, Op, Program, ValueId, ValueTable};
 pub use labels::Labels;
 pub use lower::lower;
 pub use passes::{PASSES, Pass, fuse_multiply_adds, optimise, pair_sines_and_cosines, schedule};
+pub use variability::Variability;
 pub use verify::{Fault, verify};
 
 #[cfg(test)]

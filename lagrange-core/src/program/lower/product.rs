@@ -2,9 +2,9 @@
 
 use super::Lowering;
 use super::sharing::Reciprocal;
-use crate::expr::{Dependencies, ExprId, Function, Graph};
+use crate::expr::{ExprId, Function};
 use crate::number::Number;
-use crate::program::{Op, ValueId};
+use crate::program::{Op, ValueId, Variability};
 
 /// Powers above this are left to a loop: written out they would be long and no faster.
 const LARGEST_UNROLLED_POWER: i32 = 64;
@@ -16,34 +16,6 @@ struct Fraction {
     below: Vec<ValueId>,
 }
 
-/// How often a value changes. Factors that change less often are multiplied first, because what they
-/// make is more likely to occur elsewhere.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Variability {
-    Constant,
-    Input,
-    Position,
-    Velocity,
-    Acceleration,
-}
-
-impl Variability {
-    fn of(graph: &Graph, id: ExprId) -> Variability {
-        let on = |kind| graph.dependencies(id).intersects(kind);
-        if on(Dependencies::ACCELERATION) {
-            Variability::Acceleration
-        } else if on(Dependencies::VELOCITY) {
-            Variability::Velocity
-        } else if on(Dependencies::COORDINATE | Dependencies::TIME | Dependencies::PLACEHOLDER) {
-            Variability::Position
-        } else if on(Dependencies::INPUT) {
-            Variability::Input
-        } else {
-            Variability::Constant
-        }
-    }
-}
-
 impl Lowering<'_> {
     /// `coefficient · product`
     pub(super) fn product(&mut self, coefficient: &Number, product: ExprId) -> ValueId {
@@ -51,6 +23,7 @@ impl Lowering<'_> {
         for (base, exponent) in self.sharing.factors(self.graph, product) {
             self.push_factor(&mut fraction, base, &exponent);
         }
+        // What changes less often is multiplied first: its product is more likely to occur elsewhere.
         fraction.above.sort_by_key(|(variability, _)| *variability);
         let negative = *coefficient == Number::MINUS_ONE;
         let scale = if negative { Number::ONE } else { coefficient.clone() };
@@ -74,7 +47,7 @@ impl Lowering<'_> {
     }
 
     fn push_factor(&mut self, fraction: &mut Fraction, base: ExprId, exponent: &Number) {
-        let variability = Variability::of(self.graph, base);
+        let variability = Variability::of_expression(self.graph, base);
         let value = self.value(base);
         let twice =
             (exponent * &Number::TWO).to_i32().filter(|twice| twice.abs() / 2 <= LARGEST_UNROLLED_POWER);
