@@ -4,6 +4,7 @@
 pub mod calculus;
 pub mod collections;
 pub mod diagnostics;
+pub mod emit;
 pub mod expr;
 pub mod functions;
 pub mod number;
