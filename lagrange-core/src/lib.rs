@@ -9,5 +9,6 @@ pub mod expr;
 pub mod functions;
 pub mod number;
 pub mod simplify;
+pub mod program;
 pub mod symbol;
 pub mod syntax;

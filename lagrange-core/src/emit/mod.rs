@@ -1,4 +1,4 @@
-//! Output for readers and compilers. Nothing here does algebra.
+//! Programs and expressions as text in other languages. No algebra happens here.
 
 mod layout;
 mod naming;
@@ -6,6 +6,7 @@ mod numerals;
 
 pub mod graphviz;
 pub mod latex;
+pub mod rust_body;
 pub mod text;
 
 #[cfg(test)]

@@ -1,0 +1,308 @@
+//! Walks over a program and writes statements.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use super::fragment::Fragment;
+use super::literal::Constant;
+use super::{BodyStyle, Names, Scalar, Unrepresentable};
+use crate::expr::Relation;
+use crate::functions::row;
+use crate::program::{Op, Program, ValueId, ValueTable, Variability};
+use crate::symbol::Symbols;
+
+/// Expressions with more operations than this are split by a `let`.
+const MOST_OPERATIONS: usize = 10;
+/// Expressions longer than this many characters are split by a `let`, so that it fits on a line.
+const LONGEST_EXPRESSION: usize = 80;
+
+/// How a value is written where it is used.
+#[derive(Clone, Debug)]
+pub(super) enum Written {
+    /// Already used in the only place where it is.
+    Gone,
+    /// An expression; one that costs something is used once.
+    Expression(Fragment),
+    /// A variable.
+    Variable(Ident),
+    /// A pair of variables.
+    Pair(Ident, Ident),
+}
+
+pub(super) struct Writer<'a> {
+    pub(super) program: &'a Program,
+    symbols: &'a Symbols,
+    style: &'a BodyStyle,
+    /// Length of the path of the crate.
+    path_width: usize,
+    pub(super) names: &'a mut Names,
+    uses: ValueTable<usize>,
+    pub(super) variability: ValueTable<Variability>,
+    parts: ValueTable<[Option<ValueId>; 2]>,
+    pub(super) written: ValueTable<Written>,
+    statements: TokenStream,
+    unrepresentable: Vec<String>,
+}
+
+impl<'a> Writer<'a> {
+    pub(super) fn new(
+        program: &'a Program,
+        symbols: &'a Symbols,
+        style: &'a BodyStyle,
+        names: &'a mut Names,
+    ) -> Writer<'a> {
+        Writer {
+            program,
+            symbols,
+            style,
+            path_width: style.krate.to_string().replace(' ', "").len(),
+            names,
+            uses: program.uses(),
+            variability: Variability::of_values(program),
+            parts: parts_of_pairs(program),
+            written: ValueTable::with_capacity(program.len()),
+            statements: TokenStream::new(),
+            unrepresentable: Vec::new(),
+        }
+    }
+
+    /// The statements, and an expression for each output.
+    pub(super) fn write(mut self) -> Result<(TokenStream, Vec<TokenStream>), Unrepresentable> {
+        for (id, op) in self.program.values() {
+            let written = self.value(id, op);
+            self.written.push(written);
+        }
+        let outputs = self.program.outputs().iter().map(|&output| self.take(output).tokens).collect();
+        if self.unrepresentable.is_empty() {
+            Ok((self.statements, outputs))
+        } else {
+            Err(Unrepresentable { constants: self.unrepresentable })
+        }
+    }
+
+    fn value(&mut self, id: ValueId, op: &Op) -> Written {
+        match op {
+            Op::Input(role) => Written::Variable(self.names.role(self.symbols, *role)),
+            Op::Constant(number) => self.constant(id, Constant::Exact(number)),
+            Op::Float(value) => self.constant(id, Constant::Rounded(*value)),
+            Op::SinCos(argument) => self.pair(id, *argument),
+            Op::SinOf(pair) | Op::CosOf(pair) => self.part(op, *pair),
+            Op::Select { relation, left, right, then, otherwise } => {
+                let [left, right] = [*left, *right].map(|operand| self.take_variable(operand));
+                let [then, otherwise] = [*then, *otherwise].map(|operand| self.take(operand));
+                let chosen = self.selection(*relation, [left, right], [then, otherwise]);
+                Written::Variable(self.bind(id, &chosen))
+            }
+            _ => {
+                let expression = self.expression(op);
+                if self.uses[id] > 1 || self.program.hint(id).is_some() {
+                    Written::Variable(self.bind(id, &expression.tokens))
+                } else {
+                    Written::Expression(expression)
+                }
+            }
+        }
+    }
+
+    /// An arithmetic operation or a call.
+    fn expression(&mut self, op: &Op) -> Fragment {
+        let mut operands = self.operands(op);
+        let mut next = || operands.remove(0);
+        match op {
+            Op::Add(..) => Fragment::sum(next(), next()),
+            Op::Subtract(..) => Fragment::difference(next(), next()),
+            Op::Multiply(..) => Fragment::product(next(), next()),
+            Op::Divide(..) => Fragment::quotient(next(), next()),
+            Op::Negate(_) => next().negated(),
+            Op::MultiplyAdd(..) => self.call("multiply_add", operands),
+            Op::MultiplySubtract(..) => {
+                let arguments = vec![next(), next(), next().negated()];
+                self.call("multiply_add", arguments)
+            }
+            Op::SubtractProduct(..) => {
+                let arguments = vec![next().negated(), next(), next()];
+                self.call("multiply_add", arguments)
+            }
+            Op::Power(_, exponent) => {
+                let literal = Literal::i32_unsuffixed(exponent.saturating_abs());
+                let magnitude = Fragment::atom(literal.into_token_stream(), 4);
+                operands.push(if *exponent < 0 { magnitude.negated() } else { magnitude });
+                self.call("powi", operands)
+            }
+            Op::Call(function, _) => self.call(row(*function).rust, operands),
+            _ => unreachable!("{op:?} is not written as an expression"),
+        }
+    }
+
+    /// The operands of an operation, the longest of them moved to variables as long as the operation
+    /// would be too long.
+    fn operands(&mut self, op: &Op) -> Vec<Fragment> {
+        let mut ids = Vec::new();
+        op.for_each_operand(|operand| ids.push(operand));
+        let is_chain = matches!(op, Op::Add(..) | Op::Subtract(..));
+        let mut operands = Vec::new();
+        for &id in &ids {
+            let named = !is_chain && self.is_square_of_variable(id);
+            operands.push(if named { self.take_variable(id) } else { self.take(id) });
+        }
+        let own_width = match op {
+            Op::Call(function, _) => self.function(row(*function).rust).width,
+            Op::MultiplyAdd(..) | Op::MultiplySubtract(..) | Op::SubtractProduct(..) => {
+                self.function("multiply_add").width
+            }
+            _ => 0,
+        };
+        loop {
+            let operations = operands.iter().map(|operand| operand.operations).sum::<usize>();
+            let width = operands.iter().map(|operand| operand.width + 2).sum::<usize>() + own_width;
+            let longest = (0..operands.len())
+                .filter(|&i| !operands[i].is_free())
+                .max_by_key(|&i| (operands[i].operations, operands[i].width));
+            match longest {
+                Some(i) if operations >= MOST_OPERATIONS || width > LONGEST_EXPRESSION => {
+                    operands[i] = self.bind_operand(ids[i], &operands[i]);
+                }
+                _ => return operands,
+            }
+        }
+    }
+
+    /// Squares read better under a name than between other factors.
+    fn is_square_of_variable(&self, id: ValueId) -> bool {
+        matches!(self.program.op(id), Op::Multiply(a, b) if a == b && self.name_of(*a).is_some())
+    }
+
+    /// A value where it is used.
+    fn take(&mut self, id: ValueId) -> Fragment {
+        match &self.written[id] {
+            Written::Variable(name) => Fragment::name(name),
+            Written::Expression(expression) if expression.is_free() => expression.clone(),
+            _ => match std::mem::replace(&mut self.written[id], Written::Gone) {
+                Written::Expression(expression) => expression,
+                _ => unreachable!("{id:?} is used once and is no pair"),
+            },
+        }
+    }
+
+    /// A value where it is used twice.
+    fn take_variable(&mut self, id: ValueId) -> Fragment {
+        let expression = self.take(id);
+        if expression.is_free() { expression } else { self.bind_operand(id, &expression) }
+    }
+
+    /// Moves the expression of an earlier value to a variable.
+    fn bind_operand(&mut self, id: ValueId, expression: &Fragment) -> Fragment {
+        let name = self.bind(id, &expression.tokens);
+        self.written[id] = Written::Variable(name.clone());
+        Fragment::name(&name)
+    }
+
+    /// Writes a `let` for a value.
+    fn bind(&mut self, id: ValueId, expression: &TokenStream) -> Ident {
+        let name = self.choose_name(id);
+        self.statements.extend(quote!(let #name = #expression;));
+        name
+    }
+
+    fn constant(&mut self, id: ValueId, constant: Constant<'_>) -> Written {
+        let text = match self.style.scalar {
+            Scalar::F32 => constant.single(),
+            Scalar::F64 | Scalar::Generic(_) => constant.double(),
+        };
+        let Some(text) = text else {
+            let words = constant.describe();
+            if !self.unrepresentable.contains(&words) {
+                self.unrepresentable.push(words);
+            }
+            return Written::Expression(Fragment::number("0.0"));
+        };
+        let number = Fragment::number(&text);
+        if !matches!(self.style.scalar, Scalar::Generic(_)) {
+            return Written::Expression(number);
+        }
+        let converted = match text.as_str() {
+            "0.0" => self.associated("ZERO"),
+            "1.0" => self.associated("ONE"),
+            _ => Fragment::call(&self.associated("from_f64"), vec![number]).free(),
+        };
+        if self.uses[id] > 1 {
+            Written::Variable(self.bind(id, &converted.tokens))
+        } else {
+            Written::Expression(converted)
+        }
+    }
+
+    fn pair(&mut self, id: ValueId, argument: ValueId) -> Written {
+        let name = self.name_of(argument);
+        let angle = self.take(argument);
+        let pair = self.call("sin_cos", vec![angle]).tokens;
+        let [sine, cosine] = [("sin", self.parts[id][0]), ("cos", self.parts[id][1])]
+            .map(|(function, part)| self.name_part(function, part, name.as_deref()));
+        self.statements.extend(quote!(let (#sine, #cosine) = #pair;));
+        Written::Pair(sine, cosine)
+    }
+
+    fn part(&mut self, op: &Op, pair: ValueId) -> Written {
+        match (&self.written[pair], op) {
+            (Written::Pair(sine, _), Op::SinOf(_)) => Written::Variable(sine.clone()),
+            (Written::Pair(_, cosine), _) => Written::Variable(cosine.clone()),
+            _ => unreachable!("{pair:?} is a pair"),
+        }
+    }
+
+    /// Both comparisons fail where an operand is not a number; that must not pick a branch.
+    fn selection(&self, relation: Relation, sides: [Fragment; 2], values: [Fragment; 2]) -> TokenStream {
+        let [left, right] = sides.map(|side| side.tokens);
+        let [then, otherwise] = values.map(|value| value.tokens);
+        let nan = match &self.style.scalar {
+            Scalar::F64 => quote!(::core::primitive::f64::NAN),
+            Scalar::F32 => quote!(::core::primitive::f32::NAN),
+            Scalar::Generic(_) => self.associated("NAN").tokens,
+        };
+        let (holds, fails) = match relation {
+            Relation::Less => (quote!(<), quote!(>=)),
+            Relation::LessEqual => (quote!(<=), quote!(>)),
+            Relation::Greater => (quote!(>), quote!(<=)),
+            Relation::GreaterEqual => (quote!(>=), quote!(<)),
+        };
+        quote! {
+            if #left #holds #right { #then } else if #left #fails #right { #otherwise } else { #nan }
+        }
+    }
+
+    fn call(&self, function: &str, arguments: Vec<Fragment>) -> Fragment {
+        Fragment::call(&self.function(function), arguments)
+    }
+
+    /// A function of `lagrange::Scalar`, the type left to inference.
+    fn function(&self, name: &str) -> Fragment {
+        let (krate, function) = (&self.style.krate, format_ident!("{name}"));
+        let width = self.path_width + "::Scalar::".len() + name.len();
+        Fragment::atom(quote!(#krate::Scalar::#function), width)
+    }
+
+    /// An associated item of the scalar, for where inference has nothing to go by.
+    fn associated(&self, item: &str) -> Fragment {
+        let (krate, ident) = (&self.style.krate, format_ident!("{item}"));
+        let scalar = match &self.style.scalar {
+            Scalar::F64 => quote!(::core::primitive::f64),
+            Scalar::F32 => quote!(::core::primitive::f32),
+            Scalar::Generic(scalar) => scalar.to_token_stream(),
+        };
+        let width = self.path_width + "<S as ::Scalar>::".len() + item.len();
+        Fragment::atom(quote!(<#scalar as #krate::Scalar>::#ident), width)
+    }
+}
+
+/// The sine and the cosine taken from each pair.
+fn parts_of_pairs(program: &Program) -> ValueTable<[Option<ValueId>; 2]> {
+    let mut parts = ValueTable::filled(program.len(), [None; 2]);
+    for (id, op) in program.values() {
+        match op {
+            Op::SinOf(pair) => parts[*pair][0] = Some(id),
+            Op::CosOf(pair) => parts[*pair][1] = Some(id),
+            _ => {}
+        }
+    }
+    parts
+}

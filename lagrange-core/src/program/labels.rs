@@ -1,0 +1,23 @@
+//! Names that expressions should have in emitted code.
+
+use crate::collections::OrderedMap;
+use crate::expr::ExprId;
+
+/// Preferred names of expressions: those of the user's `let` statements, and those of the entries of the
+/// matrices and vectors that mechanics knows.
+#[derive(Clone, Default, Debug)]
+pub struct Labels {
+    names: OrderedMap<ExprId, String>,
+}
+
+impl Labels {
+    /// Names an expression, unless it has a name already.
+    pub fn insert(&mut self, expression: ExprId, name: impl Into<String>) {
+        self.names.get_or_insert_with(expression, || name.into());
+    }
+
+    /// The name of an expression.
+    pub fn get(&self, expression: ExprId) -> Option<&str> {
+        self.names.get(&expression).map(String::as_str)
+    }
+}

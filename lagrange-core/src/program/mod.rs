@@ -1,0 +1,33 @@
+//! Straight-line programs: what is computed, in which order, and nothing about how it is written.
+//!
+//! [`lower`] turns expressions of the graph into a [`Program`], in which every value is one machine-sized
+//! operation on earlier ones. [`optimise`] runs the passes, each of which takes a program and returns
+//! another that computes the same. [`run`] interprets, [`OperationCounts`] measures, [`verify`] checks
+//! what every program must satisfy.
+//!
+//! Equal operations, constants and values that nothing needs are the business of the [`Builder`], so no
+//! pass has to think of them. Algebra is not done here: a program has the shape of its expressions.
+
+mod builder;
+mod count;
+mod fold;
+mod interpret;
+mod ir;
+mod labels;
+mod lower;
+mod passes;
+mod variability;
+mod verify;
+
+pub use builder::Builder;
+pub use count::OperationCounts;
+pub use interpret::run;
+pub use ir::{Float, Op, Program, ValueId, ValueTable};
+pub use labels::Labels;
+pub use lower::lower;
+pub use passes::{PASSES, Pass, fuse_multiply_adds, optimise, pair_sines_and_cosines, schedule};
+pub use variability::Variability;
+pub use verify::{Fault, verify};
+
+#[cfg(test)]
+mod tests;

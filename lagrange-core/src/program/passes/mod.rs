@@ -1,0 +1,50 @@
+//! Passes: each returns a program that computes the same.
+
+mod fuse;
+mod schedule;
+mod trigonometry;
+
+pub use fuse::fuse_multiply_adds;
+pub use schedule::schedule;
+pub use trigonometry::pair_sines_and_cosines;
+
+use super::builder::Builder;
+use super::ir::{Op, Program, ValueId, ValueTable};
+
+/// A pass, with the name that tests and tools know it by.
+#[derive(Clone, Copy, Debug)]
+pub struct Pass {
+    /// The name.
+    pub name: &'static str,
+    /// What it does.
+    pub run: fn(&Program) -> Program,
+}
+
+/// All passes in the order in which they run.
+pub const PASSES: [Pass; 3] = [
+    Pass { name: "pair sines and cosines", run: pair_sines_and_cosines },
+    Pass { name: "fuse multiply-adds", run: fuse_multiply_adds },
+    Pass { name: "schedule", run: schedule },
+];
+
+/// Runs every pass.
+pub fn optimise(program: &Program) -> Program {
+    PASSES.iter().fold(program.clone(), |program, pass| (pass.run)(&program))
+}
+
+/// The program in which each operation is replaced by what `replace` makes of it. `replace` gets the
+/// value in the old program and the operation with operands in the new one.
+fn rewrite(program: &Program, mut replace: impl FnMut(&mut Builder, ValueId, Op) -> ValueId) -> Program {
+    let mut builder = Builder::new();
+    let mut image: ValueTable<ValueId> = ValueTable::with_capacity(program.len());
+    for (id, op) in program.values() {
+        let op = op.map_operands(|operand| image[operand]);
+        let new = replace(&mut builder, id, op);
+        if let Some(name) = program.hint(id) {
+            builder.propose_name(new, name);
+        }
+        image.push(new);
+    }
+    let outputs = program.outputs().iter().map(|&output| image[output]).collect::<Vec<_>>();
+    builder.finish(&outputs)
+}

@@ -1,0 +1,83 @@
+//! Programs compute what their expressions mean, whatever the expressions.
+
+use proptest::prelude::{ProptestConfig, Strategy, any, prop, prop_assert, prop_assert_eq, proptest};
+
+use super::{letters, lowered};
+use crate::calculus::evaluate;
+use crate::expr::{ExprId, Graph, Relation};
+use crate::functions::{ROWS, apply};
+use crate::number::Number;
+use crate::program::{PASSES, run};
+use crate::symbol::Role;
+
+/// What to build next, and from which of the expressions built so far.
+type Step = (u8, u8, u8, i8);
+
+fn steps() -> impl Strategy<Value = Vec<Step>> {
+    prop::collection::vec(any::<Step>(), 1..40)
+}
+
+fn build(graph: &mut Graph, leaves: &[ExprId], steps: &[Step]) -> Vec<ExprId> {
+    let mut made = leaves.to_vec();
+    for &(kind, i, j, n) in steps {
+        // Mostly of what is new, so that expressions become deep.
+        let pick = |k: u8| made[made.len() - 1 - usize::from(k) % made.len().min(8)];
+        let (a, b) = (pick(i), pick(j));
+        let n = i64::from(n % 5);
+        let new = match kind % 8 {
+            0 => graph.sum(Number::from(n), [(a, Number::ONE), (b, Number::MINUS_ONE)]),
+            1 => graph.sum(Number::ZERO, [(a, Number::from(n)), (b, Number::from(n))]),
+            2 | 3 => graph.multiply(a, b),
+            4 => graph.divide(a, b),
+            5 => graph.power(a, Number::ratio(n, 2).expect("no zero")),
+            6 => graph.choose(Relation::LessEqual, a, b, leaves[0], b),
+            _ => {
+                let row = &ROWS[usize::from(j) % ROWS.len()];
+                apply(graph, row.function, &[a, b][..row.arity])
+            }
+        };
+        made.push(new);
+    }
+    made.split_off(made.len() - 3)
+}
+
+fn at(role: Role, shift: f64) -> f64 {
+    let value = match role {
+        Role::Parameter(i) => 0.6 + 0.3 * f64::from(i),
+        Role::Coordinate(i) => 1.1 - 0.45 * f64::from(i),
+        _ => f64::NAN,
+    };
+    value * (1.0 + shift)
+}
+
+/// Whether two results agree as far as the conditioning of the formula lets them: `shifted` is the
+/// expected result for slightly different symbols.
+fn agree(value: f64, expected: f64, shifted: f64) -> bool {
+    let tolerance = 1e-9 * (1.0 + expected.abs()) + 1e3 * (shifted - expected).abs();
+    value == expected || (value - expected).abs() <= tolerance || !tolerance.is_finite()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn lowering_and_every_pass_keep_the_values(steps in steps()) {
+        let (mut graph, parameters, coordinates) = letters();
+        let outputs = build(&mut graph, &[parameters.as_slice(), &coordinates].concat(), &steps);
+        let expected = evaluate(&graph, &outputs, |role| at(role, 0.0));
+        let shifted = evaluate(&graph, &outputs, |role| at(role, 1e-12));
+        let mut program = lowered(&graph, &outputs);
+        let values = run(&program, |role| at(role, 0.0));
+        for ((value, expected), shifted) in values.iter().zip(&expected).zip(&shifted) {
+            prop_assert!(agree(*value, *expected, *shifted), "{value} for {expected}: {program:?}");
+        }
+        for pass in PASSES {
+            program = (pass.run)(&program);
+            let after = run(&program, |role| at(role, 0.0));
+            let same = |(a, b): (&f64, &f64)| cfg!(target_feature = "fma") || a.to_bits() == b.to_bits()
+                || a.is_nan() && b.is_nan();
+            prop_assert_eq!(crate::program::verify(&program), Ok(()), "after {}", pass.name);
+            prop_assert!(values.iter().zip(&after).all(same), "after {}: {program:?}", pass.name);
+        }
+    }
+}
