@@ -34,6 +34,11 @@ impl<K: Eq + Hash, V> HashMap<K, V> {
         self.0.insert(key, value)
     }
 
+    /// The value at `key`, to change.
+    pub fn get_mut(&mut self, key: &K) -> Option<&mut V> {
+        self.0.get_mut(key)
+    }
+
     /// Removes `key` and returns what it held.
     pub fn remove(&mut self, key: &K) -> Option<V> {
         self.0.remove(key)

@@ -1,1 +1,18 @@
-//! macro
+//! The procedural macro of `lagrange`.
+//!
+//! A shell: everything is done by `lagrange-core`, which works on the same tokens and can be tested from
+//! text. Use the macro as `lagrange::system!`, which is where its language is documented.
+#![forbid(unsafe_code)]
+
+use proc_macro2::{TokenStream, TokenTree};
+
+/// `system! { (path of the crate lagrange) declaration }`, as written by `lagrange::system!`.
+#[proc_macro]
+pub fn system(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    let mut tokens = TokenStream::from(input).into_iter();
+    let krate = match tokens.next() {
+        Some(TokenTree::Group(group)) => group.stream(),
+        _ => TokenStream::new(),
+    };
+    lagrange_core::pipeline::expand(tokens.collect(), &krate).into()
+}

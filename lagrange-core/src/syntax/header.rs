@@ -69,7 +69,7 @@ impl Parser<'_> {
 
     fn type_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let name = self.name(cursor)?;
-        if keywords::is_rust(&name.text) || name.text == "_" {
+        if keywords::is_rust_keyword(&name.text) || name.text == "_" {
             let message = messages::keyword_as_type(&name.text);
             return Err(self.fail_with_help(name.span, message, messages::OTHER_NAME_HELP));
         }
@@ -80,7 +80,7 @@ impl Parser<'_> {
     fn type_parameter(&mut self, cursor: &mut Cursor) -> Option<Name> {
         let start = cursor.position();
         cursor.eat('<')?;
-        let name = cursor.ident().filter(|ident| !keywords::is_rust(&ident.to_string())).cloned();
+        let name = cursor.ident().filter(|ident| !keywords::is_rust_keyword(&ident.to_string())).cloned();
         let name = name.and_then(|ident| self.plain(&ident).ok());
         if name.is_some() {
             cursor.skip_one();

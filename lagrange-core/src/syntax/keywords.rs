@@ -68,7 +68,7 @@ pub(super) fn begins_statement(word: &str) -> bool {
 }
 
 /// Whether a word is a keyword of Rust.
-pub(super) fn is_rust(word: &str) -> bool {
+pub fn is_rust_keyword(word: &str) -> bool {
     RUST.contains(&word)
 }
 

@@ -52,6 +52,7 @@ use crate::diagnostics::Report;
 use ast::Declaration;
 use cursor::Cursor;
 use header::{default_header, header_ahead};
+pub use keywords::is_rust_keyword;
 use parser::Parser;
 
 /// Reads the input of `system!`.

@@ -41,7 +41,7 @@ impl Parser<'_> {
 fn objection(name: &str) -> Option<String> {
     if keywords::begins_statement(name) {
         Some(messages::statement_keyword_as_name(name))
-    } else if keywords::is_rust(name) {
+    } else if keywords::is_rust_keyword(name) {
         Some(messages::rust_keyword_as_name(name))
     } else if keywords::is_function(name) {
         Some(messages::function_as_name(name))

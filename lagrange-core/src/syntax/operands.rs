@@ -51,7 +51,7 @@ impl Parser<'_> {
             let message = messages::keyword_as_value(&name.text);
             return Err(self.fail_with_help(name.span, message, messages::KEYWORD_AS_VALUE_HELP));
         }
-        if keywords::is_rust(&name.text) {
+        if keywords::is_rust_keyword(&name.text) {
             return Err(self.fail(name.span, messages::keyword_as_value(&name.text)));
         }
         if name.text == "_" {

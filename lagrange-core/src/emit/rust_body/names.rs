@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Span};
 
 use crate::collections::HashMap;
 use crate::symbol::{Role, Symbols};
+use crate::syntax::is_rust_keyword;
 
 /// Gives out local names, each once.
 ///
@@ -72,22 +73,19 @@ impl Names {
     }
 }
 
-/// The identifier most like `name`.
+/// The identifier most like `name`, which is made of identifiers of the user and of what is added to them.
 fn sanitise(name: &str) -> String {
-    let mut name = name.replace(|c: char| c != '_' && !c.is_alphanumeric(), "_");
-    if name.starts_with(|c: char| c.is_numeric()) {
+    let mut name = name.replace(|c: char| c != '_' && !c.is_alphabetic() && !c.is_ascii_digit(), "_");
+    if name.starts_with(|c: char| c.is_ascii_digit()) {
         name.insert(0, '_');
     }
-    if is_identifier(&name) {
-        return name;
+    if matches!(name.as_str(), "" | "_") {
+        return "value".to_owned();
     }
-    // A keyword, unless it holds a character that is no part of identifiers after all.
-    name.push('_');
-    if is_identifier(&name) { name } else { "value".to_owned() }
-}
-
-fn is_identifier(name: &str) -> bool {
-    name != "_" && syn::parse_str::<Ident>(name).is_ok()
+    if is_rust_keyword(&name) {
+        name.push('_');
+    }
+    name
 }
 
 #[cfg(test)]
@@ -101,7 +99,7 @@ mod tests {
         let wishes = ["x", "x", "x_2", "x", "q", "self", "m[0]", "2nd", "", "_", "θ", "a²"];
         let given = wishes.map(|wish| names.fresh(wish).to_string());
         let expected =
-            ["x", "x_2", "x_2_2", "x_3", "q_2", "self_", "m_0_", "_2nd", "value", "__", "θ", "value_2"];
+            ["x", "x_2", "x_2_2", "x_3", "q_2", "self_", "m_0_", "_2nd", "value", "value_2", "θ", "a_"];
         assert_eq!(given, expected);
         assert_eq!(names.numbered("pos").to_string(), "pos_0");
         assert_eq!(names.numbered("pos").to_string(), "pos_1");

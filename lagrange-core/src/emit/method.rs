@@ -1,0 +1,89 @@
+//! The methods of an emitted system.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::shape::Shape;
+
+/// What a method is a function of, beside the parameters.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Arguments {
+    /// `t, q`
+    Positions,
+    /// `t, q, v`
+    State,
+    /// `t, q, v, a`
+    Motion,
+}
+
+/// What a method returns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Returns {
+    Scalar,
+    Vector(usize),
+    /// Square, of this size.
+    Matrix(usize),
+}
+
+/// The names of the arguments, chosen so that they hide no name of the user.
+#[derive(Clone, Debug)]
+pub(super) struct ArgumentNames {
+    pub(super) time: Ident,
+    pub(super) positions: Ident,
+    pub(super) velocities: Ident,
+    pub(super) accelerations: Ident,
+    pub(super) state: Ident,
+}
+
+/// One method, ready to be written.
+pub(super) struct Method {
+    pub(super) name: Ident,
+    pub(super) docs: Vec<String>,
+    pub(super) arguments: Arguments,
+    pub(super) returns: Returns,
+    pub(super) body: TokenStream,
+}
+
+impl Method {
+    pub(super) fn tokens(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
+        let Method { name, docs, body, .. } = self;
+        let (n, scalar) = (shape.coordinates.len(), shape.scalar());
+        let ArgumentNames { time, positions, velocities, accelerations, .. } = names;
+        let vectors = match self.arguments {
+            Arguments::Positions => vec![positions],
+            Arguments::State => vec![positions, velocities],
+            Arguments::Motion => vec![positions, velocities, accelerations],
+        };
+        let returns = self.returns.tokens(&scalar);
+        quote! {
+            #(#[doc = #docs])*
+            #[must_use]
+            #[inline]
+            pub fn #name(&self, #time: #scalar, #(#vectors: &[#scalar; #n]),*) -> #returns {
+                #body
+            }
+        }
+    }
+}
+
+impl Returns {
+    pub(super) fn tokens(self, scalar: &TokenStream) -> TokenStream {
+        match self {
+            Returns::Scalar => scalar.clone(),
+            Returns::Vector(n) => quote!([#scalar; #n]),
+            Returns::Matrix(n) => quote!([[#scalar; #n]; #n]),
+        }
+    }
+
+    /// The expression that puts results into that form.
+    pub(super) fn collect(self, results: &[TokenStream]) -> TokenStream {
+        match self {
+            Returns::Scalar => quote!(#(#results)*),
+            Returns::Vector(_) => quote!([#(#results),*]),
+            Returns::Matrix(n) => {
+                let rows = results.chunks(n.max(1)).map(|row| quote!([#(#row),*]));
+                quote!([#(#rows),*])
+            }
+        }
+    }
+}

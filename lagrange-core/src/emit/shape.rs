@@ -1,0 +1,130 @@
+//! What of an emitted system is known from its declaration alone: names, fields, types.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::collections::HashMap;
+use crate::syntax::ast::{Declaration, Expression, Name, ScalarType, StatementKind};
+
+/// Names and types of one system.
+pub(super) struct Shape<'a> {
+    pub(super) declaration: &'a Declaration,
+    /// Path of the crate `lagrange`.
+    pub(super) krate: &'a TokenStream,
+    /// Parameters and inputs in declaration order, parameters first.
+    pub(super) fields: Vec<&'a Name>,
+    pub(super) coordinates: Vec<&'a Name>,
+    /// Declared outputs with their number of components; one for a scalar.
+    pub(super) outputs: Vec<(&'a Name, usize)>,
+}
+
+impl<'a> Shape<'a> {
+    pub(super) fn new(declaration: &'a Declaration, krate: &'a TokenStream) -> Shape<'a> {
+        let mut shape =
+            Shape { declaration, krate, fields: Vec::new(), coordinates: Vec::new(), outputs: Vec::new() };
+        let mut inputs = Vec::new();
+        for statement in &declaration.statements {
+            match &statement.kind {
+                StatementKind::Parameters(list) => shape.fields.extend(list.iter().map(|d| &d.name)),
+                StatementKind::Inputs(list) => inputs.extend(list.iter().map(|d| &d.name)),
+                StatementKind::Coordinates(names) => shape.coordinates.extend(names),
+                StatementKind::Output(name, value) => {
+                    let components = match declaration.expressions.get(*value) {
+                        Expression::Tuple(components) => components.len(),
+                        _ => 1,
+                    };
+                    shape.outputs.push((name, components));
+                }
+                _ => {}
+            }
+        }
+        shape.fields.extend(inputs);
+        shape.drop_repeated_names();
+        shape
+    }
+
+    /// Names declared twice are reported elsewhere; two fields of one name would be reported again.
+    fn drop_repeated_names(&mut self) {
+        let mut seen = HashMap::default();
+        let mut first = |name: &Name| seen.insert(name.text.clone(), ()).is_none();
+        self.fields.retain(|name| first(name));
+        self.coordinates.retain(|name| first(name));
+        self.outputs.retain(|(name, _)| first(name));
+    }
+
+    /// The struct's name.
+    pub(super) fn name(&self) -> Ident {
+        identifier(&self.declaration.name)
+    }
+
+    /// The name of the struct of states.
+    pub(super) fn state_name(&self) -> Ident {
+        let name = &self.declaration.name;
+        format_ident!("{}State", name.text, span = name.span)
+    }
+
+    /// The number type where the user's scope decides what a bare name means.
+    pub(super) fn scalar_path(&self) -> TokenStream {
+        match &self.declaration.scalar {
+            ScalarType::F64 => quote!(::core::primitive::f64),
+            ScalarType::F32 => quote!(::core::primitive::f32),
+            ScalarType::Generic(name) => {
+                let name = identifier(name);
+                quote!(#name)
+            }
+        }
+    }
+
+    /// The number type inside the block that holds the implementations.
+    pub(super) fn scalar(&self) -> TokenStream {
+        match &self.declaration.scalar {
+            ScalarType::F64 => quote!(f64),
+            ScalarType::F32 => quote!(f32),
+            ScalarType::Generic(_) => self.scalar_path(),
+        }
+    }
+
+    /// `<S>` or nothing.
+    pub(super) fn generics(&self) -> TokenStream {
+        match &self.declaration.scalar {
+            ScalarType::Generic(name) => {
+                let name = identifier(name);
+                quote!(<#name>)
+            }
+            _ => TokenStream::new(),
+        }
+    }
+
+    /// `<S: Scalar>` or nothing.
+    pub(super) fn bounds(&self) -> TokenStream {
+        match &self.declaration.scalar {
+            ScalarType::Generic(name) => {
+                let (name, krate) = (identifier(name), self.krate);
+                quote!(<#name: #krate::Scalar>)
+            }
+            _ => TokenStream::new(),
+        }
+    }
+
+    /// Whether the struct needs a field only to mention its type parameter.
+    pub(super) fn needs_marker(&self) -> bool {
+        self.fields.is_empty() && matches!(self.declaration.scalar, ScalarType::Generic(_))
+    }
+
+    /// Fields of the state: coordinates, then velocities.
+    pub(super) fn state_fields(&self) -> Vec<Ident> {
+        let positions = self.coordinates.iter().map(|name| identifier(name));
+        let velocities = self.coordinates.iter().map(|name| format_ident!("{}_dot", name.text, span = name.span));
+        positions.chain(velocities).collect()
+    }
+}
+
+/// The user's identifier, at the user's place.
+pub(super) fn identifier(name: &Name) -> Ident {
+    Ident::new(&name.text, name.span)
+}
+
+/// An identifier that only generated code sees.
+pub(super) fn local(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}

@@ -1,0 +1,50 @@
+//! What is emitted for a declaration with errors.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::item::{Parts, argument_names, items};
+use super::method::{Arguments, Method, Returns};
+use super::rust_body::Names;
+use super::shape::{Shape, identifier, local};
+use super::system::user_names;
+use crate::mechanics::Product;
+use crate::syntax::ast::Declaration;
+
+/// The items of a system that could not be derived: the same types and methods, so that the code that uses
+/// them causes no errors of its own. They are never run, since the mistakes are errors.
+pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
+    let shape = Shape::new(declaration, krate);
+    let n = shape.coordinates.len();
+    let mut methods = vec![placeholder(local("acceleration"), Arguments::State, Returns::Vector(n))];
+    for product in Product::ALL.into_iter().filter(|product| *product != Product::Latex) {
+        let (arguments, returns) = match product {
+            Product::MassMatrix => (Arguments::Positions, Returns::Matrix(n)),
+            Product::PotentialEnergy => (Arguments::Positions, Returns::Scalar),
+            Product::KineticEnergy | Product::Energy => (Arguments::State, Returns::Scalar),
+            Product::InverseDynamics => (Arguments::Motion, Returns::Vector(n)),
+            _ => (Arguments::State, Returns::Vector(n)),
+        };
+        methods.push(placeholder(local(product.name()), arguments, returns));
+    }
+    for &(name, count) in &shape.outputs {
+        let returns = if count == 1 { Returns::Scalar } else { Returns::Vector(count) };
+        methods.push(placeholder(identifier(name), Arguments::State, returns));
+    }
+    let values = shape.fields.iter().map(|_| quote!(::core::unreachable!())).collect();
+    let mut names = Names::new(user_names(&shape).iter().map(String::as_str));
+    let parts = Parts {
+        docs: Vec::new(),
+        field_docs: shape.fields.iter().map(|name| format!("Field `{}`.", name.text)).collect(),
+        defaults: Some(values),
+        methods,
+        constants: TokenStream::new(),
+        names: argument_names(|wish| names.fresh(wish)),
+    };
+    items(&shape, &parts)
+}
+
+fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
+    let docs = vec!["Not derived: the declaration has errors.".to_owned()];
+    Method { name, docs, arguments, returns, body: quote!(::core::unreachable!()) }
+}

@@ -1,0 +1,265 @@
+//! A derived system as items: every wanted product lowered and written as a method.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::docs;
+use super::item::{Parts, argument_names, items};
+use super::method::{ArgumentNames, Arguments, Method, Returns};
+use super::rust_body::{BodyStyle, Names, Scalar, body};
+use super::shape::{Shape, identifier, local};
+use crate::expr::ExprId;
+use crate::mechanics::{Energies, Equations, Model, Product};
+use crate::program::{Labels, OperationCounts, Program, lower, optimise};
+use crate::symbol::Role;
+use crate::syntax::ast::{Declaration, ScalarType};
+
+/// The items of a derived system, or the constants that its scalar cannot represent.
+///
+/// `krate` is the path of the crate `lagrange` where the items will stand.
+pub fn system(
+    declaration: &Declaration,
+    model: &mut Model,
+    equations: &Equations,
+    krate: &TokenStream,
+) -> Result<TokenStream, Vec<String>> {
+    let shape = Shape::new(declaration, krate);
+    let mut writer = Writer::new(&shape, model, equations);
+    writer.write_methods();
+    let parts = writer.finish();
+    parts.map(|parts| items(&shape, &parts))
+}
+
+struct Writer<'a> {
+    shape: &'a Shape<'a>,
+    model: &'a mut Model,
+    equations: &'a Equations,
+    labels: Labels,
+    style: BodyStyle,
+    names: ArgumentNames,
+    methods: Vec<Method>,
+    /// Operations of `acceleration`.
+    counts: OperationCounts,
+    /// Constants that are too large, in words.
+    unrepresentable: BTreeSet<String>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(shape: &'a Shape<'a>, model: &'a mut Model, equations: &'a Equations) -> Writer<'a> {
+        let mut labels = Labels::default();
+        for (expression, name) in &equations.labels {
+            labels.insert(*expression, name.as_str());
+        }
+        let scalar = match &shape.declaration.scalar {
+            ScalarType::F64 => Scalar::F64,
+            ScalarType::F32 => Scalar::F32,
+            ScalarType::Generic(name) => Scalar::Generic(identifier(name)),
+        };
+        let mut arguments = Names::new(user_names(shape).iter().map(String::as_str));
+        Writer {
+            shape,
+            model,
+            equations,
+            labels,
+            style: BodyStyle { scalar, krate: shape.krate.clone() },
+            names: argument_names(|wish| arguments.fresh(wish)),
+            methods: Vec::new(),
+            counts: OperationCounts::default(),
+            unrepresentable: BTreeSet::new(),
+        }
+    }
+
+    fn finish(mut self) -> Result<Parts, Vec<String>> {
+        let field_docs = self.field_docs();
+        let defaults = self.defaults();
+        let constants = self.constants();
+        let docs = docs::system_docs(self.model, self.equations, self.counts);
+        if !self.unrepresentable.is_empty() {
+            return Err(self.unrepresentable.into_iter().collect());
+        }
+        Ok(Parts { docs, field_docs, defaults, methods: self.methods, constants, names: self.names })
+    }
+
+    fn write_methods(&mut self) {
+        let n = Returns::Vector(self.model.coordinates.len());
+        let accelerations = self.equations.accelerations.clone();
+        let docs = ["Accelerations in the order of the coordinates."];
+        self.counts = self.add("acceleration", &docs, Arguments::State, n, &accelerations);
+        for product in self.model.products.clone() {
+            self.write_product(product, n);
+        }
+        for output in self.model.outputs.clone() {
+            let returns = match output.components.len() {
+                1 => Returns::Scalar,
+                count => Returns::Vector(count),
+            };
+            let docs = [format!("Output `{}`.", output.name)];
+            let docs = docs.each_ref().map(String::as_str);
+            self.add(&output.name, &docs, Arguments::State, returns, &output.components);
+        }
+    }
+
+    fn write_product(&mut self, product: Product, vector: Returns) {
+        let name = product.name();
+        let equations = self.equations;
+        let or_none = |list: &Option<Vec<ExprId>>| list.clone().unwrap_or_default();
+        let (docs, arguments, returns, roots): (&[&str], _, _, _) = match product {
+            Product::MassMatrix => {
+                let matrix = equations.mass_matrix.clone().unwrap_or_default();
+                let moving = equations.structure.mass.depends_on_velocities;
+                let arguments = if moving { Arguments::State } else { Arguments::Positions };
+                (&MASS_MATRIX, arguments, Returns::Matrix(matrix.len()), matrix.concat())
+            }
+            Product::Forcing => (&FORCING, Arguments::State, vector, or_none(&equations.forcing)),
+            Product::Bias => (&BIAS, Arguments::State, vector, or_none(&equations.bias)),
+            Product::Momenta => (&MOMENTA, Arguments::State, vector, or_none(&equations.momenta)),
+            Product::Energy => {
+                (&ENERGY, Arguments::State, Returns::Scalar, equations.energy.into_iter().collect())
+            }
+            Product::InverseDynamics => {
+                (&INVERSE, Arguments::Motion, vector, or_none(&equations.inverse_dynamics))
+            }
+            Product::KineticEnergy | Product::PotentialEnergy => {
+                let Energies::Separate { kinetic, potential } = self.model.energies else { return };
+                match product {
+                    Product::KineticEnergy => (&KINETIC, Arguments::State, Returns::Scalar, vec![kinetic]),
+                    _ => (&POTENTIAL, Arguments::Positions, Returns::Scalar, vec![potential]),
+                }
+            }
+            Product::Latex => return,
+        };
+        self.add(name, docs, arguments, returns, &roots);
+    }
+
+    /// Lowers and writes one method.
+    fn add(
+        &mut self,
+        name: &str,
+        docs: &[&str],
+        arguments: Arguments,
+        returns: Returns,
+        roots: &[ExprId],
+    ) -> OperationCounts {
+        let program = optimise(&lower(&self.model.graph, roots, &self.labels));
+        let body = self.body(&program, arguments, returns);
+        let user_span = self.shape.outputs.iter().find(|(output, _)| output.text == name);
+        let name = user_span.map_or_else(|| format_ident!("{name}"), |(output, _)| identifier(output));
+        let docs = docs.iter().map(|line| (*line).to_owned()).collect();
+        self.methods.push(Method { name, docs, arguments, returns, body });
+        OperationCounts::of(&program)
+    }
+
+    fn body(&mut self, program: &Program, arguments: Arguments, returns: Returns) -> TokenStream {
+        let symbols = self.model.graph.symbols();
+        let ArgumentNames { positions, velocities, accelerations, state, .. } = &self.names;
+        let reserved = [positions, velocities, accelerations, state].map(Ident::to_string);
+        let mut names = Names::new(reserved.iter().map(String::as_str));
+        match body(program, symbols, &self.style, &mut names) {
+            Ok(body) => {
+                let bindings = self.bindings(&body.used, &mut names, arguments);
+                let (statements, result) = (&body.statements, returns.collect(&body.outputs));
+                quote!(#bindings #statements #result)
+            }
+            Err(error) => {
+                self.unrepresentable.extend(error.constants);
+                TokenStream::new()
+            }
+        }
+    }
+
+    /// Parameters, coordinates and rates under the names that the body uses.
+    fn bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
+        let symbols = self.model.graph.symbols();
+        let ArgumentNames { time, positions, velocities, accelerations, .. } = &self.names;
+        let fields = self.field_bindings(used, names);
+        let mut vector = |source: TokenStream, role: fn(u32) -> Role| {
+            let indices = 0..self.model.coordinates.len() as u32;
+            if !indices.clone().any(|i| used.contains(&role(i))) {
+                return TokenStream::new();
+            }
+            let pattern = indices.map(|i| match used.contains(&role(i)) {
+                true => names.role(symbols, role(i)),
+                false => local("_"),
+            });
+            quote!(let [#(#pattern),*] = #source;)
+        };
+        let q = vector(quote!(*#positions), Role::Coordinate);
+        let v = vector(quote!(*#velocities), Role::Velocity);
+        let accelerations = match arguments {
+            Arguments::Motion => quote!(*#accelerations),
+            _ => quote!(self.acceleration(#time, #positions, #velocities)),
+        };
+        let a = vector(accelerations, Role::Acceleration);
+        quote!(#fields #q #v #a)
+    }
+
+    fn field_bindings(&self, used: &[Role], names: &mut Names) -> TokenStream {
+        let symbols = self.model.graph.symbols();
+        let roles = (0..self.model.parameters.len() as u32).map(Role::Parameter);
+        let roles = roles.chain((0..self.model.inputs.len() as u32).map(Role::Input));
+        let bound = self.shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
+        let bound = bound.map(|(name, role)| {
+            let field = identifier(name);
+            let local = names.role(symbols, role);
+            // A field can be named from the macro's side, and must be, for the local to be the macro's.
+            if local == name.text { quote!(#local) } else { quote!(#field: #local) }
+        });
+        let bound = bound.collect::<Vec<_>>();
+        if bound.is_empty() {
+            return TokenStream::new();
+        }
+        let rest = (bound.len() < self.shape.fields.len()).then(|| quote!(..));
+        quote!(let Self { #(#bound,)* #rest } = *self;)
+    }
+
+    fn field_docs(&self) -> Vec<String> {
+        let parameters = self.model.parameters.iter().map(|p| format!("Parameter `{}`.", p.name));
+        parameters.chain(self.model.inputs.iter().map(|p| format!("Input `{}`.", p.name))).collect()
+    }
+
+    /// The defaults as literals, if every field has one.
+    fn defaults(&mut self) -> Option<Vec<TokenStream>> {
+        let fields = self.model.parameters.iter().chain(&self.model.inputs);
+        let defaults = fields.map(|field| field.default).collect::<Option<Vec<_>>>()?;
+        let program = optimise(&lower(&self.model.graph, &defaults, &Labels::default()));
+        let symbols = self.model.graph.symbols();
+        match body(&program, symbols, &self.style, &mut Names::default()) {
+            Ok(body) => Some(body.outputs),
+            Err(error) => {
+                self.unrepresentable.extend(error.constants);
+                None
+            }
+        }
+    }
+
+    fn constants(&mut self) -> TokenStream {
+        if !self.model.products.contains(&Product::Latex) {
+            return TokenStream::new();
+        }
+        let equations = docs::equations_latex(self.model, self.equations);
+        quote! {
+            /// The equations of motion in LaTeX, one line for each coordinate.
+            pub const EQUATIONS_LATEX: &'static ::core::primitive::str = #equations;
+        }
+    }
+}
+
+const MASS_MATRIX: [&str; 1] = ["Mass matrix M, in rows."];
+const FORCING: [&str; 1] = ["Right-hand side f of M q̈ = f."];
+const BIAS: [&str; 2] =
+    ["Bias c of M q̈ + c = Q: Coriolis, centrifugal and potential terms,", "without applied forces and dissipation."];
+const MOMENTA: [&str; 1] = ["Generalised momenta ∂L/∂v."];
+const KINETIC: [&str; 1] = ["Kinetic energy T."];
+const POTENTIAL: [&str; 1] = ["Potential energy V."];
+const ENERGY: [&str; 1] = ["Energy function v·∂L/∂v − L."];
+const INVERSE: [&str; 2] =
+    ["Inverse dynamics: the generalised forces that must act, in addition to the declared ones,", "to produce the accelerations `a`."];
+
+/// Names of the user that stand in the methods' bodies beside the arguments.
+pub(super) fn user_names(shape: &Shape<'_>) -> Vec<String> {
+    let coordinates = shape.coordinates.iter();
+    let rates = coordinates.clone().map(|name| format!("{}_dot", name.text));
+    shape.fields.iter().chain(coordinates).map(|name| name.text.clone()).chain(rates).collect()
+}

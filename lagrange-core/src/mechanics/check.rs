@@ -1,0 +1,168 @@
+//! The checks that need the whole declaration, and the model they certify.
+
+use super::elaborate::{Elaborator, Term};
+use super::messages;
+use super::model::{Energies, Model, Product};
+use crate::calculus::gradient;
+use crate::expr::{Dependencies, ExprId};
+use crate::syntax::ast::StatementKind;
+
+impl Elaborator<'_> {
+    pub(super) fn finish(mut self) -> Option<Model> {
+        self.check_header();
+        self.check_state_names();
+        self.check_energies();
+        self.check_products();
+        self.evaluator.scope.report_unused(self.evaluator.report);
+        if self.evaluator.report.has_errors() {
+            return None;
+        }
+        let energies = self.energies();
+        let lagrangian = match energies {
+            Energies::Separate { kinetic, potential } => self.evaluator.graph.subtract(kinetic, potential),
+            Energies::Lagrangian => self.total(|elaborator| &elaborator.lagrangian),
+        };
+        self.check_inertia(lagrangian);
+        if self.evaluator.report.has_errors() {
+            return None;
+        }
+        Some(self.into_model(energies, lagrangian))
+    }
+
+    fn check_header(&mut self) {
+        let declaration = self.declaration;
+        let report = &mut *self.evaluator.report;
+        if let Some(default) = declaration.derives.iter().find(|name| name.text == "Default") {
+            report.error(default.span, messages::DERIVED_DEFAULT).help(messages::DERIVED_DEFAULT_HELP);
+        }
+        let has = |kind: fn(&StatementKind) -> bool| declaration.statements.iter().any(|s| kind(&s.kind));
+        if !has(|kind| matches!(kind, StatementKind::Coordinates(_))) {
+            report.error(declaration.name.span, messages::NO_COORDINATES).help(messages::COORDINATES_HELP);
+        }
+        if !has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_))) {
+            report.error(declaration.name.span, messages::NO_ENERGY).help(messages::ENERGY_HELP);
+        }
+    }
+
+    /// The state has a field for every coordinate and for every velocity.
+    fn check_state_names(&mut self) {
+        for (coordinate, _) in &self.coordinates {
+            let velocity = format!("{}_dot", coordinate.name);
+            let clash = self.coordinates.iter().find(|(other, _)| other.name == velocity);
+            if let Some((other, span)) = clash {
+                let message = messages::velocity_field_collides(&other.name, &coordinate.name);
+                self.evaluator.report.error(*span, message);
+            }
+        }
+    }
+
+    fn check_energies(&mut self) {
+        if let Some(lagrangian) = self.lagrangian.first() {
+            let beside = [("kinetic", self.kinetic.first()), ("potential", self.potential.first())];
+            for (name, term) in beside.into_iter().filter_map(|(name, term)| Some((name, term?))) {
+                let error = self.evaluator.report.error(term.keyword, messages::both_lagrangian_and(name));
+                error.related(lagrangian.keyword.into(), messages::THE_OTHER_IS_HERE);
+                error.help(messages::LAGRANGIAN_HELP);
+            }
+        }
+        for term in &self.potential {
+            if self.evaluator.graph.dependencies(term.value).intersects(Dependencies::VELOCITY) {
+                let (place, _) = self.evaluator.blame(term.syntax, Dependencies::VELOCITY);
+                let message = messages::velocity_in("the potential energy");
+                self.evaluator.report.error(place, message).help(messages::POTENTIAL_HELP);
+            }
+        }
+    }
+
+    fn check_products(&mut self) {
+        for &(product, wanted, span) in &self.wanted {
+            if wanted && self.is_undefined(product) {
+                let message = messages::needs_separate_energies(product.name());
+                self.evaluator.report.error(span, message).help(messages::LAGRANGIAN_HELP);
+            }
+        }
+    }
+
+    fn is_undefined(&self, product: Product) -> bool {
+        !self.lagrangian.is_empty() && matches!(product, Product::KineticEnergy | Product::PotentialEnergy)
+    }
+
+    fn products(&self) -> Vec<Product> {
+        let last_word = |product| self.wanted.iter().rev().find(|(named, ..)| *named == product);
+        let wanted = |&product: &Product| {
+            let asked = last_word(product).map_or(product.is_default(), |(_, wanted, _)| *wanted);
+            asked && !self.is_undefined(product)
+        };
+        Product::ALL.into_iter().filter(wanted).collect()
+    }
+
+    fn energies(&mut self) -> Energies {
+        if !self.lagrangian.is_empty() {
+            return Energies::Lagrangian;
+        }
+        let kinetic = self.total(|elaborator| &elaborator.kinetic);
+        let potential = self.total(|elaborator| &elaborator.potential);
+        Energies::Separate { kinetic, potential }
+    }
+
+    fn total(&mut self, terms: impl Fn(&Self) -> &Vec<Term>) -> ExprId {
+        let values = terms(self).iter().map(|term| term.value).collect::<Vec<_>>();
+        self.evaluator.graph.total(values)
+    }
+
+    /// Every velocity must appear in the kinetic energy, and the momenta must not depend on inputs, whose
+    /// rates would be needed.
+    fn check_inertia(&mut self, lagrangian: ExprId) {
+        let velocities = self.coordinates.iter().map(|(c, _)| c.velocity).collect::<Vec<_>>();
+        let momenta = gradient(&mut self.evaluator.graph, lagrangian, &velocities);
+        let mut needs_input_rate = false;
+        for ((coordinate, span), momentum) in self.coordinates.iter().zip(momenta) {
+            let dependencies = self.evaluator.graph.dependencies(momentum);
+            if !dependencies.intersects(Dependencies::VELOCITY) {
+                let error = self.evaluator.report.error(*span, messages::no_inertia(&coordinate.name));
+                error.help(messages::NO_INERTIA_HELP);
+            }
+            needs_input_rate |= dependencies.intersects(Dependencies::INPUT);
+        }
+        if needs_input_rate {
+            self.report_input_in_kinetic();
+        }
+    }
+
+    fn report_input_in_kinetic(&mut self) {
+        for term in self.kinetic.iter().chain(&self.lagrangian) {
+            if self.evaluator.graph.dependencies(term.value).intersects(Dependencies::INPUT) {
+                let (place, name) = self.evaluator.blame(term.syntax, Dependencies::INPUT);
+                let error = self.evaluator.report.error(place, messages::input_in_kinetic(&name));
+                error.help(messages::RATE_OF_INPUT_HELP);
+            }
+        }
+    }
+
+    fn into_model(mut self, energies: Energies, lagrangian: ExprId) -> Model {
+        let dissipation = self.total(|elaborator| &elaborator.dissipation);
+        let products = self.products();
+        let named_rates = self.evaluator.named_rates;
+        let mut labels = self.labels;
+        let named = named_rates.iter().filter_map(|(velocity, position)| {
+            let (_, name) = labels.iter().find(|(labelled, _)| labelled == position)?;
+            Some((*velocity, format!("{name}_dot")))
+        });
+        let rate_labels = named.collect::<Vec<_>>();
+        labels.extend(rate_labels);
+        Model {
+            graph: self.evaluator.graph,
+            parameters: self.parameters,
+            inputs: self.inputs,
+            coordinates: self.coordinates.into_iter().map(|(coordinate, _)| coordinate).collect(),
+            energies,
+            lagrangian,
+            dissipation,
+            loads: self.loads,
+            outputs: self.outputs,
+            rates: named_rates.iter().map(|(velocity, position)| (*velocity, *position)).collect(),
+            labels,
+            products,
+        }
+    }
+}

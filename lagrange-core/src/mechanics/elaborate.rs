@@ -1,0 +1,253 @@
+//! Statements to a model.
+
+use proc_macro2::Span;
+
+use super::expression::Evaluator;
+use super::messages;
+use super::model::{Coordinate, Load, Model, Output, Parameter, Product};
+use super::operand::Operand;
+use super::scope::Kind;
+use crate::calculus::evaluate;
+use crate::diagnostics::nearest;
+use crate::diagnostics::{Origin, Report};
+use crate::expr::{Dependencies, ExprId};
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, Declaration, Definition, EmitItem, Name, ScalarType, Statement, StatementKind};
+
+/// Methods that every system has; no output may take their names.
+const GENERATED_METHODS: [&str; 4] = ["acceleration", "rhs", "multipliers", "constraints"];
+/// Products that later versions will emit.
+const PLANNED_PRODUCTS: [&str; 3] = ["jacobian", "hamiltonian", "taylor"];
+
+/// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
+pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model> {
+    let mut elaborator = Elaborator::new(declaration, report);
+    for statement in &declaration.statements {
+        elaborator.statement(statement);
+    }
+    elaborator.finish()
+}
+
+/// An expression of a statement and where it stands.
+pub(super) struct Term {
+    pub(super) value: ExprId,
+    pub(super) syntax: AstId,
+    pub(super) keyword: Span,
+}
+
+/// The model under construction.
+pub(super) struct Elaborator<'a> {
+    pub(super) evaluator: Evaluator<'a>,
+    pub(super) declaration: &'a Declaration,
+    pub(super) parameters: Vec<Parameter>,
+    pub(super) inputs: Vec<Parameter>,
+    pub(super) coordinates: Vec<(Coordinate, Span)>,
+    pub(super) kinetic: Vec<Term>,
+    pub(super) potential: Vec<Term>,
+    pub(super) lagrangian: Vec<Term>,
+    pub(super) dissipation: Vec<Term>,
+    pub(super) loads: Vec<Load>,
+    pub(super) outputs: Vec<Output>,
+    pub(super) labels: Vec<(ExprId, String)>,
+    /// Entries of `emit`, with where they stand.
+    pub(super) wanted: Vec<(Product, bool, Span)>,
+}
+
+impl<'a> Elaborator<'a> {
+    fn new(declaration: &'a Declaration, report: &'a mut Report) -> Elaborator<'a> {
+        Elaborator {
+            evaluator: Evaluator::new(declaration, report),
+            declaration,
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+            coordinates: Vec::new(),
+            kinetic: Vec::new(),
+            potential: Vec::new(),
+            lagrangian: Vec::new(),
+            dissipation: Vec::new(),
+            loads: Vec::new(),
+            outputs: Vec::new(),
+            labels: Vec::new(),
+            wanted: Vec::new(),
+        }
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        let keyword = statement.origin.start;
+        match &statement.kind {
+            StatementKind::Parameters(list) => list.iter().for_each(|d| self.parameter(d, Kind::Parameter)),
+            StatementKind::Inputs(list) => list.iter().for_each(|d| self.parameter(d, Kind::Input)),
+            StatementKind::Constants(list) => list.iter().for_each(|d| self.constant(d)),
+            StatementKind::Coordinates(names) => names.iter().for_each(|name| self.coordinate(name)),
+            StatementKind::Let(name, value) => self.abbreviation(name, *value),
+            StatementKind::LetTuple(names, value) => self.abbreviations(names, *value, statement.origin),
+            StatementKind::Kinetic(value) => {
+                let term = self.term(*value, keyword, "the kinetic energy");
+                self.kinetic.extend(term);
+            }
+            StatementKind::Potential(value) => {
+                let term = self.term(*value, keyword, "the potential energy");
+                self.potential.extend(term);
+            }
+            StatementKind::Lagrangian(value) => {
+                let term = self.term(*value, keyword, "the Lagrangian");
+                self.lagrangian.extend(term);
+            }
+            StatementKind::Dissipation(value) => {
+                let term = self.term(*value, keyword, "the dissipation function");
+                self.dissipation.extend(term);
+            }
+            StatementKind::ForceOn(coordinate, value) => self.force_on(coordinate, *value),
+            StatementKind::ForceAt { force, point } => self.force_at(*force, *point),
+            StatementKind::Torque { moment, angle } => self.torque(*moment, *angle, keyword),
+            StatementKind::Output(name, value) => self.output(name, *value),
+            StatementKind::Emit(items) => items.iter().for_each(|item| self.emit(item)),
+        }
+    }
+
+    fn parameter(&mut self, definition: &Definition, kind: Kind) {
+        let default = definition.value.and_then(|value| self.default_value(&definition.name, value));
+        let name = &definition.name.text;
+        let is_input = kind == Kind::Input;
+        let list = if is_input { &mut self.inputs } else { &mut self.parameters };
+        let index = list.len() as u32;
+        let role = if is_input { Role::Input(index) } else { Role::Parameter(index) };
+        let symbol = self.evaluator.graph.symbol(name, role);
+        let default = match default {
+            None if is_input => Some(self.evaluator.graph.number(0)),
+            given => given,
+        };
+        list.push(Parameter { name: name.clone(), symbol, default });
+        self.declare(&definition.name, kind, Some(Operand::Scalar(symbol)));
+    }
+
+    fn default_value(&mut self, name: &Name, syntax: AstId) -> Option<ExprId> {
+        let value = self.constant_scalar(syntax)?;
+        let numeric = evaluate(&self.evaluator.graph, &[value], |_| f64::NAN)[0];
+        let largest = match self.declaration.scalar {
+            ScalarType::F32 => f64::from(f32::MAX),
+            _ => f64::MAX,
+        };
+        if numeric.abs() > largest {
+            let message = messages::number_too_large(&name.text);
+            self.evaluator.report.error(self.evaluator.origin(syntax), message);
+        }
+        Some(value)
+    }
+
+    fn constant_scalar(&mut self, syntax: AstId) -> Option<ExprId> {
+        self.evaluator.evaluate(syntax)?;
+        let value = self.evaluator.scalar(syntax, "a constant")?;
+        let dependencies = self.evaluator.graph.dependencies(value);
+        if dependencies != Dependencies::NONE {
+            let (place, _) = self.evaluator.blame(syntax, dependencies);
+            self.evaluator.report.error(place, messages::NOT_CONSTANT);
+            return None;
+        }
+        Some(value)
+    }
+
+    fn constant(&mut self, definition: &Definition) {
+        let value = definition.value.and_then(|value| self.constant_scalar(value));
+        self.declare(&definition.name, Kind::Constant, value.map(Operand::Scalar));
+    }
+
+    pub(super) fn declare(&mut self, name: &Name, kind: Kind, value: Option<Operand>) {
+        self.evaluator.scope.declare(name, kind, value, self.evaluator.report);
+    }
+
+    fn coordinate(&mut self, name: &Name) {
+        let index = self.coordinates.len() as u32;
+        let graph = &mut self.evaluator.graph;
+        let coordinate = Coordinate {
+            name: name.text.clone(),
+            position: graph.symbol(&name.text, Role::Coordinate(index)),
+            velocity: graph.symbol(&name.text, Role::Velocity(index)),
+            acceleration: graph.symbol(&name.text, Role::Acceleration(index)),
+        };
+        self.declare(name, Kind::Coordinate, Some(Operand::Scalar(coordinate.position)));
+        self.coordinates.push((coordinate, name.span));
+    }
+
+    fn abbreviation(&mut self, name: &Name, syntax: AstId) {
+        let value = self.evaluator.evaluate(syntax);
+        match &value {
+            Some(Operand::Scalar(id)) => self.labels.push((*id, name.text.clone())),
+            Some(Operand::Vector(components)) => {
+                for (id, axis) in components.iter().zip(["x", "y", "z"]) {
+                    self.labels.push((*id, format!("{}_{axis}", name.text)));
+                }
+            }
+            None => {}
+        }
+        self.declare(name, Kind::Abbreviation, value);
+    }
+
+    fn abbreviations(&mut self, names: &[Name], syntax: AstId, origin: Origin) {
+        let components = match self.evaluator.evaluate(syntax) {
+            Some(Operand::Vector(components)) if components.len() == names.len() => {
+                components.into_iter().map(Some).collect()
+            }
+            Some(other) => {
+                let message = messages::tuple_size(names.len(), &other.kind());
+                self.evaluator.report.error(origin, message);
+                vec![None; names.len()]
+            }
+            None => vec![None; names.len()],
+        };
+        for (name, component) in names.iter().zip(components) {
+            self.labels.extend(component.map(|id| (id, name.text.clone())));
+            self.declare(name, Kind::Abbreviation, component.map(Operand::Scalar));
+        }
+    }
+
+    /// A scalar expression without accelerations.
+    pub(super) fn term(&mut self, syntax: AstId, keyword: Span, what: &str) -> Option<Term> {
+        self.evaluator.evaluate(syntax)?;
+        let value = self.evaluator.scalar(syntax, what)?;
+        self.forbid_accelerations(syntax, value, what)?;
+        Some(Term { value, syntax, keyword })
+    }
+
+    pub(super) fn forbid_accelerations(&mut self, syntax: AstId, value: ExprId, what: &str) -> Option<()> {
+        if !self.evaluator.graph.dependencies(value).intersects(Dependencies::ACCELERATION) {
+            return Some(());
+        }
+        let (place, _) = self.evaluator.blame(syntax, Dependencies::ACCELERATION);
+        let error = self.evaluator.report.error(place, messages::acceleration_in(what));
+        error.help(messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS);
+        None
+    }
+
+    fn output(&mut self, name: &Name, syntax: AstId) {
+        let value = self.evaluator.evaluate(syntax);
+        let product = Product::ALL.iter().any(|product| product.name() == name.text);
+        if product || GENERATED_METHODS.contains(&name.text.as_str()) {
+            self.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+        }
+        self.declare(name, Kind::Output, None);
+        let Some(value) = value else { return };
+        let graph = &self.evaluator.graph;
+        let uses = |&c: &ExprId| graph.dependencies(c).intersects(Dependencies::ACCELERATION);
+        let uses_accelerations = value.components().iter().any(uses);
+        let components = value.components().to_vec();
+        self.outputs.push(Output { name: name.text.clone(), components, uses_accelerations });
+    }
+
+    fn emit(&mut self, item: &EmitItem) {
+        let name = item.product.text.as_str();
+        if let Some(&product) = Product::ALL.iter().find(|product| product.name() == name) {
+            self.wanted.push((product, item.wanted, item.product.span));
+            return;
+        }
+        let message = match PLANNED_PRODUCTS.contains(&name) {
+            true => messages::product_not_available(name),
+            false => messages::unknown_product(name),
+        };
+        let help = match nearest(name, Product::ALL.iter().map(|product| product.name())) {
+            Some(nearest) => messages::did_you_mean(nearest),
+            None => messages::products(),
+        };
+        self.evaluator.report.error(item.product.span, message).help(help);
+    }
+}

@@ -1,0 +1,221 @@
+//! What is derived from a model.
+
+use std::fmt;
+
+use super::form::QuadraticForm;
+use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
+use super::messages;
+use super::model::{Energies, Model, Product};
+use super::solve::{Solution, push_down, solve_dense, solve_recursive};
+use super::structure::Structure;
+use crate::calculus::{AccelerationTerms, gradient};
+use crate::expr::{ExprId, Graph, Node};
+use crate::number::Number;
+
+/// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
+/// the factorisation down would be all that the trial finds.
+const LARGEST_TRIAL: usize = 40;
+
+/// How the accelerations are computed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Road {
+    /// The mass matrix is formed and factorised.
+    Dense,
+    /// Coordinates are eliminated body by body; the mass matrix is never formed.
+    Recursive,
+}
+
+/// Which road to take.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum RoadChoice {
+    /// The one with the lower counted cost.
+    #[default]
+    Cheapest,
+    /// This one.
+    Always(Road),
+}
+
+/// The equations of motion and what else a model was asked for. Products that are not wanted are `None` and
+/// have not been derived.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    /// q̈ as functions of t, q, v.
+    pub accelerations: Vec<ExprId>,
+    /// How they are computed.
+    pub road: Road,
+    /// The counted cost of either road, as far as it was tried: dense, recursive.
+    pub costs: [Option<f64>; 2],
+    /// M, in rows.
+    pub mass_matrix: Option<Vec<Vec<ExprId>>>,
+    /// f in M q̈ = f
+    pub forcing: Option<Vec<ExprId>>,
+    /// d/dt ∂L/∂v − ∂L/∂q at zero acceleration, without loads and dissipation.
+    pub bias: Option<Vec<ExprId>>,
+    /// ∂L/∂v
+    pub momenta: Option<Vec<ExprId>>,
+    /// v·∂L/∂v − L
+    pub energy: Option<ExprId>,
+    /// The generalised forces that must be added for given accelerations.
+    pub inverse_dynamics: Option<Vec<ExprId>>,
+    /// What was found out about the system.
+    pub structure: Structure,
+    /// Names for intermediate results, in the order of preference.
+    pub labels: Vec<(ExprId, String)>,
+}
+
+/// The mass matrix is singular whatever the values of the parameters.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SingularMassMatrix;
+
+impl fmt::Display for SingularMassMatrix {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(messages::SINGULAR_MASS_MATRIX)
+    }
+}
+
+impl std::error::Error for SingularMassMatrix {}
+
+impl Equations {
+    /// Derives the equations of a model.
+    pub fn derive(model: &mut Model, choice: RoadChoice) -> Result<Equations, SingularMassMatrix> {
+        let split = SplitLagrangian::new(model);
+        let velocities = model.velocities();
+        let form = gauss_form(model, &split, AccelerationTerms::Dropped, Terms::All);
+        let pushed = push_down(&mut model.graph, form.clone(), &velocities);
+        let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
+        let forcing = forcing(&mut model.graph, &pushed, &velocities);
+        let (solution, road, costs) = solve(&mut model.graph, form, pushed, &velocities, choice)?;
+        let structure = Structure::find(model, &mass_matrix);
+        let mut labels = model.labels.clone();
+        labels.extend(matrix_labels(&mass_matrix));
+        labels.extend(solution.labels);
+        let wants = |product: Product| model.products.contains(&product);
+        let wanted = [Product::Bias, Product::Momenta, Product::Energy, Product::InverseDynamics].map(wants);
+        let (wants_mass, wants_forcing) = (wants(Product::MassMatrix), wants(Product::Forcing));
+        let [bias, momenta, energy, inverse] = wanted;
+        Ok(Equations {
+            accelerations: solution.accelerations,
+            road,
+            costs,
+            mass_matrix: wants_mass.then_some(mass_matrix),
+            forcing: wants_forcing.then_some(forcing),
+            bias: bias.then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
+            momenta: momenta.then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
+            energy: energy.then(|| energy_function(model, &split)),
+            inverse_dynamics: inverse.then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
+            structure,
+            labels,
+        })
+    }
+}
+
+type Solved = (Solution, Road, [Option<f64>; 2]);
+
+fn solve(
+    graph: &mut Graph,
+    form: QuadraticForm,
+    pushed: QuadraticForm,
+    velocities: &[ExprId],
+    choice: RoadChoice,
+) -> Result<Solved, SingularMassMatrix> {
+    let recursive = match choice {
+        RoadChoice::Always(Road::Dense) => None,
+        _ => solve_recursive(graph, form, velocities),
+    };
+    let is_large = velocities.len() > LARGEST_TRIAL && pushed.is_mostly_full(velocities.len());
+    let try_dense = match choice {
+        RoadChoice::Always(Road::Recursive) => false,
+        RoadChoice::Always(Road::Dense) => true,
+        RoadChoice::Cheapest => !is_large || recursive.is_none(),
+    };
+    let dense = if try_dense { solve_dense(graph, pushed, velocities) } else { None };
+    let cost = |solution: &Option<Solution>| Some(cost(graph, &solution.as_ref()?.accelerations));
+    let costs = [cost(&dense), cost(&recursive)];
+    match (dense, recursive) {
+        (Some(dense), Some(recursive)) if costs[0] > costs[1] => {
+            drop(dense);
+            Ok((recursive, Road::Recursive, costs))
+        }
+        (Some(dense), _) => Ok((dense, Road::Dense, costs)),
+        (None, Some(recursive)) => Ok((recursive, Road::Recursive, costs)),
+        (None, None) => Err(SingularMassMatrix),
+    }
+}
+
+/// Arithmetic operations, with divisions and functions weighted by what they take on current processors.
+fn cost(graph: &Graph, roots: &[ExprId]) -> f64 {
+    let is_unit = |c: &Number| c.abs().is_one();
+    let of_node = |id: ExprId| match graph.node(id) {
+        Node::Number(_) | Node::Pi | Node::Symbol(_) => 0,
+        Node::Sum { constant, terms } => {
+            let additions = terms.len() - usize::from(constant.is_zero());
+            additions + terms.iter().filter(|(_, c)| !is_unit(c)).count()
+        }
+        Node::Product(factors) => {
+            let powers = factors.iter().map(|(_, exponent)| match exponent.to_i32() {
+                Some(1) => 0,
+                Some(positive) if positive > 0 => 1,
+                _ => 5,
+            });
+            factors.len() - 1 + powers.sum::<usize>()
+        }
+        Node::Call(..) => 20,
+        Node::Choose { .. } => 2,
+    };
+    graph.reachable(roots).into_iter().map(of_node).sum::<usize>() as f64
+}
+
+fn mass_matrix(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Vec<Vec<ExprId>> {
+    let row = |i: &ExprId| velocities.iter().map(|&j| pushed.coefficient(graph, *i, j)).collect();
+    velocities.iter().map(row).collect()
+}
+
+fn forcing(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Vec<ExprId> {
+    let opposite = |&v: &ExprId| {
+        let value = pushed.linear(graph, v);
+        graph.negate(value)
+    };
+    velocities.iter().map(opposite).collect()
+}
+
+/// The linear part at the generalised velocities.
+fn residual(
+    model: &mut Model,
+    split: &SplitLagrangian,
+    accelerations: AccelerationTerms,
+    terms: Terms,
+) -> Vec<ExprId> {
+    let velocities = model.velocities();
+    let form = linear_form(model, split, accelerations, terms);
+    let pushed = push_down(&mut model.graph, form, &velocities);
+    velocities.iter().map(|&v| pushed.linear(&mut model.graph, v)).collect()
+}
+
+/// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7).
+fn energy_function(model: &mut Model, split: &SplitLagrangian) -> ExprId {
+    if split.is_natural(&model.graph) {
+        return match model.energies {
+            Energies::Separate { kinetic, potential } => model.graph.add(kinetic, potential),
+            Energies::Lagrangian => {
+                let terms = [(model.lagrangian, Number::ONE), (split.potential, Number::TWO)];
+                model.graph.sum(Number::ZERO, terms)
+            }
+        };
+    }
+    let velocities = model.velocities();
+    let graph = &mut model.graph;
+    let momenta = gradient(graph, model.lagrangian, &velocities);
+    let mut terms = vec![(model.lagrangian, Number::MINUS_ONE)];
+    for (&velocity, momentum) in velocities.iter().zip(momenta) {
+        terms.push((graph.multiply(velocity, momentum), Number::ONE));
+    }
+    graph.sum(Number::ZERO, terms)
+}
+
+fn matrix_labels(matrix: &[Vec<ExprId>]) -> Vec<(ExprId, String)> {
+    let mut labels = Vec::new();
+    for (i, row) in matrix.iter().enumerate() {
+        labels.extend(row.iter().enumerate().skip(i).map(|(j, &entry)| (entry, format!("m_{i}_{j}"))));
+    }
+    labels
+}

@@ -1,0 +1,391 @@
+//! Expressions of the language to expressions of the graph.
+//!
+//! The walk is iterative. Chains of `+`/`-` and of `*`/`/` become one n-ary node, so that a sum of many
+//! terms is collected once and not pair by pair.
+
+use super::messages;
+use super::operand::Operand;
+use super::scope::{Kind, Scope};
+use crate::calculus::{AccelerationTerms, Rates};
+use crate::collections::{HashMap, OrderedMap};
+use crate::diagnostics::{Origin, Report};
+use crate::expr::{Dependencies, ExprId, Graph, Node};
+use crate::functions;
+use crate::number::Number;
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, BinaryOperator, Condition, Declaration, Expression, Name};
+
+/// Evaluates the expressions of one declaration.
+pub(super) struct Evaluator<'a> {
+    pub(super) graph: Graph,
+    pub(super) scope: Scope,
+    pub(super) report: &'a mut Report,
+    declaration: &'a Declaration,
+    rates: Rates,
+    /// What each `dot(…)` evaluated to: velocity and position.
+    pub(super) named_rates: OrderedMap<ExprId, ExprId>,
+    /// Whether names may be missing because their declarations could not be read.
+    tolerates_unknown_names: bool,
+    /// Operands by expression; `None` where something was wrong and has been reported.
+    values: HashMap<AstId, Option<Operand>>,
+}
+
+impl<'a> Evaluator<'a> {
+    pub(super) fn new(declaration: &'a Declaration, report: &'a mut Report) -> Evaluator<'a> {
+        Evaluator {
+            graph: Graph::new(),
+            scope: Scope::default(),
+            tolerates_unknown_names: report.has_errors(),
+            report,
+            declaration,
+            rates: Rates::new(AccelerationTerms::Kept),
+            named_rates: OrderedMap::default(),
+            values: HashMap::default(),
+        }
+    }
+
+    pub(super) fn origin(&self, id: AstId) -> Origin {
+        self.declaration.expressions.origin(id)
+    }
+
+    fn syntax(&self, id: AstId) -> &'a Expression {
+        self.declaration.expressions.get(id)
+    }
+
+    /// The value of an expression; `None` if something in it is wrong, which has been reported.
+    pub(super) fn evaluate(&mut self, root: AstId) -> Option<Operand> {
+        let mut pending = vec![root];
+        while let Some(&id) = pending.last() {
+            let before = pending.len();
+            if !self.values.contains(&id) {
+                // Reversed, so that operands are evaluated, and complained of, from left to right.
+                let operands = self.operands(id).into_iter().rev();
+                pending.extend(operands.filter(|operand| !self.values.contains(operand)));
+            }
+            if pending.len() == before {
+                pending.pop();
+                if !self.values.contains(&id) {
+                    let value = self.evaluate_node(id);
+                    self.values.insert(id, value);
+                }
+            }
+        }
+        self.value(root)
+    }
+
+    pub(super) fn value(&self, id: AstId) -> Option<Operand> {
+        self.values.get(&id).cloned().flatten()
+    }
+
+    /// The expressions that must have values before `id` has one: the leaves of a chain.
+    fn operands(&self, id: AstId) -> Vec<AstId> {
+        match self.syntax(id) {
+            Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
+            Expression::Binary(BinaryOperator::Power, _, base, exponent) => vec![*base, *exponent],
+            Expression::Negate(_) | Expression::Binary(..) => {
+                self.chain(id).into_iter().map(|link| link.operand).collect()
+            }
+            Expression::Tuple(components) => components.clone(),
+            Expression::Call(_, arguments) => arguments.clone(),
+            Expression::Component(of, _) => vec![*of],
+            Expression::If { condition, then, otherwise } => {
+                vec![condition.left, condition.right, *then, *otherwise]
+            }
+        }
+    }
+
+    /// The leaves of a chain of sums or of products, in source order.
+    fn chain(&self, root: AstId) -> Vec<Link> {
+        let additive = match self.syntax(root) {
+            Expression::Binary(operator, ..) => is_additive(*operator),
+            _ => true,
+        };
+        let mut leaves = Vec::new();
+        let mut pending = vec![Link { operand: root, inverted: false }];
+        while let Some(Link { operand, inverted }) = pending.pop() {
+            match self.syntax(operand) {
+                Expression::Negate(inner) if additive => {
+                    pending.push(Link { operand: *inner, inverted: !inverted });
+                }
+                Expression::Binary(operator, _, left, right)
+                    if *operator != BinaryOperator::Power && is_additive(*operator) == additive =>
+                {
+                    let flips = matches!(operator, BinaryOperator::Subtract | BinaryOperator::Divide);
+                    pending.push(Link { operand: *right, inverted: inverted != flips });
+                    pending.push(Link { operand: *left, inverted });
+                }
+                _ => leaves.push(Link { operand, inverted }),
+            }
+        }
+        leaves
+    }
+
+    fn evaluate_node(&mut self, id: AstId) -> Option<Operand> {
+        match self.syntax(id) {
+            Expression::Number(value) => Some(Operand::Scalar(self.graph.number(value.clone()))),
+            Expression::Name(name) => self.evaluate_name(name, self.origin(id)),
+            Expression::Binary(BinaryOperator::Power, _, base, exponent) => self.evaluate_power(*base, *exponent),
+            Expression::Binary(BinaryOperator::Multiply | BinaryOperator::Divide, ..) => {
+                self.evaluate_product(id)
+            }
+            Expression::Negate(_) | Expression::Binary(..) => self.evaluate_sum(id),
+            Expression::Tuple(components) => {
+                let components = components.iter().map(|&c| self.scalar(c, "a component")).collect::<Vec<_>>();
+                components.into_iter().collect::<Option<Vec<_>>>().map(Operand::Vector)
+            }
+            Expression::Call(function, arguments) => self.evaluate_call(function, arguments, id),
+            Expression::Component(of, component) => self.evaluate_component(*of, component),
+            Expression::If { condition, then, otherwise } => self.evaluate_if(*condition, *then, *otherwise),
+            Expression::Invalid => None,
+        }
+    }
+
+    fn evaluate_name(&mut self, name: &str, origin: Origin) -> Option<Operand> {
+        match name {
+            "t" => return Some(Operand::Scalar(self.graph.symbol("t", Role::Time))),
+            "pi" => return Some(Operand::Scalar(self.graph.pi())),
+            _ => {}
+        }
+        if let Some(entry) = self.scope.resolve(name) {
+            if entry.kind == Kind::Output {
+                self.report.error(origin, messages::output_as_value(name)).help(messages::NAME_IT_WITH_LET);
+                return None;
+            }
+            return entry.value.clone();
+        }
+        if super::kinematics::is_function(name) {
+            self.report.error(origin, messages::function_as_value(name));
+            return None;
+        }
+        if self.tolerates_unknown_names {
+            return None;
+        }
+        let help = match self.scope.nearest(name, |kind| kind != Kind::Output) {
+            Some(nearest) => messages::did_you_mean(nearest),
+            None => messages::DECLARE_FIRST.to_owned(),
+        };
+        self.report.error(origin, messages::unknown_name(name)).help(help);
+        None
+    }
+
+    fn evaluate_sum(&mut self, id: AstId) -> Option<Operand> {
+        let links = self.chain(id);
+        let first = self.first_value(&links)?;
+        let mut terms: Vec<Vec<(ExprId, Number)>> = vec![Vec::new(); first.components().len()];
+        let mut sound = true;
+        for link in &links {
+            let Some(value) = self.value(link.operand) else {
+                sound = false;
+                continue;
+            };
+            if !value.same_kind(&first) {
+                let message = messages::kinds_differ("add", &first.kind(), &value.kind());
+                self.report.error(self.origin(link.operand), message);
+                sound = false;
+                continue;
+            }
+            let sign = if link.inverted { Number::MINUS_ONE } else { Number::ONE };
+            for (terms, &component) in terms.iter_mut().zip(value.components()) {
+                terms.push((component, sign.clone()));
+            }
+        }
+        let sums = terms.into_iter().map(|terms| self.graph.sum(Number::ZERO, terms)).collect::<Vec<_>>();
+        sound.then(|| rebuild(&first, sums))
+    }
+
+    fn first_value(&self, links: &[Link]) -> Option<Operand> {
+        links.iter().find_map(|link| self.value(link.operand))
+    }
+
+    fn evaluate_product(&mut self, id: AstId) -> Option<Operand> {
+        let mut factors = Vec::new();
+        let mut vector: Option<Operand> = None;
+        let mut sound = true;
+        for Link { operand, inverted } in self.chain(id) {
+            match (self.value(operand), inverted) {
+                (None, _) => sound = false,
+                (Some(Operand::Scalar(divisor)), true) if self.graph.is_zero(divisor) => {
+                    self.report.error(self.origin(operand), messages::DIVISION_BY_ZERO);
+                    sound = false;
+                }
+                (Some(Operand::Scalar(factor)), _) => {
+                    factors.push((factor, if inverted { Number::MINUS_ONE } else { Number::ONE }));
+                }
+                (Some(_), true) => {
+                    self.report.error(self.origin(operand), messages::DIVISION_BY_VECTOR);
+                    sound = false;
+                }
+                (Some(_), false) if vector.is_some() => {
+                    let error = self.report.error(self.origin(operand), messages::PRODUCT_OF_VECTORS);
+                    error.help(messages::INNER_OR_CROSS);
+                    sound = false;
+                }
+                (Some(value), false) => vector = Some(value),
+            }
+        }
+        if !sound {
+            return None;
+        }
+        let product = self.graph.product(factors);
+        Some(match vector {
+            None => Operand::Scalar(product),
+            Some(vector) => vector.map(|component| self.graph.multiply(product, component)),
+        })
+    }
+
+    fn evaluate_power(&mut self, base: AstId, exponent: AstId) -> Option<Operand> {
+        let value = self.scalar(base, "the base of a power");
+        let power = self.scalar(exponent, "an exponent");
+        self.power(value?, power?, self.origin(base).to(self.origin(exponent))).map(Operand::Scalar)
+    }
+
+    /// base ^ exponent, with a complaint where no real number results.
+    pub(super) fn power(&mut self, base: ExprId, exponent: ExprId, origin: Origin) -> Option<ExprId> {
+        if let (Some(b), Some(e)) = (self.graph.as_number(base), self.graph.as_number(exponent)) {
+            if b.is_negative() && !e.is_integer() {
+                let message = messages::root_of_negative(&format!("({b})"), &e.to_string());
+                self.report.error(origin, message);
+                return None;
+            }
+            if b.is_zero() && e.is_negative() {
+                self.report.error(origin, messages::DIVISION_BY_ZERO);
+                return None;
+            }
+        } else if let Some(b) = self.graph.as_number(base)
+            && b.is_negative()
+        {
+            let message = messages::root_of_negative(&format!("({b})"), "a varying exponent");
+            self.report.error(origin, message);
+            return None;
+        }
+        Some(functions::apply(&mut self.graph, crate::expr::Function::Power, &[base, exponent]))
+    }
+
+    fn evaluate_component(&mut self, of: AstId, component: &Name) -> Option<Operand> {
+        let value = self.value(of)?;
+        let index = ["x", "y", "z"].iter().position(|name| *name == component.text);
+        if let (Operand::Vector(components), Some(index)) = (&value, index)
+            && let Some(&found) = components.get(index)
+        {
+            return Some(Operand::Scalar(found));
+        }
+        let message = messages::no_component(&component.text, &value.kind());
+        self.report.error(component.span, message).help(messages::COMPONENTS);
+        None
+    }
+
+    fn evaluate_if(&mut self, condition: Condition, then: AstId, otherwise: AstId) -> Option<Operand> {
+        let left = self.scalar(condition.left, "a compared value");
+        let right = self.scalar(condition.right, "a compared value");
+        let (a, b) = (self.value(then)?, self.value(otherwise)?);
+        if !a.same_kind(&b) {
+            let message = messages::kinds_differ("choose between", &a.kind(), &b.kind());
+            self.report.error(self.origin(otherwise), message);
+            return None;
+        }
+        let (left, right) = (left?, right?);
+        let chosen = a.components().iter().zip(b.components());
+        let chosen = chosen.map(|(&a, &b)| self.graph.choose(condition.relation, left, right, a, b));
+        let chosen = chosen.collect();
+        Some(rebuild(&a, chosen))
+    }
+
+    /// The value as a scalar; reports anything else as `what`.
+    pub(super) fn scalar(&mut self, id: AstId, what: &str) -> Option<ExprId> {
+        match self.value(id)? {
+            Operand::Scalar(scalar) => Some(scalar),
+            vector => {
+                let message = messages::scalar_needed(what, &vector.kind());
+                self.report.error(self.origin(id), message).help(messages::HOW_TO_GET_A_SCALAR);
+                None
+            }
+        }
+    }
+
+    /// The value as the components of a vector; reports a scalar as `what`.
+    pub(super) fn vector(&mut self, id: AstId, what: &str) -> Option<Vec<ExprId>> {
+        match self.value(id)? {
+            Operand::Vector(components) => Some(components),
+            scalar => {
+                self.report.error(self.origin(id), messages::vector_needed(what, &scalar.kind()));
+                None
+            }
+        }
+    }
+
+    /// d/dt of an operand; remembers which velocity is the rate of what.
+    pub(super) fn rate(&mut self, value: &Operand, origin: AstId) -> Option<Operand> {
+        for &component in value.components() {
+            if self.graph.dependencies(component).intersects(Dependencies::INPUT) {
+                let (place, name) = self.blame(origin, Dependencies::INPUT);
+                self.report.error(place, messages::rate_of_input(&name)).help(messages::RATE_OF_INPUT_HELP);
+                return None;
+            }
+        }
+        Some(value.map(|component| {
+            let rate = self.rates.of(&mut self.graph, component);
+            self.remember_rate(component, rate);
+            rate
+        }))
+    }
+
+    fn remember_rate(&mut self, position: ExprId, rate: ExprId) {
+        let (coefficient, velocity) = self.graph.split_coefficient(rate);
+        if self.graph.as_number(velocity).is_some() || self.named_rates.contains(&velocity) {
+            return;
+        }
+        if let Some(inverse) = coefficient.reciprocal() {
+            let position = self.graph.scale(inverse, position);
+            self.named_rates.insert(velocity, position);
+        }
+    }
+
+    /// The smallest part of an expression that depends on one of `kinds`, and its text if it is a name.
+    pub(super) fn blame(&self, root: AstId, kinds: Dependencies) -> (Origin, String) {
+        let guilty = |id: AstId| {
+            let value = self.value(id);
+            value.is_some_and(|value| {
+                value.components().iter().any(|&c| self.graph.dependencies(c).intersects(kinds))
+            })
+        };
+        let mut culprit = root;
+        while let Some(inner) = self.operands(culprit).into_iter().find(|&operand| guilty(operand)) {
+            culprit = inner;
+        }
+        let name = match self.syntax(culprit) {
+            Expression::Name(name) => self.symbol_behind(name, culprit, kinds),
+            _ => String::new(),
+        };
+        (self.origin(culprit), name)
+    }
+
+    /// The name itself if it is a symbol, else that of a symbol of these kinds that it abbreviates.
+    fn symbol_behind(&self, name: &str, id: AstId, kinds: Dependencies) -> String {
+        let roots = self.value(id).map(|value| value.components().to_vec()).unwrap_or_default();
+        let found = self.graph.reachable(&roots).into_iter().find_map(|id| match self.graph.node(id) {
+            Node::Symbol(symbol) if self.graph.dependencies(id).intersects(kinds) => {
+                Some(self.graph.symbols().get(*symbol).name.clone())
+            }
+            _ => None,
+        });
+        found.unwrap_or_else(|| name.to_owned())
+    }
+}
+
+/// A leaf of a chain, negated in a sum or divided by in a product.
+struct Link {
+    operand: AstId,
+    inverted: bool,
+}
+
+fn is_additive(operator: BinaryOperator) -> bool {
+    matches!(operator, BinaryOperator::Add | BinaryOperator::Subtract)
+}
+
+/// An operand of the kind of `like` with these components.
+fn rebuild(like: &Operand, components: Vec<ExprId>) -> Operand {
+    match like {
+        Operand::Scalar(_) => Operand::Scalar(components[0]),
+        Operand::Vector(_) => Operand::Vector(components),
+    }
+}

@@ -1,0 +1,141 @@
+//! The quadratic form ½ Σ Wᵢⱼ xᵢ xⱼ + Σ cᵢ xᵢ over expressions that are affine in the velocities.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::collections::HashMap;
+use crate::expr::{ExprId, Graph};
+use crate::number::Number;
+use crate::simplify;
+
+/// A sum that is still being collected.
+type Contributions = Vec<(ExprId, Number)>;
+
+/// The row of one variable, removed from the form.
+#[derive(Debug)]
+pub(super) struct Row {
+    /// Wᵢᵢ
+    pub(super) own: ExprId,
+    /// `(j, Wᵢⱼ)` for the other variables, in ascending order.
+    pub(super) pairs: Vec<(ExprId, ExprId)>,
+    /// cᵢ
+    pub(super) linear: ExprId,
+}
+
+/// A symmetric quadratic form. Contributions to a coefficient are collected and summed once, when the
+/// coefficient is needed; the sum is then long enough for the simplifier to find what cancels.
+#[derive(Clone, Default, Debug)]
+pub(super) struct QuadraticForm {
+    /// Wᵢⱼ under its ordered pair of variables.
+    pairs: BTreeMap<(ExprId, ExprId), Contributions>,
+    neighbours: HashMap<ExprId, BTreeSet<ExprId>>,
+    linear: BTreeMap<ExprId, Contributions>,
+}
+
+impl QuadraticForm {
+    /// Adds `value·xᵢxⱼ` for i ≠ j and `½·value·xᵢ²` for i = j.
+    pub(super) fn add_pair(&mut self, graph: &Graph, i: ExprId, j: ExprId, value: ExprId) {
+        if graph.is_zero(value) {
+            return;
+        }
+        self.pairs.entry((i.min(j), i.max(j))).or_default().push((value, Number::ONE));
+        self.neighbours.get_or_insert_with(i, BTreeSet::new).insert(j);
+        self.neighbours.get_or_insert_with(j, BTreeSet::new).insert(i);
+    }
+
+    /// Adds `value·xᵢ`.
+    pub(super) fn add_linear(&mut self, graph: &Graph, i: ExprId, value: ExprId) {
+        if !graph.is_zero(value) {
+            self.linear.entry(i).or_default().push((value, Number::ONE));
+        }
+    }
+
+    /// Adds every term of another form.
+    pub(super) fn add(&mut self, other: &QuadraticForm) {
+        for (&(i, j), contributions) in &other.pairs {
+            self.pairs.entry((i, j)).or_default().extend_from_slice(contributions);
+            self.neighbours.get_or_insert_with(i, BTreeSet::new).insert(j);
+            self.neighbours.get_or_insert_with(j, BTreeSet::new).insert(i);
+        }
+        for (&i, contributions) in &other.linear {
+            self.linear.entry(i).or_default().extend_from_slice(contributions);
+        }
+    }
+
+    /// Whether more than half of all pairs of `count` variables occur.
+    pub(super) fn is_mostly_full(&self, count: usize) -> bool {
+        self.pairs.len() * 4 > count * (count + 1)
+    }
+
+    /// Whether any term holds xᵢ.
+    pub(super) fn contains(&self, i: ExprId) -> bool {
+        self.neighbours.get(&i).is_some_and(|near| !near.is_empty()) || self.linear.contains_key(&i)
+    }
+
+    /// The variables that occur.
+    pub(super) fn variables(&self) -> Vec<ExprId> {
+        let quadratic = self.pairs.keys().flat_map(|&(i, j)| [i, j]);
+        quadratic.chain(self.linear.keys().copied()).collect::<BTreeSet<_>>().into_iter().collect()
+    }
+
+    /// The number of other variables that share a term with this one.
+    pub(super) fn degree(&self, i: ExprId) -> usize {
+        self.neighbours.get(&i).map_or(0, |near| near.iter().filter(|&&j| j != i).count())
+    }
+
+    /// Whether xᵢ² occurs.
+    pub(super) fn has_square(&self, i: ExprId) -> bool {
+        self.pairs.contains_key(&(i, i))
+    }
+
+    /// Wᵢⱼ
+    pub(super) fn coefficient(&self, graph: &mut Graph, i: ExprId, j: ExprId) -> ExprId {
+        total(graph, self.pairs.get(&(i.min(j), i.max(j))).cloned())
+    }
+
+    /// cᵢ
+    pub(super) fn linear(&self, graph: &mut Graph, i: ExprId) -> ExprId {
+        total(graph, self.linear.get(&i).cloned())
+    }
+
+    /// Removes every term with xᵢ.
+    pub(super) fn take(&mut self, graph: &mut Graph, i: ExprId) -> Row {
+        let near = self.neighbours.remove(&i).unwrap_or_default();
+        let own = total(graph, self.pairs.remove(&(i, i)));
+        let mut pairs = Vec::with_capacity(near.len());
+        for j in near.into_iter().filter(|&j| j != i) {
+            let value = total(graph, self.pairs.remove(&(i.min(j), i.max(j))));
+            self.neighbours.get_or_insert_with(j, BTreeSet::new).remove(&i);
+            if !graph.is_zero(value) {
+                pairs.push((j, value));
+            }
+        }
+        let linear = total(graph, self.linear.remove(&i));
+        Row { own, pairs, linear }
+    }
+
+    /// Substitutes xᵢ = Σ slope · part.
+    pub(super) fn push(&mut self, graph: &mut Graph, i: ExprId, parts: &[(ExprId, ExprId)]) {
+        let row = self.take(graph, i);
+        for (n, &(a, slope)) in parts.iter().enumerate() {
+            let linear = graph.multiply(slope, row.linear);
+            self.add_linear(graph, a, linear);
+            // W·slope is shared by every pair with `a`.
+            let weighted = graph.multiply(slope, row.own);
+            let square = graph.multiply(slope, weighted);
+            self.add_pair(graph, a, a, square);
+            for &(b, other) in &parts[n + 1..] {
+                let value = graph.multiply(other, weighted);
+                self.add_pair(graph, a, b, value);
+            }
+            for &(j, weight) in &row.pairs {
+                let value = graph.multiply(slope, weight);
+                let value = if a == j { graph.scale(Number::TWO, value) } else { value };
+                self.add_pair(graph, a, j, value);
+            }
+        }
+    }
+}
+
+fn total(graph: &mut Graph, contributions: Option<Contributions>) -> ExprId {
+    simplify::collect(graph, contributions.unwrap_or_default())
+}

@@ -1,0 +1,99 @@
+//! Function calls of the language: elementary functions, rates, vector operations, energies.
+
+use super::expression::Evaluator;
+use super::messages;
+use super::operand::{Operand, cross, half_square, inner, norm_squared};
+use crate::diagnostics::nearest;
+use crate::expr::Function;
+use crate::functions;
+use crate::syntax::ast::{AstId, Name};
+
+/// Functions of the language that are no elementary functions, with their number of arguments.
+const STRUCTURAL: [(&str, usize); 10] = [
+    ("dot", 1),
+    ("ddot", 1),
+    ("norm", 1),
+    ("inner", 2),
+    ("cross", 2),
+    ("kinetic_energy", 2),
+    ("gravitational_energy", 3),
+    ("spring_energy", 2),
+    ("powi", 2),
+    ("powf", 2),
+];
+
+/// Whether the language has a function of that name.
+pub(super) fn is_function(name: &str) -> bool {
+    arity(name).is_some()
+}
+
+fn arity(name: &str) -> Option<usize> {
+    let elementary = functions::by_name(name).map(|row| row.arity);
+    elementary.or_else(|| STRUCTURAL.iter().find(|(known, _)| *known == name).map(|(_, arity)| *arity))
+}
+
+fn function_names() -> impl Iterator<Item = &'static str> {
+    functions::ROWS.iter().map(|row| row.name).chain(STRUCTURAL.iter().map(|(name, _)| *name))
+}
+
+impl Evaluator<'_> {
+    pub(super) fn evaluate_call(&mut self, name: &Name, arguments: &[AstId], call: AstId) -> Option<Operand> {
+        let Some(arity) = arity(&name.text) else {
+            let error = self.report.error(name.span, messages::unknown_function(&name.text));
+            if let Some(nearest) = nearest(&name.text, function_names()) {
+                error.help(messages::did_you_mean(nearest));
+            }
+            return None;
+        };
+        if arguments.len() != arity {
+            let message = messages::wrong_argument_count(&name.text, arity, arguments.len());
+            self.report.error(self.origin(call), message);
+            return None;
+        }
+        match name.text.as_str() {
+            "dot" => self.rate(&self.value(arguments[0])?, arguments[0]),
+            "ddot" => {
+                let first = self.rate(&self.value(arguments[0])?, arguments[0])?;
+                self.rate(&first, arguments[0])
+            }
+            "norm" | "inner" | "cross" => self.evaluate_vector_function(&name.text, arguments),
+            "kinetic_energy" | "spring_energy" => {
+                let weight = self.scalar(arguments[0], "the first argument")?;
+                let components = self.value(arguments[1])?;
+                Some(Operand::Scalar(half_square(&mut self.graph, weight, components.components())))
+            }
+            _ => self.evaluate_elementary(&name.text, arguments, call),
+        }
+    }
+
+    fn evaluate_vector_function(&mut self, name: &str, arguments: &[AstId]) -> Option<Operand> {
+        let what = format!("an argument of `{name}`");
+        let vectors = arguments.iter().map(|&argument| self.vector(argument, &what)).collect::<Vec<_>>();
+        let vectors = vectors.into_iter().collect::<Option<Vec<_>>>()?;
+        if name == "norm" {
+            let square = norm_squared(&mut self.graph, &vectors[0]);
+            return Some(Operand::Scalar(functions::apply(&mut self.graph, Function::Sqrt, &[square])));
+        }
+        if vectors[0].len() != vectors[1].len() {
+            let kinds = [0, 1].map(|i| Operand::Vector(vectors[i].clone()).kind());
+            let message = messages::kinds_differ(&format!("take `{name}` of"), &kinds[0], &kinds[1]);
+            self.report.error(self.origin(arguments[1]), message);
+            return None;
+        }
+        Some(match name {
+            "inner" => Operand::Scalar(inner(&mut self.graph, &vectors[0], &vectors[1])),
+            _ => cross(&mut self.graph, &vectors[0], &vectors[1]),
+        })
+    }
+
+    fn evaluate_elementary(&mut self, name: &str, arguments: &[AstId], call: AstId) -> Option<Operand> {
+        let what = format!("an argument of `{name}`");
+        let scalars = arguments.iter().map(|&argument| self.scalar(argument, &what)).collect::<Vec<_>>();
+        let scalars = scalars.into_iter().collect::<Option<Vec<_>>>()?;
+        Some(Operand::Scalar(match name {
+            "gravitational_energy" => self.graph.product(scalars.into_iter().map(|s| (s, 1.into()))),
+            "pow" | "powi" | "powf" => self.power(scalars[0], scalars[1], self.origin(call))?,
+            _ => functions::apply(&mut self.graph, functions::by_name(name)?.function, &scalars),
+        }))
+    }
+}

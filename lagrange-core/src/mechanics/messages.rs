@@ -1,0 +1,165 @@
+//! What is said about mistakes in the meaning of a declaration.
+
+use super::model::Product;
+
+pub(super) fn declared_twice(name: &str) -> String {
+    format!("the name `{name}` is declared twice")
+}
+
+pub(super) fn first_declared(name: &str, kind: &str) -> String {
+    format!("`{name}` is already declared here as {kind}")
+}
+
+pub(super) fn unused(kind: &str, name: &str) -> String {
+    format!("{kind} `{name}` is never used")
+}
+
+pub(super) fn unused_help(name: &str) -> String {
+    format!("remove it, or call it `_{name}` if that is intended")
+}
+
+pub(super) fn unknown_name(name: &str) -> String {
+    format!("unknown name `{name}`")
+}
+
+pub(super) fn unknown_function(name: &str) -> String {
+    format!("unknown function `{name}`")
+}
+
+pub(super) fn did_you_mean(nearest: &str) -> String {
+    format!("did you mean `{nearest}`?")
+}
+
+pub(super) const DECLARE_FIRST: &str = "declare it before this line with `param`, `coord`, `input` or `let`";
+
+pub(super) fn output_as_value(name: &str) -> String {
+    format!("output `{name}` cannot be used in an expression")
+}
+
+pub(super) const NAME_IT_WITH_LET: &str = "give the expression a name with `let` and use that in both places";
+
+pub(super) fn function_as_value(name: &str) -> String {
+    format!("the function `{name}` needs arguments: `{name}(…)`")
+}
+
+pub(super) fn wrong_argument_count(name: &str, expected: usize, found: usize) -> String {
+    let plural = if expected == 1 { "" } else { "s" };
+    format!("`{name}` takes {expected} argument{plural}, but {found} are given")
+}
+
+pub(super) fn scalar_needed(what: &str, found: &str) -> String {
+    format!("{what} must be a scalar, but this is {found}")
+}
+
+pub(super) const HOW_TO_GET_A_SCALAR: &str =
+    "use a component such as `.x`, or `norm(v)`, or `inner(v, w)`";
+
+pub(super) fn vector_needed(what: &str, found: &str) -> String {
+    format!("{what} must be a vector, but this is {found}")
+}
+
+pub(super) fn kinds_differ(operation: &str, left: &str, right: &str) -> String {
+    format!("cannot {operation} {left} and {right}")
+}
+
+pub(super) const PRODUCT_OF_VECTORS: &str = "the product of two vectors is ambiguous";
+pub(super) const INNER_OR_CROSS: &str = "use `inner(v, w)` for the scalar and `cross(v, w)` for the vector product";
+pub(super) const DIVISION_BY_VECTOR: &str = "cannot divide by a vector";
+pub(super) const DIVISION_BY_ZERO: &str = "division by zero";
+
+pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {
+    format!("{base} ^ {exponent} is not a real number")
+}
+
+pub(super) fn no_component(component: &str, kind: &str) -> String {
+    format!("there is no component `{component}` in {kind}")
+}
+
+pub(super) const COMPONENTS: &str = "vectors have the components `x`, `y` and, in space, `z`";
+
+pub(super) fn rate_of_input(name: &str) -> String {
+    format!("the rate of input `{name}` is unknown")
+}
+
+pub(super) const RATE_OF_INPUT_HELP: &str =
+    "an input may change at any time; make its rate another `input`, or the quantity a `coord`";
+
+pub(super) fn velocity_in(place: &str) -> String {
+    format!("{place} must not depend on velocities")
+}
+
+pub(super) fn acceleration_in(place: &str) -> String {
+    format!("{place} must not depend on accelerations")
+}
+
+pub(super) const POTENTIAL_HELP: &str =
+    "put terms with velocities into `kinetic`, `lagrangian` or `dissipation`";
+pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str = "only an `output` may use `ddot`";
+
+pub(super) fn input_in_kinetic(name: &str) -> String {
+    format!("the rate of input `{name}` is needed here but unknown: it multiplies a velocity")
+}
+
+pub(super) const NOT_CONSTANT: &str = "this must be a constant: only numbers, `pi` and `const` names";
+
+pub(super) fn both_lagrangian_and(other: &str) -> String {
+    format!("`{other}` beside `lagrangian`")
+}
+
+pub(super) const LAGRANGIAN_HELP: &str = "L = T - V: give either `lagrangian`, or `kinetic` and `potential`";
+pub(super) const THE_OTHER_IS_HERE: &str = "the other one is here";
+pub(super) const NO_COORDINATES: &str = "a system needs at least one generalised coordinate";
+pub(super) const COORDINATES_HELP: &str = "declare them with `coord x, theta;`";
+pub(super) const NO_ENERGY: &str = "a system needs a kinetic energy or a Lagrangian";
+pub(super) const ENERGY_HELP: &str = "write `kinetic = …;` and `potential = …;`, or `lagrangian = …;`";
+
+pub(super) fn no_inertia(name: &str) -> String {
+    format!("`{name}` has no inertia: its velocity appears in no kinetic energy, so nothing determines its acceleration")
+}
+
+pub(super) const NO_INERTIA_HELP: &str = "add its kinetic energy, or make it a `param` or an `input`";
+
+pub(super) fn not_a_coordinate(name: &str) -> String {
+    format!("`{name}` is not a coordinate")
+}
+
+pub(super) const FORCE_HELP: &str = "`force x = …;` acts on a coordinate; `force (fx, fy) at (px, py);` acts at a point";
+
+pub(super) fn reserved_output(name: &str) -> String {
+    format!("output `{name}` collides with the generated method of that name")
+}
+
+pub(super) fn velocity_field_collides(name: &str, coordinate: &str) -> String {
+    format!("`{name}` collides with the name of the velocity of `{coordinate}`")
+}
+
+pub(super) fn unknown_product(name: &str) -> String {
+    format!("`{name}` is nothing that can be emitted")
+}
+
+pub(super) fn product_not_available(name: &str) -> String {
+    format!("`{name}` is not available yet")
+}
+
+pub(super) fn products() -> String {
+    let names = Product::ALL.map(|product| format!("`{}`", product.name()));
+    format!("there are {}; write `no` before one to leave it out", names.join(", "))
+}
+
+pub(super) fn needs_separate_energies(name: &str) -> String {
+    format!("`{name}` is not defined for a system given by its `lagrangian`")
+}
+
+pub(super) fn tuple_size(names: usize, found: &str) -> String {
+    format!("{names} names for {found}")
+}
+
+pub(super) const DERIVED_DEFAULT: &str = "`Default` is implemented by `system!` from the declared defaults";
+pub(super) const DERIVED_DEFAULT_HELP: &str = "remove `Default` from the `derive`";
+
+pub(super) fn number_too_large(name: &str) -> String {
+    format!("the default of `{name}` is too large for the scalar")
+}
+
+pub(super) const SINGULAR_MASS_MATRIX: &str =
+    "the mass matrix is singular: the kinetic energy leaves some motion of the coordinates without inertia";

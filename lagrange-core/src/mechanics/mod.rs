@@ -1,0 +1,28 @@
+//! From the syntax tree of a declaration to its equations of motion.
+//!
+//! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], holds energies and loads as
+//! expressions. [`Equations`] derives from a model what the emitted methods return.
+
+mod check;
+mod elaborate;
+mod equations;
+mod expression;
+mod form;
+mod gauss;
+mod kinematics;
+mod loads;
+mod messages;
+mod model;
+mod operand;
+mod scope;
+mod solve;
+mod structure;
+mod sweep;
+
+pub use elaborate::elaborate;
+pub use equations::{Equations, Road, RoadChoice, SingularMassMatrix};
+pub use model::{Coordinate, Energies, Load, Model, Output, Parameter, Product};
+pub use structure::{Conserved, MassStructure, Structure};
+
+#[cfg(test)]
+mod tests;

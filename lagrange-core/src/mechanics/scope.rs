@@ -1,0 +1,98 @@
+//! The names of one declaration.
+
+use proc_macro2::Span;
+
+use super::messages;
+use super::operand::Operand;
+use crate::collections::OrderedMap;
+use crate::diagnostics::Report;
+use crate::diagnostics::nearest;
+use crate::syntax::ast::Name;
+
+/// What a name stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Kind {
+    Parameter,
+    Input,
+    Constant,
+    Coordinate,
+    Abbreviation,
+    Output,
+}
+
+impl Kind {
+    /// In the user's words.
+    pub(super) fn describe(self) -> &'static str {
+        match self {
+            Kind::Parameter => "parameter",
+            Kind::Input => "input",
+            Kind::Constant => "constant",
+            Kind::Coordinate => "coordinate",
+            Kind::Abbreviation => "`let`",
+            Kind::Output => "output",
+        }
+    }
+
+    /// Whether a name of this kind that nobody mentions is likely a mistake.
+    fn should_be_used(self) -> bool {
+        !matches!(self, Kind::Coordinate | Kind::Output)
+    }
+}
+
+/// A declared name.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub(super) kind: Kind,
+    /// `None` if the declaration was faulty and has been reported, and for outputs.
+    pub(super) value: Option<Operand>,
+    pub(super) span: Span,
+    used: bool,
+}
+
+/// All names declared so far.
+#[derive(Default, Debug)]
+pub(super) struct Scope {
+    entries: OrderedMap<String, Entry>,
+}
+
+impl Scope {
+    /// Adds a name; reports it if it is taken.
+    pub(super) fn declare(&mut self, name: &Name, kind: Kind, value: Option<Operand>, report: &mut Report) {
+        if let Some(first) = self.entries.get(&name.text) {
+            report
+                .error(name.span, messages::declared_twice(&name.text))
+                .related(first.span.into(), messages::first_declared(&name.text, first.kind.describe()));
+            return;
+        }
+        self.entries.insert(name.text.clone(), Entry { kind, value, span: name.span, used: false });
+    }
+
+    /// The entry of that name, without counting as a use.
+    pub(super) fn find(&self, name: &str) -> Option<&Entry> {
+        self.entries.get(&name.to_owned())
+    }
+
+    /// The entry of a name that an expression mentions.
+    pub(super) fn resolve(&mut self, name: &str) -> Option<&Entry> {
+        let entry = self.entries.get_mut(&name.to_owned())?;
+        entry.used = true;
+        Some(entry)
+    }
+
+    /// The known name that is most like `name`, among those that pass the filter.
+    pub(super) fn nearest(&self, name: &str, accept: impl Fn(Kind) -> bool) -> Option<&str> {
+        let known = self.entries.iter().filter(|(_, entry)| accept(entry.kind));
+        nearest(name, known.map(|(name, _)| name.as_str()))
+    }
+
+    /// Warns of names that nothing mentions.
+    pub(super) fn report_unused(&self, report: &mut Report) {
+        for (name, entry) in self.entries.iter() {
+            if !entry.used && entry.kind.should_be_used() && !name.starts_with('_') {
+                report
+                    .warning(entry.span, messages::unused(entry.kind.describe(), name))
+                    .help(messages::unused_help(name));
+            }
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Elimination: from the quadratic form to mass matrix, forcing and accelerations.
+
+use super::form::QuadraticForm;
+use super::sweep::Sweep;
+use crate::collections::HashMap;
+use crate::expr::{ExprId, Graph};
+use crate::number::Number;
+
+/// Pushes everything down to the generalised velocities.
+pub(super) fn push_down(graph: &mut Graph, mut form: QuadraticForm, velocities: &[ExprId]) -> QuadraticForm {
+    let mut sweep = Sweep::new(graph, &form.variables(), velocities);
+    while let Some((id, parts)) = sweep.next_inner() {
+        form.push(graph, id, &parts);
+    }
+    form
+}
+
+/// One eliminated velocity: a = free − Σ factor·x over the remaining variables.
+struct Eliminated {
+    velocity: ExprId,
+    free: ExprId,
+    factors: Vec<(ExprId, ExprId)>,
+    pivot: ExprId,
+    /// Minus the right-hand side that is left when this velocity is eliminated.
+    bias: ExprId,
+}
+
+/// The stationary point of a form, and names for what was computed on the way.
+#[derive(Debug)]
+pub(super) struct Solution {
+    /// The accelerations in the order of the velocities.
+    pub(super) accelerations: Vec<ExprId>,
+    /// Names for pivots, factors and biases.
+    pub(super) labels: Vec<(ExprId, String)>,
+}
+
+/// Eliminates all velocities from a form that has been pushed down: a left-looking LDLᵀ factorisation of
+/// the mass matrix, since every coefficient is summed only when its row is taken. Rows with the fewest
+/// neighbours go first. `None` if the mass matrix is structurally singular.
+pub(super) fn solve_dense(
+    graph: &mut Graph,
+    mut form: QuadraticForm,
+    velocities: &[ExprId],
+) -> Option<Solution> {
+    let mut remaining = velocities.to_vec();
+    let mut eliminated = Vec::new();
+    while !remaining.is_empty() {
+        let candidates = remaining.iter().enumerate().filter(|(_, v)| form.has_square(**v));
+        let (position, _) = candidates.min_by_key(|(_, v)| form.degree(**v))?;
+        eliminated.push(eliminate(graph, &mut form, remaining.remove(position))?);
+    }
+    Some(substitute_back(graph, eliminated, &Parts::None, velocities))
+}
+
+/// Eliminates each velocity as soon as nothing unprocessed depends on it, while the rest of the form is
+/// still written in velocities of bodies. On chains and trees the fill-in stays within one body: this is
+/// the articulated-body algorithm (Featherstone, *Rigid Body Dynamics Algorithms*, §7) found by ordering.
+/// `None` if a pivot is missing.
+pub(super) fn solve_recursive(
+    graph: &mut Graph,
+    mut form: QuadraticForm,
+    velocities: &[ExprId],
+) -> Option<Solution> {
+    let mut sweep = Sweep::new(graph, &form.variables(), velocities);
+    let mut eliminated = Vec::new();
+    loop {
+        if let Some(velocity) = sweep.next_leaf() {
+            eliminated.push(eliminate(graph, &mut form, velocity)?);
+        } else if let Some((id, parts)) = sweep.next_inner() {
+            form.push(graph, id, &parts);
+        } else {
+            break;
+        }
+    }
+    (eliminated.len() == velocities.len())
+        .then(|| substitute_back(graph, eliminated, &Parts::Of(&sweep), velocities))
+}
+
+fn eliminate(graph: &mut Graph, form: &mut QuadraticForm, velocity: ExprId) -> Option<Eliminated> {
+    let row = form.take(graph, velocity);
+    if graph.is_zero(row.own) {
+        return None;
+    }
+    let inverse = graph.reciprocal(row.own);
+    let mut factors = Vec::with_capacity(row.pairs.len());
+    for &(j, weight) in &row.pairs {
+        factors.push((j, graph.multiply(weight, inverse)));
+    }
+    for (n, &(j, factor)) in factors.iter().enumerate() {
+        let linear = graph.multiply(factor, row.linear);
+        let opposite = graph.negate(linear);
+        form.add_linear(graph, j, opposite);
+        for &(k, weight) in &row.pairs[n..] {
+            let fill = graph.multiply(factor, weight);
+            let opposite = graph.negate(fill);
+            form.add_pair(graph, j, k, opposite);
+        }
+    }
+    let free = graph.multiply(row.linear, inverse);
+    Some(Eliminated { velocity, free: graph.negate(free), factors, pivot: row.own, bias: row.linear })
+}
+
+/// How the variables that remained at an elimination are made of velocities.
+enum Parts<'a> {
+    None,
+    Of(&'a Sweep),
+}
+
+fn substitute_back(
+    graph: &mut Graph,
+    eliminated: Vec<Eliminated>,
+    parts: &Parts<'_>,
+    velocities: &[ExprId],
+) -> Solution {
+    let mut known: HashMap<ExprId, ExprId> = HashMap::default();
+    for step in eliminated.iter().rev() {
+        let mut terms = vec![(step.free, Number::ONE)];
+        for &(j, factor) in &step.factors {
+            let value = acceleration_of(graph, &mut known, parts, j);
+            terms.push((graph.multiply(factor, value), Number::MINUS_ONE));
+        }
+        let acceleration = graph.sum(Number::ZERO, terms);
+        known.insert(step.velocity, acceleration);
+    }
+    let accelerations = velocities.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect();
+    Solution { accelerations, labels: labels(&eliminated, velocities) }
+}
+
+fn labels(eliminated: &[Eliminated], velocities: &[ExprId]) -> Vec<(ExprId, String)> {
+    let index = velocities.iter().enumerate().map(|(i, &v)| (v, i)).collect::<HashMap<_, _>>();
+    let mut labels = Vec::new();
+    for step in eliminated {
+        let Some(i) = index.get(&step.velocity) else { continue };
+        labels.push((step.pivot, format!("pivot_{i}")));
+        labels.push((step.bias, format!("bias_{i}")));
+        for (j, factor) in &step.factors {
+            labels.extend(index.get(j).map(|j| (*factor, format!("l_{j}_{i}"))));
+        }
+    }
+    labels
+}
+
+/// Σ slope · acceleration over the parts of a variable, without recursion.
+fn acceleration_of(
+    graph: &mut Graph,
+    known: &mut HashMap<ExprId, ExprId>,
+    parts: &Parts<'_>,
+    variable: ExprId,
+) -> ExprId {
+    let parts_of = |id: ExprId| match parts {
+        Parts::None => &[],
+        Parts::Of(sweep) => sweep.parts(id),
+    };
+    let mut pending = vec![variable];
+    while let Some(&id) = pending.last() {
+        let before = pending.len();
+        if !known.contains(&id) {
+            pending.extend(parts_of(id).iter().map(|(part, _)| *part).filter(|part| !known.contains(part)));
+        }
+        if pending.len() > before {
+            continue;
+        }
+        pending.pop();
+        if !known.contains(&id) {
+            let mut terms = Vec::new();
+            for &(part, slope) in parts_of(id) {
+                let value = known.get(&part).copied().unwrap_or(part);
+                terms.push((graph.multiply(slope, value), Number::ONE));
+            }
+            let value = graph.sum(Number::ZERO, terms);
+            known.insert(id, value);
+        }
+    }
+    known.get(&variable).copied().unwrap_or(variable)
+}

@@ -1,0 +1,122 @@
+//! What can be said of a system from its equations: the shape of the mass matrix, cyclic coordinates,
+//! conserved quantities.
+
+use super::model::Model;
+use crate::calculus::{adjoint, gradient};
+use crate::expr::{Dependencies, ExprId};
+use crate::simplify;
+
+/// Monomials up to which a derivative is expanded to prove that it vanishes.
+const PROOF_BUDGET: usize = 200;
+/// Derivatives made of more expressions than this are not expanded at all.
+const LARGEST_EXPANDED: usize = 400;
+
+/// The shape of the mass matrix.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct MassStructure {
+    /// No entry depends on anything but parameters.
+    pub is_constant: bool,
+    /// An entry depends on velocities.
+    pub depends_on_velocities: bool,
+    /// Coordinates that are coupled with each other; single ones form blocks of their own.
+    pub blocks: Vec<Vec<usize>>,
+}
+
+impl MassStructure {
+    /// Whether no two coordinates are coupled.
+    pub fn is_diagonal(&self) -> bool {
+        self.blocks.iter().all(|block| block.len() == 1)
+    }
+}
+
+/// A quantity that stays constant during the motion.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Conserved {
+    /// The momentum of the coordinate with this index.
+    Momentum(usize),
+    /// The energy function.
+    Energy,
+}
+
+/// What was found out about a system.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Structure {
+    /// The shape of the mass matrix.
+    pub mass: MassStructure,
+    /// Coordinates that the Lagrangian does not depend on.
+    pub cyclic: Vec<usize>,
+    /// Conserved quantities that follow.
+    pub conserved: Vec<Conserved>,
+}
+
+impl Structure {
+    pub(super) fn find(model: &mut Model, mass_matrix: &[Vec<ExprId>]) -> Structure {
+        let cyclic = cyclic_coordinates(model);
+        let conserved = conserved_quantities(model, &cyclic);
+        Structure { mass: mass_structure(model, mass_matrix), cyclic, conserved }
+    }
+}
+
+fn mass_structure(model: &Model, matrix: &[Vec<ExprId>]) -> MassStructure {
+    let mut dependencies = Dependencies::NONE;
+    for entry in matrix.iter().flatten() {
+        dependencies = dependencies | model.graph.dependencies(*entry);
+    }
+    MassStructure {
+        is_constant: dependencies.is_constant_in_motion(),
+        depends_on_velocities: dependencies.intersects(Dependencies::VELOCITY),
+        blocks: blocks(model, matrix),
+    }
+}
+
+/// Connected components of the coupling, each in ascending order.
+fn blocks(model: &Model, matrix: &[Vec<ExprId>]) -> Vec<Vec<usize>> {
+    let mut block_of = vec![None; matrix.len()];
+    let mut blocks = Vec::new();
+    for start in 0..matrix.len() {
+        if block_of[start].is_some() {
+            continue;
+        }
+        let mut members = Vec::new();
+        let mut pending = vec![start];
+        while let Some(i) = pending.pop() {
+            if block_of[i].replace(blocks.len()).is_none() {
+                members.push(i);
+                pending.extend((0..matrix.len()).filter(|&j| !model.graph.is_zero(matrix[i][j])));
+            }
+        }
+        members.sort_unstable();
+        blocks.push(members);
+    }
+    blocks
+}
+
+fn cyclic_coordinates(model: &mut Model) -> Vec<usize> {
+    let positions = model.positions();
+    let slopes = gradient(&mut model.graph, model.lagrangian, &positions);
+    (0..slopes.len()).filter(|&i| vanishes(model, slopes[i])).collect()
+}
+
+fn vanishes(model: &mut Model, value: ExprId) -> bool {
+    if model.graph.as_number(value).is_some() {
+        return model.graph.is_zero(value);
+    }
+    let size = model.graph.reachable(&[value]).len();
+    size <= LARGEST_EXPANDED && simplify::proves_zero(&mut model.graph, value, PROOF_BUDGET)
+}
+
+fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
+    let velocities = model.velocities();
+    let seeds = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
+    let forces = adjoint(&mut model.graph, &seeds, &velocities);
+    let resistances = gradient(&mut model.graph, model.dissipation, &velocities);
+    let is_free = |i: usize| model.graph.is_zero(forces[i]) && model.graph.is_zero(resistances[i]);
+    let mut conserved =
+        cyclic.iter().filter(|&&i| is_free(i)).map(|&i| Conserved::Momentum(i)).collect::<Vec<_>>();
+    let changing = Dependencies::TIME | Dependencies::INPUT;
+    let is_steady = !model.graph.dependencies(model.lagrangian).intersects(changing);
+    if is_steady && (0..velocities.len()).all(is_free) {
+        conserved.push(Conserved::Energy);
+    }
+    conserved
+}

@@ -1,0 +1,135 @@
+//! A derived system that can be evaluated without compiling it: for tests, tools and build scripts.
+
+use crate::calculus::evaluate;
+use crate::collections::HashMap;
+use crate::expr::ExprId;
+use crate::mechanics::{Energies, Product};
+use crate::pipeline::Derived;
+use crate::program::{Labels, Program, lower, optimise, run};
+use crate::symbol::Role;
+
+/// A system as interpreted programs, with values for its parameters and inputs.
+///
+/// All vectors are in the order of the coordinates; angles in radians.
+#[derive(Clone, Debug)]
+pub struct NumericSystem {
+    /// Roles of parameters and inputs by name.
+    names: HashMap<String, Role>,
+    parameters: Vec<f64>,
+    inputs: Vec<f64>,
+    size: usize,
+    accelerations: Program,
+    products: Vec<(Product, Program)>,
+    outputs: Vec<(String, Program)>,
+}
+
+/// Time, coordinates, velocities and, where they matter, accelerations.
+#[derive(Clone, Copy, Debug)]
+struct Instant<'a> {
+    t: f64,
+    q: &'a [f64],
+    v: &'a [f64],
+    a: &'a [f64],
+}
+
+impl NumericSystem {
+    /// Lowers everything that `derived` holds. Parameters without a default are NaN until they are set.
+    pub fn new(derived: &Derived) -> NumericSystem {
+        let (model, equations) = (&derived.model, &derived.equations);
+        let lowered = |roots: &[ExprId]| optimise(&lower(&model.graph, roots, &Labels::default()));
+        let default = |default: Option<ExprId>| {
+            default.map_or(f64::NAN, |value| evaluate(&model.graph, &[value], |_| f64::NAN)[0])
+        };
+        let parameters = model.parameters.iter().enumerate();
+        let inputs = model.inputs.iter().enumerate();
+        let named = parameters.map(|(i, p)| (p.name.clone(), Role::Parameter(i as u32)));
+        let named = named.chain(inputs.map(|(i, p)| (p.name.clone(), Role::Input(i as u32))));
+        let energies = match model.energies {
+            Energies::Separate { kinetic, potential } => [Some(vec![kinetic]), Some(vec![potential])],
+            Energies::Lagrangian => [None, None],
+        };
+        let [kinetic, potential] = energies;
+        let products = [
+            (Product::MassMatrix, equations.mass_matrix.as_ref().map(|matrix| matrix.concat())),
+            (Product::Forcing, equations.forcing.clone()),
+            (Product::Bias, equations.bias.clone()),
+            (Product::Momenta, equations.momenta.clone()),
+            (Product::KineticEnergy, kinetic),
+            (Product::PotentialEnergy, potential),
+            (Product::Energy, equations.energy.map(|energy| vec![energy])),
+            (Product::InverseDynamics, equations.inverse_dynamics.clone()),
+        ];
+        let products = products.into_iter().filter_map(|(product, roots)| Some((product, lowered(&roots?))));
+        NumericSystem {
+            names: named.collect(),
+            parameters: model.parameters.iter().map(|p| default(p.default)).collect(),
+            inputs: model.inputs.iter().map(|p| default(p.default)).collect(),
+            size: model.coordinates.len(),
+            accelerations: lowered(&equations.accelerations),
+            products: products.collect(),
+            outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
+        }
+    }
+
+    /// Sets a parameter or an input; whether there is one of that name.
+    pub fn set(&mut self, name: &str, value: f64) -> bool {
+        match self.names.get(&name.to_owned()) {
+            Some(Role::Parameter(i)) => self.parameters[*i as usize] = value,
+            Some(Role::Input(i)) => self.inputs[*i as usize] = value,
+            _ => return false,
+        }
+        true
+    }
+
+    /// The number of coordinates.
+    pub fn degrees_of_freedom(&self) -> usize {
+        self.size
+    }
+
+    fn run(&self, program: &Program, at: Instant<'_>) -> Vec<f64> {
+        let entry = |values: &[f64], i: u32| values.get(i as usize).copied().unwrap_or(f64::NAN);
+        run(program, |role| match role {
+            Role::Parameter(i) => entry(&self.parameters, i),
+            Role::Input(i) => entry(&self.inputs, i),
+            Role::Time => at.t,
+            Role::Coordinate(i) => entry(at.q, i),
+            Role::Velocity(i) => entry(at.v, i),
+            Role::Acceleration(i) => entry(at.a, i),
+            Role::Placeholder(_) => f64::NAN,
+        })
+    }
+
+    /// q̈
+    pub fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+        self.run(&self.accelerations, Instant { t, q, v, a: &[] })
+    }
+
+    /// ẏ = [v, q̈] for y = [q, v].
+    pub fn rhs(&self, t: f64, y: &[f64]) -> Vec<f64> {
+        let (q, v) = y.split_at(self.size.min(y.len()));
+        let mut rate = v.to_vec();
+        rate.extend(self.acceleration(t, q, v));
+        rate
+    }
+
+    /// A product at a state: one value for an energy, one per coordinate for a vector, rows one after the
+    /// other for the mass matrix. `None` if it was not derived.
+    pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
+        let (_, program) = self.products.iter().find(|(known, _)| *known == product)?;
+        Some(self.run(program, Instant { t, q, v, a: &[] }))
+    }
+
+    /// The generalised forces that must act beside the declared ones to produce accelerations. `None` if
+    /// they were not derived.
+    pub fn inverse_dynamics(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
+        let (_, program) = self.products.iter().find(|(known, _)| *known == Product::InverseDynamics)?;
+        Some(self.run(program, Instant { t, q, v, a }))
+    }
+
+    /// The components of a declared output; `None` if there is none of that name.
+    pub fn output(&self, name: &str, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
+        let (_, program) = self.outputs.iter().find(|(known, _)| known == name)?;
+        let a = self.acceleration(t, q, v);
+        Some(self.run(program, Instant { t, q, v, a: &a }))
+    }
+}
