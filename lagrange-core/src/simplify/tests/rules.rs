@@ -1,3 +1,5 @@
+use proptest::prelude::{ProptestConfig, prop, prop_assert, proptest};
+
 use crate::calculus::evaluate;
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::functions::apply;
@@ -6,10 +8,7 @@ use crate::simplify::{Arguments, RULES, Rule, collect};
 use crate::symbol::Role;
 
 fn coordinates(g: &mut Graph) -> [ExprId; 3] {
-    ["q", "r", "s"].map(|name| {
-        let index = u32::from(name.as_bytes()[0]);
-        g.symbol(name, Role::Coordinate(index))
-    })
+    [("q", 0), ("r", 1), ("s", 2)].map(|(name, index)| g.symbol(name, Role::Coordinate(index)))
 }
 
 fn value(role: Role) -> f64 {
@@ -32,22 +31,30 @@ fn sides(g: &mut Graph, rule: &Rule, cofactor: ExprId, x: ExprId, y: ExprId) -> 
     [left, if rule.subtracts { g.negate(right) } else { right }]
 }
 
-#[test]
-fn every_rule_keeps_the_value_and_leaves_one_term() {
-    for rule in &RULES {
-        let mut g = Graph::new();
-        let [x, y, z] = coordinates(&mut g);
-        let m = g.symbol("m", Role::Parameter(0));
-        let cofactor = g.multiply(m, z);
-        let shifted = g.add(x, y);
-        for (x, y) in [(x, y), (y, x), (shifted, x)] {
-            let [a, b] = sides(&mut g, rule, cofactor, x, y);
-            let sum = g.add(a, b);
-            let single = rule.apply(&mut g, a, b).unwrap_or_else(|| panic!("{} matches", rule.name));
-            let (_, core) = g.split_coefficient(single);
-            assert!(!matches!(g.node(core), Node::Sum { .. }), "{}: {}", rule.name, rule.measure);
-            let values = evaluate(&g, &[sum, single], value);
-            assert!((values[0] - values[1]).abs() < 1e-14, "{}: {values:?}", rule.algebra);
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_rule_keeps_the_value_and_leaves_one_term(point in prop::array::uniform3(-3.0..3.0_f64)) {
+        for rule in &RULES {
+            let mut g = Graph::new();
+            let [x, y, z] = coordinates(&mut g);
+            let m = g.symbol("m", Role::Parameter(0));
+            let cofactor = g.multiply(m, z);
+            let shifted = g.add(x, y);
+            for (x, y) in [(x, y), (y, x), (shifted, x)] {
+                let [a, b] = sides(&mut g, rule, cofactor, x, y);
+                let sum = g.add(a, b);
+                let single = rule.apply(&mut g, a, b).unwrap_or_else(|| panic!("{} matches", rule.name));
+                let (_, core) = g.split_coefficient(single);
+                prop_assert!(!matches!(g.node(core), Node::Sum { .. }), "{}: {}", rule.name, rule.measure);
+                let values = evaluate(&g, &[sum, single], |role| match role {
+                    Role::Coordinate(index) => point[index as usize],
+                    _ => 1.25,
+                });
+                let scale = 1.0 + (2.0 * point[0].abs().max((point[0] + point[1]).abs())).exp();
+                prop_assert!((values[0] - values[1]).abs() < 1e-13 * scale, "{}: {values:?}", rule.algebra);
+            }
         }
     }
 }
