@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Span};
 use proc_macro2::{Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
-use quote::{ToTokens, quote};
+use quote::{ToTokens, quote_spanned};
 
 /// How tightly an expression holds together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -124,7 +124,10 @@ impl Fragment {
         let operations = 1 + arguments.iter().map(|argument| argument.operations).sum::<usize>();
         let width = arguments.iter().map(|argument| argument.width + 2).sum::<usize>() + path.width;
         let (path, arguments) = (&path.tokens, arguments.into_iter().map(|argument| argument.tokens));
-        Fragment { operations, ..Fragment::atom(quote!(#path(#(#arguments),*)), width) }
+        Fragment {
+            operations,
+            ..Fragment::atom(quote_spanned!(Span::mixed_site()=> #path(#(#arguments),*)), width)
+        }
     }
 }
 

@@ -16,32 +16,53 @@ impl Writer<'_> {
         if let Some(hint) = self.program.hint(id) {
             return self.names.fresh(hint);
         }
-        let one = Op::Constant(Number::ONE);
-        match self.program.op(id) {
-            Op::Multiply(a, b) if a == b => match self.name_of(*a) {
-                Some(base) => self.names.fresh(&name_of_square(&base)),
-                None => self.names.numbered("sq"),
-            },
-            Op::Divide(a, b) if *self.program.op(*a) == one => {
-                let base = self.name_of(*b);
-                self.derived_name("inv", base.as_deref(), |base| format!("inv_{base}"))
-            }
-            Op::Call(function, arguments) if arguments.len() == 1 => {
-                let (function, argument) = (row(*function).rust, self.name_of(arguments[0]));
-                self.derived_name(function, argument.as_deref(), |argument| format!("{function}_{argument}"))
-            }
-            Op::Constant(number) if *number == Number::TWO => self.names.fresh("two"),
-            Op::Constant(number) if number + number == Number::ONE => self.names.fresh("half"),
-            _ => self.names.numbered(stem(self.variability[id])),
+        match self.derived_name(id) {
+            Some((_, Some(name))) if name.len() <= LONGEST_NAME => self.names.fresh(&name),
+            Some((stem, _)) => self.names.numbered(stem),
+            None => self.names.numbered(stem(self.variability[id])),
         }
     }
 
-    /// A name made from that of an operand, or a numbered one if the operand has none worth repeating.
-    fn derived_name(&mut self, stem: &str, base: Option<&str>, make: impl Fn(&str) -> String) -> Ident {
-        match base.map(make) {
-            Some(name) if name.len() <= LONGEST_NAME => self.names.fresh(&name),
-            _ => self.names.numbered(stem),
+    /// The stem of a name for a square, a reciprocal or a function, and the name if that of the operand is
+    /// known.
+    fn derived_name(&self, id: ValueId) -> Option<(&'static str, Option<String>)> {
+        match self.program.op(id) {
+            Op::Multiply(a, b) if a == b => Some(match self.square_root(*a) {
+                Some(root) => ("pow4", Some(format!("{root}_pow4"))),
+                None => match self.known_name(*a) {
+                    // The square of what is called a square already would be hard to read.
+                    Some(base) if base.ends_with("_sq") => return None,
+                    base => ("sq", base.map(|base| format!("{base}_sq"))),
+                },
+            }),
+            Op::Divide(a, b) if *self.program.op(*a) == Op::Constant(Number::ONE) => {
+                Some(("inv", self.known_name(*b).map(|base| format!("inv_{base}"))))
+            }
+            Op::Call(function, arguments) if arguments.len() == 1 => {
+                let (function, argument) = (row(*function).rust, self.known_name(arguments[0]));
+                Some((function, argument.map(|argument| format!("{function}_{argument}"))))
+            }
+            Op::Constant(number) if *number == Number::TWO => Some(("two", Some("two".to_owned()))),
+            Op::Constant(number) if number + number == Number::ONE => Some(("half", Some("half".to_owned()))),
+            _ => None,
         }
+    }
+
+    /// The name of what an unlabelled value is the square of.
+    fn square_root(&self, id: ValueId) -> Option<String> {
+        match self.program.op(id) {
+            Op::Multiply(a, b) if a == b && self.program.hint(id).is_none() => self.name_of(*a),
+            _ => None,
+        }
+    }
+
+    /// The variable that a value is in, or the name of the function it is if that is written in place. What
+    /// is written in place is bounded, and so is the depth of this recursion.
+    fn known_name(&self, id: ValueId) -> Option<String> {
+        self.name_of(id).or_else(|| match self.program.op(id) {
+            Op::Call(..) => self.derived_name(id)?.1,
+            _ => None,
+        })
     }
 
     /// The variable that a value is in, if it is in one.
@@ -60,17 +81,13 @@ impl Writer<'_> {
         argument: Option<&str>,
     ) -> Ident {
         let Some(part) = part else { return Ident::new("_", Span::mixed_site()) };
-        match self.program.hint(part) {
-            Some(hint) => self.names.fresh(hint),
-            None => self.derived_name(function, argument, |argument| format!("{function}_{argument}")),
+        match (self.program.hint(part), argument) {
+            (Some(hint), _) => self.names.fresh(hint),
+            (None, Some(name)) if name.len() + 4 <= LONGEST_NAME => {
+                self.names.fresh(&format!("{function}_{name}"))
+            }
+            _ => self.names.numbered(function),
         }
-    }
-}
-
-fn name_of_square(base: &str) -> String {
-    match base.strip_suffix("_sq") {
-        Some(root) => format!("{root}_pow4"),
-        None => format!("{base}_sq"),
     }
 }
 

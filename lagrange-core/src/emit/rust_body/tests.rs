@@ -115,6 +115,45 @@ fn contact() -> (Graph, Vec<ExprId>, Labels) {
     (graph, vec![force], labels)
 }
 
+/// Energy and acceleration of a body in the field of a fixed one.
+fn orbit() -> (Graph, Vec<ExprId>, Labels) {
+    let mut graph = Graph::new();
+    let g = &mut graph;
+    let [mu] = parameters(g, ["mu"]);
+    let ((x, vx), (y, vy)) = (coordinate(g, "x", 0), coordinate(g, "y", 1));
+    let [x2, y2, vx2, vy2] = [x, y, vx, vy].map(|base| g.square(base));
+    let (r2, v2) = (g.add(x2, y2), g.add(vx2, vy2));
+    let half = Number::ratio(1, 2).expect("no zero");
+    let inverse = g.power(r2, -&half);
+    let potential = g.multiply(mu, inverse);
+    let energy = g.sum(Number::ZERO, [(v2, half.clone()), (potential, Number::MINUS_ONE)]);
+    let cube = g.power(r2, -&(&half + &Number::ONE));
+    let accelerations = [x, y].map(|position| {
+        let pull = product(g, [mu, position, cube]);
+        g.negate(pull)
+    });
+    let mut labels = Labels::default();
+    labels.insert(r2, "r_sq");
+    (graph, vec![energy, accelerations[0], accelerations[1]], labels)
+}
+
+#[test]
+fn roots_and_reciprocals_are_named_after_what_they_are_of() {
+    let (graph, outputs, labels) = orbit();
+    insta::assert_snapshot!("orbit", function(&graph, &outputs, &labels, Scalar::F64));
+}
+
+#[test]
+fn parts_of_a_pair_keep_their_labels() {
+    let (mut graph, _, mut labels) = pendulum();
+    let theta = graph.symbol("theta", Role::Coordinate(0));
+    let [sin, cos] = [Function::Sin, Function::Cos].map(|f| apply(&mut graph, f, &[theta]));
+    labels.insert(sin, "s");
+    let text = function(&graph, &[sin, cos], &labels, Scalar::F64);
+    assert!(text.contains("let (s, cos_theta) = ::lagrange::Scalar::sin_cos(theta);"), "{text}");
+    assert_eq!(text, function(&graph, &[sin, cos], &labels, Scalar::F64));
+}
+
 #[test]
 fn a_pendulum_reads_like_written_by_hand() {
     let (graph, outputs, labels) = pendulum();

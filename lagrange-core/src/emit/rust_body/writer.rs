@@ -1,7 +1,7 @@
 //! Walks over a program and writes statements.
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{ToTokens, quote_spanned};
 
 use super::fragment::Fragment;
 use super::literal::Constant;
@@ -124,7 +124,7 @@ impl<'a> Writer<'a> {
                 self.call("multiply_add", arguments)
             }
             Op::Power(_, exponent) => {
-                let literal = Literal::i32_unsuffixed(exponent.saturating_abs());
+                let literal = Literal::u32_unsuffixed(exponent.unsigned_abs());
                 let magnitude = Fragment::atom(literal.into_token_stream(), 4);
                 operands.push(if *exponent < 0 { magnitude.negated() } else { magnitude });
                 self.call("powi", operands)
@@ -134,24 +134,27 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The operands of an operation, the longest of them moved to variables as long as the operation
-    /// would be too long.
+    /// The operands of an operation as they are written in it.
     fn operands(&mut self, op: &Op) -> Vec<Fragment> {
         let mut ids = Vec::new();
         op.for_each_operand(|operand| ids.push(operand));
-        let is_chain = matches!(op, Op::Add(..) | Op::Subtract(..));
-        let mut operands = Vec::new();
-        for &id in &ids {
-            let named = !is_chain && self.is_square_of_variable(id);
-            operands.push(if named { self.take_variable(id) } else { self.take(id) });
-        }
-        let own_width = match op {
-            Op::Call(function, _) => self.function(row(*function).rust).width,
-            Op::MultiplyAdd(..) | Op::MultiplySubtract(..) | Op::SubtractProduct(..) => {
-                self.function("multiply_add").width
-            }
+        let factors = match op {
+            Op::Multiply(..) | Op::Divide(..) => ids.len(),
+            Op::MultiplyAdd(..) | Op::MultiplySubtract(..) | Op::SubtractProduct(..) => ids.len() - 1,
             _ => 0,
         };
+        let mut operands = Vec::new();
+        for (position, &id) in ids.iter().enumerate() {
+            // Squares read better under a name than between other factors.
+            let named = position < factors && self.is_square_of_variable(id);
+            operands.push(if named { self.take_variable(id) } else { self.take(id) });
+        }
+        self.shorten(&ids, &mut operands, self.width_of_callee(op));
+        operands
+    }
+
+    /// Moves the longest operands to variables until what remains makes an expression of bounded size.
+    fn shorten(&mut self, ids: &[ValueId], operands: &mut [Fragment], own_width: usize) {
         loop {
             let operations = operands.iter().map(|operand| operand.operations).sum::<usize>();
             let width = operands.iter().map(|operand| operand.width + 2).sum::<usize>() + own_width;
@@ -162,12 +165,22 @@ impl<'a> Writer<'a> {
                 Some(i) if operations >= MOST_OPERATIONS || width > LONGEST_EXPRESSION => {
                     operands[i] = self.bind_operand(ids[i], &operands[i]);
                 }
-                _ => return operands,
+                _ => return,
             }
         }
     }
 
-    /// Squares read better under a name than between other factors.
+    /// The length of the path of the function that an operation calls.
+    fn width_of_callee(&self, op: &Op) -> usize {
+        match op {
+            Op::Call(function, _) => self.function(row(*function).rust).width,
+            Op::MultiplyAdd(..) | Op::MultiplySubtract(..) | Op::SubtractProduct(..) => {
+                self.function("multiply_add").width
+            }
+            _ => 0,
+        }
+    }
+
     fn is_square_of_variable(&self, id: ValueId) -> bool {
         matches!(self.program.op(id), Op::Multiply(a, b) if a == b && self.name_of(*a).is_some())
     }
@@ -200,7 +213,7 @@ impl<'a> Writer<'a> {
     /// Writes a `let` for a value.
     fn bind(&mut self, id: ValueId, expression: &TokenStream) -> Ident {
         let name = self.choose_name(id);
-        self.statements.extend(quote!(let #name = #expression;));
+        self.statements.extend(quote_spanned!(Span::mixed_site()=> let #name = #expression;));
         name
     }
 
@@ -238,7 +251,7 @@ impl<'a> Writer<'a> {
         let pair = self.call("sin_cos", vec![angle]).tokens;
         let [sine, cosine] = [("sin", self.parts[id][0]), ("cos", self.parts[id][1])]
             .map(|(function, part)| self.name_part(function, part, name.as_deref()));
-        self.statements.extend(quote!(let (#sine, #cosine) = #pair;));
+        self.statements.extend(quote_spanned!(Span::mixed_site()=> let (#sine, #cosine) = #pair;));
         Written::Pair(sine, cosine)
     }
 
@@ -255,17 +268,25 @@ impl<'a> Writer<'a> {
         let [left, right] = sides.map(|side| side.tokens);
         let [then, otherwise] = values.map(|value| value.tokens);
         let nan = match &self.style.scalar {
-            Scalar::F64 => quote!(::core::primitive::f64::NAN),
-            Scalar::F32 => quote!(::core::primitive::f32::NAN),
+            Scalar::F64 => quote_spanned!(Span::mixed_site()=> ::core::primitive::f64::NAN),
+            Scalar::F32 => quote_spanned!(Span::mixed_site()=> ::core::primitive::f32::NAN),
             Scalar::Generic(_) => self.associated("NAN").tokens,
         };
         let (holds, fails) = match relation {
-            Relation::Less => (quote!(<), quote!(>=)),
-            Relation::LessEqual => (quote!(<=), quote!(>)),
-            Relation::Greater => (quote!(>), quote!(<=)),
-            Relation::GreaterEqual => (quote!(>=), quote!(<)),
+            Relation::Less => {
+                (quote_spanned!(Span::mixed_site()=> <), quote_spanned!(Span::mixed_site()=> >=))
+            }
+            Relation::LessEqual => {
+                (quote_spanned!(Span::mixed_site()=> <=), quote_spanned!(Span::mixed_site()=> >))
+            }
+            Relation::Greater => {
+                (quote_spanned!(Span::mixed_site()=> >), quote_spanned!(Span::mixed_site()=> <=))
+            }
+            Relation::GreaterEqual => {
+                (quote_spanned!(Span::mixed_site()=> >=), quote_spanned!(Span::mixed_site()=> <))
+            }
         };
-        quote! {
+        quote_spanned! {Span::mixed_site()=>
             if #left #holds #right { #then } else if #left #fails #right { #otherwise } else { #nan }
         }
     }
@@ -276,21 +297,21 @@ impl<'a> Writer<'a> {
 
     /// A function of `lagrange::Scalar`, the type left to inference.
     fn function(&self, name: &str) -> Fragment {
-        let (krate, function) = (&self.style.krate, format_ident!("{name}"));
+        let (krate, function) = (&self.style.krate, Ident::new(name, Span::mixed_site()));
         let width = self.path_width + "::Scalar::".len() + name.len();
-        Fragment::atom(quote!(#krate::Scalar::#function), width)
+        Fragment::atom(quote_spanned!(Span::mixed_site()=> #krate::Scalar::#function), width)
     }
 
     /// An associated item of the scalar, for where inference has nothing to go by.
     fn associated(&self, item: &str) -> Fragment {
-        let (krate, ident) = (&self.style.krate, format_ident!("{item}"));
+        let (krate, ident) = (&self.style.krate, Ident::new(item, Span::mixed_site()));
         let scalar = match &self.style.scalar {
-            Scalar::F64 => quote!(::core::primitive::f64),
-            Scalar::F32 => quote!(::core::primitive::f32),
+            Scalar::F64 => quote_spanned!(Span::mixed_site()=> ::core::primitive::f64),
+            Scalar::F32 => quote_spanned!(Span::mixed_site()=> ::core::primitive::f32),
             Scalar::Generic(scalar) => scalar.to_token_stream(),
         };
         let width = self.path_width + "<S as ::Scalar>::".len() + item.len();
-        Fragment::atom(quote!(<#scalar as #krate::Scalar>::#ident), width)
+        Fragment::atom(quote_spanned!(Span::mixed_site()=> <#scalar as #krate::Scalar>::#ident), width)
     }
 }
 
