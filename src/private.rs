@@ -1,3 +1,42 @@
 //! What the expansion of [`system!`](crate::system!) may name and users may not: no stability is promised.
 
 pub use lagrange_macro::system;
+
+use crate::Scalar;
+
+/// Functions under their bare names, so that generated formulas read like formulas.
+macro_rules! functions {
+    ($($name:ident($first:ident $(, $other:ident: $kind:ty)*) -> $result:ty;)*) => {
+        $(
+            #[inline(always)]
+            pub fn $name<S: Scalar>($first: S $(, $other: $kind)*) -> $result {
+                $first.$name($($other),*)
+            }
+        )*
+    };
+}
+
+functions! {
+    sin_cos(x) -> (S, S);
+    sin(x) -> S;
+    cos(x) -> S;
+    tan(x) -> S;
+    asin(x) -> S;
+    acos(x) -> S;
+    atan(x) -> S;
+    atan2(y, x: S) -> S;
+    sinh(x) -> S;
+    cosh(x) -> S;
+    tanh(x) -> S;
+    exp(x) -> S;
+    ln(x) -> S;
+    sqrt(x) -> S;
+    abs(x) -> S;
+    sign(x) -> S;
+    min(a, b: S) -> S;
+    max(a, b: S) -> S;
+    hypot(x, y: S) -> S;
+    powi(base, exponent: i32) -> S;
+    powf(base, exponent: S) -> S;
+    multiply_add(factor, other: S, addend: S) -> S;
+}

@@ -10,7 +10,7 @@ pub mod functions;
 pub mod mechanics;
 pub mod number;
 pub mod pipeline;
-pub mod simplify;
 pub mod program;
+pub mod simplify;
 pub mod symbol;
 pub mod syntax;

@@ -19,7 +19,8 @@ fn diagnostic(diagnostic: &Diagnostic) -> TokenStream {
     match diagnostic.severity {
         Severity::Warning => warning(diagnostic.origin, &message),
         Severity::Error => {
-            let related = diagnostic.related.iter().map(|(origin, note)| error(*origin, &format!("note: {note}")));
+            let related =
+                diagnostic.related.iter().map(|(origin, note)| error(*origin, &format!("note: {note}")));
             std::iter::once(error(diagnostic.origin, &message)).chain(related).collect()
         }
     }

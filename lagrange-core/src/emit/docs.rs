@@ -16,18 +16,21 @@ const MOST_COORDINATES: usize = 8;
 /// Equations longer than this, in characters, are left out.
 const LONGEST_EQUATIONS: usize = 6000;
 
-/// Both sides of M q̈ = f as text, one string per coordinate; `None` if that would be too long to read.
-pub(super) fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
+/// Both sides of M q̈ = f as text, one string per coordinate, after the definitions of abbreviations that
+/// keep them short; `None` if even that would be too long to read.
+fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
     let (mass, forcing) = (equations.mass_matrix.as_ref()?, equations.forcing.as_ref()?);
     if model.coordinates.len() > MOST_COORDINATES {
         return None;
     }
-    let mut lines = Vec::new();
+    let mut sides = Vec::new();
     for (row, &right) in mass.iter().zip(forcing) {
-        let left = left_side(model, row);
-        let right = readable(&mut model.graph, right);
-        lines.push(format!("{} = {}", text::text(&model.graph, left), text::text(&model.graph, right)));
+        sides.push(left_side(model, row));
+        sides.push(readable(&mut model.graph, right));
     }
+    let (abbreviations, sides) = text::definitions(&model.graph, &sides, LONGEST_EQUATIONS);
+    let abbreviations = abbreviations.into_iter().map(|(name, value)| format!("{name} = {value}"));
+    let lines = abbreviations.chain(sides.chunks(2).map(|side| side.join(" = "))).collect::<Vec<_>>();
     (lines.iter().map(String::len).sum::<usize>() <= LONGEST_EQUATIONS).then_some(lines)
 }
 

@@ -1,10 +1,12 @@
 //! The items of an emitted system: the struct, its state, implementations and traits.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::method::{Arguments, ArgumentNames, Method};
-use super::shape::{Shape, identifier};
+use super::method::{ArgumentNames, Arguments, Method};
+use super::shape::{Shape, identifier, local};
 
 /// Everything that differs between a derived system and a skeleton.
 pub(super) struct Parts {
@@ -18,6 +20,8 @@ pub(super) struct Parts {
     /// Associated constants.
     pub(super) constants: TokenStream,
     pub(super) names: ArgumentNames,
+    /// Functions of `lagrange::private` that the methods call.
+    pub(super) functions: BTreeSet<&'static str>,
 }
 
 /// All items. The implementations stand in an anonymous constant, so that the names they import and the
@@ -29,11 +33,14 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (conversions, traits) = (state_conversions(shape), trait_impls(shape, parts));
     let scalar = shape.scalar_path();
     let import = shape.generics().is_empty().then(|| quote!(use #scalar;));
+    let (krate, functions) = (shape.krate, parts.functions.iter().map(|name| local(name)));
+    let functions = (!parts.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
     quote! {
         #system
         #state
         const _: () = {
             #import
+            #functions
             #(#implementations)*
             #conversions
             #traits

@@ -114,7 +114,8 @@ impl<'a> Shape<'a> {
     /// Fields of the state: coordinates, then velocities.
     pub(super) fn state_fields(&self) -> Vec<Ident> {
         let positions = self.coordinates.iter().map(|name| identifier(name));
-        let velocities = self.coordinates.iter().map(|name| format_ident!("{}_dot", name.text, span = name.span));
+        let velocities =
+            self.coordinates.iter().map(|name| format_ident!("{}_dot", name.text, span = name.span));
         positions.chain(velocities).collect()
     }
 }

@@ -1,5 +1,7 @@
 //! What is emitted for a declaration with errors.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -40,6 +42,7 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
         methods,
         constants: TokenStream::new(),
         names: argument_names(|wish| names.fresh(wish)),
+        functions: BTreeSet::new(),
     };
     items(&shape, &parts)
 }

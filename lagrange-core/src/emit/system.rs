@@ -42,6 +42,8 @@ struct Writer<'a> {
     methods: Vec<Method>,
     /// Operations of `acceleration`.
     counts: OperationCounts,
+    /// Functions that the bodies call.
+    functions: BTreeSet<&'static str>,
     /// Constants that are too large, in words.
     unrepresentable: BTreeSet<String>,
 }
@@ -67,6 +69,7 @@ impl<'a> Writer<'a> {
             names: argument_names(|wish| arguments.fresh(wish)),
             methods: Vec::new(),
             counts: OperationCounts::default(),
+            functions: BTreeSet::new(),
             unrepresentable: BTreeSet::new(),
         }
     }
@@ -79,7 +82,8 @@ impl<'a> Writer<'a> {
         if !self.unrepresentable.is_empty() {
             return Err(self.unrepresentable.into_iter().collect());
         }
-        Ok(Parts { docs, field_docs, defaults, methods: self.methods, constants, names: self.names })
+        let Writer { methods, names, functions, .. } = self;
+        Ok(Parts { docs, field_docs, defaults, methods, constants, names, functions })
     }
 
     fn write_methods(&mut self) {
@@ -158,6 +162,7 @@ impl<'a> Writer<'a> {
         let mut names = Names::new(reserved.iter().map(String::as_str));
         match body(program, symbols, &self.style, &mut names) {
             Ok(body) => {
+                self.functions.extend(&body.functions);
                 let bindings = self.bindings(&body.used, &mut names, arguments);
                 let (statements, result) = (&body.statements, returns.collect(&body.outputs));
                 quote!(#bindings #statements #result)
@@ -248,14 +253,18 @@ impl<'a> Writer<'a> {
 
 const MASS_MATRIX: [&str; 1] = ["Mass matrix M, in rows."];
 const FORCING: [&str; 1] = ["Right-hand side f of M q̈ = f."];
-const BIAS: [&str; 2] =
-    ["Bias c of M q̈ + c = Q: Coriolis, centrifugal and potential terms,", "without applied forces and dissipation."];
+const BIAS: [&str; 2] = [
+    "Bias c of M q̈ + c = Q: Coriolis, centrifugal and potential terms,",
+    "without applied forces and dissipation.",
+];
 const MOMENTA: [&str; 1] = ["Generalised momenta ∂L/∂v."];
 const KINETIC: [&str; 1] = ["Kinetic energy T."];
 const POTENTIAL: [&str; 1] = ["Potential energy V."];
 const ENERGY: [&str; 1] = ["Energy function v·∂L/∂v − L."];
-const INVERSE: [&str; 2] =
-    ["Inverse dynamics: the generalised forces that must act, in addition to the declared ones,", "to produce the accelerations `a`."];
+const INVERSE: [&str; 2] = [
+    "Inverse dynamics: the generalised forces that must act, in addition to the declared ones,",
+    "to produce the accelerations `a`.",
+];
 
 /// Names of the user that stand in the methods' bodies beside the arguments.
 pub(super) fn user_names(shape: &Shape<'_>) -> Vec<String> {

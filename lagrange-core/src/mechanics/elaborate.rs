@@ -12,7 +12,9 @@ use crate::diagnostics::nearest;
 use crate::diagnostics::{Origin, Report};
 use crate::expr::{Dependencies, ExprId};
 use crate::symbol::Role;
-use crate::syntax::ast::{AstId, Declaration, Definition, EmitItem, Name, ScalarType, Statement, StatementKind};
+use crate::syntax::ast::{
+    AstId, Declaration, Definition, EmitItem, Name, ScalarType, Statement, StatementKind,
+};
 
 /// Methods that every system has; no output may take their names.
 const GENERATED_METHODS: [&str; 4] = ["acceleration", "rhs", "multipliers", "constraints"];

@@ -124,13 +124,16 @@ impl<'a> Evaluator<'a> {
         match self.syntax(id) {
             Expression::Number(value) => Some(Operand::Scalar(self.graph.number(value.clone()))),
             Expression::Name(name) => self.evaluate_name(name, self.origin(id)),
-            Expression::Binary(BinaryOperator::Power, _, base, exponent) => self.evaluate_power(*base, *exponent),
+            Expression::Binary(BinaryOperator::Power, _, base, exponent) => {
+                self.evaluate_power(*base, *exponent)
+            }
             Expression::Binary(BinaryOperator::Multiply | BinaryOperator::Divide, ..) => {
                 self.evaluate_product(id)
             }
             Expression::Negate(_) | Expression::Binary(..) => self.evaluate_sum(id),
             Expression::Tuple(components) => {
-                let components = components.iter().map(|&c| self.scalar(c, "a component")).collect::<Vec<_>>();
+                let components =
+                    components.iter().map(|&c| self.scalar(c, "a component")).collect::<Vec<_>>();
                 components.into_iter().collect::<Option<Vec<_>>>().map(Operand::Vector)
             }
             Expression::Call(function, arguments) => self.evaluate_call(function, arguments, id),

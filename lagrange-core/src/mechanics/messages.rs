@@ -51,8 +51,7 @@ pub(super) fn scalar_needed(what: &str, found: &str) -> String {
     format!("{what} must be a scalar, but this is {found}")
 }
 
-pub(super) const HOW_TO_GET_A_SCALAR: &str =
-    "use a component such as `.x`, or `norm(v)`, or `inner(v, w)`";
+pub(super) const HOW_TO_GET_A_SCALAR: &str = "use a component such as `.x`, or `norm(v)`, or `inner(v, w)`";
 
 pub(super) fn vector_needed(what: &str, found: &str) -> String {
     format!("{what} must be a vector, but this is {found}")
@@ -63,7 +62,8 @@ pub(super) fn kinds_differ(operation: &str, left: &str, right: &str) -> String {
 }
 
 pub(super) const PRODUCT_OF_VECTORS: &str = "the product of two vectors is ambiguous";
-pub(super) const INNER_OR_CROSS: &str = "use `inner(v, w)` for the scalar and `cross(v, w)` for the vector product";
+pub(super) const INNER_OR_CROSS: &str =
+    "use `inner(v, w)` for the scalar and `cross(v, w)` for the vector product";
 pub(super) const DIVISION_BY_VECTOR: &str = "cannot divide by a vector";
 pub(super) const DIVISION_BY_ZERO: &str = "division by zero";
 
@@ -114,7 +114,9 @@ pub(super) const NO_ENERGY: &str = "a system needs a kinetic energy or a Lagrang
 pub(super) const ENERGY_HELP: &str = "write `kinetic = …;` and `potential = …;`, or `lagrangian = …;`";
 
 pub(super) fn no_inertia(name: &str) -> String {
-    format!("`{name}` has no inertia: its velocity appears in no kinetic energy, so nothing determines its acceleration")
+    format!(
+        "`{name}` has no inertia: its velocity appears in no kinetic energy, so nothing determines its acceleration"
+    )
 }
 
 pub(super) const NO_INERTIA_HELP: &str = "add its kinetic energy, or make it a `param` or an `input`";
@@ -123,7 +125,8 @@ pub(super) fn not_a_coordinate(name: &str) -> String {
     format!("`{name}` is not a coordinate")
 }
 
-pub(super) const FORCE_HELP: &str = "`force x = …;` acts on a coordinate; `force (fx, fy) at (px, py);` acts at a point";
+pub(super) const FORCE_HELP: &str =
+    "`force x = …;` acts on a coordinate; `force (fx, fy) at (px, py);` acts at a point";
 
 pub(super) fn reserved_output(name: &str) -> String {
     format!("output `{name}` collides with the generated method of that name")

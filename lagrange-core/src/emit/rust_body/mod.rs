@@ -6,7 +6,7 @@
 //! or what it changes with: `const_0` with nothing but parameters, `pos_0` with time and coordinates,
 //! `vel_0` with velocities.
 //!
-//! Elementary functions are those of `lagrange::Scalar`, called by path so that nothing need be in scope.
+//! Elementary functions are called by their bare names; a body says which of them it needs in scope.
 
 mod fragment;
 mod literal;
@@ -14,6 +14,7 @@ mod names;
 mod naming;
 mod writer;
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use proc_macro2::{Ident, TokenStream};
@@ -54,6 +55,8 @@ pub struct Body {
     /// The symbols that must be bound, under the names that [`Names::role`] gives them, in the order of
     /// roles: parameters, inputs, time, coordinates, velocities, accelerations.
     pub used: Vec<Role>,
+    /// The functions of `lagrange::private` that must be in scope.
+    pub functions: BTreeSet<&'static str>,
 }
 
 /// Constants that are not finite when rounded to the scalar.
@@ -81,11 +84,12 @@ pub fn body(
     style: &BodyStyle,
     names: &mut Names,
 ) -> Result<Body, Unrepresentable> {
+    // Every other function is a word of the language, which no symbol can be called.
+    ["sin_cos", "multiply_add"].into_iter().for_each(|function| names.reserve(function));
     let used = used_roles(program);
     // Symbols get their names before anything else can take them.
     used.iter().for_each(|&role| drop(names.role(symbols, role)));
-    let (statements, outputs) = Writer::new(program, symbols, style, names).write()?;
-    Ok(Body { statements, outputs, used })
+    Writer::new(program, symbols, style, names).write(used)
 }
 
 fn used_roles(program: &Program) -> Vec<Role> {

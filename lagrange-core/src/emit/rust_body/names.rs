@@ -23,6 +23,11 @@ impl Names {
         Names { taken, ..Names::default() }
     }
 
+    /// Keeps a name from being given out.
+    pub fn reserve(&mut self, name: &str) {
+        self.taken.insert(name.to_owned(), ());
+    }
+
     /// The variable that holds the symbol in `role`: its own name, `x_dot` and `x_ddot` for the rates of
     /// `x`, `t` for time. Where that is taken, underscores are appended.
     pub fn role(&mut self, symbols: &Symbols, role: Role) -> Ident {

@@ -1,15 +1,17 @@
 //! Walks over a program and writes statements.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 use super::fragment::Fragment;
 use super::literal::Constant;
-use super::{BodyStyle, Names, Scalar, Unrepresentable};
+use super::{Body, BodyStyle, Names, Scalar, Unrepresentable};
 use crate::expr::Relation;
 use crate::functions::row;
 use crate::program::{Op, Program, ValueId, ValueTable, Variability};
-use crate::symbol::Symbols;
+use crate::symbol::{Role, Symbols};
 
 /// Expressions with more operations than this are split by a `let`.
 const MOST_OPERATIONS: usize = 10;
@@ -42,6 +44,8 @@ pub(super) struct Writer<'a> {
     pub(super) written: ValueTable<Written>,
     statements: TokenStream,
     unrepresentable: Vec<String>,
+    /// Functions that were called.
+    functions: BTreeSet<&'static str>,
 }
 
 impl<'a> Writer<'a> {
@@ -63,18 +67,19 @@ impl<'a> Writer<'a> {
             written: ValueTable::with_capacity(program.len()),
             statements: TokenStream::new(),
             unrepresentable: Vec::new(),
+            functions: BTreeSet::new(),
         }
     }
 
     /// The statements, and an expression for each output.
-    pub(super) fn write(mut self) -> Result<(TokenStream, Vec<TokenStream>), Unrepresentable> {
+    pub(super) fn write(mut self, used: Vec<Role>) -> Result<Body, Unrepresentable> {
         for (id, op) in self.program.values() {
             let written = self.value(id, op);
             self.written.push(written);
         }
         let outputs = self.program.outputs().iter().map(|&output| self.take(output).tokens).collect();
         if self.unrepresentable.is_empty() {
-            Ok((self.statements, outputs))
+            Ok(Body { statements: self.statements, outputs, used, functions: self.functions })
         } else {
             Err(Unrepresentable { constants: self.unrepresentable })
         }
@@ -170,13 +175,11 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The length of the path of the function that an operation calls.
+    /// The length of the name of the function that an operation calls.
     fn width_of_callee(&self, op: &Op) -> usize {
         match op {
-            Op::Call(function, _) => self.function(row(*function).rust).width,
-            Op::MultiplyAdd(..) | Op::MultiplySubtract(..) | Op::SubtractProduct(..) => {
-                self.function("multiply_add").width
-            }
+            Op::Call(function, _) => row(*function).rust.len(),
+            Op::MultiplyAdd(..) | Op::MultiplySubtract(..) | Op::SubtractProduct(..) => "multiply_add".len(),
             _ => 0,
         }
     }
@@ -291,15 +294,15 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn call(&self, function: &str, arguments: Vec<Fragment>) -> Fragment {
+    fn call(&mut self, function: &'static str, arguments: Vec<Fragment>) -> Fragment {
         Fragment::call(&self.function(function), arguments)
     }
 
-    /// A function of `lagrange::Scalar`, the type left to inference.
-    fn function(&self, name: &str) -> Fragment {
-        let (krate, function) = (&self.style.krate, Ident::new(name, Span::mixed_site()));
-        let width = self.path_width + "::Scalar::".len() + name.len();
-        Fragment::atom(quote_spanned!(Span::mixed_site()=> #krate::Scalar::#function), width)
+    /// A function of the scalar, imported under its bare name.
+    fn function(&mut self, name: &'static str) -> Fragment {
+        self.functions.insert(name);
+        let function = Ident::new(name, Span::mixed_site());
+        Fragment::atom(quote_spanned!(Span::mixed_site()=> #function), name.len())
     }
 
     /// An associated item of the scalar, for where inference has nothing to go by.

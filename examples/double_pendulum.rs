@@ -1,0 +1,18 @@
+lagrange::system! {
+    /// Two point masses on massless rods.
+    #[derive(Clone, Debug)]
+    pub struct DoublePendulum;
+
+    param m1 = 1.0, m2 = 1.0, l1 = 1.0, l2 = 1.0, g = 9.81;
+    coord theta1, theta2;
+
+    let (x1, y1) = (l1 * sin(theta1), -l1 * cos(theta1));
+    let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));
+    kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
+    potential = m1 * g * y1 + m2 * g * y2;
+}
+
+fn main() {
+    let s = DoublePendulum::default();
+    println!("{:?}", s.rhs(0.0, &[1.0, 0.5, 0.1, 0.2]));
+}
