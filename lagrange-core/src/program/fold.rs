@@ -1,8 +1,9 @@
 //! What a builder makes of an operation before it numbers it.
 //!
-//! Operations on constants become constants: exact rational ones where the result is rational. Beyond
-//! that only identities are used that hold to the last bit, infinities and NaN included and signs of zero
-//! excepted, and that never add an operation. `0 * x` therefore stays.
+//! Operations on constants become constants: exact rational ones where the result is rational. A division
+//! by a rational number becomes a multiplication. Beyond that only identities are used that hold to the
+//! last bit, infinities and NaN included and signs of zero excepted, and that never add an operation.
+//! `0 * x` therefore stays.
 
 use super::builder::Builder;
 use super::interpret::integer_power;
@@ -68,7 +69,7 @@ fn fold_product(builder: &mut Builder, a: ValueId, b: ValueId) -> Result<ValueId
 }
 
 fn fold_quotient(builder: &mut Builder, a: ValueId, b: ValueId) -> Result<ValueId, Op> {
-    // A reciprocal that is a rounded number itself would round twice, but a division costs much more.
+    // The reciprocal is rounded too, unlike the quotient, but a division costs several multiplications.
     match number(builder, b).and_then(Number::reciprocal) {
         Some(inverse) => {
             let inverse = builder.constant(inverse);

@@ -63,7 +63,7 @@ fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
 }
 
 /// Repeated squaring from the lowest bit of the exponent, as `Scalar::powi` does it.
-pub(super) fn integer_power(base: f64, exponent: i32) -> f64 {
+pub(crate) fn integer_power(base: f64, exponent: i32) -> f64 {
     let mut product = 1.0;
     let mut square = base;
     let mut remaining = exponent.unsigned_abs();

@@ -21,6 +21,8 @@ mod verify;
 
 pub use builder::Builder;
 pub use count::OperationCounts;
+#[cfg(test)]
+pub(crate) use interpret::integer_power;
 pub use interpret::run;
 pub use ir::{Float, Op, Program, ValueId, ValueTable};
 pub use labels::Labels;
@@ -30,4 +32,4 @@ pub use variability::Variability;
 pub use verify::{Fault, verify};
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

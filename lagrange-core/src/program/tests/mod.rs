@@ -1,7 +1,7 @@
 mod counts;
 mod lowering;
 mod passes;
-mod random;
+pub(crate) mod random;
 mod verifier;
 
 use super::{Labels, OperationCounts, PASSES, Program, lower, optimise, verify};
@@ -9,7 +9,7 @@ use crate::expr::{ExprId, Graph};
 use crate::symbol::Role;
 
 /// A graph with parameters `a` to `d` and coordinates `x` and `y`.
-fn letters() -> (Graph, [ExprId; 4], [ExprId; 2]) {
+pub(crate) fn letters() -> (Graph, [ExprId; 4], [ExprId; 2]) {
     let mut graph = Graph::new();
     let parameters = ["a", "b", "c", "d"];
     let parameters = std::array::from_fn(|i| graph.symbol(parameters[i], Role::Parameter(i as u32)));
@@ -18,7 +18,7 @@ fn letters() -> (Graph, [ExprId; 4], [ExprId; 2]) {
     (graph, parameters, coordinates)
 }
 
-fn lowered(graph: &Graph, outputs: &[ExprId]) -> Program {
+pub(crate) fn lowered(graph: &Graph, outputs: &[ExprId]) -> Program {
     let program = lower(graph, outputs, &Labels::default());
     assert_eq!(verify(&program), Ok(()), "{program:?}");
     program

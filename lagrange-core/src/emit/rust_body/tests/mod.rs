@@ -1,3 +1,5 @@
+mod meaning;
+
 use proc_macro2::{Ident, Span};
 use quote::quote;
 
