@@ -23,6 +23,3 @@ pub use elaborate::elaborate;
 pub use equations::{Equations, Road, RoadChoice, SingularMassMatrix};
 pub use model::{Coordinate, Energies, Load, Model, Output, Parameter, Product};
 pub use structure::{Conserved, MassStructure, Structure};
-
-#[cfg(test)]
-mod tests;
