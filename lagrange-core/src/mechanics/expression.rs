@@ -24,8 +24,6 @@ pub(super) struct Evaluator<'a> {
     rates: Rates,
     /// What each `dot(…)` evaluated to: velocity and position.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
-    /// Whether names may be missing because their declarations could not be read.
-    tolerates_unknown_names: bool,
     /// Operands by expression; `None` where something was wrong and has been reported.
     values: HashMap<AstId, Option<Operand>>,
 }
@@ -35,7 +33,6 @@ impl<'a> Evaluator<'a> {
         Evaluator {
             graph: Graph::new(),
             scope: Scope::default(),
-            tolerates_unknown_names: report.has_errors(),
             report,
             declaration,
             rates: Rates::new(AccelerationTerms::Kept),
@@ -160,7 +157,7 @@ impl<'a> Evaluator<'a> {
             self.report.error(origin, messages::function_as_value(name));
             return None;
         }
-        if self.tolerates_unknown_names {
+        if self.may_be_declared(name) {
             return None;
         }
         let help = match self.scope.nearest(name, |kind| kind != Kind::Output) {
@@ -169,6 +166,11 @@ impl<'a> Evaluator<'a> {
         };
         self.report.error(origin, messages::unknown_name(name)).help(help);
         None
+    }
+
+    /// Whether a name that is missing may have been declared where the declaration could not be read.
+    pub(super) fn may_be_declared(&self, name: &str) -> bool {
+        self.declaration.unreadable_words.contains(&name.to_owned())
     }
 
     fn evaluate_sum(&mut self, id: AstId) -> Option<Operand> {

@@ -28,6 +28,9 @@ impl Elaborator<'_> {
     }
 
     fn report_no_coordinate(&mut self, name: &Name) {
+        if self.evaluator.may_be_declared(&name.text) {
+            return;
+        }
         let scope = &self.evaluator.scope;
         let message = match scope.find(&name.text) {
             Some(_) => messages::not_a_coordinate(&name.text),

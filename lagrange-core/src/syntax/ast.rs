@@ -5,6 +5,7 @@
 
 use proc_macro2::{Span, TokenStream};
 
+use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
 use crate::number::Number;
@@ -26,6 +27,8 @@ pub struct Declaration {
     pub statements: Vec<Statement>,
     /// The expressions that statements refer to.
     pub expressions: Expressions,
+    /// Words in places that could not be read: names that may have been declared there.
+    pub unreadable_words: HashMap<String, ()>,
 }
 
 /// A name and where it stands.

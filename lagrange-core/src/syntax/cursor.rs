@@ -76,6 +76,11 @@ impl Cursor {
         }
     }
 
+    /// The tokens that were taken since the cursor was at a position.
+    pub(super) fn taken_since(&self, position: usize) -> &[TokenTree] {
+        self.tokens.get(position..self.next).unwrap_or_default()
+    }
+
     /// Whether the next token is this punctuation character.
     pub(super) fn at(&self, punctuation: char) -> bool {
         is_punct(self.peek(), punctuation)

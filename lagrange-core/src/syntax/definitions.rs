@@ -50,9 +50,13 @@ impl Parser<'_> {
         let mut items = Vec::new();
         loop {
             self.skipped = false;
+            let start = cursor.position();
             match read(self, cursor) {
                 Ok(item) => items.push(item),
-                Err(Reported) => self.skip_item(cursor),
+                Err(Reported) => {
+                    self.skip_item(cursor);
+                    self.leave_out(cursor, start);
+                }
             }
             if !self.skipped && !at_item_end(cursor) {
                 self.no_operator(cursor, "`,` or `;`");

@@ -8,6 +8,7 @@ use super::cursor::{Cursor, group_origin};
 use super::keywords;
 use super::messages;
 use super::parser::{Parsed, Parser};
+use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 
 /// Name of a system that is given as a bare list of statements.
@@ -48,6 +49,7 @@ fn declaration(
         scalar,
         statements: Vec::new(),
         expressions: Expressions::default(),
+        unreadable_words: HashMap::default(),
     }
 }
 

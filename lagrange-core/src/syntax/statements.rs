@@ -11,8 +11,9 @@ impl Parser<'_> {
         let mut statements = Vec::new();
         while !cursor.at_end() {
             let start = cursor.position();
-            if let Some(kind) = self.statement(cursor) {
-                statements.push(Statement { kind, origin: cursor.since(start) });
+            match self.statement(cursor) {
+                Some(kind) => statements.push(Statement { kind, origin: cursor.since(start) }),
+                None => self.leave_out(cursor, start),
             }
         }
         statements
