@@ -76,29 +76,31 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let declaration = parse_tokens(tokens, &mut report);
     let items = check(declaration, report).and_then(|system| derive(system, RoadChoice::Cheapest)).and_then(
         |derived| {
-            let (declaration, warnings) = (derived.declaration.clone(), derived.report.clone());
-            let items = derived.emit(krate).map_err(|report| (Some(declaration), report))?;
-            Ok((items, warnings))
+            let (declaration, warnings) = (Box::new(derived.declaration.clone()), derived.report.clone());
+            match derived.emit(krate) {
+                Ok(items) => Ok((items, declaration, warnings)),
+                Err(report) => Err((Some(declaration), report)),
+            }
         },
     );
-    let (items, report) = match items {
-        Ok(emitted) => emitted,
-        Err((declaration, report)) => {
-            let skeleton = declaration.map(|declaration| emit::skeleton(&declaration, krate));
-            (skeleton.unwrap_or_default(), report)
+    let (items, attributes, report) = match items {
+        Ok((items, declaration, report)) => (items, declaration.attributes, report),
+        Err((None, report)) => (TokenStream::new(), TokenStream::new(), report),
+        Err((Some(declaration), report)) => {
+            (emit::skeleton(&declaration, krate), declaration.attributes, report)
         }
     };
-    let diagnostics = emit::diagnostics(report.diagnostics());
+    let diagnostics = emit::diagnostics(report.diagnostics(), &attributes);
     quote::quote!(#diagnostics #items)
 }
 
-type Failure = (Option<Declaration>, Report);
+type Failure = (Option<Box<Declaration>>, Report);
 
 fn check(declaration: Option<Declaration>, mut report: Report) -> Result<System, Failure> {
     let Some(declaration) = declaration else { return Err((None, report)) };
     match elaborate(&declaration, &mut report) {
         Some(model) if !report.has_errors() => Ok(System { declaration, model, report }),
-        _ => Err((Some(declaration), report)),
+        _ => Err((Some(Box::new(declaration)), report)),
     }
 }
 
@@ -108,7 +110,7 @@ fn derive(system: System, road: RoadChoice) -> Result<Derived, Failure> {
         Ok(equations) => Ok(Derived { declaration, model, equations, report }),
         Err(singular) => {
             report.error(declaration.name.span, singular.to_string());
-            Err((Some(declaration), report))
+            Err((Some(Box::new(declaration)), report))
         }
     }
 }

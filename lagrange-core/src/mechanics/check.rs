@@ -13,7 +13,6 @@ impl Elaborator<'_> {
         self.check_state_names();
         self.check_energies();
         self.check_products();
-        self.evaluator.scope.report_unused(self.evaluator.report);
         if self.evaluator.report.has_errors() {
             return None;
         }
@@ -26,6 +25,7 @@ impl Elaborator<'_> {
         if self.evaluator.report.has_errors() {
             return None;
         }
+        self.evaluator.scope.report_unused(self.evaluator.report);
         Some(self.into_model(energies, lagrangian))
     }
 
@@ -34,6 +34,10 @@ impl Elaborator<'_> {
         let report = &mut *self.evaluator.report;
         if let Some(default) = declaration.derives.iter().find(|name| name.text == "Default") {
             report.error(default.span, messages::DERIVED_DEFAULT).help(messages::DERIVED_DEFAULT_HELP);
+        }
+        if !declaration.unreadable_words.is_empty() {
+            // What is missing may be in a statement that could not be read.
+            return;
         }
         let has = |kind: fn(&StatementKind) -> bool| declaration.statements.iter().any(|s| kind(&s.kind));
         if !has(|kind| matches!(kind, StatementKind::Coordinates(_))) {
