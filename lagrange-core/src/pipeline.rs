@@ -63,8 +63,7 @@ impl Derived {
     /// If a constant is too large for the scalar.
     pub fn emit(mut self, krate: &TokenStream) -> Result<TokenStream, Report> {
         emit::system(&self.declaration, &mut self.model, &self.equations, krate).map_err(|constants| {
-            let message = format!("number too large for the scalar: {}", constants.join(", "));
-            self.report.error(self.declaration.name.span, message);
+            emit::report_too_large(&self.declaration, &constants, &mut self.report);
             self.report
         })
     }
@@ -109,7 +108,7 @@ fn derive(system: System, road: RoadChoice) -> Result<Derived, Failure> {
     match Equations::derive(&mut model, road) {
         Ok(equations) => Ok(Derived { declaration, model, equations, report }),
         Err(singular) => {
-            report.error(declaration.name.span, singular.to_string());
+            report.error(declaration.name.span, singular.to_string()).help(singular.help());
             Err((Some(Box::new(declaration)), report))
         }
     }

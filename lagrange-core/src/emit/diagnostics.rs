@@ -3,7 +3,8 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
-use crate::diagnostics::{Diagnostic, Origin, Severity};
+use crate::diagnostics::{Diagnostic, Origin, Report, Severity};
+use crate::syntax::ast::{Declaration, Expression, ScalarType};
 
 /// `compile_error!` for errors, and variables that are not used for names that are not: a stable macro
 /// cannot report anything else. Related places are reported where they are.
@@ -29,11 +30,9 @@ fn warnings(unused: &[Ident], attributes: &TokenStream) -> TokenStream {
         unused.iter().map(|name| Ident::new(&name.to_string(), Span::mixed_site().located_at(name.span())));
     quote! {
         #allowed
+        #[allow(dead_code, non_snake_case, reason = "generated to warn of unused names")]
         const _: fn() = || {
-            #(
-                #[allow(dead_code, non_snake_case, reason = "generated to warn of unused names")]
-                fn #hiding() {}
-            )*
+            #(fn #hiding() {})*
             #(let #unused = || ();)*
         };
     }
@@ -68,4 +67,28 @@ fn compile_error(origin: Origin, message: &str) -> TokenStream {
     let mut arguments = Group::new(Delimiter::Brace, quote!(#message));
     arguments.set_span(origin.end);
     start.into_iter().chain([TokenTree::Group(arguments)]).collect()
+}
+
+/// Reports constants that the scalar cannot represent: at the literals that are too large themselves, or, where
+/// only what follows from them is, at the name of the system.
+pub fn report_too_large(declaration: &Declaration, constants: &[String], report: &mut Report) {
+    let (scalar, largest) = match &declaration.scalar {
+        ScalarType::F32 => ("f32", f64::from(f32::MAX)),
+        ScalarType::F64 | ScalarType::Generic(_) => ("f64", f64::MAX),
+    };
+    let help = format!("`{scalar}` holds numbers up to about {largest:.1e}: choose larger units");
+    let expressions = &declaration.expressions;
+    let literals = expressions.iter().filter_map(|(id, expression)| match expression {
+        Expression::Number(value) if value.to_f64() > largest => Some(expressions.origin(id)),
+        _ => None,
+    });
+    let literals = literals.collect::<Vec<_>>();
+    for &origin in &literals {
+        report.error(origin, format!("this number is too large for `{scalar}`")).help(help.as_str());
+    }
+    if literals.is_empty() {
+        let message =
+            format!("the equations hold numbers too large for `{scalar}`: {}", constants.join(", "));
+        report.error(declaration.name.span, message).help(help);
+    }
 }

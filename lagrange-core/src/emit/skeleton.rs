@@ -31,7 +31,10 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     }
     for &(name, count) in &shape.outputs {
         let returns = if count == 1 { Returns::Scalar } else { Returns::Vector(count) };
-        methods.push(placeholder(identifier(name), Arguments::State, returns));
+        let is_taken = ["rhs", "EQUATIONS_LATEX"].contains(&name.text.as_str());
+        if !is_taken && methods.iter().all(|method| method.name != name.text) {
+            methods.push(placeholder(identifier(name), Arguments::State, returns));
+        }
     }
     let mut names = Names::new(user_names(&shape).iter().map(String::as_str));
     let is_derived = declaration.derives.iter().any(|name| name.text == "Default");

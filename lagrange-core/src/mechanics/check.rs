@@ -4,6 +4,7 @@ use super::elaborate::{Elaborator, Term};
 use super::messages;
 use super::model::{Energies, Model, Product};
 use crate::calculus::gradient;
+use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::syntax::ast::StatementKind;
 
@@ -50,12 +51,13 @@ impl Elaborator<'_> {
 
     /// The state has a field for every coordinate and for every velocity.
     fn check_state_names(&mut self) {
-        for (coordinate, _) in &self.coordinates {
+        for (coordinate, declared) in &self.coordinates {
             let velocity = format!("{}_dot", coordinate.name);
             let clash = self.coordinates.iter().find(|(other, _)| other.name == velocity);
             if let Some((other, span)) = clash {
                 let message = messages::velocity_field_collides(&other.name, &coordinate.name);
-                self.evaluator.report.error(*span, message);
+                let error = self.evaluator.report.error(*span, message).help(messages::OTHER_NAME_HELP);
+                error.related(Origin::from(*declared), messages::coordinate_is_here(&coordinate.name));
             }
         }
     }
@@ -65,7 +67,7 @@ impl Elaborator<'_> {
             let beside = [("kinetic", self.kinetic.first()), ("potential", self.potential.first())];
             for (name, term) in beside.into_iter().filter_map(|(name, term)| Some((name, term?))) {
                 let error = self.evaluator.report.error(term.keyword, messages::both_lagrangian_and(name));
-                error.related(lagrangian.keyword.into(), messages::THE_OTHER_IS_HERE);
+                error.related(lagrangian.keyword.into(), messages::LAGRANGIAN_IS_HERE);
                 error.help(messages::LAGRANGIAN_HELP);
             }
         }

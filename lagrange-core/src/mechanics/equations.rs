@@ -75,6 +75,13 @@ impl fmt::Display for SingularMassMatrix {
 
 impl std::error::Error for SingularMassMatrix {}
 
+impl SingularMassMatrix {
+    /// What to do about it.
+    pub fn help(self) -> &'static str {
+        messages::SINGULAR_HELP
+    }
+}
+
 impl Equations {
     /// Derives the equations of a model.
     pub fn derive(model: &mut Model, choice: RoadChoice) -> Result<Equations, SingularMassMatrix> {

@@ -160,6 +160,11 @@ impl<'a> Evaluator<'a> {
         if self.may_be_declared(name) {
             return None;
         }
+        if let Some(declaration) = self.declaration.find(name) {
+            let error = self.report.error(origin, messages::used_too_early(name)).help(messages::MOVE_UP);
+            error.related(declaration.into(), messages::DECLARED_HERE);
+            return None;
+        }
         let help = match self.scope.nearest(name, |kind| kind != Kind::Output) {
             Some(nearest) => messages::did_you_mean(nearest),
             None => messages::DECLARE_FIRST.to_owned(),
@@ -210,7 +215,8 @@ impl<'a> Evaluator<'a> {
             match (self.value(operand), inverted) {
                 (None, _) => sound = false,
                 (Some(Operand::Scalar(divisor)), true) if self.graph.is_zero(divisor) => {
-                    self.report.error(self.origin(operand), messages::DIVISION_BY_ZERO);
+                    let error = self.report.error(self.origin(operand), messages::DIVISION_BY_ZERO);
+                    error.help(messages::DIVISION_HELP);
                     sound = false;
                 }
                 (Some(Operand::Scalar(factor)), _) => {
@@ -248,8 +254,8 @@ impl<'a> Evaluator<'a> {
     pub(super) fn power(&mut self, base: ExprId, exponent: ExprId, origin: Origin) -> Option<ExprId> {
         if let (Some(b), Some(e)) = (self.graph.as_number(base), self.graph.as_number(exponent)) {
             if b.is_negative() && !e.is_integer() {
-                let message = messages::root_of_negative(&format!("({b})"), &e.to_string());
-                self.report.error(origin, message);
+                let message = messages::root_of_negative(&b.to_string(), &e.to_string());
+                self.report.error(origin, message).help(messages::NEGATIVE_BASE_HELP);
                 return None;
             }
             if b.is_zero() && e.is_negative() {
@@ -259,8 +265,8 @@ impl<'a> Evaluator<'a> {
         } else if let Some(b) = self.graph.as_number(base)
             && b.is_negative()
         {
-            let message = messages::root_of_negative(&format!("({b})"), "a varying exponent");
-            self.report.error(origin, message);
+            let message = messages::varying_power_of_negative(&b.to_string());
+            self.report.error(origin, message).help(messages::NEGATIVE_BASE_HELP);
             return None;
         }
         Some(functions::apply(&mut self.graph, crate::expr::Function::Power, &[base, exponent]))
@@ -273,6 +279,10 @@ impl<'a> Evaluator<'a> {
             && let Some(&found) = components.get(index)
         {
             return Some(Operand::Scalar(found));
+        }
+        if super::kinematics::is_function(&component.text) {
+            self.report.error(component.span, messages::method_as_value(&component.text));
+            return None;
         }
         let message = messages::no_component(&component.text, &value.kind());
         self.report.error(component.span, message).help(messages::COMPONENTS);

@@ -31,14 +31,24 @@ impl Elaborator<'_> {
         if self.evaluator.may_be_declared(&name.text) {
             return;
         }
+        if let Some(declaration) =
+            self.declaration.find(&name.text).filter(|_| self.evaluator.scope.find(&name.text).is_none())
+        {
+            let message = messages::used_too_early(&name.text);
+            let error = self.evaluator.report.error(name.span, message).help(messages::MOVE_UP);
+            error.related(declaration.into(), messages::DECLARED_HERE);
+            return;
+        }
         let scope = &self.evaluator.scope;
         let message = match scope.find(&name.text) {
             Some(_) => messages::not_a_coordinate(&name.text),
             None => messages::unknown_name(&name.text),
         };
+        let coordinates = self.coordinates.iter().map(|(coordinate, _)| coordinate.name.as_str());
         let help = match scope.nearest(&name.text, |kind| kind == Kind::Coordinate) {
             Some(nearest) => messages::did_you_mean(nearest),
-            None => messages::FORCE_HELP.to_owned(),
+            None if scope.find(&name.text).is_some() => messages::FORCE_HELP.to_owned(),
+            None => messages::coordinates_are(&coordinates.collect::<Vec<_>>()),
         };
         self.evaluator.report.error(name.span, message).help(help);
     }
@@ -78,7 +88,7 @@ impl Elaborator<'_> {
         let graph = &self.evaluator.graph;
         if value.components().iter().any(|&c| graph.dependencies(c).intersects(moving)) {
             let (place, _) = self.evaluator.blame(syntax, moving);
-            self.evaluator.report.error(place, messages::velocity_in(what));
+            self.evaluator.report.error(place, messages::velocity_in(what)).help(messages::PLACE_HELP);
             return None;
         }
         self.evaluator.rate(value, syntax)

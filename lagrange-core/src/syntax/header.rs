@@ -59,7 +59,10 @@ impl Parser<'_> {
         let attributes = self.attributes(cursor);
         let visibility = self.visibility(cursor);
         if cursor.eat_word("struct").is_none() {
-            let message = messages::expected(messages::HEADER, cursor.peek());
+            let message = match cursor.peek() {
+                None => messages::EMPTY_DECLARATION.to_owned(),
+                token => messages::expected(messages::HEADER, token),
+            };
             return Err(self.fail_with_help(cursor.here(), message, messages::HEADER_HELP));
         }
         let name = self.type_name(cursor)?;
