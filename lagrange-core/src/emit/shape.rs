@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use crate::collections::HashMap;
 use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
-use crate::syntax::ast::{Name, ScalarType, StatementKind};
+use crate::syntax::ast::{Name, ScalarType, Statement, StatementKind};
 
 /// Names and types of one system.
 pub(super) struct Shape<'a> {
@@ -17,12 +17,20 @@ pub(super) struct Shape<'a> {
     pub(super) coordinates: Vec<&'a Name>,
     /// Declared outputs with their number of components; one for a scalar.
     pub(super) outputs: Vec<(&'a Name, usize)>,
+    /// The user's documentation of fields, coordinates and outputs.
+    docs: HashMap<&'a str, &'a TokenStream>,
 }
 
 impl<'a> Shape<'a> {
     pub(super) fn new(declaration: &'a Declaration, krate: &'a TokenStream) -> Shape<'a> {
-        let mut shape =
-            Shape { declaration, krate, fields: Vec::new(), coordinates: Vec::new(), outputs: Vec::new() };
+        let mut shape = Shape {
+            declaration,
+            krate,
+            fields: Vec::new(),
+            coordinates: Vec::new(),
+            outputs: Vec::new(),
+            docs: documentation(declaration),
+        };
         let (mut inputs, components) = (Vec::new(), component_counts(declaration));
         for statement in &declaration.statements {
             match &statement.kind {
@@ -47,6 +55,14 @@ impl<'a> Shape<'a> {
         self.fields.retain(|name| first(name));
         self.coordinates.retain(|name| first(name));
         self.outputs.retain(|(name, _)| first(name));
+    }
+
+    /// The user's documentation of a declared name, or else `line`.
+    pub(super) fn docs(&self, name: &Name, line: &str) -> TokenStream {
+        match self.docs.get(&name.text.as_str()) {
+            Some(docs) => (*docs).clone(),
+            None => quote!(#[doc = #line]),
+        }
     }
 
     /// The struct's name.
@@ -151,6 +167,24 @@ fn component_counts(declaration: &Declaration) -> HashMap<AstId, usize> {
         counts.insert(id, count);
     }
     counts
+}
+
+fn documentation<'a>(declaration: &'a Declaration) -> HashMap<&'a str, &'a TokenStream> {
+    let mut docs = HashMap::default();
+    for Statement { kind, docs: text, .. } in declaration.statements.iter().filter(|s| !s.docs.is_empty()) {
+        let mut insert = |name: &'a Name| {
+            docs.insert(name.text.as_str(), text);
+        };
+        match kind {
+            StatementKind::Parameters(list) | StatementKind::Inputs(list) => {
+                list.iter().for_each(|definition| insert(&definition.name));
+            }
+            StatementKind::Coordinates(names) => names.iter().for_each(insert),
+            StatementKind::Output(name, _) => insert(name),
+            _ => {}
+        }
+    }
+    docs
 }
 
 /// The user's identifier, at the user's place.

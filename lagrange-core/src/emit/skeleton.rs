@@ -40,7 +40,6 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let is_derived = declaration.derives.iter().any(|name| name.text == "Default");
     let parts = Parts {
         docs: Vec::new(),
-        field_docs: shape.fields.iter().map(|name| format!("Field `{}`.", name.text)).collect(),
         default: (!is_derived).then(|| quote!(::core::unreachable!())),
         methods,
         constants: equations_latex(""),
@@ -52,6 +51,6 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
-    let docs = vec!["Not derived: the declaration has errors.".to_owned()];
+    let docs = quote!(#[doc = "Not derived: the declaration has errors."]);
     Method { name, docs, arguments, returns, body: quote!(::core::unreachable!()) }
 }

@@ -10,18 +10,28 @@ impl Parser<'_> {
     pub(super) fn statements(&mut self, cursor: &mut Cursor) -> Vec<Statement> {
         let mut statements = Vec::new();
         while !cursor.at_end() {
+            let (docs, attributes) = self.documentation(cursor);
             let start = cursor.position();
-            match self.statement(cursor) {
-                Some(kind) => statements.push(Statement { kind, origin: cursor.since(start) }),
+            let kind = self.statement(cursor);
+            let documents_nothing = match &kind {
+                Some(kind) => !kind.is_documented(),
+                None => cursor.position() == start,
+            };
+            if let Some(origin) = attributes.filter(|_| docs.is_empty() || documents_nothing) {
+                let error = self.report.error(origin, messages::ATTRIBUTE_ON_STATEMENT);
+                error.help(messages::ATTRIBUTE_ON_STATEMENT_HELP);
+            }
+            match kind {
+                Some(kind) => statements.push(Statement { kind, origin: cursor.since(start), docs }),
                 None => self.leave_out(cursor, start),
             }
         }
         statements
     }
 
-    /// Reads one statement with its semicolon; takes at least one token.
+    /// Reads one statement with its semicolon; takes at least one token, if there is one.
     fn statement(&mut self, cursor: &mut Cursor) -> Option<StatementKind> {
-        if cursor.eat(';').is_some() || self.misplaced_attributes(cursor) || self.future_statement(cursor) {
+        if cursor.at_end() || cursor.eat(';').is_some() || self.future_statement(cursor) {
             return None;
         }
         self.skipped = false;
