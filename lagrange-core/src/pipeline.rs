@@ -43,7 +43,7 @@ pub struct Derived {
 pub fn parse(text: &str) -> Result<System, Report> {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report);
-    check(declaration, report).map_err(|(_, report)| report)
+    check(declaration, report).map_err(|failure| failure.1)
 }
 
 impl System {
@@ -52,7 +52,7 @@ impl System {
     /// # Errors
     /// If the mass matrix is singular whatever the parameters are.
     pub fn derive(self, road: RoadChoice) -> Result<Derived, Report> {
-        derive(self, road).map_err(|(_, report)| report)
+        derive(self, road).map_err(|failure| failure.1)
     }
 }
 
@@ -89,13 +89,14 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let items = check(declaration, report).and_then(|system| derive(system, RoadChoice::Cheapest)).and_then(
         |derived| {
             let (declaration, warnings) = (derived.declaration.clone(), derived.report.clone());
-            let items = derived.emit(krate).map_err(|report| (Some(declaration), report))?;
+            let items = derived.emit(krate).map_err(|report| Box::new((Some(declaration), report)))?;
             Ok((items, warnings))
         },
     );
     let (items, report) = match items {
         Ok(emitted) => emitted,
-        Err((declaration, report)) => {
+        Err(failure) => {
+            let (declaration, report) = *failure;
             let skeleton = declaration.map(|declaration| emit::skeleton(&declaration, krate));
             (skeleton.unwrap_or_default(), report)
         }
@@ -104,13 +105,14 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     quote::quote!(#diagnostics #items)
 }
 
-type Failure = (Option<Declaration>, Report);
+/// The declaration, as far as it could be read, with its mistakes.
+type Failure = Box<(Option<Declaration>, Report)>;
 
 fn check(declaration: Option<Declaration>, mut report: Report) -> Result<System, Failure> {
-    let Some(declaration) = declaration else { return Err((None, report)) };
+    let Some(declaration) = declaration else { return Err(Box::new((None, report))) };
     match elaborate(&declaration, &mut report) {
         Some(model) if !report.has_errors() => Ok(System { declaration, model, report }),
-        _ => Err((Some(declaration), report)),
+        _ => Err(Box::new((Some(declaration), report))),
     }
 }
 
@@ -120,7 +122,7 @@ fn derive(system: System, road: RoadChoice) -> Result<Derived, Failure> {
         Ok(equations) => Ok(Derived { declaration, model, equations, report }),
         Err(singular) => {
             report.error(declaration.name.span, singular.to_string());
-            Err((Some(declaration), report))
+            Err(Box::new((Some(declaration), report)))
         }
     }
 }
