@@ -257,7 +257,8 @@ impl<'a> Writer<'a> {
 /// The constant that holds the equations.
 pub(super) fn equations_latex(equations: &str) -> TokenStream {
     quote! {
-        /// The equations of motion in LaTeX, one line for each coordinate.
+        /// The equations of motion in LaTeX, one line for each coordinate after the definitions of
+        /// abbreviations, if they need any.
         pub const EQUATIONS_LATEX: &'static ::core::primitive::str = #equations;
     }
 }
