@@ -35,7 +35,8 @@ fn two_systems_stand_in_one_module_with_their_own_visibility() {
 fn attributes_are_kept() {
     let spring = inner::Spring::default();
     let stiffer = inner::Spring { k: 4.0 };
-    assert!(spring < stiffer && spring == spring.clone());
+    let copy = spring;
+    assert!(spring < stiffer && spring == copy);
     assert_eq!(format!("{stiffer:?}"), "Spring { k: 4.0 }");
 }
 

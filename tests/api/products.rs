@@ -76,8 +76,9 @@ fn what_is_left_out_does_not_exist() {
 
 #[test]
 fn a_mass_matrix_that_depends_on_velocities_takes_them() {
+    type Vector = [f64; 1];
     let particle = Particle::<f64>::default();
-    let mass: fn(&Particle<f64>, f64, &[f64; 1], &[f64; 1]) -> [[f64; 1]; 1] = Particle::mass_matrix;
+    let mass: fn(&Particle<f64>, f64, &Vector, &Vector) -> [Vector; 1] = Particle::mass_matrix;
     let gamma = 1.0 / (1.0 - 0.36_f64).sqrt();
     assert_close(mass(&particle, 0.0, &[0.0], &[1.2])[0][0], gamma.powi(3));
     assert_close(particle.momenta(0.0, &[0.0], &[1.2])[0], gamma * 1.2);

@@ -157,12 +157,7 @@ impl<'a> Evaluator<'a> {
             self.report.error(origin, messages::function_as_value(name));
             return None;
         }
-        if self.may_be_declared(name) {
-            return None;
-        }
-        if let Some(declaration) = self.declaration.find(name) {
-            let error = self.report.error(origin, messages::used_too_early(name)).help(messages::MOVE_UP);
-            error.related(declaration.into(), messages::DECLARED_HERE);
+        if self.is_declared_elsewhere(name, origin) {
             return None;
         }
         let help = match self.scope.nearest(name, |kind| kind != Kind::Output) {
@@ -173,8 +168,14 @@ impl<'a> Evaluator<'a> {
         None
     }
 
-    /// Whether a name that is missing may have been declared where the declaration could not be read.
-    pub(super) fn may_be_declared(&self, name: &str) -> bool {
+    /// Whether an unknown name is declared further down, which is reported here, or may have been declared
+    /// where the declaration could not be read.
+    pub(super) fn is_declared_elsewhere(&mut self, name: &str, origin: Origin) -> bool {
+        if let Some(declaration) = self.declaration.find(name) {
+            let error = self.report.error(origin, messages::used_too_early(name)).help(messages::ORDER_HELP);
+            error.related(declaration.into(), messages::DECLARED_HERE);
+            return true;
+        }
         self.declaration.unreadable_words.contains(&name.to_owned())
     }
 

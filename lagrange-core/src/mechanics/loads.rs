@@ -28,15 +28,8 @@ impl Elaborator<'_> {
     }
 
     fn report_no_coordinate(&mut self, name: &Name) {
-        if self.evaluator.may_be_declared(&name.text) {
-            return;
-        }
-        if let Some(declaration) =
-            self.declaration.find(&name.text).filter(|_| self.evaluator.scope.find(&name.text).is_none())
-        {
-            let message = messages::used_too_early(&name.text);
-            let error = self.evaluator.report.error(name.span, message).help(messages::MOVE_UP);
-            error.related(declaration.into(), messages::DECLARED_HERE);
+        let is_unknown = self.evaluator.scope.find(&name.text).is_none();
+        if is_unknown && self.evaluator.is_declared_elsewhere(&name.text, name.span.into()) {
             return;
         }
         let scope = &self.evaluator.scope;

@@ -35,7 +35,7 @@ pub(super) fn used_too_early(name: &str) -> String {
     format!("`{name}` is used before it is declared")
 }
 
-pub(super) const MOVE_UP: &str = "move its declaration in front of this statement";
+pub(super) const ORDER_HELP: &str = "a name is known only behind the statement that declares it";
 pub(super) const DECLARED_HERE: &str = "it is declared here";
 pub(super) const DECLARE_FIRST: &str = "declare it before this line with `param`, `coord`, `input` or `let`";
 pub(super) const FUNCTIONS_ARE_LISTED: &str =

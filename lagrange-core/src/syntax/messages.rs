@@ -93,9 +93,8 @@ pub(super) fn repeated_attribute(name: &str) -> String {
 // Statements.
 
 pub(super) const STATEMENT: &str = "a statement";
-pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "no attribute has a meaning here";
-pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str =
-    "documentation can stand before `param`, `input`, `coord` and `output`; write `//` for other comments";
+pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes have no meaning here";
+pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord` and `output`; other comments begin with `//`";
 pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
 pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
 pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";

@@ -8,6 +8,8 @@ lagrange::system! {
     gibberish here;
     /// A comment on a statement.
     potential = x;
+    #[cfg(test)]
+    param k = 1.0;
     3 + 4;
 }
 
