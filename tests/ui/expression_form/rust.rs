@@ -14,6 +14,9 @@ lagrange::system! {
     potential = [x, y];
     potential = |x|;
     potential = x.cos;
+    potential = x # y;
+    potential = x...y;
+    potential = -x.max(y;);
 }
 
 fn main() {}

@@ -17,4 +17,11 @@ lagrange::system! {
     kinetic = 1/2 * dot(x)^2;
 }
 
+lagrange::system! {
+    # struct Pound;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+}
+
 fn main() {}
