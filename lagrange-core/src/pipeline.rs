@@ -128,3 +128,6 @@ fn emit(
     };
     items.inspect_err(too_large).ok()
 }
+
+#[cfg(test)]
+mod tests;
