@@ -6,9 +6,11 @@ use crate::syntax::parse_text;
 
 /// Name and text of each system that is kept as test data.
 fn systems() -> Vec<(String, String)> {
-    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/systems");
-    let mut paths = fs::read_dir(directory)
-        .expect("the test data is in place")
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let directories = ["../tests/oracle", "../tests/constrained"].map(|directory| root.join(directory));
+    let mut paths = directories
+        .iter()
+        .flat_map(|directory| fs::read_dir(directory).expect("the test data is in place"))
         .map(|entry| entry.expect("a readable entry").path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "lag"))
         .collect::<Vec<_>>();
@@ -20,7 +22,7 @@ fn systems() -> Vec<(String, String)> {
 #[test]
 fn every_system_is_read_except_its_constraints() {
     let systems = systems();
-    assert!(systems.len() >= 21);
+    assert!(systems.len() >= 25);
     for (name, text) in systems {
         let mut report = Report::default();
         let declaration = parse_text(&text, &mut report).expect("tokens");
