@@ -57,7 +57,8 @@ impl Expander {
 
     /// Expands everything `root` is made of, unless that alone would take all effort.
     pub(super) fn expand_all(&mut self, graph: &mut Graph, root: ExprId) -> Option<()> {
-        let parts = graph.reachable(&[root]);
+        let mut parts = graph.reachable(&[root]);
+        parts.retain(|id| !self.expanded.contains(id));
         self.spend(parts.len())?;
         for id in parts {
             let polynomial = match self.expand(graph, id) {

@@ -20,7 +20,7 @@ mod size;
 mod waves;
 
 pub use collect::collect;
-pub use present::{present, proves_zero};
+pub use present::{present, present_all, proves_zero};
 pub use rules::{Arguments, RULES, Rule};
 
 #[cfg(test)]
