@@ -1,6 +1,6 @@
 //! What of an emitted system is known from its declaration alone: names, fields, types.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::collections::HashMap;
@@ -64,7 +64,7 @@ impl<'a> Shape<'a> {
     pub(super) fn docs(&self, name: &Name, line: &str) -> TokenStream {
         match self.docs.get(&name.text.as_str()) {
             Some(docs) => (*docs).clone(),
-            None => quote!(#[doc = #line]),
+            None => doc(line),
         }
     }
 
@@ -162,4 +162,15 @@ pub(super) fn identifier(name: &Name) -> Ident {
 /// An identifier that only generated code sees.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
+}
+
+/// A line of documentation, spaced as if it followed three slashes.
+pub(super) fn doc(line: &str) -> TokenStream {
+    let line = if line.is_empty() { String::new() } else { format!(" {line}") };
+    quote!(#[doc = #line])
+}
+
+/// The length of an array, as people write it.
+pub(super) fn length(length: usize) -> Literal {
+    Literal::usize_unsuffixed(length)
 }

@@ -32,17 +32,8 @@ pub enum Scalar {
     F64,
     /// `f32`; literals are written plainly, rounded once.
     F32,
-    /// A type parameter; literals are converted from `f64`.
+    /// A type parameter bounded by `Scalar`; literals are converted from `f64`.
     Generic(Ident),
-}
-
-/// What emitted code looks like apart from what it computes.
-#[derive(Clone, Debug)]
-pub struct BodyStyle {
-    /// The type to compute with.
-    pub scalar: Scalar,
-    /// The path of the crate `lagrange`, such as `::lagrange`.
-    pub krate: TokenStream,
 }
 
 /// A program as Rust.
@@ -81,7 +72,7 @@ impl std::error::Error for Unrepresentable {}
 pub fn body(
     program: &Program,
     symbols: &Symbols,
-    style: &BodyStyle,
+    scalar: &Scalar,
     names: &mut Names,
 ) -> Result<Body, Unrepresentable> {
     // Every other function is a word of the language, which no symbol can be called.
@@ -89,7 +80,7 @@ pub fn body(
     let used = used_roles(program);
     // Symbols get their names before anything else can take them.
     used.iter().for_each(|&role| drop(names.role(symbols, role)));
-    Writer::new(program, symbols, style, names).write(used)
+    Writer::new(program, symbols, scalar, names).write(used)
 }
 
 fn used_roles(program: &Program) -> Vec<Role> {

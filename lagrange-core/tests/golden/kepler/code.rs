@@ -1,26 +1,26 @@
 /// A planet in polar coordinates about the sun.
 ///
-///# Equations of motion
+/// # Equations of motion
 ///
-///```text
-///m*ddot(r) = m*r*dot(phi)^2 - m*mu/r^2
-///m*r^2*ddot(phi) = -2*m*r*dot(r)*dot(phi)
-///```
+/// ```text
+/// m*ddot(r) = m*r*dot(phi)^2 - m*mu/r^2
+/// m*r^2*ddot(phi) = -2*m*r*dot(r)*dot(phi)
+/// ```
 ///
-///# State and structure
+/// # State and structure
 ///
-///- State: `[r, phi, r_dot, phi_dot]`.
-///- Mass matrix: diagonal, depends on the configuration.
-///- Cyclic coordinates: `phi`.
-///- Conserved: the momentum of `phi`, the energy function.
-///- One evaluation of `acceleration`: 1 addition, 9 multiplications, 3 divisions; the mass matrix is factorised, which costs no more than recursion.
+/// - State: `[r, phi, r_dot, phi_dot]`.
+/// - Mass matrix: diagonal, depends on the configuration.
+/// - Cyclic coordinates: `phi`.
+/// - Conserved: the momentum of `phi`, the energy function.
+/// - Accelerations: each equation divided by its entry of the mass matrix; 1 addition, 7 multiplications, 1 division.
 pub struct Kepler<S> {
-    ///Parameter `m`.
+    /// Parameter `m`.
     pub m: S,
-    ///Parameter `mu`.
+    /// Parameter `mu`.
     pub mu: S,
 }
-///State of [`Kepler`]: coordinates, then velocities.
+/// State of [`Kepler`]: coordinates, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -28,13 +28,13 @@ pub struct Kepler<S> {
     ::core::cmp::PartialEq
 )]
 pub struct KeplerState<S> {
-    ///Coordinate `r`.
+    /// Coordinate `r`.
     pub r: S,
-    ///Coordinate `phi`.
+    /// Coordinate `phi`.
     pub phi: S,
-    ///Velocity of `r`.
+    /// Velocity of `r`.
     pub r_dot: S,
-    ///Velocity of `phi`.
+    /// Velocity of `phi`.
     pub phi_dot: S,
 }
 const _: () = {
@@ -52,146 +52,158 @@ const _: () = {
                       and the names of the formulas"
     )]
     impl<S: ::lagrange::Scalar> Kepler<S> {
-        ///Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the coordinates.
+        ///
+        /// Takes 1 addition, 7 multiplications, 1 division.
         #[must_use]
         #[inline]
-        pub fn acceleration(
-            &self,
-            t: S,
-            q: &[S; 2usize],
-            v: &[S; 2usize],
-        ) -> [S; 2usize] {
-            let Self { m, mu } = *self;
+        pub fn acceleration(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
+            let Self { mu, .. } = *self;
             let [r, _] = *q;
             let [r_dot, phi_dot] = *v;
-            let pos_0 = m * r;
-            let r_sq = r * r;
+            let inv_r = S::ONE / r;
             let phi_dot_sq = phi_dot * phi_dot;
-            let bias_0 = multiply_add(-pos_0, phi_dot_sq, m * mu / r_sq);
-            let m_1_1 = m * r_sq;
-            [
-                -bias_0 / m,
-                <S as ::lagrange::Scalar>::from_f64(-2.0) * pos_0 * phi_dot * r_dot
-                    / m_1_1,
-            ]
+            let inv_r_sq = inv_r * inv_r;
+            let r_ddot = multiply_add(-mu, inv_r_sq, r * phi_dot_sq);
+            let phi_ddot = S::from_f64(-2.0) * inv_r * r_dot * phi_dot;
+            [r_ddot, phi_ddot]
         }
-        ///Mass matrix M, in rows.
+        /// Mass matrix M, in rows.
+        ///
+        /// Takes 2 multiplications.
         #[must_use]
         #[inline]
-        pub fn mass_matrix(&self, t: S, q: &[S; 2usize]) -> [[S; 2usize]; 2usize] {
+        pub fn mass_matrix(&self, t: S, q: &[S; 2]) -> [[S; 2]; 2] {
             let Self { m, .. } = *self;
             let [r, _] = *q;
-            let m_0_1 = <S as ::lagrange::Scalar>::ZERO;
+            let const_0 = S::ZERO;
             let r_sq = r * r;
             let m_1_1 = m * r_sq;
-            [[m, m_0_1], [m_0_1, m_1_1]]
+            [[m, const_0], [const_0, m_1_1]]
         }
-        ///Right-hand side f of M q̈ = f.
+        /// Right-hand side f of M q̈ = f.
+        ///
+        /// Takes 1 addition, 8 multiplications, 1 division.
         #[must_use]
         #[inline]
-        pub fn forcing(&self, t: S, q: &[S; 2usize], v: &[S; 2usize]) -> [S; 2usize] {
+        pub fn forcing(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
             let Self { m, mu } = *self;
             let [r, _] = *q;
             let [r_dot, phi_dot] = *v;
-            let pos_0 = m * r;
+            let m_r = m * r;
             let r_sq = r * r;
             let phi_dot_sq = phi_dot * phi_dot;
-            let bias_0 = multiply_add(-pos_0, phi_dot_sq, m * mu / r_sq);
-            [
-                -bias_0,
-                <S as ::lagrange::Scalar>::from_f64(-2.0) * pos_0 * phi_dot * r_dot,
-            ]
+            let forcing_0 = multiply_add(m_r, phi_dot_sq, -m * mu / r_sq);
+            let forcing_1 = S::from_f64(-2.0) * m_r * phi_dot * r_dot;
+            [forcing_0, forcing_1]
         }
-        ///Generalised momenta ∂L/∂v.
+        /// Generalised momenta ∂L/∂v.
+        ///
+        /// Takes 4 multiplications.
         #[must_use]
         #[inline]
-        pub fn momenta(&self, t: S, q: &[S; 2usize], v: &[S; 2usize]) -> [S; 2usize] {
+        pub fn momenta(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
             let Self { m, .. } = *self;
             let [r, _] = *q;
             let [r_dot, phi_dot] = *v;
             let r_sq = r * r;
             [m * r_dot, m * r_sq * phi_dot]
         }
-        ///Kinetic energy T.
+        /// Kinetic energy T.
+        ///
+        /// Takes 1 addition, 6 multiplications.
         #[must_use]
         #[inline]
-        pub fn kinetic_energy(&self, t: S, q: &[S; 2usize], v: &[S; 2usize]) -> S {
+        pub fn kinetic_energy(&self, t: S, q: &[S; 2], v: &[S; 2]) -> S {
             let Self { m, .. } = *self;
             let [r, _] = *q;
             let [r_dot, phi_dot] = *v;
             let r_sq = r * r;
             let phi_dot_sq = phi_dot * phi_dot;
-            let vel_0 = multiply_add(r_sq, phi_dot_sq, r_dot * r_dot);
-            <S as ::lagrange::Scalar>::from_f64(0.5) * m * vel_0
+            S::from_f64(0.5) * m * multiply_add(r_sq, phi_dot_sq, r_dot * r_dot)
         }
-        ///Potential energy V.
+        /// Potential energy V.
+        ///
+        /// Takes 1 multiplication, 1 division.
         #[must_use]
         #[inline]
-        pub fn potential_energy(&self, t: S, q: &[S; 2usize]) -> S {
+        pub fn potential_energy(&self, t: S, q: &[S; 2]) -> S {
             let Self { m, mu } = *self;
             let [r, _] = *q;
             -m * mu / r
         }
-        ///Energy function v·∂L/∂v − L.
+        /// Energy function v·∂L/∂v − L.
+        ///
+        /// Takes 2 additions, 7 multiplications, 1 division.
         #[must_use]
         #[inline]
-        pub fn energy(&self, t: S, q: &[S; 2usize], v: &[S; 2usize]) -> S {
+        pub fn energy(&self, t: S, q: &[S; 2], v: &[S; 2]) -> S {
             let Self { m, mu } = *self;
             let [r, _] = *q;
             let [r_dot, phi_dot] = *v;
             let r_sq = r * r;
             let phi_dot_sq = phi_dot * phi_dot;
             let vel_0 = multiply_add(r_sq, phi_dot_sq, r_dot * r_dot);
-            multiply_add(
-                <S as ::lagrange::Scalar>::from_f64(0.5) * m,
-                vel_0,
-                -m * mu / r,
-            )
+            multiply_add(S::from_f64(0.5) * m, vel_0, -m * mu / r)
         }
-        ///Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        ///to produce the accelerations `a`.
+        /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
+        /// to produce the accelerations `a`.
+        ///
+        /// Takes 3 additions, 11 multiplications, 1 division.
         #[must_use]
         #[inline]
         pub fn inverse_dynamics(
             &self,
             t: S,
-            q: &[S; 2usize],
-            v: &[S; 2usize],
-            a: &[S; 2usize],
-        ) -> [S; 2usize] {
+            q: &[S; 2],
+            v: &[S; 2],
+            a: &[S; 2],
+        ) -> [S; 2] {
             let Self { m, mu } = *self;
             let [r, _] = *q;
             let [r_dot, phi_dot] = *v;
             let [r_ddot, phi_ddot] = *a;
-            let pos_0 = m * r;
+            let m_r = m * r;
             let r_sq = r * r;
             let phi_dot_sq = phi_dot * phi_dot;
             let m_1_1 = m * r_sq;
-            let vel_0 = <S as ::lagrange::Scalar>::from_f64(2.0) * pos_0 * phi_dot
-                * r_dot;
             [
-                multiply_add(m, r_ddot, multiply_add(-pos_0, phi_dot_sq, m * mu / r_sq)),
-                multiply_add(m_1_1, phi_ddot, vel_0),
+                multiply_add(m, r_ddot, multiply_add(-m_r, phi_dot_sq, m * mu / r_sq)),
+                multiply_add(m_1_1, phi_ddot, S::from_f64(2.0) * m_r * phi_dot * r_dot),
             ]
         }
         /// Rate of the state: velocities, then accelerations.
         #[must_use]
         #[inline]
-        pub fn rhs(&self, t: S, y: &[S; 4usize]) -> [S; 4usize] {
+        pub fn rhs(&self, t: S, y: &[S; 4]) -> [S; 4] {
             let [r, phi, r_dot, phi_dot] = *y;
             let a = self.acceleration(t, &[r, phi], &[r_dot, phi_dot]);
-            [r_dot, phi_dot, a[0usize], a[1usize]]
+            [r_dot, phi_dot, a[0], a[1]]
+        }
+    }
+    impl<S> KeplerState<S> {
+        /// The coordinates in their order.
+        #[must_use]
+        #[inline]
+        pub fn coordinates(self) -> [S; 2] {
+            [self.r, self.phi]
+        }
+        /// The velocities in the order of the coordinates.
+        #[must_use]
+        #[inline]
+        pub fn velocities(self) -> [S; 2] {
+            [self.r_dot, self.phi_dot]
         }
     }
     #[automatically_derived]
-    impl<S> ::core::convert::From<[S; 4usize]> for KeplerState<S> {
+    impl<S> ::core::convert::From<[S; 4]> for KeplerState<S> {
         #[inline]
-        fn from([r, phi, r_dot, phi_dot]: [S; 4usize]) -> Self {
+        fn from([r, phi, r_dot, phi_dot]: [S; 4]) -> Self {
             Self { r, phi, r_dot, phi_dot }
         }
     }
     #[automatically_derived]
-    impl<S> ::core::convert::From<KeplerState<S>> for [S; 4usize] {
+    impl<S> ::core::convert::From<KeplerState<S>> for [S; 4] {
         #[inline]
         fn from(state: KeplerState<S>) -> Self {
             [state.r, state.phi, state.r_dot, state.phi_dot]
@@ -200,25 +212,25 @@ const _: () = {
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::OdeSystem for Kepler<S> {
         type Scalar = S;
-        type State = [S; 4usize];
+        type State = [S; 4];
         #[inline]
-        fn rhs(&self, t: S, y: &[S; 4usize]) -> [S; 4usize] {
+        fn rhs(&self, t: S, y: &[S; 4]) -> [S; 4] {
             self.rhs(t, y)
         }
     }
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::MechanicalSystem for Kepler<S> {
-        type Coordinates = [S; 2usize];
+        type Coordinates = [S; 2];
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["r", "phi"];
         #[inline]
-        fn acceleration(&self, t: S, q: &[S; 2usize], v: &[S; 2usize]) -> [S; 2usize] {
+        fn acceleration(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
             self.acceleration(t, q, v)
         }
     }
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::EnergyFunction for Kepler<S> {
         #[inline]
-        fn energy(&self, t: S, q: &[S; 2usize], v: &[S; 2usize]) -> S {
+        fn energy(&self, t: S, q: &[S; 2], v: &[S; 2]) -> S {
             self.energy(t, q, v)
         }
     }

@@ -3,16 +3,12 @@ mod meaning;
 use proc_macro2::{Ident, Span};
 use quote::quote;
 
-use super::{BodyStyle, Names, Scalar, Unrepresentable, body};
+use super::{Names, Scalar, Unrepresentable, body};
 use crate::expr::{ExprId, Function, Graph, Relation};
 use crate::functions::apply;
 use crate::number::Number;
 use crate::program::{Labels, lower, optimise};
 use crate::symbol::Role;
-
-fn style(scalar: Scalar) -> BodyStyle {
-    BodyStyle { scalar, krate: quote!(::lagrange) }
-}
 
 fn generic() -> Scalar {
     Scalar::Generic(Ident::new("S", Span::call_site()))
@@ -22,7 +18,7 @@ fn generic() -> Scalar {
 fn function(graph: &Graph, outputs: &[ExprId], labels: &Labels, scalar: Scalar) -> String {
     let program = optimise(&lower(graph, outputs, labels));
     let mut names = Names::default();
-    let body = body(&program, graph.symbols(), &style(scalar), &mut names).expect("moderate numbers");
+    let body = body(&program, graph.symbols(), &scalar, &mut names).expect("moderate numbers");
     let inputs = body.used.iter().map(|&role| names.role(graph.symbols(), role));
     let (statements, outputs) = (&body.statements, &body.outputs);
     let function = quote! {
@@ -187,7 +183,7 @@ fn numbers_out_of_range_are_reported_once() {
     let large = Number::parse_decimal("1e60").expect("a literal");
     let outputs = [a, b].map(|term| graph.scale(large.clone(), term));
     let program = lower(&graph, &outputs, &Labels::default());
-    let write = |scalar| body(&program, graph.symbols(), &style(scalar), &mut Names::default());
+    let write = |scalar| body(&program, graph.symbols(), &scalar, &mut Names::default());
     assert!(write(Scalar::F64).is_ok());
     assert_eq!(write(Scalar::F32).err(), Some(Unrepresentable { constants: vec!["about 1e60".to_owned()] }));
 }
@@ -202,7 +198,7 @@ fn long_formulas_are_split_and_deep_ones_need_no_stack() {
             graph.divide(sum, a)
         });
         let program = optimise(&lower(&graph, &[root], &Labels::default()));
-        let body = body(&program, graph.symbols(), &style(Scalar::F64), &mut Names::default());
+        let body = body(&program, graph.symbols(), &Scalar::F64, &mut Names::default());
         let statements = body.expect("no constants").statements.to_string();
         let lengths = statements.split(';').map(str::len).collect::<Vec<_>>();
         assert!(lengths.len() > 10_000, "{}", lengths.len());
@@ -226,7 +222,7 @@ fn operands_are_parenthesised_where_needed() {
     let expected = ["(a + b) / (c - d)", "exp(-(a + b))", "-0.5 * (a + b) / (c - d)", "a + b - c + d"];
     for (output, expected) in outputs.into_iter().zip(expected) {
         let program = lower(g, &[output], &Labels::default());
-        let body = body(&program, g.symbols(), &style(Scalar::F64), &mut Names::default());
+        let body = body(&program, g.symbols(), &Scalar::F64, &mut Names::default());
         let written = body.expect("moderate numbers").outputs.remove(0);
         let expected: proc_macro2::TokenStream = expected.parse().expect("Rust");
         assert_eq!(written.to_string(), expected.to_string());
