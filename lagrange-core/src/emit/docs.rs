@@ -14,6 +14,8 @@ const READING_BUDGET: usize = 120;
 const LARGEST_PRESENTED: usize = 300;
 /// Systems with more coordinates are too large for their equations to be read.
 const MOST_COORDINATES: usize = 6;
+/// Equations with more abbreviations are harder to read than the code.
+const MOST_ABBREVIATIONS: usize = 12;
 /// Equations longer than this, in characters, are left out.
 const LONGEST_EQUATIONS: usize = 4000;
 
@@ -26,28 +28,35 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
     if model.coordinates.len() > MOST_COORDINATES {
         return None;
     }
-    let sides = sides(model, equations)?;
-    let lines = lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS));
-    (lines.iter().map(String::len).sum::<usize>() <= LONGEST_EQUATIONS).then_some(lines)
+    let forcing = readable(&mut model.graph, equations.forcing.as_ref()?);
+    // The right sides are the longer ones: if they cannot be read, the left ones need not be tried.
+    readable_lines(text::definitions(&model.graph, &forcing, LONGEST_EQUATIONS))?;
+    let sides = sides(model, equations, &forcing)?;
+    readable_lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS))
 }
 
 /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
 /// short. Empty if the mass matrix or the forcing is not wanted.
 pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
-    let sides = sides(model, equations).unwrap_or_default();
+    let Some(forcing) = &equations.forcing else { return String::new() };
+    let forcing = readable(&mut model.graph, forcing);
+    let sides = sides(model, equations, &forcing).unwrap_or_default();
     lines(latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS)).join("\n")
 }
 
-/// The left and the right side of each row of M q̈ = f, in the form a textbook would print if that can be
-/// found quickly.
-fn sides(model: &mut Model, equations: &Equations) -> Option<Vec<ExprId>> {
-    let (mass, forcing) = (equations.mass_matrix.as_ref()?, equations.forcing.as_ref()?);
-    // The right sides first: all entries share a bounded effort, and right sides gain most from it.
-    let entries = forcing.iter().chain(mass.iter().flatten()).copied().collect::<Vec<_>>();
-    let readable = readable(&mut model.graph, &entries);
-    let (forcing, mass) = readable.split_at(forcing.len());
+/// The left and the right side of each row of M q̈ = f.
+fn sides(model: &mut Model, equations: &Equations, forcing: &[ExprId]) -> Option<Vec<ExprId>> {
+    let mass = readable(&mut model.graph, &equations.mass_matrix.as_ref()?.concat());
     let rows = mass.chunks(forcing.len().max(1)).zip(forcing);
     Some(rows.flat_map(|(row, &right)| [left_side(model, row), right]).collect())
+}
+
+/// The lines, unless there are too many characters or abbreviations.
+fn readable_lines(definitions: (Vec<(String, String)>, Vec<String>)) -> Option<Vec<String>> {
+    let abbreviations = definitions.0.len();
+    let lines = lines(definitions);
+    let length = lines.iter().map(String::len).sum::<usize>();
+    (length <= LONGEST_EQUATIONS && abbreviations <= MOST_ABBREVIATIONS).then_some(lines)
 }
 
 /// Equations between names and what they abbreviate, then between left and right sides.
@@ -65,7 +74,7 @@ fn left_side(model: &mut Model, row: &[ExprId]) -> ExprId {
     model.graph.sum(Number::ZERO, terms)
 }
 
-/// The expressions with those replaced that are small enough to be presented.
+/// The expressions in the form a textbook would print, if that can be found quickly.
 fn readable(graph: &mut Graph, expressions: &[ExprId]) -> Vec<ExprId> {
     let is_small = |&&id: &&ExprId| graph.reachable(&[id]).len() <= LARGEST_PRESENTED;
     let small = expressions.iter().filter(is_small).copied().collect::<Vec<_>>();

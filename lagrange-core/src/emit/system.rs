@@ -262,7 +262,7 @@ const POTENTIAL: [&str; 1] = ["Potential energy V."];
 const ENERGY: [&str; 1] = ["Energy function v·∂L/∂v − L."];
 const INVERSE: [&str; 2] = [
     "Inverse dynamics: the generalised forces that must act, in addition to the declared ones,",
-    "to produce the accelerations `a`.",
+    "to produce given accelerations.",
 ];
 
 /// Names of the user that stand in the methods' bodies beside the arguments.

@@ -22,7 +22,7 @@ use crate::number::Number;
 /// Higher powers of sums are left as powers.
 const HIGHEST_POWER: i32 = 8;
 /// How many monomials may be made on the way for each one allowed in a result.
-const EFFORT_PER_MONOMIAL: usize = 100;
+const EFFORT_PER_MONOMIAL: usize = 50;
 
 /// What the result is for.
 #[derive(Clone, Copy, PartialEq, Eq)]

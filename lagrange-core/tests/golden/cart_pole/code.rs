@@ -194,7 +194,7 @@ const _: () = {
             multiply_add(-mp * g * l, cos_theta, 0.5 * vel_0)
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        /// to produce the accelerations `a`.
+        /// to produce given accelerations.
         ///
         /// Takes 8 additions, 16 multiplications, 1 sin_cos.
         #[must_use]

@@ -132,7 +132,7 @@ const _: () = {
             multiply_add(-q * e, x, vel_0)
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        /// to produce the accelerations `a`.
+        /// to produce given accelerations.
         ///
         /// Takes 3 additions, 7 multiplications.
         #[must_use]

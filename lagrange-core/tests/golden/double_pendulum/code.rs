@@ -236,7 +236,7 @@ const _: () = {
             multiply_add(m2 * g, y2, multiply_add(-m1 * g, l1_cos_theta1, vel_1))
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        /// to produce the accelerations `a`.
+        /// to produce given accelerations.
         ///
         /// Takes 12 additions, 28 multiplications, 2 sin_cos.
         #[must_use]

@@ -161,7 +161,7 @@ const _: () = {
             multiply_add(-m * g * sin(alpha), s, 0.75 * m * s_dot_sq)
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        /// to produce the accelerations `a`.
+        /// to produce given accelerations.
         ///
         /// Takes 4 additions, 12 multiplications, 1 division, 2 functions, 2 selections.
         #[must_use]

@@ -192,7 +192,7 @@ const _: () = {
             multiply_add(m * h * g, cos_theta, 0.5 * multiply_add(i3, vel_0_sq, vel_1))
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        /// to produce the accelerations `a`.
+        /// to produce given accelerations.
         ///
         /// Takes 9 additions, 25 multiplications, 1 sin_cos.
         #[must_use]

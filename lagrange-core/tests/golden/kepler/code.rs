@@ -147,7 +147,7 @@ const _: () = {
             multiply_add(S::from_f64(0.5) * m, vel_0, -m * mu / r)
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        /// to produce the accelerations `a`.
+        /// to produce given accelerations.
         ///
         /// Takes 3 additions, 11 multiplications, 1 division.
         #[must_use]

@@ -127,7 +127,7 @@ const _: () = {
             multiply_add(-m * l * g, cos(theta), 0.5 * m * l_theta_dot_sq)
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        /// to produce the accelerations `a`.
+        /// to produce given accelerations.
         ///
         /// Takes 1 addition, 5 multiplications, 1 function.
         #[must_use]

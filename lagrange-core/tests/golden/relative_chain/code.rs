@@ -372,7 +372,7 @@ const _: () = {
             multiply_add(m3 * g, y3, vel_3)
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        /// to produce the accelerations `a`.
+        /// to produce given accelerations.
         ///
         /// Takes 28 additions, 42 multiplications, 3 sin_cos.
         #[must_use]

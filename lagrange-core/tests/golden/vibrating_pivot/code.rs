@@ -160,7 +160,7 @@ const _: () = {
             multiply_add(theta_dot, vel_1, vel_0)
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
-        /// to produce the accelerations `a`.
+        /// to produce given accelerations.
         ///
         /// Takes 5 additions, 18 multiplications, 1 function, 1 sin_cos.
         #[must_use]
