@@ -152,7 +152,9 @@ fn mass_text(structure: &Structure, join: impl Fn(&[usize]) -> String) -> String
 
 fn road_text(equations: &Equations) -> &'static str {
     match (equations.road, equations.costs) {
-        _ if equations.structure.mass.is_diagonal() => "each equation divided by its entry of the mass matrix",
+        _ if equations.structure.mass.is_diagonal() => {
+            "each equation divided by its entry of the mass matrix"
+        }
         (Road::Dense, [_, Some(_)]) => "the mass matrix is factorised, which costs no more than recursion",
         (Road::Dense, _) => "the mass matrix is factorised",
         (Road::Recursive, [Some(_), _]) => {

@@ -83,7 +83,8 @@ fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStr
     let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
     // An attribute is a number sign and a group in brackets.
     let attributes = tokens.chunks(2).map(|attribute| attribute.iter().cloned().collect::<TokenStream>());
-    attributes.partition(|attribute| attribute.to_string().trim_start_matches(['#', '[', ' ']).starts_with("doc"))
+    attributes
+        .partition(|attribute| attribute.to_string().trim_start_matches(['#', '[', ' ']).starts_with("doc"))
 }
 
 fn coordinate_list(shape: &Shape<'_>) -> String {
@@ -98,12 +99,11 @@ fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());
     let visibility = &shape.declaration.visibility;
     let title = doc(&format!("State of [`{}`]: coordinates, then velocities.", shape.declaration.name.text));
-    let docs =
-        shape.coordinates.iter().map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text))).chain(
-            shape.coordinates.iter().map(|name| {
-                doc(&format!("Velocity of `{}`.", name.text))
-            }),
-        );
+    let docs = shape
+        .coordinates
+        .iter()
+        .map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text)))
+        .chain(shape.coordinates.iter().map(|name| doc(&format!("Velocity of `{}`.", name.text))));
     let fields = shape.state_fields();
     quote! {
         #title

@@ -161,7 +161,7 @@ impl<'a> Writer<'a> {
 
     fn body(&mut self, program: &Program, arguments: Arguments, returns: Returns) -> TokenStream {
         let symbols = self.model.graph.symbols();
-        let reserved = arguments.vectors(&self.names).iter().map(|name| name.to_string()).collect::<Vec<_>>();
+        let reserved = arguments.vectors(&self.names).iter().map(ToString::to_string).collect::<Vec<_>>();
         let mut names = Names::new(reserved.iter().map(String::as_str));
         match body(program, symbols, &self.scalar, &mut names) {
             Ok(body) => {

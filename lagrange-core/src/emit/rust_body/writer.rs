@@ -318,7 +318,10 @@ impl<'a> Writer<'a> {
             Scalar::F32 => quote_spanned!(Span::mixed_site()=> f32),
             Scalar::Generic(scalar) => scalar.to_token_stream(),
         };
-        Fragment::atom(quote_spanned!(Span::mixed_site()=> #scalar::#item), "S::".len() + item.to_string().len())
+        Fragment::atom(
+            quote_spanned!(Span::mixed_site()=> #scalar::#item),
+            "S::".len() + item.to_string().len(),
+        )
     }
 }
 

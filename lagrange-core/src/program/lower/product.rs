@@ -1,7 +1,7 @@
 //! Products: numerators multiplied, divided once by the product of the denominators.
 
-use super::{Lowering, Signed};
 use super::sharing::Reciprocal;
+use super::{Lowering, Signed};
 use crate::expr::{ExprId, Function};
 use crate::number::Number;
 use crate::program::{Op, ValueId, Variability};

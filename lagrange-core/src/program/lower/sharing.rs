@@ -106,7 +106,8 @@ impl Sharing {
         let mut factors: Vec<(ExprId, Number)> = Vec::new();
         for (base, exponent) in self.flat_factors(graph, product) {
             let is_shared = exponent.is_one() && self.squares.get(&base).is_some_and(|&count| count > 1);
-            let same = |(known, power): &&mut (ExprId, Number)| is_shared && *known == base && power.is_integer();
+            let same =
+                |(known, power): &&mut (ExprId, Number)| is_shared && *known == base && power.is_integer();
             match factors.iter_mut().find(same) {
                 Some((_, power)) => *power = &*power + &exponent,
                 None => factors.push((base, exponent)),

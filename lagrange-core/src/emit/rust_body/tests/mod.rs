@@ -15,10 +15,10 @@ fn generic() -> Scalar {
 }
 
 /// The body as a formatted function.
-fn function(graph: &Graph, outputs: &[ExprId], labels: &Labels, scalar: Scalar) -> String {
+fn function(graph: &Graph, outputs: &[ExprId], labels: &Labels, scalar: &Scalar) -> String {
     let program = optimise(&lower(graph, outputs, labels));
     let mut names = Names::default();
-    let body = body(&program, graph.symbols(), &scalar, &mut names).expect("moderate numbers");
+    let body = body(&program, graph.symbols(), scalar, &mut names).expect("moderate numbers");
     let inputs = body.used.iter().map(|&role| names.role(graph.symbols(), role));
     let (statements, outputs) = (&body.statements, &body.outputs);
     let function = quote! {
@@ -138,7 +138,7 @@ fn orbit() -> (Graph, Vec<ExprId>, Labels) {
 #[test]
 fn roots_and_reciprocals_are_named_after_what_they_are_of() {
     let (graph, outputs, labels) = orbit();
-    insta::assert_snapshot!("orbit", function(&graph, &outputs, &labels, Scalar::F64));
+    insta::assert_snapshot!("orbit", function(&graph, &outputs, &labels, &Scalar::F64));
 }
 
 #[test]
@@ -155,25 +155,25 @@ fn parts_of_a_pair_keep_their_labels() {
 #[test]
 fn a_pendulum_reads_like_written_by_hand() {
     let (graph, outputs, labels) = pendulum();
-    insta::assert_snapshot!("pendulum", function(&graph, &outputs, &labels, Scalar::F64));
+    insta::assert_snapshot!("pendulum", function(&graph, &outputs, &labels, &Scalar::F64));
 }
 
 #[test]
 fn elimination_reads_like_written_by_hand() {
     let (graph, outputs, labels) = double_pendulum();
-    insta::assert_snapshot!("elimination", function(&graph, &outputs, &labels, Scalar::F64));
+    insta::assert_snapshot!("elimination", function(&graph, &outputs, &labels, &Scalar::F64));
 }
 
 #[test]
 fn a_choice_is_not_a_number_where_its_condition_is_none() {
     let (graph, outputs, labels) = contact();
-    insta::assert_snapshot!("contact", function(&graph, &outputs, &labels, Scalar::F32));
+    insta::assert_snapshot!("contact", function(&graph, &outputs, &labels, &Scalar::F32));
 }
 
 #[test]
 fn generic_code_converts_its_constants() {
     let (graph, outputs, labels) = contact();
-    insta::assert_snapshot!("contact_generic", function(&graph, &outputs, &labels, generic()));
+    insta::assert_snapshot!("contact_generic", function(&graph, &outputs, &labels, &generic()));
 }
 
 #[test]
