@@ -147,9 +147,9 @@ fn parts_of_a_pair_keep_their_labels() {
     let theta = graph.symbol("theta", Role::Coordinate(0));
     let [sin, cos] = [Function::Sin, Function::Cos].map(|f| apply(&mut graph, f, &[theta]));
     labels.insert(sin, "s");
-    let text = function(&graph, &[sin, cos], &labels, Scalar::F64);
+    let text = function(&graph, &[sin, cos], &labels, &Scalar::F64);
     assert!(text.contains("let (s, cos_theta) = sin_cos(theta);"), "{text}");
-    assert_eq!(text, function(&graph, &[sin, cos], &labels, Scalar::F64));
+    assert_eq!(text, function(&graph, &[sin, cos], &labels, &Scalar::F64));
 }
 
 #[test]
