@@ -53,8 +53,12 @@ fn equations(derived: &Derived) -> String {
         }
         writeln!(out, "f[{i}] = {}", text::text(graph, *forcing)).expect("a string");
     }
-    writeln!(out, "\n{:#?}", equations.structure).expect("a string");
-    writeln!(out, "road: {:?}, costs: {:?}", equations.road, equations.costs).expect("a string");
+    let structure = &equations.structure;
+    writeln!(out, "\n{:?}", structure.mass).expect("a string");
+    writeln!(out, "cyclic: {:?}", structure.cyclic).expect("a string");
+    writeln!(out, "conserved: {:?}", structure.conserved).expect("a string");
+    let [dense, recursive] = equations.costs;
+    writeln!(out, "road: {:?} (dense {dense:?}, recursive {recursive:?})", equations.road).expect("a string");
     out
 }
 

@@ -104,7 +104,8 @@ pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: Oper
     lines.extend([String::new(), "# State and structure".to_owned(), String::new()]);
     lines.push(format!("- State: `[{}]`.", state_order(model)));
     lines.extend(structure_lines(model, &equations.structure));
-    lines.push(format!("- Accelerations: {}; {counts}.", road_text(equations)));
+    lines.push(format!("- Accelerations: {}.", road_text(equations)));
+    lines.push(format!("- Cost of `acceleration`: {}.", counts_text(counts)));
     lines
 }
 
@@ -148,6 +149,11 @@ fn mass_text(structure: &Structure, join: impl Fn(&[usize]) -> String) -> String
         _ => "depends on the configuration",
     };
     format!("{shape}, {dependence}")
+}
+
+/// Operation counts in Markdown.
+pub(super) fn counts_text(counts: OperationCounts) -> String {
+    counts.to_string().replace("sin_cos", "`sin_cos`")
 }
 
 fn road_text(equations: &Equations) -> &'static str {

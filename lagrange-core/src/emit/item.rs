@@ -58,7 +58,10 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         docs.push(doc(""));
         docs.extend(parts.docs.iter().map(|line| doc(line)));
     }
-    let field_docs = shape.fields.iter().map(|name| shape.docs(name, &format!("Parameter `{}`.", name.text)));
+    let field_docs = shape
+        .fields
+        .iter()
+        .map(|name| shape.docs(name, &format!("{} `{}`.", shape.kind_of_field(name), name.text)));
     let fields = shape.fields.iter().map(|name| identifier(name));
     let fields = quote!(#(#field_docs pub #fields: #scalar,)*);
     let marker = shape.needs_marker().then(|| {
@@ -105,8 +108,12 @@ fn state_struct(shape: &Shape<'_>) -> TokenStream {
         .map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text)))
         .chain(shape.coordinates.iter().map(|name| doc(&format!("Velocity of `{}`.", name.text))));
     let fields = shape.state_fields();
+    let allow = (!generics.is_empty()).then(
+        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
+    );
     quote! {
         #title
+        #allow
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
             #(#docs pub #fields: #scalar,)*

@@ -60,6 +60,15 @@ impl<'a> Shape<'a> {
         self.outputs.retain(|(name, _)| first(name));
     }
 
+    /// What a field is.
+    pub(super) fn kind_of_field(&self, name: &Name) -> &'static str {
+        let is_input = self.declaration.statements.iter().any(|statement| match &statement.kind {
+            StatementKind::Inputs(list) => list.iter().any(|definition| definition.name.text == name.text),
+            _ => false,
+        });
+        if is_input { "Input" } else { "Parameter" }
+    }
+
     /// The user's documentation of a declared name, or else `line`.
     pub(super) fn docs(&self, name: &Name, line: &str) -> TokenStream {
         match self.docs.get(&name.text.as_str()) {

@@ -153,7 +153,7 @@ impl<'a> Writer<'a> {
             Some((output, _)) => (identifier(output), self.shape.docs(output, &docs.concat())),
             None => (format_ident!("{name}"), docs.iter().map(|line| doc(line)).collect()),
         };
-        let (blank, cost) = (doc(""), doc(&format!("Takes {counts}.")));
+        let (blank, cost) = (doc(""), doc(&format!("Takes {}.", docs::counts_text(counts))));
         let docs = if counts == OperationCounts::default() { docs } else { quote!(#docs #blank #cost) };
         self.methods.push(Method { name, docs, arguments, returns, body });
         counts

@@ -12,7 +12,8 @@
 /// - State: `[x, theta, x_dot, theta_dot]`.
 /// - Mass matrix: full, depends on the configuration.
 /// - Cyclic coordinates: `x`.
-/// - Accelerations: the mass matrix is factorised, which costs no more than recursion; 8 additions, 18 multiplications, 2 divisions, 1 sin_cos.
+/// - Accelerations: the mass matrix is factorised, which costs no more than recursion.
+/// - Cost of `acceleration`: 8 additions, 18 multiplications, 2 divisions, 1 `sin_cos`.
 #[derive(Clone, Debug)]
 pub struct CartPole {
     /// Parameter `mc`.
@@ -25,7 +26,7 @@ pub struct CartPole {
     pub c: ::core::primitive::f64,
     /// Parameter `g`.
     pub g: ::core::primitive::f64,
-    /// Parameter `u`.
+    /// Input `u`.
     pub u: ::core::primitive::f64,
 }
 /// State of [`CartPole`]: coordinates, then velocities.
@@ -63,7 +64,7 @@ const _: () = {
     impl CartPole {
         /// Accelerations in the order of the coordinates.
         ///
-        /// Takes 8 additions, 18 multiplications, 2 divisions, 1 sin_cos.
+        /// Takes 8 additions, 18 multiplications, 2 divisions, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
@@ -108,7 +109,7 @@ const _: () = {
         }
         /// Right-hand side f of M q̈ = f.
         ///
-        /// Takes 4 additions, 12 multiplications, 1 sin_cos.
+        /// Takes 4 additions, 12 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn forcing(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
@@ -126,7 +127,7 @@ const _: () = {
         }
         /// Generalised momenta ∂L/∂v.
         ///
-        /// Takes 3 additions, 10 multiplications, 1 sin_cos.
+        /// Takes 3 additions, 10 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn momenta(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
@@ -145,7 +146,7 @@ const _: () = {
         }
         /// Kinetic energy T.
         ///
-        /// Takes 3 additions, 10 multiplications, 1 sin_cos.
+        /// Takes 3 additions, 10 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn kinetic_energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
@@ -175,7 +176,7 @@ const _: () = {
         }
         /// Energy function v·∂L/∂v − L.
         ///
-        /// Takes 4 additions, 13 multiplications, 1 sin_cos.
+        /// Takes 4 additions, 13 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
@@ -196,7 +197,7 @@ const _: () = {
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
         /// to produce given accelerations.
         ///
-        /// Takes 8 additions, 16 multiplications, 1 sin_cos.
+        /// Takes 8 additions, 16 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn inverse_dynamics(
@@ -223,7 +224,7 @@ const _: () = {
         }
         /// Output `tip`.
         ///
-        /// Takes 1 addition, 2 multiplications, 1 sin_cos.
+        /// Takes 1 addition, 2 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn tip(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {

@@ -12,7 +12,8 @@
 /// - State: `[theta1, theta2, theta1_dot, theta2_dot]`.
 /// - Mass matrix: full, depends on the configuration.
 /// - Conserved: the energy function.
-/// - Accelerations: the mass matrix is factorised, which costs no more than recursion; 13 additions, 34 multiplications, 2 divisions, 2 sin_cos.
+/// - Accelerations: the mass matrix is factorised, which costs no more than recursion.
+/// - Cost of `acceleration`: 13 additions, 34 multiplications, 2 divisions, 2 `sin_cos`.
 pub struct DoublePendulum {
     /// Parameter `m1`.
     pub m1: ::core::primitive::f64,
@@ -60,7 +61,7 @@ const _: () = {
     impl DoublePendulum {
         /// Accelerations in the order of the coordinates.
         ///
-        /// Takes 13 additions, 34 multiplications, 2 divisions, 2 sin_cos.
+        /// Takes 13 additions, 34 multiplications, 2 divisions, 2 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
@@ -108,7 +109,7 @@ const _: () = {
         }
         /// Mass matrix M, in rows.
         ///
-        /// Takes 2 additions, 9 multiplications, 2 sin_cos.
+        /// Takes 2 additions, 9 multiplications, 2 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn mass_matrix(&self, t: f64, q: &[f64; 2]) -> [[f64; 2]; 2] {
@@ -127,7 +128,7 @@ const _: () = {
         }
         /// Right-hand side f of M q̈ = f.
         ///
-        /// Takes 8 additions, 20 multiplications, 2 sin_cos.
+        /// Takes 8 additions, 20 multiplications, 2 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn forcing(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
@@ -157,7 +158,7 @@ const _: () = {
         }
         /// Generalised momenta ∂L/∂v.
         ///
-        /// Takes 6 additions, 16 multiplications, 2 sin_cos.
+        /// Takes 6 additions, 16 multiplications, 2 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn momenta(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
@@ -184,7 +185,7 @@ const _: () = {
         }
         /// Kinetic energy T.
         ///
-        /// Takes 5 additions, 15 multiplications, 2 sin_cos.
+        /// Takes 5 additions, 15 multiplications, 2 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn kinetic_energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
@@ -214,7 +215,7 @@ const _: () = {
         }
         /// Energy function v·∂L/∂v − L.
         ///
-        /// Takes 8 additions, 19 multiplications, 2 sin_cos.
+        /// Takes 8 additions, 19 multiplications, 2 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
@@ -238,7 +239,7 @@ const _: () = {
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
         /// to produce given accelerations.
         ///
-        /// Takes 12 additions, 28 multiplications, 2 sin_cos.
+        /// Takes 12 additions, 28 multiplications, 2 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn inverse_dynamics(

@@ -10,7 +10,8 @@
 ///
 /// - State: `[s, s_dot]`.
 /// - Mass matrix: diagonal, constant.
-/// - Accelerations: each equation divided by its entry of the mass matrix; 3 additions, 11 multiplications, 2 divisions, 2 functions, 2 selections.
+/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Cost of `acceleration`: 3 additions, 11 multiplications, 2 divisions, 2 functions, 2 selections.
 pub struct FrictionPatch {
     /// Parameter `m`.
     pub m: ::core::primitive::f64,

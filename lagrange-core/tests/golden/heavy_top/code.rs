@@ -14,7 +14,8 @@
 /// - Mass matrix: blocks {`phi`, `psi`}, {`theta`}, depends on the configuration.
 /// - Cyclic coordinates: `phi`, `psi`.
 /// - Conserved: the momentum of `phi`, the momentum of `psi`, the energy function.
-/// - Accelerations: eliminated body by body, which costs less than factorising the mass matrix; 5 additions, 19 multiplications, 2 divisions, 1 sin_cos.
+/// - Accelerations: eliminated body by body, which costs less than factorising the mass matrix.
+/// - Cost of `acceleration`: 5 additions, 19 multiplications, 2 divisions, 1 `sin_cos`.
 pub struct HeavyTop {
     /// Parameter `i1`.
     pub i1: ::core::primitive::f64,
@@ -66,7 +67,7 @@ const _: () = {
     impl HeavyTop {
         /// Accelerations in the order of the coordinates.
         ///
-        /// Takes 5 additions, 19 multiplications, 2 divisions, 1 sin_cos.
+        /// Takes 5 additions, 19 multiplications, 2 divisions, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn acceleration(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
@@ -93,7 +94,7 @@ const _: () = {
         }
         /// Mass matrix M, in rows.
         ///
-        /// Takes 1 addition, 4 multiplications, 1 sin_cos.
+        /// Takes 1 addition, 4 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn mass_matrix(&self, t: f64, q: &[f64; 3]) -> [[f64; 3]; 3] {
@@ -108,7 +109,7 @@ const _: () = {
         }
         /// Right-hand side f of M q̈ = f.
         ///
-        /// Takes 5 additions, 20 multiplications, 1 sin_cos.
+        /// Takes 5 additions, 20 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn forcing(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
@@ -129,7 +130,7 @@ const _: () = {
         }
         /// Generalised momenta ∂L/∂v.
         ///
-        /// Takes 2 additions, 7 multiplications, 1 sin_cos.
+        /// Takes 2 additions, 7 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn momenta(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
@@ -147,7 +148,7 @@ const _: () = {
         }
         /// Kinetic energy T.
         ///
-        /// Takes 3 additions, 9 multiplications, 1 sin_cos.
+        /// Takes 3 additions, 9 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn kinetic_energy(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> f64 {
@@ -175,7 +176,7 @@ const _: () = {
         }
         /// Energy function v·∂L/∂v − L.
         ///
-        /// Takes 4 additions, 12 multiplications, 1 sin_cos.
+        /// Takes 4 additions, 12 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn energy(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> f64 {
@@ -194,7 +195,7 @@ const _: () = {
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
         /// to produce given accelerations.
         ///
-        /// Takes 9 additions, 25 multiplications, 1 sin_cos.
+        /// Takes 9 additions, 25 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn inverse_dynamics(

@@ -13,7 +13,8 @@
 /// - Mass matrix: diagonal, depends on the configuration.
 /// - Cyclic coordinates: `phi`.
 /// - Conserved: the momentum of `phi`, the energy function.
-/// - Accelerations: each equation divided by its entry of the mass matrix; 1 addition, 7 multiplications, 1 division.
+/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Cost of `acceleration`: 1 addition, 7 multiplications, 1 division.
 pub struct Kepler<S> {
     /// Parameter `m`.
     pub m: S,
@@ -21,6 +22,7 @@ pub struct Kepler<S> {
     pub mu: S,
 }
 /// State of [`Kepler`]: coordinates, then velocities.
+#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,

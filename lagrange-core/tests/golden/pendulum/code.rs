@@ -11,7 +11,8 @@
 /// - State: `[theta, theta_dot]`.
 /// - Mass matrix: diagonal, constant.
 /// - Conserved: the energy function.
-/// - Accelerations: each equation divided by its entry of the mass matrix; 1 multiplication, 1 division, 1 function.
+/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Cost of `acceleration`: 1 multiplication, 1 division, 1 function.
 pub struct Pendulum {
     /// Parameter `m`.
     pub m: ::core::primitive::f64,

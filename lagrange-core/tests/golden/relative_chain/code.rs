@@ -13,7 +13,8 @@
 /// - State: `[q1, q2, q3, q1_dot, q2_dot, q3_dot]`.
 /// - Mass matrix: full, depends on the configuration.
 /// - Conserved: the energy function.
-/// - Accelerations: the mass matrix is factorised, which costs no more than recursion; 48 additions, 63 multiplications, 3 divisions, 3 sin_cos.
+/// - Accelerations: the mass matrix is factorised, which costs no more than recursion.
+/// - Cost of `acceleration`: 48 additions, 63 multiplications, 3 divisions, 3 `sin_cos`.
 pub struct RelativeChain {
     /// Parameter `m1`.
     pub m1: ::core::primitive::f64,
@@ -69,7 +70,7 @@ const _: () = {
     impl RelativeChain {
         /// Accelerations in the order of the coordinates.
         ///
-        /// Takes 48 additions, 63 multiplications, 3 divisions, 3 sin_cos.
+        /// Takes 48 additions, 63 multiplications, 3 divisions, 3 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn acceleration(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
@@ -157,7 +158,7 @@ const _: () = {
         }
         /// Mass matrix M, in rows.
         ///
-        /// Takes 19 additions, 22 multiplications, 3 sin_cos.
+        /// Takes 19 additions, 22 multiplications, 3 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn mass_matrix(&self, t: f64, q: &[f64; 3]) -> [[f64; 3]; 3] {
@@ -197,7 +198,7 @@ const _: () = {
         }
         /// Right-hand side f of M q̈ = f.
         ///
-        /// Takes 21 additions, 30 multiplications, 3 sin_cos.
+        /// Takes 21 additions, 30 multiplications, 3 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn forcing(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
@@ -245,7 +246,7 @@ const _: () = {
         }
         /// Generalised momenta ∂L/∂v.
         ///
-        /// Takes 17 additions, 24 multiplications, 3 sin_cos.
+        /// Takes 17 additions, 24 multiplications, 3 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn momenta(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
@@ -286,7 +287,7 @@ const _: () = {
         }
         /// Kinetic energy T.
         ///
-        /// Takes 13 additions, 22 multiplications, 3 sin_cos.
+        /// Takes 13 additions, 22 multiplications, 3 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn kinetic_energy(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> f64 {
@@ -331,7 +332,7 @@ const _: () = {
         }
         /// Energy function v·∂L/∂v − L.
         ///
-        /// Takes 18 additions, 28 multiplications, 3 sin_cos.
+        /// Takes 18 additions, 28 multiplications, 3 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn energy(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> f64 {
@@ -374,7 +375,7 @@ const _: () = {
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
         /// to produce given accelerations.
         ///
-        /// Takes 28 additions, 42 multiplications, 3 sin_cos.
+        /// Takes 28 additions, 42 multiplications, 3 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn inverse_dynamics(

@@ -10,7 +10,8 @@
 ///
 /// - State: `[theta, theta_dot]`.
 /// - Mass matrix: diagonal, constant.
-/// - Accelerations: each equation divided by its entry of the mass matrix; 1 addition, 5 multiplications, 1 division, 2 functions.
+/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Cost of `acceleration`: 1 addition, 5 multiplications, 1 division, 2 functions.
 pub struct Kapitza {
     /// Parameter `m`.
     pub m: ::core::primitive::f64,
@@ -76,7 +77,7 @@ const _: () = {
         }
         /// Right-hand side f of M q̈ = f.
         ///
-        /// Takes 3 additions, 16 multiplications, 1 function, 1 sin_cos.
+        /// Takes 3 additions, 16 multiplications, 1 function, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn forcing(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
@@ -97,7 +98,7 @@ const _: () = {
         }
         /// Generalised momenta ∂L/∂v.
         ///
-        /// Takes 2 additions, 12 multiplications, 1 function, 1 sin_cos.
+        /// Takes 2 additions, 12 multiplications, 1 function, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn momenta(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
@@ -112,7 +113,7 @@ const _: () = {
         }
         /// Kinetic energy T.
         ///
-        /// Takes 2 additions, 11 multiplications, 1 function, 1 sin_cos.
+        /// Takes 2 additions, 11 multiplications, 1 function, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn kinetic_energy(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {
@@ -137,7 +138,7 @@ const _: () = {
         }
         /// Energy function v·∂L/∂v − L.
         ///
-        /// Takes 6 additions, 20 multiplications, 2 sin_cos.
+        /// Takes 6 additions, 20 multiplications, 2 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn energy(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {
@@ -162,7 +163,7 @@ const _: () = {
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
         /// to produce given accelerations.
         ///
-        /// Takes 5 additions, 18 multiplications, 1 function, 1 sin_cos.
+        /// Takes 5 additions, 18 multiplications, 1 function, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn inverse_dynamics(
