@@ -3,10 +3,11 @@
 mod numeric;
 
 use proc_macro2::TokenStream;
+use quote::quote;
 
 use crate::diagnostics::Report;
 use crate::emit;
-use crate::mechanics::{Equations, Model, RoadChoice, elaborate};
+use crate::mechanics::{Equations, Model, RoadChoice, SingularMassMatrix, elaborate};
 use crate::syntax::ast::Declaration;
 use crate::syntax::{parse_text, parse_tokens};
 
@@ -42,8 +43,11 @@ pub struct Derived {
 /// Everything that is wrong with the declaration.
 pub fn parse(text: &str) -> Result<System, Report> {
     let mut report = Report::default();
-    let declaration = parse_text(text, &mut report);
-    check(declaration, report).map_err(|(_, report)| report)
+    let Some(declaration) = parse_text(text, &mut report) else { return Err(report) };
+    match elaborate(&declaration, &mut report) {
+        Some(model) => Ok(System { declaration, model, report }),
+        None => Err(report),
+    }
 }
 
 impl System {
@@ -51,8 +55,14 @@ impl System {
     ///
     /// # Errors
     /// If the mass matrix is singular whatever the parameters are.
-    pub fn derive(self, road: RoadChoice) -> Result<Derived, Report> {
-        derive(self, road).map_err(|(_, report)| report)
+    pub fn derive(mut self, road: RoadChoice) -> Result<Derived, Report> {
+        match derive(&self.declaration, &mut self.model, road, &mut self.report) {
+            Some(equations) => {
+                let System { declaration, model, report } = self;
+                Ok(Derived { declaration, model, equations, report })
+            }
+            None => Err(self.report),
+        }
     }
 }
 
@@ -62,53 +72,47 @@ impl Derived {
     /// # Errors
     /// If a constant is too large for the scalar.
     pub fn emit(mut self, krate: &TokenStream) -> Result<TokenStream, Report> {
-        emit::system(&self.declaration, &mut self.model, &self.equations, krate).map_err(|constants| {
-            let message = format!("number too large for the scalar: {}", constants.join(", "));
-            self.report.error(self.declaration.name.span, message);
-            self.report
-        })
+        emit(&self.declaration, &mut self.model, &self.equations, krate, &mut self.report).ok_or(self.report)
     }
 }
 
 /// The macro: everything emitted for a declaration, mistakes included.
 pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let mut report = Report::default();
-    let declaration = parse_tokens(tokens, &mut report);
-    let items = check(declaration, report).and_then(|system| derive(system, RoadChoice::Cheapest)).and_then(
-        |derived| {
-            let (declaration, warnings) = (derived.declaration.clone(), derived.report.clone());
-            let items = derived.emit(krate).map_err(|report| (Some(declaration), report))?;
-            Ok((items, warnings))
-        },
-    );
-    let (items, report) = match items {
-        Ok(emitted) => emitted,
-        Err((declaration, report)) => {
-            let skeleton = declaration.map(|declaration| emit::skeleton(&declaration, krate));
-            (skeleton.unwrap_or_default(), report)
-        }
-    };
+    let items = parse_tokens(tokens, &mut report).map(|declaration| {
+        let items = elaborate(&declaration, &mut report).and_then(|mut model| {
+            let equations = derive(&declaration, &mut model, RoadChoice::Cheapest, &mut report)?;
+            emit(&declaration, &mut model, &equations, krate, &mut report)
+        });
+        items.unwrap_or_else(|| emit::skeleton(&declaration, krate))
+    });
     let diagnostics = emit::diagnostics(report.diagnostics());
-    quote::quote!(#diagnostics #items)
+    quote!(#diagnostics #items)
 }
 
-type Failure = (Option<Declaration>, Report);
-
-fn check(declaration: Option<Declaration>, mut report: Report) -> Result<System, Failure> {
-    let Some(declaration) = declaration else { return Err((None, report)) };
-    match elaborate(&declaration, &mut report) {
-        Some(model) if !report.has_errors() => Ok(System { declaration, model, report }),
-        _ => Err((Some(declaration), report)),
-    }
+fn derive(
+    declaration: &Declaration,
+    model: &mut Model,
+    road: RoadChoice,
+    report: &mut Report,
+) -> Option<Equations> {
+    let is_singular = |error: &SingularMassMatrix| {
+        report.error(declaration.name.span, error.to_string());
+    };
+    Equations::derive(model, road).inspect_err(is_singular).ok()
 }
 
-fn derive(system: System, road: RoadChoice) -> Result<Derived, Failure> {
-    let System { declaration, mut model, mut report } = system;
-    match Equations::derive(&mut model, road) {
-        Ok(equations) => Ok(Derived { declaration, model, equations, report }),
-        Err(singular) => {
-            report.error(declaration.name.span, singular.to_string());
-            Err((Some(declaration), report))
-        }
-    }
+fn emit(
+    declaration: &Declaration,
+    model: &mut Model,
+    equations: &Equations,
+    krate: &TokenStream,
+    report: &mut Report,
+) -> Option<TokenStream> {
+    let items = emit::system(declaration, model, equations, krate);
+    let too_large = |constants: &Vec<String>| {
+        let message = format!("number too large for the scalar: {}", constants.join(", "));
+        report.error(declaration.name.span, message);
+    };
+    items.inspect_err(too_large).ok()
 }

@@ -49,7 +49,7 @@ pub(super) fn solve_dense(
         let (position, _) = candidates.min_by_key(|(_, v)| form.degree(**v))?;
         eliminated.push(eliminate(graph, &mut form, remaining.remove(position))?);
     }
-    Some(substitute_back(graph, eliminated, &Parts::None, velocities))
+    Some(substitute_back(graph, &eliminated, &Parts::None, velocities))
 }
 
 /// Eliminates each velocity as soon as nothing unprocessed depends on it, while the rest of the form is
@@ -73,7 +73,7 @@ pub(super) fn solve_recursive(
         }
     }
     (eliminated.len() == velocities.len())
-        .then(|| substitute_back(graph, eliminated, &Parts::Of(&sweep), velocities))
+        .then(|| substitute_back(graph, &eliminated, &Parts::Of(&sweep), velocities))
 }
 
 fn eliminate(graph: &mut Graph, form: &mut QuadraticForm, velocity: ExprId) -> Option<Eliminated> {
@@ -108,7 +108,7 @@ enum Parts<'a> {
 
 fn substitute_back(
     graph: &mut Graph,
-    eliminated: Vec<Eliminated>,
+    eliminated: &[Eliminated],
     parts: &Parts<'_>,
     velocities: &[ExprId],
 ) -> Solution {
@@ -123,7 +123,7 @@ fn substitute_back(
         known.insert(step.velocity, acceleration);
     }
     let accelerations = velocities.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect();
-    Solution { accelerations, labels: labels(&eliminated, velocities) }
+    Solution { accelerations, labels: labels(eliminated, velocities) }
 }
 
 fn labels(eliminated: &[Eliminated], velocities: &[ExprId]) -> Vec<(ExprId, String)> {

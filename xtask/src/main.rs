@@ -1,0 +1,89 @@
+//! `cargo xtask check`: everything that must hold of this workspace, in one command that needs only Rust.
+#![forbid(unsafe_code)]
+
+use std::path::Path;
+use std::process::{Command, ExitCode};
+use std::time::Instant;
+use std::{env, fs};
+
+/// One check: what it shows, and the `cargo` command that shows it.
+struct Step {
+    title: String,
+    arguments: Vec<String>,
+    environment: Vec<(&'static str, &'static str)>,
+}
+
+impl Step {
+    fn new(title: &str, command: &str) -> Step {
+        let arguments = command.split_whitespace().map(str::to_owned).collect();
+        Step { title: title.to_owned(), arguments, environment: Vec::new() }
+    }
+
+    fn with(mut self, variable: &'static str, value: &'static str) -> Step {
+        self.environment.push((variable, value));
+        self
+    }
+
+    fn run(&self, root: &Path) -> bool {
+        println!("\n== {}: cargo {}", self.title, self.arguments.join(" "));
+        let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let mut command = Command::new(cargo);
+        command.args(&self.arguments).current_dir(root).envs(self.environment.iter().copied());
+        match command.status() {
+            Ok(status) => status.success(),
+            Err(error) => {
+                eprintln!("cargo cannot be started: {error}");
+                false
+            }
+        }
+    }
+}
+
+fn main() -> ExitCode {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
+    match env::args().nth(1).as_deref() {
+        Some("check") => check(root),
+        _ => {
+            eprintln!("usage: cargo xtask check");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn check(root: &Path) -> ExitCode {
+    let start = Instant::now();
+    for step in steps(root) {
+        if !step.run(root) {
+            eprintln!("\nfailed: {}", step.title);
+            return ExitCode::FAILURE;
+        }
+    }
+    println!("\nall checks passed in {} s", start.elapsed().as_secs());
+    ExitCode::SUCCESS
+}
+
+fn steps(root: &Path) -> Vec<Step> {
+    let mut steps = vec![
+        Step::new("formatting", "fmt --all --check"),
+        Step::new("lints", "clippy --workspace --all-targets --all-features -- -D warnings"),
+        Step::new("tests and doctests", "test --workspace --all-features"),
+        Step::new("documentation", "doc --workspace --no-deps --all-features")
+            .with("RUSTDOCFLAGS", "-D warnings"),
+        Step::new("no_std", "build --package lagrange --no-default-features"),
+        Step::new("benchmarks compile", "bench --workspace --no-run"),
+    ];
+    // Every example asserts its own reference values.
+    steps.extend(examples(root).iter().map(|name| {
+        Step::new(&format!("example {name}"), &format!("run --quiet --release --example {name}"))
+    }));
+    steps
+}
+
+fn examples(root: &Path) -> Vec<String> {
+    let entries = fs::read_dir(root.join("examples")).into_iter().flatten().flatten();
+    let mut names = entries
+        .filter_map(|entry| Some(entry.file_name().to_str()?.strip_suffix(".rs")?.to_owned()))
+        .collect::<Vec<_>>();
+    names.sort();
+    names
+}
