@@ -8,7 +8,7 @@ use super::messages;
 use super::model::{Energies, Model, Product};
 use super::solve::{Solution, push_down, solve_dense, solve_recursive};
 use super::structure::Structure;
-use crate::calculus::{AccelerationTerms, gradient};
+use crate::calculus::{AccelerationTerms, gradient, substitute};
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
@@ -193,16 +193,21 @@ fn residual(
 
 /// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7).
 fn energy_function(model: &mut Model, split: &SplitLagrangian) -> ExprId {
+    let velocities = model.velocities();
     if split.is_natural(&model.graph) {
         return match model.energies {
-            Energies::Separate { kinetic, potential } => model.graph.add(kinetic, potential),
+            Energies::Separate { kinetic, potential } => {
+                // A part of T that is free of velocities, as of a support that turns, counts as −V.
+                let at_rest = at_rest(&mut model.graph, kinetic, &velocities);
+                let terms = [(kinetic, Number::ONE), (potential, Number::ONE), (at_rest, -&Number::TWO)];
+                model.graph.sum(Number::ZERO, terms)
+            }
             Energies::Lagrangian => {
                 let terms = [(model.lagrangian, Number::ONE), (split.potential, Number::TWO)];
                 model.graph.sum(Number::ZERO, terms)
             }
         };
     }
-    let velocities = model.velocities();
     let graph = &mut model.graph;
     let momenta = gradient(graph, model.lagrangian, &velocities);
     let mut terms = vec![(model.lagrangian, Number::MINUS_ONE)];
@@ -210,6 +215,13 @@ fn energy_function(model: &mut Model, split: &SplitLagrangian) -> ExprId {
         terms.push((graph.multiply(velocity, momentum), Number::ONE));
     }
     graph.sum(Number::ZERO, terms)
+}
+
+/// The value where all velocities are zero.
+fn at_rest(graph: &mut Graph, value: ExprId, velocities: &[ExprId]) -> ExprId {
+    let zero = graph.number(0);
+    let replacements = velocities.iter().map(|&velocity| (velocity, zero)).collect();
+    substitute(graph, value, &replacements)
 }
 
 fn matrix_labels(matrix: &[Vec<ExprId>]) -> Vec<(ExprId, String)> {
