@@ -20,7 +20,7 @@ const JOINTS: [&str; 5] = [
     "let a# = a@ + q#; let (x#, y#) = (x@ + l#*sin(a#), y@ - l#*cos(a#));",
     "let a# = a@; let (x#, y#) = (x@ + (l# + q#)*sin(a@), y@ - (l# + q#)*cos(a@));",
     "let a# = a@ + 1/2; let (x#, y#) = (x@ + q#, y@ - l#);",
-    "let a# = a@ + q#/2; let (x#, y#) = (x@ + l#*q# - sin(a#), y@ + 1 - cos(a#));",
+    "let a# = a@ + q#/2; let (x#, y#) = (x@ + 2*q# - l#*sin(a#), y@ + 1 - l#*cos(a#));",
 ];
 
 /// The kinetic energy of body `#`; definite in `dot(q#)` as long as its parent rests.
@@ -40,8 +40,8 @@ const EXTRAS: [&str; 13] = [
     "potential = spring_energy(k, q# - 1/4);",
     "potential = spring_energy(k, norm((x# - 1, y# + 9)) - 1/2);",
     "potential = k*cos(q# - t)/5 + u*x#;",
-    "potential = if q# < 1/5 { 0 } else { k*(q# - 1/5)^2 };",
-    "potential = g*m#*max(y#, 0)^2/(1 + abs(x#)^3);",
+    "potential = if q# < 1/5 { 0 } else { k*(q# - 1/5)^5 };",
+    "potential = g*m#*max(y#, 0)^5/(1 + abs(x#)^3);",
     "dissipation = 1/2*c*dot(q#)^2;",
     "dissipation = c*(dot(x#)^2 + dot(y#)^2) + c*sqrt(1 + dot(a#)^2);",
     "force q# = u*cos(2*t) - c*q#*dot(q#);",

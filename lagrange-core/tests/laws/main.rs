@@ -1,5 +1,7 @@
 //! Laws that hold whatever the declaration, checked on random ones. `PROPTEST_CASES` scales how many.
 
+mod expressions;
+mod formulas;
 mod machines;
 mod mechanics;
 
