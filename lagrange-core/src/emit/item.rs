@@ -12,8 +12,6 @@ use super::shape::{Shape, identifier, local};
 pub(super) struct Parts {
     /// Documentation of the struct, after the user's own.
     pub(super) docs: Vec<String>,
-    /// One line for each field.
-    pub(super) field_docs: Vec<String>,
     /// Values of the fields for `Default`, if all are known.
     pub(super) defaults: Option<Vec<TokenStream>>,
     pub(super) methods: Vec<Method>,
@@ -52,9 +50,10 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let declaration = shape.declaration;
     let (attributes, visibility) = (&declaration.attributes, &declaration.visibility);
     let (name, generics, scalar) = (shape.name(), shape.generics(), shape.scalar_path());
-    let (docs, field_docs) = (&parts.docs, &parts.field_docs);
+    let docs = &parts.docs;
+    let field_docs = shape.fields.iter().map(|name| shape.docs(name, &format!("Parameter `{}`.", name.text)));
     let fields = shape.fields.iter().map(|name| identifier(name));
-    let fields = quote!(#(#[doc = #field_docs] pub #fields: #scalar,)*);
+    let fields = quote!(#(#field_docs pub #fields: #scalar,)*);
     let marker = shape.needs_marker().then(|| {
         quote! {
             /// The number type.
@@ -76,17 +75,19 @@ fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());
     let visibility = &shape.declaration.visibility;
     let title = format!("State of [`{}`]: coordinates, then velocities.", shape.declaration.name.text);
-    let docs = shape
-        .coordinates
-        .iter()
-        .map(|name| format!("Coordinate `{}`.", name.text))
-        .chain(shape.coordinates.iter().map(|name| format!("Velocity of `{}`.", name.text)));
+    let docs =
+        shape.coordinates.iter().map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text))).chain(
+            shape.coordinates.iter().map(|name| {
+                let line = format!("Velocity of `{}`.", name.text);
+                quote!(#[doc = #line])
+            }),
+        );
     let fields = shape.state_fields();
     quote! {
         #[doc = #title]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
-            #(#[doc = #docs] pub #fields: #scalar,)*
+            #(#docs pub #fields: #scalar,)*
         }
     }
 }

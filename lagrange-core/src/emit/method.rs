@@ -38,7 +38,7 @@ pub(super) struct ArgumentNames {
 /// One method, ready to be written.
 pub(super) struct Method {
     pub(super) name: Ident,
-    pub(super) docs: Vec<String>,
+    pub(super) docs: TokenStream,
     pub(super) arguments: Arguments,
     pub(super) returns: Returns,
     pub(super) body: TokenStream,
@@ -56,7 +56,7 @@ impl Method {
         };
         let returns = self.returns.tokens(&scalar);
         quote! {
-            #(#[doc = #docs])*
+            #docs
             #[must_use]
             #[inline]
             pub fn #name(&self, #time: #scalar, #(#vectors: &[#scalar; #n]),*) -> #returns {

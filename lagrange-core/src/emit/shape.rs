@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::collections::HashMap;
-use crate::syntax::ast::{Declaration, Expression, Name, ScalarType, StatementKind};
+use crate::syntax::ast::{Declaration, Expression, Name, ScalarType, Statement, StatementKind};
 
 /// Names and types of one system.
 pub(super) struct Shape<'a> {
@@ -16,12 +16,20 @@ pub(super) struct Shape<'a> {
     pub(super) coordinates: Vec<&'a Name>,
     /// Declared outputs with their number of components; one for a scalar.
     pub(super) outputs: Vec<(&'a Name, usize)>,
+    /// The user's documentation of fields, coordinates and outputs.
+    docs: HashMap<&'a str, &'a TokenStream>,
 }
 
 impl<'a> Shape<'a> {
     pub(super) fn new(declaration: &'a Declaration, krate: &'a TokenStream) -> Shape<'a> {
-        let mut shape =
-            Shape { declaration, krate, fields: Vec::new(), coordinates: Vec::new(), outputs: Vec::new() };
+        let mut shape = Shape {
+            declaration,
+            krate,
+            fields: Vec::new(),
+            coordinates: Vec::new(),
+            outputs: Vec::new(),
+            docs: documentation(declaration),
+        };
         let mut inputs = Vec::new();
         for statement in &declaration.statements {
             match &statement.kind {
@@ -50,6 +58,14 @@ impl<'a> Shape<'a> {
         self.fields.retain(|name| first(name));
         self.coordinates.retain(|name| first(name));
         self.outputs.retain(|(name, _)| first(name));
+    }
+
+    /// The user's documentation of a declared name, or else `line`.
+    pub(super) fn docs(&self, name: &Name, line: &str) -> TokenStream {
+        match self.docs.get(&name.text.as_str()) {
+            Some(docs) => (*docs).clone(),
+            None => quote!(#[doc = #line]),
+        }
     }
 
     /// The struct's name.
@@ -118,6 +134,24 @@ impl<'a> Shape<'a> {
             self.coordinates.iter().map(|name| format_ident!("{}_dot", name.text, span = name.span));
         positions.chain(velocities).collect()
     }
+}
+
+fn documentation<'a>(declaration: &'a Declaration) -> HashMap<&'a str, &'a TokenStream> {
+    let mut docs = HashMap::default();
+    for Statement { kind, docs: text, .. } in declaration.statements.iter().filter(|s| !s.docs.is_empty()) {
+        let mut insert = |name: &'a Name| {
+            docs.insert(name.text.as_str(), text);
+        };
+        match kind {
+            StatementKind::Parameters(list) | StatementKind::Inputs(list) => {
+                list.iter().for_each(|definition| insert(&definition.name));
+            }
+            StatementKind::Coordinates(names) => names.iter().for_each(insert),
+            StatementKind::Output(name, _) => insert(name),
+            _ => {}
+        }
+    }
+    docs
 }
 
 /// The user's identifier, at the user's place.

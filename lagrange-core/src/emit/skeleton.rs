@@ -37,7 +37,6 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let mut names = Names::new(user_names(&shape).iter().map(String::as_str));
     let parts = Parts {
         docs: Vec::new(),
-        field_docs: shape.fields.iter().map(|name| format!("Field `{}`.", name.text)).collect(),
         defaults: Some(values),
         methods,
         constants: TokenStream::new(),
@@ -48,6 +47,6 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
-    let docs = vec!["Not derived: the declaration has errors.".to_owned()];
+    let docs = quote!(#[doc = "Not derived: the declaration has errors."]);
     Method { name, docs, arguments, returns, body: quote!(::core::unreachable!()) }
 }

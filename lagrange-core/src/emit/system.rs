@@ -75,7 +75,6 @@ impl<'a> Writer<'a> {
     }
 
     fn finish(mut self) -> Result<Parts, Vec<String>> {
-        let field_docs = self.field_docs();
         let defaults = self.defaults();
         let constants = self.constants();
         let docs = docs::system_docs(self.model, self.equations, self.counts);
@@ -83,7 +82,7 @@ impl<'a> Writer<'a> {
             return Err(self.unrepresentable.into_iter().collect());
         }
         let Writer { methods, names, functions, .. } = self;
-        Ok(Parts { docs, field_docs, defaults, methods, constants, names, functions })
+        Ok(Parts { docs, defaults, methods, constants, names, functions })
     }
 
     fn write_methods(&mut self) {
@@ -148,9 +147,11 @@ impl<'a> Writer<'a> {
     ) -> OperationCounts {
         let program = optimise(&lower(&self.model.graph, roots, &self.labels));
         let body = self.body(&program, arguments, returns);
-        let user_span = self.shape.outputs.iter().find(|(output, _)| output.text == name);
-        let name = user_span.map_or_else(|| format_ident!("{name}"), |(output, _)| identifier(output));
-        let docs = docs.iter().map(|line| (*line).to_owned()).collect();
+        let output = self.shape.outputs.iter().find(|(output, _)| output.text == name);
+        let (name, docs) = match output {
+            Some((output, _)) => (identifier(output), self.shape.docs(output, &docs.concat())),
+            None => (format_ident!("{name}"), quote!(#(#[doc = #docs])*)),
+        };
         self.methods.push(Method { name, docs, arguments, returns, body });
         OperationCounts::of(&program)
     }
@@ -217,11 +218,6 @@ impl<'a> Writer<'a> {
         }
         let rest = (bound.len() < self.shape.fields.len()).then(|| quote!(..));
         quote!(let Self { #(#bound,)* #rest } = *self;)
-    }
-
-    fn field_docs(&self) -> Vec<String> {
-        let parameters = self.model.parameters.iter().map(|p| format!("Parameter `{}`.", p.name));
-        parameters.chain(self.model.inputs.iter().map(|p| format!("Input `{}`.", p.name))).collect()
     }
 
     /// The defaults as literals, if every field has one.

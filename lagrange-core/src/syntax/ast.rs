@@ -55,6 +55,16 @@ pub struct Statement {
     pub kind: StatementKind,
     /// From the keyword to the semicolon.
     pub origin: Origin,
+    /// Documentation of the declared names, as attributes.
+    pub docs: TokenStream,
+}
+
+impl StatementKind {
+    /// Whether it declares something that is emitted and can be documented.
+    pub fn is_documented(&self) -> bool {
+        use StatementKind::{Coordinates, Inputs, Output, Parameters};
+        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Output(..))
+    }
 }
 
 /// What a statement says.

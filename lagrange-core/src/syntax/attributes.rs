@@ -28,6 +28,23 @@ impl Parser<'_> {
         attributes
     }
 
+    /// Reads attributes before a statement: the documentation among them, and where they stand if there are
+    /// any.
+    pub(super) fn documentation(&mut self, cursor: &mut Cursor) -> (TokenStream, Option<Origin>) {
+        let start = cursor.position();
+        let mut attributes = TokenStream::new();
+        let mut only_docs = true;
+        while cursor.at('#') {
+            attributes.extend(cursor.advance());
+            only_docs &= cursor.eat('!').is_none();
+            let group = cursor.eat_group(Delimiter::Bracket);
+            only_docs &= group.as_ref().is_some_and(|group| Cursor::inside(group).at_word("doc"));
+            attributes.extend(group.map(TokenTree::Group));
+        }
+        let origin = (cursor.position() > start).then(|| cursor.since(start));
+        (if only_docs { attributes } else { TokenStream::new() }, origin)
+    }
+
     fn attribute(&mut self, cursor: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
         let pound = cursor.advance();
         let inner = cursor.eat('!');

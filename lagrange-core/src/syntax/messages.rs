@@ -92,8 +92,9 @@ pub(super) fn repeated_attribute(name: &str) -> String {
 // Statements.
 
 pub(super) const STATEMENT: &str = "a statement";
-pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes and documentation belong to the struct only";
-pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "write `//` for comments between statements";
+pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "no attribute has a meaning here";
+pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str =
+    "documentation can stand before `param`, `input`, `coord` and `output`; write `//` for other comments";
 pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
 pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
 pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";

@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! declaration = attribute* visibility "struct" NAME [ "<" NAME ">" ] ";" statement*
-//! statement   = ( "param" | "input" ) NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
+//! statement   = attribute* ( "param" | "input" ) NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 //!             | "const" NAME "=" sum { "," NAME "=" sum } ";"
 //!             | "coord" NAME { "," NAME } ";"
 //!             | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"

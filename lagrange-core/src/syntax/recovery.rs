@@ -56,21 +56,6 @@ impl Parser<'_> {
         true
     }
 
-    /// Reports and skips attributes between statements, documentation comments among them.
-    pub(super) fn misplaced_attributes(&mut self, cursor: &mut Cursor) -> bool {
-        let start = cursor.position();
-        while cursor.eat('#').is_some() {
-            cursor.eat('!');
-            cursor.eat_group(Delimiter::Bracket);
-        }
-        let found = cursor.position() > start;
-        if found {
-            let error = self.report.error(cursor.since(start), messages::ATTRIBUTE_ON_STATEMENT);
-            error.help(messages::ATTRIBUTE_ON_STATEMENT_HELP);
-        }
-        found
-    }
-
     pub(super) fn unknown_statement(&mut self, word: &Ident, cursor: &Cursor) -> Reported {
         let text = word.to_string();
         let known = keywords::STATEMENTS.iter().chain(keywords::FUTURE_STATEMENTS).copied();

@@ -10,17 +10,25 @@ impl Parser<'_> {
     pub(super) fn statements(&mut self, cursor: &mut Cursor) -> Vec<Statement> {
         let mut statements = Vec::new();
         while !cursor.at_end() {
+            let (docs, attributes) = self.documentation(cursor);
             let start = cursor.position();
-            if let Some(kind) = self.statement(cursor) {
-                statements.push(Statement { kind, origin: cursor.since(start) });
+            let kind = self.statement(cursor);
+            let documents_nothing = match &kind {
+                Some(kind) => !kind.is_documented(),
+                None => cursor.position() == start,
+            };
+            if let Some(origin) = attributes.filter(|_| docs.is_empty() || documents_nothing) {
+                let error = self.report.error(origin, messages::ATTRIBUTE_ON_STATEMENT);
+                error.help(messages::ATTRIBUTE_ON_STATEMENT_HELP);
             }
+            statements.extend(kind.map(|kind| Statement { kind, origin: cursor.since(start), docs }));
         }
         statements
     }
 
-    /// Reads one statement with its semicolon; takes at least one token.
+    /// Reads one statement with its semicolon; takes at least one token, if there is one.
     fn statement(&mut self, cursor: &mut Cursor) -> Option<StatementKind> {
-        if cursor.eat(';').is_some() || self.misplaced_attributes(cursor) || self.future_statement(cursor) {
+        if cursor.at_end() || cursor.eat(';').is_some() || self.future_statement(cursor) {
             return None;
         }
         self.skipped = false;

@@ -127,7 +127,9 @@ fn incomplete_statements_say_what_is_missing() {
         ("emit a, b;", "error at 1:6: expected `{`, found `a`"),
         ("emit { a b }", "error at 1:10: expected `,` or `}`, found `b`"),
         ("emit { 1 }", "error at 1:8: expected a name, found `1`"),
-        ("/// doc\ncoord x;", "error at 1:1: attributes and documentation belong to the struct only"),
+        ("/// doc\nkinetic = 1;", "error at 1:1: no attribute has a meaning here"),
+        ("#[inline]\ncoord x;", "error at 1:1: no attribute has a meaning here"),
+        ("coord x; /// doc", "error at 1:10: no attribute has a meaning here"),
         ("let a = b /// doc\n;", "error at 1:11: expected an operator or `;`, found `#`"),
     ];
     for (text, message) in cases {
