@@ -97,6 +97,7 @@ fn lint_exceptions() -> TokenStream {
     quote! {
         #[allow(
             unused_variables,
+            clippy::approx_constant,
             clippy::excessive_precision,
             clippy::many_single_char_names,
             clippy::similar_names,
@@ -105,7 +106,7 @@ fn lint_exceptions() -> TokenStream {
             clippy::trivially_copy_pass_by_ref,
             clippy::unused_self,
             reason = "generated: every method has the arguments that its kind of quantity can depend on, \
-                      and the names of the formulas"
+                      and the names and numbers of the formulas"
         )]
     }
 }
