@@ -82,7 +82,10 @@ fn check(name: &str, declaration: &str, compiled: &impl Subject) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 
     let derived = parse(&reference.declaration).and_then(|system| system.derive(RoadChoice::Cheapest));
-    let interpreted = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
+    let mut interpreted = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
+    for (name, value) in reference.settings() {
+        assert!(interpreted.set(name, value), "{name} is declared");
+    }
     for state in reference.states() {
         let bits = |values: Vec<f64>| values.into_iter().map(f64::to_bits).collect::<Vec<_>>();
         assert_eq!(

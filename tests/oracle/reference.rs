@@ -89,37 +89,39 @@ pub(crate) struct State<'a> {
 impl State<'_> {
     fn failures(&self, subject: &impl Subject) -> Vec<String> {
         let State { values, t, q, v } = self;
-        let quantity = |key| subject.quantity(key, *t, q, v);
-        let expected = |key| values.get(key).map(numbers);
-        let keys = ["mass_matrix", "momenta", "energy", "kinetic", "potential"];
-        let mut failures = keys.map(|key| failure(key, quantity(key), expected(key), 0.0)).to_vec();
-
+        let mut failures = Vec::new();
+        let mut compare = |what: &str, found: Option<Vec<f64>>, expected: Option<&[f64]>, scale: f64| {
+            if !agree(found.as_deref(), expected, scale) {
+                failures.push(format!("{what} is {found:?}, not {expected:?}"));
+            }
+        };
+        for key in ["mass_matrix", "momenta", "energy", "kinetic", "potential"] {
+            compare(key, subject.quantity(key, *t, q, v), values.get(key).map(numbers).as_deref(), 0.0);
+        }
         let [acceleration, matrix] = ["acceleration", "mass_matrix"].map(|key| numbers(&values[key]));
         let forcing = times(&matrix, &acceleration);
-        let found = subject.acceleration(*t, q, v);
-        failures.push(failure("acceleration", Some(found), Some(acceleration.clone()), 0.0));
-        failures.push(failure("forcing", quantity("forcing"), Some(forcing.clone()), 0.0));
+        compare("acceleration", Some(subject.acceleration(*t, q, v)), Some(&acceleration), 0.0);
+        compare("forcing", subject.quantity("forcing", *t, q, v), Some(&forcing), 0.0);
         let other = (0..acceleration.len()).map(|i| 1.0 - 0.5 * i as f64).collect();
         for acceleration in [acceleration, other] {
             let inertia = times(&matrix, &acceleration);
-            let missing = inertia.iter().zip(&forcing).map(|(m, f)| m - f).collect();
+            let missing = inertia.iter().zip(&forcing).map(|(m, f)| m - f).collect::<Vec<_>>();
             let found = subject.inverse_dynamics(*t, q, v, &acceleration);
-            failures.push(failure("inverse dynamics", Some(found), Some(missing), largest(&forcing)));
+            compare("inverse dynamics", Some(found), Some(&missing), largest(&forcing));
         }
-        failures.into_iter().flatten().collect()
+        failures
     }
 }
 
-/// What is wrong with `found`; `scale` is the size of the terms that cancel in it.
-fn failure(what: &str, found: Option<Vec<f64>>, expected: Option<Vec<f64>>, scale: f64) -> Option<String> {
-    let agree = match (&found, &expected) {
+/// Whether both are the same vector, or none; `scale` is the size of the terms that cancel in it.
+fn agree(found: Option<&[f64]>, expected: Option<&[f64]>, scale: f64) -> bool {
+    match (found, expected) {
         (Some(found), Some(expected)) if found.len() == expected.len() => {
             let tolerance = 1e-12 * (1.0 + largest(expected).max(scale));
             found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= tolerance)
         }
         (found, expected) => found.is_none() && expected.is_none(),
-    };
-    (!agree).then(|| format!("{what} is {found:?}, not {expected:?}"))
+    }
 }
 
 fn largest(values: &[f64]) -> f64 {
