@@ -24,7 +24,7 @@ const JOINTS: [&str; 5] = [
 ];
 
 /// The kinetic energy of body `#`; definite in `dot(q#)` as long as its parent rests.
-const INERTIAS: [&str; 7] = [
+const INERTIAS: [&str; 11] = [
     "kinetic = 1/2*m#*(dot(x#)^2 + dot(y#)^2);",
     "kinetic = kinetic_energy(m#, (dot(x#), dot(y#))) + 1/2*m#*dot(a#)^2;",
     "let p# = ((x# + x@)/2, (y# + y@)/2); kinetic = kinetic_energy(m#, dot(p#)) + m#*l#^2/24*dot(a#)^2;",
@@ -32,6 +32,10 @@ const INERTIAS: [&str; 7] = [
     "kinetic = 1/2*(m# + exp(-q#^2))*dot(x#)^2 + 1/2*m#*dot(y#)^2;",
     "kinetic = 1/2*m#*(dot(x#)^2 + dot(y#)^2 + (dot(a#) + sin(t))^2);",
     "kinetic = 1/2*m#*(dot(x#)^2 + dot(y#)^2) + dot(q#)^4/40;",
+    "kinetic = 1/2*m#*(1 + sin(t)^2)*(dot(x#)^2 + dot(y#)^2) + m#/5*dot(x#)*dot(y#);",
+    "kinetic = 1/2*m#*(dot(x#) + dot(y#))^2 + 1/3*m#*(dot(x#) - 2*dot(y#))^2;",
+    "let s# = dot(x#)^2 + dot(y#)^2; kinetic = 1/2*m#*s# + s#^2/50;",
+    "kinetic = (if x# < y# { m# } else { m# + (x# - y#)^5/9 })*inner(dot((x#, y#)), dot((x#, y#)))/2;",
 ];
 
 /// What else may act on body `#`.
@@ -108,7 +112,8 @@ fn body() -> impl Strategy<Value = Body> {
 }
 
 fn declaration(support: &str, bodies: &[Body], as_lagrangian: bool) -> String {
-    let mut text = "const g = 9.81; param k = 2.5, c = 0.3, b = 0.7; input u = 0.8;\n".to_owned();
+    let mut text =
+        "const g = 9.81; param k = 2.5, c = 0.3, b = 0.7; input u = 0.8; emit { bias, latex };\n".to_owned();
     for (i, body) in (1..).zip(bodies) {
         let (mass, length) = (f64::from(body.tenths.0) / 10.0, f64::from(body.tenths.1) / 10.0);
         writeln!(text, "param m{i} = {mass}, l{i} = {length}; coord q{i};").expect("a string takes it");

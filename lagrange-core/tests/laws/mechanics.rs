@@ -39,7 +39,7 @@ impl Laboratory {
     }
 
     fn product(&self, product: Product) -> Vec<f64> {
-        self.derived.product(product, self.t, &self.q, &self.v).expect("it is derived by default")
+        self.derived.product(product, self.t, &self.q, &self.v).expect("it is emitted")
     }
 
     fn acceleration(&self) -> Vec<f64> {
@@ -252,5 +252,8 @@ proptest! {
         let expected = expected.collect::<Vec<_>>();
         let forcing = laboratory.product(Product::Forcing);
         prop_assert!(agree(&forcing, &expected, DIFFERENCED, 0.0), "{forcing:?} for {expected:?}");
+        let bias = laboratory.product(Product::Bias);
+        let rest = applied.iter().zip(&forcing).map(|(applied, f)| applied - f).collect::<Vec<_>>();
+        prop_assert!(agree(&bias, &rest, DIFFERENCED, 0.0), "{bias:?} for {rest:?}");
     }
 }
