@@ -74,6 +74,18 @@ impl Derived {
     pub fn emit(mut self, krate: &TokenStream) -> Result<TokenStream, Report> {
         emit(&self.declaration, &mut self.model, &self.equations, krate, &mut self.report).ok_or(self.report)
     }
+
+    /// The equations, the structure and the cost of the system in lines of Markdown, as they stand in the
+    /// documentation of the emitted struct.
+    pub fn documentation(&mut self) -> Vec<String> {
+        emit::documentation(&mut self.model, &self.equations)
+    }
+
+    /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
+    /// short.
+    pub fn equations_latex(&mut self) -> String {
+        emit::equations_latex(&mut self.model, &self.equations)
+    }
 }
 
 /// The macro: everything emitted for a declaration, mistakes included.

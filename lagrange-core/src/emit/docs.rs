@@ -4,7 +4,7 @@ use super::{latex, text};
 use crate::expr::{ExprId, Graph};
 use crate::mechanics::{Conserved, Equations, Model, Road, Structure};
 use crate::number::Number;
-use crate::program::OperationCounts;
+use crate::program::{Labels, OperationCounts, lower, optimise};
 use crate::simplify::present;
 
 /// Monomials up to which an entry is multiplied out for reading.
@@ -16,34 +16,39 @@ const MOST_COORDINATES: usize = 8;
 /// Equations longer than this, in characters, are left out.
 const LONGEST_EQUATIONS: usize = 6000;
 
-/// Both sides of M q̈ = f as text, one string per coordinate, after the definitions of abbreviations that
-/// keep them short; `None` if even that would be too long to read.
+/// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
+/// short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
-    let (mass, forcing) = (equations.mass_matrix.as_ref()?, equations.forcing.as_ref()?);
     if model.coordinates.len() > MOST_COORDINATES {
         return None;
     }
+    let sides = sides(model, equations)?;
+    let lines = lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS));
+    (lines.iter().map(String::len).sum::<usize>() <= LONGEST_EQUATIONS).then_some(lines)
+}
+
+/// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
+/// short. Empty if the mass matrix or the forcing is not wanted.
+pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
+    let sides = sides(model, equations).unwrap_or_default();
+    lines(latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS)).join("\n")
+}
+
+/// The left and the right side of each row of M q̈ = f.
+fn sides(model: &mut Model, equations: &Equations) -> Option<Vec<ExprId>> {
+    let (mass, forcing) = (equations.mass_matrix.as_ref()?, equations.forcing.as_ref()?);
     let mut sides = Vec::new();
     for (row, &right) in mass.iter().zip(forcing) {
         sides.push(left_side(model, row));
         sides.push(readable(&mut model.graph, right));
     }
-    let (abbreviations, sides) = text::definitions(&model.graph, &sides, LONGEST_EQUATIONS);
-    let abbreviations = abbreviations.into_iter().map(|(name, value)| format!("{name} = {value}"));
-    let lines = abbreviations.chain(sides.chunks(2).map(|side| side.join(" = "))).collect::<Vec<_>>();
-    (lines.iter().map(String::len).sum::<usize>() <= LONGEST_EQUATIONS).then_some(lines)
+    Some(sides)
 }
 
-/// M q̈ = f in LaTeX, one line for each coordinate.
-pub(super) fn equations_latex(model: &mut Model, equations: &Equations) -> String {
-    let mut lines = Vec::new();
-    let mass = equations.mass_matrix.iter().flatten();
-    for (row, &right) in mass.zip(equations.forcing.iter().flatten()) {
-        let left = left_side(model, row);
-        let right = readable(&mut model.graph, right);
-        lines.push(format!("{} = {}", latex::latex(&model.graph, left), latex::latex(&model.graph, right)));
-    }
-    lines.join("\n")
+/// Equations between names and what they abbreviate, then between left and right sides.
+fn lines((abbreviations, sides): (Vec<(String, String)>, Vec<String>)) -> Vec<String> {
+    let abbreviations = abbreviations.into_iter().map(|(name, value)| format!("{name} = {value}"));
+    abbreviations.chain(sides.chunks(2).map(|side| side.join(" = "))).collect()
 }
 
 /// Σ Mᵢⱼ q̈ⱼ
@@ -64,7 +69,14 @@ fn readable(graph: &mut Graph, expression: ExprId) -> ExprId {
     present(graph, expression, READING_BUDGET)
 }
 
-/// The lines of the struct's documentation that follow the user's own.
+/// What the documentation of the emitted struct says of its equations and of what was found out about the
+/// system, in lines of Markdown.
+pub fn documentation(model: &mut Model, equations: &Equations) -> Vec<String> {
+    let program = optimise(&lower(&model.graph, &equations.accelerations, &Labels::default()));
+    system_docs(model, equations, OperationCounts::of(&program))
+}
+
+/// The same for accelerations whose operations have been counted.
 pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: OperationCounts) -> Vec<String> {
     let mut lines = vec![String::new(), "# Equations of motion".to_owned(), String::new()];
     match equations_text(model, equations) {

@@ -162,8 +162,24 @@ fn default_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     let (state, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar());
     // Not `Scalar`: a state can be converted whatever its numbers can do.
-    let (fields, twice) = (shape.state_fields(), 2 * shape.coordinates.len());
+    let (fields, n) = (shape.state_fields(), shape.coordinates.len());
+    let (twice, (positions, velocities)) = (2 * n, fields.split_at(n));
     quote! {
+        impl #generics #state #generics {
+            /// The coordinates in their order.
+            #[must_use]
+            #[inline]
+            pub fn coordinates(self) -> [#scalar; #n] {
+                [#(self.#positions),*]
+            }
+
+            /// The velocities in the order of the coordinates.
+            #[must_use]
+            #[inline]
+            pub fn velocities(self) -> [#scalar; #n] {
+                [#(self.#velocities),*]
+            }
+        }
         #[automatically_derived]
         impl #generics ::core::convert::From<[#scalar; #twice]> for #state #generics {
             #[inline]

@@ -17,6 +17,7 @@ pub mod rust_body;
 pub mod text;
 
 pub use diagnostics::diagnostics;
+pub use docs::{documentation, equations_latex};
 pub use skeleton::skeleton;
 pub use system::system;
 

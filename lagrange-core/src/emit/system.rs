@@ -241,7 +241,8 @@ impl<'a> Writer<'a> {
         }
         let equations = docs::equations_latex(self.model, self.equations);
         quote! {
-            /// The equations of motion in LaTeX, one line for each coordinate.
+            /// The equations of motion in LaTeX, one line for each coordinate after the definitions of
+            /// abbreviations, if they need any.
             pub const EQUATIONS_LATEX: &'static ::core::primitive::str = #equations;
         }
     }

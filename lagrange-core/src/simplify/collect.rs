@@ -1,4 +1,4 @@
-//! Sums in which squares of sine and cosine meet.
+//! Sums in which equal products and squares of sine and cosine meet.
 
 use super::monomial::{Monomial, Term};
 use super::pairs::join;
@@ -10,29 +10,57 @@ use crate::number::Number;
 /// Products with more nested parts than this are not looked into.
 const MOST_FACTORS: usize = 16;
 
-/// `Σ coefficient · term`, with `a·cos²x + a·sin²x` replaced by `a` and `a·cosh²x - a·sinh²x` by `a`.
+/// `Σ coefficient · term`, with equal products added up however they are nested, `a·cos²x + a·sin²x`
+/// replaced by `a`, and `a·cosh²x - a·sinh²x` by `a`.
 ///
-/// The factors of `a` may be spread over nested products of up to 16 parts in all. What is not
+/// Products are compared, and the factors of `a` may be spread, over up to 16 nested parts. What is not
 /// replaced stays as it is; if nothing is replaced, the result is that of [`Graph::sum`].
 pub fn collect(graph: &mut Graph, terms: Vec<(ExprId, Number)>) -> ExprId {
-    let candidates = candidates(graph, &terms);
-    if candidates.len() < 2 {
+    if terms.len() < 2 {
         return graph.sum(Number::ZERO, terms);
+    }
+    let mut terms = add_equal_products(graph, &terms);
+    // What squares leave behind may equal another product, and so on; each round has fewer terms.
+    while let Some(fewer) = join_squares(graph, &terms) {
+        terms = add_equal_products(graph, &fewer);
+    }
+    graph.sum(Number::ZERO, terms)
+}
+
+/// The terms after the rules for squares, if any of these applies.
+fn join_squares(graph: &mut Graph, terms: &[(ExprId, Number)]) -> Option<Vec<(ExprId, Number)>> {
+    let candidates = candidates(graph, terms);
+    if candidates.len() < 2 {
+        return None;
     }
     let flat = candidates.iter().map(|(_, term)| term.clone()).collect();
     let joined = join(graph, squares(), flat);
     if joined.len() == candidates.len() {
-        return graph.sum(Number::ZERO, terms);
+        return None;
     }
-    let mut result = terms.into_iter().map(|(id, c)| split(graph, id, &c)).collect::<Vec<_>>();
     let is_candidate = candidates.iter().map(|(id, _)| (*id, ())).collect::<HashMap<_, _>>();
+    let mut result = terms.to_vec();
     result.retain(|(id, _)| !is_candidate.contains(id));
     for left in joined {
         let (origin, before) = &candidates[left.source];
         let removed = before.monomial.over(&left.term.monomial);
         result.push((remove_all(graph, *origin, &removed), left.term.coefficient));
     }
-    graph.sum(Number::ZERO, result)
+    Some(result)
+}
+
+/// The terms without coefficients of their own, products of the same factors added up under the first of
+/// them, and those that cancel left out.
+fn add_equal_products(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<(ExprId, Number)> {
+    let mut sums: OrderedMap<Monomial, (ExprId, Number)> = OrderedMap::default();
+    for (id, coefficient) in terms {
+        let (core, coefficient) = split(graph, *id, coefficient);
+        let flat = Monomial::of(graph, core, MOST_FACTORS);
+        let key = flat.unwrap_or_else(|| Monomial::new(vec![(core, Number::ONE)]));
+        let sum = sums.get_or_insert_with(key, || (core, Number::ZERO));
+        sum.1 = &sum.1 + &coefficient;
+    }
+    sums.iter().map(|(_, sum)| sum.clone()).filter(|(_, coefficient)| !coefficient.is_zero()).collect()
 }
 
 fn split(graph: &Graph, id: ExprId, coefficient: &Number) -> (ExprId, Number) {
@@ -40,18 +68,13 @@ fn split(graph: &Graph, id: ExprId, coefficient: &Number) -> (ExprId, Number) {
     (core, &inner * coefficient)
 }
 
-/// The terms that hold a square of a function the rules know, equal ones added up.
+/// The terms that hold a square of a function the rules know.
 fn candidates(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<(ExprId, Term)> {
-    let mut found: OrderedMap<ExprId, Term> = OrderedMap::default();
-    for (id, coefficient) in terms {
-        let (core, coefficient) = split(graph, *id, coefficient);
-        if let Some(term) = found.get_mut(&core) {
-            term.coefficient = &term.coefficient + &coefficient;
-        } else if let Some(monomial) = with_square(graph, core) {
-            found.insert(core, Term { coefficient, monomial });
-        }
-    }
-    found.iter().map(|(id, term)| (*id, term.clone())).collect()
+    let candidate = |(id, coefficient): &(ExprId, Number)| {
+        let monomial = with_square(graph, *id)?;
+        Some((*id, Term { coefficient: coefficient.clone(), monomial }))
+    };
+    terms.iter().filter_map(candidate).collect()
 }
 
 /// The term as a flat monomial, if a square of a function the rules know is among its factors.

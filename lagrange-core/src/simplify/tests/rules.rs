@@ -137,6 +137,31 @@ fn joined_terms_are_joined_again() {
 }
 
 #[test]
+fn products_cancel_however_they_are_nested() {
+    let mut g = Graph::new();
+    let [q, r, s] = coordinates(&mut g);
+    let (sin, cos) = (apply(&mut g, Function::Sin, &[q]), apply(&mut g, Function::Cos, &[q]));
+    let (r_sin, r_cos) = (g.multiply(r, sin), g.multiply(r, cos));
+    let (first, second) = (g.multiply(sin, r_cos), g.multiply(cos, r_sin));
+    assert_ne!(first, second, "nesting tells them apart");
+    let minus = Number::MINUS_ONE;
+    assert_eq!(collect(&mut g, vec![one(first), one(s), (second, minus)]), s);
+    assert_eq!(collect(&mut g, vec![one(first), one(second)]), g.scale(Number::TWO, first));
+}
+
+#[test]
+fn what_squares_leave_behind_can_cancel() {
+    let mut g = Graph::new();
+    let [q, r, s] = coordinates(&mut g);
+    let (sin, cos) = (apply(&mut g, Function::Sin, &[q]), apply(&mut g, Function::Cos, &[q]));
+    let rs = g.multiply(r, s);
+    let (sin2, cos2) = (g.square(sin), g.square(cos));
+    let terms = [g.multiply(rs, sin2), g.multiply(rs, cos2)].map(one);
+    let zero = collect(&mut g, vec![terms[0].clone(), terms[1].clone(), (rs, Number::MINUS_ONE)]);
+    assert!(g.is_zero(zero));
+}
+
+#[test]
 fn hyperbolic_squares_meet_when_subtracted() {
     let mut g = Graph::new();
     let [m, _, sin, _] = pendulum(&mut g);

@@ -1,0 +1,58 @@
+//! Time to derive the equations of pendulum chains, phase by phase: what the macro adds to a user's build.
+//!
+//! Proc-macros run unoptimised in most builds, so that the figures which matter are those of
+//! `cargo bench --profile dev --bench derivation`. `tools/compile_time.py` measures the whole of what a user
+//! waits for, with the compilation of the emitted code.
+
+use criterion::{BatchSize, Criterion, SamplingMode, criterion_group, criterion_main};
+use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::pipeline::{Derived, System, parse};
+use proc_macro2::TokenStream;
+
+const CHAINS: [(&str, &str); 6] = [
+    ("absolute 2", include_str!("chains/absolute_2.rs")),
+    ("absolute 5", include_str!("chains/absolute_5.rs")),
+    ("absolute 10", include_str!("chains/absolute_10.rs")),
+    ("absolute 20", include_str!("chains/absolute_20.rs")),
+    ("relative 4", include_str!("chains/relative_4.rs")),
+    ("relative 8", include_str!("chains/relative_8.rs")),
+];
+
+/// What stands between the braces of `system!` in a source file.
+fn declaration(source: &str) -> &str {
+    let (_, rest) = source.split_once("system! {\n").expect("a declaration");
+    let (declaration, _) = rest.split_once("\n}\n").expect("its end");
+    declaration
+}
+
+fn system(text: &str) -> System {
+    parse(text).expect("a correct declaration")
+}
+
+fn derived(system: System) -> Derived {
+    system.derive(RoadChoice::Cheapest).expect("a regular system")
+}
+
+/// Lowers, optimises and writes everything that the macro emits.
+fn emitted(derived: Derived) -> TokenStream {
+    derived.emit(&quote::quote!(::lagrange)).expect("representable constants")
+}
+
+fn phases(criterion: &mut Criterion) {
+    for (name, source) in CHAINS {
+        let text = declaration(source);
+        let mut group = criterion.benchmark_group(name);
+        group.sample_size(10).sampling_mode(SamplingMode::Flat);
+        group.bench_function("whole", |bencher| bencher.iter(|| emitted(derived(system(text)))));
+        group.bench_function("parse and check", |bencher| bencher.iter(|| system(text)));
+        group.bench_function("derive", |bencher| {
+            bencher.iter_batched(|| system(text), derived, BatchSize::PerIteration);
+        });
+        group.bench_function("emit", |bencher| {
+            bencher.iter_batched(|| derived(system(text)), emitted, BatchSize::PerIteration);
+        });
+    }
+}
+
+criterion_group!(benches, phases);
+criterion_main!(benches);

@@ -1,0 +1,75 @@
+//! A system that is read while the program runs: a spring pendulum, a mass on an elastic rod.
+//!
+//! The computer algebra behind the macro is a library, `lagrange-core`. It takes a declaration as text,
+//! derives the equations and evaluates them with an interpreter: for tools, and for systems that are not
+//! known when the program is compiled. The interpreter is much slower than compiled code.
+//!
+//! Without an argument the declaration below goes both roads, and the accelerations are compared. Look for
+//! the equations, the structure and the cost, which are also the documentation of the emitted struct, and for
+//! the accelerations, which agree to rounding.
+//!
+//! `cargo run --example from_text -- FILE` does the first road for the declaration in a file.
+
+mod common;
+
+use std::error::Error;
+use std::process::ExitCode;
+use std::{env, fs};
+
+use common::compare;
+use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::pipeline::{Derived, NumericSystem, parse};
+
+/// Compiles a declaration and keeps its text.
+macro_rules! compiled_with_text {
+    ($($declaration:tt)*) => {
+        lagrange::system! { $($declaration)* }
+        const TEXT: &str = stringify!($($declaration)*);
+    };
+}
+
+compiled_with_text! {
+    #[derive(Clone, Debug)]
+    pub struct SpringPendulum;
+
+    param m = 1.0, k = 40.0, l0 = 1.0, g = 9.81;
+    coord r, theta;
+    let position = (r * sin(theta), -r * cos(theta));
+    kinetic = kinetic_energy(m, dot(position));
+    potential = gravitational_energy(m, g, position.y) + spring_energy(k, r - l0);
+}
+
+fn main() -> ExitCode {
+    let result = env::args().nth(1).map_or_else(both_roads, |path| of_file(&path));
+    if let Err(error) = &result {
+        // Mistakes of a declaration are written for people: every one with its line, its column and help.
+        eprintln!("{error}");
+    }
+    ExitCode::from(u8::from(result.is_err()))
+}
+
+fn of_file(path: &str) -> Result<(), Box<dyn Error>> {
+    describe(&fs::read_to_string(path)?).map(drop)
+}
+
+/// Prints what is known of a system.
+fn describe(text: &str) -> Result<Derived, Box<dyn Error>> {
+    let mut derived = parse(text)?.derive(RoadChoice::Cheapest)?;
+    print!("{}", derived.report);
+    derived.documentation().iter().for_each(|line| println!("{line}"));
+    println!("\n# The same in LaTeX\n\n{}\n", derived.equations_latex());
+    Ok(derived)
+}
+
+/// Compares the interpreter with the compiled type.
+fn both_roads() -> Result<(), Box<dyn Error>> {
+    let interpreted = NumericSystem::new(&describe(TEXT)?);
+    let compiled = SpringPendulum::default();
+    for (q, v) in [([1.2, 0.3], [0.0, 0.0]), ([0.9, -1.1], [0.7, 2.5]), ([1.5, 3.0], [-2.0, 1.0])] {
+        let [a, expected] =
+            [interpreted.acceleration(0.0, &q, &v), compiled.acceleration(0.0, &q, &v).into()];
+        let rows = [("r_ddot", a[0], expected[0]), ("theta_ddot", a[1], expected[1])];
+        compare(&format!("interpreter and compiled type at q = {q:?}, v = {v:?}"), 1e-14, &rows);
+    }
+    Ok(())
+}

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Writes the pendulum chains that benches derive and evaluate: `tools/chains.py` fills benches/chains/.
+
+n point masses on massless rods under gravity, as a user would write them down: in absolute angles from the
+downward vertical, or in relative angles, each rod against the one before. All masses and lengths are
+parameters.
+"""
+
+from pathlib import Path
+
+CHAINS = [("absolute", 2), ("absolute", 5), ("absolute", 10), ("absolute", 20), ("relative", 4), ("relative", 8)]
+FOLDER = Path(__file__).resolve().parent.parent / "benches" / "chains"
+
+
+def numbered(letter, n):
+    return [f"{letter}{k}" for k in range(1, n + 1)]
+
+
+def type_name(kind, n):
+    return f"{kind.capitalize()}{n}"
+
+
+def declaration(kind, n):
+    """The declaration as text, from the doc comment of the struct to the potential."""
+    lines = [
+        f"/// {n} point masses on massless rods in {kind} angles.",
+        f"pub(crate) struct {type_name(kind, n)};",
+        f"param {', '.join(numbered('m', n) + numbered('l', n))}, g;",
+        f"coord {', '.join(numbered('q', n))};",
+    ]
+    for k in range(1, n + 1):
+        angle = f"q{k}"
+        if kind == "relative":
+            angle = f"a{k}"
+            lines.append(f"let a{k} = {f'a{k - 1} + ' if k > 1 else ''}q{k};")
+        x, y = (f"x{k - 1} + ", f"y{k - 1} ") if k > 1 else ("", "")
+        lines.append(f"let (x{k}, y{k}) = ({x}l{k} * sin({angle}), {y}{'- ' if y else '-'}l{k} * cos({angle}));")
+    lines += [f"kinetic = 1/2 * m{k} * (dot(x{k})^2 + dot(y{k})^2);" for k in range(1, n + 1)]
+    lines += [f"potential = m{k} * g * y{k};" for k in range(1, n + 1)]
+    return lines
+
+
+def module(kind, n):
+    """A Rust module with the emitted type and a constructor from arrays."""
+    name, masses, lengths = type_name(kind, n), numbered("m", n), numbered("l", n)
+    indent = lambda lines: "\n".join(f"    {line}" for line in lines)
+    return f"""//! Written by `tools/chains.py`.
+
+lagrange::system! {{
+{indent(declaration(kind, n))}
+}}
+
+#[rustfmt::skip]
+pub(crate) fn chain(m: &[f64; {n}], l: &[f64; {n}], g: f64) -> {name} {{
+    let [{', '.join(masses)}] = *m;
+    let [{', '.join(lengths)}] = *l;
+    {name} {{ {', '.join(masses + lengths)}, g }}
+}}
+"""
+
+
+def index():
+    """The module that holds the others."""
+    modules = "\n".join(f"pub(crate) mod {kind}_{n};" for kind, n in sorted(CHAINS))
+    return f"//! Pendulum chains as declarations. Written by `tools/chains.py`.\n\n{modules}\n"
+
+
+def main():
+    FOLDER.mkdir(exist_ok=True)
+    for kind, n in CHAINS:
+        (FOLDER / f"{kind}_{n}.rs").write_text(module(kind, n))
+    (FOLDER / "mod.rs").write_text(index())
+
+
+if __name__ == "__main__":
+    main()
