@@ -84,6 +84,14 @@ pub(crate) fn largest_part(graph: &Graph, expression: ExprId, point: &Point) -> 
     parts.into_iter().fold(0.0, |largest, part| part.abs().max(largest))
 }
 
+/// Whether anything that the expression is made of is undefined at a point where nothing vanishes by chance.
+pub(crate) fn has_undefined_part(graph: &Graph, expression: ExprId) -> bool {
+    const GENERIC: Point =
+        [0.314_159, 0.271_828, -0.577_216, 0.693_147, 0.141_421, -0.173_205, 0.618_034, 0.915_966];
+    let parts = evaluate(graph, &graph.reachable(&[expression]), |role| coordinate(&GENERIC, role));
+    parts.iter().any(|part| !part.is_finite())
+}
+
 fn coordinate(point: &Point, role: Role) -> f64 {
     let position = SYMBOLS.iter().position(|(_, known)| *known == role);
     position.map_or(f64::NAN, |position| point[position])
