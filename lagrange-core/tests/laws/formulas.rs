@@ -87,7 +87,7 @@ pub(crate) fn largest_part(graph: &Graph, expression: ExprId, point: &Point) -> 
 /// Whether anything that the expression is made of is undefined at a point where nothing vanishes by chance.
 pub(crate) fn has_undefined_part(graph: &Graph, expression: ExprId) -> bool {
     const GENERIC: Point =
-        [0.314_159, 0.271_828, -0.577_216, 0.693_147, 0.141_421, -0.173_205, 0.618_034, 0.915_966];
+        [0.314_159, 0.271_828, -0.577_216, 0.493_147, 0.141_421, -0.173_205, 0.618_034, 0.915_966];
     let parts = evaluate(graph, &graph.reachable(&[expression]), |role| coordinate(&GENERIC, role));
     parts.iter().any(|part| !part.is_finite())
 }
