@@ -127,3 +127,6 @@ fn emit(
     let too_large = |constants: &Vec<String>| emit::report_too_large(declaration, constants, report);
     items.inspect_err(too_large).ok()
 }
+
+#[cfg(test)]
+mod tests;

@@ -13,13 +13,17 @@ const READING_BUDGET: usize = 120;
 const LARGEST_PRESENTED: usize = 300;
 /// Systems with more coordinates are too large for their equations to be read.
 const MOST_COORDINATES: usize = 8;
+/// Systems whose equations are made of more expressions are too large for that, too.
+const LARGEST_SYSTEM: usize = 200;
 /// Equations longer than this, in characters, are left out.
 const LONGEST_EQUATIONS: usize = 6000;
 
 /// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
 /// short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
-    if model.coordinates.len() > MOST_COORDINATES {
+    let (mass, forcing) = (equations.mass_matrix.as_ref()?, equations.forcing.as_ref()?);
+    let all = mass.iter().flatten().chain(forcing).copied().collect::<Vec<_>>();
+    if model.coordinates.len() > MOST_COORDINATES || model.graph.reachable(&all).len() > LARGEST_SYSTEM {
         return None;
     }
     let sides = sides(model, equations)?;
