@@ -1,4 +1,48 @@
-//! Everything of `lagrange` that happens at compile time.
+//! The computer algebra, the mechanics and the code emission behind `lagrange::system!`: everything that
+//! happens at compile time.
+//!
+//! It is an ordinary library, so that systems can also be read from text, looked into and evaluated by tests,
+//! tools and build scripts. It is *not* a general computer algebra system: expressions are never expanded to
+//! be compared or simplified, and there is no solving, no integration and no polynomial arithmetic beyond what
+//! printing a formula takes. Users of `lagrange` do not link it.
+//!
+//! A pendulum, from text to its equation and its acceleration:
+//!
+//! ```
+//! use lagrange_core::mechanics::RoadChoice;
+//! use lagrange_core::pipeline::{NumericSystem, parse};
+//!
+//! let pendulum = "
+//!     param m = 1, l = 2, g = 9.81;
+//!     coord theta;
+//!     kinetic = 1/2 * m * (l * dot(theta))^2;
+//!     potential = -m * g * l * cos(theta);
+//! ";
+//! let mut derived = parse(pendulum)?.derive(RoadChoice::Cheapest)?;
+//!
+//! let lines = derived.documentation();
+//! assert!(lines.iter().any(|line| line == "m*l^2*ddot(theta) = -m*l*g*sin(theta)"));
+//!
+//! let numeric = NumericSystem::new(&derived);
+//! let (t, angle, rate) = (0.0, 0.3, 0.0);
+//! let acceleration = numeric.acceleration(t, &[angle], &[rate]);
+//! assert!((acceleration[0] + 9.81 / 2.0 * angle.sin()).abs() < 1e-15);
+//! # Ok::<(), lagrange_core::diagnostics::Report>(())
+//! ```
+//!
+//! # Phases
+//!
+//! [`pipeline`] is the whole of it on one screen:
+//!
+//! 1. [`syntax`] reads tokens or text into a declaration, with all mistakes reported together;
+//! 2. [`mechanics`] resolves it into a [`Model`](mechanics::Model) and derives its
+//!    [`Equations`](mechanics::Equations);
+//! 3. [`program`] lowers expressions to straight-line [`Program`](program::Program)s;
+//! 4. [`emit`] writes programs as Rust, and expressions as text, LaTeX or graphs.
+//!
+//! They stand on [`expr`], the graph that owns every expression of a system; [`functions`], one row for each
+//! elementary function; [`calculus`] and [`simplify`], algorithms that take the graph; and on [`number`],
+//! [`symbol`], [`diagnostics`] and [`collections`]. A module imports only from those that come before it.
 #![forbid(unsafe_code)]
 
 pub mod calculus;

@@ -87,12 +87,20 @@ impl Number {
 
     /// Whether this is zero.
     pub fn is_zero(&self) -> bool {
-        *self == Number::ZERO
+        self.to_integer() == Some(0)
     }
 
     /// Whether this is one.
     pub fn is_one(&self) -> bool {
-        *self == Number::ONE
+        self.to_integer() == Some(1)
+    }
+
+    /// The value, if it is an integer that fits a word: most are, and their arithmetic needs no gcd.
+    fn to_integer(&self) -> Option<i64> {
+        match &self.0 {
+            Repr::Word(ratio) if *ratio.denom() == 1 => Some(*ratio.numer()),
+            _ => None,
+        }
     }
 
     /// Whether this is below zero.
@@ -113,15 +121,15 @@ impl Number {
 
     /// Whether this is an even integer.
     pub fn is_even(&self) -> bool {
-        self.is_integer() && (self * &Number(Repr::Word(Ratio::new_raw(1, 2)))).is_integer()
+        match self.to_integer() {
+            Some(integer) => integer % 2 == 0,
+            None => self.is_integer() && (self * &Number(Repr::Word(Ratio::new_raw(1, 2)))).is_integer(),
+        }
     }
 
     /// The value, if it is an integer that fits.
     pub fn to_i32(&self) -> Option<i32> {
-        match &self.0 {
-            Repr::Word(ratio) if *ratio.denom() == 1 => i32::try_from(*ratio.numer()).ok(),
-            _ => None,
-        }
+        self.to_integer().and_then(|integer| i32::try_from(integer).ok())
     }
 
     /// The nearest `f64`; infinite if the magnitude is out of range.
@@ -151,6 +159,9 @@ impl Number {
 
     /// `self` to an integer power; `None` for a negative power of zero and for results too long to be useful.
     pub fn power(&self, exponent: i32) -> Option<Number> {
+        if exponent == 1 || self.is_one() {
+            return Some(self.clone());
+        }
         let base = if exponent < 0 { self.reciprocal()? } else { self.clone() };
         let magnitude = exponent.unsigned_abs();
         let big = base.to_big();
@@ -182,6 +193,9 @@ impl From<i64> for Number {
 impl std::ops::Add for &Number {
     type Output = Number;
     fn add(self, other: &Number) -> Number {
+        if let Some(sum) = self.to_integer().zip(other.to_integer()).and_then(|(a, b)| a.checked_add(b)) {
+            return Number::from(sum);
+        }
         if let (Repr::Word(a), Repr::Word(b)) = (&self.0, &other.0)
             && let Some(sum) = a.checked_add(b)
         {
@@ -206,6 +220,9 @@ impl std::ops::Mul for &Number {
         }
         if other.is_one() {
             return self.clone();
+        }
+        if let Some(product) = self.to_integer().zip(other.to_integer()).and_then(|(a, b)| a.checked_mul(b)) {
+            return Number::from(product);
         }
         if let (Repr::Word(a), Repr::Word(b)) = (&self.0, &other.0)
             && let Some(product) = a.checked_mul(b)
@@ -236,6 +253,9 @@ impl PartialOrd for Number {
 
 impl Ord for Number {
     fn cmp(&self, other: &Number) -> Ordering {
+        if let Some((a, b)) = self.to_integer().zip(other.to_integer()) {
+            return a.cmp(&b);
+        }
         match (&self.0, &other.0) {
             (Repr::Word(a), Repr::Word(b)) => a.cmp(b),
             _ => self.to_big().cmp(&other.to_big()),

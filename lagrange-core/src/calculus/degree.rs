@@ -61,3 +61,32 @@ impl Degrees {
         }
     }
 }
+
+/// The degree in which an expression is homogeneous in the velocities, that is k if it becomes sᵏ times
+/// itself when all velocities are multiplied by s; `None` if it is not, or not plainly so.
+pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
+    let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();
+    for id in graph.reachable_until(&[root], |id| !depends_on_velocities(graph, id)) {
+        let of = |id: &ExprId| known.get(id).copied().flatten();
+        let degree = match graph.node(id) {
+            _ if !depends_on_velocities(graph, id) => Some(0),
+            Node::Symbol(_) => Some(1),
+            Node::Sum { constant, terms } => {
+                let first = of(&terms[0].0);
+                let same = constant.is_zero() && terms.iter().all(|(term, _)| of(term) == first);
+                first.filter(|_| same)
+            }
+            Node::Product(factors) => factors.iter().try_fold(0, |degree, (base, exponent)| {
+                let base = of(base)?;
+                if base == 0 { Some(degree) } else { Some(degree + base * i64::from(exponent.to_i32()?)) }
+            }),
+            _ => None,
+        };
+        known.insert(id, degree);
+    }
+    known.get(&root).copied().flatten()
+}
+
+fn depends_on_velocities(graph: &Graph, id: ExprId) -> bool {
+    graph.dependencies(id).intersects(Dependencies::VELOCITY)
+}

@@ -9,7 +9,7 @@ mod rate;
 mod substitute;
 
 pub use adjoint::{adjoint, gradient};
-pub use degree::{Degree, Degrees};
+pub use degree::{Degree, Degrees, homogeneity};
 pub use evaluate::evaluate;
 pub use local::{partials, second_partials};
 pub use partial::partial;

@@ -1,52 +1,62 @@
 //! The documentation of an emitted system: its equations and what was found out about it.
 
 use super::{latex, text};
+use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
 use crate::mechanics::{Conserved, Equations, Model, Road, Structure};
 use crate::number::Number;
 use crate::program::{Labels, OperationCounts, lower, optimise};
-use crate::simplify::present;
+use crate::simplify::present_all;
 
 /// Monomials up to which an entry is multiplied out for reading.
 const READING_BUDGET: usize = 120;
 /// Entries made of more expressions than this are printed as they were derived.
 const LARGEST_PRESENTED: usize = 300;
 /// Systems with more coordinates are too large for their equations to be read.
-const MOST_COORDINATES: usize = 8;
-/// Systems whose equations are made of more expressions are too large for that, too.
-const LARGEST_SYSTEM: usize = 200;
+const MOST_COORDINATES: usize = 6;
+/// Equations with more abbreviations are harder to read than the code.
+const MOST_ABBREVIATIONS: usize = 12;
 /// Equations longer than this, in characters, are left out.
-const LONGEST_EQUATIONS: usize = 6000;
+const LONGEST_EQUATIONS: usize = 4000;
+
+const TOO_LONG: &str =
+    "M q̈ = f, too long to be written out; `mass_matrix` and `forcing` compute the two sides.";
 
 /// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
 /// short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
-    let (mass, forcing) = (equations.mass_matrix.as_ref()?, equations.forcing.as_ref()?);
-    let all = mass.iter().flatten().chain(forcing).copied().collect::<Vec<_>>();
-    if model.coordinates.len() > MOST_COORDINATES || model.graph.reachable(&all).len() > LARGEST_SYSTEM {
+    if model.coordinates.len() > MOST_COORDINATES {
         return None;
     }
-    let sides = sides(model, equations)?;
-    let lines = lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS));
-    (lines.iter().map(String::len).sum::<usize>() <= LONGEST_EQUATIONS).then_some(lines)
+    let forcing = readable(&mut model.graph, equations.forcing.as_ref()?);
+    // The right sides are the longer ones: if they cannot be read, the left ones need not be tried.
+    readable_lines(text::definitions(&model.graph, &forcing, LONGEST_EQUATIONS))?;
+    let sides = sides(model, equations, &forcing)?;
+    readable_lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS))
 }
 
 /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
 /// short. Empty if the mass matrix or the forcing is not wanted.
 pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
-    let sides = sides(model, equations).unwrap_or_default();
+    let Some(forcing) = &equations.forcing else { return String::new() };
+    let forcing = readable(&mut model.graph, forcing);
+    let sides = sides(model, equations, &forcing).unwrap_or_default();
     lines(latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS)).join("\n")
 }
 
 /// The left and the right side of each row of M q̈ = f.
-fn sides(model: &mut Model, equations: &Equations) -> Option<Vec<ExprId>> {
-    let (mass, forcing) = (equations.mass_matrix.as_ref()?, equations.forcing.as_ref()?);
-    let mut sides = Vec::new();
-    for (row, &right) in mass.iter().zip(forcing) {
-        sides.push(left_side(model, row));
-        sides.push(readable(&mut model.graph, right));
-    }
-    Some(sides)
+fn sides(model: &mut Model, equations: &Equations, forcing: &[ExprId]) -> Option<Vec<ExprId>> {
+    let mass = readable(&mut model.graph, &equations.mass_matrix.as_ref()?.concat());
+    let rows = mass.chunks(forcing.len().max(1)).zip(forcing);
+    Some(rows.flat_map(|(row, &right)| [left_side(model, row), right]).collect())
+}
+
+/// The lines, unless there are too many characters or abbreviations.
+fn readable_lines(definitions: (Vec<(String, String)>, Vec<String>)) -> Option<Vec<String>> {
+    let abbreviations = definitions.0.len();
+    let lines = lines(definitions);
+    let length = lines.iter().map(String::len).sum::<usize>();
+    (length <= LONGEST_EQUATIONS && abbreviations <= MOST_ABBREVIATIONS).then_some(lines)
 }
 
 /// Equations between names and what they abbreviate, then between left and right sides.
@@ -58,19 +68,19 @@ fn lines((abbreviations, sides): (Vec<(String, String)>, Vec<String>)) -> Vec<St
 /// Σ Mᵢⱼ q̈ⱼ
 fn left_side(model: &mut Model, row: &[ExprId]) -> ExprId {
     let mut terms = Vec::new();
-    for (entry, coordinate) in row.iter().zip(&model.coordinates) {
-        let entry = readable(&mut model.graph, *entry);
+    for (&entry, coordinate) in row.iter().zip(&model.coordinates) {
         terms.push((model.graph.multiply(entry, coordinate.acceleration), Number::ONE));
     }
     model.graph.sum(Number::ZERO, terms)
 }
 
-/// An equal expression in the form a textbook would print, if that can be found quickly.
-fn readable(graph: &mut Graph, expression: ExprId) -> ExprId {
-    if graph.reachable(&[expression]).len() > LARGEST_PRESENTED {
-        return expression;
-    }
-    present(graph, expression, READING_BUDGET)
+/// The expressions in the form a textbook would print, if that can be found quickly.
+fn readable(graph: &mut Graph, expressions: &[ExprId]) -> Vec<ExprId> {
+    let is_small = |&&id: &&ExprId| graph.reachable(&[id]).len() <= LARGEST_PRESENTED;
+    let small = expressions.iter().filter(is_small).copied().collect::<Vec<_>>();
+    let presented = present_all(graph, &small, READING_BUDGET);
+    let presented = small.into_iter().zip(presented).collect::<HashMap<_, _>>();
+    expressions.iter().map(|id| presented.get(id).copied().unwrap_or(*id)).collect()
 }
 
 /// What the documentation of the emitted struct says of its equations and of what was found out about the
@@ -82,19 +92,20 @@ pub fn documentation(model: &mut Model, equations: &Equations) -> Vec<String> {
 
 /// The same for accelerations whose operations have been counted.
 pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: OperationCounts) -> Vec<String> {
-    let mut lines = vec![String::new(), "# Equations of motion".to_owned(), String::new()];
+    let mut lines = vec!["# Equations of motion".to_owned(), String::new()];
     match equations_text(model, equations) {
         Some(equations) => {
             lines.push("```text".to_owned());
             lines.extend(equations);
             lines.push("```".to_owned());
         }
-        None => lines.push("M q̈ = f with too many terms to be read here.".to_owned()),
+        None => lines.push(TOO_LONG.to_owned()),
     }
     lines.extend([String::new(), "# State and structure".to_owned(), String::new()]);
     lines.push(format!("- State: `[{}]`.", state_order(model)));
     lines.extend(structure_lines(model, &equations.structure));
-    lines.push(format!("- One evaluation of `acceleration`: {counts}; {}.", road_text(equations)));
+    lines.push(format!("- Accelerations: {}.", road_text(equations)));
+    lines.push(format!("- Cost of `acceleration`: {}.", counts_text(counts)));
     lines
 }
 
@@ -140,13 +151,21 @@ fn mass_text(structure: &Structure, join: impl Fn(&[usize]) -> String) -> String
     format!("{shape}, {dependence}")
 }
 
+/// Operation counts in Markdown.
+pub(super) fn counts_text(counts: OperationCounts) -> String {
+    counts.to_string().replace("sin_cos", "`sin_cos`")
+}
+
 fn road_text(equations: &Equations) -> &'static str {
     match (equations.road, equations.costs) {
+        _ if equations.structure.mass.is_diagonal() => {
+            "each equation divided by its entry of the mass matrix"
+        }
         (Road::Dense, [_, Some(_)]) => "the mass matrix is factorised, which costs no more than recursion",
         (Road::Dense, _) => "the mass matrix is factorised",
         (Road::Recursive, [Some(_), _]) => {
-            "coordinates are eliminated recursively, which costs less than factorising the mass matrix"
+            "eliminated body by body, which costs less than factorising the mass matrix"
         }
-        (Road::Recursive, _) => "coordinates are eliminated recursively",
+        (Road::Recursive, _) => "eliminated body by body",
     }
 }

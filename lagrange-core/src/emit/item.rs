@@ -7,7 +7,7 @@ use quote::quote;
 
 use super::method::{ArgumentNames, Arguments, Method};
 use super::rust_body::Names;
-use super::shape::{Shape, identifier, local};
+use super::shape::{Shape, doc, identifier, length, local};
 
 /// Everything that differs between a derived system and a skeleton.
 pub(super) struct Parts {
@@ -67,10 +67,20 @@ fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
 
 fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let declaration = shape.declaration;
-    let (attributes, visibility) = (&declaration.attributes, &declaration.visibility);
+    let (mut docs, attributes) = split_attributes(&declaration.attributes);
     let (name, generics, scalar) = (shape.name(), shape.generics(), shape.scalar_path());
-    let docs = &parts.docs;
-    let field_docs = shape.fields.iter().map(|name| shape.docs(name, &format!("Parameter `{}`.", name.text)));
+    let visibility = &declaration.visibility;
+    if docs.is_empty() {
+        docs.push(doc(&format!("A mechanical system with the {}.", coordinate_list(shape))));
+    }
+    if !parts.docs.is_empty() {
+        docs.push(doc(""));
+        docs.extend(parts.docs.iter().map(|line| doc(line)));
+    }
+    let field_docs = shape
+        .fields
+        .iter()
+        .map(|name| shape.docs(name, &format!("{} `{}`.", shape.kind_of_field(name), name.text)));
     let fields = shape.fields.iter().map(|name| identifier(name));
     let fields = quote!(#(#field_docs pub #fields: #scalar,)*);
     let marker = shape.needs_marker().then(|| {
@@ -89,34 +99,48 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         quote!(#[allow(clippy::pub_underscore_fields, reason = "the user marked the parameter as unused")])
     });
     quote! {
-        #attributes
-        #(#[doc = #docs])*
+        #(#docs)*
+        #(#attributes)*
         #names
         #unused
         #visibility struct #name #generics #body
     }
 }
 
+/// The lines of documentation and the other attributes.
+fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
+    let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
+    // An attribute is a number sign and a group in brackets.
+    let attributes = tokens.chunks(2).map(|attribute| attribute.iter().cloned().collect::<TokenStream>());
+    attributes
+        .partition(|attribute| attribute.to_string().trim_start_matches(['#', '[', ' ']).starts_with("doc"))
+}
+
+fn coordinate_list(shape: &Shape<'_>) -> String {
+    let names = shape.coordinates.iter().map(|name| format!("`{}`", name.text)).collect::<Vec<_>>();
+    match names.as_slice() {
+        [single] => format!("coordinate {single}"),
+        names => format!("coordinates {}", names.join(", ")),
+    }
+}
+
 fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());
     let visibility = &shape.declaration.visibility;
-    let title = format!("State of [`{}`]: coordinates, then velocities.", shape.declaration.name.text);
-    let docs =
-        shape.coordinates.iter().map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text))).chain(
-            shape.coordinates.iter().map(|name| {
-                let line = format!("Velocity of `{}`.", name.text);
-                quote!(#[doc = #line])
-            }),
-        );
+    let title = doc(&format!("State of [`{}`]: coordinates, then velocities.", shape.declaration.name.text));
+    let docs = shape
+        .coordinates
+        .iter()
+        .map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text)))
+        .chain(shape.coordinates.iter().map(|name| doc(&format!("Velocity of `{}`.", name.text))));
     let (fields, names) = (shape.state_fields(), name_exception(shape));
-    let is_generic = !generics.is_empty();
-    let equality = is_generic.then(
-        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "states are not made of integers")]),
+    let allow = (!generics.is_empty()).then(
+        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
     );
     quote! {
-        #[doc = #title]
+        #title
         #names
-        #equality
+        #allow
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
             #(#docs pub #fields: #scalar,)*
@@ -140,10 +164,10 @@ fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 /// ẏ = [v, a]
 fn rhs(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
     let (scalar, n) = (shape.scalar(), shape.coordinates.len());
-    let (twice, variables) = (2 * n, state_variables(shape));
+    let (twice, variables) = (length(2 * n), state_variables(shape));
     let (positions, velocities) = variables.split_at(n);
     let ArgumentNames { time, state, accelerations, .. } = names;
-    let indices = 0..n;
+    let indices = (0..n).map(length);
     quote! {
         /// Rate of the state: velocities, then accelerations.
         #[must_use]
@@ -173,7 +197,8 @@ fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     let (state, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar());
     // Not `Scalar`: a state can be converted whatever its numbers can do.
     let (fields, n) = (shape.state_fields(), shape.coordinates.len());
-    let (twice, (positions, velocities)) = (2 * n, fields.split_at(n));
+    let (positions, velocities) = fields.split_at(n);
+    let (n, twice) = (length(n), length(2 * n));
     let variables = state_variables(shape);
     let entries = fields.iter().zip(&variables).map(|(field, variable)| match field == variable {
         true => quote!(#variable),
@@ -220,8 +245,8 @@ fn state_variables(shape: &Shape<'_>) -> Vec<Ident> {
 
 fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, n) = (shape.krate, shape.coordinates.len());
-    let twice = 2 * n;
+    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
+    let twice = length(2 * shape.coordinates.len());
     let ArgumentNames { time, positions, velocities, state, .. } = &parts.names;
     let coordinates = shape.coordinates.iter().map(|name| &name.text);
     let has_energy = parts.methods.iter().any(|m| m.name == "energy" && m.arguments == Arguments::State);
@@ -266,11 +291,15 @@ fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 
 /// Distinct names for the arguments; the user's names come first.
 pub(super) fn argument_names(mut allocate: impl FnMut(&str) -> Ident) -> ArgumentNames {
+    let mut either = |short: &str, long: &str| {
+        let name = allocate(short);
+        if name == short { name } else { allocate(long) }
+    };
     ArgumentNames {
-        time: allocate("t"),
-        positions: allocate("q"),
-        velocities: allocate("v"),
-        accelerations: allocate("a"),
-        state: allocate("y"),
+        time: either("t", "time"),
+        positions: either("q", "positions"),
+        velocities: either("v", "velocities"),
+        accelerations: either("a", "accelerations"),
+        state: either("y", "state"),
     }
 }

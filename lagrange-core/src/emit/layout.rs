@@ -180,7 +180,8 @@ impl<'v, 'n> View<'v, 'n> {
         }
     }
 
-    /// Accelerations before velocities before everything else, single symbols before products, numbers last.
+    /// Accelerations in their order before velocities before everything else, single symbols before products,
+    /// numbers last.
     fn place_of_term(&self, term: &Term) -> impl Ord + use<> {
         let class = term.factors.iter().map(|(base, _)| self.graph.dependencies(*base)).fold(
             if term.factors.is_empty() { 4 } else { 3 },
@@ -195,7 +196,11 @@ impl<'v, 'n> View<'v, 'n> {
         };
         let place =
             |(base, exponent): &(ExprId, Number)| (self.place_of_factor(*base), Reverse(exponent.clone()));
-        (class, is_product, term.factors.iter().map(place).collect::<Vec<_>>())
+        let acceleration = term.factors.iter().find_map(|(base, _)| match self.symbol(*base)?.role {
+            Role::Acceleration(index) => Some(index),
+            _ => None,
+        });
+        (class, acceleration, is_product, term.factors.iter().map(place).collect::<Vec<_>>())
     }
 }
 

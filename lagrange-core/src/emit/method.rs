@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::shape::Shape;
+use super::shape::{Shape, length};
 
 /// What a method is a function of, beside the parameters.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -44,16 +44,23 @@ pub(super) struct Method {
     pub(super) body: TokenStream,
 }
 
-impl Method {
-    pub(super) fn tokens(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
-        let Method { name, docs, body, .. } = self;
-        let (n, scalar) = (shape.coordinates.len(), shape.scalar());
-        let ArgumentNames { time, positions, velocities, accelerations, .. } = names;
-        let vectors = match self.arguments {
+impl Arguments {
+    /// Those that are vectors.
+    pub(super) fn vectors(self, names: &ArgumentNames) -> Vec<&Ident> {
+        let ArgumentNames { positions, velocities, accelerations, .. } = names;
+        match self {
             Arguments::Positions => vec![positions],
             Arguments::State => vec![positions, velocities],
             Arguments::Motion => vec![positions, velocities, accelerations],
-        };
+        }
+    }
+}
+
+impl Method {
+    pub(super) fn tokens(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
+        let Method { name, docs, body, .. } = self;
+        let (n, scalar) = (length(shape.coordinates.len()), shape.scalar());
+        let (time, vectors) = (&names.time, self.arguments.vectors(names));
         let returns = self.returns.tokens(&scalar);
         quote! {
             #docs
@@ -70,8 +77,14 @@ impl Returns {
     pub(super) fn tokens(self, scalar: &TokenStream) -> TokenStream {
         match self {
             Returns::Scalar => scalar.clone(),
-            Returns::Vector(n) => quote!([#scalar; #n]),
-            Returns::Matrix(n) => quote!([[#scalar; #n]; #n]),
+            Returns::Vector(n) => {
+                let n = length(n);
+                quote!([#scalar; #n])
+            }
+            Returns::Matrix(n) => {
+                let n = length(n);
+                quote!([[#scalar; #n]; #n])
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! What of an emitted system is known from its declaration alone: names, fields, types.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::collections::HashMap;
@@ -57,11 +57,20 @@ impl<'a> Shape<'a> {
         self.outputs.retain(|(name, _)| first(name));
     }
 
+    /// What a field is.
+    pub(super) fn kind_of_field(&self, name: &Name) -> &'static str {
+        let is_input = self.declaration.statements.iter().any(|statement| match &statement.kind {
+            StatementKind::Inputs(list) => list.iter().any(|definition| definition.name.text == name.text),
+            _ => false,
+        });
+        if is_input { "Input" } else { "Parameter" }
+    }
+
     /// The user's documentation of a declared name, or else `line`.
     pub(super) fn docs(&self, name: &Name, line: &str) -> TokenStream {
         match self.docs.get(&name.text.as_str()) {
             Some(docs) => (*docs).clone(),
-            None => quote!(#[doc = #line]),
+            None => doc(line),
         }
     }
 
@@ -195,4 +204,15 @@ pub(super) fn identifier(name: &Name) -> Ident {
 /// An identifier that only generated code sees.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
+}
+
+/// A line of documentation, spaced as if it followed three slashes.
+pub(super) fn doc(line: &str) -> TokenStream {
+    let line = if line.is_empty() { String::new() } else { format!(" {line}") };
+    quote!(#[doc = #line])
+}
+
+/// The length of an array, as people write it.
+pub(super) fn length(length: usize) -> Literal {
+    Literal::usize_unsuffixed(length)
 }

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::docs;
 use super::item::{Parts, argument_names, items};
 use super::method::{ArgumentNames, Arguments, Method, Returns};
-use super::rust_body::{BodyStyle, Names, Scalar, body};
-use super::shape::{Shape, identifier, local};
+use super::rust_body::{Names, Scalar, body};
+use super::shape::{Shape, doc, identifier, local};
 use crate::expr::ExprId;
 use crate::mechanics::{Energies, Equations, Model, Product};
 use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
@@ -37,7 +37,7 @@ struct Writer<'a> {
     model: &'a mut Model,
     equations: &'a Equations,
     labels: Labels,
-    style: BodyStyle,
+    scalar: Scalar,
     names: ArgumentNames,
     methods: Vec<Method>,
     /// Operations of `acceleration`.
@@ -67,7 +67,7 @@ impl<'a> Writer<'a> {
             model,
             equations,
             labels,
-            style: BodyStyle { scalar, krate: shape.krate.clone() },
+            scalar,
             names: argument_names(|wish| arguments.fresh(wish)),
             methods: Vec::new(),
             counts: OperationCounts::default(),
@@ -149,23 +149,25 @@ impl<'a> Writer<'a> {
         roots: &[ExprId],
     ) -> OperationCounts {
         let program = optimise(&lower(&self.model.graph, roots, &self.labels));
+        let counts = OperationCounts::of(&program);
         let body = self.body(&program, arguments, returns);
         let output = self.shape.outputs.iter().find(|(output, _)| output.text == name);
         let (name, docs) = match output {
             Some((output, _)) => (identifier(output), self.shape.docs(output, &docs.concat())),
-            None => (format_ident!("{name}"), quote!(#(#[doc = #docs])*)),
+            None => (format_ident!("{name}"), docs.iter().map(|line| doc(line)).collect()),
         };
+        let (blank, cost) = (doc(""), doc(&format!("Takes {}.", docs::counts_text(counts))));
+        let docs = if counts == OperationCounts::default() { docs } else { quote!(#docs #blank #cost) };
         self.methods.push(Method { name, docs, arguments, returns, body });
-        OperationCounts::of(&program)
+        counts
     }
 
     fn body(&mut self, program: &Program, arguments: Arguments, returns: Returns) -> TokenStream {
         let symbols = self.model.graph.symbols();
-        let ArgumentNames { positions, velocities, accelerations, state, .. } = &self.names;
-        let reserved = [positions, velocities, accelerations, state].map(Ident::to_string);
+        let reserved = arguments.vectors(&self.names).iter().map(ToString::to_string).collect::<Vec<_>>();
         let mut names = Names::new(reserved.iter().map(String::as_str));
         self.has_rounded_constants |= program.values().any(|(_, op)| matches!(op, Op::Float(_)));
-        match body(program, symbols, &self.style, &mut names) {
+        match body(program, symbols, &self.scalar, &mut names) {
             Ok(body) => {
                 self.functions.extend(&body.functions);
                 let bindings = self.bindings(&body.used, &mut names, arguments);
@@ -231,7 +233,7 @@ impl<'a> Writer<'a> {
         let program = optimise(&lower(&self.model.graph, &defaults, &Labels::default()));
         self.has_rounded_constants |= program.values().any(|(_, op)| matches!(op, Op::Float(_)));
         let symbols = self.model.graph.symbols();
-        match body(&program, symbols, &self.style, &mut Names::default()) {
+        match body(&program, symbols, &self.scalar, &mut Names::default()) {
             Ok(body) => {
                 self.functions.extend(&body.functions);
                 let (names, statements) = (self.shape.fields.iter().map(|n| identifier(n)), body.statements);
@@ -275,7 +277,7 @@ const POTENTIAL: [&str; 1] = ["Potential energy V."];
 const ENERGY: [&str; 1] = ["Energy function v·∂L/∂v − L."];
 const INVERSE: [&str; 2] = [
     "Inverse dynamics: the generalised forces that must act, in addition to the declared ones,",
-    "to produce the accelerations `a`.",
+    "to produce given accelerations.",
 ];
 
 /// Names of the user that stand in the methods' bodies beside the arguments.

@@ -3,7 +3,7 @@
 use super::elaborate::{Elaborator, Term};
 use super::messages;
 use super::model::{Energies, Model, Product};
-use crate::calculus::gradient;
+use crate::calculus::{AccelerationTerms, Rates, gradient};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::syntax::ast::StatementKind;
@@ -148,14 +148,19 @@ impl Elaborator<'_> {
     fn into_model(mut self, energies: Energies, lagrangian: ExprId) -> Model {
         let dissipation = self.total(|elaborator| &elaborator.dissipation);
         let products = self.products();
-        let named_rates = self.evaluator.named_rates;
         let mut labels = self.labels;
-        let named = named_rates.iter().filter_map(|(velocity, position)| {
-            let (_, name) = labels.iter().find(|(labelled, _)| labelled == position)?;
-            Some((*velocity, format!("{name}_dot")))
-        });
-        let rate_labels = named.collect::<Vec<_>>();
-        labels.extend(rate_labels);
+        // Rates of what has a name occur in the equations whether or not the user wrote them.
+        let moving = Dependencies::VELOCITY | Dependencies::ACCELERATION;
+        let mut rates = Rates::new(AccelerationTerms::Kept);
+        for (position, name) in labels.clone() {
+            let dependencies = self.evaluator.graph.dependencies(position);
+            if !dependencies.intersects(moving) && !dependencies.is_constant_in_motion() {
+                let rate = rates.of(&mut self.evaluator.graph, position);
+                labels.push((rate, format!("{name}_dot")));
+            }
+        }
+        let rates = self.evaluator.named_rates.iter().map(|(velocity, position)| (*velocity, *position));
+        let rates = rates.collect();
         Model {
             graph: self.evaluator.graph,
             parameters: self.parameters,
@@ -166,7 +171,7 @@ impl Elaborator<'_> {
             dissipation,
             loads: self.loads,
             outputs: self.outputs,
-            rates: named_rates.iter().map(|(velocity, position)| (*velocity, *position)).collect(),
+            rates,
             labels,
             products,
         }

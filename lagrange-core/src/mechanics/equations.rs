@@ -8,7 +8,7 @@ use super::messages;
 use super::model::{Energies, Model, Product};
 use super::solve::{Solution, push_down, solve_dense, solve_recursive};
 use super::structure::{Structure, vanishes};
-use crate::calculus::{AccelerationTerms, gradient};
+use crate::calculus::{AccelerationTerms, gradient, homogeneity};
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
@@ -96,7 +96,10 @@ impl Equations {
         let structure = Structure::find(model, &mass_matrix);
         let mut labels = model.labels.clone();
         labels.extend(matrix_labels(&mass_matrix));
+        let named = solution.accelerations.iter().zip(&model.coordinates);
+        labels.extend(named.map(|(id, coordinate)| (*id, format!("{}_ddot", coordinate.name))));
         labels.extend(solution.labels);
+        labels.retain(|(id, _)| model.graph.as_number(*id).is_none());
         let wants = |product: Product| model.products.contains(&product);
         let wanted = [Product::Bias, Product::Momenta, Product::Energy, Product::InverseDynamics].map(wants);
         let (wants_mass, wants_forcing) = (wants(Product::MassMatrix), wants(Product::Forcing));
@@ -109,7 +112,7 @@ impl Equations {
             forcing: wants_forcing.then_some(forcing),
             bias: bias.then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
             momenta: momenta.then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
-            energy: energy.then(|| energy_function(model, &split)),
+            energy: energy.then(|| energy_function(model)),
             inverse_dynamics: inverse.then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
             structure,
             labels,
@@ -213,15 +216,16 @@ fn residual(
 }
 
 /// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7).
-fn energy_function(model: &mut Model, split: &SplitLagrangian) -> ExprId {
-    if split.is_natural(&model.graph) {
-        return match model.energies {
-            Energies::Separate { kinetic, potential } => model.graph.add(kinetic, potential),
-            Energies::Lagrangian => {
-                let terms = [(model.lagrangian, Number::ONE), (split.potential, Number::TWO)];
-                model.graph.sum(Number::ZERO, terms)
-            }
-        };
+/// A term of L that is homogeneous of degree k in the velocities contributes k − 1 times itself (Euler).
+fn energy_function(model: &mut Model) -> ExprId {
+    let graph = &mut model.graph;
+    if let Energies::Separate { kinetic, potential } = model.energies
+        && homogeneity(graph, kinetic) == Some(2)
+    {
+        return graph.add(kinetic, potential);
+    }
+    if let Some(terms) = weighted_by_degree(graph, model.lagrangian) {
+        return graph.sum(Number::ZERO, terms);
     }
     let velocities = model.velocities();
     let graph = &mut model.graph;
@@ -231,6 +235,17 @@ fn energy_function(model: &mut Model, split: &SplitLagrangian) -> ExprId {
         terms.push((graph.multiply(velocity, momentum), Number::ONE));
     }
     graph.sum(Number::ZERO, terms)
+}
+
+/// Each term of a sum with its coefficient times its degree less one.
+fn weighted_by_degree(graph: &mut Graph, sum: ExprId) -> Option<Vec<(ExprId, Number)>> {
+    let Node::Sum { constant, terms } = graph.node(sum).clone() else { return None };
+    let mut weighted = vec![(graph.number(constant), Number::MINUS_ONE)];
+    for (term, coefficient) in &terms {
+        let weight = Number::from(homogeneity(graph, *term)? - 1);
+        weighted.push((*term, coefficient * &weight));
+    }
+    Some(weighted)
 }
 
 fn matrix_labels(matrix: &[Vec<ExprId>]) -> Vec<(ExprId, String)> {

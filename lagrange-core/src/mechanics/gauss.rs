@@ -17,8 +17,8 @@ use crate::number::Number;
 /// The Lagrangian sorted into terms that are treated alike.
 #[derive(Debug)]
 pub(super) struct SplitLagrangian {
-    /// `(w, u, x)` for the terms ½ w u² with u = dx/dt.
-    pub(super) squares: Vec<(ExprId, ExprId, ExprId)>,
+    /// `(w, u)` for the terms ½ w u² with u = dx/dt.
+    pub(super) squares: Vec<(ExprId, ExprId)>,
     /// Minus the velocity-free terms.
     pub(super) potential: ExprId,
     /// All other terms.
@@ -31,13 +31,6 @@ impl SplitLagrangian {
     pub(super) fn new(model: &mut Model) -> SplitLagrangian {
         let lagrangian = model.lagrangian;
         Splitter::new(model).split(lagrangian)
-    }
-
-    /// Whether h = v·∂L/∂v − L is simply the sum of the squares and the potential: all u are then linear
-    /// in the velocities without a velocity-free part.
-    pub(super) fn is_natural(&self, graph: &Graph) -> bool {
-        let steady = |id: ExprId| !graph.dependencies(id).intersects(Dependencies::TIME);
-        graph.is_zero(self.rest) && self.squares.iter().all(|&(_, _, position)| steady(position))
     }
 }
 
@@ -72,7 +65,7 @@ pub(super) fn linear_form(
     let mut form = QuadraticForm::default();
     let mut rates = Rates::new(accelerations);
     let mut slopes = Rates::new(AccelerationTerms::Dropped);
-    for &(weight, u, _) in &split.squares {
+    for &(weight, u) in &split.squares {
         add_square(&mut model.graph, &mut form, &mut rates, &mut slopes, weight, u);
     }
     let power = slopes.of(&mut model.graph, split.potential);
@@ -188,7 +181,7 @@ struct Splitter<'a> {
     weights: OrderedMap<ExprId, Vec<ExprId>>,
     /// Weights with which nodes enter through another nonlinear node.
     adjoints: OrderedMap<ExprId, Vec<ExprId>>,
-    squares: Vec<(ExprId, ExprId, ExprId)>,
+    squares: Vec<(ExprId, ExprId)>,
     free: Vec<ExprId>,
     rest: Vec<ExprId>,
     quadratic: QuadraticForm,
@@ -247,10 +240,10 @@ impl<'a> Splitter<'a> {
             return self.curve(id, indirect);
         }
         match self.weighted_square(id) {
-            Some((slope, u, position)) => {
+            Some((slope, u)) => {
                 let weight = self.graph.multiply(weight, slope);
                 let weight = self.graph.scale(Number::TWO, weight);
-                self.squares.push((weight, u, position));
+                self.squares.push((weight, u));
             }
             None => self.rest.push(self.graph.multiply(weight, id)),
         }
@@ -290,11 +283,10 @@ impl<'a> Splitter<'a> {
         }
     }
 
-    /// `(slope, u, x)` if the node is slope·u² with u = dx/dt.
-    fn weighted_square(&mut self, id: ExprId) -> Option<(ExprId, ExprId, ExprId)> {
+    /// `(slope, u)` if the node is slope·u² with u = dx/dt.
+    fn weighted_square(&mut self, id: ExprId) -> Option<(ExprId, ExprId)> {
         let (slope, u, exponent) = self.only_moving_factor(id)?;
-        let position = *self.positions.get(&u)?;
-        (exponent == Number::TWO).then_some((slope, u, position))
+        (self.positions.contains(&u) && exponent == Number::TWO).then_some((slope, u))
     }
 
     /// One step of the second-order reverse sweep: second derivatives of the node itself, and those that

@@ -5,6 +5,7 @@ use super::sweep::Sweep;
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
+use crate::simplify;
 
 /// Pushes everything down to the generalised velocities.
 pub(super) fn push_down(graph: &mut Graph, mut form: QuadraticForm, velocities: &[ExprId]) -> QuadraticForm {
@@ -96,7 +97,11 @@ fn eliminate(graph: &mut Graph, form: &mut QuadraticForm, velocity: ExprId) -> O
             form.add_pair(graph, j, k, opposite);
         }
     }
-    let free = graph.multiply(row.linear, inverse);
+    let free = match row.pairs.is_empty() {
+        true => simplify::quotient(graph, row.linear, row.own),
+        // What is divided by the pivot is shared with other rows.
+        false => graph.multiply(row.linear, inverse),
+    };
     Some(Eliminated { velocity, free: graph.negate(free), factors, pivot: row.own, bias: row.linear })
 }
 
@@ -123,18 +128,19 @@ fn substitute_back(
         known.insert(step.velocity, acceleration);
     }
     let accelerations = velocities.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect();
-    Solution { accelerations, labels: labels(eliminated, velocities) }
+    let labels = labels(graph, eliminated, velocities);
+    Solution { accelerations, labels }
 }
 
-fn labels(eliminated: &[Eliminated], velocities: &[ExprId]) -> Vec<(ExprId, String)> {
+fn labels(graph: &mut Graph, eliminated: &[Eliminated], velocities: &[ExprId]) -> Vec<(ExprId, String)> {
     let index = velocities.iter().enumerate().map(|(i, &v)| (v, i)).collect::<HashMap<_, _>>();
     let mut labels = Vec::new();
     for step in eliminated {
         let Some(i) = index.get(&step.velocity) else { continue };
         labels.push((step.pivot, format!("pivot_{i}")));
-        labels.push((step.bias, format!("bias_{i}")));
+        labels.push((graph.negate(step.bias), format!("forcing_{i}")));
         for (j, factor) in &step.factors {
-            labels.extend(index.get(j).map(|j| (*factor, format!("l_{j}_{i}"))));
+            labels.extend(index.get(j).map(|j| (*factor, format!("factor_{j}_{i}"))));
         }
     }
     labels

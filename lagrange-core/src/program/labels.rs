@@ -16,6 +16,11 @@ impl Labels {
         self.names.get_or_insert_with(expression, || name.into());
     }
 
+    /// Expressions with their names, in the order in which they were named.
+    pub fn iter(&self) -> impl Iterator<Item = (ExprId, &str)> {
+        self.names.iter().map(|(expression, name)| (*expression, name.as_str()))
+    }
+
     /// The name of an expression.
     pub fn get(&self, expression: ExprId) -> Option<&str> {
         self.names.get(&expression).map(String::as_str)

@@ -22,7 +22,7 @@ use crate::number::Number;
 /// Higher powers of sums are left as powers.
 const HIGHEST_POWER: i32 = 8;
 /// How many monomials may be made on the way for each one allowed in a result.
-const EFFORT_PER_MONOMIAL: usize = 100;
+const EFFORT_PER_MONOMIAL: usize = 50;
 
 /// What the result is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -57,7 +57,8 @@ impl Expander {
 
     /// Expands everything `root` is made of, unless that alone would take all effort.
     pub(super) fn expand_all(&mut self, graph: &mut Graph, root: ExprId) -> Option<()> {
-        let parts = graph.reachable(&[root]);
+        let mut parts = graph.reachable(&[root]);
+        parts.retain(|id| !self.expanded.contains(id));
         self.spend(parts.len())?;
         for id in parts {
             let polynomial = match self.expand(graph, id) {

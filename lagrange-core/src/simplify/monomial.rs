@@ -63,6 +63,14 @@ impl Monomial {
         self.times(&other.power(&Number::MINUS_ONE))
     }
 
+    /// The largest monomial that divides both, for positive exponents.
+    pub(super) fn least(&self, other: &Monomial) -> Monomial {
+        let least = |(base, exponent): &(ExprId, Number)| {
+            Some((*base, exponent.clone().min(other.exponent(*base)?.clone())))
+        };
+        Monomial(self.0.iter().filter_map(least).collect())
+    }
+
     /// The factors that `keep` accepts, and the others.
     pub(super) fn split(&self, keep: impl Fn(ExprId, &Number) -> bool) -> (Monomial, Monomial) {
         let (kept, others) = self.0.iter().cloned().partition(|(base, exponent)| keep(*base, exponent));

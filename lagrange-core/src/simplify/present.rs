@@ -6,8 +6,8 @@ use crate::calculus::evaluate;
 use crate::expr::{ExprId, Graph};
 use crate::symbol::Role;
 
-/// A value is not zero if it is larger than what rounding can leave of a sum of values around one.
-const LARGEST_ROUNDING: f64 = 1e-6;
+/// Rounding leaves less than this of a zero at the point where expressions are tried.
+const LARGEST_RESIDUE: f64 = 1e-6;
 
 /// An equal expression that is shorter when written out, or `expr` itself if none is found.
 ///
@@ -16,20 +16,26 @@ const LARGEST_ROUNDING: f64 = 1e-6;
 /// `budget` monomials stays closed; 200 is enough for the formulas people read. The cost is bounded by
 /// the budget and by the number of nodes `expr` is made of.
 pub fn present(graph: &mut Graph, expr: ExprId, budget: usize) -> ExprId {
-    let mut current = expr;
-    loop {
+    present_all(graph, &[expr], budget)[0]
+}
+
+/// The same for expressions that share parts, which are multiplied out once. The cost is bounded as if
+/// they were one.
+pub fn present_all(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<ExprId> {
+    let mut current = exprs.to_vec();
+    let mut is_final = vec![false; exprs.len()];
+    while is_final.contains(&false) {
         let mut expander = Expander::new(Purpose::Reading, budget);
-        if expander.expand_all(graph, current).is_none() {
-            return current;
-        }
-        let next = expander.readable(graph, current);
         let mut sizes = Sizes::default();
-        // Only ever shorter: so this ends, and presenting a result again changes nothing.
-        if sizes.of(graph, next) >= sizes.of(graph, current) {
-            return current;
+        for (expr, is_final) in current.iter_mut().zip(&mut is_final).filter(|(_, is_final)| !**is_final) {
+            let expanded = expander.expand_all(graph, *expr);
+            let next = expanded.map_or(*expr, |()| expander.readable(graph, *expr));
+            // Only ever shorter: so this ends, and presenting a result again changes nothing.
+            *is_final = sizes.of(graph, next) >= sizes.of(graph, *expr);
+            *expr = if *is_final { *expr } else { next };
         }
-        current = next;
     }
+    current
 }
 
 /// Whether the value is zero everywhere, as far as multiplying out shows within `budget` monomials.
@@ -38,7 +44,7 @@ pub fn present(graph: &mut Graph, expr: ExprId, budget: usize) -> ExprId {
 /// of independent angles is found. `true` is a proof; `false` says nothing. Nothing is multiplied out if a
 /// numerical value shows that the answer is no.
 pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
-    if evaluate(graph, &[expr], sample).iter().any(|value| value.abs() > LARGEST_ROUNDING) {
+    if is_plainly_not_zero(graph, expr) {
         return false;
     }
     let mut expander = Expander::new(Purpose::Comparing, budget);
@@ -49,19 +55,22 @@ pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
     simplified.is_some_and(|polynomial| polynomial.is_zero())
 }
 
-/// Some number between 0.3 and 0.9, a different one for each symbol: angles, lengths and masses of no
-/// particular relation to each other.
-fn sample(role: Role) -> f64 {
-    let (kind, index) = match role {
-        Role::Parameter(i) => (0, i),
-        Role::Input(i) => (1, i),
-        Role::Time => (2, 0),
-        Role::Coordinate(i) => (3, i),
-        Role::Velocity(i) => (4, i),
-        Role::Acceleration(i) => (5, i),
-        Role::Placeholder(i) => (6, i),
-    };
-    // Multiples of an irrational number, here the golden ratio, do not come back modulo one.
-    let multiple = (f64::from(kind) + 7.0 * f64::from(index) + 1.0) * 0.618_033_988_749_895;
-    0.3 + 0.6 * multiple.fract()
+/// Whether the value at a point without symmetries differs from zero by more than rounding: most
+/// expressions that are asked about do, and seeing that is much cheaper than multiplying out.
+fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
+    let value = evaluate(graph, &[expr], |role| {
+        let (kind, index) = match role {
+            Role::Parameter(index) => (1.0, index),
+            Role::Input(index) => (2.0, index),
+            Role::Time => (3.0, 0),
+            Role::Coordinate(index) => (4.0, index),
+            Role::Velocity(index) => (5.0, index),
+            Role::Acceleration(index) => (6.0, index),
+            Role::Placeholder(index) => (7.0, index),
+        };
+        // Multiples of the golden ratio modulo one keep apart, whatever the number of symbols.
+        let golden = (f64::from(index) + 0.171 * kind) * 0.618_033_988_749_895;
+        0.4 + golden.fract()
+    });
+    value[0].is_finite() && value[0].abs() > LARGEST_RESIDUE
 }

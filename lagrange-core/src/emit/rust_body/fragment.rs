@@ -47,6 +47,11 @@ impl Fragment {
         if text.starts_with('-') { atom.negated().free() } else { atom }
     }
 
+    /// A choice, which stands alone in braces or on the right of a `let`.
+    pub(super) fn block(tokens: TokenStream) -> Fragment {
+        Fragment { operations: 1, ..Fragment::atom(tokens, usize::MAX / 4) }
+    }
+
     /// The same, not counted as work.
     pub(super) fn free(self) -> Fragment {
         Fragment { operations: 0, ..self }

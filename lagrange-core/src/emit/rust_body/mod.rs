@@ -2,7 +2,7 @@
 //!
 //! The statements read like code written by hand: what has a name or is used several times becomes a
 //! `let`, everything else is written where it is used, up to a bounded length. Names are the labels of the
-//! program where it has any, and otherwise say what a value is made of (`sin_theta`, `x_dot_sq`, `inv_m`)
+//! program where it has any, and otherwise say what a value is made of (`sin_theta`, `x_dot_sq`, `m_l`)
 //! or what it changes with: `const_0` with nothing but parameters, `pos_0` with time and coordinates,
 //! `vel_0` with velocities.
 //!
@@ -32,17 +32,8 @@ pub enum Scalar {
     F64,
     /// `f32`; literals are written plainly, rounded once.
     F32,
-    /// A type parameter; literals are converted from `f64`.
+    /// A type parameter bounded by `Scalar`; literals are converted from `f64`.
     Generic(Ident),
-}
-
-/// What emitted code looks like apart from what it computes.
-#[derive(Clone, Debug)]
-pub struct BodyStyle {
-    /// The type to compute with.
-    pub scalar: Scalar,
-    /// The path of the crate `lagrange`, such as `::lagrange`.
-    pub krate: TokenStream,
 }
 
 /// A program as Rust.
@@ -81,7 +72,7 @@ impl std::error::Error for Unrepresentable {}
 pub fn body(
     program: &Program,
     symbols: &Symbols,
-    style: &BodyStyle,
+    scalar: &Scalar,
     names: &mut Names,
 ) -> Result<Body, Unrepresentable> {
     // Every other function is a word of the language, which no symbol can be called.
@@ -89,7 +80,7 @@ pub fn body(
     let used = used_roles(program);
     // Symbols get their names before anything else can take them.
     used.iter().for_each(|&role| drop(names.role(symbols, role)));
-    Writer::new(program, symbols, style, names).write(used)
+    Writer::new(program, symbols, scalar, names).write(used)
 }
 
 fn used_roles(program: &Program) -> Vec<Role> {

@@ -9,6 +9,8 @@ use crate::program::{Op, ValueId, Variability};
 
 /// Names made of other names are no longer than this.
 const LONGEST_NAME: usize = 28;
+/// Names that spell out a product or a sum are no longer than this.
+const LONGEST_JOINED_NAME: usize = 20;
 
 impl Writer<'_> {
     /// A variable for a value: its label, or a name that says what it is.
@@ -16,11 +18,18 @@ impl Writer<'_> {
         if let Some(hint) = self.program.hint(id) {
             return self.names.fresh(hint);
         }
-        match self.derived_name(id) {
-            Some((_, Some(name))) if name.len() <= LONGEST_NAME => self.names.fresh(&name),
-            Some((stem, _)) => self.names.numbered(stem),
-            None => self.names.numbered(stem(self.variability[id])),
-        }
+        let stem = match self.derived_name(id) {
+            Some((_, Some(name))) if name.len() <= LONGEST_NAME => {
+                let mut of_numbered = false;
+                self.program.op(id).for_each_operand(|operand| of_numbered |= self.is_numbered[operand]);
+                self.is_numbered[id] = of_numbered;
+                return self.names.fresh(&name);
+            }
+            Some((stem, _)) => stem,
+            None => stem(self.variability[id]),
+        };
+        self.is_numbered[id] = true;
+        self.names.numbered(stem)
     }
 
     /// The stem of a name for a square, a reciprocal or a function, and the name if that of the operand is
@@ -42,9 +51,32 @@ impl Writer<'_> {
                 let (function, argument) = (row(*function).rust, self.known_name(arguments[0]));
                 Some((function, argument.map(|argument| format!("{function}_{argument}"))))
             }
+            Op::Multiply(a, b) => self.joined_name(*a, "_", *b).map(|name| ("", Some(name))),
+            Op::Add(a, b) => self.joined_name(*a, "_plus_", *b).map(|name| ("", Some(name))),
+            Op::Subtract(a, b) => self.joined_name(*a, "_minus_", *b).map(|name| ("", Some(name))),
             Op::Constant(number) if *number == Number::TWO => Some(("two", Some("two".to_owned()))),
             Op::Constant(number) if number + number == Number::ONE => Some(("half", Some("half".to_owned()))),
             _ => None,
+        }
+    }
+
+    /// A name made of those of two operands that are in variables with telling names, if it is short.
+    fn joined_name(&self, a: ValueId, word: &str, b: ValueId) -> Option<String> {
+        let is_sum = |id| matches!(self.program.op(id), Op::Add(..) | Op::Subtract(..));
+        if [a, b].into_iter().any(|id| is_sum(id) && self.program.hint(id).is_none()) {
+            return None;
+        }
+        let (a, b) = (self.telling_name(a)?, self.telling_name(b)?);
+        let name = format!("{a}{word}{b}");
+        (name.len() <= LONGEST_JOINED_NAME).then_some(name)
+    }
+
+    /// The name of a variable, unless it was numbered for want of a better one.
+    fn telling_name(&self, id: ValueId) -> Option<String> {
+        match self.program.op(id) {
+            Op::Constant(_) | Op::Float(_) => None,
+            Op::Multiply(a, b) if a != b && self.name_of(id).is_none() => self.joined_name(*a, "_", *b),
+            _ => self.known_name(id).filter(|_| !self.is_numbered[id]),
         }
     }
 

@@ -7,7 +7,7 @@ use quote::{ToTokens, quote_spanned};
 
 use super::fragment::Fragment;
 use super::literal::Constant;
-use super::{Body, BodyStyle, Names, Scalar, Unrepresentable};
+use super::{Body, Names, Scalar, Unrepresentable};
 use crate::expr::Relation;
 use crate::functions::row;
 use crate::program::{Op, Program, ValueId, ValueTable, Variability};
@@ -34,13 +34,15 @@ pub(super) enum Written {
 pub(super) struct Writer<'a> {
     pub(super) program: &'a Program,
     symbols: &'a Symbols,
-    style: &'a BodyStyle,
-    /// Length of the path of the crate.
-    path_width: usize,
+    scalar: &'a Scalar,
     pub(super) names: &'a mut Names,
     uses: ValueTable<usize>,
     pub(super) variability: ValueTable<Variability>,
+    /// Whether a value is used once, as a branch of a selection.
+    is_branch: ValueTable<bool>,
     parts: ValueTable<[Option<ValueId>; 2]>,
+    /// Which values are in variables whose names only number them.
+    pub(super) is_numbered: ValueTable<bool>,
     pub(super) written: ValueTable<Written>,
     statements: TokenStream,
     unrepresentable: Vec<String>,
@@ -52,18 +54,19 @@ impl<'a> Writer<'a> {
     pub(super) fn new(
         program: &'a Program,
         symbols: &'a Symbols,
-        style: &'a BodyStyle,
+        scalar: &'a Scalar,
         names: &'a mut Names,
     ) -> Writer<'a> {
         Writer {
             program,
             symbols,
-            style,
-            path_width: style.krate.to_string().replace(' ', "").len(),
+            scalar,
             names,
+            is_branch: branches(program),
             uses: program.uses(),
             variability: Variability::of_values(program),
             parts: parts_of_pairs(program),
+            is_numbered: ValueTable::filled(program.len(), false),
             written: ValueTable::with_capacity(program.len()),
             statements: TokenStream::new(),
             unrepresentable: Vec::new(),
@@ -96,7 +99,10 @@ impl<'a> Writer<'a> {
                 let [left, right] = [*left, *right].map(|operand| self.take_variable(operand));
                 let [then, otherwise] = [*then, *otherwise].map(|operand| self.take(operand));
                 let chosen = self.selection(*relation, [left, right], [then, otherwise]);
-                Written::Variable(self.bind(id, &chosen))
+                match self.is_branch[id] && self.program.hint(id).is_none() {
+                    true => Written::Expression(Fragment::block(chosen)),
+                    false => Written::Variable(self.bind(id, &chosen)),
+                }
             }
             _ => {
                 let expression = self.expression(op);
@@ -154,7 +160,10 @@ impl<'a> Writer<'a> {
             let named = position < factors && self.is_square_of_variable(id);
             operands.push(if named { self.take_variable(id) } else { self.take(id) });
         }
-        self.shorten(&ids, &mut operands, self.width_of_callee(op));
+        // A sign makes nothing longer.
+        if !matches!(op, Op::Negate(_)) {
+            self.shorten(&ids, &mut operands, self.width_of_callee(op));
+        }
         operands
     }
 
@@ -221,7 +230,7 @@ impl<'a> Writer<'a> {
     }
 
     fn constant(&mut self, id: ValueId, constant: Constant<'_>) -> Written {
-        let text = match self.style.scalar {
+        let text = match self.scalar {
             Scalar::F32 => constant.single(),
             Scalar::F64 | Scalar::Generic(_) => constant.double(),
         };
@@ -233,7 +242,7 @@ impl<'a> Writer<'a> {
             return Written::Expression(Fragment::number("0.0"));
         };
         let number = Fragment::number(&text);
-        if !matches!(self.style.scalar, Scalar::Generic(_)) {
+        if !matches!(self.scalar, Scalar::Generic(_)) {
             return Written::Expression(number);
         }
         let converted = match text.as_str() {
@@ -270,11 +279,7 @@ impl<'a> Writer<'a> {
     fn selection(&self, relation: Relation, sides: [Fragment; 2], values: [Fragment; 2]) -> TokenStream {
         let [left, right] = sides.map(|side| side.tokens);
         let [then, otherwise] = values.map(|value| value.tokens);
-        let nan = match &self.style.scalar {
-            Scalar::F64 => quote_spanned!(Span::mixed_site()=> ::core::primitive::f64::NAN),
-            Scalar::F32 => quote_spanned!(Span::mixed_site()=> ::core::primitive::f32::NAN),
-            Scalar::Generic(_) => self.associated("NAN").tokens,
-        };
+        let nan = self.associated("NAN").tokens;
         let (holds, fails) = match relation {
             Relation::Less => {
                 (quote_spanned!(Span::mixed_site()=> <), quote_spanned!(Span::mixed_site()=> >=))
@@ -305,16 +310,18 @@ impl<'a> Writer<'a> {
         Fragment::atom(quote_spanned!(Span::mixed_site()=> #function), name.len())
     }
 
-    /// An associated item of the scalar, for where inference has nothing to go by.
+    /// An associated constant or function of the scalar, for where inference has nothing to go by.
     fn associated(&self, item: &str) -> Fragment {
-        let (krate, ident) = (&self.style.krate, Ident::new(item, Span::mixed_site()));
-        let scalar = match &self.style.scalar {
-            Scalar::F64 => quote_spanned!(Span::mixed_site()=> ::core::primitive::f64),
-            Scalar::F32 => quote_spanned!(Span::mixed_site()=> ::core::primitive::f32),
+        let item = Ident::new(item, Span::mixed_site());
+        let scalar = match self.scalar {
+            Scalar::F64 => quote_spanned!(Span::mixed_site()=> f64),
+            Scalar::F32 => quote_spanned!(Span::mixed_site()=> f32),
             Scalar::Generic(scalar) => scalar.to_token_stream(),
         };
-        let width = self.path_width + "<S as ::Scalar>::".len() + item.len();
-        Fragment::atom(quote_spanned!(Span::mixed_site()=> <#scalar as #krate::Scalar>::#ident), width)
+        Fragment::atom(
+            quote_spanned!(Span::mixed_site()=> #scalar::#item),
+            "S::".len() + item.to_string().len(),
+        )
     }
 }
 
@@ -329,4 +336,16 @@ fn parts_of_pairs(program: &Program) -> ValueTable<[Option<ValueId>; 2]> {
         }
     }
     parts
+}
+
+/// Which values are used once, as a branch of a selection: they are computed only where they are wanted.
+fn branches(program: &Program) -> ValueTable<bool> {
+    let uses = program.uses();
+    let mut is_branch = ValueTable::filled(program.len(), false);
+    for (_, op) in program.values() {
+        if let Op::Select { then, otherwise, .. } = op {
+            [*then, *otherwise].into_iter().for_each(|branch| is_branch[branch] = uses[branch] == 1);
+        }
+    }
+    is_branch
 }

@@ -23,48 +23,101 @@ use sharing::Sharing;
 pub fn lower(graph: &Graph, outputs: &[ExprId], labels: &Labels) -> Program {
     let reachable = graph.reachable(outputs);
     let sharing = Sharing::of(graph, &reachable, outputs, labels);
-    let mut lowering = Lowering { graph, sharing, builder: Builder::new(), values: HashMap::default() };
-    for &id in reachable.iter().filter(|id| !lowering.sharing.is_merged(**id)).collect::<Vec<_>>() {
-        let value = lowering.node(id);
-        lowering.values.insert(id, value);
-        if let Some(name) = labels.get(id) {
-            lowering.builder.propose_name(value, name);
+    let opposites = opposite_labels(graph, labels);
+    let (builder, values) = (Builder::new(), HashMap::default());
+    let mut lowering = Lowering { graph, labels, opposites, sharing, builder, values };
+    for id in reachable {
+        if !lowering.sharing.is_merged(id) {
+            let value = lowering.named_node(id);
+            lowering.values.insert(id, value);
         }
     }
-    let outputs = outputs.iter().map(|&output| lowering.value(output)).collect::<Vec<_>>();
+    let outputs = outputs.iter().map(|&output| lowering.plain(output)).collect::<Vec<_>>();
     lowering.builder.finish(&outputs)
+}
+
+/// Names of the opposites of sums, so that a sum can be computed with the sign that has a name.
+fn opposite_labels<'a>(graph: &Graph, labels: &'a Labels) -> HashMap<ExprId, &'a str> {
+    let opposite = |(id, name): (ExprId, &'a str)| match graph.split_coefficient(id) {
+        (sign, sum) if sign == Number::MINUS_ONE && labels.get(sum).is_none() => Some((sum, name)),
+        _ => None,
+    };
+    labels.iter().filter_map(opposite).collect()
+}
+
+/// A value that stands for an expression or for its opposite: signs are carried along until something
+/// absorbs them.
+#[derive(Clone, Copy)]
+struct Signed {
+    value: ValueId,
+    negative: bool,
+}
+
+impl Signed {
+    fn positive(value: ValueId) -> Signed {
+        Signed { value, negative: false }
+    }
 }
 
 struct Lowering<'a> {
     graph: &'a Graph,
+    labels: &'a Labels,
+    opposites: HashMap<ExprId, &'a str>,
     sharing: Sharing,
     builder: Builder,
-    values: HashMap<ExprId, ValueId>,
+    values: HashMap<ExprId, Signed>,
 }
 
 impl Lowering<'_> {
-    /// The value of an expression met before.
-    fn value(&self, id: ExprId) -> ValueId {
+    /// What an expression met before was lowered to.
+    fn signed(&self, id: ExprId) -> Signed {
         *self.values.get(&id).expect("children come before parents and are merged only where expected")
     }
 
-    fn node(&mut self, id: ExprId) -> ValueId {
+    /// The value of an expression met before.
+    fn plain(&mut self, id: ExprId) -> ValueId {
+        let signed = self.signed(id);
+        self.with_sign(signed)
+    }
+
+    fn with_sign(&mut self, Signed { value, negative }: Signed) -> ValueId {
+        if negative { self.builder.negate(value) } else { value }
+    }
+
+    /// Lowers a node and names its value.
+    fn named_node(&mut self, id: ExprId) -> Signed {
+        let signed = self.node(id);
+        if let Some(name) = self.labels.get(id) {
+            let value = self.with_sign(signed);
+            self.builder.propose_name(value, name);
+            return Signed::positive(value);
+        }
+        if let (true, Some(name)) = (signed.negative, self.opposites.get(&id)) {
+            self.builder.propose_name(signed.value, name);
+        }
+        signed
+    }
+
+    fn node(&mut self, id: ExprId) -> Signed {
         let graph = self.graph;
-        match graph.node(id) {
+        Signed::positive(match graph.node(id) {
             Node::Number(value) => self.builder.constant(value.clone()),
             Node::Pi => self.builder.push(Op::Float(Float::new(PI))),
             Node::Symbol(symbol) => self.builder.push(Op::Input(graph.symbols().get(*symbol).role)),
-            Node::Sum { constant, terms } => self.sum(constant, terms),
-            Node::Product(_) => self.product(&Number::ONE, id),
+            Node::Sum { constant, terms } => {
+                let prefers_opposite = self.opposites.contains(&id);
+                return self.sum(constant, terms, prefers_opposite);
+            }
+            Node::Product(_) => return self.product(&Number::ONE, id),
             Node::Call(function, arguments) => {
-                let arguments = arguments.iter().map(|&argument| self.value(argument)).collect();
+                let arguments = arguments.iter().map(|&argument| self.plain(argument)).collect();
                 self.builder.push(Op::Call(*function, arguments))
             }
             Node::Choose { relation, left, right, then, otherwise } => {
-                let [left, right] = [self.value(*left), self.value(*right)];
-                let [then, otherwise] = [self.value(*then), self.value(*otherwise)];
+                let [left, right] = [self.plain(*left), self.plain(*right)];
+                let [then, otherwise] = [self.plain(*then), self.plain(*otherwise)];
                 self.builder.push(Op::Select { relation: *relation, left, right, then, otherwise })
             }
-        }
+        })
     }
 }

@@ -1,7 +1,7 @@
 //! Products: numerators multiplied, divided once by the product of the denominators.
 
-use super::Lowering;
 use super::sharing::Reciprocal;
+use super::{Lowering, Signed};
 use crate::expr::{ExprId, Function};
 use crate::number::Number;
 use crate::program::{Op, ValueId, Variability};
@@ -18,15 +18,20 @@ struct Fraction {
 
 impl Lowering<'_> {
     /// `coefficient · product`
-    pub(super) fn product(&mut self, coefficient: &Number, product: ExprId) -> ValueId {
+    pub(super) fn product(&mut self, coefficient: &Number, product: ExprId) -> Signed {
         let mut fraction = Fraction::default();
+        let mut negative = false;
         for (base, exponent) in self.sharing.factors(self.graph, product) {
-            self.push_factor(&mut fraction, base, &exponent);
+            negative ^= self.push_factor(&mut fraction, base, &exponent);
         }
         // What changes less often is multiplied first: its product is more likely to occur elsewhere.
         fraction.above.sort_by_key(|(variability, _)| *variability);
-        let negative = *coefficient == Number::MINUS_ONE;
-        let scale = if negative { Number::ONE } else { coefficient.clone() };
+        let is_sign = coefficient.abs().is_one();
+        let scale = match (is_sign, negative) {
+            (true, _) => Number::ONE,
+            (false, true) => -coefficient,
+            (false, false) => coefficient.clone(),
+        };
         let scale = self.builder.constant(scale);
         let (constants, others): (Vec<_>, Vec<_>) =
             fraction.above.iter().map(|(_, value)| *value).partition(|&v| self.builder.op(v).is_constant());
@@ -39,22 +44,27 @@ impl Lowering<'_> {
             }
             None => above,
         };
-        if negative { self.builder.negate(value) } else { value }
+        Signed { value, negative: is_sign && negative != coefficient.is_negative() }
     }
 
     fn multiply_all(&mut self, first: ValueId, rest: impl Iterator<Item = ValueId>) -> ValueId {
         rest.fold(first, |product, factor| self.builder.multiply(product, factor))
     }
 
-    fn push_factor(&mut self, fraction: &mut Fraction, base: ExprId, exponent: &Number) {
+    /// Adds a factor and returns whether it leaves a minus sign behind.
+    fn push_factor(&mut self, fraction: &mut Fraction, base: ExprId, exponent: &Number) -> bool {
         let variability = Variability::of_expression(self.graph, base);
-        let value = self.value(base);
+        let Signed { value, negative } = match exponent.is_integer() {
+            true => self.signed(base),
+            false => Signed::positive(self.plain(base)),
+        };
+        let negative = negative && !exponent.is_even();
         let twice =
             (exponent * &Number::TWO).to_i32().filter(|twice| twice.abs() / 2 <= LARGEST_UNROLLED_POWER);
         let Some(twice) = twice else {
             let power = self.long_power(value, exponent);
             fraction.above.push((variability, power));
-            return;
+            return negative;
         };
         let reciprocal = Reciprocal { base, of_root: twice % 2 != 0 };
         if twice < 0 && self.sharing.shares_reciprocal(reciprocal) {
@@ -67,6 +77,7 @@ impl Lowering<'_> {
             let powers = self.powers(value, twice);
             fraction.above.extend(powers.map(|power| (variability, power)));
         }
+        negative
     }
 
     /// What `base ^ (twice / 2)` is the product of: an integer power and a square root, or one of them.

@@ -1,13 +1,16 @@
 //! Which expressions get a value of their own, and which reciprocals are shared.
 
-use crate::collections::HashMap;
+use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 use crate::program::Labels;
 
 /// What is known of the uses of expressions before any is lowered.
+#[derive(Default)]
 pub(super) struct Sharing {
     merged: HashMap<ExprId, Host>,
+    /// How many products hold a square or a higher power of an expression.
+    squares: HashMap<ExprId, usize>,
     reciprocals: HashMap<Reciprocal, usize>,
 }
 
@@ -33,9 +36,13 @@ impl Sharing {
         outputs.iter().copied().for_each(&mut count);
         reachable.iter().for_each(|&id| graph.node(id).for_each_child(&mut count));
         let alone = |id: ExprId| uses.get(&id) == Some(&1) && labels.get(id).is_none();
-        let mut sharing = Sharing { merged: HashMap::default(), reciprocals: HashMap::default() };
+        let mut sharing = Sharing::default();
         reachable.iter().for_each(|&id| sharing.merge_children(graph, id, alone));
-        reachable.iter().for_each(|&id| sharing.count_reciprocals(graph, id));
+        let is_whole = |id: &&ExprId| matches!(graph.node(**id), Node::Product(_));
+        let whole = reachable.iter().filter(is_whole).copied();
+        let whole = whole.filter(|id| sharing.merged.get(id) != Some(&Host::Product)).collect::<Vec<_>>();
+        whole.iter().for_each(|&id| sharing.count_squares(graph, id));
+        whole.iter().for_each(|&id| sharing.count_reciprocals(graph, id));
         sharing
     }
 
@@ -62,10 +69,18 @@ impl Sharing {
         }
     }
 
-    fn count_reciprocals(&mut self, graph: &Graph, id: ExprId) {
-        if !matches!(graph.node(id), Node::Product(_)) || self.merged.get(&id) == Some(&Host::Product) {
-            return;
+    fn count_squares(&mut self, graph: &Graph, id: ExprId) {
+        let mut total: OrderedMap<ExprId, Number> = OrderedMap::default();
+        for (base, exponent) in self.flat_factors(graph, id) {
+            let total = total.get_or_insert_with(base, || Number::ZERO);
+            *total = &*total + &exponent;
         }
+        for (&base, _) in total.iter().filter(|(_, exponent)| **exponent >= Number::TWO) {
+            *self.squares.get_or_insert_with(base, || 0) += 1;
+        }
+    }
+
+    fn count_reciprocals(&mut self, graph: &Graph, id: ExprId) {
         for (base, exponent) in self.factors(graph, id) {
             if exponent.is_negative() {
                 let of_root = !exponent.is_integer();
@@ -85,8 +100,24 @@ impl Sharing {
         self.reciprocals.get(&reciprocal).is_some_and(|&count| count > 1)
     }
 
-    /// The factors of a product and of those merged into it, in the order in which they stand.
+    /// The factors of a product and of those merged into it, in the order in which they stand. Those whose
+    /// square is needed elsewhere too are put together.
     pub(super) fn factors(&self, graph: &Graph, product: ExprId) -> Vec<(ExprId, Number)> {
+        let mut factors: Vec<(ExprId, Number)> = Vec::new();
+        for (base, exponent) in self.flat_factors(graph, product) {
+            let is_shared = exponent.is_one() && self.squares.get(&base).is_some_and(|&count| count > 1);
+            let same =
+                |(known, power): &&mut (ExprId, Number)| is_shared && *known == base && power.is_integer();
+            match factors.iter_mut().find(same) {
+                Some((_, power)) => *power = &*power + &exponent,
+                None => factors.push((base, exponent)),
+            }
+        }
+        factors.retain(|(_, exponent)| !exponent.is_zero());
+        factors
+    }
+
+    fn flat_factors(&self, graph: &Graph, product: ExprId) -> Vec<(ExprId, Number)> {
         let mut pending = vec![(product, Number::ONE)];
         let mut found = Vec::new();
         while let Some((base, exponent)) = pending.pop() {

@@ -1,22 +1,14 @@
 //! Sums: chains of additions and subtractions that start with a positive term.
 
-use super::Lowering;
+use super::{Lowering, Signed};
 use crate::collections::OrderedMap;
 use crate::expr::ExprId;
 use crate::number::Number;
 use crate::program::{Op, ValueId};
 
-/// A value to be added, or subtracted if negative.
-#[derive(Clone, Copy)]
-struct Term {
-    value: ValueId,
-    negative: bool,
-}
-
 impl Lowering<'_> {
-    /// `constant + Σ coefficient · term`; terms whose coefficients have the same magnitude are added
-    /// before they are multiplied by it.
-    pub(super) fn sum(&mut self, constant: &Number, terms: &[(ExprId, Number)]) -> ValueId {
+    /// `constant + Σ coefficient · term`, or its opposite if that is wanted; terms whose coefficients have the same magnitude are added before they are multiplied by it.
+    pub(super) fn sum(&mut self, constant: &Number, terms: &[(ExprId, Number)], opposite: bool) -> Signed {
         let (constant, terms) = self.sharing.terms(self.graph, constant, terms);
         if let ([(term, coefficient)], true) = (terms.as_slice(), constant.is_zero()) {
             return self.scaled(coefficient, *term);
@@ -30,54 +22,66 @@ impl Lowering<'_> {
         for (magnitude, members) in groups.iter() {
             self.push_group(&mut chain, magnitude, members);
         }
-        let negative = constant.is_negative();
-        chain.push(Term { value: self.builder.constant(constant.abs()), negative });
+        let value = self.builder.constant(constant.abs());
+        chain.push(Signed { value, negative: constant.is_negative() });
+        if opposite {
+            chain.iter_mut().for_each(|term| term.negative = !term.negative);
+        }
         let total = self.chain(&chain);
-        if total.negative { self.builder.negate(total.value) } else { total.value }
+        // An opposite that has a name is computed even if no term is positive.
+        let total = if opposite { Signed::positive(self.with_sign(total)) } else { total };
+        Signed { negative: total.negative != opposite, ..total }
     }
 
-    fn push_group(&mut self, chain: &mut Vec<Term>, magnitude: &Number, members: &[(ExprId, bool)]) {
+    fn push_group(&mut self, chain: &mut Vec<Signed>, magnitude: &Number, members: &[(ExprId, bool)]) {
         if let [(term, negative)] = *members {
-            chain.push(Term { value: self.scaled(magnitude, term), negative });
+            let scaled = self.scaled(magnitude, term);
+            chain.push(Signed { negative: scaled.negative != negative, ..scaled });
             return;
         }
-        let one = Number::ONE;
-        let terms = members.iter().map(|&(term, negative)| Term { value: self.scaled(&one, term), negative });
-        let terms = terms.collect::<Vec<_>>();
+        let signed = |&(term, negative): &(ExprId, bool)| {
+            let scaled = self.scaled(&Number::ONE, term);
+            Signed { negative: scaled.negative != negative, ..scaled }
+        };
+        let terms = members.iter().map(signed).collect::<Vec<_>>();
         if magnitude.is_one() {
             chain.extend(terms);
             return;
         }
-        let Term { value, negative } = self.chain(&terms);
+        let Signed { value, negative } = self.chain(&terms);
         let magnitude = self.builder.constant(magnitude.clone());
-        chain.push(Term { value: self.builder.multiply(magnitude, value), negative });
+        chain.push(Signed { value: self.builder.multiply(magnitude, value), negative });
     }
 
     /// `coefficient · term`
-    fn scaled(&mut self, coefficient: &Number, term: ExprId) -> ValueId {
+    fn scaled(&mut self, coefficient: &Number, term: ExprId) -> Signed {
         if self.sharing.is_merged(term) {
             return self.product(coefficient, term);
         }
-        let value = self.value(term);
-        let coefficient = self.builder.constant(coefficient.clone());
-        self.builder.multiply(coefficient, value)
+        let Signed { value, negative } = self.signed(term);
+        if coefficient.abs().is_one() {
+            return Signed { value, negative: negative != coefficient.is_negative() };
+        }
+        let coefficient = self.builder.constant(if negative { -coefficient } else { coefficient.clone() });
+        Signed::positive(self.builder.multiply(coefficient, value))
     }
 
     /// The sum of the terms. Known numbers are added up and come last; if no term is positive, neither is
     /// the result.
-    fn chain(&mut self, terms: &[Term]) -> Term {
-        let (constants, mut chain): (Vec<Term>, Vec<Term>) =
+    fn chain(&mut self, terms: &[Signed]) -> Signed {
+        let (constants, mut chain): (Vec<Signed>, Vec<Signed>) =
             terms.iter().partition(|term| self.builder.op(term.value).is_constant());
         chain.extend(self.constant_term(&constants));
         let Some(first) = chain.iter().position(|term| !term.negative) else {
             chain.iter_mut().for_each(|term| term.negative = false);
-            return Term { value: self.total(chain, 0), negative: true };
+            let negative = !chain.is_empty();
+            return Signed { value: self.total(chain, 0), negative };
         };
-        Term { value: self.total(chain, first), negative: false }
+        Signed::positive(self.total(chain, first))
     }
 
     /// The sum of known numbers as a term, unless it is zero.
-    fn constant_term(&mut self, constants: &[Term]) -> Option<Term> {
+    fn constant_term(&mut self, constants: &[Signed]) -> Option<Signed> {
         let zero = self.builder.constant(Number::ZERO);
         let sum = constants.iter().fold(zero, |sum, term| self.append(sum, *term));
         let opposite = self.builder.negate(sum);
@@ -86,11 +90,11 @@ impl Lowering<'_> {
             Op::Float(value) => value.value() < 0.0,
             _ => false,
         };
-        (sum != zero).then_some(Term { value: if negative { opposite } else { sum }, negative })
+        (sum != zero).then_some(Signed { value: if negative { opposite } else { sum }, negative })
     }
 
     /// The first term with the others added to it, or zero if there is none.
-    fn total(&mut self, mut terms: Vec<Term>, first: usize) -> ValueId {
+    fn total(&mut self, mut terms: Vec<Signed>, first: usize) -> ValueId {
         if terms.is_empty() {
             return self.builder.constant(Number::ZERO);
         }
@@ -98,7 +102,7 @@ impl Lowering<'_> {
         terms.into_iter().fold(first, |sum, term| self.append(sum, term))
     }
 
-    fn append(&mut self, sum: ValueId, term: Term) -> ValueId {
+    fn append(&mut self, sum: ValueId, term: Signed) -> ValueId {
         if term.negative { self.builder.subtract(sum, term.value) } else { self.builder.add(sum, term.value) }
     }
 }

@@ -4,7 +4,6 @@ use proptest::prelude::{ProptestConfig, prop_assert, proptest};
 use quote::quote;
 use syn::{BinOp, Block, Expr, ExprIf, Lit, Local, Pat, Stmt, UnOp};
 
-use super::style;
 use crate::collections::HashMap;
 use crate::emit::rust_body::{Names, Scalar, body};
 use crate::expr::Graph;
@@ -109,7 +108,7 @@ fn call_function(name: &str, x: &[f64]) -> f64 {
 
 fn execute(graph: &Graph, program: &Program) -> Option<Vec<f64>> {
     let mut names = Names::default();
-    let body = body(program, graph.symbols(), &style(Scalar::F64), &mut names).ok()?;
+    let body = body(program, graph.symbols(), &Scalar::F64, &mut names).ok()?;
     let mut machine = Machine::default();
     for &role in &body.used {
         machine.define(&names.role(graph.symbols(), role).to_string(), at(role, 0.0));

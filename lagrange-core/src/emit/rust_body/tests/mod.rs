@@ -3,26 +3,22 @@ mod meaning;
 use proc_macro2::{Ident, Span};
 use quote::quote;
 
-use super::{BodyStyle, Names, Scalar, Unrepresentable, body};
+use super::{Names, Scalar, Unrepresentable, body};
 use crate::expr::{ExprId, Function, Graph, Relation};
 use crate::functions::apply;
 use crate::number::Number;
 use crate::program::{Labels, lower, optimise};
 use crate::symbol::Role;
 
-fn style(scalar: Scalar) -> BodyStyle {
-    BodyStyle { scalar, krate: quote!(::lagrange) }
-}
-
 fn generic() -> Scalar {
     Scalar::Generic(Ident::new("S", Span::call_site()))
 }
 
 /// The body as a formatted function.
-fn function(graph: &Graph, outputs: &[ExprId], labels: &Labels, scalar: Scalar) -> String {
+fn function(graph: &Graph, outputs: &[ExprId], labels: &Labels, scalar: &Scalar) -> String {
     let program = optimise(&lower(graph, outputs, labels));
     let mut names = Names::default();
-    let body = body(&program, graph.symbols(), &style(scalar), &mut names).expect("moderate numbers");
+    let body = body(&program, graph.symbols(), scalar, &mut names).expect("moderate numbers");
     let inputs = body.used.iter().map(|&role| names.role(graph.symbols(), role));
     let (statements, outputs) = (&body.statements, &body.outputs);
     let function = quote! {
@@ -142,7 +138,7 @@ fn orbit() -> (Graph, Vec<ExprId>, Labels) {
 #[test]
 fn roots_and_reciprocals_are_named_after_what_they_are_of() {
     let (graph, outputs, labels) = orbit();
-    insta::assert_snapshot!("orbit", function(&graph, &outputs, &labels, Scalar::F64));
+    insta::assert_snapshot!("orbit", function(&graph, &outputs, &labels, &Scalar::F64));
 }
 
 #[test]
@@ -151,33 +147,33 @@ fn parts_of_a_pair_keep_their_labels() {
     let theta = graph.symbol("theta", Role::Coordinate(0));
     let [sin, cos] = [Function::Sin, Function::Cos].map(|f| apply(&mut graph, f, &[theta]));
     labels.insert(sin, "s");
-    let text = function(&graph, &[sin, cos], &labels, Scalar::F64);
+    let text = function(&graph, &[sin, cos], &labels, &Scalar::F64);
     assert!(text.contains("let (s, cos_theta) = sin_cos(theta);"), "{text}");
-    assert_eq!(text, function(&graph, &[sin, cos], &labels, Scalar::F64));
+    assert_eq!(text, function(&graph, &[sin, cos], &labels, &Scalar::F64));
 }
 
 #[test]
 fn a_pendulum_reads_like_written_by_hand() {
     let (graph, outputs, labels) = pendulum();
-    insta::assert_snapshot!("pendulum", function(&graph, &outputs, &labels, Scalar::F64));
+    insta::assert_snapshot!("pendulum", function(&graph, &outputs, &labels, &Scalar::F64));
 }
 
 #[test]
 fn elimination_reads_like_written_by_hand() {
     let (graph, outputs, labels) = double_pendulum();
-    insta::assert_snapshot!("elimination", function(&graph, &outputs, &labels, Scalar::F64));
+    insta::assert_snapshot!("elimination", function(&graph, &outputs, &labels, &Scalar::F64));
 }
 
 #[test]
 fn a_choice_is_not_a_number_where_its_condition_is_none() {
     let (graph, outputs, labels) = contact();
-    insta::assert_snapshot!("contact", function(&graph, &outputs, &labels, Scalar::F32));
+    insta::assert_snapshot!("contact", function(&graph, &outputs, &labels, &Scalar::F32));
 }
 
 #[test]
 fn generic_code_converts_its_constants() {
     let (graph, outputs, labels) = contact();
-    insta::assert_snapshot!("contact_generic", function(&graph, &outputs, &labels, generic()));
+    insta::assert_snapshot!("contact_generic", function(&graph, &outputs, &labels, &generic()));
 }
 
 #[test]
@@ -187,7 +183,7 @@ fn numbers_out_of_range_are_reported_once() {
     let large = Number::parse_decimal("1e60").expect("a literal");
     let outputs = [a, b].map(|term| graph.scale(large.clone(), term));
     let program = lower(&graph, &outputs, &Labels::default());
-    let write = |scalar| body(&program, graph.symbols(), &style(scalar), &mut Names::default());
+    let write = |scalar| body(&program, graph.symbols(), &scalar, &mut Names::default());
     assert!(write(Scalar::F64).is_ok());
     assert_eq!(write(Scalar::F32).err(), Some(Unrepresentable { constants: vec!["about 1e60".to_owned()] }));
 }
@@ -202,7 +198,7 @@ fn long_formulas_are_split_and_deep_ones_need_no_stack() {
             graph.divide(sum, a)
         });
         let program = optimise(&lower(&graph, &[root], &Labels::default()));
-        let body = body(&program, graph.symbols(), &style(Scalar::F64), &mut Names::default());
+        let body = body(&program, graph.symbols(), &Scalar::F64, &mut Names::default());
         let statements = body.expect("no constants").statements.to_string();
         let lengths = statements.split(';').map(str::len).collect::<Vec<_>>();
         assert!(lengths.len() > 10_000, "{}", lengths.len());
@@ -226,7 +222,7 @@ fn operands_are_parenthesised_where_needed() {
     let expected = ["(a + b) / (c - d)", "exp(-(a + b))", "-0.5 * (a + b) / (c - d)", "a + b - c + d"];
     for (output, expected) in outputs.into_iter().zip(expected) {
         let program = lower(g, &[output], &Labels::default());
-        let body = body(&program, g.symbols(), &style(Scalar::F64), &mut Names::default());
+        let body = body(&program, g.symbols(), &Scalar::F64, &mut Names::default());
         let written = body.expect("moderate numbers").outputs.remove(0);
         let expected: proc_macro2::TokenStream = expected.parse().expect("Rust");
         assert_eq!(written.to_string(), expected.to_string());

@@ -1,0 +1,148 @@
+//! Quotients without the factors that numerator and denominator have in common.
+
+use super::monomial::Monomial;
+use super::size::Sizes;
+use crate::expr::{ExprId, Graph, Node};
+use crate::number::Number;
+
+/// Sums nested deeper than this are not searched for common factors.
+const DEEPEST: usize = 6;
+/// Products with more nested parts than this are not looked into.
+const MOST_FACTORS: usize = 16;
+
+/// `numerator / denominator`. If the denominator is a product and the terms of the numerator share a factor
+/// with it, that is cancelled and what else they share is drawn out, provided that makes the formula shorter.
+pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> ExprId {
+    let plain = graph.divide(numerator, denominator);
+    let (scale, core) = graph.split_coefficient(denominator);
+    let Some(below) = Monomial::of(graph, core, MOST_FACTORS) else { return plain };
+    let common = common_factor(graph, numerator, DEEPEST);
+    let cancels = |(base, _): &(ExprId, Number)| below.exponent(*base).is_some_and(|e| !e.is_negative());
+    if !common.factors().iter().any(cancels) {
+        return plain;
+    }
+    let rest = divide(graph, numerator, &common, DEEPEST);
+    let factor = common.over(&below).build(graph);
+    let product = graph.multiply(rest, factor);
+    let cancelled = graph.scale(scale.reciprocal().unwrap_or(Number::ONE), product);
+    let mut sizes = Sizes::default();
+    if sizes.of(graph, cancelled) < sizes.of(graph, plain) { cancelled } else { plain }
+}
+
+/// Positive powers that divide an expression.
+fn common_factor(graph: &Graph, id: ExprId, depth: usize) -> Monomial {
+    let (_, core) = graph.split_coefficient(id);
+    match graph.node(core) {
+        Node::Number(_) => Monomial::default(),
+        Node::Sum { constant, terms } if depth > 0 && constant.is_zero() => {
+            let mut common = terms.iter().map(|(term, _)| common_factor(graph, *term, depth - 1));
+            let first = common.next().unwrap_or_default();
+            common.fold(first, |common, other| common.least(&other))
+        }
+        Node::Product(_) if depth > 0 => {
+            let flat = Monomial::of(graph, core, MOST_FACTORS).unwrap_or_default();
+            let positive = flat.factors().iter().filter(|(_, e)| e.is_integer() && !e.is_negative());
+            positive.fold(Monomial::default(), |common, (base, exponent)| {
+                common.times(&common_factor(graph, *base, depth - 1).power(exponent))
+            })
+        }
+        _ => Monomial::new(vec![(core, Number::ONE)]),
+    }
+}
+
+/// The expression divided by positive powers that divide it, with the division done inside of sums.
+fn divide(graph: &mut Graph, id: ExprId, divisor: &Monomial, depth: usize) -> ExprId {
+    if divisor.is_one() {
+        return id;
+    }
+    let (coefficient, core) = graph.split_coefficient(id);
+    let quotient = match graph.node(core).clone() {
+        Node::Sum { terms, .. } if depth > 0 => {
+            let divide = |(term, c): &(ExprId, Number)| (divide(graph, *term, divisor, depth - 1), c.clone());
+            let terms = terms.iter().map(divide).collect::<Vec<_>>();
+            flat_sum(graph, terms)
+        }
+        Node::Product(_) if depth > 0 => divide_product(graph, core, divisor, depth),
+        _ => {
+            let one_over = divisor.power(&Number::MINUS_ONE).build(graph);
+            graph.multiply(core, one_over)
+        }
+    };
+    graph.scale(coefficient, quotient)
+}
+
+/// The sum of terms with nested sums and products opened, so that what cancels between them does.
+fn flat_sum(graph: &mut Graph, terms: Vec<(ExprId, Number)>) -> ExprId {
+    let mut constant = Number::ZERO;
+    let mut flat = Vec::new();
+    for (term, coefficient) in terms {
+        let (inner, core) = graph.split_coefficient(term);
+        let scale = &inner * &coefficient;
+        match graph.node(core).clone() {
+            Node::Sum { constant: shift, terms } => {
+                constant = &constant + &(&shift * &scale);
+                flat.extend(terms.iter().map(|(term, c)| (flat_product(graph, *term), c * &scale)));
+            }
+            _ => flat.push((flat_product(graph, core), scale)),
+        }
+    }
+    graph.sum(constant, flat)
+}
+
+fn flat_product(graph: &mut Graph, id: ExprId) -> ExprId {
+    match graph.node(id) {
+        Node::Product(_) => Monomial::of(graph, id, MOST_FACTORS).map_or(id, |flat| flat.build(graph)),
+        _ => id,
+    }
+}
+
+/// Each factor is divided by what it has in common with the divisor.
+fn divide_product(graph: &mut Graph, product: ExprId, divisor: &Monomial, depth: usize) -> ExprId {
+    let mut remaining = divisor.clone();
+    let mut factors = Vec::new();
+    for (base, exponent) in Monomial::of(graph, product, MOST_FACTORS).unwrap_or_default().factors() {
+        if remaining.is_one() || !exponent.is_one() {
+            factors.push((*base, exponent.clone()));
+            continue;
+        }
+        let part = common_factor(graph, *base, depth - 1).least(&remaining);
+        remaining = remaining.over(&part);
+        factors.push((divide(graph, *base, &part, depth - 1), Number::ONE));
+    }
+    let left = remaining.power(&Number::MINUS_ONE);
+    graph.product(factors.into_iter().chain(left.factors().iter().cloned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quotient;
+    use crate::expr::{Function, Graph};
+    use crate::functions::apply;
+    use crate::number::Number;
+    use crate::symbol::Role;
+
+    #[test]
+    fn what_all_terms_share_with_the_denominator_is_cancelled() {
+        let mut g = Graph::new();
+        let [m, l, k] = [("m", 0), ("l", 1), ("k", 2)].map(|(name, i)| g.symbol(name, Role::Parameter(i)));
+        let x = g.symbol("x", Role::Coordinate(0));
+        let sin = apply(&mut g, Function::Sin, &[x]);
+        let product = |g: &mut Graph, factors: &[_]| g.product(factors.iter().map(|&f| (f, Number::ONE)));
+        let inertia = product(&mut g, &[m, l, l]);
+        let weight = product(&mut g, &[m, l, k, sin]);
+        let moment = g.scale(Number::MINUS_ONE, weight);
+        let numerator = product(&mut g, &[k, sin]);
+        let flat = g.product([(k, Number::ONE), (sin, Number::ONE), (l, Number::MINUS_ONE)]);
+        let expected = g.negate(flat);
+        assert_eq!(quotient(&mut g, moment, inertia), expected);
+
+        let nested = g.add(weight, inertia);
+        let nested = product(&mut g, &[l, nested]);
+        let short = g.add(numerator, l);
+        assert_eq!(quotient(&mut g, nested, inertia), short);
+
+        let foreign = g.add(weight, k);
+        let plain = g.divide(foreign, inertia);
+        assert_eq!(quotient(&mut g, foreign, inertia), plain);
+    }
+}

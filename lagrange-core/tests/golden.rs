@@ -1,0 +1,89 @@
+//! What every stage makes of the declarations in `golden`, as text that is reviewed.
+//!
+//! A test is a directory with a `declaration.lag`. `UPDATE_GOLDEN=1` writes the other files.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use lagrange_core::emit::text;
+use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::pipeline::{Derived, parse};
+use lagrange_core::program::{Labels, OperationCounts, listing, lower, optimise};
+use quote::quote;
+
+#[test]
+fn every_stage_says_what_was_reviewed() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    let mut systems = fs::read_dir(&root).expect("a directory").map(|entry| entry.expect("an entry").path());
+    let mut systems = systems.by_ref().collect::<Vec<PathBuf>>();
+    systems.sort();
+    let stages = systems.iter().flat_map(|directory| stages(directory));
+    let changed = stages.filter(|(path, found)| differs(path, found)).map(|(path, found)| {
+        if std::env::var_os("UPDATE_GOLDEN").is_some() {
+            fs::write(&path, &found).expect("a file that can be written");
+        }
+        let first = first_difference(&fs::read_to_string(&path).unwrap_or_default(), &found);
+        format!("{}: {first}", path.strip_prefix(&root).unwrap_or(&path).display())
+    });
+    let changed = changed.collect::<Vec<_>>();
+    let updated = std::env::var_os("UPDATE_GOLDEN").is_some();
+    assert!(updated || changed.is_empty(), "UPDATE_GOLDEN=1 accepts:\n{}", changed.join("\n"));
+}
+
+/// The files of one system with what should be in them.
+fn stages(directory: &Path) -> [(PathBuf, String); 3] {
+    let declaration = fs::read_to_string(directory.join("declaration.lag")).expect("a declaration");
+    let system = parse(&declaration).unwrap_or_else(|report| panic!("{}: {report:?}", directory.display()));
+    let derived = system.derive(RoadChoice::Cheapest).expect("a regular mass matrix");
+    [
+        (directory.join("equations.txt"), equations(&derived)),
+        (directory.join("program.txt"), program(&derived)),
+        (directory.join("code.rs"), code(derived)),
+    ]
+}
+
+fn equations(derived: &Derived) -> String {
+    let (graph, equations) = (&derived.model.graph, &derived.equations);
+    let mut out = String::new();
+    let rows = equations.mass_matrix.iter().flatten().zip(equations.forcing.iter().flatten());
+    for (i, (row, forcing)) in rows.enumerate() {
+        for (j, entry) in row.iter().enumerate().skip(i) {
+            writeln!(out, "M[{i}][{j}] = {}", text::text(graph, *entry)).expect("a string");
+        }
+        writeln!(out, "f[{i}] = {}", text::text(graph, *forcing)).expect("a string");
+    }
+    let structure = &equations.structure;
+    writeln!(out, "\n{:?}", structure.mass).expect("a string");
+    writeln!(out, "cyclic: {:?}", structure.cyclic).expect("a string");
+    writeln!(out, "conserved: {:?}", structure.conserved).expect("a string");
+    let [dense, recursive] = equations.costs;
+    writeln!(out, "road: {:?} (dense {dense:?}, recursive {recursive:?})", equations.road).expect("a string");
+    out
+}
+
+/// The program of the accelerations.
+fn program(derived: &Derived) -> String {
+    let mut labels = Labels::default();
+    derived.equations.labels.iter().for_each(|(id, name)| labels.insert(*id, name.as_str()));
+    let graph = &derived.model.graph;
+    let program = optimise(&lower(graph, &derived.equations.accelerations, &labels));
+    format!("{}# {}\n", listing(&program, graph.symbols()), OperationCounts::of(&program))
+}
+
+fn code(derived: Derived) -> String {
+    let items = derived.emit(&quote!(::lagrange)).expect("constants that fit");
+    prettyplease::unparse(&syn::parse2(items).expect("items"))
+}
+
+fn differs(path: &Path, found: &str) -> bool {
+    fs::read_to_string(path).ok().as_deref() != Some(found)
+}
+
+fn first_difference(known: &str, found: &str) -> String {
+    let lines = known.lines().map(Some).chain(std::iter::repeat(None));
+    let first = found.lines().zip(lines).enumerate().find(|(_, (found, known))| Some(*found) != *known);
+    first.map_or("shorter than it was".to_owned(), |(number, (found, known))| {
+        format!("line {}:\n  - {}\n  + {found}", number + 1, known.unwrap_or_default())
+    })
+}

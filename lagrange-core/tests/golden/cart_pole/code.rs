@@ -1,0 +1,313 @@
+/// A cart that carries a pendulum, pushed by a force u.
+///
+/// # Equations of motion
+///
+/// ```text
+/// (mc + mp)*ddot(x) + mp*l*cos(theta)*ddot(theta) = mp*l*sin(theta)*dot(theta)^2 + u
+/// mp*l*cos(theta)*ddot(x) + mp*l^2*ddot(theta) = -c*dot(theta) - mp*l*g*sin(theta)
+/// ```
+///
+/// # State and structure
+///
+/// - State: `[x, theta, x_dot, theta_dot]`.
+/// - Mass matrix: full, depends on the configuration.
+/// - Cyclic coordinates: `x`.
+/// - Accelerations: the mass matrix is factorised, which costs no more than recursion.
+/// - Cost of `acceleration`: 8 additions, 18 multiplications, 2 divisions, 1 `sin_cos`.
+#[derive(Clone, Debug)]
+pub struct CartPole {
+    /// Parameter `mc`.
+    pub mc: ::core::primitive::f64,
+    /// Parameter `mp`.
+    pub mp: ::core::primitive::f64,
+    /// Parameter `l`.
+    pub l: ::core::primitive::f64,
+    /// Parameter `c`.
+    pub c: ::core::primitive::f64,
+    /// Parameter `g`.
+    pub g: ::core::primitive::f64,
+    /// Input `u`.
+    pub u: ::core::primitive::f64,
+}
+/// State of [`CartPole`]: coordinates, then velocities.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct CartPoleState {
+    /// Coordinate `x`.
+    pub x: ::core::primitive::f64,
+    /// Coordinate `theta`.
+    pub theta: ::core::primitive::f64,
+    /// Velocity of `x`.
+    pub x_dot: ::core::primitive::f64,
+    /// Velocity of `theta`.
+    pub theta_dot: ::core::primitive::f64,
+}
+const _: () = {
+    use ::core::primitive::f64;
+    use ::lagrange::private::{cos, multiply_add, sin_cos};
+    #[allow(
+        unused_variables,
+        clippy::excessive_precision,
+        clippy::many_single_char_names,
+        clippy::similar_names,
+        clippy::suboptimal_flops,
+        clippy::too_many_lines,
+        clippy::trivially_copy_pass_by_ref,
+        clippy::unused_self,
+        reason = "generated: every method has the arguments that its kind of quantity can depend on, \
+                      and the names of the formulas"
+    )]
+    impl CartPole {
+        /// Accelerations in the order of the coordinates.
+        ///
+        /// Takes 8 additions, 18 multiplications, 2 divisions, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let Self { mc, mp, l, c, g, u } = *self;
+            let [_, theta] = *q;
+            let [_, theta_dot] = *v;
+            let m_0_0 = mc + mp;
+            let inv_m_0_0 = 1.0 / m_0_0;
+            let mp_l = mp * l;
+            let (sin_theta, cos_theta) = sin_cos(theta);
+            let m_0_1 = mp_l * cos_theta;
+            let factor_1_0 = inv_m_0_0 * m_0_1;
+            let theta_dot_sq = theta_dot * theta_dot;
+            let vel_0 = mp_l * sin_theta * theta_dot_sq;
+            let forcing_0 = u + vel_0;
+            let vel_1 = multiply_add(-c, theta_dot, l * cos_theta * vel_0);
+            let vel_2 = multiply_add(
+                -l * sin_theta,
+                multiply_add(mp, g, m_0_1 * theta_dot_sq),
+                vel_1,
+            );
+            let forcing_1 = multiply_add(-factor_1_0, forcing_0, vel_2);
+            let m_1_1 = l * mp_l;
+            let pivot_1 = multiply_add(-m_0_1, factor_1_0, m_1_1);
+            let theta_ddot = forcing_1 / pivot_1;
+            let x_ddot = multiply_add(-factor_1_0, theta_ddot, inv_m_0_0 * forcing_0);
+            [x_ddot, theta_ddot]
+        }
+        /// Mass matrix M, in rows.
+        ///
+        /// Takes 1 addition, 3 multiplications, 1 function.
+        #[must_use]
+        #[inline]
+        pub fn mass_matrix(&self, t: f64, q: &[f64; 2]) -> [[f64; 2]; 2] {
+            let Self { mc, mp, l, .. } = *self;
+            let [_, theta] = *q;
+            let m_0_0 = mc + mp;
+            let mp_l = mp * l;
+            let m_0_1 = mp_l * cos(theta);
+            let m_1_1 = l * mp_l;
+            [[m_0_0, m_0_1], [m_0_1, m_1_1]]
+        }
+        /// Right-hand side f of M q̈ = f.
+        ///
+        /// Takes 4 additions, 12 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn forcing(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let Self { mp, l, c, g, u, .. } = *self;
+            let [_, theta] = *q;
+            let [_, theta_dot] = *v;
+            let mp_l = mp * l;
+            let (sin_theta, cos_theta) = sin_cos(theta);
+            let theta_dot_sq = theta_dot * theta_dot;
+            let vel_0 = mp_l * sin_theta * theta_dot_sq;
+            let forcing_0 = u + vel_0;
+            let vel_1 = multiply_add(-c, theta_dot, l * cos_theta * vel_0);
+            let vel_2 = multiply_add(mp, g, mp_l * cos_theta * theta_dot_sq);
+            [forcing_0, multiply_add(-l * sin_theta, vel_2, vel_1)]
+        }
+        /// Generalised momenta ∂L/∂v.
+        ///
+        /// Takes 3 additions, 10 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn momenta(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let Self { mc, mp, l, .. } = *self;
+            let [_, theta] = *q;
+            let [x_dot, theta_dot] = *v;
+            let (sin_theta, cos_theta) = sin_cos(theta);
+            let l_cos_theta = l * cos_theta;
+            let px_dot = multiply_add(l_cos_theta, theta_dot, x_dot);
+            let mp_px_dot = mp * px_dot;
+            let py_dot = l * sin_theta * theta_dot;
+            [
+                multiply_add(mc, x_dot, mp_px_dot),
+                multiply_add(l_cos_theta, mp_px_dot, l * mp * sin_theta * py_dot),
+            ]
+        }
+        /// Kinetic energy T.
+        ///
+        /// Takes 3 additions, 10 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn kinetic_energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
+            let Self { mc, mp, l, .. } = *self;
+            let [_, theta] = *q;
+            let [x_dot, theta_dot] = *v;
+            let (sin_theta, cos_theta) = sin_cos(theta);
+            let py_dot = l * sin_theta * theta_dot;
+            let px_dot = multiply_add(l * cos_theta, theta_dot, x_dot);
+            let x_dot_sq = x_dot * x_dot;
+            let vel_0 = multiply_add(
+                mp,
+                multiply_add(py_dot, py_dot, px_dot * px_dot),
+                mc * x_dot_sq,
+            );
+            0.5 * vel_0
+        }
+        /// Potential energy V.
+        ///
+        /// Takes 3 multiplications, 1 function.
+        #[must_use]
+        #[inline]
+        pub fn potential_energy(&self, t: f64, q: &[f64; 2]) -> f64 {
+            let Self { mp, l, g, .. } = *self;
+            let [_, theta] = *q;
+            -mp * g * l * cos(theta)
+        }
+        /// Energy function v·∂L/∂v − L.
+        ///
+        /// Takes 4 additions, 13 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
+            let Self { mc, mp, l, g, .. } = *self;
+            let [_, theta] = *q;
+            let [x_dot, theta_dot] = *v;
+            let (sin_theta, cos_theta) = sin_cos(theta);
+            let py_dot = l * sin_theta * theta_dot;
+            let px_dot = multiply_add(l * cos_theta, theta_dot, x_dot);
+            let x_dot_sq = x_dot * x_dot;
+            let vel_0 = multiply_add(
+                mp,
+                multiply_add(py_dot, py_dot, px_dot * px_dot),
+                mc * x_dot_sq,
+            );
+            multiply_add(-mp * g * l, cos_theta, 0.5 * vel_0)
+        }
+        /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
+        /// to produce given accelerations.
+        ///
+        /// Takes 8 additions, 16 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn inverse_dynamics(
+            &self,
+            t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+            a: &[f64; 2],
+        ) -> [f64; 2] {
+            let Self { mc, mp, l, c, g, u } = *self;
+            let [_, theta] = *q;
+            let [_, theta_dot] = *v;
+            let [x_ddot, theta_ddot] = *a;
+            let (sin_theta, cos_theta) = sin_cos(theta);
+            let theta_dot_sq = theta_dot * theta_dot;
+            let acc_0 = multiply_add(-cos_theta, theta_ddot, sin_theta * theta_dot_sq);
+            let acc_1 = mp * multiply_add(-l, acc_0, x_ddot);
+            let acc_2 = multiply_add(sin_theta, theta_ddot, cos_theta * theta_dot_sq);
+            let acc_3 = multiply_add(l * cos_theta, acc_1, c * theta_dot);
+            [
+                multiply_add(mc, x_ddot, acc_1 - u),
+                multiply_add(l * sin_theta, multiply_add(mp * l, acc_2, mp * g), acc_3),
+            ]
+        }
+        /// Output `tip`.
+        ///
+        /// Takes 1 addition, 2 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn tip(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let Self { l, .. } = *self;
+            let [x, theta] = *q;
+            let (sin_theta, cos_theta) = sin_cos(theta);
+            let px = multiply_add(l, sin_theta, x);
+            let py = -l * cos_theta;
+            [px, py]
+        }
+        /// Rate of the state: velocities, then accelerations.
+        #[must_use]
+        #[inline]
+        pub fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
+            let [x, theta, x_dot, theta_dot] = *y;
+            let a = self.acceleration(t, &[x, theta], &[x_dot, theta_dot]);
+            [x_dot, theta_dot, a[0], a[1]]
+        }
+    }
+    #[automatically_derived]
+    impl ::core::default::Default for CartPole {
+        fn default() -> Self {
+            Self {
+                mc: 1.0,
+                mp: 0.1,
+                l: 0.5,
+                c: 0.0,
+                g: 9.81,
+                u: 0.0,
+            }
+        }
+    }
+    impl CartPoleState {
+        /// The coordinates in their order.
+        #[must_use]
+        #[inline]
+        pub fn coordinates(self) -> [f64; 2] {
+            [self.x, self.theta]
+        }
+        /// The velocities in the order of the coordinates.
+        #[must_use]
+        #[inline]
+        pub fn velocities(self) -> [f64; 2] {
+            [self.x_dot, self.theta_dot]
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 4]> for CartPoleState {
+        #[inline]
+        fn from([x, theta, x_dot, theta_dot]: [f64; 4]) -> Self {
+            Self { x, theta, x_dot, theta_dot }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<CartPoleState> for [f64; 4] {
+        #[inline]
+        fn from(state: CartPoleState) -> Self {
+            [state.x, state.theta, state.x_dot, state.theta_dot]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::OdeSystem for CartPole {
+        type Scalar = f64;
+        type State = [f64; 4];
+        #[inline]
+        fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
+            self.rhs(t, y)
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::MechanicalSystem for CartPole {
+        type Coordinates = [f64; 2];
+        const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "theta"];
+        #[inline]
+        fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            self.acceleration(t, q, v)
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::EnergyFunction for CartPole {
+        #[inline]
+        fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
+            self.energy(t, q, v)
+        }
+    }
+};

@@ -1,0 +1,273 @@
+/// A block on a slope; friction grows linearly while the block enters the rough part.
+///
+/// # Equations of motion
+///
+/// ```text
+/// 3/2*m*ddot(s) = m*g*sin(alpha) - (if s < l1 { 0 } else if s < 2*r + l1 { -m*mu*g*(l1 - s)/(2*r) } else { m*mu*g })*sign(dot(s))
+/// ```
+///
+/// # State and structure
+///
+/// - State: `[s, s_dot]`.
+/// - Mass matrix: diagonal, constant.
+/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Cost of `acceleration`: 3 additions, 11 multiplications, 2 divisions, 2 functions, 2 selections.
+pub struct FrictionPatch {
+    /// Parameter `m`.
+    pub m: ::core::primitive::f64,
+    /// Parameter `r`.
+    pub r: ::core::primitive::f64,
+    /// Parameter `mu`.
+    pub mu: ::core::primitive::f64,
+    /// Parameter `l1`.
+    pub l1: ::core::primitive::f64,
+    /// Parameter `alpha`.
+    pub alpha: ::core::primitive::f64,
+    /// Parameter `g`.
+    pub g: ::core::primitive::f64,
+}
+/// State of [`FrictionPatch`]: coordinates, then velocities.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct FrictionPatchState {
+    /// Coordinate `s`.
+    pub s: ::core::primitive::f64,
+    /// Velocity of `s`.
+    pub s_dot: ::core::primitive::f64,
+}
+const _: () = {
+    use ::core::primitive::f64;
+    use ::lagrange::private::{multiply_add, sign, sin};
+    #[allow(
+        unused_variables,
+        clippy::excessive_precision,
+        clippy::many_single_char_names,
+        clippy::similar_names,
+        clippy::suboptimal_flops,
+        clippy::too_many_lines,
+        clippy::trivially_copy_pass_by_ref,
+        clippy::unused_self,
+        reason = "generated: every method has the arguments that its kind of quantity can depend on, \
+                      and the names of the formulas"
+    )]
+    impl FrictionPatch {
+        /// Accelerations in the order of the coordinates.
+        ///
+        /// Takes 3 additions, 11 multiplications, 2 divisions, 2 functions, 2 selections.
+        #[must_use]
+        #[inline]
+        pub fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+            let Self { m, r, mu, l1, alpha, g } = *self;
+            let [s] = *q;
+            let [s_dot] = *v;
+            let const_0 = multiply_add(2.0, r, l1);
+            let friction = if s < l1 {
+                0.0
+            } else if s >= l1 {
+                if s < const_0 {
+                    -0.5 * m * mu * g * (l1 - s) / r
+                } else if s >= const_0 {
+                    m * mu * g
+                } else {
+                    f64::NAN
+                }
+            } else {
+                f64::NAN
+            };
+            let forcing_0 = multiply_add(-friction, sign(s_dot), m * g * sin(alpha));
+            let s_ddot = 0.6666666666666666 * forcing_0 / m;
+            [s_ddot]
+        }
+        /// Mass matrix M, in rows.
+        ///
+        /// Takes 1 multiplication.
+        #[must_use]
+        #[inline]
+        pub fn mass_matrix(&self, t: f64, q: &[f64; 1]) -> [[f64; 1]; 1] {
+            let Self { m, .. } = *self;
+            let m_0_0 = 1.5 * m;
+            [[m_0_0]]
+        }
+        /// Right-hand side f of M q̈ = f.
+        ///
+        /// Takes 3 additions, 10 multiplications, 1 division, 2 functions, 2 selections.
+        #[must_use]
+        #[inline]
+        pub fn forcing(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+            let Self { m, r, mu, l1, alpha, g } = *self;
+            let [s] = *q;
+            let [s_dot] = *v;
+            let const_0 = multiply_add(2.0, r, l1);
+            let friction = if s < l1 {
+                0.0
+            } else if s >= l1 {
+                if s < const_0 {
+                    -0.5 * m * mu * g * (l1 - s) / r
+                } else if s >= const_0 {
+                    m * mu * g
+                } else {
+                    f64::NAN
+                }
+            } else {
+                f64::NAN
+            };
+            let forcing_0 = multiply_add(-friction, sign(s_dot), m * g * sin(alpha));
+            [forcing_0]
+        }
+        /// Generalised momenta ∂L/∂v.
+        ///
+        /// Takes 2 multiplications.
+        #[must_use]
+        #[inline]
+        pub fn momenta(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+            let Self { m, .. } = *self;
+            let [s_dot] = *v;
+            [1.5 * m * s_dot]
+        }
+        /// Kinetic energy T.
+        ///
+        /// Takes 3 multiplications.
+        #[must_use]
+        #[inline]
+        pub fn kinetic_energy(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {
+            let Self { m, .. } = *self;
+            let [s_dot] = *v;
+            let s_dot_sq = s_dot * s_dot;
+            0.75 * m * s_dot_sq
+        }
+        /// Potential energy V.
+        ///
+        /// Takes 3 multiplications, 1 function.
+        #[must_use]
+        #[inline]
+        pub fn potential_energy(&self, t: f64, q: &[f64; 1]) -> f64 {
+            let Self { m, alpha, g, .. } = *self;
+            let [s] = *q;
+            -m * g * sin(alpha) * s
+        }
+        /// Energy function v·∂L/∂v − L.
+        ///
+        /// Takes 1 addition, 6 multiplications, 1 function.
+        #[must_use]
+        #[inline]
+        pub fn energy(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {
+            let Self { m, alpha, g, .. } = *self;
+            let [s] = *q;
+            let [s_dot] = *v;
+            let s_dot_sq = s_dot * s_dot;
+            multiply_add(-m * g * sin(alpha), s, 0.75 * m * s_dot_sq)
+        }
+        /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
+        /// to produce given accelerations.
+        ///
+        /// Takes 4 additions, 12 multiplications, 1 division, 2 functions, 2 selections.
+        #[must_use]
+        #[inline]
+        pub fn inverse_dynamics(
+            &self,
+            t: f64,
+            q: &[f64; 1],
+            v: &[f64; 1],
+            a: &[f64; 1],
+        ) -> [f64; 1] {
+            let Self { m, r, mu, l1, alpha, g } = *self;
+            let [s] = *q;
+            let [s_dot] = *v;
+            let [s_ddot] = *a;
+            let const_0 = multiply_add(2.0, r, l1);
+            let friction = if s < l1 {
+                0.0
+            } else if s >= l1 {
+                if s < const_0 {
+                    -0.5 * m * mu * g * (l1 - s) / r
+                } else if s >= const_0 {
+                    m * mu * g
+                } else {
+                    f64::NAN
+                }
+            } else {
+                f64::NAN
+            };
+            let vel_0 = multiply_add(-m * g, sin(alpha), friction * sign(s_dot));
+            [multiply_add(1.5 * m, s_ddot, vel_0)]
+        }
+        /// Rate of the state: velocities, then accelerations.
+        #[must_use]
+        #[inline]
+        pub fn rhs(&self, t: f64, y: &[f64; 2]) -> [f64; 2] {
+            let [s, s_dot] = *y;
+            let a = self.acceleration(t, &[s], &[s_dot]);
+            [s_dot, a[0]]
+        }
+    }
+    #[automatically_derived]
+    impl ::core::default::Default for FrictionPatch {
+        fn default() -> Self {
+            Self {
+                m: 1.5,
+                r: 0.25,
+                mu: 0.6,
+                l1: 1.2,
+                alpha: 0.52,
+                g: 9.81,
+            }
+        }
+    }
+    impl FrictionPatchState {
+        /// The coordinates in their order.
+        #[must_use]
+        #[inline]
+        pub fn coordinates(self) -> [f64; 1] {
+            [self.s]
+        }
+        /// The velocities in the order of the coordinates.
+        #[must_use]
+        #[inline]
+        pub fn velocities(self) -> [f64; 1] {
+            [self.s_dot]
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 2]> for FrictionPatchState {
+        #[inline]
+        fn from([s, s_dot]: [f64; 2]) -> Self {
+            Self { s, s_dot }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<FrictionPatchState> for [f64; 2] {
+        #[inline]
+        fn from(state: FrictionPatchState) -> Self {
+            [state.s, state.s_dot]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::OdeSystem for FrictionPatch {
+        type Scalar = f64;
+        type State = [f64; 2];
+        #[inline]
+        fn rhs(&self, t: f64, y: &[f64; 2]) -> [f64; 2] {
+            self.rhs(t, y)
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::MechanicalSystem for FrictionPatch {
+        type Coordinates = [f64; 1];
+        const COORDINATES: &'static [&'static ::core::primitive::str] = &["s"];
+        #[inline]
+        fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+            self.acceleration(t, q, v)
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::EnergyFunction for FrictionPatch {
+        #[inline]
+        fn energy(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {
+            self.energy(t, q, v)
+        }
+    }
+};

@@ -1,0 +1,239 @@
+/// A planet in polar coordinates about the sun.
+///
+/// # Equations of motion
+///
+/// ```text
+/// m*ddot(r) = m*r*dot(phi)^2 - m*mu/r^2
+/// m*r^2*ddot(phi) = -2*m*r*dot(r)*dot(phi)
+/// ```
+///
+/// # State and structure
+///
+/// - State: `[r, phi, r_dot, phi_dot]`.
+/// - Mass matrix: diagonal, depends on the configuration.
+/// - Cyclic coordinates: `phi`.
+/// - Conserved: the momentum of `phi`, the energy function.
+/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Cost of `acceleration`: 1 addition, 7 multiplications, 1 division.
+pub struct Kepler<S> {
+    /// Parameter `m`.
+    pub m: S,
+    /// Parameter `mu`.
+    pub mu: S,
+}
+/// State of [`Kepler`]: coordinates, then velocities.
+#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct KeplerState<S> {
+    /// Coordinate `r`.
+    pub r: S,
+    /// Coordinate `phi`.
+    pub phi: S,
+    /// Velocity of `r`.
+    pub r_dot: S,
+    /// Velocity of `phi`.
+    pub phi_dot: S,
+}
+const _: () = {
+    use ::lagrange::private::multiply_add;
+    #[allow(
+        unused_variables,
+        clippy::excessive_precision,
+        clippy::many_single_char_names,
+        clippy::similar_names,
+        clippy::suboptimal_flops,
+        clippy::too_many_lines,
+        clippy::trivially_copy_pass_by_ref,
+        clippy::unused_self,
+        reason = "generated: every method has the arguments that its kind of quantity can depend on, \
+                      and the names of the formulas"
+    )]
+    impl<S: ::lagrange::Scalar> Kepler<S> {
+        /// Accelerations in the order of the coordinates.
+        ///
+        /// Takes 1 addition, 7 multiplications, 1 division.
+        #[must_use]
+        #[inline]
+        pub fn acceleration(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
+            let Self { mu, .. } = *self;
+            let [r, _] = *q;
+            let [r_dot, phi_dot] = *v;
+            let inv_r = S::ONE / r;
+            let phi_dot_sq = phi_dot * phi_dot;
+            let inv_r_sq = inv_r * inv_r;
+            let r_ddot = multiply_add(-mu, inv_r_sq, r * phi_dot_sq);
+            let phi_ddot = S::from_f64(-2.0) * inv_r * r_dot * phi_dot;
+            [r_ddot, phi_ddot]
+        }
+        /// Mass matrix M, in rows.
+        ///
+        /// Takes 2 multiplications.
+        #[must_use]
+        #[inline]
+        pub fn mass_matrix(&self, t: S, q: &[S; 2]) -> [[S; 2]; 2] {
+            let Self { m, .. } = *self;
+            let [r, _] = *q;
+            let const_0 = S::ZERO;
+            let r_sq = r * r;
+            let m_1_1 = m * r_sq;
+            [[m, const_0], [const_0, m_1_1]]
+        }
+        /// Right-hand side f of M q̈ = f.
+        ///
+        /// Takes 1 addition, 8 multiplications, 1 division.
+        #[must_use]
+        #[inline]
+        pub fn forcing(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
+            let Self { m, mu } = *self;
+            let [r, _] = *q;
+            let [r_dot, phi_dot] = *v;
+            let m_r = m * r;
+            let r_sq = r * r;
+            let phi_dot_sq = phi_dot * phi_dot;
+            let forcing_0 = multiply_add(m_r, phi_dot_sq, -m * mu / r_sq);
+            let forcing_1 = S::from_f64(-2.0) * m_r * phi_dot * r_dot;
+            [forcing_0, forcing_1]
+        }
+        /// Generalised momenta ∂L/∂v.
+        ///
+        /// Takes 4 multiplications.
+        #[must_use]
+        #[inline]
+        pub fn momenta(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
+            let Self { m, .. } = *self;
+            let [r, _] = *q;
+            let [r_dot, phi_dot] = *v;
+            let r_sq = r * r;
+            [m * r_dot, m * r_sq * phi_dot]
+        }
+        /// Kinetic energy T.
+        ///
+        /// Takes 1 addition, 6 multiplications.
+        #[must_use]
+        #[inline]
+        pub fn kinetic_energy(&self, t: S, q: &[S; 2], v: &[S; 2]) -> S {
+            let Self { m, .. } = *self;
+            let [r, _] = *q;
+            let [r_dot, phi_dot] = *v;
+            let r_sq = r * r;
+            let phi_dot_sq = phi_dot * phi_dot;
+            S::from_f64(0.5) * m * multiply_add(r_sq, phi_dot_sq, r_dot * r_dot)
+        }
+        /// Potential energy V.
+        ///
+        /// Takes 1 multiplication, 1 division.
+        #[must_use]
+        #[inline]
+        pub fn potential_energy(&self, t: S, q: &[S; 2]) -> S {
+            let Self { m, mu } = *self;
+            let [r, _] = *q;
+            -m * mu / r
+        }
+        /// Energy function v·∂L/∂v − L.
+        ///
+        /// Takes 2 additions, 7 multiplications, 1 division.
+        #[must_use]
+        #[inline]
+        pub fn energy(&self, t: S, q: &[S; 2], v: &[S; 2]) -> S {
+            let Self { m, mu } = *self;
+            let [r, _] = *q;
+            let [r_dot, phi_dot] = *v;
+            let r_sq = r * r;
+            let phi_dot_sq = phi_dot * phi_dot;
+            let vel_0 = multiply_add(r_sq, phi_dot_sq, r_dot * r_dot);
+            multiply_add(S::from_f64(0.5) * m, vel_0, -m * mu / r)
+        }
+        /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
+        /// to produce given accelerations.
+        ///
+        /// Takes 3 additions, 11 multiplications, 1 division.
+        #[must_use]
+        #[inline]
+        pub fn inverse_dynamics(
+            &self,
+            t: S,
+            q: &[S; 2],
+            v: &[S; 2],
+            a: &[S; 2],
+        ) -> [S; 2] {
+            let Self { m, mu } = *self;
+            let [r, _] = *q;
+            let [r_dot, phi_dot] = *v;
+            let [r_ddot, phi_ddot] = *a;
+            let m_r = m * r;
+            let r_sq = r * r;
+            let phi_dot_sq = phi_dot * phi_dot;
+            let m_1_1 = m * r_sq;
+            [
+                multiply_add(m, r_ddot, multiply_add(-m_r, phi_dot_sq, m * mu / r_sq)),
+                multiply_add(m_1_1, phi_ddot, S::from_f64(2.0) * m_r * phi_dot * r_dot),
+            ]
+        }
+        /// Rate of the state: velocities, then accelerations.
+        #[must_use]
+        #[inline]
+        pub fn rhs(&self, t: S, y: &[S; 4]) -> [S; 4] {
+            let [r, phi, r_dot, phi_dot] = *y;
+            let a = self.acceleration(t, &[r, phi], &[r_dot, phi_dot]);
+            [r_dot, phi_dot, a[0], a[1]]
+        }
+    }
+    impl<S> KeplerState<S> {
+        /// The coordinates in their order.
+        #[must_use]
+        #[inline]
+        pub fn coordinates(self) -> [S; 2] {
+            [self.r, self.phi]
+        }
+        /// The velocities in the order of the coordinates.
+        #[must_use]
+        #[inline]
+        pub fn velocities(self) -> [S; 2] {
+            [self.r_dot, self.phi_dot]
+        }
+    }
+    #[automatically_derived]
+    impl<S> ::core::convert::From<[S; 4]> for KeplerState<S> {
+        #[inline]
+        fn from([r, phi, r_dot, phi_dot]: [S; 4]) -> Self {
+            Self { r, phi, r_dot, phi_dot }
+        }
+    }
+    #[automatically_derived]
+    impl<S> ::core::convert::From<KeplerState<S>> for [S; 4] {
+        #[inline]
+        fn from(state: KeplerState<S>) -> Self {
+            [state.r, state.phi, state.r_dot, state.phi_dot]
+        }
+    }
+    #[automatically_derived]
+    impl<S: ::lagrange::Scalar> ::lagrange::system::OdeSystem for Kepler<S> {
+        type Scalar = S;
+        type State = [S; 4];
+        #[inline]
+        fn rhs(&self, t: S, y: &[S; 4]) -> [S; 4] {
+            self.rhs(t, y)
+        }
+    }
+    #[automatically_derived]
+    impl<S: ::lagrange::Scalar> ::lagrange::system::MechanicalSystem for Kepler<S> {
+        type Coordinates = [S; 2];
+        const COORDINATES: &'static [&'static ::core::primitive::str] = &["r", "phi"];
+        #[inline]
+        fn acceleration(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
+            self.acceleration(t, q, v)
+        }
+    }
+    #[automatically_derived]
+    impl<S: ::lagrange::Scalar> ::lagrange::system::EnergyFunction for Kepler<S> {
+        #[inline]
+        fn energy(&self, t: S, q: &[S; 2], v: &[S; 2]) -> S {
+            self.energy(t, q, v)
+        }
+    }
+};

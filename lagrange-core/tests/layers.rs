@@ -1,0 +1,122 @@
+//! The order of the modules, and a few other rules, checked in the sources.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Modules in layers: each imports only from its own module and from earlier layers. Modules of one layer
+/// may import each other.
+const LAYERS: [&[&str]; 10] = [
+    &["number", "symbol", "diagnostics", "collections"],
+    &["expr"],
+    &["functions"],
+    &["calculus"],
+    &["simplify"],
+    &["syntax"],
+    &["mechanics"],
+    &["program"],
+    &["emit"],
+    &["pipeline"],
+];
+const LONGEST_FILE: usize = 500;
+
+/// A source file, without the tests and comments in it.
+struct Source {
+    path: String,
+    lines: usize,
+    code: String,
+}
+
+#[test]
+fn modules_import_only_from_earlier_layers() {
+    let layer = |module: &str| LAYERS.iter().position(|layer| layer.contains(&module));
+    let mut wrong = Vec::new();
+    for Source { path, code, .. } in sources() {
+        let module = path.split(['/', '.']).next().expect("a name").to_owned();
+        if module == "lib" {
+            continue;
+        }
+        let own = layer(&module).unwrap_or_else(|| panic!("{module} is in no layer"));
+        for imported in code.split("crate::").skip(1) {
+            let imported =
+                imported.split(|c: char| c != '_' && !c.is_alphanumeric()).next().unwrap_or_default();
+            if imported != module && layer(imported).is_none_or(|layer| layer > own) {
+                wrong.push(format!("{path} imports `{imported}`"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn imports_are_explicit_and_failures_are_handled() {
+    let mut wrong = Vec::new();
+    for Source { path, code, lines } in sources() {
+        for forbidden in ["::*", ".unwrap()", "super::super", "use crate::{"] {
+            wrong.extend(code.contains(forbidden).then(|| format!("{path} has `{forbidden}`")));
+        }
+        // From the root of a module `super` is the crate.
+        let is_root = !path.contains('/') || path.ends_with("mod.rs") && path.matches('/').count() == 1;
+        wrong.extend((is_root && code.contains("super::")).then(|| format!("{path} has `super::`")));
+        wrong.extend((lines > LONGEST_FILE).then(|| format!("{path} has {lines} lines")));
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn no_code_is_unsafe() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for file in ["src/lib.rs", "../lagrange-macro/src/lib.rs", "../src/lib.rs"] {
+        let text = fs::read_to_string(root.join(file)).expect("a source file");
+        assert!(text.contains("#![forbid(unsafe_code)]"), "{file}");
+    }
+}
+
+#[test]
+fn emitted_code_names_only_core_and_the_crate() {
+    let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    let emitted = files(&golden).into_iter().filter(|path| path.ends_with("code.rs")).collect::<Vec<_>>();
+    assert!(!emitted.is_empty());
+    for path in emitted {
+        let text = fs::read_to_string(&path).expect("a file");
+        let code = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<String>();
+        let mut before = ' ';
+        for (at, c) in code.char_indices() {
+            let starts_path =
+                code[at..].starts_with("::") && !before.is_alphanumeric() && !"_>:".contains(before);
+            let known = ["::core::", "::lagrange::"].iter().any(|root| code[at..].starts_with(root));
+            assert!(!starts_path || known, "{}: {:.40}", path.display(), &code[at..]);
+            before = c;
+        }
+        assert!(!code.contains("std::") && !code.contains("alloc::"), "{}", path.display());
+    }
+}
+
+/// The files of the crate that are no tests.
+fn sources() -> Vec<Source> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let is_test = |path: &str| path.split(['/', '.']).any(|part| part == "tests");
+    let sources = files(&root).into_iter().filter(|path| path.extension().is_some_and(|e| e == "rs"));
+    let sources = sources.map(|path| {
+        let text = fs::read_to_string(&path).expect("a source file");
+        let path = path.strip_prefix(&root).expect("below the root").to_string_lossy().replace('\\', "/");
+        let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+        let code = code.lines().filter(|line| !line.trim_start().starts_with("//"));
+        Source { path, lines: text.lines().count(), code: code.collect::<Vec<_>>().join("\n") }
+    });
+    sources.filter(|source| !is_test(&source.path)).collect()
+}
+
+fn files(directory: &Path) -> Vec<PathBuf> {
+    let mut pending = vec![directory.to_owned()];
+    let mut found = Vec::new();
+    while let Some(path) = pending.pop() {
+        if path.is_dir() {
+            let entries = fs::read_dir(path).expect("a directory");
+            pending.extend(entries.map(|entry| entry.expect("an entry").path()));
+        } else {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
