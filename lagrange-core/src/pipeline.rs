@@ -96,9 +96,11 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
             let equations = derive(&declaration, &mut model, RoadChoice::Cheapest, &mut report)?;
             emit(&declaration, &mut model, &equations, krate, &mut report)
         });
-        items.unwrap_or_else(|| emit::skeleton(&declaration, krate))
+        let items = items.unwrap_or_else(|| emit::skeleton(&declaration, krate));
+        (items, declaration.attributes)
     });
-    let diagnostics = emit::diagnostics(report.diagnostics());
+    let (items, attributes) = items.unwrap_or_default();
+    let diagnostics = emit::diagnostics(report.diagnostics(), &attributes);
     quote!(#diagnostics #items)
 }
 
@@ -109,7 +111,7 @@ fn derive(
     report: &mut Report,
 ) -> Option<Equations> {
     let is_singular = |error: &SingularMassMatrix| {
-        report.error(declaration.name.span, error.to_string());
+        report.error(declaration.name.span, error.to_string()).help(error.help());
     };
     Equations::derive(model, road).inspect_err(is_singular).ok()
 }
@@ -122,9 +124,9 @@ fn emit(
     report: &mut Report,
 ) -> Option<TokenStream> {
     let items = emit::system(declaration, model, equations, krate);
-    let too_large = |constants: &Vec<String>| {
-        let message = format!("number too large for the scalar: {}", constants.join(", "));
-        report.error(declaration.name.span, message);
-    };
+    let too_large = |constants: &Vec<String>| emit::report_too_large(declaration, constants, report);
     items.inspect_err(too_large).ok()
 }
+
+#[cfg(test)]
+mod tests;

@@ -70,6 +70,7 @@ fn steps(root: &Path) -> Vec<Step> {
         Step::new("documentation", "doc --workspace --no-deps --all-features")
             .with("RUSTDOCFLAGS", "-D warnings"),
         Step::new("no_std", "build --package lagrange --no-default-features"),
+        Step::new("a user without std", "build --package no_std"),
         Step::new("benchmarks compile", "bench --workspace --no-run"),
     ];
     // Every example asserts its own reference values.

@@ -34,12 +34,12 @@ impl From<Span> for Origin {
 }
 
 /// How bad it is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Severity {
     /// The declaration has no meaning; no equations are derived.
     Error,
-    /// The declaration works but probably not as meant.
-    Warning,
+    /// A warning: this name is declared but never used, which is probably not as meant.
+    Unused(String),
 }
 
 /// One mistake.
@@ -79,9 +79,9 @@ impl fmt::Display for Diagnostic {
             let start = origin.start.start();
             format!("{}:{}", start.line, start.column + 1)
         };
-        let severity = match self.severity {
+        let severity = match &self.severity {
             Severity::Error => "error",
-            Severity::Warning => "warning",
+            Severity::Unused(_) => "warning",
         };
         write!(f, "{severity} at {}: {}", at(self.origin), self.message)?;
         for (origin, note) in &self.related {
@@ -107,9 +107,14 @@ impl Report {
         self.add(Severity::Error, origin.into(), message.into())
     }
 
-    /// Adds a warning; details can be chained.
-    pub fn warning(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> &mut Diagnostic {
-        self.add(Severity::Warning, origin.into(), message.into())
+    /// Adds a warning of a name that is never used; details can be chained.
+    pub fn unused(
+        &mut self,
+        name: &str,
+        origin: impl Into<Origin>,
+        message: impl Into<String>,
+    ) -> &mut Diagnostic {
+        self.add(Severity::Unused(name.to_owned()), origin.into(), message.into())
     }
 
     fn add(&mut self, severity: Severity, origin: Origin, message: String) -> &mut Diagnostic {

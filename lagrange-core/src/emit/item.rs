@@ -6,20 +6,23 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::method::{ArgumentNames, Arguments, Method};
+use super::rust_body::Names;
 use super::shape::{Shape, doc, identifier, length, local};
 
 /// Everything that differs between a derived system and a skeleton.
 pub(super) struct Parts {
     /// Documentation of the struct, after the user's own.
     pub(super) docs: Vec<String>,
-    /// Values of the fields for `Default`, if all are known.
-    pub(super) defaults: Option<Vec<TokenStream>>,
+    /// The body of `Default::default`, if all defaults are known.
+    pub(super) default: Option<TokenStream>,
     pub(super) methods: Vec<Method>,
     /// Associated constants.
     pub(super) constants: TokenStream,
     pub(super) names: ArgumentNames,
     /// Functions of `lagrange::private` that the methods call.
     pub(super) functions: BTreeSet<&'static str>,
+    /// Whether the methods hold rounded values of irrational constants.
+    pub(super) has_rounded_constants: bool,
 }
 
 /// All items. The implementations stand in an anonymous constant, so that the names they import and the
@@ -33,9 +36,15 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let import = shape.generics().is_empty().then(|| quote!(use #scalar;));
     let (krate, functions) = (shape.krate, parts.functions.iter().map(|name| local(name)));
     let functions = (!parts.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
+    let names = name_exception(shape);
+    let rounded = parts.has_rounded_constants.then(
+        || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
+    );
     quote! {
         #system
         #state
+        #names
+        #rounded
         const _: () = {
             #import
             #functions
@@ -44,6 +53,16 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             #traits
         };
     }
+}
+
+/// Lets names keep the letters that they have in formulas.
+fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
+    let names =
+        shape.fields.iter().chain(&shape.coordinates).chain(shape.outputs.iter().map(|(name, _)| name));
+    let is_snake_case = |name: &str| !name.contains(char::is_uppercase) && !name.contains("__");
+    let exception =
+        quote!(#[allow(non_snake_case, reason = "symbols keep the letters they have in formulas")]);
+    (!{ names }.all(|name| is_snake_case(&name.text))).then_some(exception)
 }
 
 fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -74,9 +93,16 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         true => quote!(;),
         false => quote!({ #fields #marker }),
     };
+    let names = name_exception(shape);
+    let unused = shape.fields.iter().any(|name| name.text.starts_with('_'));
+    let unused = unused.then(|| {
+        quote!(#[allow(clippy::pub_underscore_fields, reason = "the user marked the parameter as unused")])
+    });
     quote! {
         #(#docs)*
         #(#attributes)*
+        #names
+        #unused
         #visibility struct #name #generics #body
     }
 }
@@ -107,13 +133,15 @@ fn state_struct(shape: &Shape<'_>) -> TokenStream {
         .iter()
         .map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text)))
         .chain(shape.coordinates.iter().map(|name| doc(&format!("Velocity of `{}`.", name.text))));
-    let fields = shape.state_fields();
-    let allow = (!generics.is_empty()).then(
-        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
+    let (fields, names) = (shape.state_fields(), name_exception(shape));
+    let is_generic = !generics.is_empty();
+    let equality = is_generic.then(
+        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "states are not made of integers")]),
     );
     quote! {
         #title
-        #allow
+        #names
+        #equality
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
             #(#docs pub #fields: #scalar,)*
@@ -121,30 +149,11 @@ fn state_struct(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// Why lints of the user's crate do not apply to generated methods.
-fn lint_exceptions() -> TokenStream {
-    quote! {
-        #[allow(
-            unused_variables,
-            clippy::excessive_precision,
-            clippy::many_single_char_names,
-            clippy::similar_names,
-            clippy::suboptimal_flops,
-            clippy::too_many_lines,
-            clippy::trivially_copy_pass_by_ref,
-            clippy::unused_self,
-            reason = "generated: every method has the arguments that its kind of quantity can depend on, \
-                      and the names of the formulas"
-        )]
-    }
-}
-
 fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
     let methods = parts.methods.iter().map(|method| method.tokens(shape, &parts.names));
-    let (constants, rhs, allow) = (&parts.constants, rhs(shape, &parts.names), lint_exceptions());
+    let (constants, rhs) = (&parts.constants, rhs(shape, &parts.names));
     quote! {
-        #allow
         impl #bounds #name #generics {
             #constants
             #(#methods)*
@@ -156,8 +165,8 @@ fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 /// ẏ = [v, a]
 fn rhs(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
     let (scalar, n) = (shape.scalar(), shape.coordinates.len());
-    let (twice, fields) = (length(2 * n), shape.state_fields());
-    let (positions, velocities) = fields.split_at(n);
+    let (twice, variables) = (length(2 * n), state_variables(shape));
+    let (positions, velocities) = variables.split_at(n);
     let ArgumentNames { time, state, accelerations, .. } = names;
     let indices = (0..n).map(length);
     quote! {
@@ -165,7 +174,7 @@ fn rhs(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
         #[must_use]
         #[inline]
         pub fn rhs(&self, #time: #scalar, #state: &[#scalar; #twice]) -> [#scalar; #twice] {
-            let [#(#fields),*] = *#state;
+            let [#(#variables),*] = *#state;
             let #accelerations = self.acceleration(#time, &[#(#positions),*], &[#(#velocities),*]);
             [#(#velocities,)* #(#accelerations[#indices]),*]
         }
@@ -173,15 +182,13 @@ fn rhs(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
 }
 
 fn default_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
-    let Some(defaults) = &parts.defaults else { return TokenStream::new() };
+    let Some(default) = &parts.default else { return TokenStream::new() };
     let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
-    let fields = shape.fields.iter().map(|name| identifier(name));
-    let marker = shape.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData));
     quote! {
         #[automatically_derived]
         impl #bounds ::core::default::Default for #name #generics {
             fn default() -> Self {
-                Self { #(#fields: #defaults,)* #marker }
+                #default
             }
         }
     }
@@ -192,6 +199,11 @@ fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     // Not `Scalar`: a state can be converted whatever its numbers can do.
     let (fields, n) = (shape.state_fields(), shape.coordinates.len());
     let (positions, velocities) = fields.split_at(n);
+    let variables = state_variables(shape);
+    let entries = fields.iter().zip(&variables).map(|(field, variable)| match field == variable {
+        true => quote!(#variable),
+        false => quote!(#field: #variable),
+    });
     let (n, twice) = (length(n), length(2 * n));
     quote! {
         impl #generics #state #generics {
@@ -212,8 +224,8 @@ fn state_conversions(shape: &Shape<'_>) -> TokenStream {
         #[automatically_derived]
         impl #generics ::core::convert::From<[#scalar; #twice]> for #state #generics {
             #[inline]
-            fn from([#(#fields),*]: [#scalar; #twice]) -> Self {
-                Self { #(#fields),* }
+            fn from([#(#variables),*]: [#scalar; #twice]) -> Self {
+                Self { #(#entries),* }
             }
         }
         #[automatically_derived]
@@ -224,6 +236,12 @@ fn state_conversions(shape: &Shape<'_>) -> TokenStream {
             }
         }
     }
+}
+
+/// Local variables for the entries of a state.
+fn state_variables(shape: &Shape<'_>) -> Vec<Ident> {
+    let mut names = Names::default();
+    shape.state_fields().iter().map(|field| names.fresh(&field.to_string())).collect()
 }
 
 fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {

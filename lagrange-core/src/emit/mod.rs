@@ -16,7 +16,7 @@ pub mod latex;
 pub mod rust_body;
 pub mod text;
 
-pub use diagnostics::diagnostics;
+pub use diagnostics::{diagnostics, report_too_large};
 pub use docs::{documentation, equations_latex};
 pub use skeleton::skeleton;
 pub use system::system;

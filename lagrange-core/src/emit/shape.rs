@@ -4,7 +4,8 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::collections::HashMap;
-use crate::syntax::ast::{Declaration, Expression, Name, ScalarType, Statement, StatementKind};
+use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
+use crate::syntax::ast::{Name, ScalarType, Statement, StatementKind};
 
 /// Names and types of one system.
 pub(super) struct Shape<'a> {
@@ -30,18 +31,14 @@ impl<'a> Shape<'a> {
             outputs: Vec::new(),
             docs: documentation(declaration),
         };
-        let mut inputs = Vec::new();
+        let (mut inputs, components) = (Vec::new(), component_counts(declaration));
         for statement in &declaration.statements {
             match &statement.kind {
                 StatementKind::Parameters(list) => shape.fields.extend(list.iter().map(|d| &d.name)),
                 StatementKind::Inputs(list) => inputs.extend(list.iter().map(|d| &d.name)),
                 StatementKind::Coordinates(names) => shape.coordinates.extend(names),
                 StatementKind::Output(name, value) => {
-                    let components = match declaration.expressions.get(*value) {
-                        Expression::Tuple(components) => components.len(),
-                        _ => 1,
-                    };
-                    shape.outputs.push((name, components));
+                    shape.outputs.push((name, components.get(value).copied().unwrap_or(1)));
                 }
                 _ => {}
             }
@@ -139,10 +136,46 @@ impl<'a> Shape<'a> {
     /// Fields of the state: coordinates, then velocities.
     pub(super) fn state_fields(&self) -> Vec<Ident> {
         let positions = self.coordinates.iter().map(|name| identifier(name));
-        let velocities =
-            self.coordinates.iter().map(|name| format_ident!("{}_dot", name.text, span = name.span));
+        let velocities = self.coordinates.iter().map(|name| {
+            let mut velocity = format!("{}_dot", name.text);
+            // Where that is a coordinate, which is a mistake, the skeleton has another field.
+            while self.coordinates.iter().any(|other| other.text == velocity) {
+                velocity.push('_');
+            }
+            Ident::new(&velocity, name.span)
+        });
         positions.chain(velocities).collect()
     }
+}
+
+/// How many components expressions have, judged by how they are written; one where that is wrong.
+fn component_counts(declaration: &Declaration) -> HashMap<AstId, usize> {
+    let mut named = HashMap::default();
+    for statement in &declaration.statements {
+        if let StatementKind::Let(name, value) = &statement.kind {
+            named.insert(name.text.clone(), *value);
+        }
+    }
+    let mut counts = HashMap::default();
+    for (id, expression) in declaration.expressions.iter() {
+        let known = |id: &AstId| counts.get(id).copied().unwrap_or(1);
+        let count = match expression {
+            Expression::Name(name) => named.get(name).map_or(1, known),
+            Expression::Tuple(components) => components.len(),
+            Expression::Negate(operand) => known(operand),
+            Expression::Binary(BinaryOperator::Power, ..) => 1,
+            Expression::Binary(_, _, left, right) => known(left).max(known(right)),
+            Expression::If { then, .. } => known(then),
+            Expression::Call(function, arguments) => match (function.text.as_str(), arguments.first()) {
+                ("dot" | "ddot", Some(argument)) => known(argument),
+                ("cross", Some(argument)) if known(argument) == 3 => 3,
+                _ => 1,
+            },
+            Expression::Number(_) | Expression::Component(..) | Expression::Invalid => 1,
+        };
+        counts.insert(id, count);
+    }
+    counts
 }
 
 fn documentation<'a>(declaration: &'a Declaration) -> HashMap<&'a str, &'a TokenStream> {

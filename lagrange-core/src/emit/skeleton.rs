@@ -9,7 +9,7 @@ use super::item::{Parts, argument_names, items};
 use super::method::{Arguments, Method, Returns};
 use super::rust_body::Names;
 use super::shape::{Shape, identifier, local};
-use super::system::user_names;
+use super::system::{equations_latex, user_names};
 use crate::mechanics::Product;
 use crate::syntax::ast::Declaration;
 
@@ -31,17 +31,21 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     }
     for &(name, count) in &shape.outputs {
         let returns = if count == 1 { Returns::Scalar } else { Returns::Vector(count) };
-        methods.push(placeholder(identifier(name), Arguments::State, returns));
+        let is_taken = ["rhs", "EQUATIONS_LATEX"].contains(&name.text.as_str());
+        if !is_taken && methods.iter().all(|method| method.name != name.text) {
+            methods.push(placeholder(identifier(name), Arguments::State, returns));
+        }
     }
-    let values = shape.fields.iter().map(|_| quote!(::core::unreachable!())).collect();
     let mut names = Names::new(user_names(&shape).iter().map(String::as_str));
+    let is_derived = declaration.derives.iter().any(|name| name.text == "Default");
     let parts = Parts {
         docs: Vec::new(),
-        defaults: Some(values),
+        default: (!is_derived).then(|| quote!(::core::unreachable!())),
         methods,
-        constants: TokenStream::new(),
+        constants: equations_latex(""),
         names: argument_names(|wish| names.fresh(wish)),
         functions: BTreeSet::new(),
+        has_rounded_constants: false,
     };
     items(&shape, &parts)
 }

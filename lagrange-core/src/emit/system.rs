@@ -12,7 +12,7 @@ use super::rust_body::{Names, Scalar, body};
 use super::shape::{Shape, doc, identifier, local};
 use crate::expr::ExprId;
 use crate::mechanics::{Energies, Equations, Model, Product};
-use crate::program::{Labels, OperationCounts, Program, lower, optimise};
+use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
 use crate::symbol::Role;
 use crate::syntax::ast::{Declaration, ScalarType};
 
@@ -44,6 +44,8 @@ struct Writer<'a> {
     counts: OperationCounts,
     /// Functions that the bodies call.
     functions: BTreeSet<&'static str>,
+    /// Whether a body holds the rounded value of an irrational constant.
+    has_rounded_constants: bool,
     /// Constants that are too large, in words.
     unrepresentable: BTreeSet<String>,
 }
@@ -70,19 +72,20 @@ impl<'a> Writer<'a> {
             methods: Vec::new(),
             counts: OperationCounts::default(),
             functions: BTreeSet::new(),
+            has_rounded_constants: false,
             unrepresentable: BTreeSet::new(),
         }
     }
 
     fn finish(mut self) -> Result<Parts, Vec<String>> {
-        let defaults = self.defaults();
+        let default = self.default_body();
         let constants = self.constants();
         let docs = docs::system_docs(self.model, self.equations, self.counts);
         if !self.unrepresentable.is_empty() {
             return Err(self.unrepresentable.into_iter().collect());
         }
-        let Writer { methods, names, functions, .. } = self;
-        Ok(Parts { docs, defaults, methods, constants, names, functions })
+        let Writer { methods, names, functions, has_rounded_constants, .. } = self;
+        Ok(Parts { docs, default, methods, constants, names, functions, has_rounded_constants })
     }
 
     fn write_methods(&mut self) {
@@ -163,6 +166,7 @@ impl<'a> Writer<'a> {
         let symbols = self.model.graph.symbols();
         let reserved = arguments.vectors(&self.names).iter().map(ToString::to_string).collect::<Vec<_>>();
         let mut names = Names::new(reserved.iter().map(String::as_str));
+        self.has_rounded_constants |= program.values().any(|(_, op)| matches!(op, Op::Float(_)));
         match body(program, symbols, &self.scalar, &mut names) {
             Ok(body) => {
                 self.functions.extend(&body.functions);
@@ -222,14 +226,21 @@ impl<'a> Writer<'a> {
         quote!(let Self { #(#bound,)* #rest } = *self;)
     }
 
-    /// The defaults as literals, if every field has one.
-    fn defaults(&mut self) -> Option<Vec<TokenStream>> {
+    /// A value of the struct with its defaults, if every field has one.
+    fn default_body(&mut self) -> Option<TokenStream> {
         let fields = self.model.parameters.iter().chain(&self.model.inputs);
         let defaults = fields.map(|field| field.default).collect::<Option<Vec<_>>>()?;
         let program = optimise(&lower(&self.model.graph, &defaults, &Labels::default()));
+        self.has_rounded_constants |= program.values().any(|(_, op)| matches!(op, Op::Float(_)));
         let symbols = self.model.graph.symbols();
         match body(&program, symbols, &self.scalar, &mut Names::default()) {
-            Ok(body) => Some(body.outputs),
+            Ok(body) => {
+                self.functions.extend(&body.functions);
+                let (names, statements) = (self.shape.fields.iter().map(|n| identifier(n)), body.statements);
+                let (values, marker) = (body.outputs, self.shape.needs_marker());
+                let marker = marker.then(|| quote!(scalar: ::core::marker::PhantomData));
+                Some(quote!(#statements Self { #(#names: #values,)* #marker }))
+            }
             Err(error) => {
                 self.unrepresentable.extend(error.constants);
                 None
@@ -241,12 +252,16 @@ impl<'a> Writer<'a> {
         if !self.model.products.contains(&Product::Latex) {
             return TokenStream::new();
         }
-        let equations = docs::equations_latex(self.model, self.equations);
-        quote! {
-            /// The equations of motion in LaTeX, one line for each coordinate after the definitions of
-            /// abbreviations, if they need any.
-            pub const EQUATIONS_LATEX: &'static ::core::primitive::str = #equations;
-        }
+        equations_latex(&docs::equations_latex(self.model, self.equations))
+    }
+}
+
+/// The constant that holds the equations.
+pub(super) fn equations_latex(equations: &str) -> TokenStream {
+    quote! {
+        /// The equations of motion in LaTeX, one line for each coordinate after the definitions of
+        /// abbreviations, if they need any.
+        pub const EQUATIONS_LATEX: &'static ::core::primitive::str = #equations;
     }
 }
 

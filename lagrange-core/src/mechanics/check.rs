@@ -4,6 +4,7 @@ use super::elaborate::{Elaborator, Term};
 use super::messages;
 use super::model::{Energies, Model, Product};
 use crate::calculus::{AccelerationTerms, Rates, gradient};
+use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::syntax::ast::StatementKind;
 
@@ -13,7 +14,6 @@ impl Elaborator<'_> {
         self.check_state_names();
         self.check_energies();
         self.check_products();
-        self.evaluator.scope.report_unused(self.evaluator.report);
         if self.evaluator.report.has_errors() {
             return None;
         }
@@ -26,6 +26,7 @@ impl Elaborator<'_> {
         if self.evaluator.report.has_errors() {
             return None;
         }
+        self.evaluator.scope.report_unused(self.evaluator.report);
         Some(self.into_model(energies, lagrangian))
     }
 
@@ -34,6 +35,10 @@ impl Elaborator<'_> {
         let report = &mut *self.evaluator.report;
         if let Some(default) = declaration.derives.iter().find(|name| name.text == "Default") {
             report.error(default.span, messages::DERIVED_DEFAULT).help(messages::DERIVED_DEFAULT_HELP);
+        }
+        if !declaration.unreadable_words.is_empty() {
+            // What is missing may be in a statement that could not be read.
+            return;
         }
         let has = |kind: fn(&StatementKind) -> bool| declaration.statements.iter().any(|s| kind(&s.kind));
         if !has(|kind| matches!(kind, StatementKind::Coordinates(_))) {
@@ -46,12 +51,13 @@ impl Elaborator<'_> {
 
     /// The state has a field for every coordinate and for every velocity.
     fn check_state_names(&mut self) {
-        for (coordinate, _) in &self.coordinates {
+        for (coordinate, declared) in &self.coordinates {
             let velocity = format!("{}_dot", coordinate.name);
             let clash = self.coordinates.iter().find(|(other, _)| other.name == velocity);
             if let Some((other, span)) = clash {
                 let message = messages::velocity_field_collides(&other.name, &coordinate.name);
-                self.evaluator.report.error(*span, message);
+                let error = self.evaluator.report.error(*span, message).help(messages::OTHER_NAME_HELP);
+                error.related(Origin::from(*declared), messages::coordinate_is_here(&coordinate.name));
             }
         }
     }
@@ -61,7 +67,7 @@ impl Elaborator<'_> {
             let beside = [("kinetic", self.kinetic.first()), ("potential", self.potential.first())];
             for (name, term) in beside.into_iter().filter_map(|(name, term)| Some((name, term?))) {
                 let error = self.evaluator.report.error(term.keyword, messages::both_lagrangian_and(name));
-                error.related(lagrangian.keyword.into(), messages::THE_OTHER_IS_HERE);
+                error.related(lagrangian.keyword.into(), messages::LAGRANGIAN_IS_HERE);
                 error.help(messages::LAGRANGIAN_HELP);
             }
         }

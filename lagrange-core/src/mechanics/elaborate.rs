@@ -8,8 +8,8 @@ use super::model::{Coordinate, Load, Model, Output, Parameter, Product};
 use super::operand::Operand;
 use super::scope::Kind;
 use crate::calculus::evaluate;
+use crate::diagnostics::Report;
 use crate::diagnostics::nearest;
-use crate::diagnostics::{Origin, Report};
 use crate::expr::{Dependencies, ExprId};
 use crate::symbol::Role;
 use crate::syntax::ast::{
@@ -17,7 +17,7 @@ use crate::syntax::ast::{
 };
 
 /// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 4] = ["acceleration", "rhs", "multipliers", "constraints"];
+const GENERATED_METHODS: [&str; 5] = ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX"];
 /// Products that later versions will emit.
 const PLANNED_PRODUCTS: [&str; 3] = ["jacobian", "hamiltonian", "taylor"];
 
@@ -82,7 +82,7 @@ impl<'a> Elaborator<'a> {
             StatementKind::Constants(list) => list.iter().for_each(|d| self.constant(d)),
             StatementKind::Coordinates(names) => names.iter().for_each(|name| self.coordinate(name)),
             StatementKind::Let(name, value) => self.abbreviation(name, *value),
-            StatementKind::LetTuple(names, value) => self.abbreviations(names, *value, statement.origin),
+            StatementKind::LetTuple(names, value) => self.abbreviations(names, *value),
             StatementKind::Kinetic(value) => {
                 let term = self.term(*value, keyword, "the kinetic energy");
                 self.kinetic.extend(term);
@@ -124,33 +124,35 @@ impl<'a> Elaborator<'a> {
     }
 
     fn default_value(&mut self, name: &Name, syntax: AstId) -> Option<ExprId> {
-        let value = self.constant_scalar(syntax)?;
+        let value = self.constant_scalar(syntax, "a default")?;
         let numeric = evaluate(&self.evaluator.graph, &[value], |_| f64::NAN)[0];
-        let largest = match self.declaration.scalar {
-            ScalarType::F32 => f64::from(f32::MAX),
-            _ => f64::MAX,
+        let (scalar, largest) = match self.declaration.scalar {
+            ScalarType::F32 => ("f32", f64::from(f32::MAX)),
+            _ => ("f64", f64::MAX),
         };
         if numeric.abs() > largest {
-            let message = messages::number_too_large(&name.text);
-            self.evaluator.report.error(self.evaluator.origin(syntax), message);
+            let message = messages::number_too_large(&name.text, scalar);
+            let error = self.evaluator.report.error(self.evaluator.origin(syntax), message);
+            error.help(messages::largest_help(scalar, largest));
         }
         Some(value)
     }
 
-    fn constant_scalar(&mut self, syntax: AstId) -> Option<ExprId> {
+    fn constant_scalar(&mut self, syntax: AstId, what: &str) -> Option<ExprId> {
         self.evaluator.evaluate(syntax)?;
-        let value = self.evaluator.scalar(syntax, "a constant")?;
+        let value = self.evaluator.scalar(syntax, what)?;
         let dependencies = self.evaluator.graph.dependencies(value);
         if dependencies != Dependencies::NONE {
             let (place, _) = self.evaluator.blame(syntax, dependencies);
-            self.evaluator.report.error(place, messages::NOT_CONSTANT);
+            let error = self.evaluator.report.error(place, messages::not_constant(what));
+            error.help(messages::NOT_CONSTANT_HELP);
             return None;
         }
         Some(value)
     }
 
     fn constant(&mut self, definition: &Definition) {
-        let value = definition.value.and_then(|value| self.constant_scalar(value));
+        let value = definition.value.and_then(|value| self.constant_scalar(value, "a constant"));
         self.declare(&definition.name, Kind::Constant, value.map(Operand::Scalar));
     }
 
@@ -185,14 +187,14 @@ impl<'a> Elaborator<'a> {
         self.declare(name, Kind::Abbreviation, value);
     }
 
-    fn abbreviations(&mut self, names: &[Name], syntax: AstId, origin: Origin) {
+    fn abbreviations(&mut self, names: &[Name], syntax: AstId) {
         let components = match self.evaluator.evaluate(syntax) {
             Some(Operand::Vector(components)) if components.len() == names.len() => {
                 components.into_iter().map(Some).collect()
             }
             Some(other) => {
                 let message = messages::tuple_size(names.len(), &other.kind());
-                self.evaluator.report.error(origin, message);
+                self.evaluator.report.error(self.evaluator.origin(syntax), message);
                 vec![None; names.len()]
             }
             None => vec![None; names.len()],
@@ -225,7 +227,8 @@ impl<'a> Elaborator<'a> {
         let value = self.evaluator.evaluate(syntax);
         let product = Product::ALL.iter().any(|product| product.name() == name.text);
         if product || GENERATED_METHODS.contains(&name.text.as_str()) {
-            self.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+            let error = self.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+            error.help(messages::OTHER_NAME_HELP);
         }
         self.declare(name, Kind::Output, None);
         let Some(value) = value else { return };

@@ -7,7 +7,7 @@ use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
 use super::messages;
 use super::model::{Energies, Model, Product};
 use super::solve::{Solution, push_down, solve_dense, solve_recursive};
-use super::structure::Structure;
+use super::structure::{Structure, vanishes};
 use crate::calculus::{AccelerationTerms, gradient, homogeneity};
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
@@ -75,13 +75,21 @@ impl fmt::Display for SingularMassMatrix {
 
 impl std::error::Error for SingularMassMatrix {}
 
+impl SingularMassMatrix {
+    /// What to do about it.
+    pub fn help(self) -> &'static str {
+        messages::SINGULAR_HELP
+    }
+}
+
 impl Equations {
     /// Derives the equations of a model.
     pub fn derive(model: &mut Model, choice: RoadChoice) -> Result<Equations, SingularMassMatrix> {
         let split = SplitLagrangian::new(model);
         let velocities = model.velocities();
         let form = gauss_form(model, &split, AccelerationTerms::Dropped, Terms::All);
-        let pushed = push_down(&mut model.graph, form.clone(), &velocities);
+        let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
+        separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
         let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
         let forcing = forcing(&mut model.graph, &pushed, &velocities);
         let (solution, road, costs) = solve(&mut model.graph, form, pushed, &velocities, choice)?;
@@ -166,6 +174,19 @@ fn cost(graph: &Graph, roots: &[ExprId]) -> f64 {
         Node::Choose { .. } => 2,
     };
     graph.reachable(roots).into_iter().map(of_node).sum::<usize>() as f64
+}
+
+/// Removes couplings that vanish without showing it, as between polar coordinates that were written down by
+/// way of Cartesian ones: r sin θ cos θ − r cos θ sin θ.
+fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities: &[ExprId]) {
+    for (n, &i) in velocities.iter().enumerate() {
+        for &j in &velocities[n + 1..] {
+            let coupling = pushed.coefficient(graph, i, j);
+            if vanishes(graph, coupling) {
+                pushed.separate(i, j);
+            }
+        }
+    }
 }
 
 fn mass_matrix(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Vec<Vec<ExprId>> {

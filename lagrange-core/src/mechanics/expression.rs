@@ -24,8 +24,6 @@ pub(super) struct Evaluator<'a> {
     rates: Rates,
     /// What each `dot(…)` evaluated to: velocity and position.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
-    /// Whether names may be missing because their declarations could not be read.
-    tolerates_unknown_names: bool,
     /// Operands by expression; `None` where something was wrong and has been reported.
     values: HashMap<AstId, Option<Operand>>,
 }
@@ -35,7 +33,6 @@ impl<'a> Evaluator<'a> {
         Evaluator {
             graph: Graph::new(),
             scope: Scope::default(),
-            tolerates_unknown_names: report.has_errors(),
             report,
             declaration,
             rates: Rates::new(AccelerationTerms::Kept),
@@ -160,7 +157,7 @@ impl<'a> Evaluator<'a> {
             self.report.error(origin, messages::function_as_value(name));
             return None;
         }
-        if self.tolerates_unknown_names {
+        if self.is_declared_elsewhere(name, origin) {
             return None;
         }
         let help = match self.scope.nearest(name, |kind| kind != Kind::Output) {
@@ -169,6 +166,17 @@ impl<'a> Evaluator<'a> {
         };
         self.report.error(origin, messages::unknown_name(name)).help(help);
         None
+    }
+
+    /// Whether an unknown name is declared further down, which is reported here, or may have been declared
+    /// where the declaration could not be read.
+    pub(super) fn is_declared_elsewhere(&mut self, name: &str, origin: Origin) -> bool {
+        if let Some(declaration) = self.declaration.find(name) {
+            let error = self.report.error(origin, messages::used_too_early(name)).help(messages::ORDER_HELP);
+            error.related(declaration.into(), messages::DECLARED_HERE);
+            return true;
+        }
+        self.declaration.unreadable_words.contains(&name.to_owned())
     }
 
     fn evaluate_sum(&mut self, id: AstId) -> Option<Operand> {
@@ -208,7 +216,8 @@ impl<'a> Evaluator<'a> {
             match (self.value(operand), inverted) {
                 (None, _) => sound = false,
                 (Some(Operand::Scalar(divisor)), true) if self.graph.is_zero(divisor) => {
-                    self.report.error(self.origin(operand), messages::DIVISION_BY_ZERO);
+                    let error = self.report.error(self.origin(operand), messages::DIVISION_BY_ZERO);
+                    error.help(messages::DIVISION_HELP);
                     sound = false;
                 }
                 (Some(Operand::Scalar(factor)), _) => {
@@ -246,8 +255,8 @@ impl<'a> Evaluator<'a> {
     pub(super) fn power(&mut self, base: ExprId, exponent: ExprId, origin: Origin) -> Option<ExprId> {
         if let (Some(b), Some(e)) = (self.graph.as_number(base), self.graph.as_number(exponent)) {
             if b.is_negative() && !e.is_integer() {
-                let message = messages::root_of_negative(&format!("({b})"), &e.to_string());
-                self.report.error(origin, message);
+                let message = messages::root_of_negative(&b.to_string(), &e.to_string());
+                self.report.error(origin, message).help(messages::NEGATIVE_BASE_HELP);
                 return None;
             }
             if b.is_zero() && e.is_negative() {
@@ -257,8 +266,8 @@ impl<'a> Evaluator<'a> {
         } else if let Some(b) = self.graph.as_number(base)
             && b.is_negative()
         {
-            let message = messages::root_of_negative(&format!("({b})"), "a varying exponent");
-            self.report.error(origin, message);
+            let message = messages::varying_power_of_negative(&b.to_string());
+            self.report.error(origin, message).help(messages::NEGATIVE_BASE_HELP);
             return None;
         }
         Some(functions::apply(&mut self.graph, crate::expr::Function::Power, &[base, exponent]))
@@ -271,6 +280,10 @@ impl<'a> Evaluator<'a> {
             && let Some(&found) = components.get(index)
         {
             return Some(Operand::Scalar(found));
+        }
+        if super::kinematics::is_function(&component.text) {
+            self.report.error(component.span, messages::method_as_value(&component.text));
+            return None;
         }
         let message = messages::no_component(&component.text, &value.kind());
         self.report.error(component.span, message).help(messages::COMPONENTS);

@@ -97,6 +97,13 @@ impl QuadraticForm {
         total(graph, self.linear.get(&i).cloned())
     }
 
+    /// Removes the terms with xᵢ xⱼ, i ≠ j.
+    pub(super) fn separate(&mut self, i: ExprId, j: ExprId) {
+        self.pairs.remove(&(i.min(j), i.max(j)));
+        self.neighbours.get_or_insert_with(i, BTreeSet::new).remove(&j);
+        self.neighbours.get_or_insert_with(j, BTreeSet::new).remove(&i);
+    }
+
     /// Removes every term with xᵢ.
     pub(super) fn take(&mut self, graph: &mut Graph, i: ExprId) -> Row {
         let near = self.neighbours.remove(&i).unwrap_or_default();

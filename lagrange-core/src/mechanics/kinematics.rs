@@ -32,6 +32,24 @@ fn arity(name: &str) -> Option<usize> {
     elementary.or_else(|| STRUCTURAL.iter().find(|(known, _)| *known == name).map(|(_, arity)| *arity))
 }
 
+/// How a function is called, with the names that its arguments have in textbooks.
+fn usage(name: &str, arity: usize) -> String {
+    if matches!(name, "powi" | "powf") {
+        return format!("x.{name}(n)");
+    }
+    let arguments = match (name, arity) {
+        ("atan2", _) => "y, x",
+        ("norm", _) => "v",
+        ("inner" | "cross", _) => "v, w",
+        ("kinetic_energy", _) => "m, v",
+        ("gravitational_energy", _) => "m, g, h",
+        ("spring_energy", _) => "k, x",
+        (_, 1) => "x",
+        _ => "a, b",
+    };
+    format!("{name}({arguments})")
+}
+
 fn function_names() -> impl Iterator<Item = &'static str> {
     functions::ROWS.iter().map(|row| row.name).chain(STRUCTURAL.iter().map(|(name, _)| *name))
 }
@@ -39,15 +57,14 @@ fn function_names() -> impl Iterator<Item = &'static str> {
 impl Evaluator<'_> {
     pub(super) fn evaluate_call(&mut self, name: &Name, arguments: &[AstId], call: AstId) -> Option<Operand> {
         let Some(arity) = arity(&name.text) else {
-            let error = self.report.error(name.span, messages::unknown_function(&name.text));
-            if let Some(nearest) = nearest(&name.text, function_names()) {
-                error.help(messages::did_you_mean(nearest));
-            }
+            self.report_no_function(name);
             return None;
         };
         if arguments.len() != arity {
             let message = messages::wrong_argument_count(&name.text, arity, arguments.len());
-            self.report.error(self.origin(call), message);
+            self.report
+                .error(self.origin(call), message)
+                .help(messages::write_call(&usage(&name.text, arity)));
             return None;
         }
         match name.text.as_str() {
@@ -58,12 +75,26 @@ impl Evaluator<'_> {
             }
             "norm" | "inner" | "cross" => self.evaluate_vector_function(&name.text, arguments),
             "kinetic_energy" | "spring_energy" => {
-                let weight = self.scalar(arguments[0], "the first argument")?;
+                let weight =
+                    self.scalar(arguments[0], &format!("the first argument of `{name}`", name = name.text))?;
                 let components = self.value(arguments[1])?;
                 Some(Operand::Scalar(half_square(&mut self.graph, weight, components.components())))
             }
             _ => self.evaluate_elementary(&name.text, arguments, call),
         }
+    }
+
+    fn report_no_function(&mut self, name: &Name) {
+        if let Some(entry) = self.scope.resolve(&name.text) {
+            let message = messages::not_a_function(&name.text, entry.kind.describe());
+            self.report.error(name.span, message).help(messages::PRODUCT_HELP);
+            return;
+        }
+        let help = match nearest(&name.text, function_names()) {
+            Some(nearest) => messages::did_you_mean(nearest),
+            None => messages::FUNCTIONS_ARE_LISTED.to_owned(),
+        };
+        self.report.error(name.span, messages::unknown_function(&name.text)).help(help);
     }
 
     fn evaluate_vector_function(&mut self, name: &str, arguments: &[AstId]) -> Option<Operand> {

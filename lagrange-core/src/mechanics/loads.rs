@@ -28,14 +28,20 @@ impl Elaborator<'_> {
     }
 
     fn report_no_coordinate(&mut self, name: &Name) {
+        let is_unknown = self.evaluator.scope.find(&name.text).is_none();
+        if is_unknown && self.evaluator.is_declared_elsewhere(&name.text, name.span.into()) {
+            return;
+        }
         let scope = &self.evaluator.scope;
         let message = match scope.find(&name.text) {
             Some(_) => messages::not_a_coordinate(&name.text),
             None => messages::unknown_name(&name.text),
         };
+        let coordinates = self.coordinates.iter().map(|(coordinate, _)| coordinate.name.as_str());
         let help = match scope.nearest(&name.text, |kind| kind == Kind::Coordinate) {
             Some(nearest) => messages::did_you_mean(nearest),
-            None => messages::FORCE_HELP.to_owned(),
+            None if scope.find(&name.text).is_some() => messages::FORCE_HELP.to_owned(),
+            None => messages::coordinates_are(&coordinates.collect::<Vec<_>>()),
         };
         self.evaluator.report.error(name.span, message).help(help);
     }
@@ -75,7 +81,7 @@ impl Elaborator<'_> {
         let graph = &self.evaluator.graph;
         if value.components().iter().any(|&c| graph.dependencies(c).intersects(moving)) {
             let (place, _) = self.evaluator.blame(syntax, moving);
-            self.evaluator.report.error(place, messages::velocity_in(what));
+            self.evaluator.report.error(place, messages::velocity_in(what)).help(messages::PLACE_HELP);
             return None;
         }
         self.evaluator.rate(value, syntax)

@@ -7,7 +7,8 @@ pub(super) fn declared_twice(name: &str) -> String {
 }
 
 pub(super) fn first_declared(name: &str, kind: &str) -> String {
-    format!("`{name}` is already declared here as {kind}")
+    let article = if kind.starts_with(['i', 'o']) { "an" } else { "a" };
+    format!("`{name}` is declared here already, as {article} {kind}")
 }
 
 pub(super) fn unused(kind: &str, name: &str) -> String {
@@ -30,7 +31,22 @@ pub(super) fn did_you_mean(nearest: &str) -> String {
     format!("did you mean `{nearest}`?")
 }
 
+pub(super) fn used_too_early(name: &str) -> String {
+    format!("`{name}` is used before it is declared")
+}
+
+pub(super) const ORDER_HELP: &str = "a name is known only behind the statement that declares it";
+pub(super) const DECLARED_HERE: &str = "it is declared here";
 pub(super) const DECLARE_FIRST: &str = "declare it before this line with `param`, `coord`, `input` or `let`";
+pub(super) const FUNCTIONS_ARE_LISTED: &str =
+    "the documentation of `lagrange::system!` lists the functions; others can be composed of them with `let`";
+
+pub(super) fn not_a_function(name: &str, kind: &str) -> String {
+    let article = if kind.starts_with(['i', 'o']) { "an" } else { "a" };
+    format!("`{name}` is {article} {kind}, not a function")
+}
+
+pub(super) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
 
 pub(super) fn output_as_value(name: &str) -> String {
     format!("output `{name}` cannot be used in an expression")
@@ -42,9 +58,22 @@ pub(super) fn function_as_value(name: &str) -> String {
     format!("the function `{name}` needs arguments: `{name}(…)`")
 }
 
+pub(super) fn method_as_value(name: &str) -> String {
+    format!("the function `{name}` needs parentheses behind it: `.{name}()`")
+}
+
 pub(super) fn wrong_argument_count(name: &str, expected: usize, found: usize) -> String {
     let plural = if expected == 1 { "" } else { "s" };
-    format!("`{name}` takes {expected} argument{plural}, but {found} are given")
+    let given = match found {
+        0 => "none is given".to_owned(),
+        1 => "1 is given".to_owned(),
+        _ => format!("{found} are given"),
+    };
+    format!("`{name}` takes {expected} argument{plural}, but {given}")
+}
+
+pub(super) fn write_call(usage: &str) -> String {
+    format!("write `{usage}`")
 }
 
 pub(super) fn scalar_needed(what: &str, found: &str) -> String {
@@ -67,9 +96,21 @@ pub(super) const INNER_OR_CROSS: &str =
 pub(super) const DIVISION_BY_VECTOR: &str = "cannot divide by a vector";
 pub(super) const DIVISION_BY_ZERO: &str = "division by zero";
 
+pub(super) const DIVISION_HELP: &str = "this divisor is zero whatever the parameters are";
+
 pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {
-    format!("{base} ^ {exponent} is not a real number")
+    let exponent = if exponent.contains(['/', '-']) { format!("({exponent})") } else { exponent.to_owned() };
+    format!("({base})^{exponent} is not a real number")
 }
+
+pub(super) fn varying_power_of_negative(base: &str) -> String {
+    format!(
+        "a power of the negative number {base} is real only if its exponent is an integer, but this one varies"
+    )
+}
+
+pub(super) const NEGATIVE_BASE_HELP: &str =
+    "make the base positive; the sign in `-2^x` applies to the power, that in `(-2)^x` to the base";
 
 pub(super) fn no_component(component: &str, kind: &str) -> String {
     format!("there is no component `{component}` in {kind}")
@@ -92,6 +133,7 @@ pub(super) fn acceleration_in(place: &str) -> String {
     format!("{place} must not depend on accelerations")
 }
 
+pub(super) const PLACE_HELP: &str = "places and angles are functions of the coordinates and of time";
 pub(super) const POTENTIAL_HELP: &str =
     "put terms with velocities into `kinetic`, `lagrangian` or `dissipation`";
 pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str = "only an `output` may use `ddot`";
@@ -100,14 +142,19 @@ pub(super) fn input_in_kinetic(name: &str) -> String {
     format!("the rate of input `{name}` is needed here but unknown: it multiplies a velocity")
 }
 
-pub(super) const NOT_CONSTANT: &str = "this must be a constant: only numbers, `pi` and `const` names";
+pub(super) fn not_constant(what: &str) -> String {
+    format!("{what} cannot depend on this")
+}
+
+pub(super) const NOT_CONSTANT_HELP: &str =
+    "compute it from numbers, `pi` and `const` names only; what `let` names may depend on anything";
 
 pub(super) fn both_lagrangian_and(other: &str) -> String {
     format!("`{other}` beside `lagrangian`")
 }
 
 pub(super) const LAGRANGIAN_HELP: &str = "L = T - V: give either `lagrangian`, or `kinetic` and `potential`";
-pub(super) const THE_OTHER_IS_HERE: &str = "the other one is here";
+pub(super) const LAGRANGIAN_IS_HERE: &str = "the Lagrangian is given here";
 pub(super) const NO_COORDINATES: &str = "a system needs at least one generalised coordinate";
 pub(super) const COORDINATES_HELP: &str = "declare them with `coord x, theta;`";
 pub(super) const NO_ENERGY: &str = "a system needs a kinetic energy or a Lagrangian";
@@ -115,7 +162,7 @@ pub(super) const ENERGY_HELP: &str = "write `kinetic = …;` and `potential = �
 
 pub(super) fn no_inertia(name: &str) -> String {
     format!(
-        "`{name}` has no inertia: its velocity appears in no kinetic energy, so nothing determines its acceleration"
+        "`{name}` has no inertia: the kinetic energy does not grow with its velocity, so nothing determines its acceleration"
     )
 }
 
@@ -128,12 +175,34 @@ pub(super) fn not_a_coordinate(name: &str) -> String {
 pub(super) const FORCE_HELP: &str =
     "`force x = …;` acts on a coordinate; `force (fx, fy) at (px, py);` acts at a point";
 
-pub(super) fn reserved_output(name: &str) -> String {
-    format!("output `{name}` collides with the generated method of that name")
+pub(super) fn largest_help(scalar: &str, largest: f64) -> String {
+    format!("`{scalar}` holds numbers up to about {largest:.1e}: choose larger units")
 }
+
+/// Longer lists do not help.
+const MOST_LISTED: usize = 10;
+
+pub(super) fn coordinates_are(names: &[&str]) -> String {
+    match names {
+        [] => COORDINATES_HELP.to_owned(),
+        [name] => format!("the coordinate is `{name}`"),
+        _ if names.len() > MOST_LISTED => FORCE_HELP.to_owned(),
+        _ => format!("the coordinates are `{}`", names.join("`, `")),
+    }
+}
+
+pub(super) fn reserved_output(name: &str) -> String {
+    format!("an output cannot be called `{name}`, since every system has something of that name")
+}
+
+pub(super) const OTHER_NAME_HELP: &str = "choose another name";
 
 pub(super) fn velocity_field_collides(name: &str, coordinate: &str) -> String {
     format!("`{name}` collides with the name of the velocity of `{coordinate}`")
+}
+
+pub(super) fn coordinate_is_here(name: &str) -> String {
+    format!("the velocity of this coordinate is called `{name}_dot`")
 }
 
 pub(super) fn unknown_product(name: &str) -> String {
@@ -160,9 +229,11 @@ pub(super) fn tuple_size(names: usize, found: &str) -> String {
 pub(super) const DERIVED_DEFAULT: &str = "`Default` is implemented by `system!` from the declared defaults";
 pub(super) const DERIVED_DEFAULT_HELP: &str = "remove `Default` from the `derive`";
 
-pub(super) fn number_too_large(name: &str) -> String {
-    format!("the default of `{name}` is too large for the scalar")
+pub(super) fn number_too_large(name: &str, scalar: &str) -> String {
+    format!("the default of `{name}` is too large for `{scalar}`")
 }
 
 pub(super) const SINGULAR_MASS_MATRIX: &str =
     "the mass matrix is singular: the kinetic energy leaves some motion of the coordinates without inertia";
+pub(super) const SINGULAR_HELP: &str =
+    "add the kinetic energy that is missing, or describe the motion with fewer coordinates";

@@ -90,7 +90,7 @@ impl Scope {
         for (name, entry) in self.entries.iter() {
             if !entry.used && entry.kind.should_be_used() && !name.starts_with('_') {
                 report
-                    .warning(entry.span, messages::unused(entry.kind.describe(), name))
+                    .unused(name, entry.span, messages::unused(entry.kind.describe(), name))
                     .help(messages::unused_help(name));
             }
         }

@@ -3,7 +3,7 @@
 
 use super::model::Model;
 use crate::calculus::{adjoint, gradient};
-use crate::expr::{Dependencies, ExprId};
+use crate::expr::{Dependencies, ExprId, Graph};
 use crate::simplify;
 
 /// Monomials up to which a derivative is expanded to prove that it vanishes.
@@ -94,15 +94,16 @@ fn blocks(model: &Model, matrix: &[Vec<ExprId>]) -> Vec<Vec<usize>> {
 fn cyclic_coordinates(model: &mut Model) -> Vec<usize> {
     let positions = model.positions();
     let slopes = gradient(&mut model.graph, model.lagrangian, &positions);
-    (0..slopes.len()).filter(|&i| vanishes(model, slopes[i])).collect()
+    (0..slopes.len()).filter(|&i| vanishes(&mut model.graph, slopes[i])).collect()
 }
 
-fn vanishes(model: &mut Model, value: ExprId) -> bool {
-    if model.graph.as_number(value).is_some() {
-        return model.graph.is_zero(value);
+/// Whether a value is zero everywhere, as far as that can be proved quickly.
+pub(super) fn vanishes(graph: &mut Graph, value: ExprId) -> bool {
+    if graph.as_number(value).is_some() {
+        return graph.is_zero(value);
     }
-    let size = model.graph.reachable(&[value]).len();
-    size <= LARGEST_EXPANDED && simplify::proves_zero(&mut model.graph, value, PROOF_BUDGET)
+    let size = graph.reachable(&[value]).len();
+    size <= LARGEST_EXPANDED && simplify::proves_zero(graph, value, PROOF_BUDGET)
 }
 
 fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {

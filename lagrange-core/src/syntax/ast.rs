@@ -5,6 +5,7 @@
 
 use proc_macro2::{Span, TokenStream};
 
+use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
 use crate::number::Number;
@@ -26,6 +27,30 @@ pub struct Declaration {
     pub statements: Vec<Statement>,
     /// The expressions that statements refer to.
     pub expressions: Expressions,
+    /// Words in places that could not be read: names that may have been declared there.
+    pub unreadable_words: HashMap<String, ()>,
+}
+
+impl Declaration {
+    /// Where a name that expressions may mention is declared, if it is.
+    pub fn find(&self, name: &str) -> Option<Span> {
+        let declared = self.statements.iter().flat_map(|statement| statement.kind.declared_names());
+        declared.into_iter().find(|declared| declared.text == name).map(|declared| declared.span)
+    }
+}
+
+impl StatementKind {
+    /// The names that expressions behind the statement may mention.
+    fn declared_names(&self) -> Vec<&Name> {
+        match self {
+            StatementKind::Parameters(list)
+            | StatementKind::Inputs(list)
+            | StatementKind::Constants(list) => list.iter().map(|definition| &definition.name).collect(),
+            StatementKind::Coordinates(names) | StatementKind::LetTuple(names, _) => names.iter().collect(),
+            StatementKind::Let(name, _) => vec![name],
+            _ => Vec::new(),
+        }
+    }
 }
 
 /// A name and where it stands.

@@ -81,6 +81,9 @@ impl Parser<'_> {
             self.fail_with_help(cursor.here(), messages::EQUALITY, messages::EQUALITY_HELP)
         } else if is_logical(cursor) {
             self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP)
+        } else if cursor.group(Delimiter::Brace).is_some() {
+            let message = messages::expected(messages::COMPARISON, cursor.peek());
+            self.fail_with_help(cursor.here(), message, messages::COMPARISON_PLACE_HELP)
         } else {
             self.no_operator(cursor, messages::COMPARISON)
         }

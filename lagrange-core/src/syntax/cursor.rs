@@ -37,6 +37,11 @@ impl Cursor {
         self.tokens.get(self.next + count)
     }
 
+    /// The last token that was taken.
+    pub(super) fn previous(&self) -> Option<&TokenTree> {
+        self.tokens.get(self.next.checked_sub(1)?)
+    }
+
     /// Takes the next token.
     pub(super) fn advance(&mut self) -> Option<TokenTree> {
         let token = self.tokens.get(self.next)?.clone();
@@ -56,7 +61,7 @@ impl Cursor {
 
     /// Where the last token that was taken stands; at the start, the same as [`Cursor::here`].
     pub(super) fn before(&self) -> Origin {
-        match self.next.checked_sub(1).and_then(|last| self.tokens.get(last)) {
+        match self.previous() {
             Some(token) => origin(token),
             None => self.here(),
         }
@@ -74,6 +79,11 @@ impl Cursor {
             Some(first) if position < self.next => origin(first).to(self.before()),
             _ => self.here(),
         }
+    }
+
+    /// The tokens that were taken since the cursor was at a position.
+    pub(super) fn taken_since(&self, position: usize) -> &[TokenTree] {
+        self.tokens.get(position..self.next).unwrap_or_default()
     }
 
     /// Whether the next token is this punctuation character.
@@ -163,6 +173,11 @@ impl Cursor {
             _ => self.equals_past(1),
         };
         follows && self.statement_keyword().is_some()
+    }
+
+    /// Whether a statement ends here, be it that the semicolon behind it was forgotten.
+    pub(super) fn at_statement_end(&self) -> bool {
+        self.at(';') || self.at_end() || self.statement_keyword().is_some()
     }
 
     /// Skips to what ends the current statement: its `;`, the next statement or the last token.

@@ -1,6 +1,6 @@
 //! Statements that declare names or list products.
 
-use proc_macro2::{Delimiter, Group, TokenTree};
+use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
 use super::ast::{AstId, Definition, EmitItem, Name, StatementKind};
 use super::cursor::{Cursor, group_origin};
@@ -27,16 +27,22 @@ impl Parser<'_> {
         definitions
     }
 
-    /// `x, theta`.
+    /// `x, theta`. Where a name cannot be one, another stands for it that nobody can write.
     pub(super) fn coordinates(&mut self, cursor: &mut Cursor) -> Vec<Name> {
         self.items(cursor, |parser, cursor| {
-            let name = parser.declared_name(cursor);
+            let start = cursor.position();
+            let name = parser.declared_name(cursor).unwrap_or_else(|Reported| {
+                parser.skip_item(cursor);
+                parser.leave_out(cursor, start);
+                // It counts all the same, so that vectors have the length that the user expects.
+                Name { text: format!("__coordinate_{start}"), span: Span::call_site() }
+            });
             if let Some(equals) = cursor.eat_equals() {
                 let help = messages::COORDINATE_WITH_VALUE_HELP;
                 parser.report.error(equals, messages::COORDINATE_WITH_VALUE).help(help);
                 parser.item_value(cursor);
             }
-            name
+            Ok(name)
         })
     }
 
@@ -50,9 +56,13 @@ impl Parser<'_> {
         let mut items = Vec::new();
         loop {
             self.skipped = false;
+            let start = cursor.position();
             match read(self, cursor) {
                 Ok(item) => items.push(item),
-                Err(Reported) => self.skip_item(cursor),
+                Err(Reported) => {
+                    self.skip_item(cursor);
+                    self.leave_out(cursor, start);
+                }
             }
             if !self.skipped && !at_item_end(cursor) {
                 self.no_operator(cursor, "`,` or `;`");
@@ -67,10 +77,13 @@ impl Parser<'_> {
     /// Reads an expression up to the next comma or the end of the statement.
     fn item_value(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
-        self.expression(cursor).unwrap_or_else(|Reported| {
-            self.skip_item(cursor);
-            self.unreadable(cursor, start)
-        })
+        match self.expression(cursor) {
+            Ok(id) if at_item_end(cursor) => return id,
+            Ok(_) => self.no_operator(cursor, "`,` or `;`"),
+            Err(reported) => reported,
+        };
+        self.skip_item(cursor);
+        self.unreadable(cursor, start)
     }
 
     /// `n = e` or `(a, b) = e`.
@@ -131,7 +144,7 @@ impl Parser<'_> {
 
 /// Whether an item ends here, be it that the semicolon behind it was forgotten.
 fn at_item_end(cursor: &Cursor) -> bool {
-    cursor.at(',') || cursor.at(';') || cursor.at_end() || cursor.statement_keyword().is_some()
+    cursor.at(',') || cursor.at_statement_end()
 }
 
 /// Whether no item follows a comma. A keyword before `=` is an item with a wrong name.

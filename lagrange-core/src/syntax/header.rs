@@ -8,6 +8,7 @@ use super::cursor::{Cursor, group_origin};
 use super::keywords;
 use super::messages;
 use super::parser::{Parsed, Parser};
+use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 
 /// Name of a system that is given as a bare list of statements.
@@ -48,6 +49,7 @@ fn declaration(
         scalar,
         statements: Vec::new(),
         expressions: Expressions::default(),
+        unreadable_words: HashMap::default(),
     }
 }
 
@@ -57,7 +59,10 @@ impl Parser<'_> {
         let attributes = self.attributes(cursor);
         let visibility = self.visibility(cursor);
         if cursor.eat_word("struct").is_none() {
-            let message = messages::expected(messages::HEADER, cursor.peek());
+            let message = match cursor.peek() {
+                None => messages::EMPTY_DECLARATION.to_owned(),
+                token => messages::expected(messages::HEADER, token),
+            };
             return Err(self.fail_with_help(cursor.here(), message, messages::HEADER_HELP));
         }
         let name = self.type_name(cursor)?;

@@ -9,6 +9,10 @@ use crate::number::Number;
 /// Longer literals are refused before any arithmetic is done on them.
 const LONGEST_LITERAL: usize = 5000;
 
+/// What a number of Rust may end with.
+const TYPES: [&str; 14] =
+    ["f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize"];
+
 impl Parser<'_> {
     /// The exact value of a literal.
     pub(super) fn number(&mut self, literal: &Literal) -> Parsed<Number> {
@@ -22,6 +26,10 @@ impl Parser<'_> {
         }
         if !suffix.is_empty() {
             let digits = decimal.trim_end_matches('_');
+            if !TYPES.contains(&suffix) {
+                let help = messages::letters_help(digits, suffix);
+                return Err(self.fail_with_help(span, messages::LETTERS, help));
+            }
             return Err(self.fail_with_help(span, messages::SUFFIX, messages::suffix_help(digits)));
         }
         let value = if text.len() > LONGEST_LITERAL { None } else { Number::parse_decimal(&text) };

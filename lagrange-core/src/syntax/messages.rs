@@ -60,6 +60,7 @@ pub(super) fn meaningless_character(character: char) -> String {
 // The head of a declaration.
 
 pub(super) const HEADER: &str = "`struct Name;`";
+pub(super) const EMPTY_DECLARATION: &str = "no system is declared here";
 pub(super) const HEADER_HELP: &str = "begin with the type to emit, such as `pub struct CartPole;`";
 pub(super) const STRUCT_BODY: &str = "fields come from `param` and `input` statements, not from the struct";
 pub(super) const TYPE_PARAMETERS: &str = "only one plain type parameter, the number type, is possible here";
@@ -71,9 +72,9 @@ pub(super) const INNER_ATTRIBUTE_HELP: &str = "write `#[…]`, or `///` for docu
 pub(super) const SCALAR_FORM: &str = "`scalar` names the number type: `#[scalar(f64)]` or `#[scalar(f32)]`";
 pub(super) const SCALAR_WITH_PARAMETER: &str = "the number type is given by the type parameter already";
 pub(super) const SCALAR_WITH_PARAMETER_HELP: &str = "leave out either `#[scalar(…)]` or the type parameter";
-pub(super) const TYPE_PARAMETER_HERE: &str = "the type parameter";
+pub(super) const TYPE_PARAMETER_HERE: &str = "the type parameter is here";
 pub(super) const ACCURACY_FORM: &str = "`accuracy` names a level: `#[accuracy(standard)]`";
-pub(super) const FIRST_HERE: &str = "first given here";
+pub(super) const FIRST_HERE: &str = "it is given here already";
 
 pub(super) fn keyword_as_type(name: &str) -> String {
     format!("{} is a keyword of Rust and cannot name a type", quoted(name))
@@ -92,14 +93,14 @@ pub(super) fn repeated_attribute(name: &str) -> String {
 // Statements.
 
 pub(super) const STATEMENT: &str = "a statement";
-pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "no attribute has a meaning here";
-pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str =
-    "documentation can stand before `param`, `input`, `coord` and `output`; write `//` for other comments";
+pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes have no meaning here";
+pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord` and `output`; other comments begin with `//`";
 pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
 pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
 pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";
 pub(super) const COORDINATE_WITH_VALUE_HELP: &str =
     "initial values belong to the state from which a simulation starts";
+pub(super) const DOUBLE_EQUALS: &str = "expected `=`, found `==`";
 pub(super) const FORCE_HELP: &str =
     "write `force x = e;` for a coordinate or `force (fx, fy) at (px, py);` for a point";
 pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
@@ -107,6 +108,17 @@ pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
 
 pub(super) fn future_statement(keyword: &str) -> String {
     format!("`{keyword}` statements are not available yet")
+}
+
+/// What can be done as long as there are no statements of that kind.
+pub(super) fn future_statement_help(keyword: &str) -> &'static str {
+    match keyword {
+        "constraint" => "choose coordinates that fulfil it by themselves",
+        "event" => "watch an `output` while the motion is integrated",
+        "body" => "write its energies in `kinetic` and `potential` statements",
+        "gravity" => "write `potential = gravitational_energy(m, g, h);` for each mass",
+        _ => "leave it out",
+    }
 }
 
 pub(super) fn unknown_statement(word: &str) -> String {
@@ -207,6 +219,7 @@ pub(super) const REMAINDER: &str = "`%` is not an operator";
 pub(super) const INDEX: &str = "square brackets have no meaning here";
 pub(super) const INDEX_HELP: &str = "the components of a vector are `.x`, `.y` and `.z`";
 pub(super) const NUMBERED_COMPONENT: &str = "components are not numbered";
+pub(super) const ARGUMENT_HELP: &str = "write the argument of a function in parentheses: `cos(x)`";
 pub(super) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
 
 pub(super) fn keyword_as_value(word: &str) -> String {
@@ -226,6 +239,12 @@ pub(super) const SUFFIX: &str = "numbers have no type of their own here";
 
 pub(super) fn suffix_help(digits: &str) -> String {
     format!("write {}", quoted(digits))
+}
+
+pub(super) const LETTERS: &str = "letters follow this number directly";
+
+pub(super) fn letters_help(digits: &str, letters: &str) -> String {
+    format!("write {} for a product", quoted(&format!("{digits} * {letters}")))
 }
 
 pub(super) const NOT_DECIMAL: &str = "numbers are written in decimal";

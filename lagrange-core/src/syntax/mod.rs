@@ -83,5 +83,7 @@ pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
 
 fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cursor) -> Declaration {
     let statements = parser.statements(cursor);
-    Declaration { statements, expressions: std::mem::take(&mut parser.expressions), ..header }
+    let expressions = std::mem::take(&mut parser.expressions);
+    let unreadable_words = std::mem::take(&mut parser.unreadable_words);
+    Declaration { statements, expressions, unreadable_words, ..header }
 }

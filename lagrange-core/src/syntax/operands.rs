@@ -47,6 +47,10 @@ impl Parser<'_> {
     /// A name in an expression. Which names exist is not known here, but keywords never do.
     fn used_name(&mut self, word: &Ident) -> Parsed<Name> {
         let name = self.plain(word)?;
+        if self.unreadable_words.contains(&name.text) {
+            // Where it was declared, it has been reported.
+            return Err(Reported);
+        }
         if keywords::begins_statement(&name.text) {
             let message = messages::keyword_as_value(&name.text);
             return Err(self.fail_with_help(name.span, message, messages::KEYWORD_AS_VALUE_HELP));

@@ -5,6 +5,7 @@ use proc_macro2::{Group, TokenTree};
 use super::ast::{AstId, Expression, Expressions};
 use super::cursor::{Cursor, group_origin};
 use super::messages;
+use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
 
 /// Bracket groups and conditions deeper than this are refused: nothing else is read by recursion.
@@ -16,6 +17,8 @@ pub(super) struct Parser<'r> {
     pub(super) expressions: Expressions,
     /// Whether tokens of the current statement were skipped, so that nothing is said about its end.
     pub(super) skipped: bool,
+    /// Words in what was left out of the syntax tree.
+    pub(super) unreadable_words: HashMap<String, ()>,
     depth: u32,
 }
 
@@ -27,7 +30,8 @@ pub(super) type Parsed<T> = Result<T, Reported>;
 
 impl<'r> Parser<'r> {
     pub(super) fn new(report: &'r mut Report) -> Parser<'r> {
-        Parser { report, expressions: Expressions::default(), skipped: false, depth: 0 }
+        let (expressions, unreadable_words) = (Expressions::default(), HashMap::default());
+        Parser { report, expressions, skipped: false, unreadable_words, depth: 0 }
     }
 
     /// Reports a mistake.
@@ -50,6 +54,18 @@ impl<'r> Parser<'r> {
     /// What stands for the tokens since a position of the cursor, which a reported mistake made unreadable.
     pub(super) fn unreadable(&mut self, cursor: &Cursor, start: usize) -> AstId {
         self.expressions.add(Expression::Invalid, cursor.since(start))
+    }
+
+    /// Remembers the words since a position of the cursor, which are left out of the syntax tree.
+    pub(super) fn leave_out(&mut self, cursor: &Cursor, start: usize) {
+        let mut pending = cursor.taken_since(start).to_vec();
+        while let Some(token) = pending.pop() {
+            match token {
+                TokenTree::Ident(word) => drop(self.unreadable_words.insert(word.to_string(), ())),
+                TokenTree::Group(group) => pending.extend(group.stream()),
+                TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+            }
+        }
     }
 
     /// Reads what stands between the brackets of a group.

@@ -3,7 +3,7 @@
 use super::ast::{AstId, Statement, StatementKind};
 use super::cursor::Cursor;
 use super::messages;
-use super::parser::{Parsed, Parser, Reported};
+use super::parser::{Parsed, Parser};
 
 impl Parser<'_> {
     /// Reads statements up to the end of the input. Those that cannot be read are reported and left out.
@@ -21,7 +21,10 @@ impl Parser<'_> {
                 let error = self.report.error(origin, messages::ATTRIBUTE_ON_STATEMENT);
                 error.help(messages::ATTRIBUTE_ON_STATEMENT_HELP);
             }
-            statements.extend(kind.map(|kind| Statement { kind, origin: cursor.since(start), docs }));
+            match kind {
+                Some(kind) => statements.push(Statement { kind, origin: cursor.since(start), docs }),
+                None => self.leave_out(cursor, start),
+            }
         }
         statements
     }
@@ -69,6 +72,10 @@ impl Parser<'_> {
     pub(super) fn assigned(&mut self, cursor: &mut Cursor) -> Parsed<AstId> {
         match cursor.eat_equals() {
             Some(_) => Ok(self.value(cursor)),
+            None if cursor.at_pair('=', '=') => {
+                let origin = cursor.skip_one().to(cursor.here());
+                Err(self.fail(origin, messages::DOUBLE_EQUALS))
+            }
             None => Err(self.fail(cursor.here(), messages::expected("`=`", cursor.peek()))),
         }
     }
@@ -77,10 +84,13 @@ impl Parser<'_> {
     /// stays declared although its value is wrong.
     fn value(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
-        self.expression(cursor).unwrap_or_else(|Reported| {
-            self.skip_statement(cursor);
-            self.unreadable(cursor, start)
-        })
+        match self.expression(cursor) {
+            Ok(id) if cursor.at_statement_end() => return id,
+            Ok(_) => self.no_operator(cursor, "`;`"),
+            Err(reported) => reported,
+        };
+        self.skip_statement(cursor);
+        self.unreadable(cursor, start)
     }
 
     /// `x = e` or `e at e`.
@@ -106,7 +116,8 @@ impl Parser<'_> {
             return Ok(());
         }
         let wanted = format!("`{word}`");
-        if cursor.at_end() || cursor.at(';') || cursor.at('=') || cursor.statement_keyword().is_some() {
+        let is_other = cursor.at('=') || cursor.at_word("at") || cursor.at_word("on");
+        if is_other || cursor.at_statement_end() {
             let message = messages::expected(&wanted, cursor.peek());
             return Err(self.fail_with_help(cursor.here(), message, help));
         }

@@ -3,6 +3,7 @@
 use proc_macro2::{Delimiter, TokenTree};
 
 use super::cursor::Cursor;
+use super::keywords;
 use super::messages;
 use super::parser::{Parser, Reported};
 
@@ -81,6 +82,11 @@ fn operator_mistake(cursor: &Cursor) -> Option<Mistake> {
 }
 
 fn operator_help(cursor: &Cursor) -> Option<&'static str> {
+    if let Some(TokenTree::Ident(word)) = cursor.previous()
+        && keywords::is_function(&word.to_string())
+    {
+        return Some(messages::ARGUMENT_HELP);
+    }
     match cursor.peek()? {
         TokenTree::Ident(_) | TokenTree::Literal(_) => Some(messages::PRODUCT_HELP),
         TokenTree::Group(group) if group.delimiter() != Delimiter::Brace => Some(messages::PRODUCT_HELP),

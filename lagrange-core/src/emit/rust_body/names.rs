@@ -87,10 +87,17 @@ fn sanitise(name: &str) -> String {
     if matches!(name.as_str(), "" | "_") {
         return "value".to_owned();
     }
-    if is_rust_keyword(&name) {
+    if is_rust_keyword(&name) || may_be_constant(&name) {
         name.push('_');
     }
     name
+}
+
+/// Whether a name is spelt like a constant or a unit struct: with one of them in scope, the variable of that
+/// name would be taken for it, since hygiene does not cover constants.
+fn may_be_constant(name: &str) -> bool {
+    let is_type = name.starts_with(char::is_uppercase) && !name.contains('_');
+    is_type || (name.contains(char::is_uppercase) && !name.contains(char::is_lowercase))
 }
 
 #[cfg(test)]
@@ -101,10 +108,10 @@ mod tests {
     #[test]
     fn names_are_unique_and_valid() {
         let mut names = Names::new(["q"]);
-        let wishes = ["x", "x", "x_2", "x", "q", "self", "m[0]", "2nd", "", "_", "θ", "a²"];
+        let wishes = ["x", "x", "x_2", "x", "q", "self", "m[0]", "2nd", "", "_", "θ", "a²", "M"];
         let given = wishes.map(|wish| names.fresh(wish).to_string());
         let expected =
-            ["x", "x_2", "x_2_2", "x_3", "q_2", "self_", "m_0_", "_2nd", "value", "value_2", "θ", "a_"];
+            ["x", "x_2", "x_2_2", "x_3", "q_2", "self_", "m_0_", "_2nd", "value", "value_2", "θ", "a_", "M_"];
         assert_eq!(given, expected);
         assert_eq!(names.numbered("pos").to_string(), "pos_0");
         assert_eq!(names.numbered("pos").to_string(), "pos_1");

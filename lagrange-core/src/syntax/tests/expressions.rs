@@ -73,7 +73,8 @@ fn numbers_are_exact() {
 fn literals_of_other_kinds_are_refused() {
     assert_eq!(mistake("1.0f64"), "numbers have no type of their own here");
     assert_eq!(mistake("1_f32"), "numbers have no type of their own here");
-    assert_eq!(mistake("2i"), "numbers have no type of their own here");
+    assert_eq!(mistake("2i"), "letters follow this number directly");
+    assert_eq!(mistake("2.5x"), "letters follow this number directly");
     assert_eq!(mistake("0x10"), "numbers are written in decimal");
     assert_eq!(mistake("\"a\""), "`\"a\"` is not a number");
     assert_eq!(mistake("'a'"), "`'a'` is not a number");
@@ -138,7 +139,7 @@ fn mistakes_of_conditions_are_named() {
     assert_eq!(mistake("if a = b { 1 } else { 2 }"), "conditions cannot ask whether numbers are equal");
     assert_eq!(mistake("if a != b { 1 } else { 2 }"), "conditions cannot ask whether numbers are equal");
     assert_eq!(mistake("if a < b < c { 1 } else { 2 }"), "a condition is a single comparison");
-    assert_eq!(mistake("if a { 1 } else { 2 }"), "expected an operator, `<`, `<=`, `>` or `>=`, found `{`");
+    assert_eq!(mistake("if a { 1 } else { 2 }"), "expected `<`, `<=`, `>` or `>=`, found `{`");
     assert_eq!(mistake("if a < 2 (1) else { 2 }"), "expected an operator or `{`, found `(`");
     assert_eq!(mistake("if a < b { 1 } else 2"), "expected `{`, found `2`");
     assert_eq!(mistake("if a < b { } else { 2 }"), "nothing stands between these braces");

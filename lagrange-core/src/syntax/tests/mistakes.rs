@@ -67,6 +67,16 @@ error at 7:5: keyword as name: `let` begins a statement
 }
 
 #[test]
+fn what_is_left_out_is_remembered_by_its_words() {
+    let declaration = read_wrong("paran m = 1.0;\nparam type, l;\nlet e = a +;").0.expect("tokens");
+    let words = ["m", "type", "l", "a"].map(|word| declaration.unreadable_words.contains(&word.to_owned()));
+    assert_eq!(words, [true, true, false, false]);
+    // A coordinate keeps its place, so that vectors have the length that the user expects.
+    let declaration = read_wrong("coord x, type, y;").0.expect("tokens");
+    assert_eq!(statements(&declaration), ["coord x __coordinate_3 y"]);
+}
+
+#[test]
 fn unknown_statements_get_the_nearest_keyword() {
     let helps = [
         ("kinetc = 1;", "did you mean `kinetic`?"),
@@ -115,7 +125,7 @@ fn incomplete_statements_say_what_is_missing() {
         ("param 3 = 1;", "error at 1:7: expected a name, found `3`"),
         ("param a = 1 b = 2;", "error at 1:13: expected an operator, `,` or `;`, found `b`"),
         ("kinetic 1;", "error at 1:9: expected `=`, found `1`"),
-        ("kinetic == 1;", "error at 1:9: expected `=`, found `=`"),
+        ("kinetic == 1;", "error at 1:9: expected `=`, found `==`"),
         ("let (a) = b;", "error at 1:5: a vector has two or three components, not 1"),
         ("let (a, b, c, d) = e;", "error at 1:5: a vector has two or three components, not 4"),
         ("let (a b) = e;", "error at 1:8: expected `,` or `)`, found `b`"),
@@ -123,13 +133,13 @@ fn incomplete_statements_say_what_is_missing() {
         ("force (a, b);", "error at 1:13: expected `at`, found `;`"),
         ("force (a, b) = c;", "error at 1:14: expected `at`, found `=`"),
         ("torque m;", "error at 1:9: expected `on`, found `;`"),
-        ("torque m at a;", "error at 1:10: expected an operator or `on`, found `at`"),
+        ("torque m at a;", "error at 1:10: expected `on`, found `at`"),
         ("emit a, b;", "error at 1:6: expected `{`, found `a`"),
         ("emit { a b }", "error at 1:10: expected `,` or `}`, found `b`"),
         ("emit { 1 }", "error at 1:8: expected a name, found `1`"),
-        ("/// doc\nkinetic = 1;", "error at 1:1: no attribute has a meaning here"),
-        ("#[inline]\ncoord x;", "error at 1:1: no attribute has a meaning here"),
-        ("coord x; /// doc", "error at 1:10: no attribute has a meaning here"),
+        ("/// doc\nkinetic = 1;", "error at 1:1: attributes have no meaning here"),
+        ("#[inline]\ncoord x;", "error at 1:1: attributes have no meaning here"),
+        ("coord x; /// doc", "error at 1:10: attributes have no meaning here"),
         ("let a = b /// doc\n;", "error at 1:11: expected an operator or `;`, found `#`"),
     ];
     for (text, message) in cases {

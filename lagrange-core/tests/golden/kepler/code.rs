@@ -22,7 +22,10 @@ pub struct Kepler<S> {
     pub mu: S,
 }
 /// State of [`Kepler`]: coordinates, then velocities.
-#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]
+#[allow(
+    clippy::derive_partial_eq_without_eq,
+    reason = "states are not made of integers"
+)]
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -41,18 +44,6 @@ pub struct KeplerState<S> {
 }
 const _: () = {
     use ::lagrange::private::multiply_add;
-    #[allow(
-        unused_variables,
-        clippy::excessive_precision,
-        clippy::many_single_char_names,
-        clippy::similar_names,
-        clippy::suboptimal_flops,
-        clippy::too_many_lines,
-        clippy::trivially_copy_pass_by_ref,
-        clippy::unused_self,
-        reason = "generated: every method has the arguments that its kind of quantity can depend on, \
-                      and the names of the formulas"
-    )]
     impl<S: ::lagrange::Scalar> Kepler<S> {
         /// Accelerations in the order of the coordinates.
         ///

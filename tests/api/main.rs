@@ -1,0 +1,16 @@
+//! What a user may rely on of the items that `system!` emits: names, types, conversions, traits.
+
+mod declarations;
+mod methods;
+mod products;
+mod scalars;
+mod shadowing;
+mod states;
+mod traits;
+
+/// Whether two numbers agree to a few units in the last place of `f64`.
+#[track_caller]
+fn assert_close(found: f64, expected: f64) {
+    let error = (found - expected).abs();
+    assert!(error <= 1e-14 * expected.abs().max(1.0), "{found} is not {expected}");
+}

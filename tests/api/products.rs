@@ -1,0 +1,86 @@
+//! Products that are asked for, left out, or follow from how the energies are given.
+
+use lagrange::system::{EnergyFunction, MechanicalSystem};
+
+use crate::assert_close;
+
+lagrange::system! {
+    struct Asked;
+
+    param m = 2.0, g = 9.81, c = 0.5;
+    coord x, theta;
+    kinetic = 1/2 * m * (dot(x)^2 + x^2 * dot(theta)^2);
+    potential = m * g * x * cos(theta);
+    dissipation = 1/2 * c * dot(x)^2;
+    emit { bias, latex, no inverse_dynamics }
+}
+
+lagrange::system! {
+    struct Silent;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    emit { no energy, no kinetic_energy, no momenta }
+}
+
+lagrange::system! {
+    /// The names that are not generated are free for other use.
+    struct Particle<S>;
+
+    param m = 1.0, c = 2.0;
+    coord x;
+    lagrangian = -m * c^2 * sqrt(1 - dot(x)^2 / c^2);
+}
+
+/// What is left out does not exist, so that methods of a trait are found in its place.
+trait Fallback {
+    fn inverse_dynamics(&self) -> &'static str {
+        "left out"
+    }
+    fn energy(&self) -> &'static str {
+        "left out"
+    }
+    fn kinetic_energy(&self) -> &'static str {
+        "left out"
+    }
+}
+
+impl Fallback for Asked {}
+impl Fallback for Silent {}
+impl Fallback for Particle<f64> {}
+
+#[test]
+fn bias_is_the_inverse_dynamics_at_rest_without_applied_forces() {
+    let [radial, angular] = Asked::default().bias(0.0, &[1.5, 0.3], &[0.4, 0.7]);
+    let Asked { m, g, .. } = Asked::default();
+    assert_close(radial, -m * 1.5 * 0.49 + m * g * 0.3_f64.cos());
+    assert_close(angular, 2.0 * m * 1.5 * 0.4 * 0.7 - m * g * 1.5 * 0.3_f64.sin());
+}
+
+#[test]
+fn equations_are_printed_one_line_for_each_coordinate() {
+    let lines = Asked::EQUATIONS_LATEX.lines().collect::<Vec<_>>();
+    assert_eq!(lines.len(), 2);
+    assert!(lines[0].starts_with(r"m \ddot{x} = "), "{}", lines[0]);
+    assert!(lines[1].contains(r"\ddot{\theta}"), "{}", lines[1]);
+}
+
+#[test]
+fn what_is_left_out_does_not_exist() {
+    assert_eq!(Asked::default().inverse_dynamics(), "left out");
+    assert_eq!([Silent.energy(), Silent.kinetic_energy()], ["left out"; 2]);
+    assert_eq!(Particle::<f64>::default().kinetic_energy(), "left out");
+    assert_eq!(Silent.acceleration(0.0, &[0.0], &[1.0]), [0.0]);
+    assert_eq!(Silent::COORDINATES, ["x"]);
+}
+
+#[test]
+fn a_mass_matrix_that_depends_on_velocities_takes_them() {
+    type Vector = [f64; 1];
+    let particle = Particle::<f64>::default();
+    let mass: fn(&Particle<f64>, f64, &Vector, &Vector) -> [Vector; 1] = Particle::mass_matrix;
+    let gamma = 1.0 / (1.0 - 0.36_f64).sqrt();
+    assert_close(mass(&particle, 0.0, &[0.0], &[1.2])[0][0], gamma.powi(3));
+    assert_close(particle.momenta(0.0, &[0.0], &[1.2])[0], gamma * 1.2);
+    assert_close(EnergyFunction::energy(&particle, 0.0, &[0.0], &[1.2]), gamma * 4.0);
+}

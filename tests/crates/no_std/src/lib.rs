@@ -1,0 +1,84 @@
+//! Systems where there is neither an operating system nor a heap.
+#![no_std]
+#![forbid(unsafe_code)]
+
+use lagrange::Scalar;
+use lagrange::integrate::rk4;
+
+lagrange::system! {
+    /// A point mass on a massless rod.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Pendulum;
+
+    param m = 1.0, l = 1.0, g = 9.81;
+    coord theta;
+    kinetic = 1/2 * m * (l * dot(theta))^2;
+    potential = -m * g * l * cos(theta);
+}
+
+lagrange::system! {
+    /// The same in single precision, as a microcontroller computes it.
+    #[scalar(f32)]
+    #[derive(Clone, Copy, Debug)]
+    pub struct SmallPendulum;
+
+    param m = 1.0, l = 1.0, g = 9.81;
+    coord theta;
+    kinetic = 1/2 * m * (l * dot(theta))^2;
+    potential = -m * g * l * cos(theta);
+}
+
+lagrange::system! {
+    /// Two masses and a spring that hardens, in any number type.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Chain<S>;
+
+    param m = 1.0, k = 2.5;
+    coord x1, x2;
+    let stretch = hypot(x2 - x1, 1/10) - exp(0 * m);
+    kinetic = 1/2 * m * (dot(x1)^2 + dot(x2)^2);
+    potential = spring_energy(k, stretch);
+    output tension = k * stretch;
+}
+
+/// Where a pendulum at rest at an angle is after a second; `None` if its motion cannot be computed.
+#[must_use]
+pub fn angle_after_a_second(pendulum: &Pendulum, angle: f64) -> Option<f64> {
+    rk4(pendulum, 0.0, [angle, 0.0], 1.0, 200, |_, _| {}).ok().map(|[theta, _]| theta)
+}
+
+/// The relative acceleration of two masses at rest at a distance.
+#[must_use]
+pub fn repulsion<S: Scalar>(chain: &Chain<S>, distance: S) -> S {
+    let [first, second] = chain.acceleration(S::ZERO, &[S::ZERO, distance], &[S::ZERO; 2]);
+    second - first
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Chain, Pendulum, SmallPendulum, angle_after_a_second, repulsion};
+
+    #[test]
+    fn systems_compute_in_both_precisions() {
+        let (pendulum, small) = (Pendulum::default(), SmallPendulum::default());
+        let double = pendulum.acceleration(0.0, &[0.5], &[0.0])[0];
+        let single = small.acceleration(0.0, &[0.5], &[0.0])[0];
+        assert!((double + 9.81 * 0.479_425_538_604_203).abs() < 1e-12);
+        assert!((f64::from(single) - double).abs() < 1e-5);
+        let tension = Chain::<f64>::default().tension(0.0, &[0.0, 2.0], &[0.0, 0.0]);
+        assert!(
+            (repulsion(&Chain::<f64>::default(), 2.0) + 2.0 * tension * 0.998_752_338_877_845_4).abs()
+                < 1e-12
+        );
+        assert!(
+            (f64::from(repulsion(&Chain::<f32>::default(), 2.0)) + 2.0 * tension * 0.998_752).abs() < 1e-4
+        );
+    }
+
+    #[test]
+    fn motions_are_integrated() {
+        // A small swing lasts T = 2π √(l/g); a second is not quite half of it.
+        let angle = angle_after_a_second(&Pendulum::default(), 0.01).expect("finite");
+        assert!((angle - 0.01 * (9.81_f64.sqrt()).cos()).abs() < 1e-7);
+    }
+}

@@ -1,0 +1,12 @@
+lagrange::system! {
+    #[scalar(f32)]
+    #[scalar(f64)]
+    #[accuracy(standard)]
+    #[accuracy(standard)]
+    struct Cart;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+}
+
+fn main() {}

@@ -1,0 +1,9 @@
+lagrange::system! {
+    struct Cart;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    emit { mas_matrix, no enery, plot, jacobian }
+}
+
+fn main() {}

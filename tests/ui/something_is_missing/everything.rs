@@ -1,0 +1,5 @@
+lagrange::system! {
+
+}
+
+fn main() {}

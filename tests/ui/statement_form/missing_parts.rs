@@ -1,0 +1,13 @@
+lagrange::system! {
+    struct Cart;
+
+    param m = ;
+    const k;
+    coord x = 1.0;
+    let = 3;
+    kinetic 1/2 * dot(x)^2;
+    potential == x^2;
+    output 2 = x;
+}
+
+fn main() {}
