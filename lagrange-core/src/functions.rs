@@ -349,7 +349,7 @@ pub fn apply(graph: &mut Graph, function: Function, arguments: &[ExprId]) -> Exp
     match row.parity {
         Parity::Even if coefficient.is_negative() => {
             let opposite = graph.negate(argument);
-            graph.call(function, &[opposite])
+            apply(graph, function, &[opposite])
         }
         Parity::Odd if coefficient.is_negative() => {
             let opposite = graph.negate(argument);

@@ -32,7 +32,7 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
     if model.coordinates.len() > MOST_COORDINATES || model.graph.reachable(&all).len() > LARGEST_SYSTEM {
         return None;
     }
-    let forcing = readable(&mut model.graph, equations.forcing.as_ref()?);
+    let forcing = readable(&mut model.graph, forcing);
     // The right sides are the longer ones: if they cannot be read, the left ones need not be tried.
     readable_lines(text::definitions(&model.graph, &forcing, LONGEST_EQUATIONS))?;
     let sides = sides(model, equations, &forcing)?;

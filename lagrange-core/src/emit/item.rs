@@ -134,14 +134,13 @@ fn state_struct(shape: &Shape<'_>) -> TokenStream {
         .map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text)))
         .chain(shape.coordinates.iter().map(|name| doc(&format!("Velocity of `{}`.", name.text))));
     let (fields, names) = (shape.state_fields(), name_exception(shape));
-    let is_generic = !generics.is_empty();
-    let equality = is_generic.then(
-        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "states are not made of integers")]),
+    let allow = (!generics.is_empty()).then(
+        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
     );
     quote! {
         #title
         #names
-        #equality
+        #allow
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
             #(#docs pub #fields: #scalar,)*
@@ -199,12 +198,12 @@ fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     // Not `Scalar`: a state can be converted whatever its numbers can do.
     let (fields, n) = (shape.state_fields(), shape.coordinates.len());
     let (positions, velocities) = fields.split_at(n);
+    let (n, twice) = (length(n), length(2 * n));
     let variables = state_variables(shape);
     let entries = fields.iter().zip(&variables).map(|(field, variable)| match field == variable {
         true => quote!(#variable),
         false => quote!(#field: #variable),
     });
-    let (n, twice) = (length(n), length(2 * n));
     quote! {
         impl #generics #state #generics {
             /// The coordinates in their order.

@@ -104,8 +104,10 @@ fn choice(view: &View, id: ExprId) -> Vec<Piece> {
 fn product(term: &Term) -> (Strength, Vec<Piece>) {
     let (below, above): (Vec<_>, Vec<_>) = term.factors.iter().partition(|(_, e)| e.is_negative());
     let number = numeral(&term.coefficient.abs());
-    let mut numerator = above.into_iter().map(|(base, e)| factor(*base, e)).collect::<Vec<_>>();
-    let mut denominator = below.into_iter().map(|(base, e)| factor(*base, &-e)).collect::<Vec<_>>();
+    let mut numerator =
+        above.into_iter().map(|(base, e)| factor(*base, e, Strength::Product)).collect::<Vec<_>>();
+    let mut denominator =
+        below.into_iter().map(|(base, e)| factor(*base, &-e, Strength::Power)).collect::<Vec<_>>();
     let text_factor = |text: String| (Strength::Atom, vec![Piece::text(text)]);
     match number.denominator {
         Some(divisor) if denominator.is_empty() => {
@@ -151,10 +153,10 @@ fn joined(mut factors: Factors) -> (Strength, Vec<Piece>) {
     (Strength::Product, pieces)
 }
 
-/// `base ^ exponent` with a positive exponent.
-fn factor(base: ExprId, exponent: &Number) -> (Strength, Vec<Piece>) {
+/// `base ^ exponent` with a positive exponent; a base without one binds at least as tightly as `least`.
+fn factor(base: ExprId, exponent: &Number, least: Strength) -> (Strength, Vec<Piece>) {
     if exponent.is_one() {
-        return (Strength::Atom, vec![Piece::Expr(base, Strength::Product)]);
+        return (Strength::Atom, vec![Piece::Expr(base, least)]);
     }
     if (exponent * &Number::TWO).is_one() {
         return (Strength::Atom, call("sqrt", &[base]));

@@ -116,14 +116,14 @@ impl Graph {
         if coefficient.is_zero() {
             return self.number(Number::ZERO);
         }
-        self.merge_factors(&mut collected);
+        self.merge_factors(&mut coefficient, &mut collected);
         while let Some(position) = self.cancelling_product(&collected) {
             let (nested, exponent) = collected.swap_remove(position);
             let Node::Product(factors) = self.node(nested).clone() else { break };
             for (base, inner) in &factors {
                 self.push_factor(&mut coefficient, &mut collected, *base, inner * &exponent);
             }
-            self.merge_factors(&mut collected);
+            self.merge_factors(&mut coefficient, &mut collected);
         }
         let product = self.finish_product(collected);
         self.scale(coefficient, product)
@@ -136,22 +136,26 @@ impl Graph {
         base: ExprId,
         exponent: Number,
     ) {
-        let (inner, core) = match self.as_number(base) {
-            Some(value) => (value.clone(), None),
-            None => {
-                let (inner, core) = self.split_coefficient(base);
-                (inner, Some(core))
+        let mut factor = (base, exponent);
+        while let Some((number, rest)) = self.reduce_factor(&factor) {
+            *coefficient = &*coefficient * &number;
+            match rest {
+                Some(rest) => factor = rest,
+                None => return,
             }
-        };
-        match fold_power(&inner, &exponent) {
-            Some(value) => {
-                *coefficient = &*coefficient * &value;
-                if let Some(core) = core {
-                    factors.push(self.flatten_power(core, exponent));
-                }
-            }
-            None => factors.push((base, exponent)),
         }
+        factors.push(factor);
+    }
+
+    /// A number taken out of a factor and what is left of it, if anything can be taken out or flattened.
+    fn reduce_factor(&self, (base, exponent): &Weighted) -> Option<(Number, Option<Weighted>)> {
+        if let Some(value) = self.as_number(*base) {
+            return Some((fold_power(value, exponent)?, None));
+        }
+        let (inner, core) = self.split_coefficient(*base);
+        let number = fold_power(&inner, exponent)?;
+        let rest = self.flatten_power(core, exponent.clone());
+        (rest.0 != *base).then_some((number, Some(rest)))
     }
 
     /// `(base^p)^e = base^(p·e)` where both have the same domain.
@@ -165,12 +169,19 @@ impl Graph {
         (base, exponent)
     }
 
-    fn merge_factors(&self, factors: &mut Vec<Weighted>) {
-        merge(factors, |base, a, b| {
-            let total = a + b;
-            let same_domain = a.is_integer() && b.is_integer() || !total.is_integer();
-            (same_domain || self.is_nonnegative(base)).then_some(total)
-        });
+    /// Adds up exponents of equal bases, until nothing more can be taken out of a factor.
+    fn merge_factors(&self, coefficient: &mut Number, factors: &mut Vec<Weighted>) {
+        loop {
+            merge(factors, |base, a, b| {
+                let total = a + b;
+                let same_domain = a.is_integer() && b.is_integer() || !total.is_integer();
+                (same_domain || self.is_nonnegative(base)).then_some(total)
+            });
+            let reducible = |factor: &Weighted| self.reduce_factor(factor).is_some();
+            let Some(position) = factors.iter().position(reducible) else { return };
+            let (base, exponent) = factors.swap_remove(position);
+            self.push_factor(coefficient, factors, base, exponent);
+        }
     }
 
     /// A nested product one of whose factors cancels against the rest.

@@ -106,3 +106,19 @@ fn long_products_are_nested() {
     });
     assert_eq!(widest.max(), Some(16));
 }
+
+#[test]
+fn numbers_fold_where_powers_meet() {
+    let (mut g, [a, ..]) = letters();
+    let [three, nine] = [3, 9].map(|n| g.number(n));
+    let [half, three_halves] = [1, 3].map(|n| Number::ratio(n, 2).expect("no zero"));
+    let root = g.power(three, half.clone());
+    assert_eq!(g.power(root, Number::from(4)), nine, "(√3)⁴");
+    let cube = g.power(three, three_halves);
+    assert_eq!(g.multiply(cube, root), nine, "3^(3/2)·√3");
+    let product = g.product([root, a, root].map(|factor| (factor, Number::ONE)));
+    assert_eq!(product, g.scale(Number::from(3), a), "√3·a·√3");
+    let twice = g.scale(Number::TWO, a);
+    let root = g.power(twice, half);
+    assert_eq!(g.square(root), twice, "(√(2a))²");
+}

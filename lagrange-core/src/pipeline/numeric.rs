@@ -36,7 +36,10 @@ impl NumericSystem {
     /// Lowers everything that `derived` holds. Parameters without a default are NaN until they are set.
     pub fn new(derived: &Derived) -> NumericSystem {
         let (model, equations) = (&derived.model, &derived.equations);
-        let lowered = |roots: &[ExprId]| optimise(&lower(&model.graph, roots, &Labels::default()));
+        // A named value is kept apart, so that only with the same names the results are those of emitted code.
+        let mut labels = Labels::default();
+        equations.labels.iter().for_each(|(expression, name)| labels.insert(*expression, name.as_str()));
+        let lowered = |roots: &[ExprId]| optimise(&lower(&model.graph, roots, &labels));
         let default = |default: Option<ExprId>| {
             default.map_or(f64::NAN, |value| evaluate(&model.graph, &[value], |_| f64::NAN)[0])
         };

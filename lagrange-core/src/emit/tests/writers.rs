@@ -3,7 +3,7 @@ use crate::emit::{graphviz, latex, text};
 use crate::expr::Graph;
 
 /// A formula in reverse Polish notation, its text and its LaTeX.
-const FORMULAS: [(&str, &str, &str); 44] = [
+const FORMULAS: [(&str, &str, &str); 45] = [
     ("0", "0", "0"),
     ("7 neg", "-7", "-7"),
     ("1 2 /", "1/2", r"\frac{1}{2}"),
@@ -40,6 +40,7 @@ const FORMULAS: [(&str, &str, &str); 44] = [
     ("m1 l + x 2.5 ^ /", "(m1 + l)/x^(5/2)", r"\frac{m_{1} + l}{x^{5/2}}"),
     ("x 2 ^ sqrt", "sqrt(x^2)", r"\sqrt{x^{2}}"),
     ("2 sqrt x *", "sqrt(2)*x", r"\sqrt{2} x"),
+    ("x 1.25 sqrt / 2 ^", "x^2/(5/4)", r"\frac{x^{2}}{\frac{5}{4}}"),
     ("x theta pow", "pow(x, theta)", r"{x}^{\theta}"),
     ("x l + theta 1 + pow", "pow(l + x, theta + 1)", r"{\left(l + x\right)}^{\theta + 1}"),
     ("x theta atan2", "atan2(x, theta)", r"\operatorname{atan2}\left(x, \theta\right)"),

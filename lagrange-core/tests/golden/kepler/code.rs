@@ -22,10 +22,7 @@ pub struct Kepler<S> {
     pub mu: S,
 }
 /// State of [`Kepler`]: coordinates, then velocities.
-#[allow(
-    clippy::derive_partial_eq_without_eq,
-    reason = "states are not made of integers"
-)]
+#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,

@@ -1,0 +1,15 @@
+//! Laws that hold whatever the declaration, checked on random ones. `PROPTEST_CASES` scales how many.
+
+mod declarations;
+mod expressions;
+mod formulas;
+mod machines;
+mod mechanics;
+
+use proptest::prelude::ProptestConfig;
+
+/// A share of the usual number of cases, for laws that are slow to check.
+fn one_in(share: u32) -> ProptestConfig {
+    let usual = ProptestConfig::default();
+    ProptestConfig { cases: usual.cases / share, failure_persistence: None, ..usual }
+}

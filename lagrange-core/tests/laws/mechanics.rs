@@ -1,0 +1,259 @@
+//! What holds for the equations of every machine. The Lagrangian, the loads and the Rayleigh function are
+//! taken from the checked model by reference evaluation, their derivatives by finite differences, so that
+//! nothing of the derivation is used to check itself.
+
+use lagrange_core::calculus::evaluate;
+use lagrange_core::expr::ExprId;
+use lagrange_core::mechanics::{Model, Product, Road, RoadChoice};
+use lagrange_core::pipeline::{NumericSystem, parse};
+use lagrange_core::symbol::Role;
+use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
+
+use crate::machines::{Machine, machines};
+
+/// Bounds the error of fourth-order finite differences and of their use in sums.
+const DIFFERENCED: f64 = 1e-7;
+/// Bounds rounding in differently ordered sums and eliminations.
+const ROUNDED: f64 = 1e-9;
+
+/// A machine's model beside what was derived from it, at its state.
+struct Laboratory {
+    model: Model,
+    derived: NumericSystem,
+    t: f64,
+    q: Vec<f64>,
+    v: Vec<f64>,
+}
+
+impl Laboratory {
+    fn new(machine: &Machine, choice: RoadChoice) -> Laboratory {
+        let system = parse(&machine.text).unwrap_or_else(|report| panic!("{report}"));
+        let model = system.model.clone();
+        let derived = system.derive(choice).unwrap_or_else(|report| panic!("{report}"));
+        let Machine { t, q, v, .. } = machine.clone();
+        Laboratory { model, derived: NumericSystem::new(&derived), t, q, v }
+    }
+
+    fn size(&self) -> usize {
+        self.q.len()
+    }
+
+    fn product(&self, product: Product) -> Vec<f64> {
+        self.derived.product(product, self.t, &self.q, &self.v).expect("it is emitted")
+    }
+
+    fn acceleration(&self) -> Vec<f64> {
+        self.derived.acceleration(self.t, &self.q, &self.v)
+    }
+
+    fn inverse_dynamics(&self, a: &[f64]) -> Vec<f64> {
+        self.derived.inverse_dynamics(self.t, &self.q, &self.v, a).expect("it is derived by default")
+    }
+
+    /// The value of an expression of the model.
+    fn value(&self, expression: ExprId) -> f64 {
+        let graph = &self.model.graph;
+        let constant = |default: Option<ExprId>| {
+            evaluate(graph, &[default.expect("every parameter has a default")], |_| f64::NAN)[0]
+        };
+        evaluate(graph, &[expression], |role| match role {
+            Role::Parameter(i) => constant(self.model.parameters[i as usize].default),
+            Role::Input(i) => constant(self.model.inputs[i as usize].default),
+            Role::Time => self.t,
+            Role::Coordinate(i) => self.q[i as usize],
+            Role::Velocity(i) => self.v[i as usize],
+            Role::Acceleration(_) | Role::Placeholder(_) => f64::NAN,
+        })[0]
+    }
+
+    /// The derivative of `f` while the state moves at a rate, by a central difference of fourth order.
+    fn slope(&mut self, rate: &Rate, f: impl Fn(&Laboratory) -> f64) -> f64 {
+        const STEP: f64 = 1e-3;
+        let (t, q, v) = (self.t, self.q.clone(), self.v.clone());
+        let moved = |start: &[f64], rate: &[f64], step: f64| {
+            start.iter().zip(rate).map(|(start, rate)| start + step * rate).collect::<Vec<_>>()
+        };
+        let mut at = |step: f64| {
+            (self.t, self.q, self.v) =
+                (t + step * rate.t, moved(&q, &rate.q, step), moved(&v, &rate.v, step));
+            f(self)
+        };
+        let near = at(STEP) - at(-STEP);
+        let far = at(2.0 * STEP) - at(-2.0 * STEP);
+        (self.t, self.q, self.v) = (t, q, v);
+        (8.0 * near - far) / (12.0 * STEP)
+    }
+
+    /// ∂f/∂v
+    fn velocity_slopes(&mut self, f: impl Fn(&Laboratory) -> f64) -> Vec<f64> {
+        (0..self.size()).map(|i| self.slope(&Rate::of_velocity(self.size(), i), &f)).collect()
+    }
+
+    /// ∂f/∂q
+    fn position_slopes(&mut self, f: impl Fn(&Laboratory) -> f64) -> Vec<f64> {
+        (0..self.size()).map(|i| self.slope(&Rate::of_position(self.size(), i), &f)).collect()
+    }
+
+    fn lagrangian(&self) -> f64 {
+        self.value(self.model.lagrangian)
+    }
+
+    /// The generalised forces of loads and dissipation. Velocities of loads are affine, so that their
+    /// coefficients are plain differences.
+    fn applied_forces(&mut self) -> Vec<f64> {
+        let mut forces = self.velocity_slopes(|laboratory| -laboratory.value(laboratory.model.dissipation));
+        let v = std::mem::take(&mut self.v);
+        for load in self.model.loads.clone() {
+            self.v.clone_from(&v);
+            let force = self.value(load.force);
+            self.v = vec![0.0; v.len()];
+            let offset = self.value(load.velocity);
+            for (i, total) in forces.iter_mut().enumerate() {
+                self.v[i] = 1.0;
+                *total += force * (self.value(load.velocity) - offset);
+                self.v[i] = 0.0;
+            }
+        }
+        self.v = v;
+        forces
+    }
+}
+
+/// A direction in the space of time and states.
+struct Rate {
+    t: f64,
+    q: Vec<f64>,
+    v: Vec<f64>,
+}
+
+impl Rate {
+    fn of_time(n: usize) -> Rate {
+        Rate { t: 1.0, q: vec![0.0; n], v: vec![0.0; n] }
+    }
+
+    fn of_position(n: usize, i: usize) -> Rate {
+        Rate { t: 0.0, q: unit(n, i), v: vec![0.0; n] }
+    }
+
+    fn of_velocity(n: usize, i: usize) -> Rate {
+        Rate { t: 0.0, q: vec![0.0; n], v: unit(n, i) }
+    }
+}
+
+fn unit(n: usize, i: usize) -> Vec<f64> {
+    (0..n).map(|j| f64::from(u8::from(i == j))).collect()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The product of a matrix, in rows, and a vector.
+fn times(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
+    matrix.chunks(vector.len()).map(|row| dot(row, vector)).collect()
+}
+
+/// Whether two vectors agree relative to their largest entry and to `scale`.
+fn agree(a: &[f64], b: &[f64], tolerance: f64, scale: f64) -> bool {
+    let largest = a.iter().chain(b).fold(1.0 + scale, |largest, x| largest.max(x.abs()));
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance * largest)
+}
+
+/// Whether a symmetric matrix has a Cholesky factor.
+fn is_positive_definite(matrix: &[f64], n: usize) -> bool {
+    let mut factor = vec![0.0; n * n];
+    (0..n).all(|i| {
+        for j in 0..=i {
+            let known = dot(&factor[i * n..i * n + j], &factor[j * n..j * n + j]);
+            let rest = matrix[i * n + j] - known;
+            factor[i * n + j] = if i == j { rest.sqrt() } else { rest / factor[j * n + j] };
+        }
+        factor[i * n + i] > 0.0
+    })
+}
+
+proptest! {
+    #![proptest_config(crate::one_in(5))]
+
+    #[test]
+    fn the_mass_matrix_is_symmetric_and_positive_definite(machine in machines()) {
+        let laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let (matrix, n) = (laboratory.product(Product::MassMatrix), laboratory.size());
+        for i in 0..n {
+            for j in 0..i {
+                prop_assert_eq!(matrix[i * n + j].to_bits(), matrix[j * n + i].to_bits());
+            }
+        }
+        prop_assert!(is_positive_definite(&matrix, n), "{matrix:?}");
+    }
+
+    #[test]
+    fn both_roads_lead_to_the_same_accelerations(machine in machines()) {
+        let roads = [Road::Dense, Road::Recursive].map(RoadChoice::Always);
+        let [dense, recursive] = roads.map(|road| Laboratory::new(&machine, road).acceleration());
+        prop_assert!(agree(&dense, &recursive, ROUNDED, 0.0), "{dense:?} or {recursive:?}");
+    }
+
+    /// dh/dt = v·Q − ∂L/∂t
+    #[test]
+    fn energy_changes_by_power_and_by_explicit_time(machine in machines()) {
+        let mut laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let flow = Rate { t: 1.0, q: laboratory.v.clone(), v: laboratory.acceleration() };
+        let change = laboratory.slope(&flow, |laboratory| laboratory.product(Product::Energy)[0]);
+        let power = dot(&laboratory.applied_forces(), &machine.v);
+        let explicit = laboratory.slope(&Rate::of_time(laboratory.size()), Laboratory::lagrangian);
+        let scale = dot(&laboratory.product(Product::Forcing), &machine.v).abs();
+        prop_assert!(agree(&[change], &[power - explicit], DIFFERENCED, scale), "{change} for {power} - {explicit}");
+    }
+
+    #[test]
+    fn inverse_dynamics_and_accelerations_undo_each_other(machine in machines()) {
+        let laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let (matrix, forcing) = (laboratory.product(Product::MassMatrix), laboratory.product(Product::Forcing));
+        let acceleration = laboratory.acceleration();
+        let scale = forcing.iter().fold(0.0_f64, |largest, f| largest.max(f.abs()));
+        let nothing = laboratory.inverse_dynamics(&acceleration);
+        prop_assert!(agree(&nothing, &vec![0.0; forcing.len()], ROUNDED, scale), "{nothing:?}");
+        // Any other acceleration needs M (a' − a).
+        let change = machine.q.iter().map(|q| 3.0 * q - 1.0).collect::<Vec<_>>();
+        let other = acceleration.iter().zip(&change).map(|(a, change)| a + change).collect::<Vec<_>>();
+        let (found, needed) = (laboratory.inverse_dynamics(&other), times(&matrix, &change));
+        prop_assert!(agree(&found, &needed, ROUNDED, scale), "{found:?} for {needed:?}");
+    }
+
+    #[test]
+    fn momenta_and_masses_are_slopes_of_the_lagrangian(machine in machines()) {
+        let mut laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let momenta = laboratory.product(Product::Momenta);
+        let slopes = laboratory.velocity_slopes(Laboratory::lagrangian);
+        prop_assert!(agree(&momenta, &slopes, DIFFERENCED, 0.0), "{momenta:?} for {slopes:?}");
+        let matrix = laboratory.product(Product::MassMatrix);
+        for (i, row) in matrix.chunks(momenta.len()).enumerate() {
+            let slopes = laboratory.velocity_slopes(|laboratory| laboratory.product(Product::Momenta)[i]);
+            prop_assert!(agree(row, &slopes, DIFFERENCED, 0.0), "{row:?} for {slopes:?}");
+        }
+        let energy = laboratory.product(Product::Energy);
+        let function = dot(&momenta, &machine.v) - laboratory.lagrangian();
+        prop_assert!(agree(&energy, &[function], ROUNDED, 0.0), "{energy:?} for {function}");
+    }
+
+    /// f = ∂L/∂q − (∂p/∂q) v − ∂p/∂t + Q
+    #[test]
+    fn forcing_is_that_of_euler_and_lagrange(machine in machines()) {
+        let mut laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let n = laboratory.size();
+        let drift = Rate { t: 1.0, q: machine.v.clone(), v: vec![0.0; n] };
+        let slopes = laboratory.position_slopes(Laboratory::lagrangian);
+        let applied = laboratory.applied_forces();
+        let expected = (0..n).map(|i| {
+            let momentum = |laboratory: &Laboratory| laboratory.product(Product::Momenta)[i];
+            slopes[i] - laboratory.slope(&drift, momentum) + applied[i]
+        });
+        let expected = expected.collect::<Vec<_>>();
+        let forcing = laboratory.product(Product::Forcing);
+        prop_assert!(agree(&forcing, &expected, DIFFERENCED, 0.0), "{forcing:?} for {expected:?}");
+        let bias = laboratory.product(Product::Bias);
+        let rest = applied.iter().zip(&forcing).map(|(applied, f)| applied - f).collect::<Vec<_>>();
+        prop_assert!(agree(&bias, &rest, DIFFERENCED, 0.0), "{bias:?} for {rest:?}");
+    }
+}

@@ -1,0 +1,102 @@
+//! Compiled systems against reference values that an independent derivation computed with many digits (see
+//! `tests/oracle/README.md`) and, bit for bit, against the interpreter of programs.
+
+#[path = "oracle/reference.rs"]
+mod reference;
+
+use std::path::Path;
+
+use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::pipeline::{NumericSystem, parse};
+
+use reference::{Reference, Subject, names};
+
+/// A system, compiled, as a test of its own: `declare! { name, energies: …, mass_matrix: …; statements }`.
+/// The two words say which methods it has: `kinetic_energy` and `potential_energy` only for `separate`
+/// energies, and `mass_matrix` as a function of the `positions` or of the whole `state`.
+macro_rules! declare {
+    ($name:ident, energies: $energies:ident, mass_matrix: $mass_matrix:ident; $($declaration:tt)*) => {
+        mod $name {
+            lagrange::system! {
+                pub(crate) struct Compiled;
+                $($declaration)*
+            }
+
+            impl super::super::Subject for Compiled {
+                fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+                    self.acceleration(t, &array(q), &array(v)).to_vec()
+                }
+
+                fn quantity(&self, key: &str, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
+                    let (q, v) = (&array(q), &array(v));
+                    Some(match key {
+                        "forcing" => self.forcing(t, q, v).to_vec(),
+                        "mass_matrix" => declare!(@$mass_matrix self, t, q, v).concat(),
+                        "momenta" => self.momenta(t, q, v).to_vec(),
+                        "energy" => vec![self.energy(t, q, v)],
+                        "kinetic" => declare!(@$energies vec![self.kinetic_energy(t, q, v)]),
+                        "potential" => declare!(@$energies vec![self.potential_energy(t, q)]),
+                        _ => return None,
+                    })
+                }
+
+                fn inverse_dynamics(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Vec<f64> {
+                    self.inverse_dynamics(t, &array(q), &array(v), &array(a)).to_vec()
+                }
+            }
+
+            fn array<const N: usize>(values: &[f64]) -> [f64; N] {
+                values.try_into().expect("one value for each coordinate")
+            }
+
+            #[test]
+            fn agrees_with_reference_and_interpreter() {
+                super::super::check(stringify!($name), stringify!($($declaration)*), &Compiled::default());
+            }
+        }
+    };
+    (@separate $value:expr) => { $value };
+    (@joint $value:expr) => { return None };
+    (@positions $system:expr, $t:expr, $q:expr, $v:expr) => { $system.mass_matrix($t, $q) };
+    (@state $system:expr, $t:expr, $q:expr, $v:expr) => { $system.mass_matrix($t, $q, $v) };
+}
+
+#[path = "oracle/systems.rs"]
+mod systems;
+
+fn directory() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/oracle"))
+}
+
+#[test]
+fn every_reference_is_compiled() {
+    let systems = include_str!("oracle/systems.rs");
+    let declared = systems.lines().filter_map(|line| line.strip_prefix("declare! { ")?.split(',').next());
+    assert!(declared.eq(names(directory()).iter()), "run `python3 tests/oracle/declare.py`");
+}
+
+fn check(name: &str, declaration: &str, compiled: &impl Subject) {
+    let reference = Reference::read(directory(), name);
+    assert_eq!(packed(declaration), packed(&reference.declaration), "run `python3 tests/oracle/declare.py`");
+    let failures = reference.failures(compiled);
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+
+    let derived = parse(&reference.declaration).and_then(|system| system.derive(RoadChoice::Cheapest));
+    let mut interpreted = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
+    for (name, value) in reference.settings() {
+        assert!(interpreted.set(name, value), "{name} is declared");
+    }
+    for state in reference.states() {
+        let bits = |values: Vec<f64>| values.into_iter().map(f64::to_bits).collect::<Vec<_>>();
+        assert_eq!(
+            bits(compiled.acceleration(state.t, &state.q, &state.v)),
+            bits(interpreted.acceleration(state.t, &state.q, &state.v)),
+        );
+    }
+}
+
+/// The tokens of a declaration, without comments and spaces.
+fn packed(declaration: &str) -> String {
+    let code = declaration.lines().map(|line| line.split("//").next().unwrap_or_default());
+    code.flat_map(|line| line.chars().filter(|c| !c.is_whitespace())).collect()
+}
