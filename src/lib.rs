@@ -23,7 +23,7 @@
 //!
 //! let pendulum = Pendulum::default();
 //! let start = [0.5, 0.0];
-//! let end = rk4(&pendulum, 0.0, start, 10.0, 10_000, |_, _| {})?;
+//! let end = rk4(&pendulum, 0.0, start, 10.0, 10_000, |_, _| {}).unwrap();
 //! let energy = |y: [f64; 2]| pendulum.energy(0.0, &[y[0]], &[y[1]]);
 //! assert!((energy(end) - energy(start)).abs() < 1e-9);
 //! # Ok::<(), lagrange::integrate::IntegrationError<f64, [f64; 2]>>(())
@@ -55,6 +55,11 @@ pub mod system;
 pub mod private;
 
 pub use crate::scalar::Scalar;
+
+/// Keeps the example of the README true.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 #[cfg(feature = "symbolic")]
 pub use lagrange_core as symbolic;

@@ -41,18 +41,6 @@ pub struct KeplerState<S> {
 }
 const _: () = {
     use ::lagrange::private::multiply_add;
-    #[allow(
-        unused_variables,
-        clippy::excessive_precision,
-        clippy::many_single_char_names,
-        clippy::similar_names,
-        clippy::suboptimal_flops,
-        clippy::too_many_lines,
-        clippy::trivially_copy_pass_by_ref,
-        clippy::unused_self,
-        reason = "generated: every method has the arguments that its kind of quantity can depend on, \
-                      and the names of the formulas"
-    )]
     impl<S: ::lagrange::Scalar> Kepler<S> {
         /// Accelerations in the order of the coordinates.
         ///

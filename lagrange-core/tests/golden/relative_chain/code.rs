@@ -55,18 +55,6 @@ pub struct RelativeChainState {
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
-    #[allow(
-        unused_variables,
-        clippy::excessive_precision,
-        clippy::many_single_char_names,
-        clippy::similar_names,
-        clippy::suboptimal_flops,
-        clippy::too_many_lines,
-        clippy::trivially_copy_pass_by_ref,
-        clippy::unused_self,
-        reason = "generated: every method has the arguments that its kind of quantity can depend on, \
-                      and the names of the formulas"
-    )]
     impl RelativeChain {
         /// Accelerations in the order of the coordinates.
         ///
@@ -77,39 +65,39 @@ const _: () = {
             let Self { m1, m2, m3, l1, l2, l3, g } = *self;
             let [q1, q2, q3] = *q;
             let [q1_dot, q2_dot, q3_dot] = *v;
-            let a2 = q1 + q2;
-            let (sin_a2, cos_a2) = sin_cos(a2);
-            let l2_cos_a2 = l2 * cos_a2;
+            let (sin_q1, cos_q1) = sin_cos(q1);
+            let l1_cos_q1 = l1 * cos_q1;
             let m3_l3 = m3 * l3;
+            let a2 = q1 + q2;
             let a3 = a2 + q3;
             let (sin_a3, cos_a3) = sin_cos(a3);
             let m3_l3_cos_a3 = m3_l3 * cos_a3;
-            let l2_sin_a2 = l2 * sin_a2;
-            let m3_l3_sin_a3 = m3_l3 * sin_a3;
-            let pos_0 = multiply_add(l2_cos_a2, m3_l3_cos_a3, l2_sin_a2 * m3_l3_sin_a3);
-            let (sin_q1, cos_q1) = sin_cos(q1);
             let l1_sin_q1 = l1 * sin_q1;
+            let m3_l3_sin_a3 = m3_l3 * sin_a3;
+            let m_2_2 = l3 * m3_l3;
+            let (sin_a2, cos_a2) = sin_cos(a2);
+            let l2_cos_a2 = l2 * cos_a2;
+            let l2_sin_a2 = l2 * sin_a2;
+            let pos_0 = multiply_add(l2_cos_a2, m3_l3_cos_a3, l2_sin_a2 * m3_l3_sin_a3);
+            let pos_1 = m_2_2 + pos_0;
+            let pos_2 = multiply_add(l1_sin_q1, m3_l3_sin_a3, pos_1);
+            let m_0_2 = multiply_add(l1_cos_q1, m3_l3_cos_a3, pos_2);
             let m2_plus_m3 = m2 + m3;
             let const_0 = l2 * m2_plus_m3;
-            let pos_1 = l1_sin_q1 * multiply_add(const_0, sin_a2, m3_l3_sin_a3);
-            let l1_cos_q1 = l1 * cos_q1;
-            let pos_2 = l1_cos_q1 * multiply_add(const_0, cos_a2, m3_l3_cos_a3);
-            let m_2_2 = l3 * m3_l3;
+            let pos_3 = l1_sin_q1 * multiply_add(const_0, sin_a2, m3_l3_sin_a3);
+            let pos_4 = l1_cos_q1 * multiply_add(const_0, cos_a2, m3_l3_cos_a3);
             let const_1 = multiply_add(l2, const_0, m_2_2);
             let l1_sq = l1 * l1;
             let const_2 = multiply_add(l1_sq, m1 + m2_plus_m3, const_1);
-            let m_0_0 = multiply_add(2.0, pos_0 + pos_1 + pos_2, const_2);
+            let m_0_0 = multiply_add(2.0, pos_0 + pos_3 + pos_4, const_2);
             let inv_m_0_0 = 1.0 / m_0_0;
-            let pos_3 = m_2_2 + pos_0;
-            let pos_4 = multiply_add(l1_sin_q1, m3_l3_sin_a3, pos_3);
-            let m_0_2 = multiply_add(l1_cos_q1, m3_l3_cos_a3, pos_4);
-            let factor_2_0 = inv_m_0_0 * m_0_2;
+            let factor_2_0 = m_0_2 * inv_m_0_0;
             let pos_5 = 2.0 * pos_0;
-            let m_0_1 = const_1 + pos_1 + pos_2 + pos_5;
-            let factor_1_0 = inv_m_0_0 * m_0_1;
+            let m_0_1 = const_1 + pos_3 + pos_4 + pos_5;
+            let factor_1_0 = m_0_1 * inv_m_0_0;
             let pivot_1 = multiply_add(-m_0_1, factor_1_0, const_1) + pos_5;
             let inv_pivot_1 = 1.0 / pivot_1;
-            let pos_6 = multiply_add(-m_0_2, factor_1_0, pos_3);
+            let pos_6 = multiply_add(-m_0_2, factor_1_0, pos_1);
             let factor_2_1 = inv_pivot_1 * pos_6;
             let q1_dot_sq = q1_dot * q1_dot;
             let l1_cos_q1_q1_dot_sq = l1_cos_q1 * q1_dot_sq;
