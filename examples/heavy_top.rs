@@ -20,8 +20,12 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct HeavyTop;
 
-    // Moments of inertia across and along the axis, about the fixed point; weight times distance to it.
-    param i1 = 1.0, i3 = 0.5, mgl = 1.0;
+    /// Moment of inertia across the axis, about the fixed point.
+    param i1 = 1.0;
+    /// Moment of inertia about the axis.
+    param i3 = 0.5;
+    /// Weight times distance of the centre of mass from the fixed point.
+    param mgl = 1.0;
     coord phi, theta, psi;
     let axial = dot(psi) + dot(phi) * cos(theta);
     kinetic = 1/2 * i1 * (dot(theta)^2 + dot(phi)^2 * sin(theta)^2) + 1/2 * i3 * axial^2;

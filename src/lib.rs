@@ -26,6 +26,7 @@
 //! let end = rk4(&pendulum, 0.0, start, 10.0, 10_000, |_, _| {}).unwrap();
 //! let energy = |y: [f64; 2]| pendulum.energy(0.0, &[y[0]], &[y[1]]);
 //! assert!((energy(end) - energy(start)).abs() < 1e-9);
+//! # Ok::<(), lagrange::integrate::IntegrationError<f64, [f64; 2]>>(())
 //! ```
 //!
 //! | where | what |

@@ -14,6 +14,8 @@ const READING_BUDGET: usize = 120;
 const LARGEST_PRESENTED: usize = 300;
 /// Systems with more coordinates are too large for their equations to be read.
 const MOST_COORDINATES: usize = 6;
+/// Systems whose equations are made of more expressions are too large for that, too.
+const LARGEST_SYSTEM: usize = 200;
 /// Equations with more abbreviations are harder to read than the code.
 const MOST_ABBREVIATIONS: usize = 12;
 /// Equations longer than this, in characters, are left out.
@@ -25,10 +27,12 @@ const TOO_LONG: &str =
 /// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
 /// short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
-    if model.coordinates.len() > MOST_COORDINATES {
+    let (mass, forcing) = (equations.mass_matrix.as_ref()?, equations.forcing.as_ref()?);
+    let all = mass.iter().flatten().chain(forcing).copied().collect::<Vec<_>>();
+    if model.coordinates.len() > MOST_COORDINATES || model.graph.reachable(&all).len() > LARGEST_SYSTEM {
         return None;
     }
-    let forcing = readable(&mut model.graph, equations.forcing.as_ref()?);
+    let forcing = readable(&mut model.graph, forcing);
     // The right sides are the longer ones: if they cannot be read, the left ones need not be tried.
     readable_lines(text::definitions(&model.graph, &forcing, LONGEST_EQUATIONS))?;
     let sides = sides(model, equations, &forcing)?;

@@ -2,6 +2,7 @@
 
 use super::monomial::Monomial;
 use super::size::Sizes;
+use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
@@ -16,12 +17,13 @@ pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Ex
     let plain = graph.divide(numerator, denominator);
     let (scale, core) = graph.split_coefficient(denominator);
     let Some(below) = Monomial::of(graph, core, MOST_FACTORS) else { return plain };
-    let common = common_factor(graph, numerator, DEEPEST);
+    let mut canceller = Canceller::default();
+    let common = canceller.common_factor(graph, numerator, DEEPEST);
     let cancels = |(base, _): &(ExprId, Number)| below.exponent(*base).is_some_and(|e| !e.is_negative());
     if !common.factors().iter().any(cancels) {
         return plain;
     }
-    let rest = divide(graph, numerator, &common, DEEPEST);
+    let rest = canceller.divide(graph, numerator, &common, DEEPEST);
     let factor = common.over(&below).build(graph);
     let product = graph.multiply(rest, factor);
     let cancelled = graph.scale(scale.reciprocal().unwrap_or(Number::ONE), product);
@@ -29,46 +31,94 @@ pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Ex
     if sizes.of(graph, cancelled) < sizes.of(graph, plain) { cancelled } else { plain }
 }
 
-/// Positive powers that divide an expression.
-fn common_factor(graph: &Graph, id: ExprId, depth: usize) -> Monomial {
-    let (_, core) = graph.split_coefficient(id);
-    match graph.node(core) {
-        Node::Number(_) => Monomial::default(),
-        Node::Sum { constant, terms } if depth > 0 && constant.is_zero() => {
-            let mut common = terms.iter().map(|(term, _)| common_factor(graph, *term, depth - 1));
-            let first = common.next().unwrap_or_default();
-            common.fold(first, |common, other| common.least(&other))
-        }
-        Node::Product(_) if depth > 0 => {
-            let flat = Monomial::of(graph, core, MOST_FACTORS).unwrap_or_default();
-            let positive = flat.factors().iter().filter(|(_, e)| e.is_integer() && !e.is_negative());
-            positive.fold(Monomial::default(), |common, (base, exponent)| {
-                common.times(&common_factor(graph, *base, depth - 1).power(exponent))
-            })
-        }
-        _ => Monomial::new(vec![(core, Number::ONE)]),
-    }
+/// What is known of the parts of one numerator; parts that occur often are looked into once.
+#[derive(Default)]
+struct Canceller {
+    common: HashMap<ExprId, Monomial>,
+    divided: HashMap<(ExprId, Monomial), ExprId>,
 }
 
-/// The expression divided by positive powers that divide it, with the division done inside of sums.
-fn divide(graph: &mut Graph, id: ExprId, divisor: &Monomial, depth: usize) -> ExprId {
-    if divisor.is_one() {
-        return id;
+impl Canceller {
+    /// Positive powers that divide an expression, as far as they show in `depth` levels of nesting.
+    fn common_factor(&mut self, graph: &Graph, id: ExprId, depth: usize) -> Monomial {
+        if let Some(known) = self.common.get(&id) {
+            return known.clone();
+        }
+        let (_, core) = graph.split_coefficient(id);
+        let common = match graph.node(core) {
+            Node::Number(_) => Monomial::default(),
+            Node::Sum { constant, terms } if depth > 0 && constant.is_zero() => {
+                let mut parts = terms.iter().map(|(term, _)| self.common_factor(graph, *term, depth - 1));
+                let first = parts.next().unwrap_or_default();
+                parts.fold(first, |common, part| common.least(&part))
+            }
+            Node::Product(_) if depth > 0 => {
+                let flat = Monomial::of(graph, core, MOST_FACTORS).unwrap_or_default();
+                let positive = flat.factors().iter().filter(|(_, e)| e.is_integer() && !e.is_negative());
+                positive.fold(Monomial::default(), |common, (base, exponent)| {
+                    common.times(&self.common_factor(graph, *base, depth - 1).power(exponent))
+                })
+            }
+            _ => Monomial::new(vec![(core, Number::ONE)]),
+        };
+        self.common.insert(id, common.clone());
+        common
     }
-    let (coefficient, core) = graph.split_coefficient(id);
-    let quotient = match graph.node(core).clone() {
-        Node::Sum { terms, .. } if depth > 0 => {
-            let divide = |(term, c): &(ExprId, Number)| (divide(graph, *term, divisor, depth - 1), c.clone());
-            let terms = terms.iter().map(divide).collect::<Vec<_>>();
-            flat_sum(graph, terms)
+
+    /// The expression divided by positive powers that divide it, with the division done inside of sums.
+    fn divide(&mut self, graph: &mut Graph, id: ExprId, divisor: &Monomial, depth: usize) -> ExprId {
+        if divisor.is_one() {
+            return id;
         }
-        Node::Product(_) if depth > 0 => divide_product(graph, core, divisor, depth),
-        _ => {
+        let key = (id, divisor.clone());
+        if let Some(&known) = self.divided.get(&key) {
+            return known;
+        }
+        let (coefficient, core) = graph.split_coefficient(id);
+        let quotient = match graph.node(core).clone() {
+            Node::Sum { terms, .. } if depth > 0 => {
+                let terms =
+                    terms.iter().map(|(t, c)| (self.divide(graph, *t, divisor, depth - 1), c.clone()));
+                let terms = terms.collect();
+                flat_sum(graph, terms)
+            }
+            Node::Product(_) if depth > 0 => self.divide_product(graph, core, divisor, depth),
+            _ => {
+                let one_over = divisor.power(&Number::MINUS_ONE).build(graph);
+                graph.multiply(core, one_over)
+            }
+        };
+        let quotient = graph.scale(coefficient, quotient);
+        self.divided.insert(key, quotient);
+        quotient
+    }
+
+    /// Each factor is divided by what it has in common with the divisor.
+    fn divide_product(
+        &mut self,
+        graph: &mut Graph,
+        product: ExprId,
+        divisor: &Monomial,
+        depth: usize,
+    ) -> ExprId {
+        let Some(flat) = Monomial::of(graph, product, MOST_FACTORS) else {
             let one_over = divisor.power(&Number::MINUS_ONE).build(graph);
-            graph.multiply(core, one_over)
+            return graph.multiply(product, one_over);
+        };
+        let mut remaining = divisor.clone();
+        let mut factors = Vec::new();
+        for (base, exponent) in flat.factors() {
+            if remaining.is_one() || !exponent.is_one() {
+                factors.push((*base, exponent.clone()));
+                continue;
+            }
+            let part = self.common_factor(graph, *base, depth - 1).least(&remaining);
+            remaining = remaining.over(&part);
+            factors.push((self.divide(graph, *base, &part, depth - 1), Number::ONE));
         }
-    };
-    graph.scale(coefficient, quotient)
+        let left = remaining.power(&Number::MINUS_ONE);
+        graph.product(factors.into_iter().chain(left.factors().iter().cloned()))
+    }
 }
 
 /// The sum of terms with nested sums and products opened, so that what cancels between them does.
@@ -94,23 +144,6 @@ fn flat_product(graph: &mut Graph, id: ExprId) -> ExprId {
         Node::Product(_) => Monomial::of(graph, id, MOST_FACTORS).map_or(id, |flat| flat.build(graph)),
         _ => id,
     }
-}
-
-/// Each factor is divided by what it has in common with the divisor.
-fn divide_product(graph: &mut Graph, product: ExprId, divisor: &Monomial, depth: usize) -> ExprId {
-    let mut remaining = divisor.clone();
-    let mut factors = Vec::new();
-    for (base, exponent) in Monomial::of(graph, product, MOST_FACTORS).unwrap_or_default().factors() {
-        if remaining.is_one() || !exponent.is_one() {
-            factors.push((*base, exponent.clone()));
-            continue;
-        }
-        let part = common_factor(graph, *base, depth - 1).least(&remaining);
-        remaining = remaining.over(&part);
-        factors.push((divide(graph, *base, &part, depth - 1), Number::ONE));
-    }
-    let left = remaining.power(&Number::MINUS_ONE);
-    graph.product(factors.into_iter().chain(left.factors().iter().cloned()))
 }
 
 #[cfg(test)]
@@ -140,6 +173,12 @@ mod tests {
         let nested = product(&mut g, &[l, nested]);
         let short = g.add(numerator, l);
         assert_eq!(quotient(&mut g, nested, inertia), short);
+
+        let shifted = g.sum(Number::ONE, [(x, Number::ONE)]);
+        let numerator = product(&mut g, &[m, k, shifted]);
+        let denominator = product(&mut g, &[m, shifted, shifted]);
+        let expected = g.divide(k, shifted);
+        assert_eq!(quotient(&mut g, numerator, denominator), expected);
 
         let foreign = g.add(weight, k);
         let plain = g.divide(foreign, inertia);

@@ -1,0 +1,87 @@
+//! Emitted code against the best by hand, in turns: a table of ratios that a busy machine hardly disturbs.
+//!
+//! Each round times every implementation for a few hundred microseconds, so that all of them see the same
+//! load; the ratio is the median over the rounds, times are minima. `benches/evaluation.rs` has the statistics
+//! of each implementation by itself.
+
+mod chains;
+mod handwritten;
+
+use std::array::from_fn;
+use std::hint::black_box;
+use std::time::Instant;
+
+use lagrange::system::MechanicalSystem;
+
+use chains::{absolute_2, absolute_5, absolute_10, absolute_20, relative_4, relative_8};
+use handwritten::{absolute_chain, absolute_chain_recursive, double_pendulum, relative_chain};
+
+const GRAVITY: f64 = 9.81;
+const ROUNDS: usize = 150;
+const EVALUATIONS: usize = 3000;
+
+/// Nanoseconds per evaluation, where each one waits for the one before.
+#[inline(never)]
+fn time<const N: usize>(mut accelerations: impl FnMut(&[f64; N], &[f64; N]) -> [f64; N]) -> f64 {
+    let start: [f64; N] = black_box(from_fn(|k| 0.3 + 0.17 * k as f64));
+    let v: [f64; N] = black_box(from_fn(|k| -0.5 + 0.23 * k as f64));
+    let mut q = start;
+    let began = Instant::now();
+    for _ in 0..EVALUATIONS {
+        let a = accelerations(&q, &v);
+        q = from_fn(|k| start[k] + 1e-200 * a[k]);
+    }
+    black_box(q);
+    began.elapsed().as_nanos() as f64 / EVALUATIONS as f64
+}
+
+type Parameters<const N: usize> = ([f64; N], [f64; N], f64);
+
+fn time_by_hand<const N: usize>(
+    parameters: &Parameters<N>,
+    accelerations: &impl Fn(&[f64; N], &[f64; N], &[f64; N], &[f64; N], f64) -> [f64; N],
+) -> f64 {
+    time(|q, v| {
+        let (m, l, g) = black_box(parameters);
+        accelerations(q, v, m, l, *g)
+    })
+}
+
+/// Times the emitted type that `build` makes, and the faster of two functions.
+fn compare<const N: usize, M>(
+    name: &str,
+    build: fn(&[f64; N], &[f64; N], f64) -> M,
+    one: impl Fn(&[f64; N], &[f64; N], &[f64; N], &[f64; N], f64) -> [f64; N],
+    other: impl Fn(&[f64; N], &[f64; N], &[f64; N], &[f64; N], f64) -> [f64; N],
+) where
+    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N]>,
+{
+    let parameters = (from_fn(|k| 1.0 + 0.1 * k as f64), from_fn(|k| 0.8 + 0.05 * k as f64), GRAVITY);
+    let system = build(&parameters.0, &parameters.1, GRAVITY);
+    let rounds = (0..ROUNDS).map(|_| {
+        let emitted = time(|q, v| black_box(&system).acceleration(0.0, q, v));
+        let (one, other) = (time_by_hand(&parameters, &one), time_by_hand(&parameters, &other));
+        (emitted, one.min(other))
+    });
+    report(name, &rounds.collect::<Vec<_>>());
+}
+
+fn report(name: &str, rounds: &[(f64, f64)]) {
+    let fastest = |times: &mut dyn Iterator<Item = f64>| times.fold(f64::INFINITY, f64::min);
+    let emitted = fastest(&mut rounds.iter().map(|(emitted, _)| *emitted));
+    let by_hand = fastest(&mut rounds.iter().map(|(_, by_hand)| *by_hand));
+    let mut ratios = rounds.iter().map(|(emitted, by_hand)| emitted / by_hand).collect::<Vec<_>>();
+    ratios.sort_by(f64::total_cmp);
+    println!("{name:<16} {emitted:6.0} ns {by_hand:6.0} ns {:6.2}", ratios[ratios.len() / 2]);
+}
+
+fn main() {
+    println!("{:<16} {:>9} {:>9} {:>6}", "", "emitted", "by hand", "ratio");
+    compare("double pendulum", absolute_2::chain, double_pendulum, double_pendulum);
+    compare("absolute 2", absolute_2::chain, absolute_chain, absolute_chain_recursive);
+    compare("absolute 5", absolute_5::chain, absolute_chain, absolute_chain_recursive);
+    compare("absolute 10", absolute_10::chain, absolute_chain, absolute_chain_recursive);
+    compare("absolute 20", absolute_20::chain, absolute_chain, absolute_chain_recursive);
+    compare("relative 4", relative_4::chain, relative_chain, relative_chain);
+    compare("relative 8", relative_8::chain, relative_chain, relative_chain);
+}
