@@ -92,43 +92,46 @@ fn is_known(graph: &Graph, id: ExprId) -> bool {
     matches!(graph.node(id), Node::Call(Sin | Cos | Sinh | Cosh, _))
 }
 
-fn remove_all(graph: &mut Graph, origin: ExprId, removed: &Monomial) -> ExprId {
-    removed.factors().iter().fold(origin, |id, (base, exponent)| remove(graph, id, *base, exponent))
-}
-
-/// `product / base ^ exponent`, keeping the nesting where the base stands in the product itself or in one
-/// of its factors.
-fn remove(graph: &mut Graph, product: ExprId, base: ExprId, exponent: &Number) -> ExprId {
-    let Node::Product(factors) = graph.node(product).clone() else {
-        return graph.product([(product, Number::ONE), (base, -exponent)]);
-    };
-    let mut factors = factors.into_vec();
-    let direct = factors.iter().any(|(factor, _)| *factor == base);
-    let nested_in = |(factor, outer): &(ExprId, Number)| outer.is_integer() && holds(graph, *factor, base);
-    if !direct && let Some(position) = factors.iter().position(nested_in) {
-        let (nested, outer) = factors[position].clone();
-        let inner = exponent_of(graph, nested, base);
-        factors[position].0 = graph.product([(nested, Number::ONE), (base, -&inner)]);
-        factors.push((base, &inner * &outer));
-    } else if !direct {
-        let flat = Monomial::of(graph, product, MOST_FACTORS);
-        factors = flat.map_or(factors, |flat| flat.factors().to_vec());
+/// `product / removed`, keeping the nesting.
+fn remove_all(graph: &mut Graph, product: ExprId, removed: &Monomial) -> ExprId {
+    let mut rest = product;
+    for (base, exponent) in removed.factors() {
+        match exponent.to_i32().map(|exponent| (exponent, take_out(graph, rest, *base, exponent))) {
+            Some((exponent, (without, taken))) if taken == exponent => rest = without,
+            _ => return divide_flat(graph, product, removed),
+        }
     }
-    factors.push((base, -exponent));
-    graph.product(factors)
+    rest
 }
 
-fn holds(graph: &Graph, product: ExprId, base: ExprId) -> bool {
-    !exponent_of(graph, product, base).is_zero()
+/// The product without up to `wanted` powers of `base`, wherever they stand in it, and how many were found.
+fn take_out(graph: &mut Graph, product: ExprId, base: ExprId, wanted: i32) -> (ExprId, i32) {
+    let Node::Product(factors) = graph.node(product).clone() else { return (product, 0) };
+    let mut factors = factors.into_vec();
+    let mut taken = 0;
+    for (factor, exponent) in &mut factors {
+        let Some(power) = exponent.to_i32().filter(|&power| power > 0) else { continue };
+        let missing = wanted - taken;
+        if *factor == base {
+            let found = power.min(missing);
+            *exponent = Number::from(i64::from(power - found));
+            taken += found;
+        } else if missing >= power {
+            let (without, found) = take_out(graph, *factor, base, missing / power);
+            *factor = without;
+            taken += found * power;
+        }
+    }
+    (graph.product(factors), taken)
 }
 
-/// The exponent with which `base` stands in a product.
-fn exponent_of(graph: &Graph, product: ExprId, base: ExprId) -> Number {
-    match graph.node(product) {
-        Node::Product(factors) => factors
-            .iter()
-            .find(|(factor, _)| *factor == base)
-            .map_or(Number::ZERO, |(_, exponent)| exponent.clone()),
-        _ => Number::ZERO,
+fn divide_flat(graph: &mut Graph, product: ExprId, removed: &Monomial) -> ExprId {
+    match Monomial::of(graph, product, MOST_FACTORS) {
+        Some(flat) => flat.over(removed).build(graph),
+        None => graph.product(
+            [(product, Number::ONE)]
+                .into_iter()
+                .chain(removed.power(&Number::MINUS_ONE).factors().iter().cloned()),
+        ),
     }
 }

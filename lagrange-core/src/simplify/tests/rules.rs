@@ -137,6 +137,20 @@ fn joined_terms_are_joined_again() {
 }
 
 #[test]
+fn removing_a_square_never_divides() {
+    let mut g = Graph::new();
+    let [m, l, sin, cos] = pendulum(&mut g);
+    let nested = [sin, cos].map(|f| {
+        let arm = g.multiply(l, f);
+        let weighted = g.multiply(m, arm);
+        g.multiply(arm, weighted)
+    });
+    let total = collect(&mut g, nested.map(one).to_vec());
+    assert_eq!(evaluate(&g, &[total], |role| if role == Role::Coordinate(0) { 0.0 } else { 2.0 }), [8.0]);
+    assert!(!g.reachable(&[total]).contains(&sin) && !g.reachable(&[total]).contains(&cos));
+}
+
+#[test]
 fn products_cancel_however_they_are_nested() {
     let mut g = Graph::new();
     let [q, r, s] = coordinates(&mut g);
