@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::sweep::Step;
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
@@ -139,6 +140,47 @@ impl QuadraticForm {
                 let value = if a == j { graph.scale(Number::TWO, value) } else { value };
                 self.add_pair(graph, a, j, value);
             }
+        }
+    }
+}
+
+/// Substitution of multiples of one variable.
+impl QuadraticForm {
+    /// Performs one step of a sweep.
+    pub(super) fn apply(&mut self, graph: &mut Graph, step: &Step) {
+        match step {
+            Step::Replace(id, parts) => self.push(graph, *id, parts),
+            Step::Collapse(target, multiples) => self.collapse(graph, *target, multiples),
+        }
+    }
+
+    /// Substitutes xᵢ = tᵢ·y for all `multiples` (xᵢ, tᵢ) of y at once.
+    ///
+    /// The square of y then gets Σ tⱼ·wⱼ with wⱼ = Σ tᵢ Wᵢⱼ. If another velocity stands in the form as xⱼ
+    /// does, as the velocity of the body that carries this one, wⱼ is also its coefficient with y.
+    fn collapse(&mut self, graph: &mut Graph, y: ExprId, multiples: &[(ExprId, ExprId)]) {
+        let mut among: BTreeMap<ExprId, Contributions> = BTreeMap::new();
+        let slope_of = multiples.iter().copied().collect::<HashMap<_, _>>();
+        for &(i, slope) in multiples {
+            let row = self.take(graph, i);
+            let linear = graph.multiply(slope, row.linear);
+            self.add_linear(graph, y, linear);
+            among.entry(i).or_default().push((graph.multiply(slope, row.own), Number::ONE));
+            for (j, weight) in row.pairs {
+                let value = graph.multiply(slope, weight);
+                if let Some(&other) = slope_of.get(&j) {
+                    among.entry(j).or_default().push((value, Number::ONE));
+                    among.entry(i).or_default().push((graph.multiply(other, weight), Number::ONE));
+                } else {
+                    let value = if j == y { graph.scale(Number::TWO, value) } else { value };
+                    self.add_pair(graph, y, j, value);
+                }
+            }
+        }
+        for &(j, slope) in multiples {
+            let weight = total(graph, among.remove(&j));
+            let square = graph.multiply(slope, weight);
+            self.add_pair(graph, y, y, square);
         }
     }
 }

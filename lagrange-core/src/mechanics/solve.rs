@@ -1,7 +1,7 @@
 //! Elimination: from the quadratic form to mass matrix, forcing and accelerations.
 
 use super::form::QuadraticForm;
-use super::sweep::Sweep;
+use super::sweep::{Multiples, Sweep};
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
@@ -9,9 +9,9 @@ use crate::simplify;
 
 /// Pushes everything down to the generalised velocities.
 pub(super) fn push_down(graph: &mut Graph, mut form: QuadraticForm, velocities: &[ExprId]) -> QuadraticForm {
-    let mut sweep = Sweep::new(graph, &form.variables(), velocities);
-    while let Some((id, parts)) = sweep.next_inner() {
-        form.push(graph, id, &parts);
+    let mut sweep = Sweep::new(graph, &form.variables(), velocities, Multiples::Kept);
+    while let Some(step) = sweep.next_step() {
+        form.apply(graph, &step);
     }
     form
 }
@@ -62,13 +62,13 @@ pub(super) fn solve_recursive(
     mut form: QuadraticForm,
     velocities: &[ExprId],
 ) -> Option<Solution> {
-    let mut sweep = Sweep::new(graph, &form.variables(), velocities);
+    let mut sweep = Sweep::new(graph, &form.variables(), velocities, Multiples::Merged);
     let mut eliminated = Vec::new();
     loop {
         if let Some(velocity) = sweep.next_leaf() {
             eliminated.push(eliminate(graph, &mut form, velocity)?);
-        } else if let Some((id, parts)) = sweep.next_inner() {
-            form.push(graph, id, &parts);
+        } else if let Some(step) = sweep.next_step() {
+            form.apply(graph, &step);
         } else {
             break;
         }

@@ -22,13 +22,35 @@ struct Variable {
     rank: usize,
     /// Variables made of this one that are still unprocessed.
     users: usize,
+    /// Multiples of this variable that wait to be replaced together.
+    multiples: Vec<ExprId>,
+}
+
+/// What becomes of a multiple of a multiple of a variable, `l·(cos q·q̇)`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Multiples {
+    /// Two substitutions: weights are multiplied with `l` once for all that is pushed through. This is
+    /// cheaper where the coefficients of all velocities meet.
+    Kept,
+    /// One substitution with the slope `l·cos q`, which positions and accelerations need, too. This is
+    /// cheaper where few coefficients are left.
+    Merged,
+}
+
+/// What to do next with the form.
+#[derive(Debug)]
+pub(super) enum Step {
+    /// Substitute the sum of its parts for a variable.
+    Replace(ExprId, Vec<(ExprId, ExprId)>),
+    /// Substitute `slope · target` for each of the variables.
+    Collapse(ExprId, Vec<(ExprId, ExprId)>),
 }
 
 /// What may be processed next.
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
     variables: OrderedMap<ExprId, Variable>,
-    /// Ready variables by rank.
+    /// Ready variables by rank; of multiples of the same variable, one stands for all.
     inner: BTreeSet<(usize, ExprId)>,
     /// Ready generalised velocities.
     leaves: BTreeSet<ExprId>,
@@ -37,7 +59,12 @@ pub(super) struct Sweep {
 
 impl Sweep {
     /// The sweep from `heads`, which must be affine, to `velocities`.
-    pub(super) fn new(graph: &mut Graph, heads: &[ExprId], velocities: &[ExprId]) -> Sweep {
+    pub(super) fn new(
+        graph: &mut Graph,
+        heads: &[ExprId],
+        velocities: &[ExprId],
+        multiples: Multiples,
+    ) -> Sweep {
         let velocities = velocities.iter().map(|&v| (v, ())).collect::<HashMap<_, _>>();
         let mut sweep = Sweep {
             variables: affine_variables(graph, heads, &velocities),
@@ -45,21 +72,54 @@ impl Sweep {
             leaves: BTreeSet::new(),
             velocities,
         };
-        sweep.rank(heads);
-        let ids = sweep.variables.iter().map(|(id, _)| *id).collect::<Vec<_>>();
-        for &id in &ids {
-            for (part, _) in sweep.parts(id).to_vec() {
-                if let Some(variable) = sweep.variables.get_mut(&part) {
-                    variable.users += 1;
-                }
-            }
+        sweep.count_users();
+        if multiples == Multiples::Merged {
+            sweep.skip_multiples_of_multiples(graph, heads);
+            sweep.count_users();
         }
-        for id in ids {
+        sweep.rank(heads);
+        for id in sweep.ids() {
             if sweep.variables.get(&id).is_some_and(|variable| variable.users == 0) {
                 sweep.make_ready(id);
             }
         }
         sweep
+    }
+
+    fn ids(&self) -> Vec<ExprId> {
+        self.variables.iter().map(|(id, _)| *id).collect()
+    }
+
+    fn count_users(&mut self) {
+        let ids = self.ids();
+        for id in &ids {
+            self.variables.get_mut(id).into_iter().for_each(|variable| variable.users = 0);
+        }
+        for id in ids {
+            for (part, _) in self.parts(id).to_vec() {
+                self.variables.get_mut(&part).into_iter().for_each(|variable| variable.users += 1);
+            }
+        }
+    }
+
+    /// Writes a multiple of a multiple as a multiple of what is below, if nothing else needs the one
+    /// between: `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` is often there already.
+    fn skip_multiples_of_multiples(&mut self, graph: &mut Graph, heads: &[ExprId]) {
+        let is_head = heads.iter().map(|&head| (head, ())).collect::<HashMap<_, _>>();
+        for id in self.ids() {
+            let &[(part, slope)] = self.parts(id) else { continue };
+            let &[(below, inner)] = self.parts(part) else { continue };
+            let only_user = self.variables.get(&part).is_some_and(|variable| variable.users == 1);
+            if only_user && !is_head.contains(&part) {
+                let slope = graph.multiply(slope, inner);
+                self.set_parts(id, vec![(below, slope)]);
+                self.set_parts(part, Vec::new());
+            }
+        }
+    }
+
+    fn set_parts(&mut self, id: ExprId, parts: Vec<(ExprId, ExprId)>) {
+        self.variables.get_mut(&id).into_iter().for_each(|variable| variable.parts.clone_from(&parts));
     }
 
     /// Ranks variables in depth-first order, parts before wholes and the farthest part first. Processing
@@ -99,27 +159,73 @@ impl Sweep {
         self.variables.get(&id).map_or(0, |variable| variable.height)
     }
 
+    /// Called once for each variable, when nothing unprocessed is made of it.
     fn make_ready(&mut self, id: ExprId) {
         if self.velocities.contains(&id) {
             self.leaves.insert(id);
-        } else {
-            let rank = self.variables.get(&id).map_or(0, |variable| variable.rank);
-            self.inner.insert((rank, id));
+            return;
+        }
+        match *self.parts(id) {
+            // Skipped by what was made of it.
+            [] => {}
+            [(target, _)] => {
+                let Some(variable) = self.variables.get_mut(&target) else { return };
+                variable.multiples.push(id);
+                self.collapse_if_complete(target);
+            }
+            _ => {
+                self.inner.insert((self.rank_of(id), id));
+            }
         }
     }
 
-    /// The next variable to push, and its parts.
-    pub(super) fn next_inner(&mut self) -> Option<(ExprId, Vec<(ExprId, ExprId)>)> {
+    /// Multiples of a variable are ready when nothing else is unprocessed that is made of it.
+    fn collapse_if_complete(&mut self, target: ExprId) {
+        let Some(variable) = self.variables.get(&target) else { return };
+        let last = variable.multiples.iter().map(|&id| (self.rank_of(id), id)).max();
+        if variable.users == variable.multiples.len() {
+            self.inner.extend(last);
+        }
+    }
+
+    fn rank_of(&self, id: ExprId) -> usize {
+        self.variables.get(&id).map_or(0, |variable| variable.rank)
+    }
+
+    /// The next substitution.
+    pub(super) fn next_step(&mut self) -> Option<Step> {
         let (_, id) = self.inner.pop_last()?;
+        if let [(target, _)] = *self.parts(id) {
+            return Some(self.collapse(target));
+        }
         let parts = self.parts(id).to_vec();
         for &(part, _) in &parts {
-            let Some(variable) = self.variables.get_mut(&part) else { continue };
-            variable.users -= 1;
-            if variable.users == 0 {
-                self.make_ready(part);
-            }
+            self.variables.get_mut(&part).into_iter().for_each(|variable| variable.users -= 1);
+            self.collapse_if_complete(part);
+            self.ready_if_unused(part);
         }
-        Some((id, parts))
+        Some(Step::Replace(id, parts))
+    }
+
+    fn collapse(&mut self, target: ExprId) -> Step {
+        let multiples = match self.variables.get_mut(&target) {
+            Some(variable) => {
+                variable.users = 0;
+                std::mem::take(&mut variable.multiples)
+            }
+            None => Vec::new(),
+        };
+        let slopes =
+            multiples.iter().flat_map(|&id| self.parts(id).iter().map(move |&(_, slope)| (id, slope)));
+        let slopes = slopes.collect();
+        self.ready_if_unused(target);
+        Step::Collapse(target, slopes)
+    }
+
+    fn ready_if_unused(&mut self, id: ExprId) {
+        if self.variables.get(&id).is_some_and(|variable| variable.users == 0) {
+            self.make_ready(id);
+        }
     }
 
     /// The next generalised velocity that nothing unprocessed depends on.
@@ -149,7 +255,7 @@ fn affine_variables(
         let parts = if velocities.contains(&id) { Vec::new() } else { affine_parts(graph, &degrees, id) };
         let heights = parts.iter().filter_map(|(part, _)| Some(variables.get(part)?.height + 1));
         let height = heights.max().unwrap_or(0);
-        variables.insert(id, Variable { parts, height, rank: 0, users: 0 });
+        variables.insert(id, Variable { parts, height, rank: 0, users: 0, multiples: Vec::new() });
     }
     variables
 }
