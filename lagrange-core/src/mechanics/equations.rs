@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::cost::cost;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
 use super::messages;
@@ -151,29 +152,6 @@ fn solve(
         (None, Some(recursive)) => Ok((recursive, Road::Recursive, costs)),
         (None, None) => Err(SingularMassMatrix),
     }
-}
-
-/// Arithmetic operations, with divisions and functions weighted by what they take on current processors.
-fn cost(graph: &Graph, roots: &[ExprId]) -> f64 {
-    let is_unit = |c: &Number| c.abs().is_one();
-    let of_node = |id: ExprId| match graph.node(id) {
-        Node::Number(_) | Node::Pi | Node::Symbol(_) => 0,
-        Node::Sum { constant, terms } => {
-            let additions = terms.len() - usize::from(constant.is_zero());
-            additions + terms.iter().filter(|(_, c)| !is_unit(c)).count()
-        }
-        Node::Product(factors) => {
-            let powers = factors.iter().map(|(_, exponent)| match exponent.to_i32() {
-                Some(1) => 0,
-                Some(positive) if positive > 0 => 1,
-                _ => 5,
-            });
-            factors.len() - 1 + powers.sum::<usize>()
-        }
-        Node::Call(..) => 20,
-        Node::Choose { .. } => 2,
-    };
-    graph.reachable(roots).into_iter().map(of_node).sum::<usize>() as f64
 }
 
 /// Removes couplings that vanish without showing it, as between polar coordinates that were written down by

@@ -4,6 +4,7 @@
 //! expressions. [`Equations`] derives from a model what the emitted methods return.
 
 mod check;
+mod cost;
 mod elaborate;
 mod equations;
 mod expression;

@@ -113,8 +113,11 @@ const _: () = {
             let vel_2 = multiply_add(-vel_1, theta_dot, vel_0 * sin_theta_theta_dot);
             let phi_dot_sq = phi_dot * phi_dot;
             let vel_3 = multiply_add(-sin_theta * phi_dot, vel_0, m * h * g * sin_theta);
-            let forcing_1 = multiply_add(cos_theta * i1_sin_theta, phi_dot_sq, vel_3);
-            [multiply_add(cos_theta, forcing_2, vel_2), forcing_1, forcing_2]
+            [
+                multiply_add(cos_theta, forcing_2, vel_2),
+                multiply_add(cos_theta * i1_sin_theta, phi_dot_sq, vel_3),
+                forcing_2,
+            ]
         }
         /// Generalised momenta ∂L/∂v.
         ///
