@@ -12,10 +12,18 @@ use super::structure::{Structure, vanishes};
 use crate::calculus::{AccelerationTerms, gradient, homogeneity};
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
+use crate::simplify;
 
 /// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
 /// the factorisation down would be all that the trial finds.
 const LARGEST_TRIAL: usize = 40;
+
+/// Systems with more coordinates are not multiplied out on trial.
+const MOST_MULTIPLIED_OUT: usize = 4;
+/// The same for systems made of more expressions.
+const LARGEST_MULTIPLIED_OUT: usize = 300;
+/// Monomials up to which coefficients are multiplied out.
+const MULTIPLYING_BUDGET: usize = 60;
 
 /// How the accelerations are computed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -91,6 +99,7 @@ impl Equations {
         let form = gauss_form(model, &split, AccelerationTerms::Dropped, Terms::All);
         let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
         separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
+        let pushed = cheaper_coefficients(&mut model.graph, pushed, &velocities);
         let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
         let forcing = forcing(&mut model.graph, &pushed, &velocities);
         let (solution, road, costs) = solve(&mut model.graph, form, pushed, &velocities, choice)?;
@@ -165,6 +174,41 @@ fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities:
             }
         }
     }
+}
+
+/// The form as it is or, for a small system, with its coefficients multiplied out, whichever leads to the
+/// accelerations at less cost. What a coordinate does to itself often cancels when multiplied out, but sharing
+/// beats that from a few coordinates on.
+fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, velocities: &[ExprId]) -> QuadraticForm {
+    let Some(expanded) = multiplied_out(graph, &pushed, velocities) else { return pushed };
+    let costs = [&pushed, &expanded].map(|form| {
+        let solution = solve_dense(graph, form.clone(), velocities)?;
+        Some(cost(graph, &solution.accelerations))
+    });
+    match costs {
+        [Some(as_it_is), Some(multiplied_out)] if multiplied_out < as_it_is => expanded,
+        _ => pushed,
+    }
+}
+
+fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Option<QuadraticForm> {
+    if velocities.len() > MOST_MULTIPLIED_OUT {
+        return None;
+    }
+    let pairs =
+        velocities.iter().enumerate().flat_map(|(n, &i)| velocities[n..].iter().map(move |&j| (i, j)));
+    let pairs = pairs.collect::<Vec<_>>();
+    let mut coefficients = pairs.iter().map(|&(i, j)| pushed.coefficient(graph, i, j)).collect::<Vec<_>>();
+    coefficients.extend(velocities.iter().map(|&v| pushed.linear(graph, v)).collect::<Vec<_>>());
+    if graph.reachable(&coefficients).len() > LARGEST_MULTIPLIED_OUT {
+        return None;
+    }
+    let expanded = simplify::multiply_out(graph, &coefficients, MULTIPLYING_BUDGET);
+    let (quadratic, linear) = expanded.split_at(pairs.len());
+    let mut form = QuadraticForm::default();
+    pairs.iter().zip(quadratic).for_each(|(&(i, j), &value)| form.add_pair(graph, i, j, value));
+    velocities.iter().zip(linear).for_each(|(&v, &value)| form.add_linear(graph, v, value));
+    Some(form)
 }
 
 fn mass_matrix(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Vec<Vec<ExprId>> {

@@ -6,11 +6,11 @@
 
 use std::rc::Rc;
 
-use super::group::group;
+use super::group::{gather_waves, group};
 use super::monomial::Term;
 use super::pairs::join;
 use super::polynomial::Polynomial;
-use super::rules::RULES;
+use super::rules::{RULES, Rule, squares};
 use super::size::Sizes;
 use super::waves;
 use crate::calculus::substitute;
@@ -31,6 +31,8 @@ pub(super) enum Purpose {
     Reading,
     /// As few different ways of writing the same value as possible.
     Comparing,
+    /// Few operations, none of which loses digits that the expression as it stands keeps.
+    Computing,
 }
 
 /// Polynomials of expressions, each found once.
@@ -82,7 +84,9 @@ impl Expander {
     /// sines replaced for comparing.
     pub(super) fn simplified(&mut self, graph: &mut Graph, polynomial: &Polynomial) -> Option<Polynomial> {
         match self.purpose {
-            Purpose::Reading => Some(apply_rules(graph, polynomial)),
+            Purpose::Reading => Some(apply_rules(graph, &RULES, polynomial)),
+            // Sums of angles would take a sine or cosine more.
+            Purpose::Computing => Some(apply_rules(graph, squares(), polynomial)),
             Purpose::Comparing => waves::reduce(self, graph, polynomial),
         }
     }
@@ -94,6 +98,7 @@ impl Expander {
         }
         let form = match self.purpose {
             Purpose::Comparing => self.grouped(graph, id).unwrap_or(id),
+            Purpose::Computing => id,
             Purpose::Reading => {
                 let as_it_is = self.with_readable_parts(graph, id);
                 let grouped = self.grouped(graph, id).unwrap_or(as_it_is);
@@ -106,10 +111,13 @@ impl Expander {
     }
 
     /// The polynomial simplified and regrouped, if the effort left allows that.
-    fn grouped(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    pub(super) fn grouped(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         let polynomial = self.polynomial(graph, id);
         self.spend(polynomial.len())?;
-        let simplified = self.simplified(graph, &polynomial)?;
+        let mut simplified = self.simplified(graph, &polynomial)?;
+        if self.purpose == Purpose::Computing {
+            simplified = gather_waves(graph, &simplified);
+        }
         Some(group(graph, &simplified))
     }
 
@@ -147,6 +155,9 @@ impl Expander {
         match graph.node(id).clone() {
             Node::Number(value) => Some(Polynomial::constant(value)),
             Node::Pi | Node::Symbol(_) => Some(Polynomial::atom(graph, id)),
+            Node::Sum { terms, .. } if self.purpose == Purpose::Computing && is_difference(graph, &terms) => {
+                Some(Polynomial::atom(graph, id))
+            }
             Node::Sum { constant, terms } => self.expand_sum(graph, constant, &terms),
             Node::Product(factors) => {
                 let mut product = Polynomial::constant(Number::ONE);
@@ -208,12 +219,24 @@ impl Expander {
     }
 }
 
+/// Whether a sum takes the difference of symbols or of products of symbols, as a spring does of its length and
+/// its length at rest. Multiplied out, it would round where the difference of near numbers is exact.
+fn is_difference(graph: &Graph, terms: &[(ExprId, Number)]) -> bool {
+    let is_symbol = |id: ExprId| matches!(graph.node(id), Node::Symbol(_));
+    let is_plain = |id: ExprId| match graph.node(id) {
+        Node::Product(factors) => factors.iter().all(|(base, _)| is_symbol(*base)),
+        _ => is_symbol(id),
+    };
+    let is_negative = |(_, coefficient): &(ExprId, Number)| coefficient.is_negative();
+    terms.iter().all(|(term, _)| is_plain(*term)) && terms.iter().any(is_negative)
+}
+
 /// Applies the rules and collects equal terms until neither changes anything.
-fn apply_rules(graph: &mut Graph, polynomial: &Polynomial) -> Polynomial {
+fn apply_rules(graph: &mut Graph, rules: &[Rule], polynomial: &Polynomial) -> Polynomial {
     let mut polynomial = polynomial.clone();
     loop {
         let before = polynomial.len();
-        let joined = join(graph, &RULES, polynomial.terms());
+        let joined = join(graph, rules, polynomial.terms());
         polynomial = Polynomial::of_terms(joined.into_iter().map(|joined| joined.term));
         if polynomial.len() == before {
             return polynomial;

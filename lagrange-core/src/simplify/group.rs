@@ -6,7 +6,7 @@
 use super::monomial::{Monomial, Term};
 use super::polynomial::Polynomial;
 use crate::collections::OrderedMap;
-use crate::expr::{ExprId, Graph, Node};
+use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
 /// Coefficients of more terms than this are not searched for common factors.
@@ -29,6 +29,25 @@ pub(super) fn group(graph: &mut Graph, polynomial: &Polynomial) -> ExprId {
         }
     }
     graph.sum(Number::ZERO, parts)
+}
+
+/// The polynomial with terms that differ only in sines and cosines put together: what stands in brackets,
+/// like sin a cos b − cos a sin b, is often needed again.
+pub(super) fn gather_waves(graph: &mut Graph, polynomial: &Polynomial) -> Polynomial {
+    let is_wave = |graph: &Graph, base: ExprId| {
+        matches!(graph.node(base), Node::Call(Function::Sin | Function::Cos, _))
+    };
+    let classes = classify(polynomial.terms(), |base, _| !is_wave(graph, base));
+    let gathered = classes.into_iter().flat_map(|(key, waves)| {
+        if waves.len() == 1 {
+            return waves.iter().map(|wave| wave.times(&key)).collect::<Vec<_>>();
+        }
+        let sum = waves.iter().map(|wave| wave.build(graph)).collect::<Vec<_>>();
+        let sum = graph.sum(Number::ZERO, sum);
+        let (coefficient, core) = graph.split_coefficient(sum);
+        vec![Term { coefficient, monomial: key.times_power(core, 1) }]
+    });
+    Polynomial::of_terms(gathered.collect::<Vec<_>>())
 }
 
 impl Term {

@@ -3,9 +3,10 @@
 //! [`RULES`] lists every identity that is used, with its domain and the reason why applying it ends.
 //! [`collect`] is for the equations themselves: it removes what a rule removes and otherwise leaves the
 //! nesting of a formula alone, because that nesting is what keeps derived equations small; [`quotient`] cancels
-//! what the equation of a single coordinate shares with its inertia. [`present`] is for readers: it multiplies
-//! out within a budget and regroups. [`proves_zero`] multiplies out to decide whether nothing is left. Neither
-//! of the last two is fit for the equations that become code.
+//! what the equation of a single coordinate shares with its inertia; [`multiply_out`] is for small systems, where
+//! what cancels is worth more than what is shared. [`present`] is for readers: it multiplies out within a budget
+//! and regroups. [`proves_zero`] multiplies out to decide whether nothing is left. Neither of the last two is
+//! fit for the equations that become code.
 //!
 //! Every result equals its input wherever the input is defined; it may be defined in more places.
 
@@ -23,7 +24,7 @@ mod waves;
 
 pub use cancel::quotient;
 pub use collect::collect;
-pub use present::{present, present_all, proves_zero};
+pub use present::{multiply_out, present, present_all, proves_zero};
 pub use rules::{Arguments, RULES, Rule};
 
 #[cfg(test)]

@@ -38,6 +38,18 @@ pub fn present_all(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<Ex
     current
 }
 
+/// Equal expressions, multiplied out and regrouped within `budget` monomials, for evaluation: no function is
+/// added, and differences of symbols stay closed, so that nothing is rounded that was exact. They need not
+/// be cheaper; that is for the caller to count.
+pub fn multiply_out(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<ExprId> {
+    let mut expander = Expander::new(Purpose::Computing, budget);
+    let mut expanded = |expr: &ExprId| {
+        let form = expander.expand_all(graph, *expr).and_then(|()| expander.grouped(graph, *expr));
+        form.unwrap_or(*expr)
+    };
+    exprs.iter().map(&mut expanded).collect()
+}
+
 /// Whether the value is zero everywhere, as far as multiplying out shows within `budget` monomials.
 ///
 /// Sines and cosines of sums are expanded, so that every polynomial identity between sines and cosines

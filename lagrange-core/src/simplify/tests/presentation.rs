@@ -5,7 +5,7 @@ use crate::calculus::{evaluate, partial};
 use crate::expr::{ExprId, Function, Graph, Relation};
 use crate::functions::apply;
 use crate::number::Number;
-use crate::simplify::{collect, present, proves_zero};
+use crate::simplify::{collect, multiply_out, present, proves_zero};
 use crate::symbol::Role;
 
 const BUDGET: usize = 200;
@@ -86,6 +86,15 @@ proptest! {
     }
 
     #[test]
+    fn multiplying_out_keeps_the_value(steps in vec(any::<Step>(), 1..24)) {
+        let mut g = Graph::new();
+        let roots = build(&mut g, &steps);
+        let expanded = multiply_out(&mut g, &roots, BUDGET);
+        let (before, after) = (evaluate(&g, &roots, value), evaluate(&g, &expanded, value));
+        prop_assert!(before.iter().zip(&after).all(|(a, b)| agree(*a, *b)), "{before:?} {after:?}");
+    }
+
+    #[test]
     fn only_zeros_are_proved_to_be_zero(steps in vec(any::<Step>(), 1..24)) {
         let mut g = Graph::new();
         for root in build(&mut g, &steps) {
@@ -104,6 +113,38 @@ proptest! {
         let values = evaluate(&g, &[plain, collected], value);
         prop_assert!(agree(values[0], values[1]), "{values:?}");
     }
+}
+
+#[test]
+fn a_spring_keeps_its_difference_when_multiplied_out() {
+    let mut g = Graph::new();
+    let [stiffness, rest, q, ..] = letters(&mut g);
+    let stretch = g.subtract(q, rest);
+    let force = g.multiply(stiffness, stretch);
+    assert_eq!(multiply_out(&mut g, &[force], BUDGET), [force]);
+}
+
+#[test]
+fn what_a_coordinate_does_to_itself_cancels_when_multiplied_out() {
+    let mut g = Graph::new();
+    let [m, l, q, r, _, velocity] = letters(&mut g);
+    let [sin, cos] = [Function::Sin, Function::Cos].map(|f| apply(&mut g, f, &[q]));
+    let [far_sin, far_cos] = [Function::Sin, Function::Cos].map(|f| apply(&mut g, f, &[r]));
+    let v2 = g.square(velocity);
+    // cos q·(sin q + sin r)·v² − sin q·(cos q + cos r)·v²
+    let sums = [g.add(sin, far_sin), g.add(cos, far_cos)];
+    let products = [(cos, sums[0]), (sin, sums[1])].map(|(f, sum)| {
+        let factors = [m, l, f, sum, v2].map(|factor| (factor, Number::ONE));
+        g.product(factors)
+    });
+    let force = g.subtract(products[0], products[1]);
+    let expanded = multiply_out(&mut g, &[force], BUDGET)[0];
+    let values = evaluate(&g, &[force, expanded], value);
+    assert!(agree(values[0], values[1]));
+    let waves = [g.multiply(cos, far_sin), g.multiply(sin, far_cos)];
+    let difference = g.subtract(waves[0], waves[1]);
+    let (_, difference) = g.split_coefficient(difference);
+    assert!(g.reachable(&[expanded]).contains(&difference), "the sine of the difference is one part");
 }
 
 #[test]

@@ -15,7 +15,7 @@
 /// - Cyclic coordinates: `z`.
 /// - Conserved: the momentum of `z`, the energy function.
 /// - Accelerations: each equation divided by its entry of the mass matrix.
-/// - Cost of `acceleration`: 1 addition, 6 multiplications, 1 division.
+/// - Cost of `acceleration`: 1 addition, 7 multiplications, 1 division.
 pub struct ChargedParticle {
     /// Parameter `m`.
     pub m: ::core::primitive::f32,
@@ -53,7 +53,7 @@ const _: () = {
     impl ChargedParticle {
         /// Accelerations in the order of the coordinates.
         ///
-        /// Takes 1 addition, 6 multiplications, 1 division.
+        /// Takes 1 addition, 7 multiplications, 1 division.
         #[must_use]
         #[inline]
         pub fn acceleration(
@@ -65,10 +65,9 @@ const _: () = {
             let Self { m, q, b, e } = *self;
             let [x_dot, y_dot, _] = *v;
             let inv_m = 1.0 / m;
-            let q_b = q * b;
-            let forcing_0 = multiply_add(q_b, y_dot, q * e);
+            let forcing_0 = multiply_add(q * b, y_dot, q * e);
             let x_ddot = inv_m * forcing_0;
-            let y_ddot = -inv_m * q_b * x_dot;
+            let y_ddot = -inv_m * q * b * x_dot;
             [x_ddot, y_ddot, 0.0]
         }
         /// Mass matrix M, in rows.
