@@ -105,7 +105,7 @@ pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {
 
 pub(super) fn varying_power_of_negative(base: &str) -> String {
     format!(
-        "a power of the negative number {base} is real only if its exponent is an integer, but this one varies"
+        "a power of the negative number {base} is real only for integer exponents, which this one need not be"
     )
 }
 

@@ -22,7 +22,8 @@ fn read(text: &str) -> Option<(Graph, ExprId)> {
         }
         Err(report) => {
             let report = report.to_string();
-            let refused = ["zero", "not a real number", "bracket"].iter().any(|word| report.contains(word));
+            let refusals = ["zero", "not a real number", "is real only", "bracket"];
+            let refused = refusals.iter().any(|word| report.contains(word));
             assert!(refused, "{report}\n{text}");
             None
         }
