@@ -98,6 +98,9 @@ pub(super) const DIVISION_BY_ZERO: &str = "division by zero";
 
 pub(super) const DIVISION_HELP: &str = "this divisor is zero whatever the parameters are";
 
+pub(super) const NUMBER_TOO_LONG: &str = "the numbers in this expression become too long to be kept exactly";
+pub(super) const NUMBER_TOO_LONG_HELP: &str = "round a constant before it is used again and again";
+
 pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {
     let exponent = if exponent.contains(['/', '-']) { format!("({exponent})") } else { exponent.to_owned() };
     format!("({base})^{exponent} is not a real number")
