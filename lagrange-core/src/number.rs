@@ -13,6 +13,8 @@ use num_traits::{CheckedAdd, CheckedMul, One, Pow, Signed, ToPrimitive, Zero};
 
 /// Powers whose result would need more bits than this are left unevaluated.
 const LARGEST_POWER_BITS: u64 = 4096;
+/// Numbers that need more bits than this are of no use; the longest literals need fewer.
+const MOST_BITS: u64 = 20_000;
 /// Decimal exponents beyond this are refused: no scalar can represent them.
 const LARGEST_DECIMAL_EXPONENT: i64 = 5000;
 
@@ -116,6 +118,14 @@ impl Number {
         match &self.0 {
             Repr::Word(ratio) => *ratio.denom() == 1,
             Repr::Big(big) => big.is_integer(),
+        }
+    }
+
+    /// Whether numerator and denominator are short enough to go on computing with.
+    pub fn is_short(&self) -> bool {
+        match &self.0 {
+            Repr::Word(_) => true,
+            Repr::Big(big) => big.numer().bits().max(big.denom().bits()) <= MOST_BITS,
         }
     }
 

@@ -78,7 +78,10 @@ pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
             }
             Node::Product(factors) => factors.iter().try_fold(0, |degree, (base, exponent)| {
                 let base = of(base)?;
-                if base == 0 { Some(degree) } else { Some(degree + base * i64::from(exponent.to_i32()?)) }
+                if base == 0 {
+                    return Some(degree);
+                }
+                base.checked_mul(i64::from(exponent.to_i32()?))?.checked_add(degree)
             }),
             _ => None,
         };

@@ -1,14 +1,25 @@
 //! Derivatives of one node with respect to its operands: the edges of the chain rule.
 
 use crate::calculus::{partial, substitute};
-use crate::collections::HashMap;
+use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Graph, Node};
 use crate::functions::row;
 use crate::number::Number;
 use crate::symbol::Role;
 
-/// `(operand, ∂node/∂operand)` for every operand with a derivative; conditions have none.
+/// `(operand, ∂node/∂operand)` for every operand with a derivative, each operand once; conditions have none.
 pub fn partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
+    let edges = edges(graph, id);
+    let mut slopes: OrderedMap<ExprId, ExprId> = OrderedMap::default();
+    for (operand, slope) in edges {
+        let total = slopes.get(&operand).map_or(slope, |&earlier| graph.add(earlier, slope));
+        slopes.insert(operand, total);
+    }
+    slopes.iter().map(|(operand, slope)| (*operand, *slope)).collect()
+}
+
+/// As [`partials`], with an edge for every place in which an operand stands, as in `pow(x, x)`.
+fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Pi | Node::Symbol(_) => Vec::new(),
         Node::Sum { terms, .. } => terms.iter().map(|(term, c)| (*term, graph.number(c.clone()))).collect(),
@@ -29,8 +40,23 @@ pub fn partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     }
 }
 
-/// `(operand, operand, ∂²node/∂operand∂operand)`, each unordered pair once and without vanishing ones.
+/// `(operand, operand, ∂²node/∂operand∂operand)` without vanishing ones. Each unordered pair of places
+/// occurs once; where the same operand stands in two places, that pair counts twice, so that the entries
+/// with this operand add up to its second derivative.
 pub fn second_partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId, ExprId)> {
+    let mut found = pairs_of_places(graph, id);
+    for (places, (i, j, second)) in &mut found {
+        if i == j && places.0 != places.1 {
+            *second = graph.scale(Number::TWO, *second);
+        }
+    }
+    found.into_iter().map(|(_, entry)| entry).collect()
+}
+
+type SecondPartial = (ExprId, ExprId, ExprId);
+
+/// Second derivatives with respect to two places, i ≤ j, in which operands stand.
+fn pairs_of_places(graph: &mut Graph, id: ExprId) -> Vec<((usize, usize), SecondPartial)> {
     match graph.node(id).clone() {
         Node::Product(factors) => second_partials_of_product(graph, &factors),
         Node::Call(function, arguments) => {
@@ -44,7 +70,7 @@ pub fn second_partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId, Ex
                     let second = partial(graph, slope, scratch[j]);
                     let second = substitute(graph, second, &back);
                     if !graph.is_zero(second) {
-                        found.push((arguments[i], arguments[j], second));
+                        found.push(((i, j), (arguments[i], arguments[j], second)));
                     }
                 }
             }
@@ -63,7 +89,7 @@ fn placeholder(graph: &mut Graph, index: usize) -> ExprId {
 fn second_partials_of_product(
     graph: &mut Graph,
     factors: &[(ExprId, Number)],
-) -> Vec<(ExprId, ExprId, ExprId)> {
+) -> Vec<((usize, usize), SecondPartial)> {
     let mut found = Vec::new();
     for i in 0..factors.len() {
         let (lowered, scale) = lower_exponent(factors, i);
@@ -72,7 +98,8 @@ fn second_partials_of_product(
             let coefficient = &scale * &second_scale;
             if !coefficient.is_zero() {
                 let product = graph.product(twice);
-                found.push((factors[i].0, factors[j].0, graph.scale(coefficient, product)));
+                let second = graph.scale(coefficient, product);
+                found.push(((i, j), (factors[i].0, factors[j].0, second)));
             }
         }
     }

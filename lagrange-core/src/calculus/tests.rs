@@ -1,4 +1,7 @@
-use super::{AccelerationTerms, Degree, Degrees, Rates, evaluate, gradient, partial, second_partials};
+use super::{
+    AccelerationTerms, Degree, Degrees, Rates, evaluate, gradient, homogeneity, partial, partials,
+    second_partials,
+};
 use crate::expr::{ExprId, Function, Graph, Relation};
 use crate::functions::{ROWS, apply};
 use crate::number::Number;
@@ -61,6 +64,39 @@ fn second_derivatives_of_every_function_agree_with_repeated_ones() {
         let repeated = partial(&mut g, first, variables[0]);
         let values = evaluate(&g, &[local, repeated], at(0.2, 0.4));
         assert!((4.0 * values[0] - values[1]).abs() < 1e-12, "{}: {values:?}", row.name);
+    }
+}
+
+/// The same operand may stand in two places of a node: in a call, or under roots that must stay apart.
+#[test]
+fn second_derivatives_count_an_operand_in_two_places() {
+    let mut g = Graph::new();
+    let [x, _] = coordinates(&mut g);
+    let power = apply(&mut g, Function::Power, &[x, x]);
+    let hypotenuse = apply(&mut g, Function::Hypot, &[x, x]);
+    let half = Number::ratio(1, 2).expect("no zero");
+    let roots = g.product([(x, half.clone()), (x, half)]);
+    for f in [power, hypotenuse, roots] {
+        let slopes = partials(&mut g, f);
+        assert!(slopes.iter().all(|(operand, _)| *operand == x) && slopes.len() == 1);
+        let second = second_partials(&mut g, f);
+        let local = g.total(second.iter().map(|(_, _, value)| *value).collect::<Vec<_>>());
+        let first = partial(&mut g, f, x);
+        let repeated = partial(&mut g, first, x);
+        let values = evaluate(&g, &[local, repeated], at(0.7, 0.4));
+        assert!((values[0] - values[1]).abs() < 1e-12, "{values:?}");
+    }
+}
+
+#[test]
+fn degrees_of_homogeneity_that_are_out_of_range_are_not_found() {
+    let mut g = Graph::new();
+    let (k, v) = (g.symbol("k", Role::Parameter(0)), g.symbol("x", Role::Velocity(0)));
+    let mut f = v;
+    for degree in [Some(1), Some(2_000_000_000), Some(4_000_000_000_000_000_000), None] {
+        assert_eq!(homogeneity(&g, f), degree);
+        let weighted = g.multiply(k, f);
+        f = g.power(weighted, Number::from(2_000_000_000));
     }
 }
 

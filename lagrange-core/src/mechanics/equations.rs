@@ -264,7 +264,7 @@ fn weighted_by_degree(graph: &mut Graph, sum: ExprId) -> Option<Vec<(ExprId, Num
     let Node::Sum { constant, terms } = graph.node(sum).clone() else { return None };
     let mut weighted = vec![(graph.number(constant), Number::MINUS_ONE)];
     for (term, coefficient) in &terms {
-        let weight = Number::from(homogeneity(graph, *term)? - 1);
+        let weight = Number::from(homogeneity(graph, *term)?.checked_sub(1)?);
         weighted.push((*term, coefficient * &weight));
     }
     Some(weighted)

@@ -1,7 +1,7 @@
 //! Expressions of the language to expressions of the graph.
 //!
-//! The walk is iterative. Chains of `+`/`-` and of `*`/`/` become one n-ary node, so that a sum of many
-//! terms is collected once and not pair by pair.
+//! The walk is iterative. Chains of `+`/`-` and of `*`/`/` are evaluated as one, so that a sum of many terms
+//! is collected once and not pair by pair.
 
 use super::messages;
 use super::operand::Operand;
@@ -45,7 +45,7 @@ impl<'a> Evaluator<'a> {
         self.declaration.expressions.origin(id)
     }
 
-    fn syntax(&self, id: AstId) -> &'a Expression {
+    pub(super) fn syntax(&self, id: AstId) -> &'a Expression {
         self.declaration.expressions.get(id)
     }
 
@@ -62,7 +62,7 @@ impl<'a> Evaluator<'a> {
             if pending.len() == before {
                 pending.pop();
                 if !self.values.contains(&id) {
-                    let value = self.evaluate_node(id);
+                    let value = self.evaluate_node(id).filter(|value| self.is_short(value, id));
                     self.values.insert(id, value);
                 }
             }
@@ -72,6 +72,22 @@ impl<'a> Evaluator<'a> {
 
     pub(super) fn value(&self, id: AstId) -> Option<Operand> {
         self.values.get(&id).cloned().flatten()
+    }
+
+    /// Whether the numbers in a value are short enough to go on with; reports it if not. Exact numbers grow
+    /// with every operation, twofold in each of `a1 = a0*a0 + 1/7`, `a2 = a1*a1 + 1/7`, ….
+    fn is_short(&mut self, value: &Operand, id: AstId) -> bool {
+        let is_short = |&component: &ExprId| {
+            let (coefficient, core) = self.graph.split_coefficient(component);
+            coefficient.is_short() && self.graph.as_number(core).is_none_or(Number::is_short)
+        };
+        let short = value.components().iter().all(is_short);
+        if !short {
+            self.report
+                .error(self.origin(id), messages::NUMBER_TOO_LONG)
+                .help(messages::NUMBER_TOO_LONG_HELP);
+        }
+        short
     }
 
     /// The expressions that must have values before `id` has one: the leaves of a chain.
@@ -89,32 +105,6 @@ impl<'a> Evaluator<'a> {
                 vec![condition.left, condition.right, *then, *otherwise]
             }
         }
-    }
-
-    /// The leaves of a chain of sums or of products, in source order.
-    fn chain(&self, root: AstId) -> Vec<Link> {
-        let additive = match self.syntax(root) {
-            Expression::Binary(operator, ..) => is_additive(*operator),
-            _ => true,
-        };
-        let mut leaves = Vec::new();
-        let mut pending = vec![Link { operand: root, inverted: false }];
-        while let Some(Link { operand, inverted }) = pending.pop() {
-            match self.syntax(operand) {
-                Expression::Negate(inner) if additive => {
-                    pending.push(Link { operand: *inner, inverted: !inverted });
-                }
-                Expression::Binary(operator, _, left, right)
-                    if *operator != BinaryOperator::Power && is_additive(*operator) == additive =>
-                {
-                    let flips = matches!(operator, BinaryOperator::Subtract | BinaryOperator::Divide);
-                    pending.push(Link { operand: *right, inverted: inverted != flips });
-                    pending.push(Link { operand: *left, inverted });
-                }
-                _ => leaves.push(Link { operand, inverted }),
-            }
-        }
-        leaves
     }
 
     fn evaluate_node(&mut self, id: AstId) -> Option<Operand> {
@@ -160,12 +150,23 @@ impl<'a> Evaluator<'a> {
         if self.is_declared_elsewhere(name, origin) {
             return None;
         }
-        let help = match self.scope.nearest(name, |kind| kind != Kind::Output) {
-            Some(nearest) => messages::did_you_mean(nearest),
-            None => messages::DECLARE_FIRST.to_owned(),
-        };
+        let help = self.help_for_unknown(name);
         self.report.error(origin, messages::unknown_name(name)).help(help);
         None
+    }
+
+    fn help_for_unknown(&self, name: &str) -> String {
+        let is_coordinate = |name: &str| self.scope.find(name).is_some_and(|e| e.kind == Kind::Coordinate);
+        for (suffix, function) in [("_ddot", "ddot"), ("_dot", "dot")] {
+            // The state has fields of these names.
+            if let Some(coordinate) = name.strip_suffix(suffix).filter(|name| is_coordinate(name)) {
+                return messages::write_call(&format!("{function}({coordinate})"));
+            }
+        }
+        match self.scope.nearest(name, |kind| kind != Kind::Output) {
+            Some(nearest) => messages::did_you_mean(nearest),
+            None => messages::DECLARE_FIRST.to_owned(),
+        }
     }
 
     /// Whether an unknown name is declared further down, which is reported here, or may have been declared
@@ -177,72 +178,6 @@ impl<'a> Evaluator<'a> {
             return true;
         }
         self.declaration.unreadable_words.contains(&name.to_owned())
-    }
-
-    fn evaluate_sum(&mut self, id: AstId) -> Option<Operand> {
-        let links = self.chain(id);
-        let first = self.first_value(&links)?;
-        let mut terms: Vec<Vec<(ExprId, Number)>> = vec![Vec::new(); first.components().len()];
-        let mut sound = true;
-        for link in &links {
-            let Some(value) = self.value(link.operand) else {
-                sound = false;
-                continue;
-            };
-            if !value.same_kind(&first) {
-                let message = messages::kinds_differ("add", &first.kind(), &value.kind());
-                self.report.error(self.origin(link.operand), message);
-                sound = false;
-                continue;
-            }
-            let sign = if link.inverted { Number::MINUS_ONE } else { Number::ONE };
-            for (terms, &component) in terms.iter_mut().zip(value.components()) {
-                terms.push((component, sign.clone()));
-            }
-        }
-        let sums = terms.into_iter().map(|terms| self.graph.sum(Number::ZERO, terms)).collect::<Vec<_>>();
-        sound.then(|| rebuild(&first, sums))
-    }
-
-    fn first_value(&self, links: &[Link]) -> Option<Operand> {
-        links.iter().find_map(|link| self.value(link.operand))
-    }
-
-    fn evaluate_product(&mut self, id: AstId) -> Option<Operand> {
-        let mut factors = Vec::new();
-        let mut vector: Option<Operand> = None;
-        let mut sound = true;
-        for Link { operand, inverted } in self.chain(id) {
-            match (self.value(operand), inverted) {
-                (None, _) => sound = false,
-                (Some(Operand::Scalar(divisor)), true) if self.graph.is_zero(divisor) => {
-                    let error = self.report.error(self.origin(operand), messages::DIVISION_BY_ZERO);
-                    error.help(messages::DIVISION_HELP);
-                    sound = false;
-                }
-                (Some(Operand::Scalar(factor)), _) => {
-                    factors.push((factor, if inverted { Number::MINUS_ONE } else { Number::ONE }));
-                }
-                (Some(_), true) => {
-                    self.report.error(self.origin(operand), messages::DIVISION_BY_VECTOR);
-                    sound = false;
-                }
-                (Some(_), false) if vector.is_some() => {
-                    let error = self.report.error(self.origin(operand), messages::PRODUCT_OF_VECTORS);
-                    error.help(messages::INNER_OR_CROSS);
-                    sound = false;
-                }
-                (Some(value), false) => vector = Some(value),
-            }
-        }
-        if !sound {
-            return None;
-        }
-        let product = self.graph.product(factors);
-        Some(match vector {
-            None => Operand::Scalar(product),
-            Some(vector) => vector.map(|component| self.graph.multiply(product, component)),
-        })
     }
 
     fn evaluate_power(&mut self, base: AstId, exponent: AstId) -> Option<Operand> {
@@ -388,18 +323,8 @@ impl<'a> Evaluator<'a> {
     }
 }
 
-/// A leaf of a chain, negated in a sum or divided by in a product.
-struct Link {
-    operand: AstId,
-    inverted: bool,
-}
-
-fn is_additive(operator: BinaryOperator) -> bool {
-    matches!(operator, BinaryOperator::Add | BinaryOperator::Subtract)
-}
-
 /// An operand of the kind of `like` with these components.
-fn rebuild(like: &Operand, components: Vec<ExprId>) -> Operand {
+pub(super) fn rebuild(like: &Operand, components: Vec<ExprId>) -> Operand {
     match like {
         Operand::Scalar(_) => Operand::Scalar(components[0]),
         Operand::Vector(_) => Operand::Vector(components),

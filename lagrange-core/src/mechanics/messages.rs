@@ -98,6 +98,9 @@ pub(super) const DIVISION_BY_ZERO: &str = "division by zero";
 
 pub(super) const DIVISION_HELP: &str = "this divisor is zero whatever the parameters are";
 
+pub(super) const NUMBER_TOO_LONG: &str = "the numbers in this expression become too long to be kept exactly";
+pub(super) const NUMBER_TOO_LONG_HELP: &str = "round a constant before it is used again and again";
+
 pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {
     let exponent = if exponent.contains(['/', '-']) { format!("({exponent})") } else { exponent.to_owned() };
     format!("({base})^{exponent} is not a real number")
@@ -105,7 +108,7 @@ pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {
 
 pub(super) fn varying_power_of_negative(base: &str) -> String {
     format!(
-        "a power of the negative number {base} is real only if its exponent is an integer, but this one varies"
+        "a power of the negative number {base} is real only for integer exponents, which this one need not be"
     )
 }
 

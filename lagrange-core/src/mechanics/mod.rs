@@ -3,6 +3,7 @@
 //! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], holds energies and loads as
 //! expressions. [`Equations`] derives from a model what the emitted methods return.
 
+mod chains;
 mod check;
 mod cost;
 mod elaborate;

@@ -41,3 +41,24 @@ fn equations_read_like_those_of_a_textbook() {
     let line = r"m r^{2} \ddot{\theta} = -2 m r \dot{r} \dot{\theta} - m g r \sin\left(\theta\right)";
     assert_eq!(derived.equations_latex().lines().nth(1), Some(line));
 }
+
+#[test]
+fn numbers_that_double_in_length_are_refused_before_they_fill_the_memory() {
+    let mut text = "coord x; const c0 = 3;".to_owned();
+    for i in 0..40 {
+        text += &format!("const c{} = c{i}*c{i} + 1/7;", i + 1);
+    }
+    text += "kinetic = dot(x)^2; potential = c40*x;";
+    let report = parse(&text).expect_err("too long");
+    assert!(report.to_string().contains("too long to be kept exactly"), "{report}");
+    assert_eq!(report.diagnostics().len(), 1);
+}
+
+#[test]
+fn a_velocity_in_two_places_of_a_function_counts_twice_in_the_mass_matrix() {
+    let system = derived("coord x; kinetic = pow(dot(x), dot(x)); force x = 1;");
+    let v = 1.2_f64;
+    let inertia = v.powf(v) * ((v.ln() + 1.0).powi(2) + 1.0 / v);
+    let acceleration = super::NumericSystem::new(&system).acceleration(0.0, &[0.0], &[v])[0];
+    assert!((acceleration * inertia - 1.0).abs() < 1e-12, "{acceleration}");
+}
