@@ -124,21 +124,30 @@ impl QuadraticForm {
     /// Substitutes xᵢ = Σ slope · part.
     pub(super) fn push(&mut self, graph: &mut Graph, i: ExprId, parts: &[(ExprId, ExprId)]) {
         let row = self.take(graph, i);
-        for (n, &(a, slope)) in parts.iter().enumerate() {
+        if !graph.is_zero(row.own) {
+            self.push_square(graph, row.own, parts);
+        }
+        for &(a, slope) in parts {
             let linear = graph.multiply(slope, row.linear);
             self.add_linear(graph, a, linear);
+            for &(j, weight) in &row.pairs {
+                let value = graph.multiply(slope, weight);
+                let value = if a == j { graph.scale(Number::TWO, value) } else { value };
+                self.add_pair(graph, a, j, value);
+            }
+        }
+    }
+
+    /// ½·own·(Σ slope · part)²; this takes a time quadratic in the number of parts, as does its result.
+    fn push_square(&mut self, graph: &mut Graph, own: ExprId, parts: &[(ExprId, ExprId)]) {
+        for (n, &(a, slope)) in parts.iter().enumerate() {
             // W·slope is shared by every pair with `a`.
-            let weighted = graph.multiply(slope, row.own);
+            let weighted = graph.multiply(slope, own);
             let square = graph.multiply(slope, weighted);
             self.add_pair(graph, a, a, square);
             for &(b, other) in &parts[n + 1..] {
                 let value = graph.multiply(other, weighted);
                 self.add_pair(graph, a, b, value);
-            }
-            for &(j, weight) in &row.pairs {
-                let value = graph.multiply(slope, weight);
-                let value = if a == j { graph.scale(Number::TWO, value) } else { value };
-                self.add_pair(graph, a, j, value);
             }
         }
     }

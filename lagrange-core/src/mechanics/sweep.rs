@@ -182,8 +182,8 @@ impl Sweep {
     /// Multiples of a variable are ready when nothing else is unprocessed that is made of it.
     fn collapse_if_complete(&mut self, target: ExprId) {
         let Some(variable) = self.variables.get(&target) else { return };
-        let last = variable.multiples.iter().map(|&id| (self.rank_of(id), id)).max();
         if variable.users == variable.multiples.len() {
+            let last = variable.multiples.iter().map(|&id| (self.rank_of(id), id)).max();
             self.inner.extend(last);
         }
     }

@@ -1,4 +1,7 @@
+use quote::quote;
+
 use super::{Derived, parse};
+use crate::calculus::evaluate;
 use crate::mechanics::{Conserved, RoadChoice};
 
 fn derived(text: &str) -> Derived {
@@ -61,4 +64,17 @@ fn a_velocity_in_two_places_of_a_function_counts_twice_in_the_mass_matrix() {
     let inertia = v.powf(v) * ((v.ln() + 1.0).powi(2) + 1.0 / v);
     let acceleration = super::NumericSystem::new(&system).acceleration(0.0, &[0.0], &[v])[0];
     assert!((acceleration * inertia - 1.0).abs() < 1e-12, "{acceleration}");
+}
+
+/// Every step is about linear in the declaration: a quadratic one would take minutes here.
+#[test]
+fn twenty_thousand_terms_are_derived_and_emitted() {
+    let terms = (2..=20_000).map(|k| format!("sin({k}*x)")).collect::<Vec<_>>();
+    let text = format!("coord x; kinetic = dot(x)^2; potential = {};", terms.join(" + "));
+    let derived = derived(&text);
+    let value = derived.equations.accelerations[0];
+    let at_rest = evaluate(&derived.model.graph, &[value], |_| 0.0)[0];
+    // −Σ k / 2
+    assert_eq!(at_rest, -(20_000.0 * 20_001.0 / 2.0 - 1.0) / 2.0);
+    assert!(derived.emit(&quote!(::lagrange)).is_ok());
 }
