@@ -88,6 +88,11 @@ impl QuadraticForm {
         self.pairs.contains_key(&(i, i))
     }
 
+    /// Whether xᵢ xⱼ occurs.
+    pub(super) fn has_pair(&self, i: ExprId, j: ExprId) -> bool {
+        self.pairs.contains_key(&(i.min(j), i.max(j)))
+    }
+
     /// Wᵢⱼ
     pub(super) fn coefficient(&self, graph: &mut Graph, i: ExprId, j: ExprId) -> ExprId {
         total(graph, self.pairs.get(&(i.min(j), i.max(j))).cloned())

@@ -47,8 +47,14 @@ pub(super) fn solve_dense(
     let mut eliminated = Vec::new();
     while !remaining.is_empty() {
         let candidates = remaining.iter().enumerate().filter(|(_, v)| form.has_square(**v));
-        let (position, _) = candidates.min_by_key(|(_, v)| form.degree(**v))?;
-        eliminated.push(eliminate(graph, &mut form, remaining.remove(position))?);
+        match candidates.min_by_key(|(_, v)| form.degree(**v)) {
+            Some((position, _)) => eliminated.push(eliminate(graph, &mut form, remaining.remove(position))?),
+            None => {
+                let first = remaining.remove(0);
+                let position = remaining.iter().position(|&v| form.has_pair(first, v))?;
+                eliminated.extend(eliminate_pair(graph, &mut form, first, remaining.remove(position))?);
+            }
+        }
     }
     Some(substitute_back(graph, &eliminated, &Parts::None, velocities))
 }
@@ -103,6 +109,40 @@ fn eliminate(graph: &mut Graph, form: &mut QuadraticForm, velocity: ExprId) -> O
         false => graph.multiply(row.linear, inverse),
     };
     Some(Eliminated { velocity, free: graph.negate(free), factors, pivot: row.own, bias: row.linear })
+}
+
+/// Eliminates two velocities without squares, whose product is their only term: of a form like ẋ·ẏ, which is no
+/// kinetic energy but may stand in a Lagrangian. Each acceleration follows from the row of the other.
+fn eliminate_pair(
+    graph: &mut Graph,
+    form: &mut QuadraticForm,
+    first: ExprId,
+    second: ExprId,
+) -> Option<[Eliminated; 2]> {
+    let mut row = form.take(graph, first);
+    let position = row.pairs.iter().position(|(j, _)| *j == second)?;
+    let (_, coupling) = row.pairs.remove(position);
+    let other = form.take(graph, second);
+    let inverse = graph.reciprocal(coupling);
+    let steps = [(first, &other), (second, &row)].map(|(velocity, row)| {
+        let factors = row.pairs.iter().map(|&(j, weight)| (j, graph.multiply(weight, inverse))).collect();
+        let free = graph.multiply(row.linear, inverse);
+        Eliminated { velocity, free: graph.negate(free), factors, pivot: coupling, bias: row.linear }
+    });
+    for (row, step) in [(&row, &steps[0]), (&other, &steps[1])] {
+        for &(k, weight) in &row.pairs {
+            let linear = graph.multiply(weight, step.free);
+            form.add_linear(graph, k, linear);
+        }
+    }
+    for &(j, weight) in &row.pairs {
+        for &(k, factor) in &steps[0].factors {
+            let fill = graph.multiply(weight, factor);
+            let fill = if j == k { graph.scale(-&Number::TWO, fill) } else { graph.negate(fill) };
+            form.add_pair(graph, j, k, fill);
+        }
+    }
+    Some(steps)
 }
 
 /// How the variables that remained at an elimination are made of velocities.

@@ -1,6 +1,6 @@
 use quote::quote;
 
-use super::{Derived, parse};
+use super::{Derived, NumericSystem, parse};
 use crate::calculus::evaluate;
 use crate::mechanics::{Conserved, RoadChoice};
 
@@ -64,6 +64,24 @@ fn a_velocity_in_two_places_of_a_function_counts_twice_in_the_mass_matrix() {
     let inertia = v.powf(v) * ((v.ln() + 1.0).powi(2) + 1.0 / v);
     let acceleration = super::NumericSystem::new(&system).acceleration(0.0, &[0.0], &[v])[0];
     assert!((acceleration * inertia - 1.0).abs() < 1e-12, "{acceleration}");
+}
+
+/// Such forms are regular without being positive.
+#[test]
+fn lagrangians_of_products_of_velocities_are_solved() {
+    let declarations = [
+        "coord x, y; lagrangian = dot(x)*dot(y)*(2 + sin(x)) - x*y^2;",
+        "coord a, b, c, d;
+         lagrangian = dot(a)*dot(b) + 3*dot(b)*dot(c)*cos(a) + 2*dot(c)*dot(d) - a*b + c*d - a*d;",
+    ];
+    for text in declarations {
+        let system = NumericSystem::new(&derived(text));
+        let n = system.degrees_of_freedom();
+        let [q, v] = [0.4, -0.7].map(|scale| (1..=n).map(|i| scale / i as f64).collect::<Vec<_>>());
+        let a = system.acceleration(0.0, &q, &v);
+        let residual = system.inverse_dynamics(0.0, &q, &v, &a).expect("derived by default");
+        assert!(residual.iter().all(|force| force.abs() < 1e-14), "{text} {a:?} {residual:?}");
+    }
 }
 
 /// Every step is about linear in the declaration: a quadratic one would take minutes here.
