@@ -46,7 +46,7 @@ fn stages(directory: &Path) -> [(PathBuf, String); 3] {
 fn equations(derived: &Derived) -> String {
     let (graph, equations) = (&derived.model.graph, &derived.equations);
     let mut out = String::new();
-    let rows = equations.mass_matrix.iter().flatten().zip(equations.forcing.iter().flatten());
+    let rows = equations.mass_matrix.iter().zip(&equations.forcing);
     for (i, (row, forcing)) in rows.enumerate() {
         for (j, entry) in row.iter().enumerate().skip(i) {
             writeln!(out, "M[{i}][{j}] = {}", text::text(graph, *entry)).expect("a string");

@@ -18,6 +18,8 @@ const MOST_COORDINATES: usize = 6;
 const LARGEST_SYSTEM: usize = 200;
 /// Equations with more abbreviations are harder to read than the code.
 const MOST_ABBREVIATIONS: usize = 12;
+/// Lines longer than this, in characters, are broken.
+const LONGEST_LINE: usize = 100;
 /// Equations longer than this, in characters, are left out.
 const LONGEST_EQUATIONS: usize = 4000;
 
@@ -27,32 +29,31 @@ const TOO_LONG: &str =
 /// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
 /// short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
-    let (mass, forcing) = (equations.mass_matrix.as_ref()?, equations.forcing.as_ref()?);
-    let all = mass.iter().flatten().chain(forcing).copied().collect::<Vec<_>>();
+    let all = equations.mass_matrix.iter().flatten().chain(&equations.forcing).copied().collect::<Vec<_>>();
     if model.coordinates.len() > MOST_COORDINATES || model.graph.reachable(&all).len() > LARGEST_SYSTEM {
         return None;
     }
-    let forcing = readable(&mut model.graph, forcing);
+    let forcing = readable(&mut model.graph, &equations.forcing);
     // The right sides are the longer ones: if they cannot be read, the left ones need not be tried.
     readable_lines(text::definitions(&model.graph, &forcing, LONGEST_EQUATIONS))?;
-    let sides = sides(model, equations, &forcing)?;
-    readable_lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS))
+    let sides = sides(model, equations, &forcing);
+    let lines = readable_lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS))?;
+    Some(lines.iter().flat_map(|line| wrapped(line)).collect())
 }
 
 /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
-/// short. Empty if the mass matrix or the forcing is not wanted.
+/// short.
 pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
-    let Some(forcing) = &equations.forcing else { return String::new() };
-    let forcing = readable(&mut model.graph, forcing);
-    let sides = sides(model, equations, &forcing).unwrap_or_default();
+    let forcing = readable(&mut model.graph, &equations.forcing);
+    let sides = sides(model, equations, &forcing);
     lines(latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS)).join("\n")
 }
 
 /// The left and the right side of each row of M q̈ = f.
-fn sides(model: &mut Model, equations: &Equations, forcing: &[ExprId]) -> Option<Vec<ExprId>> {
-    let mass = readable(&mut model.graph, &equations.mass_matrix.as_ref()?.concat());
+fn sides(model: &mut Model, equations: &Equations, forcing: &[ExprId]) -> Vec<ExprId> {
+    let mass = readable(&mut model.graph, &equations.mass_matrix.concat());
     let rows = mass.chunks(forcing.len().max(1)).zip(forcing);
-    Some(rows.flat_map(|(row, &right)| [left_side(model, row), right]).collect())
+    rows.flat_map(|(row, &right)| [left_side(model, row), right]).collect()
 }
 
 /// The lines, unless there are too many characters or abbreviations.
@@ -67,6 +68,39 @@ fn readable_lines(definitions: (Vec<(String, String)>, Vec<String>)) -> Option<V
 fn lines((abbreviations, sides): (Vec<(String, String)>, Vec<String>)) -> Vec<String> {
     let abbreviations = abbreviations.into_iter().map(|(name, value)| format!("{name} = {value}"));
     abbreviations.chain(sides.chunks(2).map(|side| side.join(" = "))).collect()
+}
+
+/// A long equation on several lines, broken before the operators between its terms.
+fn wrapped(line: &str) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut current = String::new();
+    for term in terms(line) {
+        if !current.is_empty() && current.chars().count() + term.chars().count() > LONGEST_LINE {
+            lines.push(std::mem::replace(&mut current, format!("    {}", term.trim_start())));
+        } else {
+            current.push_str(term);
+        }
+    }
+    lines.push(current);
+    lines
+}
+
+/// The pieces of an equation between blanks outside parentheses, each beginning with its operator.
+fn terms(line: &str) -> Vec<&str> {
+    let (mut depth, mut start, mut pieces) = (0_usize, 0, Vec::new());
+    for (index, character) in line.char_indices() {
+        match character {
+            '(' | '{' => depth += 1,
+            ')' | '}' => depth = depth.saturating_sub(1),
+            ' ' if depth == 0 && [" + ", " - ", " = "].iter().any(|op| line[index..].starts_with(op)) => {
+                pieces.push(&line[start..index]);
+                start = index;
+            }
+            _ => {}
+        }
+    }
+    pieces.push(&line[start..]);
+    pieces
 }
 
 /// Σ Mᵢⱼ q̈ⱼ

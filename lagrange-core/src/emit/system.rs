@@ -113,12 +113,12 @@ impl<'a> Writer<'a> {
         let or_none = |list: &Option<Vec<ExprId>>| list.clone().unwrap_or_default();
         let (docs, arguments, returns, roots): (&[&str], _, _, _) = match product {
             Product::MassMatrix => {
-                let matrix = equations.mass_matrix.clone().unwrap_or_default();
+                let matrix = equations.mass_matrix.clone();
                 let moving = equations.structure.mass.depends_on_velocities;
                 let arguments = if moving { Arguments::State } else { Arguments::Positions };
                 (&MASS_MATRIX, arguments, Returns::Matrix(matrix.len()), matrix.concat())
             }
-            Product::Forcing => (&FORCING, Arguments::State, vector, or_none(&equations.forcing)),
+            Product::Forcing => (&FORCING, Arguments::State, vector, equations.forcing.clone()),
             Product::Bias => (&BIAS, Arguments::State, vector, or_none(&equations.bias)),
             Product::Momenta => (&MOMENTA, Arguments::State, vector, or_none(&equations.momenta)),
             Product::Energy => {

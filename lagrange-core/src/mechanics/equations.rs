@@ -45,7 +45,7 @@ pub enum RoadChoice {
 }
 
 /// The equations of motion and what else a model was asked for. Products that are not wanted are `None` and
-/// have not been derived.
+/// have not been derived; the two sides of M q̈ = f come with the accelerations.
 #[derive(Clone, Debug)]
 pub struct Equations {
     /// q̈ as functions of t, q, v.
@@ -55,9 +55,9 @@ pub struct Equations {
     /// The counted cost of either road, as far as it was tried: dense, recursive.
     pub costs: [Option<f64>; 2],
     /// M, in rows.
-    pub mass_matrix: Option<Vec<Vec<ExprId>>>,
+    pub mass_matrix: Vec<Vec<ExprId>>,
     /// f in M q̈ = f
-    pub forcing: Option<Vec<ExprId>>,
+    pub forcing: Vec<ExprId>,
     /// d/dt ∂L/∂v − ∂L/∂q at zero acceleration, without loads and dissipation.
     pub bias: Option<Vec<ExprId>>,
     /// ∂L/∂v
@@ -112,14 +112,13 @@ impl Equations {
         labels.retain(|(id, _)| model.graph.as_number(*id).is_none());
         let wants = |product: Product| model.products.contains(&product);
         let wanted = [Product::Bias, Product::Momenta, Product::Energy, Product::InverseDynamics].map(wants);
-        let (wants_mass, wants_forcing) = (wants(Product::MassMatrix), wants(Product::Forcing));
         let [bias, momenta, energy, inverse] = wanted;
         Ok(Equations {
             accelerations: solution.accelerations,
             road,
             costs,
-            mass_matrix: wants_mass.then_some(mass_matrix),
-            forcing: wants_forcing.then_some(forcing),
+            mass_matrix,
+            forcing,
             bias: bias.then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
             momenta: momenta.then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
             energy: energy.then(|| energy_function(model)),

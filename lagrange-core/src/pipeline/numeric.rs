@@ -53,8 +53,8 @@ impl NumericSystem {
         };
         let [kinetic, potential] = energies;
         let products = [
-            (Product::MassMatrix, equations.mass_matrix.as_ref().map(|matrix| matrix.concat())),
-            (Product::Forcing, equations.forcing.clone()),
+            (Product::MassMatrix, Some(equations.mass_matrix.concat())),
+            (Product::Forcing, Some(equations.forcing.clone())),
             (Product::Bias, equations.bias.clone()),
             (Product::Momenta, equations.momenta.clone()),
             (Product::KineticEnergy, kinetic),

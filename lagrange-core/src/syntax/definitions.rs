@@ -4,6 +4,7 @@ use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
 use super::ast::{AstId, Definition, EmitItem, Name, StatementKind};
 use super::cursor::{Cursor, group_origin};
+use super::keywords::is_rust_keyword;
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
 
@@ -27,15 +28,19 @@ impl Parser<'_> {
         definitions
     }
 
-    /// `x, theta`. Where a name cannot be one, another stands for it that nobody can write.
+    /// `x, theta`. A word that cannot be a name counts all the same, so that vectors have the length that the
+    /// user expects; where it cannot be a field either, a name stands for it that nobody can write.
     pub(super) fn coordinates(&mut self, cursor: &mut Cursor) -> Vec<Name> {
         self.items(cursor, |parser, cursor| {
             let start = cursor.position();
+            let word = cursor.ident().filter(|word| can_be_field(&word.to_string())).cloned();
             let name = parser.declared_name(cursor).unwrap_or_else(|Reported| {
                 parser.skip_item(cursor);
                 parser.leave_out(cursor, start);
-                // It counts all the same, so that vectors have the length that the user expects.
-                Name { text: format!("__coordinate_{start}"), span: Span::call_site() }
+                match word {
+                    Some(word) => Name { text: word.to_string(), span: word.span() },
+                    None => Name { text: format!("__coordinate_{start}"), span: Span::call_site() },
+                }
             });
             if let Some(equals) = cursor.eat_equals() {
                 let help = messages::COORDINATE_WITH_VALUE_HELP;
@@ -150,4 +155,9 @@ fn at_item_end(cursor: &Cursor) -> bool {
 /// Whether no item follows a comma. A keyword before `=` is an item with a wrong name.
 fn at_list_end(cursor: &Cursor) -> bool {
     cursor.at(';') || cursor.at_end() || (cursor.at_statement() && !cursor.equals_past(1))
+}
+
+/// Whether Rust accepts the word as the name of a field, whatever the language makes of it.
+fn can_be_field(word: &str) -> bool {
+    word != "_" && !word.starts_with("r#") && !is_rust_keyword(word)
 }

@@ -220,6 +220,8 @@ pub(super) const INDEX: &str = "square brackets have no meaning here";
 pub(super) const INDEX_HELP: &str = "the components of a vector are `.x`, `.y` and `.z`";
 pub(super) const NUMBERED_COMPONENT: &str = "components are not numbered";
 pub(super) const ARGUMENT_HELP: &str = "write the argument of a function in parentheses: `cos(x)`";
+pub(super) const TYPE_HELP: &str =
+    "nothing has a type of its own: `#[scalar(f32)]` or `struct Name<S>;` chooses the type of all numbers";
 pub(super) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
 
 pub(super) fn keyword_as_value(word: &str) -> String {

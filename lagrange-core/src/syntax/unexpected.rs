@@ -91,6 +91,7 @@ fn operator_help(cursor: &Cursor) -> Option<&'static str> {
         TokenTree::Ident(_) | TokenTree::Literal(_) => Some(messages::PRODUCT_HELP),
         TokenTree::Group(group) if group.delimiter() != Delimiter::Brace => Some(messages::PRODUCT_HELP),
         TokenTree::Punct(punct) if punct.as_char() == '#' => Some(messages::COMMENT_HELP),
+        TokenTree::Punct(punct) if punct.as_char() == ':' => Some(messages::TYPE_HELP),
         _ => None,
     }
 }

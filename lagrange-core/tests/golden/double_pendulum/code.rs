@@ -3,8 +3,10 @@
 /// # Equations of motion
 ///
 /// ```text
-/// (m1 + m2)*l1^2*ddot(theta1) + m2*l1*l2*cos(theta1 - theta2)*ddot(theta2) = -m2*l1*l2*sin(theta1 - theta2)*dot(theta2)^2 - (m1 + m2)*l1*g*sin(theta1)
-/// m2*l1*l2*cos(theta1 - theta2)*ddot(theta1) + m2*l2^2*ddot(theta2) = m2*l1*l2*sin(theta1 - theta2)*dot(theta1)^2 - m2*l2*g*sin(theta2)
+/// (m1 + m2)*l1^2*ddot(theta1) + m2*l1*l2*cos(theta1 - theta2)*ddot(theta2)
+///     = -m2*l1*l2*sin(theta1 - theta2)*dot(theta2)^2 - (m1 + m2)*l1*g*sin(theta1)
+/// m2*l1*l2*cos(theta1 - theta2)*ddot(theta1) + m2*l2^2*ddot(theta2)
+///     = m2*l1*l2*sin(theta1 - theta2)*dot(theta1)^2 - m2*l2*g*sin(theta2)
 /// ```
 ///
 /// # State and structure

@@ -3,7 +3,8 @@
 /// # Equations of motion
 ///
 /// ```text
-/// 3/2*m*ddot(s) = m*g*sin(alpha) - (if s < l1 { 0 } else if s < 2*r + l1 { -m*mu*g*(l1 - s)/(2*r) } else { m*mu*g })*sign(dot(s))
+/// 3/2*m*ddot(s) = m*g*sin(alpha)
+///     - (if s < l1 { 0 } else if s < 2*r + l1 { -m*mu*g*(l1 - s)/(2*r) } else { m*mu*g })*sign(dot(s))
 /// ```
 ///
 /// # State and structure

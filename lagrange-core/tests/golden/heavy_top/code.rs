@@ -3,8 +3,10 @@
 /// # Equations of motion
 ///
 /// ```text
-/// (i1*sin(theta)^2 + i3*cos(theta)^2)*ddot(phi) + i3*cos(theta)*ddot(psi) = i3*sin(theta)*dot(theta)*dot(psi) - 2*(i1 - i3)*sin(theta)*cos(theta)*dot(phi)*dot(theta)
-/// i1*ddot(theta) = (i1 - i3)*sin(theta)*cos(theta)*dot(phi)^2 - i3*sin(theta)*dot(phi)*dot(psi) + m*h*g*sin(theta)
+/// (i1*sin(theta)^2 + i3*cos(theta)^2)*ddot(phi) + i3*cos(theta)*ddot(psi)
+///     = i3*sin(theta)*dot(theta)*dot(psi) - 2*(i1 - i3)*sin(theta)*cos(theta)*dot(phi)*dot(theta)
+/// i1*ddot(theta) = (i1 - i3)*sin(theta)*cos(theta)*dot(phi)^2 - i3*sin(theta)*dot(phi)*dot(psi)
+///     + m*h*g*sin(theta)
 /// i3*cos(theta)*ddot(phi) + i3*ddot(psi) = i3*sin(theta)*dot(phi)*dot(theta)
 /// ```
 ///

@@ -3,9 +3,25 @@
 /// # Equations of motion
 ///
 /// ```text
-/// (2*(m2 + m3)*l1*l2*cos(q2) + (m2 + m3)*l2^2 + (m1 + m2 + m3)*l1^2 + 2*m3*l1*l3*cos(q2 + q3) + 2*m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q1) + ((m2 + m3)*l1*l2*cos(q2) + (m2 + m3)*l2^2 + m3*l1*l3*cos(q2 + q3) + 2*m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q2) + (m3*l1*l3*cos(q2 + q3) + m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q3) = 2*(m2 + m3)*l1*l2*sin(q2)*dot(q1)*dot(q2) + (m2 + m3)*l1*l2*sin(q2)*dot(q2)^2 + 2*m3*l1*l3*sin(q2 + q3)*dot(q1)*dot(q2) + 2*m3*l1*l3*sin(q2 + q3)*dot(q1)*dot(q3) + m3*l1*l3*sin(q2 + q3)*dot(q2)^2 + 2*m3*l1*l3*sin(q2 + q3)*dot(q2)*dot(q3) + m3*l1*l3*sin(q2 + q3)*dot(q3)^2 + 2*m3*l2*l3*sin(q3)*dot(q1)*dot(q3) + 2*m3*l2*l3*sin(q3)*dot(q2)*dot(q3) + m3*l2*l3*sin(q3)*dot(q3)^2 - (m2 + m3)*l2*g*sin(q1 + q2) - (m1 + m2 + m3)*l1*g*sin(q1) - m3*l3*g*sin(q1 + q2 + q3)
-/// ((m2 + m3)*l1*l2*cos(q2) + (m2 + m3)*l2^2 + m3*l1*l3*cos(q2 + q3) + 2*m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q1) + ((m2 + m3)*l2^2 + 2*m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q2) + (m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q3) = 2*m3*l2*l3*sin(q3)*dot(q1)*dot(q3) - (m2 + m3)*l1*l2*sin(q2)*dot(q1)^2 - m3*l1*l3*sin(q2 + q3)*dot(q1)^2 + 2*m3*l2*l3*sin(q3)*dot(q2)*dot(q3) + m3*l2*l3*sin(q3)*dot(q3)^2 - (m2 + m3)*l2*g*sin(q1 + q2) - m3*l3*g*sin(q1 + q2 + q3)
-/// (m3*l1*l3*cos(q2 + q3) + m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q1) + (m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q2) + m3*l3^2*ddot(q3) = -m3*l1*l3*sin(q2 + q3)*dot(q1)^2 - m3*l2*l3*sin(q3)*dot(q1)^2 - 2*m3*l2*l3*sin(q3)*dot(q1)*dot(q2) - m3*l2*l3*sin(q3)*dot(q2)^2 - m3*l3*g*sin(q1 + q2 + q3)
+/// (2*(m2 + m3)*l1*l2*cos(q2) + (m2 + m3)*l2^2 + (m1 + m2 + m3)*l1^2 + 2*m3*l1*l3*cos(q2 + q3) + 2*m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q1)
+///     + ((m2 + m3)*l1*l2*cos(q2) + (m2 + m3)*l2^2 + m3*l1*l3*cos(q2 + q3) + 2*m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q2)
+///     + (m3*l1*l3*cos(q2 + q3) + m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q3)
+///     = 2*(m2 + m3)*l1*l2*sin(q2)*dot(q1)*dot(q2) + (m2 + m3)*l1*l2*sin(q2)*dot(q2)^2
+///     + 2*m3*l1*l3*sin(q2 + q3)*dot(q1)*dot(q2) + 2*m3*l1*l3*sin(q2 + q3)*dot(q1)*dot(q3)
+///     + m3*l1*l3*sin(q2 + q3)*dot(q2)^2 + 2*m3*l1*l3*sin(q2 + q3)*dot(q2)*dot(q3)
+///     + m3*l1*l3*sin(q2 + q3)*dot(q3)^2 + 2*m3*l2*l3*sin(q3)*dot(q1)*dot(q3)
+///     + 2*m3*l2*l3*sin(q3)*dot(q2)*dot(q3) + m3*l2*l3*sin(q3)*dot(q3)^2 - (m2 + m3)*l2*g*sin(q1 + q2)
+///     - (m1 + m2 + m3)*l1*g*sin(q1) - m3*l3*g*sin(q1 + q2 + q3)
+/// ((m2 + m3)*l1*l2*cos(q2) + (m2 + m3)*l2^2 + m3*l1*l3*cos(q2 + q3) + 2*m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q1)
+///     + ((m2 + m3)*l2^2 + 2*m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q2)
+///     + (m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q3) = 2*m3*l2*l3*sin(q3)*dot(q1)*dot(q3)
+///     - (m2 + m3)*l1*l2*sin(q2)*dot(q1)^2 - m3*l1*l3*sin(q2 + q3)*dot(q1)^2
+///     + 2*m3*l2*l3*sin(q3)*dot(q2)*dot(q3) + m3*l2*l3*sin(q3)*dot(q3)^2 - (m2 + m3)*l2*g*sin(q1 + q2)
+///     - m3*l3*g*sin(q1 + q2 + q3)
+/// (m3*l1*l3*cos(q2 + q3) + m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q1)
+///     + (m3*l2*l3*cos(q3) + m3*l3^2)*ddot(q2) + m3*l3^2*ddot(q3) = -m3*l1*l3*sin(q2 + q3)*dot(q1)^2
+///     - m3*l2*l3*sin(q3)*dot(q1)^2 - 2*m3*l2*l3*sin(q3)*dot(q1)*dot(q2) - m3*l2*l3*sin(q3)*dot(q2)^2
+///     - m3*l3*g*sin(q1 + q2 + q3)
 /// ```
 ///
 /// # State and structure
