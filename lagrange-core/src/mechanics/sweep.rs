@@ -119,7 +119,9 @@ impl Sweep {
     }
 
     fn set_parts(&mut self, id: ExprId, parts: Vec<(ExprId, ExprId)>) {
-        self.variables.get_mut(&id).into_iter().for_each(|variable| variable.parts.clone_from(&parts));
+        if let Some(variable) = self.variables.get_mut(&id) {
+            variable.parts = parts;
+        }
     }
 
     /// Ranks variables in depth-first order, parts before wholes and the farthest part first. Processing

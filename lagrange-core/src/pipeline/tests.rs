@@ -62,7 +62,7 @@ fn a_velocity_in_two_places_of_a_function_counts_twice_in_the_mass_matrix() {
     let system = derived("coord x; kinetic = pow(dot(x), dot(x)); force x = 1;");
     let v = 1.2_f64;
     let inertia = v.powf(v) * ((v.ln() + 1.0).powi(2) + 1.0 / v);
-    let acceleration = super::NumericSystem::new(&system).acceleration(0.0, &[0.0], &[v])[0];
+    let acceleration = NumericSystem::new(&system).acceleration(0.0, &[0.0], &[v])[0];
     assert!((acceleration * inertia - 1.0).abs() < 1e-12, "{acceleration}");
 }
 
