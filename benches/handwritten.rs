@@ -223,3 +223,79 @@ fn rod_accelerations<const N: usize>(
     }
     a
 }
+
+/// Accelerations of a chain in absolute angles by articulated bodies as they are written for any plane
+/// mechanism: a symmetric 2×2 inertia and a force for each subtree. Does not use that rods have no mass.
+#[inline]
+pub(crate) fn absolute_chain_articulated<const N: usize>(
+    q: &[f64; N],
+    v: &[f64; N],
+    m: &[f64; N],
+    l: &[f64; N],
+    g: f64,
+) -> [f64; N] {
+    let mut links = [Link::default(); N];
+    let (mut x, mut y) = (0.0, 0.0);
+    for k in 0..N {
+        let (sin, cos) = q[k].sin_cos();
+        let arm = [l[k] * cos, l[k] * sin];
+        let rate_squared = v[k] * v[k];
+        (x, y) = (fma(-arm[1], rate_squared, x), fma(arm[0], rate_squared, y));
+        links[k] = Link { arm, centripetal: [x, y], ..Link::default() };
+    }
+    let (mut xx, mut xy, mut yy, mut px, mut py) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    for k in (0..N).rev() {
+        let Link { arm: [tx, ty], centripetal: [cx, cy], .. } = links[k];
+        (xx, yy) = (xx + m[k], yy + m[k]);
+        (px, py) = (fma(m[k], cx, px), fma(m[k], cy + g, py));
+        let (wx, wy) = (fma(tx, xx, ty * xy), fma(tx, xy, ty * yy));
+        let inverse = 1.0 / fma(tx, wx, ty * wy);
+        let (fx, fy) = (wx * inverse, wy * inverse);
+        let moment = fma(tx, px, ty * py);
+        links[k].factor = [fx, fy];
+        links[k].free = moment * inverse;
+        (xx, xy, yy) = (fma(-fx, wx, xx), fma(-fx, wy, xy), fma(-fy, wy, yy));
+        (px, py) = (fma(-fx, moment, px), fma(-fy, moment, py));
+    }
+    let (mut ax, mut ay) = (0.0, 0.0);
+    std::array::from_fn(|k| {
+        let Link { arm, factor, free, .. } = links[k];
+        let acceleration = -fma(factor[0], ax, fma(factor[1], ay, free));
+        (ax, ay) = (fma(arm[0], acceleration, ax), fma(arm[1], acceleration, ay));
+        acceleration
+    })
+}
+
+/// The same in joint angles.
+#[inline]
+pub(crate) fn relative_chain_articulated<const N: usize>(
+    q: &[f64; N],
+    v: &[f64; N],
+    m: &[f64; N],
+    l: &[f64; N],
+    g: f64,
+) -> [f64; N] {
+    let (mut angle, mut rate) = (*q, *v);
+    for k in 1..N {
+        angle[k] += angle[k - 1];
+        rate[k] += rate[k - 1];
+    }
+    let mut a = absolute_chain_articulated(&angle, &rate, m, l, g);
+    for k in (1..N).rev() {
+        a[k] -= a[k - 1];
+    }
+    a
+}
+
+/// What the sweeps of the articulated chain leave for each other, per rod.
+#[derive(Clone, Copy, Default)]
+struct Link {
+    /// Velocity of the lower end against the upper one at unit rate.
+    arm: [f64; 2],
+    /// Acceleration of the lower end when no rate changes.
+    centripetal: [f64; 2],
+    /// Acceleration of the angle for unit accelerations of the upper end, negated.
+    factor: [f64; 2],
+    /// Acceleration of the angle when the upper end does not accelerate, negated.
+    free: f64,
+}

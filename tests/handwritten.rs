@@ -7,7 +7,10 @@ use std::array::from_fn;
 use std::fs;
 use std::path::Path;
 
-use handwritten::{absolute_chain, absolute_chain_recursive, double_pendulum, relative_chain};
+use handwritten::{
+    absolute_chain, absolute_chain_articulated, absolute_chain_recursive, double_pendulum, relative_chain,
+    relative_chain_articulated,
+};
 use serde_json::Value;
 
 const TOLERANCE: f64 = 1e-12;
@@ -51,6 +54,13 @@ fn assert_reproduces<const N: usize>(name: &str, accelerations: Accelerations<N>
 #[test]
 fn unrolled_double_pendulum() {
     assert_reproduces("double_pendulum", double_pendulum);
+}
+
+#[test]
+fn articulated_chains() {
+    assert_reproduces("double_pendulum", absolute_chain_articulated::<2>);
+    assert_reproduces("chain10_absolute", absolute_chain_articulated::<10>);
+    assert_reproduces("chain6_relative", relative_chain_articulated::<6>);
 }
 
 #[test]
