@@ -104,12 +104,7 @@ impl Equations {
         let forcing = forcing(&mut model.graph, &pushed, &velocities);
         let (solution, road, costs) = solve(&mut model.graph, form, pushed, &velocities, choice)?;
         let structure = Structure::find(model, &mass_matrix);
-        let mut labels = model.labels.clone();
-        labels.extend(matrix_labels(&mass_matrix));
-        let named = solution.accelerations.iter().zip(&model.coordinates);
-        labels.extend(named.map(|(id, coordinate)| (*id, format!("{}_ddot", coordinate.name))));
-        labels.extend(solution.labels);
-        labels.retain(|(id, _)| model.graph.as_number(*id).is_none());
+        let labels = labels(model, &mass_matrix, &solution);
         let wants = |product: Product| model.products.contains(&product);
         let wanted = [Product::Bias, Product::Momenta, Product::Energy, Product::InverseDynamics].map(wants);
         let [bias, momenta, energy, inverse] = wanted;
@@ -267,6 +262,18 @@ fn weighted_by_degree(graph: &mut Graph, sum: ExprId) -> Option<Vec<(ExprId, Num
         weighted.push((*term, coefficient * &weight));
     }
     Some(weighted)
+}
+
+/// Names of the user, then of matrix entries and of what the solution computes on the way.
+fn labels(model: &Model, mass_matrix: &[Vec<ExprId>], solution: &Solution) -> Vec<(ExprId, String)> {
+    let accelerations = solution.accelerations.iter().zip(&model.coordinates);
+    let accelerations = accelerations.map(|(id, coordinate)| (*id, format!("{}_ddot", coordinate.name)));
+    let derived = matrix_labels(mass_matrix).into_iter().chain(accelerations);
+    let derived = derived.chain(solution.labels.iter().cloned());
+    // A symbol or the sine of an angle says itself what it is, unless the user has named it.
+    let says_itself = |id| matches!(model.graph.node(id), Node::Symbol(_) | Node::Call(..));
+    let labels = model.labels.iter().cloned().chain(derived.filter(|(id, _)| !says_itself(*id)));
+    labels.filter(|(id, _)| model.graph.as_number(*id).is_none()).collect()
 }
 
 fn matrix_labels(matrix: &[Vec<ExprId>]) -> Vec<(ExprId, String)> {
