@@ -75,14 +75,16 @@ impl Canceller {
             return known;
         }
         let (coefficient, core) = graph.split_coefficient(id);
+        // What is divided by itself is not looked into.
+        let is_opened = depth > 0 && divisor.exponent(core).is_none();
         let quotient = match graph.node(core).clone() {
-            Node::Sum { terms, .. } if depth > 0 => {
+            Node::Sum { constant, terms } if is_opened && constant.is_zero() => {
                 let terms =
                     terms.iter().map(|(t, c)| (self.divide(graph, *t, divisor, depth - 1), c.clone()));
                 let terms = terms.collect();
                 flat_sum(graph, terms)
             }
-            Node::Product(_) if depth > 0 => self.divide_product(graph, core, divisor, depth),
+            Node::Product(_) if is_opened => self.divide_product(graph, core, divisor, depth),
             _ => {
                 let one_over = divisor.power(&Number::MINUS_ONE).build(graph);
                 graph.multiply(core, one_over)
@@ -179,6 +181,11 @@ mod tests {
         let denominator = product(&mut g, &[m, shifted, shifted]);
         let expected = g.divide(k, shifted);
         assert_eq!(quotient(&mut g, numerator, denominator), expected);
+
+        let forcing = product(&mut g, &[m, shifted]);
+        let expected = g.divide(shifted, k);
+        let inertia_by_k = product(&mut g, &[m, k]);
+        assert_eq!(quotient(&mut g, forcing, inertia_by_k), expected);
 
         let foreign = g.add(weight, k);
         let plain = g.divide(foreign, inertia);

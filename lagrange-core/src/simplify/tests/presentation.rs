@@ -5,7 +5,7 @@ use crate::calculus::{evaluate, partial};
 use crate::expr::{ExprId, Function, Graph, Relation};
 use crate::functions::apply;
 use crate::number::Number;
-use crate::simplify::{collect, multiply_out, present, proves_zero};
+use crate::simplify::{collect, multiply_out, present, proves_zero, quotient};
 use crate::symbol::Role;
 
 const BUDGET: usize = 200;
@@ -92,6 +92,21 @@ proptest! {
         let expanded = multiply_out(&mut g, &roots, BUDGET);
         let (before, after) = (evaluate(&g, &roots, value), evaluate(&g, &expanded, value));
         prop_assert!(before.iter().zip(&after).all(|(a, b)| agree(*a, *b)), "{before:?} {after:?}");
+    }
+
+    #[test]
+    fn quotients_keep_the_value(steps in vec(any::<Step>(), 1..24)) {
+        let mut g = Graph::new();
+        let roots = build(&mut g, &steps);
+        for pair in roots.windows(2) {
+            let shared = g.multiply(pair[0], pair[1]);
+            for (numerator, denominator) in [(pair[0], pair[1]), (shared, pair[0]), (shared, shared)] {
+                let plain = g.divide(numerator, denominator);
+                let cancelled = quotient(&mut g, numerator, denominator);
+                let values = evaluate(&g, &[plain, cancelled], value);
+                prop_assert!(!values[0].is_finite() || agree(values[0], values[1]), "{values:?}");
+            }
+        }
     }
 
     #[test]
