@@ -147,13 +147,11 @@ fn solve(
     let cost = |solution: &Option<Solution>| Some(cost(graph, &solution.as_ref()?.accelerations));
     let costs = [cost(&dense), cost(&recursive)];
     match (dense, recursive) {
-        (Some(dense), Some(recursive)) if costs[0] > costs[1] => {
-            drop(dense);
-            Ok((recursive, Road::Recursive, costs))
+        (Some(dense), recursive) if recursive.is_none() || costs[0] <= costs[1] => {
+            Ok((dense, Road::Dense, costs))
         }
-        (Some(dense), _) => Ok((dense, Road::Dense, costs)),
-        (None, Some(recursive)) => Ok((recursive, Road::Recursive, costs)),
-        (None, None) => Err(SingularMassMatrix),
+        (_, Some(recursive)) => Ok((recursive, Road::Recursive, costs)),
+        _ => Err(SingularMassMatrix),
     }
 }
 

@@ -110,6 +110,16 @@ impl QuadraticForm {
         self.neighbours.get_or_insert_with(j, BTreeSet::new).remove(&i);
     }
 
+    /// Forgets xᵢ² if its coefficient is zero; whether that was so.
+    pub(super) fn drop_vanished_square(&mut self, graph: &mut Graph, i: ExprId) -> bool {
+        let square = self.coefficient(graph, i, i);
+        let vanished = graph.is_zero(square);
+        if vanished {
+            self.pairs.remove(&(i, i));
+        }
+        vanished
+    }
+
     /// Removes every term with xᵢ.
     pub(super) fn take(&mut self, graph: &mut Graph, i: ExprId) -> Row {
         let near = self.neighbours.remove(&i).unwrap_or_default();

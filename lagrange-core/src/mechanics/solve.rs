@@ -48,6 +48,8 @@ pub(super) fn solve_dense(
     while !remaining.is_empty() {
         let candidates = remaining.iter().enumerate().filter(|(_, v)| form.has_square(**v));
         match candidates.min_by_key(|(_, v)| form.degree(**v)) {
+            // What was left of the square may have cancelled; another row, or a pair, goes first then.
+            Some((_, &v)) if form.drop_vanished_square(graph, v) => {}
             Some((position, _)) => eliminated.push(eliminate(graph, &mut form, remaining.remove(position))?),
             None => {
                 let first = remaining.remove(0);
