@@ -3,6 +3,7 @@ use quote::quote;
 use super::{Derived, NumericSystem, parse};
 use crate::calculus::evaluate;
 use crate::mechanics::{Conserved, Road, RoadChoice};
+use crate::syntax::ast::Accuracy;
 
 fn derived(text: &str) -> Derived {
     parse(text).expect("a correct declaration").derive(RoadChoice::Cheapest).expect("a regular system")
@@ -100,4 +101,13 @@ fn twenty_thousand_terms_are_derived_and_emitted() {
     // −Σ k / 2
     assert_eq!(at_rest, -(20_000.0 * 20_001.0 / 2.0 - 1.0) / 2.0);
     assert!(derived.emit(&quote!(::lagrange)).is_ok());
+}
+
+#[test]
+fn the_level_of_accuracy_reaches_the_derived_system() {
+    for level in Accuracy::ALL {
+        let head = format!("#[accuracy({})] struct Named;", level.name());
+        assert_eq!(derived(&format!("{head} {SPRING_PENDULUM}")).model.accuracy, level);
+    }
+    assert_eq!(derived(SPRING_PENDULUM).model.accuracy, Accuracy::Standard);
 }
