@@ -106,7 +106,7 @@ impl<'g> Elimination<'g> {
     ) -> Elimination<'g> {
         let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables());
         let composition = Composition::new(sweep, heads);
-        let algebra = Algebra { graph, sums };
+        let algebra = Algebra::new(graph, sums);
         let mut elimination =
             Elimination { algebra, composition, squares: Vec::new(), loads, steps: Vec::new() };
         elimination.collect_squares(&split.squares);
