@@ -1,0 +1,20 @@
+//! What is left of the digits of accelerations and energies where numbers of very different size meet.
+//!
+//! `cargo test -p lagrange-core --test extremes -- --nocapture` prints the errors that were found.
+
+mod digits;
+mod oracle;
+mod random;
+mod reference;
+mod scenes;
+mod sweep;
+mod trial;
+
+use lagrange_core::syntax::ast::Accuracy;
+
+/// The levels that are judged.
+const LEVELS: [Accuracy; 2] = [Accuracy::Standard, Accuracy::Strict];
+
+/// Whether `strict` is held to its own marks. As long as it is derived like `standard`, it is held to those
+/// of `standard`.
+const STRICT_DIFFERS: bool = false;
