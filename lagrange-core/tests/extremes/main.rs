@@ -8,6 +8,7 @@ mod random;
 mod reference;
 mod scenes;
 mod sweep;
+mod trees;
 mod trial;
 
 use lagrange_core::syntax::ast::Accuracy;

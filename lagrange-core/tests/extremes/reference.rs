@@ -160,7 +160,8 @@ fn solve(arithmetic: &Arithmetic, matrix: &[Real], right: &[Real]) -> Option<Vec
 }
 
 fn larger(a: &Real, b: &Real) -> bool {
-    a.abs_cmp(b).is_some_and(|order| order > 0)
+    // `abs_cmp` of version 0.3.7 compares with signs.
+    a.abs().cmp(&b.abs()).is_some_and(|order| order > 0)
 }
 
 /// ‖M‖₁ ‖M⁻¹‖₁; infinite for a singular matrix.

@@ -1,0 +1,102 @@
+//! Random trees of point masses on massless links: both roads to their accelerations.
+
+use std::f64::consts::PI;
+use std::fmt::Write;
+
+use lagrange_core::mechanics::{Road, RoadChoice};
+use lagrange_core::syntax::ast::Accuracy;
+
+use crate::random::{Random, cases};
+use crate::reference::Reference;
+use crate::trial::{Sample, Subject};
+
+/// Numbers of bodies, and how many trees of each number.
+const SIZES: [(usize, usize); 6] = [(1, 2), (2, 6), (5, 6), (12, 4), (30, 2), (60, 2)];
+const SEED: u64 = 60;
+/// The largest errors of the dense and of the recursive road, relative to the largest acceleration, both in
+/// the scales of the mass matrix. Its condition grows with a power of the number of links, which the
+/// recursive road does not feel.
+const BOUNDS: [f64; 2] = [1e-10, 1e-13];
+
+/// How a tree is built.
+#[derive(Clone, Copy, Debug)]
+enum Shape {
+    Chain,
+    Branching,
+}
+
+/// What angles are measured from.
+#[derive(Clone, Copy, Debug)]
+enum Angles {
+    Absolute,
+    Relative,
+    /// Either, body by body.
+    Mixed,
+}
+
+/// All pairs, taken in turn.
+const KINDS: [(Shape, Angles); 6] = [
+    (Shape::Chain, Angles::Absolute),
+    (Shape::Branching, Angles::Relative),
+    (Shape::Chain, Angles::Relative),
+    (Shape::Branching, Angles::Mixed),
+    (Shape::Chain, Angles::Mixed),
+    (Shape::Branching, Angles::Absolute),
+];
+
+/// The declaration of a tree with `n` bodies. Half of the trees have torsion springs at their joints.
+fn declaration(n: usize, shape: Shape, angles: Angles, random: &mut Random) -> String {
+    let mut text = "const g = 9.81; let p0 = (0, 0); let a0 = 0;\n".to_owned();
+    let has_springs = random.below(2) == 0;
+    for i in 1..=n {
+        let parent = match shape {
+            Shape::Chain => i - 1,
+            Shape::Branching => random.below(i),
+        };
+        let is_relative = match angles {
+            Angles::Absolute => false,
+            Angles::Relative => true,
+            Angles::Mixed => random.below(2) == 0,
+        };
+        let [mass, length, stiffness] = [(); 3].map(|()| random.between(0.5, 2.0));
+        let base = if is_relative { format!("a{parent} + ") } else { String::new() };
+        write!(
+            text,
+            "param m{i} = {mass}, l{i} = {length}; coord q{i}; let a{i} = {base}q{i};
+             let p{i} = p{parent} + (l{i}*sin(a{i}), -l{i}*cos(a{i}));
+             kinetic = kinetic_energy(m{i}, dot(p{i})); potential = gravitational_energy(m{i}, g, p{i}.y);\n"
+        )
+        .expect("a string takes it");
+        if has_springs {
+            writeln!(text, "potential = spring_energy({stiffness}, a{i} - a{parent});")
+                .expect("a string takes it");
+        }
+    }
+    text
+}
+
+fn state(n: usize, random: &mut Random) -> Sample {
+    let mut numbers = |size: f64| (0..n).map(|_| random.between(-size, size)).collect::<Vec<_>>();
+    Sample { settings: Vec::new(), q: numbers(PI), v: numbers(2.0) }
+}
+
+#[test]
+fn both_roads_through_random_trees_lead_to_the_reference() {
+    let mut random = Random::new(SEED);
+    let mut kinds = KINDS.into_iter().cycle();
+    println!("\nbodies, error of the dense and of the recursive road");
+    for (n, count) in SIZES {
+        for (shape, angles) in kinds.by_ref().take(cases(count)) {
+            let text = declaration(n, shape, angles, &mut random);
+            let sample = state(n, &mut random);
+            let truth = Reference::new(&text).truth(&sample).expect("a regular state");
+            let [dense, recursive] = [Road::Dense, Road::Recursive].map(|road| {
+                let mut subject = Subject::new(&text, Accuracy::Standard, RoadChoice::Always(road));
+                subject.errors(&sample, &truth).scaled
+            });
+            println!("{n:3} {dense:.0e} {recursive:.0e} {shape:?}, {angles:?}");
+            let is_kept = dense <= BOUNDS[0] && recursive <= BOUNDS[1];
+            assert!(is_kept, "{dense:e} or {recursive:e}: {text}{sample:?}");
+        }
+    }
+}
