@@ -10,6 +10,7 @@ mod scenes;
 mod sweep;
 mod trees;
 mod trial;
+mod undefined;
 
 use lagrange_core::syntax::ast::Accuracy;
 

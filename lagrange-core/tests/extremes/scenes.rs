@@ -71,6 +71,7 @@ impl Row {
         let coordinates = || model.coordinates.iter().map(|coordinate| &coordinate.name);
         Sample {
             settings: settings.collect(),
+            t: 0.0,
             q: coordinates().map(|name| number(name.clone())).collect(),
             v: coordinates().map(|name| number(format!("dot {name}"))).collect(),
         }

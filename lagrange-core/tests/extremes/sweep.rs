@@ -63,7 +63,7 @@ fn sample(model: &Model, random: &mut Random) -> Sample {
         });
     }
     let v = q.iter().map(|_| if random.below(5) == 0 { 0.0 } else { random.decades(-6.0, 6.0) }).collect();
-    Sample { settings, q, v }
+    Sample { settings, t: 0.0, q, v }
 }
 
 /// The losses of each level at the same random states of a scene.

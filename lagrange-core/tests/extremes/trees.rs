@@ -77,7 +77,7 @@ fn declaration(n: usize, shape: Shape, angles: Angles, random: &mut Random) -> S
 
 fn state(n: usize, random: &mut Random) -> Sample {
     let mut numbers = |size: f64| (0..n).map(|_| random.between(-size, size)).collect::<Vec<_>>();
-    Sample { settings: Vec::new(), q: numbers(PI), v: numbers(2.0) }
+    Sample { settings: Vec::new(), t: 0.0, q: numbers(PI), v: numbers(2.0) }
 }
 
 #[test]

@@ -13,6 +13,7 @@ use crate::reference::{Reference, Truth, relative_error};
 #[derive(Clone, Debug)]
 pub(crate) struct Sample {
     pub(crate) settings: Vec<(String, f64)>,
+    pub(crate) t: f64,
     pub(crate) q: Vec<f64>,
     pub(crate) v: Vec<f64>,
 }
@@ -32,11 +33,24 @@ impl Sample {
         match role {
             Role::Parameter(i) => parameter(&model.parameters, i),
             Role::Input(i) => parameter(&model.inputs, i),
-            Role::Time => 0.0,
+            Role::Time => self.t,
             Role::Coordinate(i) => self.q[i as usize],
             Role::Velocity(i) => self.v[i as usize],
             Role::Acceleration(_) | Role::Placeholder(_) => f64::NAN,
         }
+    }
+
+    /// Changes the value of a symbol.
+    pub(crate) fn set(&mut self, model: &Model, role: Role, value: f64) {
+        let name = match role {
+            Role::Parameter(i) => &model.parameters[i as usize].name,
+            Role::Input(i) => &model.inputs[i as usize].name,
+            Role::Coordinate(i) => return self.q[i as usize] = value,
+            Role::Velocity(i) => return self.v[i as usize] = value,
+            _ => return self.t = value,
+        };
+        self.settings.retain(|(known, _)| known != name);
+        self.settings.push((name.clone(), value));
     }
 }
 
@@ -54,14 +68,21 @@ impl Reference {
         self.conditions(|role, arithmetic| arithmetic.float(sample.value(&self.model, role)))
     }
 
+    /// Everything that accelerations may depend on.
+    pub(crate) fn roles(&self) -> Vec<Role> {
+        let count = |n: usize| 0..u32::try_from(n).expect("few symbols");
+        let model = &self.model;
+        let states = count(model.coordinates.len()).flat_map(|i| [Role::Coordinate(i), Role::Velocity(i)]);
+        let parameters = count(model.parameters.len()).map(Role::Parameter);
+        let inputs = count(model.inputs.len()).map(Role::Input);
+        parameters.chain(inputs).chain(states).chain([Role::Time]).collect()
+    }
+
     /// How roundings of the inputs are magnified at a sample.
     pub(crate) fn magnification(&self, sample: &Sample, truth: &Truth) -> Magnification {
-        let count = |n: usize| 0..u32::try_from(n).expect("few symbols");
-        let roles = count(self.model.parameters.len()).map(Role::Parameter);
-        let roles = roles.chain(count(sample.q.len()).flat_map(|i| [Role::Coordinate(i), Role::Velocity(i)]));
         let exact = self.moved(sample, None);
         let mut sum = Magnification { components: vec![0.0; exact.len()], scaled: 0.0 };
-        for role in roles {
+        for role in self.roles() {
             let moved = self.moved(sample, Some(role));
             sum.scaled += scaled(&moved, truth) / CHANGE;
             for (sum, (moved, exact)) in sum.components.iter_mut().zip(moved.iter().zip(&exact)) {
@@ -69,6 +90,12 @@ impl Reference {
             }
         }
         sum
+    }
+
+    /// |xⱼ ∂äᵢ/∂xⱼ| / |äᵢ| for one input xⱼ.
+    pub(crate) fn slopes(&self, sample: &Sample, input: Role) -> Vec<f64> {
+        let [moved, exact] = [Some(input), None].map(|larger| self.moved(sample, larger));
+        moved.iter().zip(&exact).map(|(moved, exact)| relative_error(moved, exact) / CHANGE).collect()
     }
 
     /// The accelerations with one input a little larger.
@@ -121,13 +148,18 @@ impl Subject {
         Subject { system: NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}"))) }
     }
 
-    /// How far it is from the truth at a sample.
-    pub(crate) fn errors(&mut self, sample: &Sample, truth: &Truth) -> Errors {
+    /// q̈ at a sample.
+    pub(crate) fn accelerations(&mut self, sample: &Sample) -> Vec<f64> {
         for (name, value) in &sample.settings {
             assert!(self.system.set(name, *value), "{name} is declared");
         }
-        let accelerations = self.system.acceleration(0.0, &sample.q, &sample.v);
-        let energy = self.system.product(Product::Energy, 0.0, &sample.q, &sample.v);
+        self.system.acceleration(sample.t, &sample.q, &sample.v)
+    }
+
+    /// How far it is from the truth at a sample.
+    pub(crate) fn errors(&mut self, sample: &Sample, truth: &Truth) -> Errors {
+        let accelerations = self.accelerations(sample);
+        let energy = self.system.product(Product::Energy, sample.t, &sample.q, &sample.v);
         let energy = energy.map_or(f64::INFINITY, |energy| error(energy[0], &truth.energy));
         let pairs = accelerations.iter().zip(&truth.accelerations);
         let components = pairs.map(|(found, exact)| error(*found, exact)).collect();
