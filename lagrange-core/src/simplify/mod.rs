@@ -12,6 +12,7 @@
 
 mod cancel;
 mod collect;
+mod content;
 mod expand;
 mod group;
 mod monomial;
@@ -24,6 +25,7 @@ mod waves;
 
 pub use cancel::quotient;
 pub use collect::collect;
+pub use content::content;
 pub use present::{multiply_out, present, present_all, proves_zero};
 pub use rules::{Arguments, RULES, Rule};
 
