@@ -1,6 +1,6 @@
 //! What is left of the digits of accelerations and energies where numbers of very different size meet.
 //!
-//! `cargo test -p lagrange-core --test extremes -- --nocapture` prints the errors that were found.
+//! `cargo test -p lagrange-core --test extremes -- --nocapture --test-threads=1` prints the errors that were found.
 
 mod digits;
 mod oracle;
@@ -11,11 +11,6 @@ mod sweep;
 mod trees;
 mod trial;
 mod undefined;
-
-use lagrange_core::syntax::ast::Accuracy;
-
-/// The levels that are judged.
-const LEVELS: [Accuracy; 2] = [Accuracy::Standard, Accuracy::Strict];
 
 /// Whether `strict` is held to its own marks. As long as it is derived like `standard`, it is held to those
 /// of `standard`.

@@ -3,13 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::{fs, iter};
 
-use lagrange_core::mechanics::RoadChoice;
-use lagrange_core::syntax::ast::Accuracy;
-
+use crate::STRICT_DIFFERS;
 use crate::digits::Arithmetic;
 use crate::reference::{Reference, relative_error};
-use crate::trial::{Errors, Sample, Subject};
-use crate::{LEVELS, STRICT_DIFFERS};
+use crate::trial::{Errors, STANDARD, STRICT, Sample, Subject, WAYS, Way};
 
 /// Tables give 20 digits.
 const PRINTED: f64 = 1e-19;
@@ -78,13 +75,14 @@ impl Row {
     }
 
     /// Whether a level keeps its bounds; where a table has no bound nothing is promised.
-    fn allows(&self, level: Accuracy, errors: &Errors) -> bool {
+    fn allows(&self, way: Way, errors: &Errors) -> bool {
         let keeps = |column: &str, error: f64| self.number(column).is_none_or(|bound| error <= bound);
-        match level {
-            Accuracy::Strict if STRICT_DIFFERS => {
+        match way {
+            STRICT if STRICT_DIFFERS => {
                 keeps("strict", errors.worst_component()) && keeps("strict energy", errors.energy)
             }
-            _ => keeps("standard", errors.worst_component()),
+            STANDARD | STRICT => keeps("standard", errors.worst_component()),
+            road => keeps(road.name, errors.worst_component()),
         }
     }
 }
@@ -100,10 +98,9 @@ impl Scene {
     /// Prints the errors of every row; those that are too large.
     fn judge(&self) -> Vec<String> {
         println!("\n{}: cond M, cond of M with unit diagonal; magnification of rounded inputs;", self.name);
-        println!("  at each level the relative error of every acceleration; of the energy");
+        println!("  along each way the relative error of every acceleration; of the energy");
         let reference = Reference::new(&self.declaration);
-        let mut subjects =
-            LEVELS.map(|level| (level, Subject::new(&self.declaration, level, RoadChoice::Cheapest)));
+        let mut subjects = WAYS.map(|way| (way, Subject::new(&self.declaration, way)));
         let mut failures = Vec::new();
         for (number, row) in (1..).zip(&self.rows) {
             let sample = row.sample(&reference);
@@ -114,11 +111,11 @@ impl Scene {
                 "{number:3} {plain:6.0e} {scaled:6.0e}; {}",
                 listed(&reference.magnification(&sample, &truth).components)
             );
-            for (level, subject) in &mut subjects {
+            for (way, subject) in &mut subjects {
                 let errors = subject.errors(&sample, &truth);
-                print!("  {}: {}; {:.1e}", level.name(), listed(&errors.components), errors.energy);
-                if !row.allows(*level, &errors) {
-                    failures.push(format!("{} row {number}, {}: {errors:?}", self.name, level.name()));
+                print!("\n      {:9} {}; {:.1e}", way.name, listed(&errors.components), errors.energy);
+                if !row.allows(*way, &errors) {
+                    failures.push(format!("{} row {number}, {}: {errors:?}", self.name, way.name));
                 }
             }
             println!();

@@ -8,14 +8,13 @@
 
 use std::f64::consts::PI;
 
-use lagrange_core::mechanics::{Model, RoadChoice};
-use lagrange_core::syntax::ast::Accuracy;
+use lagrange_core::mechanics::Model;
 
+use crate::STRICT_DIFFERS;
 use crate::random::{Random, cases};
 use crate::reference::Reference;
 use crate::scenes::{Scene, scenes};
-use crate::trial::{Sample, Subject};
-use crate::{LEVELS, STRICT_DIFFERS};
+use crate::trial::{STRICT, Sample, Subject, WAYS, Way};
 
 /// Random states of each scene.
 const CASES: usize = 24;
@@ -66,8 +65,8 @@ fn sample(model: &Model, random: &mut Random) -> Sample {
     Sample { settings, t: 0.0, q, v }
 }
 
-/// The losses of each level at the same random states of a scene.
-fn losses(scene: &Scene) -> [(Accuracy, Vec<Loss>); LEVELS.len()] {
+/// The losses along each way at the same random states of a scene.
+fn losses(scene: &Scene) -> [(Way, Vec<Loss>); WAYS.len()] {
     let reference = Reference::new(&scene.declaration);
     let mut random = Random::new(SEED);
     let samples = (0..cases(CASES)).map(|_| sample(&reference.model, &mut random));
@@ -79,35 +78,35 @@ fn losses(scene: &Scene) -> [(Accuracy, Vec<Loss>); LEVELS.len()] {
     });
     let judged = judged.collect::<Vec<_>>();
     assert!(!judged.is_empty(), "{}: some states are regular", scene.name);
-    LEVELS.map(|level| {
-        let mut subject = Subject::new(&scene.declaration, level, RoadChoice::Cheapest);
+    WAYS.map(|way| {
+        let mut subject = Subject::new(&scene.declaration, way);
         let losses = judged.iter().map(|(sample, truth, magnification, condition)| Loss {
             error: subject.errors(sample, truth).scaled / f64::EPSILON,
             magnification: *magnification,
             condition: *condition,
         });
-        (level, losses.collect())
+        (way, losses.collect())
     })
 }
 
 /// How many states lost 0, 1, … digits, to be read with `--nocapture`.
 #[test]
 fn digits_are_lost_only_to_the_condition_of_the_mass_matrix() {
-    let mut all = LEVELS.map(|level| (level, Vec::new()));
+    let mut all = WAYS.map(|way| (way, Vec::new()));
     println!("\nrandom states by digits lost, 0 to {MOST_DIGITS}; worst error over κ + c and over κ + √c");
     for scene in scenes() {
-        for ((level, losses), (_, all)) in losses(&scene).into_iter().zip(&mut all) {
-            print_histogram(&scene.name, level, &losses);
+        for ((way, losses), (_, all)) in losses(&scene).into_iter().zip(&mut all) {
+            print_histogram(&scene.name, way, &losses);
             all.extend(losses);
         }
     }
-    for (level, losses) in &all {
-        print_histogram("all", *level, losses);
-        let kept = match level {
-            Accuracy::Strict if STRICT_DIFFERS => share(losses, f64::sqrt) == 1.0,
+    for (way, losses) in &all {
+        print_histogram("all", *way, losses);
+        let kept = match *way {
+            STRICT if STRICT_DIFFERS => share(losses, f64::sqrt) == 1.0,
             _ => share(losses, |condition| condition) >= STANDARD_SHARE,
         };
-        assert!(kept, "{} loses more digits than it must", level.name());
+        assert!(kept, "{} loses more digits than it must", way.name);
     }
 }
 
@@ -118,7 +117,7 @@ fn share(losses: &[Loss], condition: fn(f64) -> f64) -> f64 {
     kept.count() as f64 / losses.len() as f64
 }
 
-fn print_histogram(name: &str, level: Accuracy, losses: &[Loss]) {
+fn print_histogram(name: &str, way: Way, losses: &[Loss]) {
     let mut counts = [0; MOST_DIGITS + 1];
     losses.iter().for_each(|loss| counts[loss.digits()] += 1);
     let counts = counts.map(|count| format!("{count:3}")).concat();
@@ -130,5 +129,5 @@ fn print_histogram(name: &str, level: Accuracy, losses: &[Loss]) {
             .fold(0.0, f64::max)
     };
     let [pivots, rotations] = [worst(|condition| condition), worst(f64::sqrt)];
-    println!("{name:20} {:8} {counts}  {pivots:.0e} {rotations:.0e}", level.name());
+    println!("{name:20} {:8} {counts}  {pivots:.0e} {rotations:.0e}", way.name);
 }

@@ -1,7 +1,7 @@
 //! A declaration under test, beside its reference, at samples of its parameters and states.
 
 use lagrange_core::calculus::evaluate;
-use lagrange_core::mechanics::{Model, Product, RoadChoice};
+use lagrange_core::mechanics::{Model, Product, Road, RoadChoice};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::symbol::Role;
 use lagrange_core::syntax::ast::Accuracy;
@@ -118,7 +118,31 @@ pub(crate) struct Magnification {
     pub(crate) scaled: f64,
 }
 
-/// What a level of accuracy makes of a declaration.
+/// A way to accelerations.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Way {
+    pub(crate) name: &'static str,
+    pub(crate) level: Accuracy,
+    pub(crate) road: RoadChoice,
+}
+
+/// The levels as users get them, and every road.
+pub(crate) const WAYS: [Way; 5] = [STANDARD, STRICT, DENSE, RECURSIVE, SQUARES];
+pub(crate) const STANDARD: Way = level("standard", Accuracy::Standard);
+pub(crate) const STRICT: Way = level("strict", Accuracy::Strict);
+pub(crate) const DENSE: Way = road("dense", Road::Dense);
+pub(crate) const RECURSIVE: Way = road("recursive", Road::Recursive);
+pub(crate) const SQUARES: Way = road("squares", Road::Squares);
+
+const fn level(name: &'static str, level: Accuracy) -> Way {
+    Way { name, level, road: RoadChoice::Cheapest }
+}
+
+const fn road(name: &'static str, road: Road) -> Way {
+    Way { name, level: Accuracy::Standard, road: RoadChoice::Always(road) }
+}
+
+/// What comes of a declaration.
 pub(crate) struct Subject {
     system: NumericSystem,
 }
@@ -141,10 +165,10 @@ impl Errors {
 }
 
 impl Subject {
-    /// A declaration without a head, at a level of accuracy and along a road.
-    pub(crate) fn new(declaration: &str, level: Accuracy, road: RoadChoice) -> Subject {
-        let text = format!("#[accuracy({})] struct Subject; {declaration}", level.name());
-        let derived = parse(&text).and_then(|system| system.derive(road));
+    /// A declaration without a head, along a way.
+    pub(crate) fn new(declaration: &str, way: Way) -> Subject {
+        let text = format!("#[accuracy({})] struct Subject; {declaration}", way.level.name());
+        let derived = parse(&text).and_then(|system| system.derive(way.road));
         Subject { system: NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}"))) }
     }
 

@@ -163,8 +163,7 @@ impl<'g> Elimination<'g> {
         if graph.is_zero(pull.pivot) {
             return None;
         }
-        let factors =
-            factors.iter().map(|&(id, value)| (id, simplify::quotient(graph, value, pull.pivot)));
+        let factors = factors.iter().map(|&(id, value)| (id, simplify::quotient(graph, value, pull.pivot)));
         let factors = factors.collect::<Vec<_>>();
         for &(id, factor) in &factors {
             let back = graph.multiply(factor, applied);
@@ -210,7 +209,8 @@ impl<'g> Elimination<'g> {
     }
 
     fn carriers(&mut self, expansions: &OrderedMap<ExprId, Expansion>, touched: &[Square]) -> Carriers {
-        let mut ids = touched.iter().flat_map(|square| square.form.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
+        let mut ids =
+            touched.iter().flat_map(|square| square.form.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
         ids.retain(|id| expansions.contains(id));
         ids.sort_unstable();
         ids.dedup();
