@@ -194,7 +194,6 @@ pub(super) fn counts_text(counts: OperationCounts) -> String {
     counts.to_string().replace("sin_cos", "`sin_cos`")
 }
 
-
 /// Which road leads to the accelerations, and why: the counted cost of each that was tried.
 fn road_text(equations: &Equations) -> String {
     if equations.structure.mass.is_diagonal() {

@@ -25,9 +25,9 @@ mod rules;
 mod size;
 mod waves;
 
+pub use angle::Angles;
 pub use cancel::quotient;
 pub use collect::collect;
-pub use angle::Angles;
 pub use content::content;
 pub use contract::contract;
 pub use present::{multiply_out, present, present_all, proves_zero};

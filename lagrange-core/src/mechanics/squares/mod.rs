@@ -187,7 +187,16 @@ impl<'g> Elimination<'g> {
         let free = simplify::quotient(graph, load, pull.pivot);
         let retired = expansions.iter().map(|(id, _)| *id).collect::<Vec<_>>();
         self.composition.retire(&retired);
-        self.steps.push(Step { velocity, unknown, ways, scale, pivot: pull.pivot, factors, free, expansions });
+        self.steps.push(Step {
+            velocity,
+            unknown,
+            ways,
+            scale,
+            pivot: pull.pivot,
+            factors,
+            free,
+            expansions,
+        });
         self.add_squares(left);
         Some(())
     }

@@ -137,7 +137,8 @@ pub(super) fn eliminate(
     carriers: &Carriers,
     squares: &[Carried],
 ) -> (Pull, Vec<Square>) {
-    let is_single_moment = carriers.moments.len() < 2 && squares.iter().all(|square| square.others.is_empty());
+    let is_single_moment =
+        carriers.moments.len() < 2 && squares.iter().all(|square| square.others.is_empty());
     if is_single_moment {
         let pull = pull(algebra, carriers, squares);
         // What depends on no acceleration cannot be made smaller.
