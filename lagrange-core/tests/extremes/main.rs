@@ -14,4 +14,4 @@ mod undefined;
 
 /// Whether `strict` is held to its own marks. As long as it is derived like `standard`, it is held to those
 /// of `standard`.
-const STRICT_DIFFERS: bool = false;
+const STRICT_DIFFERS: bool = true;
