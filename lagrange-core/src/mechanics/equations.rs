@@ -14,6 +14,7 @@ use crate::calculus::{AccelerationTerms, gradient, homogeneity};
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 use crate::simplify;
+use crate::syntax::ast::Accuracy;
 
 /// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
 /// the factorisation down would be all that the trial finds.
@@ -149,6 +150,9 @@ impl Roads<'_> {
             RoadChoice::Always(Road::Squares) if self.split.has_other_inertia => {
                 RoadChoice::Always(Road::Dense)
             }
+            RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
+                RoadChoice::Always(if self.split.has_other_inertia { Road::Dense } else { Road::Squares })
+            }
             choice => choice,
         };
         let mut best = None;
@@ -183,7 +187,11 @@ impl Roads<'_> {
             Road::Squares => {
                 let dropped = AccelerationTerms::Dropped;
                 let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
-                solve_squares(&mut self.model.graph, self.split, loads, &velocities, Sums::Collected)
+                let sums = match self.model.accuracy {
+                    Accuracy::Strict => Sums::Contracted,
+                    Accuracy::Fast | Accuracy::Standard => Sums::Collected,
+                };
+                solve_squares(&mut self.model.graph, self.split, loads, &velocities, sums)
             }
         }
     }

@@ -6,7 +6,7 @@ use super::composition::LinearForm;
 use crate::collections::OrderedMap;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
-use crate::simplify;
+use crate::simplify::{self, Angles};
 
 /// Products of sums are multiplied out up to this many terms.
 const MOST_OPENED: usize = 16;
@@ -24,20 +24,35 @@ pub(in crate::mechanics) enum Sums {
 /// The graph, with sums simplified in one way.
 pub(super) struct Algebra<'g> {
     pub(super) graph: &'g mut Graph,
-    pub(super) sums: Sums,
+    sums: Sums,
+    angles: Angles,
 }
 
-impl Algebra<'_> {
+impl<'g> Algebra<'g> {
+    pub(super) fn new(graph: &'g mut Graph, sums: Sums) -> Algebra<'g> {
+        Algebra { graph, sums, angles: Angles::default() }
+    }
+
     /// `Σ coefficient · term`
     pub(super) fn total(&mut self, terms: Vec<(ExprId, Number)>) -> ExprId {
         let mut flat = Vec::with_capacity(terms.len());
         for (term, coefficient) in terms {
             self.flatten(term, &coefficient, &mut flat);
         }
-        match self.sums {
-            Sums::Collected => simplify::collect(self.graph, flat),
-            Sums::Contracted => simplify::collect(self.graph, flat),
+        self.simplified(flat)
+    }
+
+    fn simplified(&mut self, terms: Vec<(ExprId, Number)>) -> ExprId {
+        let collected = simplify::collect(self.graph, terms);
+        if self.sums == Sums::Collected {
+            return collected;
         }
+        let Node::Sum { constant, terms } = self.graph.node(collected).clone() else { return collected };
+        let mut terms = terms.into_vec();
+        if !constant.is_zero() {
+            terms.push((self.graph.number(1), constant));
+        }
+        simplify::contract(self.graph, &mut self.angles, terms)
     }
 
     /// The terms of a sum; others stay as they are.
@@ -58,11 +73,11 @@ impl Algebra<'_> {
             self.multiply_out(*a, *b, scale, &mut opened);
         }
         let is_the_same = opened.len() == closed.len();
-        let closed = simplify::collect(self.graph, closed);
+        let closed = self.simplified(closed);
         if is_the_same || self.terms(closed) < 2 {
             return closed;
         }
-        let opened = simplify::collect(self.graph, opened);
+        let opened = self.simplified(opened);
         if self.terms(opened) < self.terms(closed) { opened } else { closed }
     }
 

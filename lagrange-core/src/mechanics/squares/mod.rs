@@ -20,7 +20,7 @@ use crate::number::Number;
 use crate::simplify;
 use algebra::Algebra;
 use composition::{Composition, Expansion, LinearForm};
-use rotation::{Carriers, Square, eliminate};
+use rotation::{Carriers, Square, eliminate, factors_across};
 
 /// Accelerations from the squares of a Lagrangian, in the order of the velocities. `loads` are the linear part of the
 /// form without the rates of the squares. `None` if some velocity has no inertia, or terms other than squares are
@@ -63,11 +63,22 @@ struct Step {
     unknown: ExprId,
     /// From the velocity to the unknown: parts with the wholes through which alone they enter.
     ways: Vec<Way>,
+    /// The unknown is its acceleration times this.
+    scale: ExprId,
     pivot: ExprId,
     factors: LinearForm,
     free: ExprId,
     /// Variables that are known with the unknown.
     expansions: OrderedMap<ExprId, Expansion>,
+}
+
+/// The variables of the squares that are made of the unknown.
+fn carrier_ids(expansions: &OrderedMap<ExprId, Expansion>, squares: &[Square]) -> Vec<ExprId> {
+    let mut ids = squares.iter().flat_map(|square| square.form.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
+    ids.retain(|id| expansions.contains(id));
+    ids.sort_unstable();
+    ids.dedup();
+    ids
 }
 
 /// `part` enters only through `whole`, with the slope 1/inverse.
@@ -95,7 +106,7 @@ impl<'g> Elimination<'g> {
     ) -> Elimination<'g> {
         let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables());
         let composition = Composition::new(sweep, heads);
-        let algebra = Algebra { graph, sums };
+        let algebra = Algebra::new(graph, sums);
         let mut elimination =
             Elimination { algebra, composition, squares: Vec::new(), loads, steps: Vec::new() };
         elimination.collect_squares(&split.squares);
@@ -143,28 +154,31 @@ impl<'g> Elimination<'g> {
     fn eliminate(&mut self, velocity: ExprId) -> Option<()> {
         let ways = self.ways_up(velocity);
         let unknown = ways.last().map_or(velocity, |way| way.whole);
-        let expansions = self.composition.expand(&mut self.algebra, unknown);
+        let mut expansions = self.composition.expand(&mut self.algebra, unknown);
         let (touched, kept) = std::mem::take(&mut self.squares)
             .into_iter()
             .partition(|square| square.form.iter().any(|(id, _)| expansions.contains(id)));
         self.squares = kept;
-        let carriers = self.carriers(&expansions, &touched);
         let touched: Vec<Square> = touched;
+        let ids = carrier_ids(&expansions, &touched);
+        let scale = self.rescale(&mut expansions, &ids);
+        self.draw_out_of_drifts(&mut expansions, &ids);
+        let of_carriers = ids.iter().filter_map(|id| expansions.get(id).cloned()).collect();
+        let carriers = Carriers::new(&mut self.algebra, ids, of_carriers);
         let touched =
             touched.into_iter().map(|square| carriers.carry(&mut self.algebra, square)).collect::<Vec<_>>();
         if touched.is_empty() {
             return None;
         }
         let (pull, left) = eliminate(&mut self.algebra, &carriers, &touched);
-        let factors = pull.form(&mut self.algebra, &carriers);
-        let applied = self.applied_load(&expansions);
-        let load = self.algebra.total(vec![(pull.load(), Number::ONE), (applied, Number::ONE)]);
-        let graph = &mut *self.algebra.graph;
-        if graph.is_zero(pull.pivot) {
+        if self.algebra.graph.is_zero(pull.pivot) {
             return None;
         }
-        let factors = factors.iter().map(|&(id, value)| (id, simplify::quotient(graph, value, pull.pivot)));
-        let factors = factors.collect::<Vec<_>>();
+        let across = factors_across(&mut self.algebra, &carriers, &touched, pull.pivot);
+        let factors = across.unwrap_or_else(|| pull.factors(&mut self.algebra, &carriers));
+        let applied = self.applied_load(&expansions);
+        let load = self.algebra.total(vec![(pull.load, Number::ONE), (applied, Number::ONE)]);
+        let graph = &mut *self.algebra.graph;
         for &(id, factor) in &factors {
             let back = graph.multiply(factor, applied);
             let back = graph.negate(back);
@@ -173,7 +187,16 @@ impl<'g> Elimination<'g> {
         let free = simplify::quotient(graph, load, pull.pivot);
         let retired = expansions.iter().map(|(id, _)| *id).collect::<Vec<_>>();
         self.composition.retire(&retired);
-        self.steps.push(Step { velocity, unknown, ways, pivot: pull.pivot, factors, free, expansions });
+        self.steps.push(Step {
+            velocity,
+            unknown,
+            ways,
+            scale,
+            pivot: pull.pivot,
+            factors,
+            free,
+            expansions,
+        });
         self.add_squares(left);
         Some(())
     }
@@ -208,14 +231,38 @@ impl<'g> Elimination<'g> {
         }
     }
 
-    fn carriers(&mut self, expansions: &OrderedMap<ExprId, Expansion>, touched: &[Square]) -> Carriers {
-        let mut ids =
-            touched.iter().flat_map(|square| square.form.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
-        ids.retain(|id| expansions.contains(id));
-        ids.sort_unstable();
-        ids.dedup();
-        let of_carriers = ids.iter().filter_map(|id| expansions.get(id).cloned()).collect();
-        Carriers::new(&mut self.algebra, ids, of_carriers)
+    /// Measures the unknown in units of what the slopes of its carriers have in common, such as the length of a
+    /// rod, so that it no longer occurs in them.
+    fn rescale(&mut self, expansions: &mut OrderedMap<ExprId, Expansion>, carriers: &[ExprId]) -> ExprId {
+        let slopes = carriers.iter().filter_map(|id| Some(expansions.get(id)?.slope)).collect::<Vec<_>>();
+        let graph = &mut *self.algebra.graph;
+        let (scale, _) = simplify::content(graph, &slopes);
+        if slopes.len() < 2 || !graph.dependencies(scale).is_constant_in_motion() {
+            return graph.number(1);
+        }
+        let ids = expansions.iter().map(|(id, _)| *id).collect::<Vec<_>>();
+        for id in ids {
+            if let Some(expansion) = expansions.get_mut(&id) {
+                expansion.slope = simplify::quotient(graph, expansion.slope, scale);
+            }
+        }
+        scale
+    }
+
+    /// Writes the drifts of the carriers as multiples of what they have in common, such as the rate of a rod
+    /// squared.
+    fn draw_out_of_drifts(&mut self, expansions: &mut OrderedMap<ExprId, Expansion>, carriers: &[ExprId]) {
+        let drifts = carriers.iter().filter_map(|id| Some(expansions.get(id)?.drift)).collect::<Vec<_>>();
+        if drifts.len() < 2 {
+            return;
+        }
+        let graph = &mut *self.algebra.graph;
+        let (common, rest) = simplify::content(graph, &drifts);
+        for (id, rest) in carriers.iter().zip(rest) {
+            if let Some(expansion) = expansions.get_mut(id) {
+                expansion.drift = graph.multiply(common, rest);
+            }
+        }
     }
 
     /// The load along the unknown; what loads along its carriers mean for other variables is moved there.
@@ -274,8 +321,9 @@ impl<'g> Elimination<'g> {
                 terms.push((graph.multiply(factor, value), Number::MINUS_ONE));
             }
             let value = graph.sum(Number::ZERO, terms);
-            known.insert(step.unknown, value);
-            self.recover(step, &mut known);
+            let acceleration = graph.divide(value, step.scale);
+            known.insert(step.unknown, acceleration);
+            self.recover(step, value, &mut known);
         }
         let accelerations = velocities.iter().map(|&v| {
             let offset = self.composition.offset(self.algebra.graph, v);
@@ -286,15 +334,16 @@ impl<'g> Elimination<'g> {
     }
 
     /// The accelerations that are known with that of a step.
-    fn recover(&mut self, step: &Step, known: &mut HashMap<ExprId, ExprId>) {
-        for (id, _) in step.expansions.iter().filter(|(id, _)| **id != step.unknown) {
-            let drift = self.composition.drift(&mut self.algebra, *id);
-            let mut terms = vec![(drift, Number::ONE)];
-            for &(part, slope) in self.composition.parts(*id) {
+    fn recover(&mut self, step: &Step, unknown: ExprId, known: &mut HashMap<ExprId, ExprId>) {
+        for (id, expansion) in step.expansions.iter().filter(|(id, _)| **id != step.unknown) {
+            let graph = &mut *self.algebra.graph;
+            let mut terms = vec![(expansion.drift, Number::ONE)];
+            for &(part, slope) in &expansion.rest {
                 let value = known.get(&part).copied().unwrap_or(part);
-                terms.push((self.algebra.graph.multiply(slope, value), Number::ONE));
+                terms.push((graph.multiply(slope, value), Number::ONE));
             }
-            let value = self.algebra.graph.sum(Number::ZERO, terms);
+            terms.push((graph.multiply(expansion.slope, unknown), Number::ONE));
+            let value = graph.sum(Number::ZERO, terms);
             known.insert(*id, value);
         }
         for Way { part, whole, inverse } in step.ways.iter().rev() {

@@ -79,7 +79,7 @@ pub(super) struct Pull {
     /// Σ wᵢ aᵢ times the coefficients of other variables.
     others: LinearForm,
     /// Σ wᵢ aᵢ (Jᵢ·drift) + Σ aᵢ κᵢ
-    load: ExprId,
+    pub(super) load: ExprId,
 }
 
 impl Carriers {
@@ -188,11 +188,13 @@ fn load(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -> 
         let parts = square.carriers.iter().zip(&carriers.expansions);
         let parts = parts.map(|(&coefficient, e)| (coefficient, e.drift, Number::ONE)).collect::<Vec<_>>();
         let drift = algebra.products(&parts);
+        let drift = algebra.factored(drift);
         drifts.push((square.weight, square.arm, drift, Number::ONE));
         loads.push((algebra.graph.multiply(square.arm, square.linear), Number::ONE));
     }
     loads.push((algebra.weighted(&drifts), Number::ONE));
-    algebra.total(loads)
+    let load = algebra.total(loads);
+    algebra.factored(load)
 }
 
 /// The square across the only moment, from all pairs of squares.
@@ -283,8 +285,8 @@ fn normalised(algebra: &mut Algebra<'_>, pair: &[Carried; 2], pull: Pull) -> Car
 }
 
 impl Pull {
-    /// Σ numerator · y′ + Σ others as a form in what is left, without drift.
-    pub(super) fn form(&self, algebra: &mut Algebra<'_>, carriers: &Carriers) -> LinearForm {
+    /// (Σ numerator · y′ + Σ others) / D as a form in what is left, without drift.
+    pub(super) fn factors(&self, algebra: &mut Algebra<'_>, carriers: &Carriers) -> LinearForm {
         let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
         let one = algebra.graph.number(1);
         for (&numerator, expansion) in self.carriers.iter().zip(&carriers.expansions) {
@@ -295,10 +297,44 @@ impl Pull {
         for &(variable, coefficient) in &self.others {
             form.entry(variable).or_default().push((coefficient, one, Number::ONE));
         }
-        algebra.form_of_products(form)
+        let form = algebra.form_of_products(form);
+        form.iter().map(|&(id, value)| (id, simplify::quotient(algebra.graph, value, self.pivot))).collect()
     }
+}
 
-    pub(super) fn load(&self) -> ExprId {
-        self.load
+/// The factors where a single moment is left over unit directions: with the unit vector t, t·y′ is undone by the
+/// unknown, and only the moment is left, which acts by way of squares that are not the same in all directions.
+///
+/// Σ wᵢ aᵢ Jᵢ = D t + Σ wᵢ aᵢ (t_k Jᵢₗ − t_l Jᵢₖ) (−t_l, t_k).
+pub(super) fn factors_across(
+    algebra: &mut Algebra<'_>,
+    carriers: &Carriers,
+    squares: &[Carried],
+    pivot: ExprId,
+) -> Option<LinearForm> {
+    let [a, b] = carriers.expansions.as_slice() else { return None };
+    let one = Number::ONE;
+    let length = algebra.products(&[(a.slope, a.slope, one.clone()), (b.slope, b.slope, one.clone())]);
+    if !algebra.graph.is_one(length) || squares.iter().any(|square| !square.others.is_empty()) {
+        return None;
     }
+    let arms = squares.iter().map(|square| {
+        let across = algebra.products(&[
+            (a.slope, square.carriers[1], Number::ONE),
+            (b.slope, square.carriers[0], Number::MINUS_ONE),
+        ]);
+        (square.weight, square.arm, across, Number::ONE)
+    });
+    let arms = arms.collect::<Vec<_>>();
+    let arm = algebra.weighted(&arms);
+    let bend = simplify::quotient(algebra.graph, arm, pivot);
+    let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
+    for (this, other, sign) in [(a, b, Number::MINUS_ONE), (b, a, Number::ONE)] {
+        let turned = algebra.graph.multiply(bend, other.slope);
+        let direction = algebra.total(vec![(this.slope, Number::ONE), (turned, sign)]);
+        for &(part, slope) in &this.rest {
+            form.entry(part).or_default().push((direction, slope, Number::ONE));
+        }
+    }
+    Some(algebra.form_of_products(form))
 }
