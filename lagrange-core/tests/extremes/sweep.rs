@@ -10,7 +10,6 @@ use std::f64::consts::PI;
 
 use lagrange_core::mechanics::Model;
 
-use crate::STRICT_DIFFERS;
 use crate::random::{Random, cases};
 use crate::reference::Reference;
 use crate::scenes::{Scene, scenes};
@@ -52,8 +51,7 @@ impl Loss {
 /// What a way promises: a bound κ + c or κ + √c, and at which share of states.
 fn promise(way: Way) -> (fn(f64) -> f64, f64) {
     match way {
-        STRICT if STRICT_DIFFERS => (f64::sqrt, 1.0),
-        SQUARES => (f64::sqrt, SHARE),
+        STRICT | SQUARES => (f64::sqrt, SHARE),
         _ => (|condition| condition, SHARE),
     }
 }
