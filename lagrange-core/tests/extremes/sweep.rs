@@ -13,7 +13,7 @@ use lagrange_core::mechanics::Model;
 use crate::random::{Random, cases};
 use crate::reference::Reference;
 use crate::scenes::{Scene, scenes};
-use crate::trial::{SQUARES, STRICT, Sample, Subject, WAYS, Way};
+use crate::trial::{DENSE, SQUARES, STANDARD, STRICT, Sample, Subject, WAYS, Way};
 
 /// Random states of each scene.
 const CASES: usize = 24;
@@ -24,7 +24,7 @@ const MOST_DIGITS: usize = 16;
 const SLACK: f64 = 16.0;
 /// From this condition on a mass matrix in doubles may be singular, and results not finite.
 const SINGULAR: f64 = 0.1 / f64::EPSILON;
-/// The share of states at which bounds are kept. Elsewhere forces or masses of other bodies cancel.
+/// The share of all states at which bounds must be kept, exceptions included.
 const SHARE: f64 = 0.9;
 
 /// What was lost at one state, in units of rounding, and what had to be expected.
@@ -48,11 +48,28 @@ impl Loss {
     }
 }
 
-/// What a way promises: a bound κ + c or κ + √c, and at which share of states.
-fn promise(way: Way) -> (fn(f64) -> f64, f64) {
+/// What enters the bound of a way: c or √c.
+fn conditioned(way: Way) -> fn(f64) -> f64 {
     match way {
-        STRICT | SQUARES => (f64::sqrt, SHARE),
-        _ => (|condition| condition, SHARE),
+        STRICT | SQUARES => f64::sqrt,
+        _ => |condition| condition,
+    }
+}
+
+/// The scenes in which a way exceeds its bound at some states, because forces cancel without showing it.
+fn exceptions(way: Way) -> &'static [&'static str] {
+    match way {
+        STANDARD | DENSE => &["relative_pendulum", "two_link_arm"],
+        STRICT | SQUARES => &["cart_pole", "relative_pendulum", "spherical_pendulum", "two_link_arm"],
+        _ => &[
+            "branching_tree",
+            "cart_pole",
+            "double_pendulum",
+            "relative_pendulum",
+            "spherical_pendulum",
+            "triple_pendulum",
+            "two_link_arm",
+        ],
     }
 }
 
@@ -103,22 +120,33 @@ fn losses(scene: &Scene) -> [(Way, Vec<Loss>); WAYS.len()] {
 #[test]
 fn digits_are_lost_only_to_the_condition_of_the_mass_matrix() {
     let mut all = WAYS.map(|way| (way, Vec::new()));
+    let mut failures = Vec::new();
     println!("\nrandom states by digits lost, 0 to {MOST_DIGITS}; worst error over κ + c and over κ + √c");
     for scene in scenes() {
         for ((way, losses), (_, all)) in losses(&scene).into_iter().zip(&mut all) {
             print_histogram(&scene.name, way, &losses);
             print_worst(way, &losses);
+            if share(way, &losses) < 1.0 && !exceptions(way).contains(&scene.name.as_str()) {
+                failures.push(format!("{} in {}", way.name, scene.name));
+            }
             all.extend(losses);
         }
     }
     for (way, losses) in &all {
         print_histogram("all", *way, losses);
-        let (condition, share) = promise(*way);
-        let kept = losses.iter().filter(|loss| loss.beyond(condition) <= SLACK).count();
-        let found = kept as f64 / losses.len() as f64;
-        println!("{:20} {:9} keeps its bound at {found} of the states", "", way.name);
-        assert!(found >= share, "{} loses more digits than it must", way.name);
+        let share = share(*way, losses);
+        println!("{:20} {:9} keeps its bound at {share:.4} of the states", "", way.name);
+        if share < SHARE {
+            failures.push(format!("{} at many states", way.name));
+        }
     }
+    assert!(failures.is_empty(), "more digits are lost than must be: {failures:?}");
+}
+
+/// The share of states at which a way keeps its bound.
+fn share(way: Way, losses: &[Loss]) -> f64 {
+    let kept = losses.iter().filter(|loss| loss.beyond(conditioned(way)) <= SLACK);
+    kept.count() as f64 / losses.len() as f64
 }
 
 fn print_histogram(name: &str, way: Way, losses: &[Loss]) {
@@ -133,7 +161,7 @@ fn print_histogram(name: &str, way: Way, losses: &[Loss]) {
 
 /// The state at which a bound is exceeded most.
 fn print_worst(way: Way, losses: &[Loss]) {
-    let (condition, _) = promise(way);
+    let condition = conditioned(way);
     let worst = losses.iter().max_by(|a, b| a.beyond(condition).total_cmp(&b.beyond(condition)));
     if let Some(loss) = worst.filter(|loss| loss.beyond(condition) > SLACK) {
         let Loss { sample: Sample { settings, q, v, .. }, error, magnification, condition } = loss;
