@@ -1,0 +1,17 @@
+//! What is left of the digits of accelerations and energies where numbers of very different size meet.
+//!
+//! `cargo test -p lagrange-core --test extremes -- --nocapture --test-threads=1` prints the errors that were found.
+
+mod digits;
+mod oracle;
+mod random;
+mod reference;
+mod scenes;
+mod sweep;
+mod trees;
+mod trial;
+mod undefined;
+
+/// Whether `strict` is held to its own marks. As long as it is derived like `standard`, it is held to those
+/// of `standard`.
+const STRICT_DIFFERS: bool = false;
