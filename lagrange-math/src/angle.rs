@@ -52,8 +52,8 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
 fn sine(reduced: &Reduced, z: f64, near_cosine: f64) -> f64 {
     let Reduced { high: r, low, .. } = *reduced;
     let (z2, cube) = (z * z, z * r);
-    let first = multiply_add(pair(&SINE, 0, z), cube, low * near_cosine);
     let rest = multiply_add(pair(&SINE, 4, z), z2, pair(&SINE, 2, z));
+    let first = multiply_add(pair(&SINE, 0, z), cube, low * near_cosine);
     r + multiply_add(rest, cube * z2, first)
 }
 
@@ -61,9 +61,9 @@ fn sine(reduced: &Reduced, z: f64, near_cosine: f64) -> f64 {
 fn cosine(reduced: &Reduced, z: f64, half: f64, near_cosine: f64) -> f64 {
     let Reduced { high: r, low, .. } = *reduced;
     let z2 = z * z;
+    let rest = multiply_add(pair(&COSINE, 4, z), z2, pair(&COSINE, 2, z));
     let lost = (1.0 - near_cosine) - half;
     let first = multiply_add(pair(&COSINE, 0, z), z2, lost - r * low);
-    let rest = multiply_add(pair(&COSINE, 4, z), z2, pair(&COSINE, 2, z));
     near_cosine + multiply_add(rest, z2 * z2, first)
 }
 

@@ -35,6 +35,13 @@ pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     if !all_small {
         replace_large(&angles, &mut sines, &mut cosines);
     }
+    zipped(sines, cosines)
+}
+
+/// By value: compilers then see that the arrays of the result are other ones than those lent to a call, and keep
+/// them out of memory.
+#[inline(always)]
+fn zipped<const N: usize>(sines: [f64; N], cosines: [f64; N]) -> [(f64, f64); N] {
     core::array::from_fn(|i| (sines[i], cosines[i]))
 }
 
