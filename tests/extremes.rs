@@ -4,13 +4,9 @@
 const DECLARATION: &str = include_str!("extremes/double_pendulum.lag");
 const TABLE: &str = include_str!("extremes/double_pendulum.csv");
 
-/// Whether `strict` is held to its own marks. As long as it is derived like `standard`, it is held to those
-/// of `standard`.
-const STRICT_DIFFERS: bool = false;
-
 /// A level of accuracy as a module with the declaration and its tests.
 macro_rules! level {
-    ($level:ident, $column:expr; $($declaration:tt)*) => {
+    ($level:ident; $($declaration:tt)*) => {
         mod $level {
             lagrange::system! {
                 #[accuracy($level)]
@@ -33,7 +29,7 @@ macro_rules! level {
 
             #[test]
             fn keeps_its_bounds() {
-                super::judge($column, accelerations);
+                super::judge(stringify!($level), accelerations);
             }
         }
     };
@@ -41,8 +37,8 @@ macro_rules! level {
 
 macro_rules! levels {
     ($($declaration:tt)*) => {
-        level! { standard, "standard"; $($declaration)* }
-        level! { strict, if super::STRICT_DIFFERS { "strict" } else { "standard" }; $($declaration)* }
+        level! { standard; $($declaration)* }
+        level! { strict; $($declaration)* }
     };
 }
 

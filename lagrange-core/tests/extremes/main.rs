@@ -11,7 +11,3 @@ mod sweep;
 mod trees;
 mod trial;
 mod undefined;
-
-/// Whether `strict` is held to its own marks. As long as it is derived like `standard`, it is held to those
-/// of `standard`.
-const STRICT_DIFFERS: bool = false;

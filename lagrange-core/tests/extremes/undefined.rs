@@ -1,5 +1,6 @@
 //! What is not a number, and what has no value, is never answered with a plausible number.
 
+use std::cell::LazyCell;
 use std::fs;
 use std::path::Path;
 
@@ -94,8 +95,9 @@ fn an_acceleration_at_infinity_is_the_limit_or_not_finite() {
         let reference = Reference::new(&case.declaration);
         let mut subjects = subjects(&case.declaration);
         for role in reference.roles() {
+            let slopes = reference.slopes(&case.sample, role);
             for infinity in [f64::INFINITY, f64::NEG_INFINITY] {
-                let finite = case.limits(&reference, role, infinity, &mut subjects);
+                let finite = case.limits(&reference, (role, infinity), &slopes, &mut subjects);
                 limits += finite.len();
                 let wrong = finite.into_iter().filter(|(_, found, limit)| !is_near(*found, *limit));
                 failures.extend(wrong.map(|wrong| format!("{}: {wrong:?}", case.name)));
@@ -111,8 +113,8 @@ impl Case {
     fn limits(
         &self,
         reference: &Reference,
-        role: Role,
-        infinity: f64,
+        (role, infinity): (Role, f64),
+        slopes: &[f64],
         subjects: &mut [(&'static str, Subject)],
     ) -> Vec<(String, f64, f64)> {
         let with = |value: f64| {
@@ -120,8 +122,7 @@ impl Case {
             sample.set(&reference.model, role, value);
             sample
         };
-        let slopes = reference.slopes(&self.sample, role);
-        let truth = reference.truth(&with(FAR.copysign(infinity)));
+        let truth = LazyCell::new(|| reference.truth(&with(FAR.copysign(infinity))));
         let limit = |i: usize| truth.as_ref().map_or(f64::NAN, |truth| approximate(&truth.accelerations[i]));
         let found = subjects.iter_mut().flat_map(|(title, subject)| {
             let accelerations = subject.accelerations(&with(infinity)).into_iter().enumerate();

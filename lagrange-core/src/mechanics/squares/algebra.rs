@@ -47,21 +47,25 @@ impl<'g> Algebra<'g> {
         if self.sums == Sums::Collected {
             return collected;
         }
-        let Node::Sum { constant, terms } = self.graph.node(collected).clone() else { return collected };
+        let (scale, core) = self.graph.split_coefficient(collected);
+        let Node::Sum { constant, terms } = self.graph.node(core).clone() else { return collected };
         let mut terms = terms.into_vec();
         if !constant.is_zero() {
             terms.push((self.graph.number(1), constant));
         }
-        simplify::contract(self.graph, &mut self.angles, terms)
+        let contracted = simplify::contract(self.graph, &mut self.angles, terms);
+        self.graph.scale(scale, contracted)
     }
 
     /// The terms of a sum; others stay as they are.
     fn flatten(&self, id: ExprId, scale: &Number, flat: &mut Vec<(ExprId, Number)>) {
-        match self.graph.node(id) {
+        let (coefficient, core) = self.graph.split_coefficient(id);
+        let scale = &coefficient * scale;
+        match self.graph.node(core) {
             Node::Sum { constant, terms } if constant.is_zero() => {
-                flat.extend(terms.iter().map(|(term, c)| (*term, c * scale)));
+                flat.extend(terms.iter().map(|(term, c)| (*term, c * &scale)));
             }
-            _ => flat.push((id, scale.clone())),
+            _ => flat.push((core, scale)),
         }
     }
 
@@ -97,7 +101,8 @@ impl<'g> Algebra<'g> {
     }
 
     fn terms(&self, id: ExprId) -> usize {
-        match self.graph.node(id) {
+        let (_, core) = self.graph.split_coefficient(id);
+        match self.graph.node(core) {
             Node::Number(value) if value.is_zero() => 0,
             Node::Sum { constant, terms } => terms.len() + usize::from(!constant.is_zero()),
             _ => 1,

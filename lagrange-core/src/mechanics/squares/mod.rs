@@ -5,6 +5,7 @@
 //! trees of points it is also the shortest way: between two points a single number stands for a subtree.
 
 mod algebra;
+mod back;
 mod composition;
 mod rotation;
 
@@ -14,13 +15,14 @@ use super::form::QuadraticForm;
 use super::gauss::SplitLagrangian;
 use super::solve::Solution;
 use super::sweep::{Multiples, Sweep};
-use crate::collections::{HashMap, OrderedMap};
+use crate::collections::OrderedMap;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
 use crate::simplify;
 use algebra::Algebra;
+use back::{Step, Substitution, Way, substitute_back};
 use composition::{Composition, Expansion, LinearForm};
-use rotation::{Carriers, Square, eliminate, factors_across};
+use rotation::{Carried, Carriers, Pull, Square, eliminate};
 
 /// Accelerations from the squares of a Lagrangian, in the order of the velocities. `loads` are the linear part of the
 /// form without the rates of the squares. `None` if some velocity has no inertia, or terms other than squares are
@@ -39,7 +41,8 @@ pub(super) fn solve_squares(
     for velocity in order {
         elimination.eliminate(velocity)?;
     }
-    (elimination.steps.len() == velocities.len()).then(|| elimination.substitute_back(velocities))
+    let Elimination { algebra, composition, steps, .. } = elimination;
+    (steps.len() == velocities.len()).then(|| substitute_back(algebra, composition, &steps, velocities))
 }
 
 /// The generalised velocities, each after all that are made of it by way of others.
@@ -56,22 +59,6 @@ fn leaves(sweep: &mut Sweep) -> Vec<ExprId> {
     }
 }
 
-/// One eliminated unknown x, standing for a velocity: x = −Σ factor · variable − free.
-struct Step {
-    velocity: ExprId,
-    /// The variable whose acceleration was eliminated.
-    unknown: ExprId,
-    /// From the velocity to the unknown: parts with the wholes through which alone they enter.
-    ways: Vec<Way>,
-    /// The unknown is its acceleration times this.
-    scale: ExprId,
-    pivot: ExprId,
-    factors: LinearForm,
-    free: ExprId,
-    /// Variables that are known with the unknown.
-    expansions: OrderedMap<ExprId, Expansion>,
-}
-
 /// The variables of the squares that are made of the unknown.
 fn carrier_ids(expansions: &OrderedMap<ExprId, Expansion>, squares: &[Square]) -> Vec<ExprId> {
     let mut ids = squares.iter().flat_map(|square| square.form.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
@@ -79,13 +66,6 @@ fn carrier_ids(expansions: &OrderedMap<ExprId, Expansion>, squares: &[Square]) -
     ids.sort_unstable();
     ids.dedup();
     ids
-}
-
-/// `part` enters only through `whole`, with the slope 1/inverse.
-struct Way {
-    part: ExprId,
-    whole: ExprId,
-    inverse: Number,
 }
 
 struct Elimination<'g> {
@@ -174,31 +154,56 @@ impl<'g> Elimination<'g> {
         if self.algebra.graph.is_zero(pull.pivot) {
             return None;
         }
-        let across = factors_across(&mut self.algebra, &carriers, &touched, pull.pivot);
-        let factors = across.unwrap_or_else(|| pull.factors(&mut self.algebra, &carriers));
         let applied = self.applied_load(&expansions);
-        let load = self.algebra.total(vec![(pull.load, Number::ONE), (applied, Number::ONE)]);
-        let graph = &mut *self.algebra.graph;
-        for &(id, factor) in &factors {
-            let back = graph.multiply(factor, applied);
-            let back = graph.negate(back);
-            self.loads.add_linear(graph, id, back);
-        }
-        let free = simplify::quotient(graph, load, pull.pivot);
+        let rule = self.rule(&carriers, &touched, &pull, applied);
         let retired = expansions.iter().map(|(id, _)| *id).collect::<Vec<_>>();
         self.composition.retire(&retired);
-        self.steps.push(Step {
-            velocity,
-            unknown,
-            ways,
-            scale,
-            pivot: pull.pivot,
-            factors,
-            free,
-            expansions,
-        });
+        self.steps.push(Step { velocity, unknown, ways, scale, pivot: pull.pivot, rule, expansions });
         self.add_squares(left);
         Some(())
+    }
+
+    /// How the unknown follows from what is left. A load along it is passed on.
+    fn rule(
+        &mut self,
+        carriers: &Carriers,
+        touched: &[Carried],
+        pull: &Pull,
+        applied: ExprId,
+    ) -> Substitution {
+        let frame = carriers.frame(&mut self.algebra, touched, pull.pivot);
+        let factors = |elimination: &mut Self| match &frame {
+            Some(frame) => frame.factors(&mut elimination.algebra),
+            None => pull.factors(&mut elimination.algebra, carriers),
+        };
+        if !self.algebra.graph.is_zero(applied) {
+            let factors = factors(self);
+            self.pass_on(&factors, applied);
+        }
+        match frame {
+            Some(frame) => {
+                let load = self.algebra.total(vec![(pull.applied, Number::ONE), (applied, Number::ONE)]);
+                let offset = simplify::quotient(self.algebra.graph, load, pull.pivot);
+                Substitution::InFrame { carriers: frame.carriers, bend: frame.bend, offset }
+            }
+            None => {
+                let factors = pull.factors(&mut self.algebra, carriers);
+                let load = [pull.drifting, pull.applied, applied].map(|load| (load, Number::ONE));
+                let load = self.algebra.total(load.to_vec());
+                let free = simplify::quotient(self.algebra.graph, load, pull.pivot);
+                Substitution::Plain { factors, free }
+            }
+        }
+    }
+
+    /// The part of a load that what is left has to bear.
+    fn pass_on(&mut self, factors: &LinearForm, load: ExprId) {
+        let graph = &mut *self.algebra.graph;
+        for &(id, factor) in factors {
+            let value = graph.multiply(factor, load);
+            let value = graph.negate(value);
+            self.loads.add_linear(graph, id, value);
+        }
     }
 
     /// The way to the variable to eliminate for a velocity, which is one through which alone it enters.
@@ -306,58 +311,6 @@ impl<'g> Elimination<'g> {
             weight: graph.multiply(square.weight, squared),
             linear: graph.multiply(square.linear, content),
             form,
-        }
-    }
-
-    /// The accelerations, last eliminated first.
-    fn substitute_back(mut self, velocities: &[ExprId]) -> Solution {
-        let mut known: HashMap<ExprId, ExprId> = HashMap::default();
-        let steps = std::mem::take(&mut self.steps);
-        for step in steps.iter().rev() {
-            let graph = &mut *self.algebra.graph;
-            let mut terms = vec![(step.free, Number::MINUS_ONE)];
-            for &(id, factor) in &step.factors {
-                let value = known.get(&id).copied().unwrap_or(id);
-                terms.push((graph.multiply(factor, value), Number::MINUS_ONE));
-            }
-            let value = graph.sum(Number::ZERO, terms);
-            let acceleration = graph.divide(value, step.scale);
-            known.insert(step.unknown, acceleration);
-            self.recover(step, value, &mut known);
-        }
-        let accelerations = velocities.iter().map(|&v| {
-            let offset = self.composition.offset(self.algebra.graph, v);
-            let value = known.get(&v).copied().unwrap_or(v);
-            self.algebra.graph.subtract(value, offset)
-        });
-        Solution { accelerations: accelerations.collect(), labels: Vec::new() }
-    }
-
-    /// The accelerations that are known with that of a step.
-    fn recover(&mut self, step: &Step, unknown: ExprId, known: &mut HashMap<ExprId, ExprId>) {
-        for (id, expansion) in step.expansions.iter().filter(|(id, _)| **id != step.unknown) {
-            let graph = &mut *self.algebra.graph;
-            let mut terms = vec![(expansion.drift, Number::ONE)];
-            for &(part, slope) in &expansion.rest {
-                let value = known.get(&part).copied().unwrap_or(part);
-                terms.push((graph.multiply(slope, value), Number::ONE));
-            }
-            terms.push((graph.multiply(expansion.slope, unknown), Number::ONE));
-            let value = graph.sum(Number::ZERO, terms);
-            known.insert(*id, value);
-        }
-        for Way { part, whole, inverse } in step.ways.iter().rev() {
-            let drift = self.composition.drift(&mut self.algebra, *whole);
-            let graph = &mut *self.algebra.graph;
-            let mut terms = vec![(known.get(whole).copied().unwrap_or(*whole), Number::ONE)];
-            terms.push((drift, Number::MINUS_ONE));
-            for &(other, slope) in self.composition.parts(*whole).iter().filter(|(id, _)| id != part) {
-                let value = known.get(&other).copied().unwrap_or(other);
-                terms.push((graph.multiply(slope, value), Number::MINUS_ONE));
-            }
-            let value = graph.sum(Number::ZERO, terms);
-            let value = graph.scale(inverse.clone(), value);
-            known.insert(*part, value);
         }
     }
 }

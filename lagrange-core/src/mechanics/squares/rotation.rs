@@ -78,8 +78,10 @@ pub(super) struct Pull {
     carriers: Vec<ExprId>,
     /// Σ wᵢ aᵢ times the coefficients of other variables.
     others: LinearForm,
-    /// Σ wᵢ aᵢ (Jᵢ·drift) + Σ aᵢ κᵢ
-    pub(super) load: ExprId,
+    /// Σ wᵢ aᵢ (Jᵢ·drift)
+    pub(super) drifting: ExprId,
+    /// Σ aᵢ κᵢ
+    pub(super) applied: ExprId,
 }
 
 impl Carriers {
@@ -176,25 +178,22 @@ fn pull(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -> 
     }
     let others = others.into_iter().map(|(variable, products)| (variable, algebra.weighted(&products)));
     let others = others.collect();
-    let load = load(algebra, carriers, squares);
-    Pull { pivot: algebra.weighted(&pivot), carriers: numerators, others, load }
+    let drifting = drifting(algebra, carriers, squares);
+    let applied = squares.iter().map(|s| (algebra.graph.multiply(s.arm, s.linear), Number::ONE)).collect();
+    let applied = algebra.total(applied);
+    Pull { pivot: algebra.weighted(&pivot), carriers: numerators, others, drifting, applied }
 }
 
-/// Σ wᵢ aᵢ (Jᵢ·drift) + Σ aᵢ κᵢ
-fn load(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -> ExprId {
+/// Σ wᵢ aᵢ (Jᵢ·drift)
+fn drifting(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -> ExprId {
     let mut drifts = Vec::new();
-    let mut loads = Vec::new();
     for square in squares {
         let parts = square.carriers.iter().zip(&carriers.expansions);
         let parts = parts.map(|(&coefficient, e)| (coefficient, e.drift, Number::ONE)).collect::<Vec<_>>();
         let drift = algebra.products(&parts);
-        let drift = algebra.factored(drift);
-        drifts.push((square.weight, square.arm, drift, Number::ONE));
-        loads.push((algebra.graph.multiply(square.arm, square.linear), Number::ONE));
+        drifts.push((square.weight, square.arm, algebra.factored(drift), Number::ONE));
     }
-    loads.push((algebra.weighted(&drifts), Number::ONE));
-    let load = algebra.total(loads);
-    algebra.factored(load)
+    algebra.weighted(&drifts)
 }
 
 /// The square across the only moment, from all pairs of squares.
@@ -302,39 +301,57 @@ impl Pull {
     }
 }
 
-/// The factors where a single moment is left over unit directions: with the unit vector t, t·y′ is undone by the
-/// unknown, and only the moment is left, which acts by way of squares that are not the same in all directions.
+/// Two carriers that the unknown moves along a unit vector t, as the end of a rod.
 ///
-/// Σ wᵢ aᵢ Jᵢ = D t + Σ wᵢ aᵢ (t_k Jᵢₗ − t_l Jᵢₖ) (−t_l, t_k).
-pub(super) fn factors_across(
-    algebra: &mut Algebra<'_>,
-    carriers: &Carriers,
-    squares: &[Carried],
-    pivot: ExprId,
-) -> Option<LinearForm> {
-    let [a, b] = carriers.expansions.as_slice() else { return None };
-    let one = Number::ONE;
-    let length = algebra.products(&[(a.slope, a.slope, one.clone()), (b.slope, b.slope, one.clone())]);
-    if !algebra.graph.is_one(length) || squares.iter().any(|square| !square.others.is_empty()) {
-        return None;
-    }
-    let arms = squares.iter().map(|square| {
-        let across = algebra.products(&[
-            (a.slope, square.carriers[1], Number::ONE),
-            (b.slope, square.carriers[0], Number::MINUS_ONE),
-        ]);
-        (square.weight, square.arm, across, Number::ONE)
-    });
-    let arms = arms.collect::<Vec<_>>();
-    let arm = algebra.weighted(&arms);
-    let bend = simplify::quotient(algebra.graph, arm, pivot);
-    let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
-    for (this, other, sign) in [(a, b, Number::MINUS_ONE), (b, a, Number::ONE)] {
-        let turned = algebra.graph.multiply(bend, other.slope);
-        let direction = algebra.total(vec![(this.slope, Number::ONE), (turned, sign)]);
-        for &(part, slope) in &this.rest {
-            form.entry(part).or_default().push((direction, slope, Number::ONE));
+/// Written in the frame of t, y = tangential·t + normal·(−t₁, t₀), only the tangential component is free:
+/// D·tangential = −Σ wᵢ aᵢ eᵢ · normal − load, where eᵢ are the coefficients of the squares along the normal. No
+/// component is a small difference of large ones, as the Cartesian ones may be.
+pub(super) struct Frame {
+    pub(super) carriers: [(ExprId, Expansion); 2],
+    /// Σ wᵢ aᵢ eᵢ / D
+    pub(super) bend: ExprId,
+}
+
+impl Carriers {
+    /// The frame in which to write the accelerations of two carriers, if the unknown moves them by a unit vector.
+    pub(super) fn frame(
+        &self,
+        algebra: &mut Algebra<'_>,
+        squares: &[Carried],
+        pivot: ExprId,
+    ) -> Option<Frame> {
+        let ([x, y], [a, b]) = (self.ids.as_slice(), self.expansions.as_slice()) else { return None };
+        let length = [a, b].map(|e| (e.slope, e.slope, Number::ONE));
+        let length = algebra.products(&length);
+        if !algebra.graph.is_one(length) || squares.iter().any(|square| !square.others.is_empty()) {
+            return None;
         }
+        let arms = squares.iter().map(|square| {
+            let along_normal = algebra.products(&[
+                (a.slope, square.carriers[1], Number::ONE),
+                (b.slope, square.carriers[0], Number::MINUS_ONE),
+            ]);
+            (square.weight, square.arm, along_normal, Number::ONE)
+        });
+        let arms = arms.collect::<Vec<_>>();
+        let arm = algebra.weighted(&arms);
+        let bend = simplify::quotient(algebra.graph, arm, pivot);
+        Some(Frame { carriers: [(*x, a.clone()), (*y, b.clone())], bend })
     }
-    Some(algebra.form_of_products(form))
+}
+
+impl Frame {
+    /// The unknown as −Σ factor · variable, but for drift and load: the tangential component less t·y′.
+    pub(super) fn factors(&self, algebra: &mut Algebra<'_>) -> LinearForm {
+        let [(_, a), (_, b)] = &self.carriers;
+        let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
+        for (this, other, sign) in [(a, b, Number::MINUS_ONE), (b, a, Number::ONE)] {
+            let turned = algebra.graph.multiply(self.bend, other.slope);
+            let direction = algebra.total(vec![(this.slope, Number::ONE), (turned, sign)]);
+            for &(part, slope) in &this.rest {
+                form.entry(part).or_default().push((direction, slope, Number::ONE));
+            }
+        }
+        algebra.form_of_products(form)
+    }
 }
