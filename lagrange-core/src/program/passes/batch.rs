@@ -4,7 +4,8 @@ use crate::collections::HashMap;
 use crate::expr::Function;
 use crate::program::{Builder, Op, Program, ValueId, ValueTable};
 
-/// Values that are computed together at most. More would only keep their sines and cosines waiting in memory.
+/// Values that are computed together at most: with 8 to 32 chains take the same time, with 4 longer, and more
+/// would only keep sines and cosines waiting in memory.
 const MOST_ANGLES: usize = 32;
 
 /// One operation computes the sines and cosines whose arguments depend on no other sine or cosine, another

@@ -15,7 +15,7 @@
 ///
 /// - State: `[theta1, theta2, theta1_dot, theta2_dot]`.
 /// - Mass matrix: full, depends on the configuration.
-/// - Accelerations: the mass matrix is factorised (counted cost 253; recursion 298, sum of squares 268).
+/// - Accelerations: the mass matrix is factorised (counted cost 253; recursion 298, sum of squares 255).
 /// - Accuracy: `fast`. Sines and cosines are computed several at a time;
 ///   in `f64` each is within 0.9 units in the last place.
 /// - Cost of `acceleration`: 10 additions, 38 multiplications, 2 divisions, 3 `sin_cos`.
