@@ -151,7 +151,7 @@ impl Roads<'_> {
                 RoadChoice::Always(Road::Dense)
             }
             RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
-                RoadChoice::Always(if self.split.has_other_inertia { Road::Dense } else { Road::Squares })
+                RoadChoice::Always(self.most_accurate())
             }
             choice => choice,
         };
@@ -171,6 +171,12 @@ impl Roads<'_> {
             }
         }
         best.map(|(solution, road, _)| (solution, road, costs)).ok_or(SingularMassMatrix)
+    }
+
+    /// Nothing is more accurate than what needs no elimination.
+    fn most_accurate(&self) -> Road {
+        let is_coupled = self.model.velocities().iter().any(|&velocity| self.pushed.degree(velocity) > 0);
+        if is_coupled && !self.split.has_other_inertia { Road::Squares } else { Road::Dense }
     }
 
     fn is_large(&self) -> bool {

@@ -101,7 +101,7 @@ impl Composition {
         Some((user, graph.as_number(*slope)?.clone()))
     }
 
-    /// Every variable that `x` is a part of, itself included, written in `x` and others that it is no part of.
+    /// Every variable that `x` is a part of, written in `x` and others that it is no part of.
     pub(super) fn expand(&mut self, algebra: &mut Algebra<'_>, x: ExprId) -> OrderedMap<ExprId, Expansion> {
         let mut expansions: OrderedMap<ExprId, Expansion> = OrderedMap::default();
         for id in self.made_of(x) {
@@ -117,8 +117,8 @@ impl Composition {
         expansions
     }
 
-    /// Parts before wholes.
-    fn made_of(&self, x: ExprId) -> Vec<ExprId> {
+    /// Every variable that `x` is a part of, itself included, parts before wholes.
+    pub(super) fn made_of(&self, x: ExprId) -> Vec<ExprId> {
         let mut found = Vec::new();
         let mut pending = vec![x];
         while let Some(id) = pending.pop() {
