@@ -37,17 +37,24 @@ pub(super) fn solve_squares(
     let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables()).collect::<Vec<_>>();
     let mut sweep = Sweep::new(graph, &heads, velocities, Multiples::Merged);
     let mut elimination = Elimination::new(graph, &sweep, split, loads, sums);
-    let mut ready = Vec::new();
-    loop {
-        ready.extend(std::iter::from_fn(|| sweep.next_leaf()));
-        match elimination.outermost(&ready) {
-            Some(position) => elimination.eliminate(ready.remove(position))?,
-            None if sweep.next_step().is_some() => {}
-            None => break,
-        }
+    let mut order = leaves(&mut sweep);
+    order.sort_by_cached_key(|&velocity| elimination.moved_by(velocity));
+    for velocity in order {
+        elimination.eliminate(velocity)?;
     }
     let Elimination { algebra, composition, steps, .. } = elimination;
     (steps.len() == velocities.len()).then(|| substitute_back(algebra, composition, &steps, velocities))
+}
+
+/// The generalised velocities, each after all that are made of it by way of others.
+fn leaves(sweep: &mut Sweep) -> Vec<ExprId> {
+    let mut order = Vec::new();
+    loop {
+        order.extend(std::iter::from_fn(|| sweep.next_leaf()));
+        if sweep.next_step().is_none() {
+            return order;
+        }
+    }
 }
 
 /// The variables of the squares that are made of the unknown.
@@ -121,25 +128,16 @@ impl<'g> Elimination<'g> {
         self.loads.variables().into_iter().rev().find(is_pushable)
     }
 
-    /// The position of the velocity that moves the fewest inertias, then the fewest squares: of a cart and its pole,
-    /// the pole. What is left behind then adds to the inertia of what carries it.
-    fn outermost(&self, ready: &[ExprId]) -> Option<usize> {
-        let moved = |velocity: &ExprId| {
-            let made_of = self.composition.made_of(*velocity);
-            let touches = |square: &&Square| square.form.iter().any(|(id, _)| made_of.contains(id));
-            let touched = self.squares.iter().filter(touches);
-            let mut weights = touched.map(|square| square.weight).collect::<Vec<_>>();
-            let squares = weights.len();
-            weights.sort_unstable();
-            weights.dedup();
-            (weights.len(), squares)
-        };
-        let counted = ready.iter().enumerate().map(|(position, velocity)| (moved(velocity), position));
-        match ready {
-            [] => None,
-            [_] => Some(0),
-            _ => counted.min().map(|(_, position)| position),
-        }
+    /// How many inertias and how many squares a velocity moves. What moves the fewest is eliminated first, the pole
+    /// before its cart: what is left of it then adds to the inertia of what carries it.
+    fn moved_by(&self, velocity: ExprId) -> (usize, usize) {
+        let made_of = self.composition.made_of(velocity);
+        let touches = |square: &&Square| square.form.iter().any(|(id, _)| made_of.binary_search(id).is_ok());
+        let mut weights = self.squares.iter().filter(touches).map(|square| square.weight).collect::<Vec<_>>();
+        let squares = weights.len();
+        weights.sort_unstable();
+        weights.dedup();
+        (weights.len(), squares)
     }
 
     /// Eliminates one velocity. `None` if it has no inertia.
