@@ -14,7 +14,7 @@ pub use evaluate::evaluate;
 pub use local::{partials, second_partials};
 pub use partial::partial;
 pub use rate::{AccelerationTerms, Rates};
-pub use substitute::substitute;
+pub use substitute::{rebuild, substitute};
 
 #[cfg(test)]
 mod tests;

@@ -18,7 +18,7 @@ pub fn substitute(graph: &mut Graph, root: ExprId, replacements: &HashMap<ExprId
 }
 
 /// The node with every operand mapped, made by the constructors.
-fn rebuild(graph: &mut Graph, id: ExprId, map: impl Fn(ExprId) -> ExprId) -> ExprId {
+pub fn rebuild(graph: &mut Graph, id: ExprId, map: impl Fn(ExprId) -> ExprId) -> ExprId {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Pi | Node::Symbol(_) => id,
         Node::Sum { constant, terms } => graph.sum(constant, terms.iter().map(|(t, c)| (map(*t), c.clone()))),

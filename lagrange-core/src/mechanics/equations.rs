@@ -13,7 +13,7 @@ use super::structure::{Structure, vanishes};
 use crate::calculus::{AccelerationTerms, gradient, homogeneity};
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
-use crate::simplify;
+use crate::simplify::{self, Angles};
 use crate::syntax::ast::Accuracy;
 
 /// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
@@ -117,7 +117,7 @@ impl Equations {
         let wants = |product: Product| model.products.contains(&product);
         let wanted = [Product::Bias, Product::Momenta, Product::Energy, Product::InverseDynamics].map(wants);
         let [bias, momenta, energy, inverse] = wanted;
-        Ok(Equations {
+        let mut equations = Equations {
             accelerations: solution.accelerations,
             road,
             costs,
@@ -129,7 +129,26 @@ impl Equations {
             inverse_dynamics: inverse.then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
             structure,
             labels,
-        })
+        };
+        if model.accuracy == Accuracy::Strict {
+            equations.contract(model);
+        }
+        Ok(equations)
+    }
+
+    /// Writes what is emitted beside the accelerations with as little to cancel as is found.
+    fn contract(&mut self, model: &mut Model) {
+        let mut places = self.mass_matrix.iter_mut().flatten().chain(&mut self.forcing).collect::<Vec<_>>();
+        let optional = [&mut self.bias, &mut self.momenta, &mut self.inverse_dynamics];
+        places.extend(optional.into_iter().flatten().flatten());
+        places.extend(&mut self.energy);
+        if let Energies::Separate { kinetic, potential } = &mut model.energies {
+            places.extend([kinetic, potential]);
+        }
+        places.extend(model.outputs.iter_mut().flat_map(|output| &mut output.components));
+        let exprs = places.iter().map(|place| **place).collect::<Vec<_>>();
+        let contracted = simplify::contract_all(&mut model.graph, &mut Angles::default(), &exprs);
+        places.into_iter().zip(contracted).for_each(|(place, expr)| *place = expr);
     }
 }
 

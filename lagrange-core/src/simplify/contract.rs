@@ -15,7 +15,8 @@ use std::collections::BTreeMap;
 
 use super::angle::{Angles, Wave};
 use super::monomial::Monomial;
-use crate::collections::OrderedMap;
+use crate::calculus::rebuild;
+use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::functions::apply;
 use crate::number::Number;
@@ -68,6 +69,26 @@ pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Numb
         }
     }
     graph.sum(Number::ZERO, left)
+}
+
+/// The expressions with every sum in them contracted.
+pub fn contract_all(graph: &mut Graph, angles: &mut Angles, exprs: &[ExprId]) -> Vec<ExprId> {
+    let mut image: HashMap<ExprId, ExprId> = HashMap::default();
+    for id in graph.reachable(exprs) {
+        let moved = rebuild(graph, id, |child| image.get(&child).copied().unwrap_or(child));
+        let contracted = match graph.node(moved).clone() {
+            Node::Sum { constant, terms } => {
+                let mut terms = terms.into_vec();
+                if !constant.is_zero() {
+                    terms.push((graph.number(1), constant));
+                }
+                contract(graph, angles, terms)
+            }
+            _ => moved,
+        };
+        image.insert(id, contracted);
+    }
+    exprs.iter().map(|expr| image.get(expr).copied().unwrap_or(*expr)).collect()
 }
 
 /// The term as a cofactor and a product of waves; `None` if it has too many factors.

@@ -29,7 +29,7 @@ pub use angle::Angles;
 pub use cancel::quotient;
 pub use collect::collect;
 pub use content::content;
-pub use contract::contract;
+pub use contract::{contract, contract_all};
 pub use present::{multiply_out, present, present_all, proves_zero};
 pub use rules::{Arguments, RULES, Rule};
 
