@@ -12,6 +12,7 @@ mod fragment;
 mod literal;
 mod names;
 mod naming;
+mod parts;
 mod writer;
 
 use std::collections::BTreeSet;

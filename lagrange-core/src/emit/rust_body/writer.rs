@@ -7,6 +7,7 @@ use quote::{ToTokens, quote_spanned};
 
 use super::fragment::Fragment;
 use super::literal::Constant;
+use super::parts::{Statement, assemble};
 use super::{Body, Names, Scalar, Unrepresentable};
 use crate::expr::Relation;
 use crate::functions::row;
@@ -44,7 +45,7 @@ pub(super) struct Writer<'a> {
     /// Which values are in variables whose names only number them.
     pub(super) is_numbered: ValueTable<bool>,
     pub(super) written: ValueTable<Written>,
-    statements: TokenStream,
+    statements: Vec<Statement>,
     unrepresentable: Vec<String>,
     /// Functions that were called.
     functions: BTreeSet<&'static str>,
@@ -68,7 +69,7 @@ impl<'a> Writer<'a> {
             parts: parts_of_pairs(program),
             is_numbered: ValueTable::filled(program.len(), false),
             written: ValueTable::with_capacity(program.len()),
-            statements: TokenStream::new(),
+            statements: Vec::new(),
             unrepresentable: Vec::new(),
             functions: BTreeSet::new(),
         }
@@ -82,7 +83,8 @@ impl<'a> Writer<'a> {
         }
         let outputs = self.program.outputs().iter().map(|&output| self.take(output).tokens).collect();
         if self.unrepresentable.is_empty() {
-            Ok(Body { statements: self.statements, outputs, used, functions: self.functions })
+            let statements = assemble(self.program, &self.statements);
+            Ok(Body { statements, outputs, used, functions: self.functions })
         } else {
             Err(Unrepresentable { constants: self.unrepresentable })
         }
@@ -225,7 +227,8 @@ impl<'a> Writer<'a> {
     /// Writes a `let` for a value.
     fn bind(&mut self, id: ValueId, expression: &TokenStream) -> Ident {
         let name = self.choose_name(id);
-        self.statements.extend(quote_spanned!(Span::mixed_site()=> let #name = #expression;));
+        let tokens = quote_spanned!(Span::mixed_site()=> let #name = #expression;);
+        self.statements.push(Statement { tokens, variables: vec![(id, name.clone())] });
         name
     }
 
@@ -263,7 +266,10 @@ impl<'a> Writer<'a> {
         let pair = self.call("sin_cos", vec![angle]).tokens;
         let [sine, cosine] = [("sin", self.parts[id][0]), ("cos", self.parts[id][1])]
             .map(|(function, part)| self.name_part(function, part, name.as_deref()));
-        self.statements.extend(quote_spanned!(Span::mixed_site()=> let (#sine, #cosine) = #pair;));
+        let tokens = quote_spanned!(Span::mixed_site()=> let (#sine, #cosine) = #pair;);
+        let variables = self.parts[id].into_iter().zip([&sine, &cosine]);
+        let variables = variables.filter_map(|(part, name)| Some((part?, name.clone()))).collect();
+        self.statements.push(Statement { tokens, variables });
         Written::Pair(sine, cosine)
     }
 
