@@ -94,7 +94,7 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let mut report = Report::default();
     let items = parse_tokens(tokens, &mut report).map(|declaration| {
         let items = elaborate(&declaration, &mut report).and_then(|mut model| {
-            emit::report_hopeless_declaration(&declaration, model.graph.len(), &mut report)?;
+            emit::report_hopeless_model(&declaration, &model, &mut report)?;
             let equations = derive(&declaration, &mut model, RoadChoice::Cheapest, &mut report)?;
             emit(&declaration, &mut model, &equations, krate, &mut report)
         });

@@ -33,7 +33,7 @@ fn notice(diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
     let used = Ident::new("LargeSystem", diagnostic.origin.start);
     quote! {
         #allowed
-        const _: fn() = || {
+        const _: () = {
             #[deprecated(note = #text)]
             struct #used;
             let _ = #used;

@@ -20,7 +20,7 @@ pub mod text;
 
 pub use diagnostics::{diagnostics, report_refusal};
 pub use docs::{documentation, equations_latex};
-pub use size::{Size, report_cost, report_hopeless_declaration};
+pub use size::{Size, report_cost, report_hopeless_model};
 pub use skeleton::skeleton;
 pub use system::{Emitted, Refusal, system};
 

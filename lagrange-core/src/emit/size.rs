@@ -5,6 +5,7 @@
 
 use super::messages;
 use crate::diagnostics::Report;
+use crate::mechanics::{Model, Product};
 use crate::program::OperationCounts;
 use crate::syntax::ast::Declaration;
 
@@ -46,14 +47,15 @@ pub fn report_cost(declaration: &Declaration, Size(size): Size, report: &mut Rep
     report.expensive(declaration.name.span, message).help(messages::expensive_help());
 }
 
-/// Reports a declaration that is made of more expressions than can be emitted; what follows from it is larger
-/// still. `None` if it is.
-pub fn report_hopeless_declaration(
-    declaration: &Declaration,
-    expressions: usize,
-    report: &mut Report,
-) -> Option<()> {
-    if expressions > LARGEST {
+/// Reports a model from which more would follow than can be emitted, before anything is derived from it: methods
+/// hold about as many operations as energies have expressions, and the mass matrix an entry for each two
+/// coordinates. `None` if there is no point in deriving.
+pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
+    let entries = match model.products.contains(&Product::MassMatrix) {
+        true => model.coordinates.len().saturating_pow(2),
+        false => 0,
+    };
+    if Size(model.graph.len().max(entries)).is_hopeless() {
         report_hopeless(declaration, report);
         return None;
     }
