@@ -3,6 +3,7 @@
 mod declarations;
 mod expressions;
 mod formulas;
+mod growth;
 mod machines;
 mod mechanics;
 
