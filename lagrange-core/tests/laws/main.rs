@@ -6,6 +6,7 @@ mod formulas;
 mod growth;
 mod machines;
 mod mechanics;
+mod products;
 
 use proptest::prelude::ProptestConfig;
 
