@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the pendulum chains that benches derive and evaluate: `tools/chains.py` fills benches/chains/.
+"""Writes the pendulum chains that benches derive and evaluate, and those that tests/large.rs compiles:
+`tools/chains.py` fills benches/chains/.
 
 n point masses on massless rods under gravity, as a user would write them down: in absolute angles from the
 downward vertical, or in relative angles, each rod against the one before. All masses and lengths are
@@ -9,6 +10,7 @@ parameters.
 from pathlib import Path
 
 CHAINS = [("absolute", 2), ("absolute", 5), ("absolute", 10), ("absolute", 20), ("relative", 4), ("relative", 8)]
+LARGE = [("absolute", 100), ("relative", 100), ("absolute", 200), ("relative", 200)]
 FOLDER = Path(__file__).resolve().parent.parent / "benches" / "chains"
 
 
@@ -60,14 +62,14 @@ pub(crate) fn chain(m: &[f64; {n}], l: &[f64; {n}], g: f64) -> {name} {{
 
 
 def index():
-    """The module that holds the others."""
+    """The module that holds all but the large ones."""
     modules = "\n".join(f"pub(crate) mod {kind}_{n};" for kind, n in sorted(CHAINS))
     return f"//! Pendulum chains as declarations. Written by `tools/chains.py`.\n\n{modules}\n"
 
 
 def main():
     FOLDER.mkdir(exist_ok=True)
-    for kind, n in CHAINS:
+    for kind, n in CHAINS + LARGE:
         (FOLDER / f"{kind}_{n}.rs").write_text(module(kind, n))
     (FOLDER / "mod.rs").write_text(index())
 
