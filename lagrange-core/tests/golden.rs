@@ -57,8 +57,9 @@ fn equations(derived: &Derived) -> String {
     writeln!(out, "\n{:?}", structure.mass).expect("a string");
     writeln!(out, "cyclic: {:?}", structure.cyclic).expect("a string");
     writeln!(out, "conserved: {:?}", structure.conserved).expect("a string");
-    let [dense, recursive] = equations.costs;
-    writeln!(out, "road: {:?} (dense {dense:?}, recursive {recursive:?})", equations.road).expect("a string");
+    let [dense, recursive, squares] = equations.costs;
+    let costs = format!("dense {dense:?}, recursive {recursive:?}, squares {squares:?}");
+    writeln!(out, "road: {:?} ({costs})", equations.road).expect("a string");
     out
 }
 

@@ -194,16 +194,31 @@ pub(super) fn counts_text(counts: OperationCounts) -> String {
     counts.to_string().replace("sin_cos", "`sin_cos`")
 }
 
-fn road_text(equations: &Equations) -> &'static str {
-    match (equations.road, equations.costs) {
-        _ if equations.structure.mass.is_diagonal() => {
-            "each equation divided by its entry of the mass matrix"
-        }
-        (Road::Dense, [_, Some(_)]) => "the mass matrix is factorised, which costs no more than recursion",
-        (Road::Dense, _) => "the mass matrix is factorised",
-        (Road::Recursive, [Some(_), _]) => {
-            "eliminated body by body, which costs less than factorising the mass matrix"
-        }
-        (Road::Recursive, _) => "eliminated body by body",
+/// Which road leads to the accelerations, and why: the counted cost of each that was tried.
+fn road_text(equations: &Equations) -> String {
+    if equations.structure.mass.is_diagonal() {
+        return "each equation divided by its entry of the mass matrix".to_owned();
+    }
+    let costs = Road::ALL.into_iter().zip(equations.costs);
+    let costs = costs.filter_map(|(road, cost)| Some((road, cost?))).collect::<Vec<_>>();
+    let taken = match equations.road {
+        Road::Dense => "the mass matrix is factorised",
+        Road::Recursive => "eliminated body by body",
+        Road::Squares => "eliminated body by body, the kinetic energy kept a sum of squares",
+    };
+    let others = costs.iter().filter(|(road, _)| *road != equations.road);
+    let others = others.map(|(road, cost)| format!("{} {cost}", road_name(*road)));
+    let others = others.collect::<Vec<_>>().join(", ");
+    match costs.iter().find(|(road, _)| *road == equations.road) {
+        Some((_, cost)) if !others.is_empty() => format!("{taken} (counted cost {cost}; {others})"),
+        _ => taken.to_owned(),
+    }
+}
+
+fn road_name(road: Road) -> &'static str {
+    match road {
+        Road::Dense => "factorised mass matrix",
+        Road::Recursive => "recursion",
+        Road::Squares => "sum of squares",
     }
 }

@@ -173,6 +173,7 @@ impl Elaborator<'_> {
             outputs: self.outputs,
             rates,
             labels,
+            accuracy: self.declaration.accuracy,
             products,
         }
     }

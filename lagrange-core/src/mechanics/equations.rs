@@ -4,15 +4,17 @@ use std::fmt;
 
 use super::cost::cost;
 use super::form::QuadraticForm;
-use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
+use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form, loads_beside_squares};
 use super::messages;
 use super::model::{Energies, Model, Product};
 use super::solve::{Solution, push_down, solve_dense, solve_recursive};
+use super::squares::{Sums, solve_squares};
 use super::structure::{Structure, vanishing};
 use crate::calculus::{AccelerationTerms, gradient, homogeneity};
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 use crate::simplify;
+use crate::syntax::ast::Accuracy;
 
 /// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
 /// the factorisation down would be all that the trial finds.
@@ -32,6 +34,13 @@ pub enum Road {
     Dense,
     /// Coordinates are eliminated body by body; the mass matrix is never formed.
     Recursive,
+    /// The same, with the kinetic energy kept a sum of squares: no coefficient of it is ever subtracted from.
+    Squares,
+}
+
+impl Road {
+    /// Every road, in the order of [`Equations::costs`].
+    pub const ALL: [Road; 3] = [Road::Dense, Road::Recursive, Road::Squares];
 }
 
 /// Which road to take.
@@ -40,7 +49,7 @@ pub enum RoadChoice {
     /// The one with the lower counted cost.
     #[default]
     Cheapest,
-    /// This one.
+    /// This one; the dense one instead of squares where the kinetic energy is no sum of squares.
     Always(Road),
 }
 
@@ -52,8 +61,8 @@ pub struct Equations {
     pub accelerations: Vec<ExprId>,
     /// How they are computed.
     pub road: Road,
-    /// The counted cost of either road, as far as it was tried: dense, recursive.
-    pub costs: [Option<f64>; 2],
+    /// The counted cost of each road, as far as it was tried: dense, recursive, squares.
+    pub costs: [Option<f64>; 3],
     /// M, in rows.
     pub mass_matrix: Vec<Vec<ExprId>>,
     /// f in M q̈ = f
@@ -102,7 +111,7 @@ impl Equations {
         let pushed = cheaper_coefficients(&mut model.graph, pushed, &velocities);
         let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
         let forcing = forcing(&mut model.graph, &pushed, &velocities);
-        let (solution, road, costs) = solve(&mut model.graph, form, pushed, &velocities, choice)?;
+        let (solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
         let wants = |product: Product| model.products.contains(&product);
@@ -124,34 +133,67 @@ impl Equations {
     }
 }
 
-type Solved = (Solution, Road, [Option<f64>; 2]);
+type Solved = (Solution, Road, [Option<f64>; 3]);
 
-fn solve(
-    graph: &mut Graph,
+/// What the roads to the accelerations start from.
+struct Roads<'a> {
+    model: &'a mut Model,
+    split: &'a SplitLagrangian,
     form: QuadraticForm,
+    /// The form over the generalised velocities.
     pushed: QuadraticForm,
-    velocities: &[ExprId],
-    choice: RoadChoice,
-) -> Result<Solved, SingularMassMatrix> {
-    let recursive = match choice {
-        RoadChoice::Always(Road::Dense) => None,
-        _ => solve_recursive(graph, form, velocities),
-    };
-    let is_large = velocities.len() > LARGEST_TRIAL && pushed.is_mostly_full(velocities.len());
-    let try_dense = match choice {
-        RoadChoice::Always(Road::Recursive) => false,
-        RoadChoice::Always(Road::Dense) => true,
-        RoadChoice::Cheapest => !is_large || recursive.is_none(),
-    };
-    let dense = if try_dense { solve_dense(graph, pushed, velocities) } else { None };
-    let cost = |solution: &Option<Solution>| Some(cost(graph, &solution.as_ref()?.accelerations));
-    let costs = [cost(&dense), cost(&recursive)];
-    match (dense, recursive) {
-        (Some(dense), recursive) if recursive.is_none() || costs[0] <= costs[1] => {
-            Ok((dense, Road::Dense, costs))
+}
+
+impl Roads<'_> {
+    fn solve(mut self, choice: RoadChoice) -> Result<Solved, SingularMassMatrix> {
+        let choice = match choice {
+            RoadChoice::Always(Road::Squares) if self.split.has_other_inertia => {
+                RoadChoice::Always(Road::Dense)
+            }
+            RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
+                RoadChoice::Always(if self.split.has_other_inertia { Road::Dense } else { Road::Squares })
+            }
+            choice => choice,
+        };
+        let mut best = None;
+        let mut costs = [None; 3];
+        // The mass matrix last, since it is not worth writing down its factors if it is large.
+        for (n, road) in Road::ALL.into_iter().enumerate().rev() {
+            let is_wanted = match choice {
+                RoadChoice::Always(only) => only == road,
+                RoadChoice::Cheapest => road != Road::Dense || best.is_none() || !self.is_large(),
+            };
+            let Some(solution) = is_wanted.then(|| self.take(road)).flatten() else { continue };
+            let cost = cost(&self.model.graph, &solution.accelerations);
+            costs[n] = Some(cost);
+            if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
+                best = Some((solution, road, cost));
+            }
         }
-        (_, Some(recursive)) => Ok((recursive, Road::Recursive, costs)),
-        _ => Err(SingularMassMatrix),
+        best.map(|(solution, road, _)| (solution, road, costs)).ok_or(SingularMassMatrix)
+    }
+
+    fn is_large(&self) -> bool {
+        let count = self.model.coordinates.len();
+        count > LARGEST_TRIAL && self.pushed.is_mostly_full(count)
+    }
+
+    fn take(&mut self, road: Road) -> Option<Solution> {
+        let velocities = self.model.velocities();
+        match road {
+            Road::Dense => solve_dense(&mut self.model.graph, self.pushed.clone(), &velocities),
+            Road::Recursive => solve_recursive(&mut self.model.graph, self.form.clone(), &velocities),
+            Road::Squares if self.split.has_other_inertia => None,
+            Road::Squares => {
+                let dropped = AccelerationTerms::Dropped;
+                let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
+                let sums = match self.model.accuracy {
+                    Accuracy::Strict => Sums::Contracted,
+                    Accuracy::Fast | Accuracy::Standard => Sums::Collected,
+                };
+                solve_squares(&mut self.model.graph, self.split, loads, &velocities, sums)
+            }
+        }
     }
 }
 

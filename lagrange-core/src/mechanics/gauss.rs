@@ -23,6 +23,8 @@ pub(super) struct SplitLagrangian {
     pub(super) potential: ExprId,
     /// All other terms.
     pub(super) rest: ExprId,
+    /// Whether those are more than linear in the velocities.
+    pub(super) has_other_inertia: bool,
     /// The second derivatives with respect to affine nodes, the squares included.
     quadratic: QuadraticForm,
 }
@@ -62,11 +64,28 @@ pub(super) fn linear_form(
     accelerations: AccelerationTerms,
     terms: Terms,
 ) -> QuadraticForm {
+    let mut form = loads_beside_squares(model, split, accelerations, terms);
+    let mut rates = Rates::new(accelerations);
+    for &(weight, u) in &split.squares {
+        let u_rate = rates.of(&mut model.graph, u);
+        let inertial = model.graph.multiply(weight, u_rate);
+        form.add_linear(&model.graph, u, inertial);
+    }
+    form
+}
+
+/// The linear part without the terms w u̇ of the squares.
+pub(super) fn loads_beside_squares(
+    model: &mut Model,
+    split: &SplitLagrangian,
+    accelerations: AccelerationTerms,
+    terms: Terms,
+) -> QuadraticForm {
     let mut form = QuadraticForm::default();
     let mut rates = Rates::new(accelerations);
     let mut slopes = Rates::new(AccelerationTerms::Dropped);
     for &(weight, u) in &split.squares {
-        add_square(&mut model.graph, &mut form, &mut rates, &mut slopes, weight, u);
+        add_convection(&mut model.graph, &mut form, &mut slopes, weight, u);
     }
     let power = slopes.of(&mut model.graph, split.potential);
     let one = model.graph.number(1);
@@ -78,18 +97,14 @@ pub(super) fn linear_form(
     form
 }
 
-/// The linear part of ½ w u².
-fn add_square(
+/// What the change of its weight adds to the linear part of ½ w u².
+fn add_convection(
     graph: &mut Graph,
     form: &mut QuadraticForm,
-    rates: &mut Rates,
     slopes: &mut Rates,
     weight: ExprId,
     u: ExprId,
 ) {
-    let u_rate = rates.of(graph, u);
-    let inertial = graph.multiply(weight, u_rate);
-    form.add_linear(graph, u, inertial);
     let weight_rate = slopes.of(graph, weight);
     if graph.is_zero(weight_rate) {
         return;
@@ -216,7 +231,15 @@ impl<'a> Splitter<'a> {
         let lagrangian_free = self.graph.total(self.free);
         let potential = self.graph.negate(lagrangian_free);
         let rest = self.graph.total(self.rest);
-        SplitLagrangian { squares: self.squares, potential, rest, quadratic: self.quadratic }
+        let mut degrees = Degrees::default();
+        degrees.classify(self.graph, &[rest]);
+        SplitLagrangian {
+            squares: self.squares,
+            potential,
+            rest,
+            has_other_inertia: degrees.of(self.graph, rest) == Degree::Nonlinear,
+            quadratic: self.quadratic,
+        }
     }
 
     /// Records that the Lagrangian holds `weight · id` as a term.

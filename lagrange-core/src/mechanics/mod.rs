@@ -18,6 +18,7 @@ mod model;
 mod operand;
 mod scope;
 mod solve;
+mod squares;
 mod structure;
 mod sweep;
 

@@ -1,6 +1,7 @@
 //! A checked model: every name resolved, every expression of the right kind.
 
 use crate::expr::{ExprId, Graph};
+use crate::syntax::ast::Accuracy;
 
 /// What a declaration says, as expressions of one graph.
 #[derive(Clone, Debug)]
@@ -27,6 +28,8 @@ pub struct Model {
     pub rates: Vec<(ExprId, ExprId)>,
     /// The user's names for expressions, in the order of preference.
     pub labels: Vec<(ExprId, String)>,
+    /// The level of accuracy that was asked for.
+    pub accuracy: Accuracy,
     /// The products to emit, in the order of [`Product::ALL`].
     pub products: Vec<Product>,
 }

@@ -3,6 +3,7 @@ use quote::quote;
 use super::{Derived, NumericSystem, expand, parse};
 use crate::calculus::evaluate;
 use crate::mechanics::{Conserved, Road, RoadChoice};
+use crate::syntax::ast::Accuracy;
 
 fn derived(text: &str) -> Derived {
     parse(text).expect("a correct declaration").derive(RoadChoice::Cheapest).expect("a regular system")
@@ -132,4 +133,13 @@ fn only_large_systems_are_warned_of_and_the_struct_can_allow_it() {
     );
     let without = particles(300, "no mass_matrix");
     assert!(!without.contains("LargeSystem"));
+}
+
+#[test]
+fn the_level_of_accuracy_reaches_the_derived_system() {
+    for level in Accuracy::ALL {
+        let head = format!("#[accuracy({})] struct Named;", level.name());
+        assert_eq!(derived(&format!("{head} {SPRING_PENDULUM}")).model.accuracy, level);
+    }
+    assert_eq!(derived(SPRING_PENDULUM).model.accuracy, Accuracy::Standard);
 }

@@ -10,8 +10,11 @@
 //!
 //! Every result equals its input wherever the input is defined; it may be defined in more places.
 
+mod angle;
 mod cancel;
 mod collect;
+mod content;
+mod contract;
 mod expand;
 mod group;
 mod monomial;
@@ -22,8 +25,11 @@ mod rules;
 mod size;
 mod waves;
 
+pub use angle::Angles;
 pub use cancel::quotient;
 pub use collect::collect;
+pub use content::content;
+pub use contract::contract;
 pub use present::{multiply_out, present, present_all, proves_zero};
 pub use rules::{Arguments, RULES, Rule};
 

@@ -23,6 +23,8 @@ pub struct Declaration {
     pub name: Name,
     /// The number type of the emitted code.
     pub scalar: ScalarType,
+    /// The level of accuracy of the emitted code.
+    pub accuracy: Accuracy,
     /// Statements in source order, without those that could not be read.
     pub statements: Vec<Statement>,
     /// The expressions that statements refer to.
@@ -71,6 +73,32 @@ pub enum ScalarType {
     F32,
     /// `pub struct Name<S>;` with the name of the type parameter.
     Generic(Name),
+}
+
+/// `#[accuracy(…)]`: how rounding errors of the emitted code are weighed against its speed.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Accuracy {
+    /// Sines and cosines within an ulp, several at a time.
+    Fast,
+    /// Elementary functions of the platform.
+    #[default]
+    Standard,
+    /// Differences of nearly equal terms are avoided where that is possible.
+    Strict,
+}
+
+impl Accuracy {
+    /// Every level.
+    pub const ALL: [Accuracy; 3] = [Accuracy::Fast, Accuracy::Standard, Accuracy::Strict];
+
+    /// Its name in the attribute.
+    pub fn name(self) -> &'static str {
+        match self {
+            Accuracy::Fast => "fast",
+            Accuracy::Standard => "standard",
+            Accuracy::Strict => "strict",
+        }
+    }
 }
 
 /// A statement and the stretch of source it covers.

@@ -2,11 +2,11 @@
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 
-use super::ast::Name;
+use super::ast::{Accuracy, Name};
 use super::cursor::{Cursor, group_origin};
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
-use crate::diagnostics::Origin;
+use crate::diagnostics::{Origin, nearest};
 
 /// What the attributes of the struct say.
 #[derive(Default)]
@@ -15,7 +15,8 @@ pub(super) struct Attributes {
     pub(super) derives: Vec<Name>,
     /// Whether `#[scalar(…)]` asks for `f32`, and where it stands.
     pub(super) scalar: Option<(bool, Origin)>,
-    accuracy: Option<Origin>,
+    /// What `#[accuracy(…)]` asks for, and where it stands.
+    pub(super) accuracy: Option<(Accuracy, Origin)>,
 }
 
 impl Parser<'_> {
@@ -72,11 +73,15 @@ impl Parser<'_> {
     }
 
     fn scalar(&mut self, name: &Ident, content: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
-        let (argument, origin) = self.argument(name, content, messages::SCALAR_FORM)?;
+        let (argument, origin) =
+            self.argument(name, content, messages::SCALAR_FORM, messages::SCALAR_HELP)?;
         let single = match argument.to_string().as_str() {
             "f32" => true,
             "f64" => false,
-            _ => return Err(self.fail(argument.span(), messages::SCALAR_FORM)),
+            _ => {
+                let help = messages::SCALAR_HELP;
+                return Err(self.fail_with_help(argument.span(), messages::SCALAR_FORM, help));
+            }
         };
         match attributes.scalar.replace((single, origin)) {
             Some((_, first)) => Err(self.repeated(name, first)),
@@ -85,34 +90,48 @@ impl Parser<'_> {
     }
 
     fn accuracy(&mut self, name: &Ident, content: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
-        let (argument, origin) = self.argument(name, content, messages::ACCURACY_FORM)?;
-        match argument.to_string().as_str() {
-            "standard" => {}
-            level @ ("fast" | "strict") => {
-                let message = messages::future_accuracy(level);
-                return Err(self.fail_with_help(argument.span(), message, messages::FUTURE_ACCURACY_HELP));
-            }
-            _ => return Err(self.fail(argument.span(), messages::ACCURACY_FORM)),
-        }
-        match attributes.accuracy.replace(origin) {
-            Some(first) => Err(self.repeated(name, first)),
+        let (argument, origin) =
+            self.argument(name, content, messages::ACCURACY_FORM, &messages::levels_of_accuracy())?;
+        let accuracy = self.level(&argument)?;
+        match attributes.accuracy.replace((accuracy, origin)) {
+            Some((_, first)) => Err(self.repeated(name, first)),
             None => Ok(()),
         }
     }
 
+    fn level(&mut self, argument: &Ident) -> Parsed<Accuracy> {
+        let text = argument.to_string();
+        let names = Accuracy::ALL.map(Accuracy::name);
+        let known = Accuracy::ALL.into_iter().find(|level| level.name() == text);
+        known.ok_or_else(|| {
+            let help = match nearest(&text, names) {
+                Some(level) => messages::meant(level),
+                None => messages::levels_of_accuracy(),
+            };
+            self.fail_with_help(argument.span(), messages::unknown_accuracy(&text), help)
+        })
+    }
+
     /// The only word in the parentheses behind an attribute's name.
-    fn argument(&mut self, name: &Ident, content: &mut Cursor, form: &str) -> Parsed<(Ident, Origin)> {
+    fn argument(
+        &mut self,
+        name: &Ident,
+        content: &mut Cursor,
+        form: &str,
+        help: &str,
+    ) -> Parsed<(Ident, Origin)> {
         let group = content.eat_group(Delimiter::Parenthesis).filter(|_| content.at_end());
         let origin = Origin::from(name.span()).to(group.as_ref().map_or(content.before(), group_origin));
         match group.as_ref().and_then(only_word) {
             Some(word) => Ok((word, origin)),
-            None => Err(self.fail(origin, form)),
+            None => Err(self.fail_with_help(origin, form, help)),
         }
     }
 
     fn repeated(&mut self, name: &Ident, first: Origin) -> Reported {
         let message = messages::repeated_attribute(&name.to_string());
-        self.report.error(name.span(), message).related(first, messages::FIRST_HERE);
+        let error = self.report.error(name.span(), message).related(first, messages::FIRST_HERE);
+        error.help(messages::REPEATED_ATTRIBUTE_HELP);
         Reported
     }
 }

@@ -47,6 +47,7 @@ fn declaration(
         visibility,
         name,
         scalar,
+        accuracy: attributes.accuracy.map(|(level, _)| level).unwrap_or_default(),
         statements: Vec::new(),
         expressions: Expressions::default(),
         unreadable_words: HashMap::default(),

@@ -2,6 +2,8 @@
 
 use proc_macro2::{Delimiter, TokenTree};
 
+use super::ast::Accuracy;
+
 /// Longer pieces of the input are cut in messages.
 const LONGEST_QUOTE: usize = 40;
 
@@ -69,26 +71,32 @@ pub(super) const TYPE_PARAMETERS_HELP: &str =
 pub(super) const ATTRIBUTE: &str = "expected `[` behind `#`";
 pub(super) const INNER_ATTRIBUTE: &str = "attributes that begin with `#!` have no place here";
 pub(super) const INNER_ATTRIBUTE_HELP: &str = "write `#[…]`, or `///` for documentation";
-pub(super) const SCALAR_FORM: &str = "`scalar` names the number type: `#[scalar(f64)]` or `#[scalar(f32)]`";
+pub(super) const SCALAR_FORM: &str = "`scalar` names the number type";
+pub(super) const SCALAR_HELP: &str = "write `#[scalar(f64)]` or `#[scalar(f32)]`";
 pub(super) const SCALAR_WITH_PARAMETER: &str = "the number type is given by the type parameter already";
 pub(super) const SCALAR_WITH_PARAMETER_HELP: &str = "leave out either `#[scalar(…)]` or the type parameter";
 pub(super) const TYPE_PARAMETER_HERE: &str = "the type parameter is here";
-pub(super) const ACCURACY_FORM: &str = "`accuracy` names a level: `#[accuracy(standard)]`";
+pub(super) const ACCURACY_FORM: &str = "`accuracy` names one level";
 pub(super) const FIRST_HERE: &str = "it is given here already";
 
 pub(super) fn keyword_as_type(name: &str) -> String {
     format!("{} is a keyword of Rust and cannot name a type", quoted(name))
 }
 
-pub(super) fn future_accuracy(level: &str) -> String {
-    format!("the accuracy level `{level}` is not available yet")
+pub(super) fn unknown_accuracy(level: &str) -> String {
+    format!("{} is no level of accuracy", quoted(level))
 }
 
-pub(super) const FUTURE_ACCURACY_HELP: &str = "leave the attribute out, or write `#[accuracy(standard)]`";
+pub(super) fn levels_of_accuracy() -> String {
+    let levels = Accuracy::ALL.map(|level| format!("`#[accuracy({})]`", level.name()));
+    format!("write one of {}", levels.join(", "))
+}
 
 pub(super) fn repeated_attribute(name: &str) -> String {
     format!("`{name}` is given twice")
 }
+
+pub(super) const REPEATED_ATTRIBUTE_HELP: &str = "leave one of them out";
 
 // Statements.
 

@@ -2,7 +2,7 @@ lagrange::system! {
     #[scalar(f32)]
     #[scalar(f64)]
     #[accuracy(standard)]
-    #[accuracy(standard)]
+    #[accuracy(fast)]
     struct Cart;
 
     coord x;

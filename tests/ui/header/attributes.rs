@@ -1,6 +1,5 @@
 lagrange::system! {
     #[scalar(f16)]
-    #[accuracy(high)]
     #[scalar]
     #![allow(unused)]
     struct Cart;

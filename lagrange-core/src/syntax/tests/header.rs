@@ -3,7 +3,7 @@ use quote::quote;
 
 use super::{errors, read, read_wrong, statements};
 use crate::diagnostics::Report;
-use crate::syntax::ast::{Declaration, ScalarType};
+use crate::syntax::ast::{Accuracy, Declaration, ScalarType};
 use crate::syntax::parse_tokens;
 
 fn scalar(declaration: &Declaration) -> &str {
@@ -37,6 +37,15 @@ fn number_types_are_chosen_in_the_head() {
     assert_eq!(scalar(&read("struct A;")), "f64");
     assert_eq!(scalar(&read("#[scalar(f64)] struct A;")), "f64");
     assert_eq!(scalar(&read("struct A<S>;")), "S");
+}
+
+#[test]
+fn the_level_of_accuracy_is_chosen_in_the_head() {
+    assert_eq!(read("struct A;").accuracy, Accuracy::Standard);
+    assert_eq!(read("coord x;").accuracy, Accuracy::Standard);
+    for level in Accuracy::ALL {
+        assert_eq!(read(&format!("#[accuracy({})] struct A;", level.name())).accuracy, level);
+    }
 }
 
 #[test]
@@ -86,17 +95,15 @@ fn wrong_heads_leave_a_skeleton() {
         ("struct A where A: Copy;", "expected `;`, found `where`"),
         ("struct A", "missing `;` behind this"),
         ("#[scalar(f32)] struct A<S>;", "the number type is given by the type parameter already"),
-        ("#[scalar(f16)] struct A;", "`scalar` names the number type: `#[scalar(f64)]` or `#[scalar(f32)]`"),
-        ("#[scalar] struct A;", "`scalar` names the number type: `#[scalar(f64)]` or `#[scalar(f32)]`"),
-        (
-            "#[scalar(f32, f64)] struct A;",
-            "`scalar` names the number type: `#[scalar(f64)]` or `#[scalar(f32)]`",
-        ),
+        ("#[scalar(f16)] struct A;", "`scalar` names the number type"),
+        ("#[scalar] struct A;", "`scalar` names the number type"),
+        ("#[scalar(f32, f64)] struct A;", "`scalar` names the number type"),
         ("#[scalar(f32)] #[scalar(f32)] struct A;", "`scalar` is given twice"),
-        ("#[accuracy(fast)] struct A;", "the accuracy level `fast` is not available yet"),
-        ("#[accuracy(strict)] struct A;", "the accuracy level `strict` is not available yet"),
-        ("#[accuracy(best)] struct A;", "`accuracy` names a level: `#[accuracy(standard)]`"),
-        ("#[accuracy(standard)] #[accuracy(standard)] struct A;", "`accuracy` is given twice"),
+        ("#[accuracy(best)] struct A;", "`best` is no level of accuracy"),
+        ("#[accuracy] struct A;", "`accuracy` names one level"),
+        ("#[accuracy()] struct A;", "`accuracy` names one level"),
+        ("#[accuracy(fast, strict)] struct A;", "`accuracy` names one level"),
+        ("#[accuracy(standard)] #[accuracy(fast)] struct A;", "`accuracy` is given twice"),
         ("#![a] struct A;", "attributes that begin with `#!` have no place here"),
         ("# struct A;", "expected `[` behind `#`"),
     ];

@@ -1,0 +1,316 @@
+//! Elimination that keeps the form a sum of squares.
+//!
+//! The mass matrix is never formed, nor are its Schur complements: what is left of an elimination is again a
+//! sum of squares, found by [`rotation`]. That keeps the digits which differences of large entries lose, and on chains and
+//! trees of points it is also the shortest way: between two points a single number stands for a subtree.
+
+mod algebra;
+mod back;
+mod composition;
+mod rotation;
+
+pub(super) use algebra::Sums;
+
+use super::form::QuadraticForm;
+use super::gauss::SplitLagrangian;
+use super::solve::Solution;
+use super::sweep::{Multiples, Sweep};
+use crate::collections::OrderedMap;
+use crate::expr::{ExprId, Graph};
+use crate::number::Number;
+use crate::simplify;
+use algebra::Algebra;
+use back::{Step, Substitution, Way, substitute_back};
+use composition::{Composition, Expansion, LinearForm};
+use rotation::{Carried, Carriers, Pull, Square, eliminate};
+
+/// Accelerations from the squares of a Lagrangian, in the order of the velocities. `loads` are the linear part of the
+/// form without the rates of the squares. `None` if some velocity has no inertia, or terms other than squares are
+/// quadratic in the velocities.
+pub(super) fn solve_squares(
+    graph: &mut Graph,
+    split: &SplitLagrangian,
+    loads: QuadraticForm,
+    velocities: &[ExprId],
+    sums: Sums,
+) -> Option<Solution> {
+    let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables()).collect::<Vec<_>>();
+    let mut sweep = Sweep::new(graph, &heads, velocities, Multiples::Merged);
+    let order = leaves(&mut sweep);
+    let mut elimination = Elimination::new(graph, &sweep, split, loads, sums);
+    for velocity in order {
+        elimination.eliminate(velocity)?;
+    }
+    let Elimination { algebra, composition, steps, .. } = elimination;
+    (steps.len() == velocities.len()).then(|| substitute_back(algebra, composition, &steps, velocities))
+}
+
+/// The generalised velocities, each after all that are made of it by way of others.
+fn leaves(sweep: &mut Sweep) -> Vec<ExprId> {
+    let mut order = Vec::new();
+    loop {
+        match sweep.next_leaf() {
+            Some(velocity) => order.push(velocity),
+            None => match sweep.next_step() {
+                Some(_) => {}
+                None => return order,
+            },
+        }
+    }
+}
+
+/// The variables of the squares that are made of the unknown.
+fn carrier_ids(expansions: &OrderedMap<ExprId, Expansion>, squares: &[Square]) -> Vec<ExprId> {
+    let mut ids = squares.iter().flat_map(|square| square.form.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
+    ids.retain(|id| expansions.contains(id));
+    ids.sort_unstable();
+    ids.dedup();
+    ids
+}
+
+struct Elimination<'g> {
+    algebra: Algebra<'g>,
+    composition: Composition,
+    squares: Vec<Square>,
+    loads: QuadraticForm,
+    steps: Vec<Step>,
+}
+
+impl<'g> Elimination<'g> {
+    fn new(
+        graph: &'g mut Graph,
+        sweep: &Sweep,
+        split: &SplitLagrangian,
+        loads: QuadraticForm,
+        sums: Sums,
+    ) -> Elimination<'g> {
+        let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables());
+        let composition = Composition::new(sweep, heads);
+        let algebra = Algebra::new(graph, sums);
+        let mut elimination =
+            Elimination { algebra, composition, squares: Vec::new(), loads, steps: Vec::new() };
+        elimination.collect_squares(&split.squares);
+        elimination
+    }
+
+    /// One square for each variable, with the loads that act along it.
+    fn collect_squares(&mut self, squares: &[(ExprId, ExprId)]) {
+        let mut weights: OrderedMap<ExprId, Vec<(ExprId, Number)>> = OrderedMap::default();
+        for &(weight, u) in squares {
+            weights.get_or_insert_with(u, Vec::new).push((weight, Number::ONE));
+        }
+        self.push_loads(&weights);
+        for (&u, weights) in weights.iter() {
+            let graph = &mut *self.algebra.graph;
+            let weight = simplify::collect(graph, weights.clone());
+            let load = self.loads.take(graph, u).linear;
+            let offset = graph.divide(load, weight);
+            let is_steady = graph.dependencies(offset).is_constant_in_motion();
+            let one = graph.number(1);
+            let mut square = Square { weight, linear: load, form: vec![(u, one)] };
+            if is_steady && !self.composition.parts(u).is_empty() {
+                self.composition.set_offset(u, offset);
+                square.linear = graph.number(0);
+            }
+            self.squares.push(square);
+        }
+    }
+
+    /// Writes loads along other variables as loads along the variables of squares and generalised velocities.
+    fn push_loads(&mut self, squares: &OrderedMap<ExprId, Vec<(ExprId, Number)>>) {
+        // Wholes come after their parts.
+        while let Some(id) = self.pushable_load(squares) {
+            let parts = self.composition.parts(id).to_vec();
+            self.loads.push(self.algebra.graph, id, &parts);
+        }
+    }
+
+    fn pushable_load(&self, squares: &OrderedMap<ExprId, Vec<(ExprId, Number)>>) -> Option<ExprId> {
+        let is_pushable = |id: &ExprId| !squares.contains(id) && !self.composition.parts(*id).is_empty();
+        self.loads.variables().into_iter().rev().find(is_pushable)
+    }
+
+    /// Eliminates one velocity. `None` if it has no inertia.
+    fn eliminate(&mut self, velocity: ExprId) -> Option<()> {
+        let ways = self.ways_up(velocity);
+        let unknown = ways.last().map_or(velocity, |way| way.whole);
+        let mut expansions = self.composition.expand(&mut self.algebra, unknown);
+        let (touched, kept) = std::mem::take(&mut self.squares)
+            .into_iter()
+            .partition(|square| square.form.iter().any(|(id, _)| expansions.contains(id)));
+        self.squares = kept;
+        let touched: Vec<Square> = touched;
+        let ids = carrier_ids(&expansions, &touched);
+        let scale = self.rescale(&mut expansions, &ids);
+        self.draw_out_of_drifts(&mut expansions, &ids);
+        let of_carriers = ids.iter().filter_map(|id| expansions.get(id).cloned()).collect();
+        let carriers = Carriers::new(&mut self.algebra, ids, of_carriers);
+        let touched =
+            touched.into_iter().map(|square| carriers.carry(&mut self.algebra, square)).collect::<Vec<_>>();
+        if touched.is_empty() {
+            return None;
+        }
+        let (pull, left) = eliminate(&mut self.algebra, &carriers, &touched);
+        if self.algebra.graph.is_zero(pull.pivot) {
+            return None;
+        }
+        let applied = self.applied_load(&expansions);
+        let rule = self.rule(&carriers, &touched, &pull, applied);
+        let retired = expansions.iter().map(|(id, _)| *id).collect::<Vec<_>>();
+        self.composition.retire(&retired);
+        self.steps.push(Step { velocity, unknown, ways, scale, pivot: pull.pivot, rule, expansions });
+        self.add_squares(left);
+        Some(())
+    }
+
+    /// How the unknown follows from what is left. A load along it is passed on.
+    fn rule(
+        &mut self,
+        carriers: &Carriers,
+        touched: &[Carried],
+        pull: &Pull,
+        applied: ExprId,
+    ) -> Substitution {
+        let frame = carriers.frame(&mut self.algebra, touched, pull.pivot);
+        let factors = |elimination: &mut Self| match &frame {
+            Some(frame) => frame.factors(&mut elimination.algebra),
+            None => pull.factors(&mut elimination.algebra, carriers),
+        };
+        if !self.algebra.graph.is_zero(applied) {
+            let factors = factors(self);
+            self.pass_on(&factors, applied);
+        }
+        match frame {
+            Some(frame) => {
+                let load = self.algebra.total(vec![(pull.applied, Number::ONE), (applied, Number::ONE)]);
+                let offset = simplify::quotient(self.algebra.graph, load, pull.pivot);
+                Substitution::InFrame { carriers: frame.carriers, bend: frame.bend, offset }
+            }
+            None => {
+                let factors = pull.factors(&mut self.algebra, carriers);
+                let load = [pull.drifting, pull.applied, applied].map(|load| (load, Number::ONE));
+                let load = self.algebra.total(load.to_vec());
+                let free = simplify::quotient(self.algebra.graph, load, pull.pivot);
+                Substitution::Plain { factors, free }
+            }
+        }
+    }
+
+    /// The part of a load that what is left has to bear.
+    fn pass_on(&mut self, factors: &LinearForm, load: ExprId) {
+        let graph = &mut *self.algebra.graph;
+        for &(id, factor) in factors {
+            let value = graph.multiply(factor, load);
+            let value = graph.negate(value);
+            self.loads.add_linear(graph, id, value);
+        }
+    }
+
+    /// The way to the variable to eliminate for a velocity, which is one through which alone it enters.
+    fn ways_up(&mut self, velocity: ExprId) -> Vec<Way> {
+        let mut ways = Vec::new();
+        let mut part = velocity;
+        while !self.squares.iter().any(|square| square.form.iter().any(|(id, _)| *id == part))
+            && let Some((whole, slope)) = self.composition.only_user(self.algebra.graph, part)
+            && let Some(inverse) = slope.reciprocal()
+        {
+            self.move_load(part, whole, &inverse);
+            ways.push(Way { part, whole, inverse });
+            part = whole;
+        }
+        ways
+    }
+
+    /// Writes a load along a part as loads along the whole and its other parts.
+    fn move_load(&mut self, part: ExprId, whole: ExprId, inverse: &Number) {
+        let graph = &mut *self.algebra.graph;
+        let load = self.loads.take(graph, part).linear;
+        let load = graph.scale(inverse.clone(), load);
+        self.loads.add_linear(graph, whole, load);
+        for &(other, slope) in self.composition.parts(whole) {
+            if other != part {
+                let value = graph.multiply(slope, load);
+                let value = graph.negate(value);
+                self.loads.add_linear(graph, other, value);
+            }
+        }
+    }
+
+    /// Measures the unknown in units of what the slopes of its carriers have in common, such as the length of a
+    /// rod, so that it no longer occurs in them.
+    fn rescale(&mut self, expansions: &mut OrderedMap<ExprId, Expansion>, carriers: &[ExprId]) -> ExprId {
+        let slopes = carriers.iter().filter_map(|id| Some(expansions.get(id)?.slope)).collect::<Vec<_>>();
+        let graph = &mut *self.algebra.graph;
+        let (scale, _) = simplify::content(graph, &slopes);
+        if slopes.len() < 2 || !graph.dependencies(scale).is_constant_in_motion() {
+            return graph.number(1);
+        }
+        let ids = expansions.iter().map(|(id, _)| *id).collect::<Vec<_>>();
+        for id in ids {
+            if let Some(expansion) = expansions.get_mut(&id) {
+                expansion.slope = simplify::quotient(graph, expansion.slope, scale);
+            }
+        }
+        scale
+    }
+
+    /// Writes the drifts of the carriers as multiples of what they have in common, such as the rate of a rod
+    /// squared.
+    fn draw_out_of_drifts(&mut self, expansions: &mut OrderedMap<ExprId, Expansion>, carriers: &[ExprId]) {
+        let drifts = carriers.iter().filter_map(|id| Some(expansions.get(id)?.drift)).collect::<Vec<_>>();
+        if drifts.len() < 2 {
+            return;
+        }
+        let graph = &mut *self.algebra.graph;
+        let (common, rest) = simplify::content(graph, &drifts);
+        for (id, rest) in carriers.iter().zip(rest) {
+            if let Some(expansion) = expansions.get_mut(id) {
+                expansion.drift = graph.multiply(common, rest);
+            }
+        }
+    }
+
+    /// The load along the unknown; what loads along its carriers mean for other variables is moved there.
+    fn applied_load(&mut self, expansions: &OrderedMap<ExprId, Expansion>) -> ExprId {
+        let mut along = Vec::new();
+        for (&id, expansion) in expansions.iter() {
+            let load = self.loads.take(self.algebra.graph, id).linear;
+            along.push((load, expansion.slope, Number::ONE));
+            for &(part, slope) in &expansion.rest {
+                let value = self.algebra.graph.multiply(slope, load);
+                self.loads.add_linear(self.algebra.graph, part, value);
+            }
+        }
+        self.algebra.products(&along)
+    }
+
+    /// Adds squares, those of the same form as one.
+    fn add_squares(&mut self, squares: Vec<Square>) {
+        for square in squares {
+            let square = self.primitive(square);
+            match self.squares.iter_mut().find(|present| present.form == square.form) {
+                Some(present) => {
+                    let graph = &mut *self.algebra.graph;
+                    present.weight = simplify::collect(
+                        graph,
+                        vec![(present.weight, Number::ONE), (square.weight, Number::ONE)],
+                    );
+                    present.linear = graph.add(present.linear, square.linear);
+                }
+                None => self.squares.push(square),
+            }
+        }
+    }
+
+    /// The square with what its coefficients have in common moved into the weight.
+    fn primitive(&mut self, square: Square) -> Square {
+        let (content, form) = self.algebra.primitive(&square.form);
+        let graph = &mut *self.algebra.graph;
+        let squared = graph.square(content);
+        Square {
+            weight: graph.multiply(square.weight, squared),
+            linear: graph.multiply(square.linear, content),
+            form,
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Accelerations of a declared system to as many digits as wanted: the judge of what is derived.
+//!
+//! Of the derivation under test only differentiation is used. M = ∂²L/∂v² and
+//! f = ∂L/∂q − (∂p/∂q) v − ∂p/∂t + Q with p = ∂L/∂v stay undivided expressions (Goldstein, Poole and Safko,
+//! *Classical Mechanics*, 3rd ed., §1.4); M a = f is solved in numbers by Gaussian elimination with partial
+//! pivoting (Golub and Van Loan, *Matrix Computations*, 4th ed., §3.4). The number of bits is doubled until
+//! two results agree, so that the condition of M does not matter.
+
+use lagrange_core::calculus::{AccelerationTerms, Rates, gradient};
+use lagrange_core::expr::ExprId;
+use lagrange_core::mechanics::Model;
+use lagrange_core::number::Number;
+use lagrange_core::pipeline::parse;
+use lagrange_core::symbol::Role;
+
+use crate::digits::{Arithmetic, Real, approximate};
+
+/// The precisions that are tried, in bits.
+const BITS: [usize; 5] = [256, 512, 1024, 2048, 4096];
+/// How well two results must agree, relative to each entry.
+const AGREEMENT: f64 = 1e-30;
+/// What is smaller than this, relative to the largest entry, is zero.
+const NOTHING: f64 = 1e-200;
+
+/// The undivided equations of motion of a declaration.
+pub(crate) struct Reference {
+    pub(crate) model: Model,
+    mass_matrix: Vec<ExprId>,
+    forcing: Vec<ExprId>,
+    momenta: Vec<ExprId>,
+}
+
+/// What is known at a state.
+#[derive(Clone, Debug)]
+pub(crate) struct Truth {
+    /// q̈
+    pub(crate) accelerations: Vec<Real>,
+    /// v·∂L/∂v − L
+    pub(crate) energy: Real,
+    /// √Mᵢᵢ: the scales in which a mass matrix has a unit diagonal.
+    pub(crate) scales: Vec<f64>,
+}
+
+impl Reference {
+    /// The equations of a declaration given as text.
+    pub(crate) fn new(declaration: &str) -> Reference {
+        let mut model = parse(declaration).unwrap_or_else(|report| panic!("{report}")).model;
+        let velocities = model.velocities();
+        let momenta = gradient(&mut model.graph, model.lagrangian, &velocities);
+        let rows = momenta.iter().map(|&p| gradient(&mut model.graph, p, &velocities));
+        let mass_matrix = rows.flatten().collect();
+        let forcing = forcing(&mut model, &momenta);
+        Reference { model, mass_matrix, forcing, momenta }
+    }
+
+    fn size(&self) -> usize {
+        self.forcing.len()
+    }
+
+    /// The truth where symbols have the values that `value_of` gives; `None` if the mass matrix is singular.
+    pub(crate) fn at(&self, value_of: impl Fn(Role, &mut Arithmetic) -> Real) -> Option<Truth> {
+        let mut before: Option<Truth> = None;
+        for bits in BITS {
+            let found = self.with_bits(bits, &value_of);
+            if let (Some(found), Some(before)) = (&found, &before)
+                && agree(&found.accelerations, &before.accelerations)
+            {
+                return Some(found.clone());
+            }
+            before = found;
+        }
+        None
+    }
+
+    pub(crate) fn with_bits(
+        &self,
+        bits: usize,
+        value_of: &impl Fn(Role, &mut Arithmetic) -> Real,
+    ) -> Option<Truth> {
+        let mut arithmetic = Arithmetic::new(bits);
+        let n = self.size();
+        let roots = [&self.mass_matrix[..], &self.forcing, &self.momenta, &[self.model.lagrangian]].concat();
+        let roots = [roots, self.model.velocities()].concat();
+        let values = arithmetic.evaluate(&self.model.graph, &roots, value_of);
+        let (matrix, rest) = values.split_at(n * n);
+        let (forcing, rest) = rest.split_at(n);
+        let (momenta, rest) = rest.split_at(n);
+        let energy = arithmetic.subtract(&arithmetic.dot(momenta, &rest[1..]), &rest[0]);
+        let scales = (0..n).map(|i| approximate(&matrix[i * n + i]).abs().sqrt()).collect();
+        let accelerations = solve(&arithmetic, matrix, forcing)?;
+        Some(Truth { accelerations, energy, scales })
+    }
+
+    /// ‖S‖₁ ‖S⁻¹‖₁ of the mass matrix M, as it is and scaled to a unit diagonal, S = D M D.
+    pub(crate) fn conditions(&self, value_of: impl Fn(Role, &mut Arithmetic) -> Real) -> [f64; 2] {
+        let mut arithmetic = Arithmetic::new(1024);
+        let n = self.size();
+        let matrix = arithmetic.evaluate(&self.model.graph, &self.mass_matrix, value_of);
+        let scale = |i: usize| arithmetic.sqrt(&matrix[i * n + i].abs());
+        let scales = (0..n).map(scale).collect::<Vec<_>>();
+        let scaled = (0..n * n).map(|k| {
+            let row_scaled = arithmetic.divide(&matrix[k], &scales[k / n]);
+            arithmetic.divide(&row_scaled, &scales[k % n])
+        });
+        let scaled = scaled.collect::<Vec<_>>();
+        [&matrix, &scaled].map(|matrix| condition(&arithmetic, matrix, n))
+    }
+}
+
+fn forcing(model: &mut Model, momenta: &[ExprId]) -> Vec<ExprId> {
+    let (velocities, positions) = (model.velocities(), model.positions());
+    let graph = &mut model.graph;
+    let slopes = gradient(graph, model.lagrangian, &positions);
+    let mut rates = Rates::new(AccelerationTerms::Dropped);
+    let losses = gradient(graph, model.dissipation, &velocities);
+    let mut terms = (0..momenta.len())
+        .map(|i| {
+            let drift = rates.of(graph, momenta[i]);
+            vec![(slopes[i], Number::ONE), (drift, Number::MINUS_ONE), (losses[i], Number::MINUS_ONE)]
+        })
+        .collect::<Vec<_>>();
+    for load in &model.loads {
+        let arms = gradient(graph, load.velocity, &velocities);
+        for (terms, arm) in terms.iter_mut().zip(arms) {
+            terms.push((graph.multiply(load.force, arm), Number::ONE));
+        }
+    }
+    terms.into_iter().map(|terms| graph.sum(Number::ZERO, terms)).collect()
+}
+
+/// The solution of M x = b, M in rows; `None` if a pivot vanishes.
+fn solve(arithmetic: &Arithmetic, matrix: &[Real], right: &[Real]) -> Option<Vec<Real>> {
+    let n = right.len();
+    let mut rows = matrix
+        .chunks(n)
+        .zip(right)
+        .map(|(row, b)| [row, std::slice::from_ref(b)].concat())
+        .collect::<Vec<_>>();
+    for k in 0..n {
+        let pivot = (k..n).reduce(|best, i| if larger(&rows[i][k], &rows[best][k]) { i } else { best })?;
+        rows.swap(k, pivot);
+        let (done, below) = rows.split_at_mut(k + 1);
+        let pivot_row = &done[k];
+        if pivot_row[k].is_zero() || pivot_row[k].is_nan() || pivot_row[k].is_inf() {
+            return None;
+        }
+        for row in below.iter_mut().filter(|row| !row[k].is_zero()) {
+            let factor = arithmetic.divide(&row[k], &pivot_row[k]);
+            for (entry, above) in row[k..].iter_mut().zip(&pivot_row[k..]) {
+                *entry = arithmetic.subtract(entry, &arithmetic.multiply(&factor, above));
+            }
+        }
+    }
+    let mut solution = vec![arithmetic.integer(0); n];
+    for k in (0..n).rev() {
+        let known = arithmetic.dot(&rows[k][k + 1..n], &solution[k + 1..]);
+        solution[k] = arithmetic.divide(&arithmetic.subtract(&rows[k][n], &known), &rows[k][k]);
+    }
+    Some(solution)
+}
+
+fn larger(a: &Real, b: &Real) -> bool {
+    // `abs_cmp` of version 0.3.7 compares with signs.
+    a.abs().cmp(&b.abs()).is_some_and(|order| order > 0)
+}
+
+/// ‖M‖₁ ‖M⁻¹‖₁; infinite for a singular matrix.
+fn condition(arithmetic: &Arithmetic, matrix: &[Real], n: usize) -> f64 {
+    let sum = |column: &[Real]| {
+        column.iter().fold(arithmetic.integer(0), |sum, entry| arithmetic.add(&sum, &entry.abs()))
+    };
+    let largest = |columns: &mut dyn Iterator<Item = Vec<Real>>| {
+        columns.fold(arithmetic.integer(0), |largest, column| largest.max(&sum(&column)))
+    };
+    let norm = largest(&mut (0..n).map(|j| (0..n).map(|i| matrix[i * n + j].clone()).collect()));
+    let unit = |j: usize| (0..n).map(|i| arithmetic.integer(i32::from(i == j))).collect::<Vec<_>>();
+    let inverse = (0..n).map(|j| solve(arithmetic, matrix, &unit(j))).collect::<Option<Vec<_>>>();
+    let inverse = inverse.map(|columns| largest(&mut columns.into_iter()));
+    inverse.map_or(f64::INFINITY, |inverse| approximate(&arithmetic.multiply(&norm, &inverse)))
+}
+
+fn agree(found: &[Real], before: &[Real]) -> bool {
+    let largest = found.iter().fold(0.0_f64, |largest, value| largest.max(approximate(value).abs()));
+    found.iter().zip(before).all(|(found, before)| {
+        relative_error(before, found) <= AGREEMENT || approximate(found).abs() <= NOTHING * largest
+    })
+}
+
+/// |found − exact| / |exact|; 0 if both are 0.
+pub(crate) fn relative_error(found: &Real, exact: &Real) -> f64 {
+    let arithmetic = Arithmetic::new(256);
+    let difference = arithmetic.subtract(found, exact);
+    if difference.is_zero() { 0.0 } else { approximate(&arithmetic.divide(&difference, exact)).abs() }
+}
