@@ -7,7 +7,9 @@ use lagrange_core::mechanics::RoadChoice;
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 
-const SIZES: [usize; 4] = [20, 50, 100, 200];
+const CHAINS: [usize; 4] = [20, 50, 100, 200];
+/// Small random trees are flat, and cheaper by a road that large ones do not take.
+const TREES: [usize; 3] = [100, 200, 400];
 
 /// n point masses on massless rods under gravity, each hanging from its parent, 0 being the support.
 fn pendulums(n: usize, relative: bool, parent: impl Fn(usize) -> usize) -> String {
@@ -77,8 +79,8 @@ fn is_linear(costs: &[Cost], cost: impl Fn(&Cost) -> usize) -> Result<(), Vec<us
     if linear { Ok(()) } else { Err(per_body) }
 }
 
-fn assert_linear(declaration: impl Fn(usize) -> String) {
-    let costs = SIZES.map(|n| cost(n, &declaration(n)));
+fn assert_linear(sizes: &[usize], declaration: impl Fn(usize) -> String) {
+    let costs = sizes.iter().map(|&n| cost(n, &declaration(n))).collect::<Vec<_>>();
     assert_eq!(is_linear(&costs, |cost| cost.operations), Ok(()), "operations");
     assert_eq!(is_linear(&costs, |cost| cost.values), Ok(()), "values");
     assert_eq!(is_linear(&costs, |cost| cost.expressions), Ok(()), "expressions");
@@ -86,20 +88,20 @@ fn assert_linear(declaration: impl Fn(usize) -> String) {
 
 #[test]
 fn chains_in_absolute_angles_grow_in_proportion() {
-    assert_linear(|n| chain(n, false));
+    assert_linear(&CHAINS, |n| chain(n, false));
 }
 
 #[test]
 fn chains_in_relative_angles_grow_in_proportion() {
-    assert_linear(|n| chain(n, true));
+    assert_linear(&CHAINS, |n| chain(n, true));
 }
 
 #[test]
 fn random_trees_in_absolute_angles_grow_in_proportion() {
-    assert_linear(|n| tree(n, false));
+    assert_linear(&TREES, |n| tree(n, false));
 }
 
 #[test]
 fn random_trees_in_relative_angles_grow_in_proportion() {
-    assert_linear(|n| tree(n, true));
+    assert_linear(&TREES, |n| tree(n, true));
 }
