@@ -2,13 +2,15 @@
 //!
 //! Three ways by hand: straight-line assembly and factorisation of the mass matrix; articulated bodies as they
 //! are written for any plane mechanism; and articulated bodies that use that rods have no mass, for which a
-//! single number stands for a subtree.
+//! single number stands for a subtree. All of them are compared at two levels of accuracy: `standard`, where both
+//! sides call the platform for sines and cosines, and `fast`, where both have the same inline function.
 //!
 //! Each round times both implementations for a few hundred microseconds, so that both see the same
 //! load; the ratio is the median over the rounds, times are minima. `benches/evaluation.rs` has the statistics
 //! of each implementation by itself.
 
 mod chains;
+mod fast_chains;
 mod handwritten;
 
 use std::array::from_fn;
@@ -19,8 +21,8 @@ use lagrange::system::MechanicalSystem;
 
 use chains::{absolute_2, absolute_5, absolute_10, absolute_20, relative_4, relative_8};
 use handwritten::{
-    absolute_chain, absolute_chain_articulated, absolute_chain_recursive, double_pendulum, relative_chain,
-    relative_chain_articulated,
+    Inline, Platform, absolute_chain, absolute_chain_articulated, absolute_chain_recursive, double_pendulum,
+    relative_chain, relative_chain_articulated,
 };
 
 const GRAVITY: f64 = 9.81;
@@ -86,20 +88,84 @@ const STRAIGHT: &str = "straight line";
 const ARTICULATED: &str = "articulated";
 const MASSLESS: &str = "massless rods";
 
+/// Both sides with the functions of the platform.
+fn standard() {
+    compare("absolute 2", absolute_2::chain, STRAIGHT, double_pendulum::<Platform>);
+    compare("absolute 5", absolute_5::chain, STRAIGHT, absolute_chain::<Platform, 5>);
+    compare("absolute 10", absolute_10::chain, STRAIGHT, absolute_chain::<Platform, 10>);
+    compare("absolute 20", absolute_20::chain, STRAIGHT, absolute_chain::<Platform, 20>);
+    compare("absolute 5", absolute_5::chain, ARTICULATED, absolute_chain_articulated::<Platform, 5>);
+    compare("absolute 10", absolute_10::chain, ARTICULATED, absolute_chain_articulated::<Platform, 10>);
+    compare("absolute 20", absolute_20::chain, ARTICULATED, absolute_chain_articulated::<Platform, 20>);
+    compare("relative 4", relative_4::chain, ARTICULATED, relative_chain_articulated::<Platform, 4>);
+    compare("relative 8", relative_8::chain, ARTICULATED, relative_chain_articulated::<Platform, 8>);
+    compare("absolute 5", absolute_5::chain, MASSLESS, absolute_chain_recursive::<Platform, 5>);
+    compare("absolute 10", absolute_10::chain, MASSLESS, absolute_chain_recursive::<Platform, 10>);
+    compare("absolute 20", absolute_20::chain, MASSLESS, absolute_chain_recursive::<Platform, 20>);
+    compare("relative 4", relative_4::chain, MASSLESS, relative_chain::<Platform, 4>);
+    compare("relative 8", relative_8::chain, MASSLESS, relative_chain::<Platform, 8>);
+}
+
+/// Both sides with inline sines and cosines of several angles at a time.
+fn fast() {
+    compare("absolute 2", fast_chains::absolute_2::chain, STRAIGHT, double_pendulum::<Inline>);
+    compare("absolute 5", fast_chains::absolute_5::chain, STRAIGHT, absolute_chain::<Inline, 5>);
+    compare("absolute 10", fast_chains::absolute_10::chain, STRAIGHT, absolute_chain::<Inline, 10>);
+    compare("absolute 20", fast_chains::absolute_20::chain, STRAIGHT, absolute_chain::<Inline, 20>);
+    compare(
+        "absolute 5",
+        fast_chains::absolute_5::chain,
+        ARTICULATED,
+        absolute_chain_articulated::<Inline, 5>,
+    );
+    compare(
+        "absolute 10",
+        fast_chains::absolute_10::chain,
+        ARTICULATED,
+        absolute_chain_articulated::<Inline, 10>,
+    );
+    compare(
+        "absolute 20",
+        fast_chains::absolute_20::chain,
+        ARTICULATED,
+        absolute_chain_articulated::<Inline, 20>,
+    );
+    compare(
+        "absolute 30",
+        fast_chains::absolute_30::chain,
+        ARTICULATED,
+        absolute_chain_articulated::<Inline, 30>,
+    );
+    compare(
+        "relative 4",
+        fast_chains::relative_4::chain,
+        ARTICULATED,
+        relative_chain_articulated::<Inline, 4>,
+    );
+    compare(
+        "relative 8",
+        fast_chains::relative_8::chain,
+        ARTICULATED,
+        relative_chain_articulated::<Inline, 8>,
+    );
+    compare(
+        "relative 20",
+        fast_chains::relative_20::chain,
+        ARTICULATED,
+        relative_chain_articulated::<Inline, 20>,
+    );
+    compare("absolute 5", fast_chains::absolute_5::chain, MASSLESS, absolute_chain_recursive::<Inline, 5>);
+    compare("absolute 10", fast_chains::absolute_10::chain, MASSLESS, absolute_chain_recursive::<Inline, 10>);
+    compare("absolute 20", fast_chains::absolute_20::chain, MASSLESS, absolute_chain_recursive::<Inline, 20>);
+    compare("absolute 30", fast_chains::absolute_30::chain, MASSLESS, absolute_chain_recursive::<Inline, 30>);
+    compare("relative 4", fast_chains::relative_4::chain, MASSLESS, relative_chain::<Inline, 4>);
+    compare("relative 8", fast_chains::relative_8::chain, MASSLESS, relative_chain::<Inline, 8>);
+    compare("relative 20", fast_chains::relative_20::chain, MASSLESS, relative_chain::<Inline, 20>);
+}
+
 fn main() {
-    println!("{:<12} {:>9}   {:<14} {:>9} {:>6}", "", "emitted", "by hand", "", "ratio");
-    compare("absolute 2", absolute_2::chain, STRAIGHT, double_pendulum);
-    compare("absolute 5", absolute_5::chain, STRAIGHT, absolute_chain);
-    compare("absolute 10", absolute_10::chain, STRAIGHT, absolute_chain);
-    compare("absolute 20", absolute_20::chain, STRAIGHT, absolute_chain);
-    compare("absolute 5", absolute_5::chain, ARTICULATED, absolute_chain_articulated);
-    compare("absolute 10", absolute_10::chain, ARTICULATED, absolute_chain_articulated);
-    compare("absolute 20", absolute_20::chain, ARTICULATED, absolute_chain_articulated);
-    compare("relative 4", relative_4::chain, ARTICULATED, relative_chain_articulated);
-    compare("relative 8", relative_8::chain, ARTICULATED, relative_chain_articulated);
-    compare("absolute 5", absolute_5::chain, MASSLESS, absolute_chain_recursive);
-    compare("absolute 10", absolute_10::chain, MASSLESS, absolute_chain_recursive);
-    compare("absolute 20", absolute_20::chain, MASSLESS, absolute_chain_recursive);
-    compare("relative 4", relative_4::chain, MASSLESS, relative_chain);
-    compare("relative 8", relative_8::chain, MASSLESS, relative_chain);
+    for (level, compare_all) in [("standard", standard as fn()), ("fast", fast)] {
+        println!("{level:<12} {:>9}   {:<14} {:>9} {:>6}", "emitted", "by hand", "", "ratio");
+        compare_all();
+    }
 }

@@ -14,7 +14,7 @@ use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use lagrange::system::MechanicalSystem;
 
 use chains::{absolute_2, absolute_5, absolute_10, absolute_20, relative_4, relative_8};
-use handwritten::{absolute_chain, absolute_chain_recursive, double_pendulum, relative_chain};
+use handwritten::{Platform, absolute_chain, absolute_chain_recursive, double_pendulum, relative_chain};
 
 const GRAVITY: f64 = 9.81;
 
@@ -84,8 +84,8 @@ fn absolute<const N: usize, M>(
 {
     let mut group = criterion.benchmark_group(name);
     emitted(&mut group, build);
-    by_hand(&mut group, "dense by hand", absolute_chain::<N>);
-    by_hand(&mut group, "recursive by hand", absolute_chain_recursive::<N>);
+    by_hand(&mut group, "dense by hand", absolute_chain::<Platform, N>);
+    by_hand(&mut group, "recursive by hand", absolute_chain_recursive::<Platform, N>);
 }
 
 fn relative<const N: usize, M>(
@@ -97,13 +97,13 @@ fn relative<const N: usize, M>(
 {
     let mut group = criterion.benchmark_group(name);
     emitted(&mut group, build);
-    by_hand(&mut group, "recursive by hand", relative_chain::<N>);
+    by_hand(&mut group, "recursive by hand", relative_chain::<Platform, N>);
 }
 
 fn chains(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("double pendulum");
     emitted(&mut group, absolute_2::chain);
-    by_hand(&mut group, "by hand", double_pendulum);
+    by_hand(&mut group, "by hand", double_pendulum::<Platform>);
     drop(group);
     absolute(criterion, "absolute 2", absolute_2::chain);
     absolute(criterion, "absolute 5", absolute_5::chain);

@@ -1,7 +1,8 @@
 //! Pendulum chains by hand: what an expert would write for the systems that benches compare with.
 //!
-//! A module, not a bench of its own. Everything here is plain safe Rust: `sin_cos` of the standard library,
-//! arrays on the stack, parameters as run-time values, nothing borrowed from the derivation.
+//! A module, not a bench of its own. Everything here is plain safe Rust: arrays on the stack, parameters as
+//! run-time values, nothing borrowed from the derivation. Sines and cosines come from the standard library or,
+//! for systems with `#[accuracy(fast)]`, from the same inline function as theirs.
 //!
 //! n point masses m hang on massless rods l under gravity g; rod k leads from mass k − 1 (the fixed pivot for
 //! k = 0) to mass k, and its angle is θ_k from the downward vertical. With σ, γ the sine and cosine of
@@ -28,6 +29,51 @@
 //! rather than from products of sines, so that no mass or angle makes digits cancel on the way to D.
 #![allow(dead_code, reason = "each target that includes this module measures or tests a part of it")]
 
+use lagrange::Scalar;
+
+/// Where sines and cosines come from, and when.
+pub(crate) trait SinCos {
+    /// Angles, or what has been computed of them.
+    type Of<const N: usize>;
+    fn of<const N: usize>(angles: [f64; N]) -> Self::Of<N>;
+    /// The sine and the cosine of angle k.
+    fn at<const N: usize>(angles: &Self::Of<N>, k: usize) -> (f64, f64);
+}
+
+/// The function of the standard library, called where its results are needed: other work goes on meanwhile.
+pub(crate) struct Platform;
+
+impl SinCos for Platform {
+    type Of<const N: usize> = [f64; N];
+
+    #[inline(always)]
+    fn of<const N: usize>(angles: [f64; N]) -> [f64; N] {
+        angles
+    }
+
+    #[inline(always)]
+    fn at<const N: usize>(angles: &[f64; N], k: usize) -> (f64, f64) {
+        angles[k].sin_cos()
+    }
+}
+
+/// An inline function, for all angles at a time.
+pub(crate) struct Inline;
+
+impl SinCos for Inline {
+    type Of<const N: usize> = [(f64, f64); N];
+
+    #[inline(always)]
+    fn of<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
+        Scalar::sin_cos_each(angles)
+    }
+
+    #[inline(always)]
+    fn at<const N: usize>(angles: &[(f64, f64); N], k: usize) -> (f64, f64) {
+        angles[k]
+    }
+}
+
 /// a·b + c, rounded once where the processor can and twice where that would need a library call.
 #[inline(always)]
 fn fma(a: f64, b: f64, c: f64) -> f64 {
@@ -36,10 +82,16 @@ fn fma(a: f64, b: f64, c: f64) -> f64 {
 
 /// Accelerations of the double pendulum in absolute angles, written out.
 #[inline]
-pub(crate) fn double_pendulum(q: &[f64; 2], v: &[f64; 2], m: &[f64; 2], l: &[f64; 2], g: f64) -> [f64; 2] {
+pub(crate) fn double_pendulum<F: SinCos>(
+    q: &[f64; 2],
+    v: &[f64; 2],
+    m: &[f64; 2],
+    l: &[f64; 2],
+    g: f64,
+) -> [f64; 2] {
     let (l1_inverse, l2_inverse) = (1.0 / l[0], 1.0 / l[1]);
-    let (s1, c1) = q[0].sin_cos();
-    let (sin, cos) = (q[1] - q[0]).sin_cos();
+    let waves = F::of([q[0], q[1] - q[0]]);
+    let [(s1, c1), (sin, cos)] = [F::at(&waves, 0), F::at(&waves, 1)];
     let pull1 = fma(g, c1, l[0] * v[0] * v[0]);
     let pull2 = l[1] * v[1] * v[1];
     let ratio = m[1] * sin / fma(m[1] * sin, sin, m[0]);
@@ -49,17 +101,18 @@ pub(crate) fn double_pendulum(q: &[f64; 2], v: &[f64; 2], m: &[f64; 2], l: &[f64
 
 /// Accelerations of a chain in absolute angles by assembling and factoring the mass matrix.
 #[inline]
-pub(crate) fn absolute_chain<const N: usize>(
+pub(crate) fn absolute_chain<F: SinCos, const N: usize>(
     q: &[f64; N],
     v: &[f64; N],
     m: &[f64; N],
     l: &[f64; N],
     g: f64,
 ) -> [f64; N] {
+    let waves = F::of(*q);
     let (mut sin, mut cos, mut mu) = ([0.0; N], [0.0; N], [0.0; N]);
     let mut carried = 0.0;
     for k in (0..N).rev() {
-        (sin[k], cos[k]) = q[k].sin_cos();
+        (sin[k], cos[k]) = F::at(&waves, k);
         carried += m[k];
         mu[k] = carried;
     }
@@ -139,7 +192,7 @@ fn eliminate<const N: usize, const K: usize>(a: &mut [[f64; N]; N], b: &mut [f64
 
 /// Accelerations of a chain in absolute angles by articulated bodies.
 #[inline]
-pub(crate) fn absolute_chain_recursive<const N: usize>(
+pub(crate) fn absolute_chain_recursive<F: SinCos, const N: usize>(
     q: &[f64; N],
     v: &[f64; N],
     m: &[f64; N],
@@ -150,12 +203,12 @@ pub(crate) fn absolute_chain_recursive<const N: usize>(
     for k in (1..N).rev() {
         joints[k] -= joints[k - 1];
     }
-    rod_accelerations(&joints, v, m, l, g)
+    rod_accelerations::<F, N>(&joints, v, m, l, g)
 }
 
 /// Accelerations of a chain in joint angles (each rod against the one before) by articulated bodies.
 #[inline]
-pub(crate) fn relative_chain<const N: usize>(
+pub(crate) fn relative_chain<F: SinCos, const N: usize>(
     q: &[f64; N],
     v: &[f64; N],
     m: &[f64; N],
@@ -166,7 +219,7 @@ pub(crate) fn relative_chain<const N: usize>(
     for k in 1..N {
         rate[k] += rate[k - 1];
     }
-    let mut a = rod_accelerations(q, &rate, m, l, g);
+    let mut a = rod_accelerations::<F, N>(q, &rate, m, l, g);
     for k in (1..N).rev() {
         a[k] -= a[k - 1];
     }
@@ -190,13 +243,14 @@ struct Rod {
 
 /// Angular accelerations of the rods from the joint angles and the rates of the rods.
 #[inline(always)]
-fn rod_accelerations<const N: usize>(
+fn rod_accelerations<F: SinCos, const N: usize>(
     joints: &[f64; N],
     rate: &[f64; N],
     m: &[f64; N],
     l: &[f64; N],
     g: f64,
 ) -> [f64; N] {
+    let waves = F::of(*joints);
     let mut rods = [Rod::default(); N];
     let (mut sin, mut cos) = (0.0, 1.0);
     let (mut lambda, mut pi) = (0.0, 0.0);
@@ -207,7 +261,7 @@ fn rod_accelerations<const N: usize>(
         let (slope, offset) = (lever * lambda * cos, lever * pi);
         lambda = kept * (m[k] + lambda);
         pi = fma(kept * cos, pi, -(lambda * pull));
-        (sin, cos) = joints[k].sin_cos();
+        (sin, cos) = F::at(&waves, k);
         rods[k] = Rod { sin, cos, pull, slope, offset };
     }
     // The pivot accelerates upwards by g: along and across are its components in the frame of a rod.
@@ -227,17 +281,18 @@ fn rod_accelerations<const N: usize>(
 /// Accelerations of a chain in absolute angles by articulated bodies as they are written for any plane
 /// mechanism: a symmetric 2×2 inertia and a force for each subtree. Does not use that rods have no mass.
 #[inline]
-pub(crate) fn absolute_chain_articulated<const N: usize>(
+pub(crate) fn absolute_chain_articulated<F: SinCos, const N: usize>(
     q: &[f64; N],
     v: &[f64; N],
     m: &[f64; N],
     l: &[f64; N],
     g: f64,
 ) -> [f64; N] {
+    let waves = F::of(*q);
     let mut links = [Link::default(); N];
     let (mut x, mut y) = (0.0, 0.0);
     for k in 0..N {
-        let (sin, cos) = q[k].sin_cos();
+        let (sin, cos) = F::at(&waves, k);
         let arm = [l[k] * cos, l[k] * sin];
         let rate_squared = v[k] * v[k];
         (x, y) = (fma(-arm[1], rate_squared, x), fma(arm[0], rate_squared, y));
@@ -268,7 +323,7 @@ pub(crate) fn absolute_chain_articulated<const N: usize>(
 
 /// The same in joint angles.
 #[inline]
-pub(crate) fn relative_chain_articulated<const N: usize>(
+pub(crate) fn relative_chain_articulated<F: SinCos, const N: usize>(
     q: &[f64; N],
     v: &[f64; N],
     m: &[f64; N],
@@ -280,7 +335,7 @@ pub(crate) fn relative_chain_articulated<const N: usize>(
         angle[k] += angle[k - 1];
         rate[k] += rate[k - 1];
     }
-    let mut a = absolute_chain_articulated(&angle, &rate, m, l, g);
+    let mut a = absolute_chain_articulated::<F, N>(&angle, &rate, m, l, g);
     for k in (1..N).rev() {
         a[k] -= a[k - 1];
     }

@@ -4,6 +4,12 @@ pub use lagrange_macro::system;
 
 use crate::Scalar;
 
+/// Sine and cosine of several angles, under its bare name.
+#[inline(always)]
+pub fn sin_cos_each<S: Scalar, const N: usize>(angles: [S; N]) -> [(S, S); N] {
+    S::sin_cos_each(angles)
+}
+
 /// Functions under their bare names, so that generated formulas read like formulas.
 macro_rules! functions {
     ($($name:ident($first:ident $(, $other:ident: $kind:ty)*) -> $result:ty;)*) => {

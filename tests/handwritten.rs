@@ -8,8 +8,8 @@ use std::fs;
 use std::path::Path;
 
 use handwritten::{
-    absolute_chain, absolute_chain_articulated, absolute_chain_recursive, double_pendulum, relative_chain,
-    relative_chain_articulated,
+    Inline, Platform, absolute_chain, absolute_chain_articulated, absolute_chain_recursive, double_pendulum,
+    relative_chain, relative_chain_articulated,
 };
 use serde_json::Value;
 
@@ -51,45 +51,58 @@ fn assert_reproduces<const N: usize>(name: &str, accelerations: Accelerations<N>
     }
 }
 
+/// With either kind of sines and cosines.
+macro_rules! assert_reproduced {
+    ($name:literal by $function:ident $(, $n:literal)?) => {
+        assert_reproduces($name, $function::<Platform $(, $n)?>);
+        assert_reproduces($name, $function::<Inline $(, $n)?>);
+    };
+}
+
 #[test]
 fn unrolled_double_pendulum() {
-    assert_reproduces("double_pendulum", double_pendulum);
+    assert_reproduced!("double_pendulum" by double_pendulum);
 }
 
 #[test]
 fn articulated_chains() {
-    assert_reproduces("double_pendulum", absolute_chain_articulated::<2>);
-    assert_reproduces("chain10_absolute", absolute_chain_articulated::<10>);
-    assert_reproduces("chain6_relative", relative_chain_articulated::<6>);
+    assert_reproduced!("double_pendulum" by absolute_chain_articulated, 2);
+    assert_reproduced!("chain10_absolute" by absolute_chain_articulated, 10);
+    assert_reproduced!("chain6_relative" by relative_chain_articulated, 6);
 }
 
 #[test]
 fn dense_absolute_chains() {
-    assert_reproduces("double_pendulum", absolute_chain::<2>);
-    assert_reproduces("chain3_absolute", absolute_chain::<3>);
-    assert_reproduces("chain5_absolute", absolute_chain::<5>);
-    assert_reproduces("chain10_absolute", absolute_chain::<10>);
+    assert_reproduced!("double_pendulum" by absolute_chain, 2);
+    assert_reproduced!("chain3_absolute" by absolute_chain, 3);
+    assert_reproduced!("chain5_absolute" by absolute_chain, 5);
+    assert_reproduced!("chain10_absolute" by absolute_chain, 10);
 }
 
 #[test]
 fn recursive_absolute_chains() {
-    assert_reproduces("double_pendulum", absolute_chain_recursive::<2>);
-    assert_reproduces("chain3_absolute", absolute_chain_recursive::<3>);
-    assert_reproduces("chain5_absolute", absolute_chain_recursive::<5>);
-    assert_reproduces("chain10_absolute", absolute_chain_recursive::<10>);
+    assert_reproduced!("double_pendulum" by absolute_chain_recursive, 2);
+    assert_reproduced!("chain3_absolute" by absolute_chain_recursive, 3);
+    assert_reproduced!("chain5_absolute" by absolute_chain_recursive, 5);
+    assert_reproduced!("chain10_absolute" by absolute_chain_recursive, 10);
 }
 
 #[test]
 fn recursive_relative_chains() {
-    assert_reproduces("chain4_relative", relative_chain::<4>);
-    assert_reproduces("chain6_relative", relative_chain::<6>);
+    assert_reproduced!("chain4_relative" by relative_chain, 4);
+    assert_reproduced!("chain6_relative" by relative_chain, 6);
 }
 
 #[test]
 fn a_chain_of_one_rod_is_a_pendulum() {
     let (q, v, m, l, g) = ([0.4_f64], [1.5], [2.0], [0.8], 9.81);
     let expected = [-g / l[0] * q[0].sin()];
-    for accelerations in [absolute_chain::<1>, absolute_chain_recursive::<1>, relative_chain::<1>] {
+    for accelerations in [
+        absolute_chain::<Platform, 1>,
+        absolute_chain_recursive::<Platform, 1>,
+        relative_chain::<Platform, 1>,
+        relative_chain::<Inline, 1>,
+    ] {
         assert_close(accelerations(&q, &v, &m, &l, g), expected);
     }
 }
@@ -138,7 +151,12 @@ fn no_digits_are_lost_at_extreme_masses_lengths_and_angles() {
         ),
     ];
     for (m, l, q, v, expected) in cases {
-        for accelerations in [double_pendulum, absolute_chain_recursive::<2>] {
+        for accelerations in [
+            double_pendulum::<Platform>,
+            double_pendulum::<Inline>,
+            absolute_chain_recursive::<Platform, 2>,
+            absolute_chain_recursive::<Inline, 2>,
+        ] {
             let found = accelerations(&q, &v, &m, &l, 9.81);
             for (a, b) in found.iter().zip(expected) {
                 assert!((a - b).abs() <= 1e-14 * b.abs(), "{found:?} is not {expected:?}");
@@ -152,9 +170,9 @@ fn long_chains_agree_among_the_methods() {
     let q: [f64; 20] = from_fn(|k| 0.3 + 0.17 * k as f64);
     let v = from_fn(|k| 0.1 * (k as f64).cos());
     let (m, l) = (from_fn(|k| 1.0 - 0.03 * k as f64), from_fn(|k| 0.5 + 0.02 * k as f64));
-    let expected = absolute_chain(&q, &v, &m, &l, 9.81);
-    assert_close(absolute_chain_recursive(&q, &v, &m, &l, 9.81), expected);
+    let expected = absolute_chain::<Platform, 20>(&q, &v, &m, &l, 9.81);
+    assert_close(absolute_chain_recursive::<Platform, 20>(&q, &v, &m, &l, 9.81), expected);
 
     let joints = |x: &[f64; 20]| from_fn(|k| if k == 0 { x[0] } else { x[k] - x[k - 1] });
-    assert_close(relative_chain(&joints(&q), &joints(&v), &m, &l, 9.81), joints(&expected));
+    assert_close(relative_chain::<Inline, 20>(&joints(&q), &joints(&v), &m, &l, 9.81), joints(&expected));
 }

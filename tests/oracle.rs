@@ -11,18 +11,35 @@ use lagrange_core::pipeline::{NumericSystem, parse};
 
 use reference::{Reference, Subject, names};
 
-/// A system, compiled, as a test of its own: `declare! { name, energies: …, mass_matrix: …; statements }`.
-/// The two words say which methods it has: `kinetic_energy` and `potential_energy` only for `separate`
-/// energies, and `mass_matrix` as a function of the `positions` or of the whole `state`.
+/// A system, compiled at two levels of accuracy, as tests of its own: `declare! { name, energies: …,
+/// mass_matrix: …; statements }`. The two words say which methods it has: `kinetic_energy` and
+/// `potential_energy` only for `separate` energies, and `mass_matrix` as a function of the `positions` or of the
+/// whole `state`.
 macro_rules! declare {
     ($name:ident, energies: $energies:ident, mass_matrix: $mass_matrix:ident; $($declaration:tt)*) => {
         mod $name {
+            const NAME: &str = stringify!($name);
+            const DECLARATION: &str = stringify!($($declaration)*);
+
+            declare!(@level standard, $energies, $mass_matrix; $($declaration)*);
+            declare!(@level fast, $energies, $mass_matrix; $($declaration)*);
+
+            fn array<const N: usize>(values: &[f64]) -> [f64; N] {
+                values.try_into().expect("one value for each coordinate")
+            }
+        }
+    };
+    (@level $level:ident, $energies:ident, $mass_matrix:ident; $($declaration:tt)*) => {
+        mod $level {
+            use super::{DECLARATION, NAME, array};
+
             lagrange::system! {
+                #[accuracy($level)]
                 pub(crate) struct Compiled;
                 $($declaration)*
             }
 
-            impl super::super::Subject for Compiled {
+            impl crate::Subject for Compiled {
                 fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
                     self.acceleration(t, &array(q), &array(v)).to_vec()
                 }
@@ -45,13 +62,9 @@ macro_rules! declare {
                 }
             }
 
-            fn array<const N: usize>(values: &[f64]) -> [f64; N] {
-                values.try_into().expect("one value for each coordinate")
-            }
-
             #[test]
             fn agrees_with_reference_and_interpreter() {
-                super::super::check(stringify!($name), stringify!($($declaration)*), &Compiled::default());
+                crate::check(NAME, stringify!($level), DECLARATION, &Compiled::default());
             }
         }
     };
@@ -75,13 +88,14 @@ fn every_reference_is_compiled() {
     assert!(declared.eq(names(directory()).iter()), "run `python3 tests/oracle/declare.py`");
 }
 
-fn check(name: &str, declaration: &str, compiled: &impl Subject) {
+fn check(name: &str, level: &str, declaration: &str, compiled: &impl Subject) {
     let reference = Reference::read(directory(), name);
     assert_eq!(packed(declaration), packed(&reference.declaration), "run `python3 tests/oracle/declare.py`");
     let failures = reference.failures(compiled);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 
-    let derived = parse(&reference.declaration).and_then(|system| system.derive(RoadChoice::Cheapest));
+    let text = format!("#[accuracy({level})] struct Interpreted; {}", reference.declaration);
+    let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
     let mut interpreted = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
     for (name, value) in reference.settings() {
         assert!(interpreted.set(name, value), "{name} is declared");

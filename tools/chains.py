@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes the pendulum chains that benches derive and evaluate, and those that tests/large.rs compiles:
-`tools/chains.py` fills benches/chains/.
+`tools/chains.py` fills benches/chains/ and benches/fast_chains/.
 
 n point masses on massless rods under gravity, as a user would write them down: in absolute angles from the
 downward vertical, or in relative angles, each rod against the one before. All masses and lengths are
@@ -10,8 +10,11 @@ parameters.
 from pathlib import Path
 
 CHAINS = [("absolute", 2), ("absolute", 5), ("absolute", 10), ("absolute", 20), ("relative", 4), ("relative", 8)]
+# Those of tests/large.rs.
 LARGE = [("absolute", 100), ("relative", 100), ("absolute", 200), ("relative", 200)]
-FOLDER = Path(__file__).resolve().parent.parent / "benches" / "chains"
+# The same and longer ones with `#[accuracy(fast)]`.
+FAST_CHAINS = [*CHAINS, ("absolute", 30), ("relative", 20)]
+BENCHES = Path(__file__).resolve().parent.parent / "benches"
 
 
 def numbered(letter, n):
@@ -42,14 +45,15 @@ def declaration(kind, n):
     return lines
 
 
-def module(kind, n):
+def module(kind, n, attributes):
     """A Rust module with the emitted type and a constructor from arrays."""
     name, masses, lengths = type_name(kind, n), numbered("m", n), numbered("l", n)
+    documentation, *rest = declaration(kind, n)
     indent = lambda lines: "\n".join(f"    {line}" for line in lines)
     return f"""//! Written by `tools/chains.py`.
 
 lagrange::system! {{
-{indent(declaration(kind, n))}
+{indent([documentation, *attributes, *rest])}
 }}
 
 #[rustfmt::skip]
@@ -61,17 +65,24 @@ pub(crate) fn chain(m: &[f64; {n}], l: &[f64; {n}], g: f64) -> {name} {{
 """
 
 
-def index():
-    """The module that holds all but the large ones."""
-    modules = "\n".join(f"pub(crate) mod {kind}_{n};" for kind, n in sorted(CHAINS))
+def index(chains):
+    """The module that holds the others."""
+    modules = "\n".join(f"pub(crate) mod {kind}_{n};" for kind, n in sorted(chains))
     return f"//! Pendulum chains as declarations. Written by `tools/chains.py`.\n\n{modules}\n"
 
 
+def write(folder, chains, attributes):
+    folder.mkdir(exist_ok=True)
+    for kind, n in chains:
+        (folder / f"{kind}_{n}.rs").write_text(module(kind, n, attributes))
+    (folder / "mod.rs").write_text(index(chains))
+
+
 def main():
-    FOLDER.mkdir(exist_ok=True)
-    for kind, n in CHAINS + LARGE:
-        (FOLDER / f"{kind}_{n}.rs").write_text(module(kind, n))
-    (FOLDER / "mod.rs").write_text(index())
+    write(BENCHES / "chains", CHAINS, [])
+    for kind, n in LARGE:
+        (BENCHES / "chains" / f"{kind}_{n}.rs").write_text(module(kind, n, []))
+    write(BENCHES / "fast_chains", FAST_CHAINS, ["#[accuracy(fast)]"])
 
 
 if __name__ == "__main__":

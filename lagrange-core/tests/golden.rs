@@ -68,7 +68,7 @@ fn program(derived: &Derived) -> String {
     let mut labels = Labels::default();
     derived.equations.labels.iter().for_each(|(id, name)| labels.insert(*id, name.as_str()));
     let graph = &derived.model.graph;
-    let program = optimise(&lower(graph, &derived.equations.accelerations, &labels));
+    let program = optimise(&lower(graph, &derived.equations.accelerations, &labels), derived.model.accuracy);
     format!("{}# {}\n", listing(&program, graph.symbols()), OperationCounts::of(&program))
 }
 

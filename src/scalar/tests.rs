@@ -254,6 +254,19 @@ fn multiply_add_is_fused_exactly_where_the_target_has_the_instruction() {
     assert_eq!(single, if fused { f32::EPSILON * f32::EPSILON } else { 0.0 });
 }
 
+#[test]
+fn angles_together_give_what_each_gives_alone() {
+    let angles = [0.3, -2.0, 1e7, f64::INFINITY, -0.0];
+    let singles = f32::sin_cos_each(angles.map(|angle| angle as f32));
+    for ((together, angle), single) in f64::sin_cos_each(angles).into_iter().zip(angles).zip(singles) {
+        let ([alone], platform) = (f64::sin_cos_each([angle]), Scalar::sin_cos(angle));
+        expect(together.0, alone.0);
+        expect(together.1, alone.1);
+        assert!((together.0 - platform.0).abs() < 2e-16 || angle.is_infinite());
+        assert!((f64::from(single.1) - platform.1).abs() < 1e-7 || angle.is_infinite());
+    }
+}
+
 mod libraries {
     /// Compares rows `function: name in libm for f64, for f32, over a range`.
     macro_rules! agree {

@@ -1,5 +1,6 @@
 //! What a user may rely on of the items that `system!` emits: names, types, conversions, traits.
 
+mod accuracy;
 mod declarations;
 mod methods;
 mod products;

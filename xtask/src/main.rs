@@ -74,11 +74,26 @@ fn steps(root: &Path) -> Vec<Step> {
         Step::new("a user without std", "build --package no_std"),
         Step::new("benchmarks compile", "bench --workspace --no-run"),
     ];
+    if fuses_products() {
+        // Beside the other build, which it would undo.
+        let command = "test --package lagrange-math --target-dir target/fused";
+        let step = Step::new("sine and cosine with fused products", command);
+        steps.push(step.with("RUSTFLAGS", "-C target-feature=+fma"));
+    }
     // Every example asserts its own reference values.
     steps.extend(examples(root).iter().map(|name| {
         Step::new(&format!("example {name}"), &format!("run --quiet --release --example {name}"))
     }));
     steps
+}
+
+/// Whether this processor can run what is compiled for the target feature `fma`.
+fn fuses_products() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    let fuses = std::is_x86_feature_detected!("fma");
+    #[cfg(not(target_arch = "x86_64"))]
+    let fuses = false;
+    fuses
 }
 
 fn examples(root: &Path) -> Vec<String> {

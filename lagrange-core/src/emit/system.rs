@@ -177,7 +177,7 @@ impl<'a> Writer<'a> {
         if self.size.is_hopeless() {
             return OperationCounts::default();
         }
-        let program = optimise(&lower(&self.model.graph, roots, &self.labels));
+        let program = optimise(&lower(&self.model.graph, roots, &self.labels), self.model.accuracy);
         let counts = OperationCounts::of(&program);
         self.size.add(counts, roots.len());
         let body = self.body(&program, arguments, returns);
@@ -260,7 +260,8 @@ impl<'a> Writer<'a> {
     fn default_body(&mut self) -> Option<TokenStream> {
         let fields = self.model.parameters.iter().chain(&self.model.inputs);
         let defaults = fields.map(|field| field.default).collect::<Option<Vec<_>>>()?;
-        let program = optimise(&lower(&self.model.graph, &defaults, &Labels::default()));
+        let program = lower(&self.model.graph, &defaults, &Labels::default());
+        let program = optimise(&program, self.model.accuracy);
         self.has_rounded_constants |= program.values().any(|(_, op)| matches!(op, Op::Float(_)));
         let symbols = self.model.graph.symbols();
         match body(&program, symbols, &self.scalar, &mut Names::default()) {

@@ -185,15 +185,26 @@ impl Roads<'_> {
             Road::Recursive => solve_recursive(&mut self.model.graph, self.form.clone(), &velocities),
             Road::Squares if self.split.has_other_inertia => None,
             Road::Squares => {
-                let dropped = AccelerationTerms::Dropped;
-                let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
-                let sums = match self.model.accuracy {
-                    Accuracy::Strict => Sums::Contracted,
-                    Accuracy::Fast | Accuracy::Standard => Sums::Collected,
-                };
-                solve_squares(&mut self.model.graph, self.split, loads, &velocities, sums)
+                let contracted = self.squares(Sums::Contracted, &velocities);
+                if self.model.accuracy == Accuracy::Strict {
+                    return contracted;
+                }
+                let collected = self.squares(Sums::Collected, &velocities);
+                self.cheaper(contracted, collected)
             }
         }
+    }
+
+    fn squares(&mut self, sums: Sums, velocities: &[ExprId]) -> Option<Solution> {
+        let dropped = AccelerationTerms::Dropped;
+        let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
+        solve_squares(&mut self.model.graph, self.split, loads, velocities, sums)
+    }
+
+    fn cheaper(&self, a: Option<Solution>, b: Option<Solution>) -> Option<Solution> {
+        let (Some(a), Some(b)) = (&a, &b) else { return a.or(b) };
+        let [first, second] = [a, b].map(|solution| cost(&self.model.graph, &solution.accelerations));
+        Some(if second < first { b.clone() } else { a.clone() })
     }
 }
 

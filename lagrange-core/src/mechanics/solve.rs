@@ -27,7 +27,7 @@ struct Eliminated {
 }
 
 /// The stationary point of a form, and names for what was computed on the way.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Solution {
     /// The accelerations in the order of the velocities.
     pub(super) accelerations: Vec<ExprId>,

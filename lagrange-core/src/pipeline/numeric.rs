@@ -39,7 +39,7 @@ impl NumericSystem {
         // A named value is kept apart, so that only with the same names the results are those of emitted code.
         let mut labels = Labels::default();
         equations.labels.iter().for_each(|(expression, name)| labels.insert(*expression, name.as_str()));
-        let lowered = |roots: &[ExprId]| optimise(&lower(&model.graph, roots, &labels));
+        let lowered = |roots: &[ExprId]| optimise(&lower(&model.graph, roots, &labels), model.accuracy);
         let default = |default: Option<ExprId>| {
             default.map_or(f64::NAN, |value| evaluate(&model.graph, &[value], |_| f64::NAN)[0])
         };

@@ -21,7 +21,7 @@ pub struct OperationCounts {
     pub square_roots: usize,
     /// Elementary functions other than those counted below, and large integer powers.
     pub functions: usize,
-    /// Sines and cosines of the same argument computed together.
+    /// Sines and cosines of the same argument computed together, one for each argument of a batch.
     pub sin_cos: usize,
     /// Choices between two values.
     pub selections: usize,
@@ -37,7 +37,8 @@ impl OperationCounts {
 
     fn add(&mut self, op: &Op) {
         match op {
-            Op::Input(_) | Op::Constant(_) | Op::Float(_) | Op::Negate(_) | Op::SinOf(_) | Op::CosOf(_) => {}
+            Op::Input(_) | Op::Constant(_) | Op::Float(_) | Op::Negate(_) => {}
+            Op::SinOf(_) | Op::CosOf(_) | Op::SinIn(..) | Op::CosIn(..) => {}
             Op::Add(..) | Op::Subtract(..) => self.additions += 1,
             Op::Multiply(..) => self.multiplications += 1,
             Op::Divide(..) => self.divisions += 1,
@@ -48,6 +49,7 @@ impl OperationCounts {
             Op::Call(Function::Sqrt, _) => self.square_roots += 1,
             Op::Power(..) | Op::Call(..) => self.functions += 1,
             Op::SinCos(_) => self.sin_cos += 1,
+            Op::SinCosEach(angles) => self.sin_cos += angles.len(),
             Op::Select { .. } => self.selections += 1,
         }
     }

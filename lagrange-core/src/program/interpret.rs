@@ -42,6 +42,10 @@ fn evaluate(program: &Program, op: &Op, values: &ValueTable<f64>, value_of: impl
         Op::SinCos(a) => at(a),
         Op::SinOf(pair) => argument_of(program, *pair, values).sin(),
         Op::CosOf(pair) => argument_of(program, *pair, values).cos(),
+        // The same for a batch; what comes of an angle does not depend on the others.
+        Op::SinCosEach(_) => f64::NAN,
+        Op::SinIn(batch, place) => in_batch(program, *batch, *place, values).0,
+        Op::CosIn(batch, place) => in_batch(program, *batch, *place, values).1,
         Op::Select { relation, left, right, then, otherwise } => match at(left).partial_cmp(&at(right)) {
             None => f64::NAN,
             Some(_) if relation.holds(at(left), at(right)) => at(then),
@@ -55,6 +59,15 @@ fn argument_of(program: &Program, pair: ValueId, values: &ValueTable<f64>) -> f6
         Op::SinCos(argument) => values[*argument],
         _ => f64::NAN,
     }
+}
+
+fn in_batch(program: &Program, batch: ValueId, place: u32, values: &ValueTable<f64>) -> (f64, f64) {
+    let angle = match program.op(batch) {
+        Op::SinCosEach(angles) => angles.get(place as usize).map(|angle| values[*angle]),
+        _ => None,
+    };
+    let [pair] = lagrange_math::sin_cos_each([angle.unwrap_or(f64::NAN)]);
+    pair
 }
 
 /// `a * b + c`, rounded once where emitted code rounds once.

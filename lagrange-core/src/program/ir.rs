@@ -77,6 +77,12 @@ pub enum Op {
     SinOf(ValueId),
     /// The cosine in a pair.
     CosOf(ValueId),
+    /// Sines and cosines of several values at a time: of use only to [`Op::SinIn`] and [`Op::CosIn`].
+    SinCosEach(Box<[ValueId]>),
+    /// The sine of the value at this place in a batch.
+    SinIn(ValueId, u32),
+    /// The cosine of the value at this place in a batch.
+    CosIn(ValueId, u32),
     /// `then` where the relation holds, `otherwise` where its opposite does, NaN where an operand of the
     /// relation is NaN.
     Select {
@@ -105,7 +111,8 @@ impl Op {
             Op::MultiplyAdd(a, b, c) | Op::MultiplySubtract(a, b, c) | Op::SubtractProduct(a, b, c) => {
                 [*a, *b, *c].into_iter().for_each(visit);
             }
-            Op::Call(_, arguments) => arguments.iter().copied().for_each(visit),
+            Op::SinIn(batch, _) | Op::CosIn(batch, _) => visit(*batch),
+            Op::Call(_, arguments) | Op::SinCosEach(arguments) => arguments.iter().copied().for_each(visit),
             Op::Select { left, right, then, otherwise, .. } => {
                 [*left, *right, *then, *otherwise].into_iter().for_each(visit);
             }
@@ -129,7 +136,8 @@ impl Op {
             Op::MultiplyAdd(a, b, c) | Op::MultiplySubtract(a, b, c) | Op::SubtractProduct(a, b, c) => {
                 [a, b, c].into_iter().for_each(visit);
             }
-            Op::Call(_, arguments) => arguments.iter_mut().for_each(visit),
+            Op::SinIn(batch, _) | Op::CosIn(batch, _) => visit(batch),
+            Op::Call(_, arguments) | Op::SinCosEach(arguments) => arguments.iter_mut().for_each(visit),
             Op::Select { left, right, then, otherwise, .. } => {
                 [left, right, then, otherwise].into_iter().for_each(visit);
             }

@@ -57,6 +57,9 @@ impl Listing<'_> {
             (Op::SinCos(_), [a]) => format!("sin_cos({a})"),
             (Op::SinOf(_), [pair]) => format!("{pair}.sin"),
             (Op::CosOf(_), [pair]) => format!("{pair}.cos"),
+            (Op::SinCosEach(_), angles) => format!("sin_cos_each({})", angles.join(", ")),
+            (Op::SinIn(_, place), [batch]) => format!("{batch}.{place}.sin"),
+            (Op::CosIn(_, place), [batch]) => format!("{batch}.{place}.cos"),
             (Op::Select { relation, .. }, [left, right, then, otherwise]) => {
                 let relation = Relation::symbol(*relation);
                 format!("if {left} {relation} {right} {{ {then} }} else {{ {otherwise} }}")

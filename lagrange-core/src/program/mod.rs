@@ -29,7 +29,9 @@ pub use ir::{Float, Op, Program, ValueId, ValueTable};
 pub use labels::Labels;
 pub use listing::{Listing, listing};
 pub use lower::lower;
-pub use passes::{PASSES, Pass, fuse_multiply_adds, optimise, pair_sines_and_cosines, schedule};
+pub use passes::{
+    Pass, batch_sines_and_cosines, fuse_multiply_adds, optimise, pair_sines_and_cosines, passes, schedule,
+};
 pub use variability::Variability;
 pub use verify::{Fault, verify};
 

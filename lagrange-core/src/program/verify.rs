@@ -15,8 +15,10 @@ pub enum Fault {
     MissingOutput(ValueId),
     /// A function with the wrong number of arguments.
     Arity(ValueId),
-    /// A part taken of something that is no pair, or a pair used as a number.
+    /// A part taken of something that is no pair, or a pair used as a number; the same of batches.
     Pair(ValueId),
+    /// A part taken of a batch from beyond its end.
+    Place(ValueId),
     /// An operation that an earlier value has already done.
     Duplicate(ValueId),
     /// A value that contributes to no output.
@@ -30,6 +32,7 @@ impl fmt::Display for Fault {
             Fault::MissingOutput(id) => write!(f, "output {id:?} does not exist"),
             Fault::Arity(id) => write!(f, "{id:?} calls with the wrong number of arguments"),
             Fault::Pair(id) => write!(f, "{id:?} takes a number for a pair or a pair for a number"),
+            Fault::Place(id) => write!(f, "{id:?} takes what is not in the batch"),
             Fault::Duplicate(id) => write!(f, "{id:?} repeats an earlier operation"),
             Fault::Dead(id) => write!(f, "{id:?} is never used"),
         }
@@ -64,30 +67,65 @@ fn verify_order(program: &Program) -> Result<(), Fault> {
 }
 
 fn verify_operands(program: &Program) -> Result<(), Fault> {
-    let is_pair = |id| matches!(program.op(id), Op::SinCos(_));
+    let kind_of = |id| Kind::of_result(program.op(id));
     for (id, op) in program.values() {
         if let Op::Call(function, arguments) = op
             && arguments.len() != row(*function).arity
         {
             return Err(Fault::Arity(id));
         }
-        let takes_pair = matches!(op, Op::SinOf(_) | Op::CosOf(_));
+        let wanted = Kind::of_operands(op);
         let mut right = true;
-        op.for_each_operand(|operand| right &= is_pair(operand) == takes_pair);
+        op.for_each_operand(|operand| right &= kind_of(operand) == wanted);
         if !right {
             return Err(Fault::Pair(id));
         }
+        if let Op::SinIn(batch, place) | Op::CosIn(batch, place) = op
+            && let Op::SinCosEach(angles) = program.op(*batch)
+            && *place as usize >= angles.len()
+        {
+            return Err(Fault::Place(id));
+        }
     }
-    match program.outputs().iter().find(|output| is_pair(**output)) {
+    match program.outputs().iter().find(|output| kind_of(**output) != Kind::Number) {
         Some(&output) => Err(Fault::Pair(output)),
         None => Ok(()),
+    }
+}
+
+/// What a value is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Number,
+    Pair,
+    Batch,
+}
+
+impl Kind {
+    fn of_result(op: &Op) -> Kind {
+        match op {
+            Op::SinCos(_) => Kind::Pair,
+            Op::SinCosEach(_) => Kind::Batch,
+            _ => Kind::Number,
+        }
+    }
+
+    fn of_operands(op: &Op) -> Kind {
+        match op {
+            Op::SinOf(_) | Op::CosOf(_) => Kind::Pair,
+            Op::SinIn(..) | Op::CosIn(..) => Kind::Batch,
+            _ => Kind::Number,
+        }
     }
 }
 
 fn verify_distinctness(program: &Program) -> Result<(), Fault> {
     let mut seen: HashMap<Op, ()> = HashMap::default();
     for (id, op) in program.values() {
-        let known = op.commuted().is_some_and(|commuted| seen.contains(&commuted));
+        let known = match op {
+            Op::SinCosEach(angles) => (1..angles.len()).any(|i| angles[..i].contains(&angles[i])),
+            _ => op.commuted().is_some_and(|commuted| seen.contains(&commuted)),
+        };
         if known || seen.insert(op.clone(), ()).is_some() {
             return Err(Fault::Duplicate(id));
         }
@@ -97,7 +135,17 @@ fn verify_distinctness(program: &Program) -> Result<(), Fault> {
 
 fn verify_usefulness(program: &Program) -> Result<(), Fault> {
     let uses = program.uses();
-    match program.values().find(|(id, _)| uses[*id] == 0) {
+    let mut taken: HashMap<(ValueId, u32), ()> = HashMap::default();
+    for (_, op) in program.values() {
+        if let Op::SinIn(batch, place) | Op::CosIn(batch, place) = op {
+            taken.insert((*batch, *place), ());
+        }
+    }
+    let is_dead = |(id, op): &(ValueId, &Op)| match op {
+        Op::SinCosEach(angles) => (0..angles.len()).any(|place| !taken.contains(&(*id, place as u32))),
+        _ => uses[*id] == 0,
+    };
+    match program.values().find(is_dead) {
         Some((id, _)) => Err(Fault::Dead(id)),
         None => Ok(()),
     }

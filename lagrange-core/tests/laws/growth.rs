@@ -59,7 +59,8 @@ fn cost(bodies: usize, text: &str) -> Cost {
     let Derived { model, equations, .. } = parse(text)
         .and_then(|system| system.derive(RoadChoice::Cheapest))
         .unwrap_or_else(|report| panic!("{report}"));
-    let program = optimise(&lower(&model.graph, &equations.accelerations, &Labels::default()));
+    let program =
+        optimise(&lower(&model.graph, &equations.accelerations, &Labels::default()), model.accuracy);
     let couplings = equations.mass_matrix.iter().flatten().filter(|&&entry| !model.graph.is_zero(entry));
     // Both triangles are counted, so this is at most five expressions for each coupling.
     let of_couplings = couplings.count() * 5 / 2;

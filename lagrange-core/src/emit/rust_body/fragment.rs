@@ -47,6 +47,15 @@ impl Fragment {
         if text.starts_with('-') { atom.negated().free() } else { atom }
     }
 
+    /// `[a, b, …]`
+    pub(super) fn array(elements: Vec<Fragment>) -> Fragment {
+        let operations = elements.iter().map(|element| element.operations).sum::<usize>();
+        let width = elements.iter().map(|element| element.width + 2).sum::<usize>();
+        let elements = elements.into_iter().map(|element| element.tokens);
+        let tokens = quote_spanned!(Span::mixed_site()=> [#(#elements),*]);
+        Fragment { operations, ..Fragment::atom(tokens, width) }
+    }
+
     /// A choice, which stands alone in braces or on the right of a `let`.
     pub(super) fn block(tokens: TokenStream) -> Fragment {
         Fragment { operations: 1, ..Fragment::atom(tokens, usize::MAX / 4) }

@@ -12,6 +12,7 @@ mod fragment;
 mod literal;
 mod names;
 mod naming;
+mod pairs;
 mod parts;
 mod writer;
 
@@ -77,7 +78,7 @@ pub fn body(
     names: &mut Names,
 ) -> Result<Body, Unrepresentable> {
     // Every other function is a word of the language, which no symbol can be called.
-    ["sin_cos", "multiply_add"].into_iter().for_each(|function| names.reserve(function));
+    ["sin_cos", "sin_cos_each", "multiply_add"].into_iter().for_each(|function| names.reserve(function));
     let used = used_roles(program);
     // Symbols get their names before anything else can take them.
     used.iter().for_each(|&role| drop(names.role(symbols, role)));

@@ -7,6 +7,7 @@ use quote::{ToTokens, quote_spanned};
 
 use super::fragment::Fragment;
 use super::literal::Constant;
+use super::pairs::{Parts, parts_of_pairs};
 use super::parts::{Statement, assemble};
 use super::{Body, Names, Scalar, Unrepresentable};
 use crate::expr::Relation;
@@ -28,8 +29,8 @@ pub(super) enum Written {
     Expression(Fragment),
     /// A variable.
     Variable(Ident),
-    /// A pair of variables.
-    Pair(Ident, Ident),
+    /// Variables for a sine and a cosine, or for those of a batch.
+    Pairs(Vec<[Ident; 2]>),
 }
 
 pub(super) struct Writer<'a> {
@@ -41,11 +42,11 @@ pub(super) struct Writer<'a> {
     pub(super) variability: ValueTable<Variability>,
     /// Whether a value is used once, as a branch of a selection.
     is_branch: ValueTable<bool>,
-    parts: ValueTable<[Option<ValueId>; 2]>,
+    pub(super) parts: Parts,
     /// Which values are in variables whose names only number them.
     pub(super) is_numbered: ValueTable<bool>,
     pub(super) written: ValueTable<Written>,
-    statements: Vec<Statement>,
+    pub(super) statements: Vec<Statement>,
     unrepresentable: Vec<String>,
     /// Functions that were called.
     functions: BTreeSet<&'static str>,
@@ -96,7 +97,11 @@ impl<'a> Writer<'a> {
             Op::Constant(number) => self.constant(id, Constant::Exact(number)),
             Op::Float(value) => self.constant(id, Constant::Rounded(*value)),
             Op::SinCos(argument) => self.pair(id, *argument),
-            Op::SinOf(pair) | Op::CosOf(pair) => self.part(op, *pair),
+            Op::SinCosEach(arguments) => self.batch(id, arguments),
+            Op::SinOf(pair) => self.part(*pair, 0, 0),
+            Op::CosOf(pair) => self.part(*pair, 0, 1),
+            Op::SinIn(batch, place) => self.part(*batch, *place, 0),
+            Op::CosIn(batch, place) => self.part(*batch, *place, 1),
             Op::Select { relation, left, right, then, otherwise } => {
                 let [left, right] = [*left, *right].map(|operand| self.take_variable(operand));
                 let [then, otherwise] = [*then, *otherwise].map(|operand| self.take(operand));
@@ -148,7 +153,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The operands of an operation as they are written in it.
-    fn operands(&mut self, op: &Op) -> Vec<Fragment> {
+    pub(super) fn operands(&mut self, op: &Op) -> Vec<Fragment> {
         let mut ids = Vec::new();
         op.for_each_operand(|operand| ids.push(operand));
         let factors = match op {
@@ -191,6 +196,7 @@ impl<'a> Writer<'a> {
         match op {
             Op::Call(function, _) => row(*function).rust.len(),
             Op::MultiplyAdd(..) | Op::MultiplySubtract(..) | Op::SubtractProduct(..) => "multiply_add".len(),
+            Op::SinCosEach(_) => "sin_cos_each".len(),
             _ => 0,
         }
     }
@@ -200,7 +206,7 @@ impl<'a> Writer<'a> {
     }
 
     /// A value where it is used.
-    fn take(&mut self, id: ValueId) -> Fragment {
+    pub(super) fn take(&mut self, id: ValueId) -> Fragment {
         match &self.written[id] {
             Written::Variable(name) => Fragment::name(name),
             Written::Expression(expression) if expression.is_free() => expression.clone(),
@@ -260,27 +266,6 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn pair(&mut self, id: ValueId, argument: ValueId) -> Written {
-        let name = self.name_of(argument);
-        let angle = self.take(argument);
-        let pair = self.call("sin_cos", vec![angle]).tokens;
-        let [sine, cosine] = [("sin", self.parts[id][0]), ("cos", self.parts[id][1])]
-            .map(|(function, part)| self.name_part(function, part, name.as_deref()));
-        let tokens = quote_spanned!(Span::mixed_site()=> let (#sine, #cosine) = #pair;);
-        let variables = self.parts[id].into_iter().zip([&sine, &cosine]);
-        let variables = variables.filter_map(|(part, name)| Some((part?, name.clone()))).collect();
-        self.statements.push(Statement { tokens, variables });
-        Written::Pair(sine, cosine)
-    }
-
-    fn part(&mut self, op: &Op, pair: ValueId) -> Written {
-        match (&self.written[pair], op) {
-            (Written::Pair(sine, _), Op::SinOf(_)) => Written::Variable(sine.clone()),
-            (Written::Pair(_, cosine), _) => Written::Variable(cosine.clone()),
-            _ => unreachable!("{pair:?} is a pair"),
-        }
-    }
-
     /// Both comparisons fail where an operand is not a number; that must not pick a branch.
     fn selection(&self, relation: Relation, sides: [Fragment; 2], values: [Fragment; 2]) -> TokenStream {
         let [left, right] = sides.map(|side| side.tokens);
@@ -305,7 +290,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn call(&mut self, function: &'static str, arguments: Vec<Fragment>) -> Fragment {
+    pub(super) fn call(&mut self, function: &'static str, arguments: Vec<Fragment>) -> Fragment {
         Fragment::call(&self.function(function), arguments)
     }
 
@@ -329,19 +314,6 @@ impl<'a> Writer<'a> {
             "S::".len() + item.to_string().len(),
         )
     }
-}
-
-/// The sine and the cosine taken from each pair.
-fn parts_of_pairs(program: &Program) -> ValueTable<[Option<ValueId>; 2]> {
-    let mut parts = ValueTable::filled(program.len(), [None; 2]);
-    for (id, op) in program.values() {
-        match op {
-            Op::SinOf(pair) => parts[*pair][0] = Some(id),
-            Op::CosOf(pair) => parts[*pair][1] = Some(id),
-            _ => {}
-        }
-    }
-    parts
 }
 
 /// Which values are used once, as a branch of a selection: they are computed only where they are wanted.

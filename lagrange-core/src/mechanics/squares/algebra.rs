@@ -81,8 +81,10 @@ impl<'g> Algebra<'g> {
         if is_the_same || self.terms(closed) < 2 {
             return closed;
         }
+        let before = opened.len();
         let opened = self.simplified(opened);
-        if self.terms(opened) < self.terms(closed) { opened } else { closed }
+        let has_shrunk = self.terms(opened) < before;
+        if has_shrunk && self.terms(opened) <= self.terms(closed) { opened } else { closed }
     }
 
     fn multiply_out(&mut self, a: ExprId, b: ExprId, scale: &Number, terms: &mut Vec<(ExprId, Number)>) {

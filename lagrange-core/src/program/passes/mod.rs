@@ -1,15 +1,18 @@
 //! Passes: each returns a program that computes the same.
 
+mod batch;
 mod fuse;
 mod schedule;
 mod trigonometry;
 
+pub use batch::batch_sines_and_cosines;
 pub use fuse::fuse_multiply_adds;
 pub use schedule::schedule;
 pub use trigonometry::pair_sines_and_cosines;
 
 use super::builder::Builder;
 use super::ir::{Op, Program, ValueId, ValueTable};
+use crate::syntax::ast::Accuracy;
 
 /// A pass, with the name that tests and tools know it by.
 #[derive(Clone, Copy, Debug)]
@@ -20,16 +23,21 @@ pub struct Pass {
     pub run: fn(&Program) -> Program,
 }
 
-/// All passes in the order in which they run.
-pub const PASSES: [Pass; 3] = [
-    Pass { name: "pair sines and cosines", run: pair_sines_and_cosines },
-    Pass { name: "fuse multiply-adds", run: fuse_multiply_adds },
-    Pass { name: "schedule", run: schedule },
-];
+/// The passes for a level of accuracy in the order in which they run.
+pub fn passes(accuracy: Accuracy) -> [Pass; 3] {
+    let pair = match accuracy {
+        Accuracy::Fast => Pass { name: "batch sines and cosines", run: batch_sines_and_cosines },
+        Accuracy::Standard | Accuracy::Strict => {
+            Pass { name: "pair sines and cosines", run: pair_sines_and_cosines }
+        }
+    };
+    let fuse = Pass { name: "fuse multiply-adds", run: fuse_multiply_adds };
+    [pair, fuse, Pass { name: "schedule", run: schedule }]
+}
 
 /// Runs every pass.
-pub fn optimise(program: &Program) -> Program {
-    PASSES.iter().fold(program.clone(), |program, pass| (pass.run)(&program))
+pub fn optimise(program: &Program, accuracy: Accuracy) -> Program {
+    passes(accuracy).iter().fold(program.clone(), |program, pass| (pass.run)(&program))
 }
 
 /// The program in which each operation is replaced by what `replace` makes of it. `replace` gets the

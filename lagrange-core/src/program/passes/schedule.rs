@@ -3,15 +3,32 @@
 use crate::collections::HashMap;
 use crate::program::{Builder, Program, ValueId};
 
-/// Orders values depth-first from the outputs, which is also the order in which they are printed.
+/// Orders values depth-first from the outputs, which is also the order in which they are printed. What waits for
+/// the longest chain of others comes first: then short work stands where it is needed, and calls of functions,
+/// which compilers do not move, are spread over the chain that runs beside them.
 pub fn schedule(program: &Program) -> Program {
-    let mut order = Order { program, builder: Builder::new(), image: HashMap::default() };
+    let heights = heights(program);
+    let mut order = Order { program, heights, builder: Builder::new(), image: HashMap::default() };
     let outputs = program.outputs().iter().map(|&output| order.place(output)).collect::<Vec<_>>();
     order.builder.finish(&outputs)
 }
 
+/// The longest chain of values that each one waits for.
+fn heights(program: &Program) -> HashMap<ValueId, u32> {
+    let mut heights: HashMap<ValueId, u32> = HashMap::default();
+    for (id, op) in program.values() {
+        let mut height = 0;
+        op.for_each_operand(|operand| {
+            height = height.max(heights.get(&operand).map_or(0, |below| below + 1));
+        });
+        heights.insert(id, height);
+    }
+    heights
+}
+
 struct Order<'a> {
     program: &'a Program,
+    heights: HashMap<ValueId, u32>,
     builder: Builder,
     image: HashMap<ValueId, ValueId>,
 }
@@ -28,8 +45,8 @@ impl Order<'_> {
                         pending.push(operand);
                     }
                 });
-                // The first operand is placed first.
-                pending[before..].reverse();
+                // The one that waits for the longest chain is placed first.
+                pending[before..].sort_by_key(|&operand| self.height(operand));
             }
             if pending.len() == before {
                 pending.pop();
@@ -37,6 +54,10 @@ impl Order<'_> {
             }
         }
         self.image.get(&root).copied().unwrap_or(root)
+    }
+
+    fn height(&self, id: ValueId) -> u32 {
+        self.heights.get(&id).copied().unwrap_or(0)
     }
 
     fn copy(&mut self, id: ValueId) {

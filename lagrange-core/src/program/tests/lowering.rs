@@ -6,6 +6,7 @@ use crate::functions::apply;
 use crate::number::Number;
 use crate::program::{Labels, Op, Program, lower, optimise, run, verify};
 use crate::symbol::Role;
+use crate::syntax::ast::Accuracy;
 
 fn multiplies_by_minus_one(program: &Program) -> bool {
     program.values().any(|(_, op)| *op == Op::Constant(Number::MINUS_ONE))
@@ -58,7 +59,7 @@ fn labels_name_values_and_keep_products_apart() {
     labels.insert(product, "area");
     labels.insert(product, "second");
     labels.insert(sum, "total");
-    let program = optimise(&lower(&g, &[sum], &labels));
+    let program = optimise(&lower(&g, &[sum], &labels), Accuracy::Standard);
     let names = program.values().filter_map(|(id, _)| program.hint(id)).collect::<Vec<_>>();
     assert_eq!(names, ["area", "total"]);
 }
@@ -75,8 +76,10 @@ fn deep(step: fn(&mut Graph, ExprId, ExprId) -> ExprId) {
     let run = move || {
         let (mut g, [a, ..], [x, _]) = letters();
         let root = (0..100_000).fold(x, |inner, _| step(&mut g, inner, a));
-        let program = optimise(&lower(&g, &[root], &Labels::default()));
-        assert_eq!(verify(&program), Ok(()));
+        let program = lower(&g, &[root], &Labels::default());
+        for level in Accuracy::ALL {
+            assert_eq!(verify(&optimise(&program, level)), Ok(()));
+        }
     };
     let thread = std::thread::Builder::new().stack_size(256 << 10).spawn(run);
     thread.expect("a thread can be spawned").join().expect("no overflow");

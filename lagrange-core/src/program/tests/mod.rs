@@ -4,9 +4,10 @@ mod passes;
 pub(crate) mod random;
 mod verifier;
 
-use super::{Labels, OperationCounts, PASSES, Program, lower, optimise, verify};
+use super::{Labels, OperationCounts, Program, lower, optimise, verify};
 use crate::expr::{ExprId, Graph};
 use crate::symbol::Role;
+use crate::syntax::ast::Accuracy;
 
 /// A graph with parameters `a` to `d` and coordinates `x` and `y`.
 pub(crate) fn letters() -> (Graph, [ExprId; 4], [ExprId; 2]) {
@@ -27,7 +28,7 @@ pub(crate) fn lowered(graph: &Graph, outputs: &[ExprId]) -> Program {
 /// After every pass, each checked.
 fn optimised(graph: &Graph, outputs: &[ExprId]) -> Program {
     let mut program = lowered(graph, outputs);
-    for pass in PASSES {
+    for pass in super::passes(Accuracy::Standard) {
         program = (pass.run)(&program);
         assert_eq!(verify(&program), Ok(()), "after {}: {program:?}", pass.name);
     }
@@ -36,7 +37,7 @@ fn optimised(graph: &Graph, outputs: &[ExprId]) -> Program {
 
 fn counts(graph: &Graph, outputs: &[ExprId]) -> String {
     let before = OperationCounts::of(&lowered(graph, outputs));
-    let after = OperationCounts::of(&optimise(&lowered(graph, outputs)));
+    let after = OperationCounts::of(&optimise(&lowered(graph, outputs), Accuracy::Standard));
     if before.functions == after.functions {
         assert_eq!(before, after, "fusing and ordering add no work");
     }

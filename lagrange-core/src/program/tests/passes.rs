@@ -4,7 +4,11 @@ use super::{letters, lowered};
 use crate::expr::Function;
 use crate::functions::apply;
 use crate::number::Number;
-use crate::program::{Op, Program, fuse_multiply_adds, pair_sines_and_cosines, schedule};
+use crate::program::{
+    Op, Program, ValueId, batch_sines_and_cosines, fuse_multiply_adds, pair_sines_and_cosines, run, schedule,
+    verify,
+};
+use crate::symbol::Role;
 
 fn kinds(program: &Program) -> Vec<&'static str> {
     let kind = |op: &Op| match op {
@@ -18,6 +22,9 @@ fn kinds(program: &Program) -> Vec<&'static str> {
         Op::SinCos(_) => "pair",
         Op::SinOf(_) => "sine",
         Op::CosOf(_) => "cosine",
+        Op::SinCosEach(_) => "batch",
+        Op::SinIn(..) => "sine",
+        Op::CosIn(..) => "cosine",
         _ => "other",
     };
     program.values().map(|(_, op)| kind(op)).filter(|kind| *kind != "input").collect()
@@ -41,6 +48,45 @@ fn a_pair_is_made_only_where_both_are_wanted() {
     let cosine = apply(&mut g, Function::Cos, &[x]);
     let program = pair_sines_and_cosines(&lowered(&g, &[sines[0], sines[1], cosine]));
     assert_eq!(kinds(&program), ["pair", "sine", "other", "cosine"]);
+}
+
+/// The arguments of each batch.
+fn batches(program: &Program) -> Vec<Vec<ValueId>> {
+    let batch = |op: &Op| match op {
+        Op::SinCosEach(angles) => Some(angles.to_vec()),
+        _ => None,
+    };
+    program.values().filter_map(|(_, op)| batch(op)).collect()
+}
+
+#[test]
+fn sines_and_cosines_that_do_not_wait_for_each_other_are_computed_together() {
+    let (mut g, _, [x, y]) = letters();
+    let [sin_x, cos_x] = [Function::Sin, Function::Cos].map(|function| apply(&mut g, function, &[x]));
+    let cos_y = apply(&mut g, Function::Cos, &[y]);
+    let sum = g.add(sin_x, y);
+    let later = apply(&mut g, Function::Sin, &[sum]);
+    let program = batch_sines_and_cosines(&lowered(&g, &[cos_y, later, cos_x]));
+    assert_eq!(verify(&program), Ok(()));
+    assert_eq!(batches(&program).iter().map(Vec::len).collect::<Vec<_>>(), [2, 1]);
+    let value_of = |role| if role == Role::Coordinate(0) { 0.3 } else { 2.0 };
+    let expected = [2.0_f64.cos(), (0.3_f64.sin() + 2.0).sin(), 0.3_f64.cos()];
+    for (found, expected) in run(&program, value_of).into_iter().zip(expected) {
+        assert!((found - expected).abs() < 2e-16, "{found} for {expected}");
+    }
+}
+
+#[test]
+fn batches_are_of_bounded_size_and_miss_nothing() {
+    let (mut g, [a, ..], [x, _]) = letters();
+    let mut angles = Vec::new();
+    for k in 0..100 {
+        angles.push(g.sum(Number::from(k), [(x, Number::ONE), (a, Number::from(k))]));
+    }
+    let sines = angles.iter().map(|angle| apply(&mut g, Function::Sin, &[*angle])).collect::<Vec<_>>();
+    let program = batch_sines_and_cosines(&lowered(&g, &sines));
+    assert_eq!(verify(&program), Ok(()));
+    assert_eq!(batches(&program).iter().map(Vec::len).collect::<Vec<_>>(), [32, 32, 32, 4]);
 }
 
 #[test]

@@ -20,10 +20,15 @@ fn fault(ops: impl IntoIterator<Item = Op>, outputs: &[usize]) -> Option<Fault> 
     verify(&planted(ops, outputs)).err()
 }
 
+fn batch(angles: &[usize]) -> Op {
+    Op::SinCosEach(angles.iter().copied().map(ValueId::new).collect())
+}
+
 #[test]
 fn a_sound_program_passes() {
     let v = ValueId::new;
     assert_eq!(fault([INPUT, Op::SinCos(v(0)), Op::SinOf(v(1))], &[2]), None);
+    assert_eq!(fault([INPUT, batch(&[0]), Op::CosIn(v(1), 0)], &[2]), None);
 }
 
 #[test]
@@ -39,6 +44,14 @@ fn faults_are_found() {
     assert_eq!(fault([INPUT, Op::SinOf(v(0))], &[1]), Some(Fault::Pair(v(1))));
     assert_eq!(fault([INPUT, Op::SinCos(v(0))], &[1]), Some(Fault::Pair(v(1))));
     assert_eq!(fault([INPUT, Op::SinCos(v(0)), Op::Negate(v(1))], &[2]), Some(Fault::Pair(v(2))));
+    assert_eq!(fault([INPUT, Op::SinCos(v(0)), Op::SinIn(v(1), 0)], &[2]), Some(Fault::Pair(v(2))));
+    assert_eq!(fault([INPUT, batch(&[0]), Op::SinOf(v(1))], &[2]), Some(Fault::Pair(v(2))));
+    assert_eq!(fault([INPUT, batch(&[0]), Op::SinIn(v(1), 1)], &[2]), Some(Fault::Place(v(2))));
+    assert_eq!(fault([INPUT, batch(&[0, 0]), Op::SinIn(v(1), 0)], &[2]), Some(Fault::Duplicate(v(1))));
+    assert_eq!(
+        fault([INPUT, other.clone(), batch(&[0, 1]), Op::SinIn(v(2), 1)], &[3]),
+        Some(Fault::Dead(v(2)))
+    );
     assert_eq!(fault([INPUT, INPUT], &[0, 1]), Some(Fault::Duplicate(v(1))));
     assert_eq!(fault([INPUT, other, ab, ba], &[2, 3]), Some(Fault::Duplicate(v(3))));
     assert_eq!(fault([INPUT, Op::Negate(v(0))], &[0]), Some(Fault::Dead(v(1))));

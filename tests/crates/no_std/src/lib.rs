@@ -41,6 +41,21 @@ lagrange::system! {
     output tension = k * stretch;
 }
 
+lagrange::system! {
+    /// Two pendulums, one on the other, in single precision and for speed.
+    #[scalar(f32)]
+    #[accuracy(fast)]
+    #[derive(Clone, Copy, Debug)]
+    pub struct FastDoublePendulum;
+
+    param l = 1.0, g = 9.81;
+    coord a, b;
+    let (xa, ya) = (l * sin(a), -l * cos(a));
+    let (xb, yb) = (xa + l * sin(b), ya - l * cos(b));
+    kinetic = 1/2 * (dot(xa)^2 + dot(ya)^2 + dot(xb)^2 + dot(yb)^2);
+    potential = g * (ya + yb);
+}
+
 /// Where a pendulum at rest at an angle is after a second; `None` if its motion cannot be computed.
 #[must_use]
 pub fn angle_after_a_second(pendulum: &Pendulum, angle: f64) -> Option<f64> {

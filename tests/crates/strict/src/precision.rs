@@ -13,6 +13,30 @@ lagrange::system! {
 }
 
 lagrange::system! {
+    /// With sines and cosines of several angles at a time.
+    #[accuracy(fast)]
+    #[derive(Clone, Copy, Debug)]
+    pub struct Fast;
+
+    param m = 0.1;
+    coord alpha, beta;
+    kinetic = 1/2 * m * (dot(alpha)^2 + dot(beta)^2 * (2 + sin(alpha)));
+    potential = m * cos(2 * beta + alpha) * sin(alpha + cos(beta));
+}
+
+lagrange::system! {
+    /// With sines and cosines of several angles at a time, in any number type.
+    #[accuracy(fast)]
+    #[derive(Clone, Copy, Debug)]
+    pub struct FastAny<S>;
+
+    param m = 0.1;
+    coord alpha, beta;
+    kinetic = 1/2 * m * (dot(alpha)^2 + dot(beta)^2 * (2 + sin(alpha)));
+    potential = m * cos(2 * beta + alpha) * sin(alpha + cos(beta));
+}
+
+lagrange::system! {
     /// Visible in this crate only.
     #[derive(Clone, Copy, Debug)]
     pub(crate) struct Inner;

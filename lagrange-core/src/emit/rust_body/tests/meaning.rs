@@ -1,8 +1,9 @@
 //! What is written means what the program means, to the bit.
 
+use lagrange_math::sin_cos_each;
 use proptest::prelude::{ProptestConfig, prop_assert, proptest};
 use quote::quote;
-use syn::{BinOp, Block, Expr, ExprIf, Lit, Local, Pat, PatSlice, Stmt, UnOp};
+use syn::{BinOp, Block, Expr, ExprIf, Lit, Local, Pat, PatSlice, PatTuple, Stmt, UnOp};
 
 use crate::collections::HashMap;
 use crate::emit::rust_body::{Names, Scalar, body};
@@ -11,6 +12,7 @@ use crate::functions::{ROWS, apply};
 use crate::program::tests::random::{at, build, same_bits, steps};
 use crate::program::tests::{letters, lowered};
 use crate::program::{Program, integer_power, optimise, run};
+use crate::syntax::ast::Accuracy;
 
 /// Runs emitted statements in double precision.
 #[derive(Clone, Default)]
@@ -28,12 +30,18 @@ impl Machine {
             }
             (Pat::Tuple(pair), Expr::Call(call)) => {
                 let angle = self.value(&call.args[0]);
-                for (name, value) in pair.elems.iter().zip([angle.sin(), angle.cos()]) {
-                    self.define(&quote!(#name).to_string(), value);
+                self.define_pair(pair, angle.sin_cos());
+            }
+            (Pat::Slice(pairs), Expr::Call(call)) => {
+                let Expr::Array(angles) = &call.args[0] else { panic!("no array") };
+                let angles = angles.elems.iter().map(|angle| self.value(angle)).collect::<Vec<_>>();
+                for (pair, angle) in pairs.elems.iter().zip(angles) {
+                    let Pat::Tuple(pair) = pair else { panic!("no pair") };
+                    self.define_pair(pair, sin_cos_each([angle])[0]);
                 }
             }
             (Pat::Slice(kept), Expr::Block(part)) => self.part(kept, &part.block),
-            _ => panic!("neither a name nor a pair nor a part"),
+            _ => panic!("neither a name nor pairs nor a part"),
         }
     }
 
@@ -47,6 +55,14 @@ impl Machine {
         assert_eq!(kept.elems.len(), given.elems.len());
         for (name, value) in kept.elems.iter().zip(&given.elems) {
             self.define(&quote!(#name).to_string(), inner.value(value));
+        }
+    }
+
+    fn define_pair(&mut self, names: &PatTuple, (sine, cosine): (f64, f64)) {
+        for (name, value) in names.elems.iter().zip([sine, cosine]) {
+            if !matches!(name, Pat::Wild(_)) {
+                self.define(&quote!(#name).to_string(), value);
+            }
         }
     }
 
@@ -141,7 +157,9 @@ proptest! {
     fn emitted_code_computes_what_the_interpreter_computes(steps in steps()) {
         let (mut graph, parameters, coordinates) = letters();
         let outputs = build(&mut graph, &[parameters.as_slice(), &coordinates].concat(), &steps);
-        for program in [lowered(&graph, &outputs), optimise(&lowered(&graph, &outputs))] {
+        let lowered = lowered(&graph, &outputs);
+        let optimised = Accuracy::ALL.map(|accuracy| optimise(&lowered, accuracy));
+        for program in optimised.into_iter().chain([lowered]) {
             // Constants out of range are a mistake of the formula.
             let Some(written) = execute(&graph, &program) else { return Ok(()) };
             let expected = run(&program, |role| at(role, 0.0));
@@ -164,15 +182,16 @@ fn long_bodies_in_parts_compute_what_the_interpreter_computes() {
         values.push(graph.add(product, cosine));
     }
     let outputs = values[values.len() - 3..].iter().chain(&values[100..103]).copied().collect::<Vec<_>>();
-    let program = optimise(&lowered(&graph, &outputs));
-    let body =
-        body(&program, graph.symbols(), &Scalar::F64, &mut Names::default()).expect("moderate numbers");
-    let statements = &body.statements;
-    let block: Block = syn::parse2(quote!({ #statements })).expect("statements");
-    assert!(block.stmts.len() > 2 && longest_block(&block) <= 1001);
-    let expected = run(&program, |role| at(role, 0.0));
-    let written = execute(&graph, &program).expect("moderate numbers");
-    assert!(written.iter().zip(&expected).all(same_bits), "{written:?} for {expected:?}");
+    for accuracy in Accuracy::ALL {
+        let program = optimise(&lowered(&graph, &outputs), accuracy);
+        let body = body(&program, graph.symbols(), &Scalar::F64, &mut Names::default());
+        let statements = body.expect("moderate numbers").statements;
+        let block: Block = syn::parse2(quote!({ #statements })).expect("statements");
+        assert!(block.stmts.len() > 2 && longest_block(&block) <= 1001);
+        let expected = run(&program, |role| at(role, 0.0));
+        let written = execute(&graph, &program).expect("moderate numbers");
+        assert!(written.iter().zip(&expected).all(same_bits), "{written:?} for {expected:?}");
+    }
 }
 
 /// The most statements in one of the blocks of a body.

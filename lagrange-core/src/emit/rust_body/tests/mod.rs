@@ -9,6 +9,7 @@ use crate::functions::apply;
 use crate::number::Number;
 use crate::program::{Labels, lower, optimise};
 use crate::symbol::Role;
+use crate::syntax::ast::Accuracy;
 
 fn generic() -> Scalar {
     Scalar::Generic(Ident::new("S", Span::call_site()))
@@ -16,7 +17,7 @@ fn generic() -> Scalar {
 
 /// The body as a formatted function.
 fn function(graph: &Graph, outputs: &[ExprId], labels: &Labels, scalar: &Scalar) -> String {
-    let program = optimise(&lower(graph, outputs, labels));
+    let program = optimise(&lower(graph, outputs, labels), Accuracy::Standard);
     let mut names = Names::default();
     let body = body(&program, graph.symbols(), scalar, &mut names).expect("moderate numbers");
     let inputs = body.used.iter().map(|&role| names.role(graph.symbols(), role));
@@ -197,7 +198,7 @@ fn long_formulas_are_split_and_deep_ones_need_no_stack() {
             let sum = graph.add(inner, b);
             graph.divide(sum, a)
         });
-        let program = optimise(&lower(&graph, &[root], &Labels::default()));
+        let program = optimise(&lower(&graph, &[root], &Labels::default()), Accuracy::Standard);
         let body = body(&program, graph.symbols(), &Scalar::F64, &mut Names::default());
         let statements = body.expect("no constants").statements.to_string();
         let lengths = statements.split(';').map(str::len).collect::<Vec<_>>();

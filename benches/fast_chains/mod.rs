@@ -1,0 +1,10 @@
+//! Pendulum chains as declarations. Written by `tools/chains.py`.
+
+pub(crate) mod absolute_10;
+pub(crate) mod absolute_2;
+pub(crate) mod absolute_20;
+pub(crate) mod absolute_30;
+pub(crate) mod absolute_5;
+pub(crate) mod relative_20;
+pub(crate) mod relative_4;
+pub(crate) mod relative_8;

@@ -1,0 +1,414 @@
+/// Two pendulums, one on the other, on a pivot that is shaken.
+///
+/// # Equations of motion
+///
+/// ```text
+/// (m1 + m2)*l1^2*ddot(theta1) + m2*l1*l2*cos(theta1 - theta2)*ddot(theta2)
+///     = (m1 + m2)*l1*a*omega^2*cos(omega*t)*sin(theta1) - m2*l1*l2*sin(theta1 - theta2)*dot(theta2)^2
+///     - (m1 + m2)*l1*g*sin(theta1)
+/// m2*l1*l2*cos(theta1 - theta2)*ddot(theta1) + m2*l2^2*ddot(theta2)
+///     = m2*l1*l2*sin(theta1 - theta2)*dot(theta1)^2 + m2*l2*a*omega^2*cos(omega*t)*sin(theta2)
+///     - m2*l2*g*sin(theta2)
+/// ```
+///
+/// # State and structure
+///
+/// - State: `[theta1, theta2, theta1_dot, theta2_dot]`.
+/// - Mass matrix: full, depends on the configuration.
+/// - Accelerations: the mass matrix is factorised (counted cost 253; recursion 298, sum of squares 255).
+/// - Accuracy: `fast`. Sines and cosines are computed several at a time;
+///   in `f64` each is within 0.9 units in the last place.
+/// - Cost of `acceleration`: 10 additions, 38 multiplications, 2 divisions, 3 `sin_cos`.
+pub struct ShakenDoublePendulum {
+    /// Parameter `m1`.
+    pub m1: ::core::primitive::f64,
+    /// Parameter `m2`.
+    pub m2: ::core::primitive::f64,
+    /// Parameter `l1`.
+    pub l1: ::core::primitive::f64,
+    /// Parameter `l2`.
+    pub l2: ::core::primitive::f64,
+    /// Parameter `a`.
+    pub a: ::core::primitive::f64,
+    /// Parameter `omega`.
+    pub omega: ::core::primitive::f64,
+    /// Parameter `g`.
+    pub g: ::core::primitive::f64,
+}
+/// State of [`ShakenDoublePendulum`]: coordinates, then velocities.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ShakenDoublePendulumState {
+    /// Coordinate `theta1`.
+    pub theta1: ::core::primitive::f64,
+    /// Coordinate `theta2`.
+    pub theta2: ::core::primitive::f64,
+    /// Velocity of `theta1`.
+    pub theta1_dot: ::core::primitive::f64,
+    /// Velocity of `theta2`.
+    pub theta2_dot: ::core::primitive::f64,
+}
+const _: () = {
+    use ::core::primitive::f64;
+    use ::lagrange::private::{multiply_add, sin_cos_each};
+    impl ShakenDoublePendulum {
+        /// Accelerations in the order of the coordinates.
+        ///
+        /// Takes 10 additions, 38 multiplications, 2 divisions, 3 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let Self { m1, m2, l1, l2, a, omega, g } = *self;
+            let [theta1, theta2] = *q;
+            let [theta1_dot, theta2_dot] = *v;
+            let m1_plus_m2 = m1 + m2;
+            let l1_sq = l1 * l1;
+            let m_0_0 = l1_sq * m1_plus_m2;
+            let inv_m_0_0 = 1.0 / m_0_0;
+            let m2_l1_l2 = m2 * l1 * l2;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (_, cos_0)] = sin_cos_each([
+                theta1,
+                theta2,
+                omega * t,
+            ]);
+            let m_0_1 = m2_l1_l2
+                * multiply_add(cos_theta1, cos_theta2, sin_theta1 * sin_theta2);
+            let factor_1_0 = inv_m_0_0 * m_0_1;
+            let pos_0 = m2_l1_l2
+                * multiply_add(-cos_theta1, sin_theta2, sin_theta1 * cos_theta2);
+            let omega_sq = omega * omega;
+            let pos_1 = l1 * a * omega_sq * m1_plus_m2 * cos_0 * sin_theta1;
+            let theta2_dot_sq = theta2_dot * theta2_dot;
+            let pos_2 = multiply_add(-l1 * g * m1_plus_m2, sin_theta1, pos_1);
+            let forcing_0 = multiply_add(-pos_0, theta2_dot_sq, pos_2);
+            let m2_l2 = m2 * l2;
+            let theta1_dot_sq = theta1_dot * theta1_dot;
+            let vel_0 = multiply_add(
+                m2_l2 * a * omega_sq * cos_0,
+                sin_theta2,
+                pos_0 * theta1_dot_sq,
+            );
+            let forcing_1 = multiply_add(
+                -factor_1_0,
+                forcing_0,
+                multiply_add(-m2_l2 * g, sin_theta2, vel_0),
+            );
+            let l2_sq = l2 * l2;
+            let m_1_1 = m2 * l2_sq;
+            let pivot_1 = multiply_add(-m_0_1, factor_1_0, m_1_1);
+            let theta2_ddot = forcing_1 / pivot_1;
+            let theta1_ddot = multiply_add(
+                -factor_1_0,
+                theta2_ddot,
+                inv_m_0_0 * forcing_0,
+            );
+            [theta1_ddot, theta2_ddot]
+        }
+        /// Mass matrix M, in rows.
+        ///
+        /// Takes 2 additions, 9 multiplications, 2 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn mass_matrix(&self, t: f64, q: &[f64; 2]) -> [[f64; 2]; 2] {
+            let Self { m1, m2, l1, l2, .. } = *self;
+            let [theta1, theta2] = *q;
+            let l1_sq = l1 * l1;
+            let m_0_0 = l1_sq * (m1 + m2);
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = sin_cos_each([
+                theta1,
+                theta2,
+            ]);
+            let m_0_1 = m2 * l1 * l2
+                * multiply_add(cos_theta1, cos_theta2, sin_theta1 * sin_theta2);
+            let l2_sq = l2 * l2;
+            let m_1_1 = m2 * l2_sq;
+            [[m_0_0, m_0_1], [m_0_1, m_1_1]]
+        }
+        /// Right-hand side f of M q̈ = f.
+        ///
+        /// Takes 6 additions, 26 multiplications, 3 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn forcing(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let Self { m1, m2, l1, l2, a, omega, g } = *self;
+            let [theta1, theta2] = *q;
+            let [theta1_dot, theta2_dot] = *v;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (_, cos_0)] = sin_cos_each([
+                theta1,
+                theta2,
+                omega * t,
+            ]);
+            let pos_0 = m2 * l1 * l2
+                * multiply_add(-cos_theta1, sin_theta2, sin_theta1 * cos_theta2);
+            let m1_plus_m2 = m1 + m2;
+            let omega_sq = omega * omega;
+            let pos_1 = l1 * a * omega_sq * m1_plus_m2 * cos_0 * sin_theta1;
+            let theta2_dot_sq = theta2_dot * theta2_dot;
+            let pos_2 = multiply_add(-l1 * g * m1_plus_m2, sin_theta1, pos_1);
+            let forcing_0 = multiply_add(-pos_0, theta2_dot_sq, pos_2);
+            let m2_l2 = m2 * l2;
+            let theta1_dot_sq = theta1_dot * theta1_dot;
+            let vel_0 = multiply_add(
+                m2_l2 * a * omega_sq * cos_0,
+                sin_theta2,
+                pos_0 * theta1_dot_sq,
+            );
+            [forcing_0, multiply_add(-m2_l2 * g, sin_theta2, vel_0)]
+        }
+        /// Generalised momenta ∂L/∂v.
+        ///
+        /// Takes 7 additions, 19 multiplications, 3 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn momenta(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let Self { m1, m2, l1, l2, a, omega, .. } = *self;
+            let [theta1, theta2] = *q;
+            let [theta1_dot, theta2_dot] = *v;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (sin_0, _)] = sin_cos_each([
+                theta1,
+                theta2,
+                omega * t,
+            ]);
+            let l1_cos_theta1 = l1 * cos_theta1;
+            let x1_dot = l1_cos_theta1 * theta1_dot;
+            let l2_cos_theta2 = l2 * cos_theta2;
+            let x2_dot = multiply_add(l2_cos_theta2, theta2_dot, x1_dot);
+            let m2_x2_dot = m2 * x2_dot;
+            let l1_sin_theta1 = l1 * sin_theta1;
+            let y1_dot = multiply_add(-a * omega, sin_0, l1_sin_theta1 * theta1_dot);
+            let l2_sin_theta2 = l2 * sin_theta2;
+            let y2_dot = multiply_add(l2_sin_theta2, theta2_dot, y1_dot);
+            let m2_y2_dot = m2 * y2_dot;
+            let vel_0 = l1_sin_theta1 * multiply_add(m1, y1_dot, m2_y2_dot);
+            [
+                multiply_add(l1_cos_theta1, multiply_add(m1, x1_dot, m2_x2_dot), vel_0),
+                multiply_add(l2_cos_theta2, m2_x2_dot, l2_sin_theta2 * m2_y2_dot),
+            ]
+        }
+        /// Kinetic energy T.
+        ///
+        /// Takes 6 additions, 18 multiplications, 3 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn kinetic_energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
+            let Self { m1, m2, l1, l2, a, omega, .. } = *self;
+            let [theta1, theta2] = *q;
+            let [theta1_dot, theta2_dot] = *v;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (sin_0, _)] = sin_cos_each([
+                theta1,
+                theta2,
+                omega * t,
+            ]);
+            let y1_dot = multiply_add(-a * omega, sin_0, l1 * sin_theta1 * theta1_dot);
+            let y2_dot = multiply_add(l2 * sin_theta2, theta2_dot, y1_dot);
+            let x1_dot = l1 * cos_theta1 * theta1_dot;
+            let x2_dot = multiply_add(l2 * cos_theta2, theta2_dot, x1_dot);
+            let vel_0 = m1 * multiply_add(y1_dot, y1_dot, x1_dot * x1_dot);
+            0.5 * multiply_add(m2, multiply_add(y2_dot, y2_dot, x2_dot * x2_dot), vel_0)
+        }
+        /// Potential energy V.
+        ///
+        /// Takes 3 additions, 8 multiplications, 3 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn potential_energy(&self, t: f64, q: &[f64; 2]) -> f64 {
+            let Self { m1, m2, l1, l2, a, omega, g } = *self;
+            let [theta1, theta2] = *q;
+            let [(_, cos_theta1), (_, cos_theta2), (_, cos_0)] = sin_cos_each([
+                theta1,
+                theta2,
+                omega * t,
+            ]);
+            let y0 = a * cos_0;
+            let y1 = multiply_add(-l1, cos_theta1, y0);
+            let y2 = multiply_add(-l2, cos_theta2, y1);
+            multiply_add(m2 * g, y2, m1 * g * y1)
+        }
+        /// Energy function v·∂L/∂v − L.
+        ///
+        /// Takes 16 additions, 33 multiplications, 3 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
+            let Self { m1, m2, l1, l2, a, omega, g } = *self;
+            let [theta1, theta2] = *q;
+            let [theta1_dot, theta2_dot] = *v;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (sin_0, cos_0)] = sin_cos_each([
+                theta1,
+                theta2,
+                omega * t,
+            ]);
+            let l2_cos_theta2 = l2 * cos_theta2;
+            let l1_cos_theta1 = l1 * cos_theta1;
+            let x1_dot = l1_cos_theta1 * theta1_dot;
+            let x2_dot = multiply_add(l2_cos_theta2, theta2_dot, x1_dot);
+            let m2_x2_dot = m2 * x2_dot;
+            let l2_sin_theta2 = l2 * sin_theta2;
+            let l1_sin_theta1 = l1 * sin_theta1;
+            let y1_dot = multiply_add(-a * omega, sin_0, l1_sin_theta1 * theta1_dot);
+            let y2_dot = multiply_add(l2_sin_theta2, theta2_dot, y1_dot);
+            let m2_y2_dot = m2 * y2_dot;
+            let vel_0 = l1_sin_theta1 * multiply_add(m1, y1_dot, m2_y2_dot);
+            let y0 = a * cos_0;
+            let y1 = y0 - l1_cos_theta1;
+            let y2 = y1 - l2_cos_theta2;
+            let vel_1 = m1 * multiply_add(y1_dot, y1_dot, x1_dot * x1_dot);
+            let vel_2 = multiply_add(
+                m2,
+                multiply_add(y2_dot, y2_dot, x2_dot * x2_dot),
+                vel_1,
+            );
+            let vel_3 = multiply_add(m2 * g, y2, multiply_add(-0.5, vel_2, m1 * g * y1));
+            let vel_4 = multiply_add(
+                l1_cos_theta1,
+                multiply_add(m1, x1_dot, m2_x2_dot),
+                vel_0,
+            );
+            let vel_5 = multiply_add(
+                l2_cos_theta2,
+                m2_x2_dot,
+                l2_sin_theta2 * m2_y2_dot,
+            );
+            multiply_add(theta2_dot, vel_5, multiply_add(theta1_dot, vel_4, vel_3))
+        }
+        /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
+        /// to produce given accelerations.
+        ///
+        /// Takes 13 additions, 32 multiplications, 3 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn inverse_dynamics(
+            &self,
+            t: f64,
+            q: &[f64; 2],
+            v: &[f64; 2],
+            accelerations: &[f64; 2],
+        ) -> [f64; 2] {
+            let Self { m1, m2, l1, l2, a, omega, g } = *self;
+            let [theta1, theta2] = *q;
+            let [theta1_dot, theta2_dot] = *v;
+            let [theta1_ddot, theta2_ddot] = *accelerations;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (_, cos_0)] = sin_cos_each([
+                theta1,
+                theta2,
+                omega * t,
+            ]);
+            let theta1_dot_sq = theta1_dot * theta1_dot;
+            let acc_0 = l1
+                * multiply_add(-cos_theta1, theta1_ddot, sin_theta1 * theta1_dot_sq);
+            let theta2_dot_sq = theta2_dot * theta2_dot;
+            let acc_1 = multiply_add(
+                -cos_theta2,
+                theta2_ddot,
+                sin_theta2 * theta2_dot_sq,
+            );
+            let acc_2 = m2 * multiply_add(l2, acc_1, acc_0);
+            let a_omega_omega_cos_0 = a * omega * omega * cos_0;
+            let acc_3 = multiply_add(
+                sin_theta1,
+                theta1_ddot,
+                cos_theta1 * theta1_dot_sq,
+            );
+            let acc_4 = multiply_add(-l1, acc_3, a_omega_omega_cos_0);
+            let acc_5 = multiply_add(
+                sin_theta2,
+                theta2_ddot,
+                cos_theta2 * theta2_dot_sq,
+            );
+            let acc_6 = multiply_add(m2, multiply_add(l2, acc_5, -acc_4), m2 * g);
+            let acc_7 = l1 * sin_theta1 * (multiply_add(-m1, acc_4, m1 * g) + acc_6);
+            [
+                multiply_add(-l1 * cos_theta1, multiply_add(m1, acc_0, acc_2), acc_7),
+                multiply_add(-l2 * cos_theta2, acc_2, l2 * sin_theta2 * acc_6),
+            ]
+        }
+        /// Rate of the state: velocities, then accelerations.
+        #[must_use]
+        #[inline]
+        pub fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
+            let [theta1, theta2, theta1_dot, theta2_dot] = *y;
+            let accelerations = self
+                .acceleration(t, &[theta1, theta2], &[theta1_dot, theta2_dot]);
+            [theta1_dot, theta2_dot, accelerations[0], accelerations[1]]
+        }
+    }
+    #[automatically_derived]
+    impl ::core::default::Default for ShakenDoublePendulum {
+        fn default() -> Self {
+            Self {
+                m1: 1.0,
+                m2: 1.0,
+                l1: 1.0,
+                l2: 1.0,
+                a: 0.1,
+                omega: 20.0,
+                g: 9.81,
+            }
+        }
+    }
+    impl ShakenDoublePendulumState {
+        /// The coordinates in their order.
+        #[must_use]
+        #[inline]
+        pub fn coordinates(self) -> [f64; 2] {
+            [self.theta1, self.theta2]
+        }
+        /// The velocities in the order of the coordinates.
+        #[must_use]
+        #[inline]
+        pub fn velocities(self) -> [f64; 2] {
+            [self.theta1_dot, self.theta2_dot]
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 4]> for ShakenDoublePendulumState {
+        #[inline]
+        fn from([theta1, theta2, theta1_dot, theta2_dot]: [f64; 4]) -> Self {
+            Self {
+                theta1,
+                theta2,
+                theta1_dot,
+                theta2_dot,
+            }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<ShakenDoublePendulumState> for [f64; 4] {
+        #[inline]
+        fn from(state: ShakenDoublePendulumState) -> Self {
+            [state.theta1, state.theta2, state.theta1_dot, state.theta2_dot]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::OdeSystem for ShakenDoublePendulum {
+        type Scalar = f64;
+        type State = [f64; 4];
+        #[inline]
+        fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
+            self.rhs(t, y)
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::MechanicalSystem for ShakenDoublePendulum {
+        type Coordinates = [f64; 2];
+        const COORDINATES: &'static [&'static ::core::primitive::str] = &[
+            "theta1",
+            "theta2",
+        ];
+        #[inline]
+        fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            self.acceleration(t, q, v)
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::EnergyFunction for ShakenDoublePendulum {
+        #[inline]
+        fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
+            self.energy(t, q, v)
+        }
+    }
+};

@@ -1,0 +1,87 @@
+//! Sine and cosine of one angle, without a branch.
+//!
+//! With r the reduced angle, z = r² and δ its low part,
+//!
+//! ```text
+//! sin(r + δ) ≈ r + (r z p(z) + δ (1 − z/2)),    cos(r + δ) ≈ 1 − z/2 + (z² q(z) − r δ),
+//! ```
+//!
+//! where the first term is exact, or its rounding error is added back, and what follows is at most a tenth of
+//! it. In units in the last place the error is at most 0.5 of the last sum, 0.34 of the rounding of what follows
+//! (the sine at r = π/4, where six roundings of terms near 0.08 meet a unit of 2⁻⁵³), 0.04 of the polynomial and
+//! 0.01 of the reduction. The polynomials are added up so that few operations wait for each other.
+
+use crate::multiply_add;
+use crate::reduction::{Reduced, reduce};
+
+/// p: minimax for the relative error of sin r on [0, π/4], 2^−57.9.
+const SINE: [f64; 6] = [
+    f64::from_bits(0xbfc5_5555_5555_5548),
+    f64::from_bits(0x3f81_1111_1110_f730),
+    f64::from_bits(0xbf2a_01a0_19be_9215),
+    f64::from_bits(0x3ec7_1de3_5552_b247),
+    f64::from_bits(0xbe5a_e5e4_b83b_76fe),
+    f64::from_bits(0x3de5_d8b5_585c_7708),
+];
+
+/// q: minimax for the relative error of cos r on [0, π/4], 2^−63.9.
+const COSINE: [f64; 6] = [
+    f64::from_bits(0x3fa5_5555_5555_554b),
+    f64::from_bits(0xbf56_c16c_16c1_5015),
+    f64::from_bits(0x3efa_01a0_19c8_f25a),
+    f64::from_bits(0xbe92_7e4f_7f19_1d98),
+    f64::from_bits(0x3e21_ee9d_bcf8_d339),
+    f64::from_bits(0xbda8_fa68_4e7e_cf41),
+];
+
+const SIGN: u64 = 1 << 63;
+
+/// Sine and cosine of an angle of at most 10⁵ in magnitude; of others the result has no meaning.
+#[inline(always)]
+pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
+    let reduced = reduce(x.abs());
+    let z = reduced.high * reduced.high;
+    let half = 0.5 * z;
+    let near_cosine = 1.0 - half;
+    let sine = sine(&reduced, z, near_cosine);
+    let cosine = cosine(&reduced, z, half, near_cosine);
+    in_quadrant(reduced.quadrant, sine, cosine, x.to_bits() & SIGN)
+}
+
+#[inline(always)]
+fn sine(reduced: &Reduced, z: f64, near_cosine: f64) -> f64 {
+    let Reduced { high: r, low, .. } = *reduced;
+    let (z2, cube) = (z * z, z * r);
+    let rest = multiply_add(pair(&SINE, 4, z), z2, pair(&SINE, 2, z));
+    let first = multiply_add(pair(&SINE, 0, z), cube, low * near_cosine);
+    r + multiply_add(rest, cube * z2, first)
+}
+
+#[inline(always)]
+fn cosine(reduced: &Reduced, z: f64, half: f64, near_cosine: f64) -> f64 {
+    let Reduced { high: r, low, .. } = *reduced;
+    let z2 = z * z;
+    let rest = multiply_add(pair(&COSINE, 4, z), z2, pair(&COSINE, 2, z));
+    let lost = (1.0 - near_cosine) - half;
+    let first = multiply_add(pair(&COSINE, 0, z), z2, lost - r * low);
+    near_cosine + multiply_add(rest, z2 * z2, first)
+}
+
+/// Two neighbouring terms of a polynomial, divided by the power of z that they share.
+#[inline(always)]
+fn pair(coefficients: &[f64; 6], index: usize, z: f64) -> f64 {
+    multiply_add(coefficients[index + 1], z, coefficients[index])
+}
+
+/// Exchanges sine and cosine in odd quadrants and sets their signs. In bits, since on many targets a choice
+/// between numbers is a branch.
+#[inline(always)]
+fn in_quadrant(quadrant: u64, sine: f64, cosine: f64, sign: u64) -> (f64, f64) {
+    let is_odd = (quadrant & 1).wrapping_neg();
+    let exchange = (sine.to_bits() ^ cosine.to_bits()) & is_odd;
+    let sine_sign = ((quadrant & 2) << 62) ^ sign;
+    let cosine_sign = (quadrant.wrapping_add(1) & 2) << 62;
+    let sine = f64::from_bits(sine.to_bits() ^ exchange ^ sine_sign);
+    let cosine = f64::from_bits(cosine.to_bits() ^ exchange ^ cosine_sign);
+    (sine, cosine)
+}

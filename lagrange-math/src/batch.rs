@@ -1,0 +1,87 @@
+//! Several angles at a time.
+
+use crate::angle;
+
+/// Up to this magnitude angles are reduced in [`sin_cos_each`] itself, in radians.
+pub const LARGEST_ANGLE: f64 = 1e5;
+
+/// The sine and the cosine of each angle, in radians.
+///
+/// The error is below 0.9 units in the last place for angles of up to [`LARGEST_ANGLE`] in magnitude, whether or
+/// not products are fused; beyond, it is that of the platform's function (of `libm` without the feature `std`).
+/// What comes of an angle does not depend on the other angles, and up to [`LARGEST_ANGLE`] it is the same on
+/// every platform that fuses products, and on every one that does not. Zeros keep their sign; infinity and NaN
+/// give NaN.
+///
+/// ```
+/// use lagrange_math::sin_cos_each;
+///
+/// let [(sin_a, cos_a), (sin_b, _)] = sin_cos_each([0.0, 0.5]);
+/// assert_eq!((sin_a, cos_a), (0.0, 1.0));
+/// assert!((sin_b - 0.5_f64.sin()).abs() < 1e-15);
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
+    // Apart, so that all sines, and all cosines, lie side by side as vector instructions want them.
+    let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
+    let [eights, twos] = const { cuts(N) };
+    for range in [0..eights, eights..twos, twos..N] {
+        for i in range {
+            (sines[i], cosines[i]) = angle::sin_cos(angles[i]);
+        }
+    }
+    let all_small = angles.iter().fold(true, |all, angle| all & is_small(*angle));
+    if !all_small {
+        replace_large(&angles, &mut sines, &mut cosines);
+    }
+    zipped(sines, cosines)
+}
+
+/// By value: compilers then see that the arrays of the result are other ones than those lent to a call, and keep
+/// them out of memory.
+#[inline(always)]
+fn zipped<const N: usize>(sines: [f64; N], cosines: [f64; N]) -> [(f64, f64); N] {
+    core::array::from_fn(|i| (sines[i], cosines[i]))
+}
+
+/// The same in single precision, computed in double and rounded once: the error is below 0.5000001 units in the
+/// last place for angles of any size.
+#[inline(always)]
+#[must_use]
+pub fn sin_cos_each_f32<const N: usize>(angles: [f32; N]) -> [(f32, f32); N] {
+    sin_cos_each(angles.map(f64::from)).map(|(sine, cosine)| (sine as f32, cosine as f32))
+}
+
+/// Where to end one loop and begin the next, so that compilers unroll what is short and find whole vectors in
+/// what is long; without that an odd number of angles costs up to half as much again.
+const fn cuts(count: usize) -> [usize; 2] {
+    if count < 4 { [0, count] } else { [count - count % 8, count - count % 2] }
+}
+
+/// False for NaN.
+#[inline(always)]
+fn is_small(angle: f64) -> bool {
+    angle.abs() <= LARGEST_ANGLE
+}
+
+/// One call for all angles, so that those who never need it jump past it once.
+#[cold]
+#[inline(never)]
+fn replace_large(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
+    for ((angle, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
+        if !is_small(*angle) {
+            (*sine, *cosine) = platform(*angle);
+        }
+    }
+}
+
+#[cfg(feature = "std")]
+fn platform(angle: f64) -> (f64, f64) {
+    angle.sin_cos()
+}
+
+#[cfg(not(feature = "std"))]
+fn platform(angle: f64) -> (f64, f64) {
+    libm::sincos(angle)
+}
