@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the pendulum chains that benches derive and evaluate: `tools/chains.py` fills benches/chains/
-and benches/fast_chains/.
+"""Writes the pendulum chains that benches derive and evaluate, and those that tests/large.rs compiles:
+`tools/chains.py` fills benches/chains/ and benches/fast_chains/.
 
 n point masses on massless rods under gravity, as a user would write them down: in absolute angles from the
 downward vertical, or in relative angles, each rod against the one before. All masses and lengths are
@@ -10,6 +10,8 @@ parameters.
 from pathlib import Path
 
 CHAINS = [("absolute", 2), ("absolute", 5), ("absolute", 10), ("absolute", 20), ("relative", 4), ("relative", 8)]
+# Those of tests/large.rs.
+LARGE = [("absolute", 100), ("relative", 100), ("absolute", 200), ("relative", 200)]
 # The same and longer ones with `#[accuracy(fast)]`.
 FAST_CHAINS = [*CHAINS, ("absolute", 30), ("relative", 20)]
 BENCHES = Path(__file__).resolve().parent.parent / "benches"
@@ -78,6 +80,8 @@ def write(folder, chains, attributes):
 
 def main():
     write(BENCHES / "chains", CHAINS, [])
+    for kind, n in LARGE:
+        (BENCHES / "chains" / f"{kind}_{n}.rs").write_text(module(kind, n, []))
     write(BENCHES / "fast_chains", FAST_CHAINS, ["#[accuracy(fast)]"])
 
 

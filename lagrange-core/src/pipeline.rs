@@ -7,6 +7,7 @@ use quote::quote;
 
 use crate::diagnostics::Report;
 use crate::emit;
+use crate::emit::{Emitted, Refusal};
 use crate::mechanics::{Equations, Model, RoadChoice, SingularMassMatrix, elaborate};
 use crate::syntax::ast::Declaration;
 use crate::syntax::{parse_text, parse_tokens};
@@ -93,6 +94,7 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let mut report = Report::default();
     let items = parse_tokens(tokens, &mut report).map(|declaration| {
         let items = elaborate(&declaration, &mut report).and_then(|mut model| {
+            emit::report_hopeless_model(&declaration, &model, &mut report)?;
             let equations = derive(&declaration, &mut model, RoadChoice::Cheapest, &mut report)?;
             emit(&declaration, &mut model, &equations, krate, &mut report)
         });
@@ -123,9 +125,11 @@ fn emit(
     krate: &TokenStream,
     report: &mut Report,
 ) -> Option<TokenStream> {
-    let items = emit::system(declaration, model, equations, krate);
-    let too_large = |constants: &Vec<String>| emit::report_too_large(declaration, constants, report);
-    items.inspect_err(too_large).ok()
+    let emitted = emit::system(declaration, model, equations, krate);
+    let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
+    let Emitted { items, size } = emitted.inspect_err(refused).ok()?;
+    emit::report_cost(declaration, size, report);
+    Some(items)
 }
 
 #[cfg(test)]

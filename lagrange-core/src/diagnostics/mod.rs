@@ -40,6 +40,8 @@ pub enum Severity {
     Error,
     /// A warning: this name is declared but never used, which is probably not as meant.
     Unused(String),
+    /// A warning: this is as meant, but takes long to compile.
+    Expensive,
 }
 
 /// One mistake.
@@ -81,7 +83,7 @@ impl fmt::Display for Diagnostic {
         };
         let severity = match &self.severity {
             Severity::Error => "error",
-            Severity::Unused(_) => "warning",
+            Severity::Unused(_) | Severity::Expensive => "warning",
         };
         write!(f, "{severity} at {}: {}", at(self.origin), self.message)?;
         for (origin, note) in &self.related {
@@ -115,6 +117,11 @@ impl Report {
         message: impl Into<String>,
     ) -> &mut Diagnostic {
         self.add(Severity::Unused(name.to_owned()), origin.into(), message.into())
+    }
+
+    /// Adds a warning of something that takes long to compile; details can be chained.
+    pub fn expensive(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> &mut Diagnostic {
+        self.add(Severity::Expensive, origin.into(), message.into())
     }
 
     fn add(&mut self, severity: Severity, origin: Origin, message: String) -> &mut Diagnostic {

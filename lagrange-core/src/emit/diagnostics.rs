@@ -1,24 +1,52 @@
-//! Mistakes as tokens that make the compiler report them.
+//! Mistakes and warnings as tokens that make the compiler report them.
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
+use super::size::report_hopeless;
+use super::system::Refusal;
 use crate::diagnostics::{Diagnostic, Origin, Report, Severity};
 use crate::syntax::ast::{Declaration, Expression, ScalarType};
 
-/// `compile_error!` for errors, and variables that are not used for names that are not: a stable macro
-/// cannot report anything else. Related places are reported where they are.
+/// `compile_error!` for errors, variables that are not used for names that are not, and something deprecated
+/// for what takes long to compile: a stable macro cannot report anything else. Related places are reported
+/// where they are.
 ///
 /// `attributes` are those of the struct: what they allow is not warned of.
 pub fn diagnostics(diagnostics: &[Diagnostic], attributes: &TokenStream) -> TokenStream {
     let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error).map(error);
     let unused = diagnostics.iter().filter_map(|diagnostic| match &diagnostic.severity {
         Severity::Unused(name) => Some(Ident::new(name, diagnostic.origin.start)),
-        Severity::Error => None,
+        Severity::Error | Severity::Expensive => None,
     });
+    let expensive = diagnostics.iter().filter(|d| d.severity == Severity::Expensive);
+    let expensive = expensive.map(|diagnostic| notice(diagnostic, attributes)).collect::<TokenStream>();
     let (errors, unused) = (errors.collect::<TokenStream>(), unused.collect::<Vec<_>>());
     let warnings = (!unused.is_empty()).then(|| warnings(&unused, attributes));
-    quote!(#errors #warnings)
+    quote!(#errors #warnings #expensive)
+}
+
+/// The compiler's own warning of something deprecated, the only one whose text can be chosen. It stands at the
+/// user's token and obeys the user's lint levels.
+fn notice(diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
+    let (allowed, text) = (allowed(attributes), text(diagnostic));
+    let used = Ident::new("LargeSystem", diagnostic.origin.start);
+    quote! {
+        #allowed
+        const _: () = {
+            #[deprecated(note = #text)]
+            struct #used;
+            let _ = #used;
+        };
+    }
+}
+
+/// The message with its help.
+fn text(diagnostic: &Diagnostic) -> String {
+    match &diagnostic.help {
+        Some(help) => format!("{}\nhelp: {help}", diagnostic.message),
+        None => diagnostic.message.clone(),
+    }
 }
 
 /// The compiler's own warning of unused variables, with the remedy that editors know how to apply. It
@@ -51,13 +79,9 @@ fn allowed(attributes: &TokenStream) -> TokenStream {
 }
 
 fn error(diagnostic: &Diagnostic) -> TokenStream {
-    let mut message = diagnostic.message.clone();
-    if let Some(help) = &diagnostic.help {
-        message += &format!("\nhelp: {help}");
-    }
     let related = diagnostic.related.iter();
     let notes = related.map(|(origin, note)| compile_error(*origin, &format!("note: {note}")));
-    std::iter::once(compile_error(diagnostic.origin, &message)).chain(notes).collect()
+    std::iter::once(compile_error(diagnostic.origin, &text(diagnostic))).chain(notes).collect()
 }
 
 /// The error covers everything from the first to the last token of its origin: the compiler takes the span
@@ -69,9 +93,17 @@ fn compile_error(origin: Origin, message: &str) -> TokenStream {
     start.into_iter().chain([TokenTree::Group(arguments)]).collect()
 }
 
+/// Reports why a system cannot be written.
+pub fn report_refusal(declaration: &Declaration, refusal: &Refusal, report: &mut Report) {
+    match refusal {
+        Refusal::Constants(constants) => report_too_large(declaration, constants, report),
+        Refusal::Size => report_hopeless(declaration, report),
+    }
+}
+
 /// Reports constants that the scalar cannot represent: at the literals that are too large themselves, or, where
 /// only what follows from them is, at the name of the system.
-pub fn report_too_large(declaration: &Declaration, constants: &[String], report: &mut Report) {
+fn report_too_large(declaration: &Declaration, constants: &[String], report: &mut Report) {
     let (scalar, largest) = match &declaration.scalar {
         ScalarType::F32 => ("f32", f64::from(f32::MAX)),
         ScalarType::F64 | ScalarType::Generic(_) => ("f64", f64::MAX),

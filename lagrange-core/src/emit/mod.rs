@@ -4,10 +4,12 @@ mod diagnostics;
 mod docs;
 mod item;
 mod layout;
+mod messages;
 mod method;
 mod naming;
 mod numerals;
 mod shape;
+mod size;
 mod skeleton;
 mod system;
 
@@ -16,10 +18,11 @@ pub mod latex;
 pub mod rust_body;
 pub mod text;
 
-pub use diagnostics::{diagnostics, report_too_large};
+pub use diagnostics::{diagnostics, report_refusal};
 pub use docs::{documentation, equations_latex};
+pub use size::{Size, report_cost, report_hopeless_model};
 pub use skeleton::skeleton;
-pub use system::system;
+pub use system::{Emitted, Refusal, system};
 
 #[cfg(test)]
 mod tests;

@@ -10,13 +10,32 @@ use super::item::{Parts, argument_names, items};
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::rust_body::{Names, Scalar, body};
 use super::shape::{Shape, doc, identifier, local};
+use super::size::Size;
 use crate::expr::ExprId;
 use crate::mechanics::{Energies, Equations, Model, Product};
 use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
 use crate::symbol::Role;
 use crate::syntax::ast::{Declaration, ScalarType};
 
-/// The items of a derived system, or the constants that its scalar cannot represent.
+/// The items of a derived system.
+#[derive(Clone, Debug)]
+pub struct Emitted {
+    /// The items.
+    pub items: TokenStream,
+    /// How large the methods are.
+    pub size: Size,
+}
+
+/// Why a system cannot be written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Refusal {
+    /// These constants, in words, cannot be represented by the scalar.
+    Constants(Vec<String>),
+    /// No compiler would get through it.
+    Size,
+}
+
+/// Writes a derived system, if that can be done.
 ///
 /// `krate` is the path of the crate `lagrange` where the items will stand.
 pub fn system(
@@ -24,12 +43,13 @@ pub fn system(
     model: &mut Model,
     equations: &Equations,
     krate: &TokenStream,
-) -> Result<TokenStream, Vec<String>> {
+) -> Result<Emitted, Refusal> {
     let shape = Shape::new(declaration, krate);
     let mut writer = Writer::new(&shape, model, equations);
     writer.write_methods();
-    let parts = writer.finish();
-    parts.map(|parts| items(&shape, &parts))
+    let size = writer.size;
+    let parts = writer.finish()?;
+    Ok(Emitted { items: items(&shape, &parts), size })
 }
 
 struct Writer<'a> {
@@ -42,6 +62,8 @@ struct Writer<'a> {
     methods: Vec<Method>,
     /// Operations of `acceleration`.
     counts: OperationCounts,
+    /// All methods so far.
+    size: Size,
     /// Functions that the bodies call.
     functions: BTreeSet<&'static str>,
     /// Whether a body holds the rounded value of an irrational constant.
@@ -71,18 +93,22 @@ impl<'a> Writer<'a> {
             names: argument_names(|wish| arguments.fresh(wish)),
             methods: Vec::new(),
             counts: OperationCounts::default(),
+            size: Size::default(),
             functions: BTreeSet::new(),
             has_rounded_constants: false,
             unrepresentable: BTreeSet::new(),
         }
     }
 
-    fn finish(mut self) -> Result<Parts, Vec<String>> {
+    fn finish(mut self) -> Result<Parts, Refusal> {
+        if self.size.is_hopeless() {
+            return Err(Refusal::Size);
+        }
         let default = self.default_body();
         let constants = self.constants();
         let docs = docs::system_docs(self.model, self.equations, self.counts);
         if !self.unrepresentable.is_empty() {
-            return Err(self.unrepresentable.into_iter().collect());
+            return Err(Refusal::Constants(self.unrepresentable.into_iter().collect()));
         }
         let Writer { methods, names, functions, has_rounded_constants, .. } = self;
         Ok(Parts { docs, default, methods, constants, names, functions, has_rounded_constants })
@@ -139,7 +165,7 @@ impl<'a> Writer<'a> {
         self.add(name, docs, arguments, returns, &roots);
     }
 
-    /// Lowers and writes one method.
+    /// Lowers and writes one method, unless those before it are too large already.
     fn add(
         &mut self,
         name: &str,
@@ -148,8 +174,12 @@ impl<'a> Writer<'a> {
         returns: Returns,
         roots: &[ExprId],
     ) -> OperationCounts {
+        if self.size.is_hopeless() {
+            return OperationCounts::default();
+        }
         let program = optimise(&lower(&self.model.graph, roots, &self.labels), self.model.accuracy);
         let counts = OperationCounts::of(&program);
+        self.size.add(counts, roots.len());
         let body = self.body(&program, arguments, returns);
         let output = self.shape.outputs.iter().find(|(output, _)| output.text == name);
         let (name, docs) = match output {

@@ -18,6 +18,7 @@ use rustc_hash::FxBuildHasher;
 
 pub use facts::Dependencies;
 
+use crate::collections::HashMap;
 use crate::number::Number;
 use crate::symbol::{Role, SymbolId, Symbols};
 use facts::Facts;
@@ -340,6 +341,24 @@ impl Graph {
         }
         found.sort_unstable();
         found
+    }
+
+    /// Whether an expression is made of more than `limit` expressions, itself included. Looks at no more than
+    /// that many, however large the expression is.
+    pub fn is_larger_than(&self, root: ExprId, limit: usize) -> bool {
+        let mut seen = HashMap::from_iter([(root, ())]);
+        let mut pending = vec![root];
+        while let Some(id) = pending.pop() {
+            if seen.len() > limit {
+                return true;
+            }
+            self.node(id).for_each_child(|child| {
+                if seen.insert(child, ()).is_none() {
+                    pending.push(child);
+                }
+            });
+        }
+        seen.len() > limit
     }
 }
 

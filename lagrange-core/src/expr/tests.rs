@@ -122,3 +122,17 @@ fn numbers_fold_where_powers_meet() {
     let root = g.power(twice, half);
     assert_eq!(g.square(root), twice, "(√(2a))²");
 }
+
+#[test]
+fn sizes_are_compared_without_counting_shared_parts_twice() {
+    let (mut g, [a, b, ..]) = letters();
+    let mut power = g.add(a, b);
+    for _ in 0..60 {
+        let next = g.multiply(power, a);
+        power = g.add(next, power);
+    }
+    let size = g.reachable(&[power]).len();
+    assert!(g.is_larger_than(power, size - 1));
+    assert!(!g.is_larger_than(power, size));
+    assert!(g.is_larger_than(a, 0) && !g.is_larger_than(a, 1));
+}

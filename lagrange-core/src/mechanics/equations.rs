@@ -9,7 +9,7 @@ use super::messages;
 use super::model::{Energies, Model, Product};
 use super::solve::{Solution, push_down, solve_dense, solve_recursive};
 use super::squares::{Sums, solve_squares};
-use super::structure::{Structure, vanishes};
+use super::structure::{Structure, vanishing};
 use crate::calculus::{AccelerationTerms, gradient, homogeneity};
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
@@ -236,14 +236,12 @@ impl Roads<'_> {
 /// Removes couplings that vanish without showing it, as between polar coordinates that were written down by
 /// way of Cartesian ones: r sin θ cos θ − r cos θ sin θ.
 fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities: &[ExprId]) {
-    for (n, &i) in velocities.iter().enumerate() {
-        for &j in &velocities[n + 1..] {
-            let coupling = pushed.coefficient(graph, i, j);
-            if vanishes(graph, coupling) {
-                pushed.separate(i, j);
-            }
-        }
-    }
+    let above_diagonal = |(n, &i): (usize, &ExprId)| velocities[n + 1..].iter().map(move |&j| (i, j));
+    let pairs = velocities.iter().enumerate().flat_map(above_diagonal).collect::<Vec<_>>();
+    let couplings = pairs.iter().map(|&(i, j)| pushed.coefficient(graph, i, j)).collect::<Vec<_>>();
+    let vanishing = vanishing(graph, &couplings);
+    let uncoupled = pairs.iter().zip(vanishing).filter(|(_, vanishes)| *vanishes);
+    uncoupled.for_each(|(&(i, j), _)| pushed.separate(i, j));
 }
 
 /// The form as it is or, for a small system, with its coefficients multiplied out, whichever leads to the

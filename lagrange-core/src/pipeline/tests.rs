@@ -1,6 +1,6 @@
 use quote::quote;
 
-use super::{Derived, NumericSystem, parse};
+use super::{Derived, NumericSystem, expand, parse};
 use crate::calculus::evaluate;
 use crate::mechanics::{Conserved, Road, RoadChoice};
 use crate::syntax::ast::Accuracy;
@@ -101,6 +101,38 @@ fn twenty_thousand_terms_are_derived_and_emitted() {
     // −Σ k / 2
     assert_eq!(at_rest, -(20_000.0 * 20_001.0 / 2.0 - 1.0) / 2.0);
     assert!(derived.emit(&quote!(::lagrange)).is_ok());
+}
+
+/// What the macro makes of a struct with free particles on lines.
+fn particles(count: usize, emitted: &str) -> String {
+    let numbers = 0..count;
+    let coordinates = numbers.clone().map(|i| format!("coord x{i};")).collect::<String>();
+    let energies = numbers.map(|i| format!("kinetic = dot(x{i})^2;")).collect::<String>();
+    let text =
+        format!("#[allow(deprecated)] struct Particles; {coordinates} {energies} emit {{ {emitted} }};");
+    let tokens = text.parse().expect("tokens");
+    expand(tokens, &quote!(::lagrange)).to_string()
+}
+
+#[test]
+fn a_mass_matrix_of_two_million_entries_is_refused_before_it_is_derived() {
+    let refused = particles(1415, "mass_matrix");
+    assert!(refused.contains("compile_error") && refused.contains("more than 2000000 operations"));
+    assert!(refused.contains("struct Particles"), "the skeleton stands in for it");
+}
+
+#[test]
+fn only_large_systems_are_warned_of_and_the_struct_can_allow_it() {
+    let ordinary = particles(10, "mass_matrix");
+    assert!(!ordinary.contains("LargeSystem"));
+    // 90,000 entries take as long to compile as operations.
+    let large = particles(300, "mass_matrix");
+    assert!(
+        large.contains("# [allow (deprecated)] const _ : () = { # [deprecated"),
+        "under the struct's levels"
+    );
+    let without = particles(300, "no mass_matrix");
+    assert!(!without.contains("LargeSystem"));
 }
 
 #[test]

@@ -54,6 +54,20 @@ impl OperationCounts {
         }
     }
 
+    /// How many operations there are.
+    pub fn total(&self) -> usize {
+        let OperationCounts {
+            additions,
+            multiplications,
+            divisions,
+            square_roots,
+            functions,
+            sin_cos,
+            selections,
+        } = *self;
+        additions + multiplications + divisions + square_roots + functions + sin_cos + selections
+    }
+
     /// A rough time in units of an addition.
     pub fn cost(&self) -> f64 {
         let weighted = self.additions

@@ -3,8 +3,10 @@
 mod declarations;
 mod expressions;
 mod formulas;
+mod growth;
 mod machines;
 mod mechanics;
+mod products;
 
 use proptest::prelude::ProptestConfig;
 

@@ -13,6 +13,7 @@ mod literal;
 mod names;
 mod naming;
 mod pairs;
+mod parts;
 mod writer;
 
 use std::collections::BTreeSet;

@@ -1,9 +1,10 @@
 //! Sines and cosines that are computed together.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
 use super::fragment::Fragment;
+use super::parts::Statement;
 use super::writer::{Writer, Written};
 use crate::collections::HashMap;
 use crate::program::{Op, Program, ValueId};
@@ -33,8 +34,8 @@ impl Writer<'_> {
         let angle = self.take(argument);
         let pair = self.call("sin_cos", vec![angle]).tokens;
         let [sine, cosine] = self.name_parts(id, 0, name.as_deref());
-        self.statements.extend(quote_spanned!(Span::mixed_site()=> let (#sine, #cosine) = #pair;));
-        Written::Pairs(vec![[sine, cosine]])
+        let tokens = quote_spanned!(Span::mixed_site()=> let (#sine, #cosine) = #pair;);
+        self.define_pairs(id, tokens, vec![[sine, cosine]])
     }
 
     /// `let [(sin_x, cos_x), (sin_y, cos_y)] = sin_cos_each([x, y]);`
@@ -48,7 +49,16 @@ impl Writer<'_> {
         let pairs = pairs.collect::<Vec<_>>();
         let patterns =
             pairs.iter().map(|[sine, cosine]| quote_spanned!(Span::mixed_site()=> (#sine, #cosine)));
-        self.statements.extend(quote_spanned!(Span::mixed_site()=> let [#(#patterns),*] = #together;));
+        let tokens = quote_spanned!(Span::mixed_site()=> let [#(#patterns),*] = #together;);
+        self.define_pairs(id, tokens, pairs)
+    }
+
+    /// Adds the statement that defines the variables of a pair or a batch.
+    fn define_pairs(&mut self, id: ValueId, tokens: TokenStream, pairs: Vec<[Ident; 2]>) -> Written {
+        let parts = |place: usize| self.parts.get(&(id, place as u32)).copied().unwrap_or_default();
+        let named = pairs.iter().enumerate().flat_map(|(place, names)| parts(place).into_iter().zip(names));
+        let variables = named.filter_map(|(part, name)| Some((part?, name.clone()))).collect();
+        self.statements.push(Statement { tokens, variables });
         Written::Pairs(pairs)
     }
 

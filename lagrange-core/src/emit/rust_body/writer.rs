@@ -8,6 +8,7 @@ use quote::{ToTokens, quote_spanned};
 use super::fragment::Fragment;
 use super::literal::Constant;
 use super::pairs::{Parts, parts_of_pairs};
+use super::parts::{Statement, assemble};
 use super::{Body, Names, Scalar, Unrepresentable};
 use crate::expr::Relation;
 use crate::functions::row;
@@ -45,7 +46,7 @@ pub(super) struct Writer<'a> {
     /// Which values are in variables whose names only number them.
     pub(super) is_numbered: ValueTable<bool>,
     pub(super) written: ValueTable<Written>,
-    pub(super) statements: TokenStream,
+    pub(super) statements: Vec<Statement>,
     unrepresentable: Vec<String>,
     /// Functions that were called.
     functions: BTreeSet<&'static str>,
@@ -69,7 +70,7 @@ impl<'a> Writer<'a> {
             parts: parts_of_pairs(program),
             is_numbered: ValueTable::filled(program.len(), false),
             written: ValueTable::with_capacity(program.len()),
-            statements: TokenStream::new(),
+            statements: Vec::new(),
             unrepresentable: Vec::new(),
             functions: BTreeSet::new(),
         }
@@ -83,7 +84,8 @@ impl<'a> Writer<'a> {
         }
         let outputs = self.program.outputs().iter().map(|&output| self.take(output).tokens).collect();
         if self.unrepresentable.is_empty() {
-            Ok(Body { statements: self.statements, outputs, used, functions: self.functions })
+            let statements = assemble(self.program, &self.statements);
+            Ok(Body { statements, outputs, used, functions: self.functions })
         } else {
             Err(Unrepresentable { constants: self.unrepresentable })
         }
@@ -231,7 +233,8 @@ impl<'a> Writer<'a> {
     /// Writes a `let` for a value.
     fn bind(&mut self, id: ValueId, expression: &TokenStream) -> Ident {
         let name = self.choose_name(id);
-        self.statements.extend(quote_spanned!(Span::mixed_site()=> let #name = #expression;));
+        let tokens = quote_spanned!(Span::mixed_site()=> let #name = #expression;);
+        self.statements.push(Statement { tokens, variables: vec![(id, name.clone())] });
         name
     }
 

@@ -81,7 +81,8 @@ impl Back<'_> {
         let unknown = match &step.rule {
             Substitution::Plain { factors, free } => {
                 let graph = &mut *self.algebra.graph;
-                let terms = factors.iter().map(|&(id, factor)| (graph.negate(factor), id)).collect::<Vec<_>>();
+                let terms =
+                    factors.iter().map(|&(id, factor)| (graph.negate(factor), id)).collect::<Vec<_>>();
                 let constant = graph.negate(*free);
                 let value = self.combine(&terms, constant);
                 self.evaluate(&value)

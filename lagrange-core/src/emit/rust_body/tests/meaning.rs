@@ -3,19 +3,19 @@
 use lagrange_math::sin_cos_each;
 use proptest::prelude::{ProptestConfig, prop_assert, proptest};
 use quote::quote;
-use syn::{BinOp, Block, Expr, ExprIf, Lit, Local, Pat, PatTuple, Stmt, UnOp};
+use syn::{BinOp, Block, Expr, ExprIf, Lit, Local, Pat, PatSlice, PatTuple, Stmt, UnOp};
 
 use crate::collections::HashMap;
 use crate::emit::rust_body::{Names, Scalar, body};
-use crate::expr::Graph;
-use crate::functions::ROWS;
+use crate::expr::{Function, Graph};
+use crate::functions::{ROWS, apply};
 use crate::program::tests::random::{at, build, same_bits, steps};
 use crate::program::tests::{letters, lowered};
 use crate::program::{Program, integer_power, optimise, run};
 use crate::syntax::ast::Accuracy;
 
 /// Runs emitted statements in double precision.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Machine {
     variables: HashMap<String, f64>,
 }
@@ -40,7 +40,21 @@ impl Machine {
                     self.define_pair(pair, sin_cos_each([angle])[0]);
                 }
             }
-            _ => panic!("neither a name nor pairs"),
+            (Pat::Slice(kept), Expr::Block(part)) => self.part(kept, &part.block),
+            _ => panic!("neither a name nor pairs nor a part"),
+        }
+    }
+
+    /// Statements in a block of their own, of which only what it gives is known afterwards.
+    fn part(&mut self, kept: &PatSlice, block: &Block) {
+        let Some((Stmt::Expr(Expr::Array(given), None), statements)) = block.stmts.split_last() else {
+            panic!("a part gives an array")
+        };
+        let mut inner = self.clone();
+        statements.iter().for_each(|statement| inner.statement(statement));
+        assert_eq!(kept.elems.len(), given.elems.len());
+        for (name, value) in kept.elems.iter().zip(&given.elems) {
+            self.define(&quote!(#name).to_string(), inner.value(value));
         }
     }
 
@@ -152,4 +166,42 @@ proptest! {
             prop_assert!(written.iter().zip(&expected).all(same_bits), "{written:?} for {expected:?}: {program:?}");
         }
     }
+}
+
+#[test]
+fn long_bodies_in_parts_compute_what_the_interpreter_computes() {
+    let (mut graph, parameters, coordinates) = letters();
+    let letters = [parameters.as_slice(), &coordinates].concat();
+    // Every step uses the one before, one far back and a pair of a sine and a cosine.
+    let mut values = letters.clone();
+    for step in 0..4000 {
+        let (last, early) = (values[values.len() - 1], values[step * step % values.len()]);
+        let angle = graph.subtract(last, letters[step % letters.len()]);
+        let [sine, cosine] = [Function::Sin, Function::Cos].map(|f| apply(&mut graph, f, &[angle]));
+        let product = graph.multiply(sine, early);
+        values.push(graph.add(product, cosine));
+    }
+    let outputs = values[values.len() - 3..].iter().chain(&values[100..103]).copied().collect::<Vec<_>>();
+    for accuracy in Accuracy::ALL {
+        let program = optimise(&lowered(&graph, &outputs), accuracy);
+        let body = body(&program, graph.symbols(), &Scalar::F64, &mut Names::default());
+        let statements = body.expect("moderate numbers").statements;
+        let block: Block = syn::parse2(quote!({ #statements })).expect("statements");
+        assert!(block.stmts.len() > 2 && longest_block(&block) <= 1001);
+        let expected = run(&program, |role| at(role, 0.0));
+        let written = execute(&graph, &program).expect("moderate numbers");
+        assert!(written.iter().zip(&expected).all(same_bits), "{written:?} for {expected:?}");
+    }
+}
+
+/// The most statements in one of the blocks of a body.
+fn longest_block(block: &Block) -> usize {
+    let inner = block.stmts.iter().map(|statement| match statement {
+        Stmt::Local(Local { init: Some(init), .. }) => match &*init.expr {
+            Expr::Block(part) => longest_block(&part.block),
+            _ => 0,
+        },
+        _ => 0,
+    });
+    inner.max().unwrap_or(0).max(block.stmts.len())
 }

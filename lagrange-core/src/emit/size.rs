@@ -1,0 +1,68 @@
+//! What emitted code costs the compiler, and from where on that is worth a warning or too much.
+//!
+//! Emitted methods are straight-line code, so that the compiler's time and memory are proportional to their size.
+//! The rates were measured with `tools/compile_time.py --large`; `docs/performance.md` shows from what.
+
+use super::messages;
+use crate::diagnostics::Report;
+use crate::mechanics::{Model, Product};
+use crate::program::OperationCounts;
+use crate::syntax::ast::Declaration;
+
+/// Above this size building takes more than about five seconds, which nobody should have to explain to themselves.
+const SIZE_WORTH_A_WORD: usize = 80_000;
+/// Above this size code is not emitted: reading it alone takes minutes and as much memory as many machines have.
+const LARGEST: usize = 2_000_000;
+
+/// Seconds of an unoptimised `cargo check` for a unit of size.
+const SECONDS_TO_CHECK: f64 = 45e-6;
+/// Seconds that an optimised build takes in addition if every method is called.
+const SECONDS_TO_OPTIMISE: f64 = 200e-6;
+/// Bytes that the compiler needs.
+const BYTES: f64 = 3500.0;
+
+/// How large emitted code is: the operations of all methods, and the numbers that they return.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
+pub struct Size(usize);
+
+impl Size {
+    pub(super) fn add(&mut self, counts: OperationCounts, results: usize) {
+        self.0 += counts.total() + results;
+    }
+
+    /// Whether the compiler could not be expected to finish.
+    pub(super) fn is_hopeless(self) -> bool {
+        self.0 > LARGEST
+    }
+}
+
+/// Warns of a system that takes long to compile.
+pub fn report_cost(declaration: &Declaration, Size(size): Size, report: &mut Report) {
+    if size <= SIZE_WORTH_A_WORD {
+        return;
+    }
+    let of_size = |rate: f64| rate * size as f64;
+    let message =
+        messages::expensive(size, of_size(SECONDS_TO_CHECK), of_size(SECONDS_TO_OPTIMISE), of_size(BYTES));
+    report.expensive(declaration.name.span, message).help(messages::expensive_help());
+}
+
+/// Reports a model from which more would follow than can be emitted, before anything is derived from it: methods
+/// hold about as many operations as energies have expressions, and the mass matrix an entry for each two
+/// coordinates. `None` if there is no point in deriving.
+pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
+    let entries = match model.products.contains(&Product::MassMatrix) {
+        true => model.coordinates.len().saturating_pow(2),
+        false => 0,
+    };
+    if Size(model.graph.len().max(entries)).is_hopeless() {
+        report_hopeless(declaration, report);
+        return None;
+    }
+    Some(())
+}
+
+/// Reports a system that is too large to be compiled.
+pub(super) fn report_hopeless(declaration: &Declaration, report: &mut Report) {
+    report.error(declaration.name.span, messages::hopeless(LARGEST)).help(messages::smaller());
+}

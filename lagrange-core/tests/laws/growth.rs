@@ -1,0 +1,108 @@
+//! How equations grow with the number of bodies, counted in operations and expressions: in proportion, on chains
+//! and on trees.
+
+use std::fmt::Write;
+
+use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::pipeline::{Derived, parse};
+use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
+
+const CHAINS: [usize; 4] = [20, 50, 100, 200];
+/// Small random trees are flat, and cheaper by a road that large ones do not take.
+const TREES: [usize; 3] = [100, 200, 400];
+
+/// n point masses on massless rods under gravity, each hanging from its parent, 0 being the support.
+fn pendulums(n: usize, relative: bool, parent: impl Fn(usize) -> usize) -> String {
+    let mut text = "param g; let (x0, y0) = (0, 0); let a0 = 0;".to_owned();
+    for i in 1..=n {
+        let p = parent(i);
+        let carried = if relative { format!("a{p} + ") } else { String::new() };
+        write!(
+            text,
+            "param m{i}, l{i}; coord q{i}; let a{i} = {carried}q{i};
+            let (x{i}, y{i}) = (x{p} + l{i}*sin(a{i}), y{p} - l{i}*cos(a{i}));
+            kinetic = 1/2*m{i}*(dot(x{i})^2 + dot(y{i})^2); potential = m{i}*g*y{i};"
+        )
+        .expect("a string takes it");
+    }
+    text
+}
+
+fn chain(n: usize, relative: bool) -> String {
+    pendulums(n, relative, |i| i - 1)
+}
+
+/// A tree in which the parent of each body is drawn from all before it, by a linear congruential generator (Knuth,
+/// *The Art of Computer Programming*, vol. 2, §3.3.4, table 1, line 26).
+fn tree(n: usize, relative: bool) -> String {
+    let mut state = 1_u64;
+    let parents = (1..=n as u64).map(|i| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        ((state >> 33) % i) as usize
+    });
+    let parents = parents.collect::<Vec<_>>();
+    pendulums(n, relative, |i| parents[i - 1])
+}
+
+/// What a derivation costs.
+struct Cost {
+    bodies: usize,
+    /// Operations of the accelerations.
+    operations: usize,
+    /// Values of the program that computes them.
+    values: usize,
+    /// Expressions made in the course of the derivation, beside those of the mass matrix.
+    expressions: usize,
+}
+
+fn cost(bodies: usize, text: &str) -> Cost {
+    let Derived { model, equations, .. } = parse(text)
+        .and_then(|system| system.derive(RoadChoice::Cheapest))
+        .unwrap_or_else(|report| panic!("{report}"));
+    let program =
+        optimise(&lower(&model.graph, &equations.accelerations, &Labels::default()), model.accuracy);
+    let couplings = equations.mass_matrix.iter().flatten().filter(|&&entry| !model.graph.is_zero(entry));
+    // Both triangles are counted, so this is at most five expressions for each coupling.
+    let of_couplings = couplings.count() * 5 / 2;
+    Cost {
+        bodies,
+        operations: OperationCounts::of(&program).total(),
+        values: program.len(),
+        expressions: model.graph.len().saturating_sub(of_couplings),
+    }
+}
+
+/// Whether a body of a large system costs as much as one of a small one, up to a quarter: small systems have a larger
+/// share of bodies at their ends. A cost of n log n would fail.
+fn is_linear(costs: &[Cost], cost: impl Fn(&Cost) -> usize) -> Result<(), Vec<usize>> {
+    let per_body = costs.iter().map(|c| cost(c) / c.bodies).collect::<Vec<_>>();
+    let linear = per_body.iter().all(|&each| each * 4 <= per_body[0] * 5);
+    if linear { Ok(()) } else { Err(per_body) }
+}
+
+fn assert_linear(sizes: &[usize], declaration: impl Fn(usize) -> String) {
+    let costs = sizes.iter().map(|&n| cost(n, &declaration(n))).collect::<Vec<_>>();
+    assert_eq!(is_linear(&costs, |cost| cost.operations), Ok(()), "operations");
+    assert_eq!(is_linear(&costs, |cost| cost.values), Ok(()), "values");
+    assert_eq!(is_linear(&costs, |cost| cost.expressions), Ok(()), "expressions");
+}
+
+#[test]
+fn chains_in_absolute_angles_grow_in_proportion() {
+    assert_linear(&CHAINS, |n| chain(n, false));
+}
+
+#[test]
+fn chains_in_relative_angles_grow_in_proportion() {
+    assert_linear(&CHAINS, |n| chain(n, true));
+}
+
+#[test]
+fn random_trees_in_absolute_angles_grow_in_proportion() {
+    assert_linear(&TREES, |n| tree(n, false));
+}
+
+#[test]
+fn random_trees_in_relative_angles_grow_in_proportion() {
+    assert_linear(&TREES, |n| tree(n, true));
+}

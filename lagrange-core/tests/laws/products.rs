@@ -1,0 +1,83 @@
+//! Products that are not asked for cost nothing: neither expressions nor emitted code.
+
+use std::collections::BTreeMap;
+
+use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::pipeline::parse;
+use quote::{ToTokens, quote};
+
+/// A pendulum on a spring on a damped cart, so that no product is trivial.
+const SYSTEM: &str = "
+    param mc, mp, k, l0, c, g; coord x, r, theta; input u;
+    let p = (x + r*sin(theta), -r*cos(theta));
+    kinetic = 1/2*mc*dot(x)^2 + kinetic_energy(mp, dot(p));
+    potential = gravitational_energy(mp, g, p.y) + spring_energy(k, r - l0);
+    dissipation = 1/2*c*dot(x)^2; force x = u;
+";
+
+/// A derivation with some products.
+struct Emission {
+    expressions: usize,
+    methods: BTreeMap<String, String>,
+}
+
+fn emission(wanted: &[Product]) -> Emission {
+    let choices = Product::ALL.map(|product| match wanted.contains(&product) {
+        // What is only made on demand cannot be declined.
+        true if product.is_default() => String::new(),
+        true => product.name().to_owned(),
+        false if product.is_default() => format!("no {}", product.name()),
+        false => String::new(),
+    });
+    let choices = choices.into_iter().filter(|choice| !choice.is_empty()).collect::<Vec<_>>();
+    let emit = if choices.is_empty() { String::new() } else { format!("emit {{ {} }}", choices.join(", ")) };
+    let system = parse(&format!("struct S; {SYSTEM} {emit}")).unwrap_or_else(|report| panic!("{report}"));
+    let derived = system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
+    let expressions = derived.model.graph.len();
+    let items = derived.emit(&quote!(::lagrange)).unwrap_or_else(|report| panic!("{report}"));
+    Emission { expressions, methods: methods(&syn::parse2(items).expect("valid Rust")) }
+}
+
+/// The methods and constants of the emitted struct, by name.
+fn methods(file: &syn::File) -> BTreeMap<String, String> {
+    let mut methods = BTreeMap::new();
+    for item in &file.items {
+        let syn::Item::Const(scope) = item else { continue };
+        let syn::Expr::Block(block) = &*scope.expr else { continue };
+        for statement in &block.block.stmts {
+            if let syn::Stmt::Item(syn::Item::Impl(implementation)) = statement
+                && implementation.trait_.is_none()
+                && implementation.self_ty.to_token_stream().to_string() == "S"
+            {
+                let named = implementation.items.iter().filter_map(|item| match item {
+                    syn::ImplItem::Fn(method) => Some((&method.sig.ident, item)),
+                    syn::ImplItem::Const(constant) => Some((&constant.ident, item)),
+                    _ => None,
+                });
+                methods
+                    .extend(named.map(|(name, item)| (name.to_string(), item.to_token_stream().to_string())));
+            }
+        }
+    }
+    methods
+}
+
+#[test]
+fn a_product_adds_its_method_and_nothing_to_the_others() {
+    let bare = emission(&[]);
+    assert_eq!(bare.methods.keys().collect::<Vec<_>>(), ["acceleration", "rhs"]);
+    for product in Product::ALL {
+        let mut with = emission(&[product]);
+        let name = if product == Product::Latex { "EQUATIONS_LATEX" } else { product.name() };
+        assert!(with.methods.remove(name).is_some(), "{name}");
+        assert_eq!(with.methods, bare.methods, "with {name}");
+    }
+}
+
+#[test]
+fn what_is_not_asked_for_is_not_derived() {
+    // The other products are made of what leads to the accelerations.
+    let [bare, with] =
+        [vec![], vec![Product::InverseDynamics]].map(|products| emission(&products).expressions);
+    assert!(with > bare, "{with} expressions with inverse dynamics, {bare} without");
+}

@@ -1,0 +1,87 @@
+#![deny(deprecated)]
+
+lagrange::system! {
+    struct Large;
+
+    param a, b, c, d;
+    coord x;
+    let z0 = x;
+    let z1 = sin(a*z0 + 2) + sin(b*z0 + 3) + sin(c*z0 + 4) + sin(d*z0 + 5) + sin(a*z0 + 6) + sin(b*z0 + 7) + sin(c*z0 + 8) + sin(d*z0 + 9);
+    let z2 = sin(a*z1 + 2) + sin(b*z1 + 3) + sin(c*z1 + 4) + sin(d*z1 + 5) + sin(a*z1 + 6) + sin(b*z1 + 7) + sin(c*z1 + 8) + sin(d*z1 + 9);
+    let z3 = sin(a*z2 + 2) + sin(b*z2 + 3) + sin(c*z2 + 4) + sin(d*z2 + 5) + sin(a*z2 + 6) + sin(b*z2 + 7) + sin(c*z2 + 8) + sin(d*z2 + 9);
+    let z4 = sin(a*z3 + 2) + sin(b*z3 + 3) + sin(c*z3 + 4) + sin(d*z3 + 5) + sin(a*z3 + 6) + sin(b*z3 + 7) + sin(c*z3 + 8) + sin(d*z3 + 9);
+    let z5 = sin(a*z4 + 2) + sin(b*z4 + 3) + sin(c*z4 + 4) + sin(d*z4 + 5) + sin(a*z4 + 6) + sin(b*z4 + 7) + sin(c*z4 + 8) + sin(d*z4 + 9);
+    let z6 = sin(a*z5 + 2) + sin(b*z5 + 3) + sin(c*z5 + 4) + sin(d*z5 + 5) + sin(a*z5 + 6) + sin(b*z5 + 7) + sin(c*z5 + 8) + sin(d*z5 + 9);
+    let z7 = sin(a*z6 + 2) + sin(b*z6 + 3) + sin(c*z6 + 4) + sin(d*z6 + 5) + sin(a*z6 + 6) + sin(b*z6 + 7) + sin(c*z6 + 8) + sin(d*z6 + 9);
+    let z8 = sin(a*z7 + 2) + sin(b*z7 + 3) + sin(c*z7 + 4) + sin(d*z7 + 5) + sin(a*z7 + 6) + sin(b*z7 + 7) + sin(c*z7 + 8) + sin(d*z7 + 9);
+    let z9 = sin(a*z8 + 2) + sin(b*z8 + 3) + sin(c*z8 + 4) + sin(d*z8 + 5) + sin(a*z8 + 6) + sin(b*z8 + 7) + sin(c*z8 + 8) + sin(d*z8 + 9);
+    let z10 = sin(a*z9 + 2) + sin(b*z9 + 3) + sin(c*z9 + 4) + sin(d*z9 + 5) + sin(a*z9 + 6) + sin(b*z9 + 7) + sin(c*z9 + 8) + sin(d*z9 + 9);
+    let z11 = sin(a*z10 + 2) + sin(b*z10 + 3) + sin(c*z10 + 4) + sin(d*z10 + 5) + sin(a*z10 + 6) + sin(b*z10 + 7) + sin(c*z10 + 8) + sin(d*z10 + 9);
+    let z12 = sin(a*z11 + 2) + sin(b*z11 + 3) + sin(c*z11 + 4) + sin(d*z11 + 5) + sin(a*z11 + 6) + sin(b*z11 + 7) + sin(c*z11 + 8) + sin(d*z11 + 9);
+    let z13 = sin(a*z12 + 2) + sin(b*z12 + 3) + sin(c*z12 + 4) + sin(d*z12 + 5) + sin(a*z12 + 6) + sin(b*z12 + 7) + sin(c*z12 + 8) + sin(d*z12 + 9);
+    let z14 = sin(a*z13 + 2) + sin(b*z13 + 3) + sin(c*z13 + 4) + sin(d*z13 + 5) + sin(a*z13 + 6) + sin(b*z13 + 7) + sin(c*z13 + 8) + sin(d*z13 + 9);
+    let z15 = sin(a*z14 + 2) + sin(b*z14 + 3) + sin(c*z14 + 4) + sin(d*z14 + 5) + sin(a*z14 + 6) + sin(b*z14 + 7) + sin(c*z14 + 8) + sin(d*z14 + 9);
+    let z16 = sin(a*z15 + 2) + sin(b*z15 + 3) + sin(c*z15 + 4) + sin(d*z15 + 5) + sin(a*z15 + 6) + sin(b*z15 + 7) + sin(c*z15 + 8) + sin(d*z15 + 9);
+    let z17 = sin(a*z16 + 2) + sin(b*z16 + 3) + sin(c*z16 + 4) + sin(d*z16 + 5) + sin(a*z16 + 6) + sin(b*z16 + 7) + sin(c*z16 + 8) + sin(d*z16 + 9);
+    let z18 = sin(a*z17 + 2) + sin(b*z17 + 3) + sin(c*z17 + 4) + sin(d*z17 + 5) + sin(a*z17 + 6) + sin(b*z17 + 7) + sin(c*z17 + 8) + sin(d*z17 + 9);
+    let z19 = sin(a*z18 + 2) + sin(b*z18 + 3) + sin(c*z18 + 4) + sin(d*z18 + 5) + sin(a*z18 + 6) + sin(b*z18 + 7) + sin(c*z18 + 8) + sin(d*z18 + 9);
+    let z20 = sin(a*z19 + 2) + sin(b*z19 + 3) + sin(c*z19 + 4) + sin(d*z19 + 5) + sin(a*z19 + 6) + sin(b*z19 + 7) + sin(c*z19 + 8) + sin(d*z19 + 9);
+    let z21 = sin(a*z20 + 2) + sin(b*z20 + 3) + sin(c*z20 + 4) + sin(d*z20 + 5) + sin(a*z20 + 6) + sin(b*z20 + 7) + sin(c*z20 + 8) + sin(d*z20 + 9);
+    let z22 = sin(a*z21 + 2) + sin(b*z21 + 3) + sin(c*z21 + 4) + sin(d*z21 + 5) + sin(a*z21 + 6) + sin(b*z21 + 7) + sin(c*z21 + 8) + sin(d*z21 + 9);
+    let z23 = sin(a*z22 + 2) + sin(b*z22 + 3) + sin(c*z22 + 4) + sin(d*z22 + 5) + sin(a*z22 + 6) + sin(b*z22 + 7) + sin(c*z22 + 8) + sin(d*z22 + 9);
+    let z24 = sin(a*z23 + 2) + sin(b*z23 + 3) + sin(c*z23 + 4) + sin(d*z23 + 5) + sin(a*z23 + 6) + sin(b*z23 + 7) + sin(c*z23 + 8) + sin(d*z23 + 9);
+    let z25 = sin(a*z24 + 2) + sin(b*z24 + 3) + sin(c*z24 + 4) + sin(d*z24 + 5) + sin(a*z24 + 6) + sin(b*z24 + 7) + sin(c*z24 + 8) + sin(d*z24 + 9);
+    let z26 = sin(a*z25 + 2) + sin(b*z25 + 3) + sin(c*z25 + 4) + sin(d*z25 + 5) + sin(a*z25 + 6) + sin(b*z25 + 7) + sin(c*z25 + 8) + sin(d*z25 + 9);
+    let z27 = sin(a*z26 + 2) + sin(b*z26 + 3) + sin(c*z26 + 4) + sin(d*z26 + 5) + sin(a*z26 + 6) + sin(b*z26 + 7) + sin(c*z26 + 8) + sin(d*z26 + 9);
+    let z28 = sin(a*z27 + 2) + sin(b*z27 + 3) + sin(c*z27 + 4) + sin(d*z27 + 5) + sin(a*z27 + 6) + sin(b*z27 + 7) + sin(c*z27 + 8) + sin(d*z27 + 9);
+    let z29 = sin(a*z28 + 2) + sin(b*z28 + 3) + sin(c*z28 + 4) + sin(d*z28 + 5) + sin(a*z28 + 6) + sin(b*z28 + 7) + sin(c*z28 + 8) + sin(d*z28 + 9);
+    let z30 = sin(a*z29 + 2) + sin(b*z29 + 3) + sin(c*z29 + 4) + sin(d*z29 + 5) + sin(a*z29 + 6) + sin(b*z29 + 7) + sin(c*z29 + 8) + sin(d*z29 + 9);
+    let z31 = sin(a*z30 + 2) + sin(b*z30 + 3) + sin(c*z30 + 4) + sin(d*z30 + 5) + sin(a*z30 + 6) + sin(b*z30 + 7) + sin(c*z30 + 8) + sin(d*z30 + 9);
+    let z32 = sin(a*z31 + 2) + sin(b*z31 + 3) + sin(c*z31 + 4) + sin(d*z31 + 5) + sin(a*z31 + 6) + sin(b*z31 + 7) + sin(c*z31 + 8) + sin(d*z31 + 9);
+    let z33 = sin(a*z32 + 2) + sin(b*z32 + 3) + sin(c*z32 + 4) + sin(d*z32 + 5) + sin(a*z32 + 6) + sin(b*z32 + 7) + sin(c*z32 + 8) + sin(d*z32 + 9);
+    let z34 = sin(a*z33 + 2) + sin(b*z33 + 3) + sin(c*z33 + 4) + sin(d*z33 + 5) + sin(a*z33 + 6) + sin(b*z33 + 7) + sin(c*z33 + 8) + sin(d*z33 + 9);
+    let z35 = sin(a*z34 + 2) + sin(b*z34 + 3) + sin(c*z34 + 4) + sin(d*z34 + 5) + sin(a*z34 + 6) + sin(b*z34 + 7) + sin(c*z34 + 8) + sin(d*z34 + 9);
+    let z36 = sin(a*z35 + 2) + sin(b*z35 + 3) + sin(c*z35 + 4) + sin(d*z35 + 5) + sin(a*z35 + 6) + sin(b*z35 + 7) + sin(c*z35 + 8) + sin(d*z35 + 9);
+    let z37 = sin(a*z36 + 2) + sin(b*z36 + 3) + sin(c*z36 + 4) + sin(d*z36 + 5) + sin(a*z36 + 6) + sin(b*z36 + 7) + sin(c*z36 + 8) + sin(d*z36 + 9);
+    let z38 = sin(a*z37 + 2) + sin(b*z37 + 3) + sin(c*z37 + 4) + sin(d*z37 + 5) + sin(a*z37 + 6) + sin(b*z37 + 7) + sin(c*z37 + 8) + sin(d*z37 + 9);
+    let z39 = sin(a*z38 + 2) + sin(b*z38 + 3) + sin(c*z38 + 4) + sin(d*z38 + 5) + sin(a*z38 + 6) + sin(b*z38 + 7) + sin(c*z38 + 8) + sin(d*z38 + 9);
+    let z40 = sin(a*z39 + 2) + sin(b*z39 + 3) + sin(c*z39 + 4) + sin(d*z39 + 5) + sin(a*z39 + 6) + sin(b*z39 + 7) + sin(c*z39 + 8) + sin(d*z39 + 9);
+    let z41 = sin(a*z40 + 2) + sin(b*z40 + 3) + sin(c*z40 + 4) + sin(d*z40 + 5) + sin(a*z40 + 6) + sin(b*z40 + 7) + sin(c*z40 + 8) + sin(d*z40 + 9);
+    let z42 = sin(a*z41 + 2) + sin(b*z41 + 3) + sin(c*z41 + 4) + sin(d*z41 + 5) + sin(a*z41 + 6) + sin(b*z41 + 7) + sin(c*z41 + 8) + sin(d*z41 + 9);
+    let z43 = sin(a*z42 + 2) + sin(b*z42 + 3) + sin(c*z42 + 4) + sin(d*z42 + 5) + sin(a*z42 + 6) + sin(b*z42 + 7) + sin(c*z42 + 8) + sin(d*z42 + 9);
+    let z44 = sin(a*z43 + 2) + sin(b*z43 + 3) + sin(c*z43 + 4) + sin(d*z43 + 5) + sin(a*z43 + 6) + sin(b*z43 + 7) + sin(c*z43 + 8) + sin(d*z43 + 9);
+    let z45 = sin(a*z44 + 2) + sin(b*z44 + 3) + sin(c*z44 + 4) + sin(d*z44 + 5) + sin(a*z44 + 6) + sin(b*z44 + 7) + sin(c*z44 + 8) + sin(d*z44 + 9);
+    let z46 = sin(a*z45 + 2) + sin(b*z45 + 3) + sin(c*z45 + 4) + sin(d*z45 + 5) + sin(a*z45 + 6) + sin(b*z45 + 7) + sin(c*z45 + 8) + sin(d*z45 + 9);
+    let z47 = sin(a*z46 + 2) + sin(b*z46 + 3) + sin(c*z46 + 4) + sin(d*z46 + 5) + sin(a*z46 + 6) + sin(b*z46 + 7) + sin(c*z46 + 8) + sin(d*z46 + 9);
+    let z48 = sin(a*z47 + 2) + sin(b*z47 + 3) + sin(c*z47 + 4) + sin(d*z47 + 5) + sin(a*z47 + 6) + sin(b*z47 + 7) + sin(c*z47 + 8) + sin(d*z47 + 9);
+    let z49 = sin(a*z48 + 2) + sin(b*z48 + 3) + sin(c*z48 + 4) + sin(d*z48 + 5) + sin(a*z48 + 6) + sin(b*z48 + 7) + sin(c*z48 + 8) + sin(d*z48 + 9);
+    let z50 = sin(a*z49 + 2) + sin(b*z49 + 3) + sin(c*z49 + 4) + sin(d*z49 + 5) + sin(a*z49 + 6) + sin(b*z49 + 7) + sin(c*z49 + 8) + sin(d*z49 + 9);
+    kinetic = 1/2 * dot(x)^2;
+    potential = z50;
+    output o0 = ddot(z50);
+    output o1 = ddot(z49);
+    output o2 = ddot(z48);
+    output o3 = ddot(z47);
+    output o4 = ddot(z46);
+    output o5 = ddot(z45);
+    output o6 = ddot(z44);
+    output o7 = ddot(z43);
+    output o8 = ddot(z42);
+    output o9 = ddot(z41);
+    output o10 = ddot(z40);
+    output o11 = ddot(z39);
+    output o12 = ddot(z38);
+    output o13 = ddot(z37);
+    output o14 = ddot(z36);
+    output o15 = ddot(z35);
+    output o16 = ddot(z34);
+    output o17 = ddot(z33);
+    output o18 = ddot(z32);
+    output o19 = ddot(z31);
+    output o20 = ddot(z30);
+    output o21 = ddot(z29);
+    output o22 = ddot(z28);
+    output o23 = ddot(z27);
+}
+
+fn main() {}
