@@ -2,13 +2,15 @@
 
 use std::fmt;
 
+use super::algebra::Sums;
+use super::contracted::{contracted, solve_contracted};
 use super::cost::cost;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form, loads_beside_squares};
 use super::messages;
 use super::model::{Energies, Model, Product};
 use super::solve::{Solution, push_down, solve_dense, solve_recursive};
-use super::squares::{Sums, solve_squares};
+use super::squares::solve_squares;
 use super::structure::{Structure, vanishing};
 use crate::calculus::{AccelerationTerms, gradient, homogeneity};
 use crate::expr::{ExprId, Graph, Node};
@@ -108,7 +110,10 @@ impl Equations {
         let form = gauss_form(model, &split, AccelerationTerms::Dropped, Terms::All);
         let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
         separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
-        let pushed = cheaper_coefficients(&mut model.graph, pushed, &velocities);
+        let pushed = match model.accuracy {
+            Accuracy::Strict => contracted(&mut model.graph, pushed, &velocities),
+            _ => cheaper_coefficients(&mut model.graph, pushed, &velocities),
+        };
         let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
         let forcing = forcing(&mut model.graph, &pushed, &velocities);
         let (solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
@@ -206,7 +211,7 @@ impl Roads<'_> {
     fn take(&mut self, road: Road) -> Option<Solution> {
         let velocities = self.model.velocities();
         match road {
-            Road::Dense => solve_dense(&mut self.model.graph, self.pushed.clone(), &velocities),
+            Road::Dense => self.factorised(&velocities),
             Road::Recursive => solve_recursive(&mut self.model.graph, self.form.clone(), &velocities),
             Road::Squares if self.split.has_other_inertia => None,
             Road::Squares => {
@@ -218,6 +223,13 @@ impl Roads<'_> {
                 self.cheaper(contracted, collected)
             }
         }
+    }
+
+    fn factorised(&mut self, velocities: &[ExprId]) -> Option<Solution> {
+        let graph = &mut self.model.graph;
+        let is_strict = self.model.accuracy == Accuracy::Strict;
+        let contracted = is_strict.then(|| solve_contracted(graph, &self.pushed, velocities)).flatten();
+        contracted.or_else(|| solve_dense(graph, self.pushed.clone(), velocities))
     }
 
     fn squares(&mut self, sums: Sums, velocities: &[ExprId]) -> Option<Solution> {

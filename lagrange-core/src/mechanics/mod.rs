@@ -3,8 +3,10 @@
 //! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], holds energies and loads as
 //! expressions. [`Equations`] derives from a model what the emitted methods return.
 
+mod algebra;
 mod chains;
 mod check;
+mod contracted;
 mod cost;
 mod elaborate;
 mod equations;

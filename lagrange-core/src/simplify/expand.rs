@@ -221,7 +221,7 @@ impl Expander {
 
 /// Whether a sum takes the difference of symbols or of products of symbols, as a spring does of its length and
 /// its length at rest. Multiplied out, it would round where the difference of near numbers is exact.
-fn is_difference(graph: &Graph, terms: &[(ExprId, Number)]) -> bool {
+pub(super) fn is_difference(graph: &Graph, terms: &[(ExprId, Number)]) -> bool {
     let is_symbol = |id: ExprId| matches!(graph.node(id), Node::Symbol(_));
     let is_plain = |id: ExprId| match graph.node(id) {
         Node::Product(factors) => factors.iter().all(|(base, _)| is_symbol(*base)),

@@ -6,7 +6,9 @@
 //! what the equation of a single coordinate shares with its inertia; [`multiply_out`] is for small systems, where
 //! what cancels is worth more than what is shared. [`present`] is for readers: it multiplies out within a budget
 //! and regroups. [`proves_zero`] multiplies out to decide whether nothing is left. Neither of the last two is
-//! fit for the equations that become code.
+//! fit for the equations that become code. [`contract`] writes sums of products of sines and cosines with fewer terms,
+//! so that little cancels; [`open`] multiplies out what it may then contract; [`content`] is what expressions have
+//! in common.
 //!
 //! Every result equals its input wherever the input is defined; it may be defined in more places.
 
@@ -18,6 +20,7 @@ mod contract;
 mod expand;
 mod group;
 mod monomial;
+mod open;
 mod pairs;
 mod polynomial;
 mod present;
@@ -30,6 +33,7 @@ pub use cancel::quotient;
 pub use collect::collect;
 pub use content::content;
 pub use contract::{contract, contract_all};
+pub use open::{count_opened, factors_to_open, is_no_difference, open};
 pub use present::{multiply_out, present, present_all, proves_zero};
 pub use rules::{Arguments, RULES, Rule};
 

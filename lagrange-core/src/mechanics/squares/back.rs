@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::algebra::Algebra;
-use super::composition::{Composition, Expansion, LinearForm};
+use super::composition::{Composition, Expansion};
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::ExprId;
+use crate::mechanics::algebra::{Algebra, LinearForm};
 use crate::mechanics::solve::Solution;
 use crate::number::Number;
 

@@ -2,15 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::algebra::Algebra;
 use crate::calculus::{AccelerationTerms, Rates};
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Graph};
+use crate::mechanics::algebra::{Algebra, LinearForm};
 use crate::mechanics::sweep::Sweep;
 use crate::number::Number;
-
-/// Σ slope · variable, in ascending order of variables.
-pub(super) type LinearForm = Vec<(ExprId, ExprId)>;
 
 /// An acceleration as `slope·x + Σ rest + drift`, where x is the one to be eliminated.
 #[derive(Clone, Debug)]

@@ -4,13 +4,11 @@
 //! sum of squares, found by [`rotation`]. That keeps the digits which differences of large entries lose, and on chains and
 //! trees of points it is also the shortest way: between two points a single number stands for a subtree.
 
-mod algebra;
 mod back;
 mod composition;
 mod rotation;
 
-pub(super) use algebra::Sums;
-
+use super::algebra::{Algebra, LinearForm, Sums};
 use super::form::QuadraticForm;
 use super::gauss::SplitLagrangian;
 use super::solve::Solution;
@@ -19,9 +17,8 @@ use crate::collections::OrderedMap;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
 use crate::simplify;
-use algebra::Algebra;
 use back::{Step, Substitution, Way, substitute_back};
-use composition::{Composition, Expansion, LinearForm};
+use composition::{Composition, Expansion};
 use rotation::{Carried, Carriers, Pull, Square, eliminate};
 
 /// Accelerations from the squares of a Lagrangian, in the order of the velocities. `loads` are the linear part of the

@@ -24,9 +24,9 @@
 
 use std::collections::BTreeMap;
 
-use super::algebra::Algebra;
-use super::composition::{Expansion, LinearForm};
+use super::composition::Expansion;
 use crate::expr::ExprId;
+use crate::mechanics::algebra::{Algebra, LinearForm};
 use crate::number::Number;
 use crate::simplify;
 

@@ -1,19 +1,21 @@
-//! Sums of products as the elimination makes them.
+//! Sums of products as eliminations make them.
 
 use std::collections::BTreeMap;
 
-use super::composition::LinearForm;
 use crate::collections::OrderedMap;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 use crate::simplify::{self, Angles};
+
+/// Σ slope · variable, in ascending order of variables.
+pub(super) type LinearForm = Vec<(ExprId, ExprId)>;
 
 /// Products of sums are multiplied out up to this many terms.
 const MOST_OPENED: usize = 16;
 
 /// How sums are simplified.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(in crate::mechanics) enum Sums {
+pub(super) enum Sums {
     /// Equal products meet, and squares of sine and cosine.
     Collected,
     /// Besides, products of sines and cosines are written in sums and differences of angles where that
@@ -42,19 +44,27 @@ impl<'g> Algebra<'g> {
         self.simplified(flat)
     }
 
-    fn simplified(&mut self, terms: Vec<(ExprId, Number)>) -> ExprId {
+    pub(super) fn simplified(&mut self, terms: Vec<(ExprId, Number)>) -> ExprId {
         let collected = simplify::collect(self.graph, terms);
         if self.sums == Sums::Collected {
             return collected;
         }
-        let (scale, core) = self.graph.split_coefficient(collected);
-        let Node::Sum { constant, terms } = self.graph.node(core).clone() else { return collected };
-        let mut terms = terms.into_vec();
-        if !constant.is_zero() {
-            terms.push((self.graph.number(1), constant));
+        let terms = self.terms_of(collected);
+        if terms.len() < 2 {
+            return collected;
         }
-        let contracted = simplify::contract(self.graph, &mut self.angles, terms);
-        self.graph.scale(scale, contracted)
+        simplify::contract(self.graph, &mut self.angles, terms)
+    }
+
+    /// The terms of a sum, the constant among them; anything else is a single term.
+    pub(super) fn terms_of(&mut self, id: ExprId) -> Vec<(ExprId, Number)> {
+        let (scale, core) = self.graph.split_coefficient(id);
+        let Node::Sum { constant, terms } = self.graph.node(core).clone() else { return vec![(core, scale)] };
+        let mut terms = terms.into_iter().map(|(term, c)| (term, &c * &scale)).collect::<Vec<_>>();
+        if !constant.is_zero() {
+            terms.push((self.graph.number(1), &constant * &scale));
+        }
+        terms
     }
 
     /// The terms of a sum; others stay as they are.
@@ -102,7 +112,8 @@ impl<'g> Algebra<'g> {
         }
     }
 
-    fn terms(&self, id: ExprId) -> usize {
+    /// How many terms a sum has; anything else but zero has one.
+    pub(super) fn terms(&self, id: ExprId) -> usize {
         let (_, core) = self.graph.split_coefficient(id);
         match self.graph.node(core) {
             Node::Number(value) if value.is_zero() => 0,
