@@ -1,6 +1,6 @@
 //! How velocities are made of each other.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::algebra::Algebra;
 use crate::calculus::{AccelerationTerms, Rates};
@@ -119,15 +119,14 @@ impl Composition {
 
     /// Every variable that `x` is a part of, itself included, parts before wholes.
     pub(super) fn made_of(&self, x: ExprId) -> Vec<ExprId> {
-        let mut found = Vec::new();
+        let mut found = BTreeSet::new();
         let mut pending = vec![x];
         while let Some(id) = pending.pop() {
-            found.push(id);
-            pending.extend(self.users.get(&id).into_iter().flatten());
+            if found.insert(id) {
+                pending.extend(self.users.get(&id).into_iter().flatten());
+            }
         }
-        found.sort_unstable();
-        found.dedup();
-        found
+        found.into_iter().collect()
     }
 
     fn expand_one(
