@@ -28,6 +28,7 @@ const FAST: [&str; 2] = [
     "- Accuracy: `fast`. Sines and cosines are computed several at a time;",
     "  in `f64` each is within 0.9 units in the last place.",
 ];
+const STRICT: &str = "- Accuracy: `strict`. Of equal ways the one that cancels least.";
 const TOO_LONG: &str =
     "M q̈ = f, too long to be written out; `mass_matrix` and `forcing` compute the two sides.";
 
@@ -149,8 +150,10 @@ pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: Oper
     lines.push(format!("- State: `[{}]`.", state_order(model)));
     lines.extend(structure_lines(model, &equations.structure));
     lines.push(format!("- Accelerations: {}.", road_text(equations)));
-    if model.accuracy == Accuracy::Fast {
-        lines.extend(FAST.map(str::to_owned));
+    match model.accuracy {
+        Accuracy::Fast => lines.extend(FAST.map(str::to_owned)),
+        Accuracy::Strict => lines.push(STRICT.to_owned()),
+        Accuracy::Standard => {}
     }
     lines.push(format!("- Cost of `acceleration`: {}.", counts_text(counts)));
     lines

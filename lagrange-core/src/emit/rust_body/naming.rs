@@ -97,6 +97,14 @@ impl Writer<'_> {
         })
     }
 
+    /// The variable that an angle is in, or what it is the sum or product of if that is written in place.
+    pub(super) fn name_of_angle(&self, id: ValueId) -> Option<String> {
+        self.name_of(id).or_else(|| match self.program.op(id) {
+            Op::Add(..) | Op::Subtract(..) | Op::Multiply(..) => self.derived_name(id)?.1,
+            _ => None,
+        })
+    }
+
     /// The variable that a value is in, if it is in one.
     pub(super) fn name_of(&self, id: ValueId) -> Option<String> {
         match &self.written[id] {

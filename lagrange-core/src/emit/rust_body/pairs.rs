@@ -30,7 +30,7 @@ pub(super) fn parts_of_pairs(program: &Program) -> Parts {
 impl Writer<'_> {
     /// `let (sin_x, cos_x) = sin_cos(x);`
     pub(super) fn pair(&mut self, id: ValueId, argument: ValueId) -> Written {
-        let name = self.name_of(argument);
+        let name = self.name_of_angle(argument);
         let angle = self.take(argument);
         let pair = self.call("sin_cos", vec![angle]).tokens;
         let [sine, cosine] = self.name_parts(id, 0, name.as_deref());
@@ -41,8 +41,8 @@ impl Writer<'_> {
     /// `let [(sin_x, cos_x), (sin_y, cos_y)] = sin_cos_each([x, y]);`
     pub(super) fn batch(&mut self, id: ValueId, arguments: &[ValueId]) -> Written {
         let op = self.program.op(id);
+        let names = arguments.iter().map(|argument| self.name_of_angle(*argument)).collect::<Vec<_>>();
         let angles = self.operands(op);
-        let names = arguments.iter().map(|argument| self.name_of(*argument)).collect::<Vec<_>>();
         let together = self.call("sin_cos_each", vec![Fragment::array(angles)]).tokens;
         let places = names.iter().enumerate();
         let pairs = places.map(|(place, name)| self.name_parts(id, place as u32, name.as_deref()));

@@ -1,6 +1,6 @@
 //! How velocities are made of each other.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::calculus::{AccelerationTerms, Rates};
 use crate::collections::{HashMap, OrderedMap};
@@ -24,7 +24,7 @@ pub(super) struct Expansion {
 pub(super) struct Composition {
     parts: HashMap<ExprId, LinearForm>,
     /// Variables made of this one that are still in use.
-    users: HashMap<ExprId, Vec<ExprId>>,
+    users: HashMap<ExprId, BTreeSet<ExprId>>,
     offsets: HashMap<ExprId, ExprId>,
     rates: Rates,
 }
@@ -33,14 +33,14 @@ impl Composition {
     /// Of everything that `heads` are made of.
     pub(super) fn new(sweep: &Sweep, heads: impl IntoIterator<Item = ExprId>) -> Composition {
         let mut parts: HashMap<ExprId, LinearForm> = HashMap::default();
-        let mut users: HashMap<ExprId, Vec<ExprId>> = HashMap::default();
+        let mut users: HashMap<ExprId, BTreeSet<ExprId>> = HashMap::default();
         let mut pending = heads.into_iter().collect::<Vec<_>>();
         while let Some(id) = pending.pop() {
             if parts.contains(&id) {
                 continue;
             }
             for &(part, _) in sweep.parts(id) {
-                users.get_or_insert_with(part, Vec::new).push(id);
+                users.get_or_insert_with(part, BTreeSet::new).insert(id);
                 pending.push(part);
             }
             parts.insert(id, sweep.parts(id).to_vec());
@@ -92,7 +92,8 @@ impl Composition {
     /// The one variable through which alone `x` enters others, if it does so with a number for a slope. To
     /// choose its acceleration is to choose that of `x`, and it depends on fewer others.
     pub(super) fn only_user(&self, graph: &Graph, x: ExprId) -> Option<(ExprId, Number)> {
-        let [user] = *self.users.get(&x)?.as_slice() else { return None };
+        let users = self.users.get(&x)?;
+        let user = *users.first().filter(|_| users.len() == 1)?;
         let parts = self.parts(user);
         let (_, slope) = parts.iter().find(|(part, _)| *part == x)?;
         Some((user, graph.as_number(*slope)?.clone()))
@@ -116,15 +117,14 @@ impl Composition {
 
     /// Every variable that `x` is a part of, itself included, parts before wholes.
     pub(super) fn made_of(&self, x: ExprId) -> Vec<ExprId> {
-        let mut found = Vec::new();
+        let mut found = BTreeSet::new();
         let mut pending = vec![x];
         while let Some(id) = pending.pop() {
-            found.push(id);
-            pending.extend(self.users.get(&id).into_iter().flatten());
+            if found.insert(id) {
+                pending.extend(self.users.get(&id).into_iter().flatten());
+            }
         }
-        found.sort_unstable();
-        found.dedup();
-        found
+        found.into_iter().collect()
     }
 
     fn expand_one(
@@ -159,9 +159,9 @@ impl Composition {
     pub(super) fn retire(&mut self, retired: &[ExprId]) {
         for id in retired {
             for (part, _) in self.parts(*id).to_vec() {
-                if let Some(users) = self.users.get_mut(&part) {
-                    users.retain(|user| user != id);
-                }
+                self.users.get_mut(&part).into_iter().for_each(|users| {
+                    users.remove(id);
+                });
             }
         }
     }

@@ -8,6 +8,8 @@ mod back;
 mod composition;
 mod rotation;
 
+use std::collections::BTreeSet;
+
 use super::algebra::{Algebra, LinearForm, Sums};
 use super::form::QuadraticForm;
 use super::gauss::SplitLagrangian;
@@ -63,6 +65,25 @@ fn carrier_ids(expansions: &OrderedMap<ExprId, Expansion>, squares: &[Square]) -
     ids
 }
 
+/// Writes loads along other variables as loads along the variables of squares and generalised velocities.
+fn push_loads(
+    graph: &mut Graph,
+    sweep: &Sweep,
+    squares: &OrderedMap<ExprId, Vec<(ExprId, Number)>>,
+    mut loads: QuadraticForm,
+) -> QuadraticForm {
+    let mut pending = loads.variables().into_iter().collect::<BTreeSet<_>>();
+    // Wholes come after their parts.
+    while let Some(id) = pending.pop_last() {
+        let parts = sweep.parts(id);
+        if !squares.contains(&id) && !parts.is_empty() {
+            loads.push(graph, id, parts);
+            pending.extend(parts.iter().map(|(part, _)| *part));
+        }
+    }
+    loads
+}
+
 struct Elimination<'g> {
     algebra: Algebra<'g>,
     composition: Composition,
@@ -79,50 +100,34 @@ impl<'g> Elimination<'g> {
         loads: QuadraticForm,
         sums: Sums,
     ) -> Elimination<'g> {
-        let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables());
+        let mut weights: OrderedMap<ExprId, Vec<(ExprId, Number)>> = OrderedMap::default();
+        for &(weight, u) in &split.squares {
+            weights.get_or_insert_with(u, Vec::new).push((weight, Number::ONE));
+        }
+        let loads = push_loads(graph, sweep, &weights, loads);
+        let heads = weights.iter().map(|(u, _)| *u).chain(loads.variables());
         let composition = Composition::new(sweep, heads);
         let algebra = Algebra::new(graph, sums);
         let mut elimination =
             Elimination { algebra, composition, squares: Vec::new(), loads, steps: Vec::new() };
-        elimination.collect_squares(&split.squares);
+        weights.iter().for_each(|(u, weights)| elimination.add_square_of(*u, weights));
         elimination
     }
 
-    /// One square for each variable, with the loads that act along it.
-    fn collect_squares(&mut self, squares: &[(ExprId, ExprId)]) {
-        let mut weights: OrderedMap<ExprId, Vec<(ExprId, Number)>> = OrderedMap::default();
-        for &(weight, u) in squares {
-            weights.get_or_insert_with(u, Vec::new).push((weight, Number::ONE));
+    /// The square of a variable, with the load that acts along it.
+    fn add_square_of(&mut self, u: ExprId, weights: &[(ExprId, Number)]) {
+        let graph = &mut *self.algebra.graph;
+        let weight = simplify::collect(graph, weights.to_vec());
+        let load = self.loads.take(graph, u).linear;
+        let offset = graph.divide(load, weight);
+        let is_steady = graph.dependencies(offset).is_constant_in_motion();
+        let one = graph.number(1);
+        let mut square = Square { weight, linear: load, form: vec![(u, one)] };
+        if is_steady && !self.composition.parts(u).is_empty() {
+            self.composition.set_offset(u, offset);
+            square.linear = graph.number(0);
         }
-        self.push_loads(&weights);
-        for (&u, weights) in weights.iter() {
-            let graph = &mut *self.algebra.graph;
-            let weight = simplify::collect(graph, weights.clone());
-            let load = self.loads.take(graph, u).linear;
-            let offset = graph.divide(load, weight);
-            let is_steady = graph.dependencies(offset).is_constant_in_motion();
-            let one = graph.number(1);
-            let mut square = Square { weight, linear: load, form: vec![(u, one)] };
-            if is_steady && !self.composition.parts(u).is_empty() {
-                self.composition.set_offset(u, offset);
-                square.linear = graph.number(0);
-            }
-            self.squares.push(square);
-        }
-    }
-
-    /// Writes loads along other variables as loads along the variables of squares and generalised velocities.
-    fn push_loads(&mut self, squares: &OrderedMap<ExprId, Vec<(ExprId, Number)>>) {
-        // Wholes come after their parts.
-        while let Some(id) = self.pushable_load(squares) {
-            let parts = self.composition.parts(id).to_vec();
-            self.loads.push(self.algebra.graph, id, &parts);
-        }
-    }
-
-    fn pushable_load(&self, squares: &OrderedMap<ExprId, Vec<(ExprId, Number)>>) -> Option<ExprId> {
-        let is_pushable = |id: &ExprId| !squares.contains(id) && !self.composition.parts(*id).is_empty();
-        self.loads.variables().into_iter().rev().find(is_pushable)
+        self.squares.push(square);
     }
 
     /// How many inertias and how many squares a velocity moves. What moves the fewest is eliminated first, the pole

@@ -12,7 +12,7 @@
 /// - State: `[x, theta, x_dot, theta_dot]`.
 /// - Mass matrix: full, depends on the configuration.
 /// - Cyclic coordinates: `x`.
-/// - Accelerations: the mass matrix is factorised, which costs no more than recursion.
+/// - Accelerations: the mass matrix is factorised (counted cost 153; recursion 174, sum of squares 185).
 /// - Cost of `acceleration`: 6 additions, 15 multiplications, 2 divisions, 1 `sin_cos`.
 #[derive(Clone, Debug)]
 pub struct CartPole {
@@ -59,14 +59,14 @@ const _: () = {
             let Self { mc, mp, l, c, g, u } = *self;
             let [_, theta] = *q;
             let [_, theta_dot] = *v;
-            let m_0_0 = mc + mp;
-            let inv_m_0_0 = 1.0 / m_0_0;
-            let mp_l = mp * l;
             let (sin_theta, cos_theta) = sin_cos(theta);
-            let m_0_1 = mp_l * cos_theta;
-            let factor_1_0 = inv_m_0_0 * m_0_1;
+            let mp_l = mp * l;
             let theta_dot_sq = theta_dot * theta_dot;
             let forcing_0 = multiply_add(mp_l * sin_theta, theta_dot_sq, u);
+            let m_0_1 = mp_l * cos_theta;
+            let m_0_0 = mc + mp;
+            let inv_m_0_0 = 1.0 / m_0_0;
+            let factor_1_0 = inv_m_0_0 * m_0_1;
             let vel_0 = multiply_add(mp_l * g, sin_theta, c * theta_dot);
             let forcing_1 = -multiply_add(factor_1_0, forcing_0, vel_0);
             let l_sq = l * l;
@@ -99,8 +99,8 @@ const _: () = {
             let Self { mp, l, c, g, u, .. } = *self;
             let [_, theta] = *q;
             let [_, theta_dot] = *v;
-            let mp_l = mp * l;
             let sin_theta = sin(theta);
+            let mp_l = mp * l;
             let theta_dot_sq = theta_dot * theta_dot;
             let forcing_0 = multiply_add(mp_l * sin_theta, theta_dot_sq, u);
             [forcing_0, -multiply_add(mp_l * g, sin_theta, c * theta_dot)]
@@ -134,8 +134,8 @@ const _: () = {
             let [_, theta] = *q;
             let [x_dot, theta_dot] = *v;
             let (sin_theta, cos_theta) = sin_cos(theta);
-            let py_dot = l * sin_theta * theta_dot;
             let px_dot = multiply_add(l * cos_theta, theta_dot, x_dot);
+            let py_dot = l * sin_theta * theta_dot;
             let x_dot_sq = x_dot * x_dot;
             let vel_0 = multiply_add(
                 mp,
@@ -164,8 +164,8 @@ const _: () = {
             let [_, theta] = *q;
             let [x_dot, theta_dot] = *v;
             let (sin_theta, cos_theta) = sin_cos(theta);
-            let py_dot = l * sin_theta * theta_dot;
             let px_dot = multiply_add(l * cos_theta, theta_dot, x_dot);
+            let py_dot = l * sin_theta * theta_dot;
             let x_dot_sq = x_dot * x_dot;
             let vel_0 = multiply_add(
                 mp,

@@ -64,8 +64,8 @@ const _: () = {
         ) -> [f32; 3] {
             let Self { m, q, b, e } = *self;
             let [x_dot, y_dot, _] = *v;
-            let inv_m = 1.0 / m;
             let forcing_0 = multiply_add(q * b, y_dot, q * e);
+            let inv_m = 1.0 / m;
             let x_ddot = inv_m * forcing_0;
             let y_ddot = -inv_m * q * b * x_dot;
             [x_ddot, y_ddot, 0.0]

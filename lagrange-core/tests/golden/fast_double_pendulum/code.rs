@@ -15,10 +15,10 @@
 ///
 /// - State: `[theta1, theta2, theta1_dot, theta2_dot]`.
 /// - Mass matrix: full, depends on the configuration.
-/// - Accelerations: the mass matrix is factorised (counted cost 253; recursion 298, sum of squares 255).
+/// - Accelerations: eliminated body by body, the kinetic energy kept a sum of squares (counted cost 245; factorised mass matrix 253, recursion 298).
 /// - Accuracy: `fast`. Sines and cosines are computed several at a time;
 ///   in `f64` each is within 0.9 units in the last place.
-/// - Cost of `acceleration`: 10 additions, 38 multiplications, 2 divisions, 3 `sin_cos`.
+/// - Cost of `acceleration`: 8 additions, 24 multiplications, 3 divisions, 3 `sin_cos`.
 pub struct ShakenDoublePendulum {
     /// Parameter `m1`.
     pub m1: ::core::primitive::f64,
@@ -58,54 +58,40 @@ const _: () = {
     impl ShakenDoublePendulum {
         /// Accelerations in the order of the coordinates.
         ///
-        /// Takes 10 additions, 38 multiplications, 2 divisions, 3 `sin_cos`.
+        /// Takes 8 additions, 24 multiplications, 3 divisions, 3 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             let Self { m1, m2, l1, l2, a, omega, g } = *self;
             let [theta1, theta2] = *q;
             let [theta1_dot, theta2_dot] = *v;
-            let m1_plus_m2 = m1 + m2;
-            let l1_sq = l1 * l1;
-            let m_0_0 = l1_sq * m1_plus_m2;
-            let inv_m_0_0 = 1.0 / m_0_0;
-            let m2_l1_l2 = m2 * l1 * l2;
-            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (_, cos_0)] = sin_cos_each([
+            let [(sin_theta1, cos_theta1), (_, cos_omega_t),
+            (sin_theta1_minus_theta2, cos_theta1_minus_theta2)] = sin_cos_each([
                 theta1,
-                theta2,
                 omega * t,
+                theta1 - theta2,
             ]);
-            let m_0_1 = m2_l1_l2
-                * multiply_add(cos_theta1, cos_theta2, sin_theta1 * sin_theta2);
-            let factor_1_0 = inv_m_0_0 * m_0_1;
-            let pos_0 = m2_l1_l2
-                * multiply_add(-cos_theta1, sin_theta2, sin_theta1 * cos_theta2);
-            let omega_sq = omega * omega;
-            let pos_1 = l1 * a * omega_sq * m1_plus_m2 * cos_0 * sin_theta1;
+            let pos_0 = m2 * sin_theta1_minus_theta2;
+            let pivot_0 = multiply_add(sin_theta1_minus_theta2, pos_0, m1);
+            let inv_pivot_0 = 1.0 / pivot_0;
             let theta2_dot_sq = theta2_dot * theta2_dot;
-            let pos_2 = multiply_add(-l1 * g * m1_plus_m2, sin_theta1, pos_1);
-            let forcing_0 = multiply_add(-pos_0, theta2_dot_sq, pos_2);
-            let m2_l2 = m2 * l2;
+            let omega_sq = omega * omega;
+            let pos_1 = multiply_add(-a * omega_sq, cos_omega_t, g);
             let theta1_dot_sq = theta1_dot * theta1_dot;
-            let vel_0 = multiply_add(
-                m2_l2 * a * omega_sq * cos_0,
-                sin_theta2,
-                pos_0 * theta1_dot_sq,
+            let sin_theta1_sq = sin_theta1 * sin_theta1;
+            let vel_0 = cos_theta1 * multiply_add(l1 * cos_theta1, theta1_dot_sq, pos_1);
+            let normal_0 = multiply_add(l1 * sin_theta1_sq, theta1_dot_sq, vel_0);
+            let vel_1 = m2 * l2 * sin_theta1_minus_theta2 * inv_pivot_0 * theta2_dot_sq;
+            let vel_2 = multiply_add(
+                inv_pivot_0 * pos_0 * cos_theta1_minus_theta2,
+                normal_0,
+                vel_1,
             );
-            let forcing_1 = multiply_add(
-                -factor_1_0,
-                forcing_0,
-                multiply_add(-m2_l2 * g, sin_theta2, vel_0),
-            );
-            let l2_sq = l2 * l2;
-            let m_1_1 = m2 * l2_sq;
-            let pivot_1 = multiply_add(-m_0_1, factor_1_0, m_1_1);
-            let theta2_ddot = forcing_1 / pivot_1;
-            let theta1_ddot = multiply_add(
-                -factor_1_0,
-                theta2_ddot,
-                inv_m_0_0 * forcing_0,
-            );
+            let theta1_ddot = -multiply_add(sin_theta1, pos_1, vel_2) / l1;
+            let tangential_0 = -vel_2;
+            let vel_3 = sin_theta1_minus_theta2 * normal_0;
+            let theta2_ddot = multiply_add(-cos_theta1_minus_theta2, tangential_0, vel_3)
+                / l2;
             [theta1_ddot, theta2_ddot]
         }
         /// Mass matrix M, in rows.
@@ -137,27 +123,26 @@ const _: () = {
             let Self { m1, m2, l1, l2, a, omega, g } = *self;
             let [theta1, theta2] = *q;
             let [theta1_dot, theta2_dot] = *v;
-            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (_, cos_0)] = sin_cos_each([
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (_, cos_omega_t)] = sin_cos_each([
                 theta1,
                 theta2,
                 omega * t,
             ]);
-            let pos_0 = m2 * l1 * l2
-                * multiply_add(-cos_theta1, sin_theta2, sin_theta1 * cos_theta2);
-            let m1_plus_m2 = m1 + m2;
             let omega_sq = omega * omega;
-            let pos_1 = l1 * a * omega_sq * m1_plus_m2 * cos_0 * sin_theta1;
+            let m1_plus_m2 = m1 + m2;
+            let pos_0 = l1 * a * omega_sq * m1_plus_m2 * cos_omega_t * sin_theta1;
+            let pos_1 = m2 * l1 * l2
+                * multiply_add(-cos_theta1, sin_theta2, sin_theta1 * cos_theta2);
             let theta2_dot_sq = theta2_dot * theta2_dot;
-            let pos_2 = multiply_add(-l1 * g * m1_plus_m2, sin_theta1, pos_1);
-            let forcing_0 = multiply_add(-pos_0, theta2_dot_sq, pos_2);
-            let m2_l2 = m2 * l2;
+            let pos_2 = multiply_add(-l1 * g * m1_plus_m2, sin_theta1, pos_0);
             let theta1_dot_sq = theta1_dot * theta1_dot;
-            let vel_0 = multiply_add(
-                m2_l2 * a * omega_sq * cos_0,
-                sin_theta2,
-                pos_0 * theta1_dot_sq,
-            );
-            [forcing_0, multiply_add(-m2_l2 * g, sin_theta2, vel_0)]
+            let m2_l2 = m2 * l2;
+            let pos_3 = m2_l2 * a * omega_sq * cos_omega_t;
+            let vel_0 = multiply_add(pos_3, sin_theta2, pos_1 * theta1_dot_sq);
+            [
+                multiply_add(-pos_1, theta2_dot_sq, pos_2),
+                multiply_add(-m2_l2 * g, sin_theta2, vel_0),
+            ]
         }
         /// Generalised momenta ∂L/∂v.
         ///
@@ -168,21 +153,25 @@ const _: () = {
             let Self { m1, m2, l1, l2, a, omega, .. } = *self;
             let [theta1, theta2] = *q;
             let [theta1_dot, theta2_dot] = *v;
-            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (sin_0, _)] = sin_cos_each([
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (sin_omega_t, _)] = sin_cos_each([
                 theta1,
                 theta2,
                 omega * t,
             ]);
+            let l1_sin_theta1 = l1 * sin_theta1;
+            let y1_dot = multiply_add(
+                -a * omega,
+                sin_omega_t,
+                l1_sin_theta1 * theta1_dot,
+            );
+            let l2_sin_theta2 = l2 * sin_theta2;
+            let y2_dot = multiply_add(l2_sin_theta2, theta2_dot, y1_dot);
+            let m2_y2_dot = m2 * y2_dot;
             let l1_cos_theta1 = l1 * cos_theta1;
             let x1_dot = l1_cos_theta1 * theta1_dot;
             let l2_cos_theta2 = l2 * cos_theta2;
             let x2_dot = multiply_add(l2_cos_theta2, theta2_dot, x1_dot);
             let m2_x2_dot = m2 * x2_dot;
-            let l1_sin_theta1 = l1 * sin_theta1;
-            let y1_dot = multiply_add(-a * omega, sin_0, l1_sin_theta1 * theta1_dot);
-            let l2_sin_theta2 = l2 * sin_theta2;
-            let y2_dot = multiply_add(l2_sin_theta2, theta2_dot, y1_dot);
-            let m2_y2_dot = m2 * y2_dot;
             let vel_0 = l1_sin_theta1 * multiply_add(m1, y1_dot, m2_y2_dot);
             [
                 multiply_add(l1_cos_theta1, multiply_add(m1, x1_dot, m2_x2_dot), vel_0),
@@ -198,15 +187,19 @@ const _: () = {
             let Self { m1, m2, l1, l2, a, omega, .. } = *self;
             let [theta1, theta2] = *q;
             let [theta1_dot, theta2_dot] = *v;
-            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (sin_0, _)] = sin_cos_each([
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (sin_omega_t, _)] = sin_cos_each([
                 theta1,
                 theta2,
                 omega * t,
             ]);
-            let y1_dot = multiply_add(-a * omega, sin_0, l1 * sin_theta1 * theta1_dot);
-            let y2_dot = multiply_add(l2 * sin_theta2, theta2_dot, y1_dot);
             let x1_dot = l1 * cos_theta1 * theta1_dot;
+            let y1_dot = multiply_add(
+                -a * omega,
+                sin_omega_t,
+                l1 * sin_theta1 * theta1_dot,
+            );
             let x2_dot = multiply_add(l2 * cos_theta2, theta2_dot, x1_dot);
+            let y2_dot = multiply_add(l2 * sin_theta2, theta2_dot, y1_dot);
             let vel_0 = m1 * multiply_add(y1_dot, y1_dot, x1_dot * x1_dot);
             0.5 * multiply_add(m2, multiply_add(y2_dot, y2_dot, x2_dot * x2_dot), vel_0)
         }
@@ -218,12 +211,12 @@ const _: () = {
         pub fn potential_energy(&self, t: f64, q: &[f64; 2]) -> f64 {
             let Self { m1, m2, l1, l2, a, omega, g } = *self;
             let [theta1, theta2] = *q;
-            let [(_, cos_theta1), (_, cos_theta2), (_, cos_0)] = sin_cos_each([
+            let [(_, cos_theta1), (_, cos_theta2), (_, cos_omega_t)] = sin_cos_each([
                 theta1,
                 theta2,
                 omega * t,
             ]);
-            let y0 = a * cos_0;
+            let y0 = a * cos_omega_t;
             let y1 = multiply_add(-l1, cos_theta1, y0);
             let y2 = multiply_add(-l2, cos_theta2, y1);
             multiply_add(m2 * g, y2, m1 * g * y1)
@@ -237,36 +230,37 @@ const _: () = {
             let Self { m1, m2, l1, l2, a, omega, g } = *self;
             let [theta1, theta2] = *q;
             let [theta1_dot, theta2_dot] = *v;
-            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (sin_0, cos_0)] = sin_cos_each([
-                theta1,
-                theta2,
-                omega * t,
-            ]);
-            let l2_cos_theta2 = l2 * cos_theta2;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2),
+            (sin_omega_t, cos_omega_t)] = sin_cos_each([theta1, theta2, omega * t]);
             let l1_cos_theta1 = l1 * cos_theta1;
             let x1_dot = l1_cos_theta1 * theta1_dot;
-            let x2_dot = multiply_add(l2_cos_theta2, theta2_dot, x1_dot);
-            let m2_x2_dot = m2 * x2_dot;
-            let l2_sin_theta2 = l2 * sin_theta2;
             let l1_sin_theta1 = l1 * sin_theta1;
-            let y1_dot = multiply_add(-a * omega, sin_0, l1_sin_theta1 * theta1_dot);
+            let y1_dot = multiply_add(
+                -a * omega,
+                sin_omega_t,
+                l1_sin_theta1 * theta1_dot,
+            );
+            let l2_cos_theta2 = l2 * cos_theta2;
+            let x2_dot = multiply_add(l2_cos_theta2, theta2_dot, x1_dot);
+            let l2_sin_theta2 = l2 * sin_theta2;
             let y2_dot = multiply_add(l2_sin_theta2, theta2_dot, y1_dot);
-            let m2_y2_dot = m2 * y2_dot;
-            let vel_0 = l1_sin_theta1 * multiply_add(m1, y1_dot, m2_y2_dot);
-            let y0 = a * cos_0;
+            let vel_0 = m1 * multiply_add(y1_dot, y1_dot, x1_dot * x1_dot);
+            let y0 = a * cos_omega_t;
             let y1 = y0 - l1_cos_theta1;
-            let y2 = y1 - l2_cos_theta2;
-            let vel_1 = m1 * multiply_add(y1_dot, y1_dot, x1_dot * x1_dot);
-            let vel_2 = multiply_add(
+            let vel_1 = multiply_add(
                 m2,
                 multiply_add(y2_dot, y2_dot, x2_dot * x2_dot),
-                vel_1,
+                vel_0,
             );
-            let vel_3 = multiply_add(m2 * g, y2, multiply_add(-0.5, vel_2, m1 * g * y1));
+            let y2 = y1 - l2_cos_theta2;
+            let m2_y2_dot = m2 * y2_dot;
+            let m2_x2_dot = m2 * x2_dot;
+            let vel_2 = l1_sin_theta1 * multiply_add(m1, y1_dot, m2_y2_dot);
+            let vel_3 = multiply_add(m2 * g, y2, multiply_add(-0.5, vel_1, m1 * g * y1));
             let vel_4 = multiply_add(
                 l1_cos_theta1,
                 multiply_add(m1, x1_dot, m2_x2_dot),
-                vel_0,
+                vel_2,
             );
             let vel_5 = multiply_add(
                 l2_cos_theta2,
@@ -292,38 +286,38 @@ const _: () = {
             let [theta1, theta2] = *q;
             let [theta1_dot, theta2_dot] = *v;
             let [theta1_ddot, theta2_ddot] = *accelerations;
-            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (_, cos_0)] = sin_cos_each([
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2), (_, cos_omega_t)] = sin_cos_each([
                 theta1,
                 theta2,
                 omega * t,
             ]);
             let theta1_dot_sq = theta1_dot * theta1_dot;
-            let acc_0 = l1
-                * multiply_add(-cos_theta1, theta1_ddot, sin_theta1 * theta1_dot_sq);
-            let theta2_dot_sq = theta2_dot * theta2_dot;
-            let acc_1 = multiply_add(
-                -cos_theta2,
-                theta2_ddot,
-                sin_theta2 * theta2_dot_sq,
-            );
-            let acc_2 = m2 * multiply_add(l2, acc_1, acc_0);
-            let a_omega_omega_cos_0 = a * omega * omega * cos_0;
-            let acc_3 = multiply_add(
+            let pos_0 = a * omega * omega * cos_omega_t;
+            let acc_0 = multiply_add(
                 sin_theta1,
                 theta1_ddot,
                 cos_theta1 * theta1_dot_sq,
             );
-            let acc_4 = multiply_add(-l1, acc_3, a_omega_omega_cos_0);
-            let acc_5 = multiply_add(
+            let acc_1 = multiply_add(-l1, acc_0, pos_0);
+            let theta2_dot_sq = theta2_dot * theta2_dot;
+            let acc_2 = multiply_add(
                 sin_theta2,
                 theta2_ddot,
                 cos_theta2 * theta2_dot_sq,
             );
-            let acc_6 = multiply_add(m2, multiply_add(l2, acc_5, -acc_4), m2 * g);
-            let acc_7 = l1 * sin_theta1 * (multiply_add(-m1, acc_4, m1 * g) + acc_6);
+            let acc_3 = multiply_add(m2, multiply_add(l2, acc_2, -acc_1), m2 * g);
+            let acc_4 = l1
+                * multiply_add(-cos_theta1, theta1_ddot, sin_theta1 * theta1_dot_sq);
+            let acc_5 = multiply_add(
+                -cos_theta2,
+                theta2_ddot,
+                sin_theta2 * theta2_dot_sq,
+            );
+            let acc_6 = m2 * multiply_add(l2, acc_5, acc_4);
+            let acc_7 = l1 * sin_theta1 * (multiply_add(-m1, acc_1, m1 * g) + acc_3);
             [
-                multiply_add(-l1 * cos_theta1, multiply_add(m1, acc_0, acc_2), acc_7),
-                multiply_add(-l2 * cos_theta2, acc_2, l2 * sin_theta2 * acc_6),
+                multiply_add(-l1 * cos_theta1, multiply_add(m1, acc_4, acc_6), acc_7),
+                multiply_add(-l2 * cos_theta2, acc_6, l2 * sin_theta2 * acc_3),
             ]
         }
         /// Rate of the state: velocities, then accelerations.

@@ -16,7 +16,7 @@
 /// - Mass matrix: blocks {`phi`, `psi`}, {`theta`}, depends on the configuration.
 /// - Cyclic coordinates: `phi`, `psi`.
 /// - Conserved: the momentum of `phi`, the momentum of `psi`, the energy function.
-/// - Accelerations: eliminated body by body, which costs less than factorising the mass matrix.
+/// - Accelerations: eliminated body by body (counted cost 142; factorised mass matrix 179).
 /// - Cost of `acceleration`: 5 additions, 19 multiplications, 2 divisions, 1 `sin_cos`.
 pub struct HeavyTop {
     /// Parameter `i1`.
@@ -64,9 +64,9 @@ const _: () = {
             let Self { i1, i3, m, h, g } = *self;
             let [_, theta, _] = *q;
             let [phi_dot, theta_dot, psi_dot] = *v;
-            let inv_i1 = 1.0 / i1;
             let (sin_theta, cos_theta) = sin_cos(theta);
             let vel_0 = i3 * multiply_add(cos_theta, phi_dot, psi_dot);
+            let inv_i1 = 1.0 / i1;
             let vel_1 = inv_i1 * multiply_add(-2.0 * i1 * cos_theta, phi_dot, vel_0)
                 * theta_dot;
             let phi_ddot = vel_1 / sin_theta;
@@ -107,12 +107,12 @@ const _: () = {
             let Self { i1, i3, m, h, g } = *self;
             let [_, theta, _] = *q;
             let [phi_dot, theta_dot, psi_dot] = *v;
-            let i1_minus_i3 = i1 - i3;
             let (sin_theta, cos_theta) = sin_cos(theta);
             let i3_sin_theta = i3 * sin_theta;
+            let i1_minus_i3 = i1 - i3;
             let vel_0 = 2.0 * i1_minus_i3 * sin_theta * cos_theta * phi_dot;
-            let i3_sin_theta_phi_dot = i3_sin_theta * phi_dot;
             let phi_dot_sq = phi_dot * phi_dot;
+            let i3_sin_theta_phi_dot = i3_sin_theta * phi_dot;
             let vel_1 = i1_minus_i3 * sin_theta * cos_theta * phi_dot_sq;
             let vel_2 = multiply_add(-i3_sin_theta_phi_dot, psi_dot, vel_1);
             [
@@ -131,8 +131,8 @@ const _: () = {
             let [_, theta, _] = *q;
             let [phi_dot, theta_dot, psi_dot] = *v;
             let (sin_theta, cos_theta) = sin_cos(theta);
-            let sin_theta_sq = sin_theta * sin_theta;
             let vel_0 = i3 * multiply_add(cos_theta, phi_dot, psi_dot);
+            let sin_theta_sq = sin_theta * sin_theta;
             [
                 multiply_add(i1 * sin_theta_sq, phi_dot, cos_theta * vel_0),
                 i1 * theta_dot,
@@ -149,9 +149,9 @@ const _: () = {
             let [_, theta, _] = *q;
             let [phi_dot, theta_dot, psi_dot] = *v;
             let (sin_theta, cos_theta) = sin_cos(theta);
-            let vel_0 = multiply_add(cos_theta, phi_dot, psi_dot);
             let sin_theta_sq = sin_theta * sin_theta;
             let phi_dot_sq = phi_dot * phi_dot;
+            let vel_0 = multiply_add(cos_theta, phi_dot, psi_dot);
             let vel_0_sq = vel_0 * vel_0;
             let vel_1 = i1
                 * multiply_add(sin_theta_sq, phi_dot_sq, theta_dot * theta_dot);
@@ -177,9 +177,9 @@ const _: () = {
             let [_, theta, _] = *q;
             let [phi_dot, theta_dot, psi_dot] = *v;
             let (sin_theta, cos_theta) = sin_cos(theta);
-            let vel_0 = multiply_add(cos_theta, phi_dot, psi_dot);
             let sin_theta_sq = sin_theta * sin_theta;
             let phi_dot_sq = phi_dot * phi_dot;
+            let vel_0 = multiply_add(cos_theta, phi_dot, psi_dot);
             let vel_0_sq = vel_0 * vel_0;
             let vel_1 = i1
                 * multiply_add(sin_theta_sq, phi_dot_sq, theta_dot * theta_dot);
@@ -203,24 +203,24 @@ const _: () = {
             let [phi_dot, theta_dot, psi_dot] = *v;
             let [phi_ddot, theta_ddot, psi_ddot] = *a;
             let (sin_theta, cos_theta) = sin_cos(theta);
+            let i1_sin_theta = i1 * sin_theta;
+            let vel_0 = i3 * multiply_add(cos_theta, phi_dot, psi_dot);
             let sin_theta_theta_dot = sin_theta * theta_dot;
+            let vel_1 = 2.0 * cos_theta * i1_sin_theta * phi_dot * theta_dot;
             let acc_0 = multiply_add(-phi_dot, sin_theta_theta_dot, psi_ddot);
             let acc_1 = i3 * multiply_add(cos_theta, phi_ddot, acc_0);
-            let vel_0 = i3 * multiply_add(cos_theta, phi_dot, psi_dot);
             let sin_theta_sq = sin_theta * sin_theta;
             let pivot_0 = i1 * sin_theta_sq;
-            let i1_sin_theta = i1 * sin_theta;
-            let vel_1 = 2.0 * cos_theta * i1_sin_theta * phi_dot * theta_dot;
             let acc_2 = multiply_add(
-                -vel_0,
-                sin_theta_theta_dot,
-                multiply_add(pivot_0, phi_ddot, vel_1),
+                cos_theta,
+                acc_1,
+                multiply_add(-vel_0, sin_theta_theta_dot, vel_1),
             );
             let phi_dot_sq = phi_dot * phi_dot;
             let vel_2 = multiply_add(-m * h * g, sin_theta, sin_theta * phi_dot * vel_0);
             let vel_3 = multiply_add(-cos_theta * i1_sin_theta, phi_dot_sq, vel_2);
             [
-                multiply_add(cos_theta, acc_1, acc_2),
+                multiply_add(pivot_0, phi_ddot, acc_2),
                 multiply_add(i1, theta_ddot, vel_3),
                 acc_1,
             ]

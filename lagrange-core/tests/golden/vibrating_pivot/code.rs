@@ -74,12 +74,15 @@ const _: () = {
             let [theta_dot] = *v;
             let (sin_theta, cos_theta) = sin_cos(theta);
             let theta_dot_sq = theta_dot * theta_dot;
-            let vel_0 = m
-                * multiply_add(-l * cos_theta, theta_dot_sq, a * w * w * cos(w * t));
-            let vel_1 = l * sin_theta * multiply_add(-m, g, vel_0);
-            let forcing_0 = multiply_add(
-                l * m * l * cos_theta * sin_theta,
+            let vel_0 = multiply_add(
+                -l * cos_theta,
                 theta_dot_sq,
+                a * w * w * cos(w * t),
+            );
+            let vel_1 = l * m * l * cos_theta * sin_theta * theta_dot_sq;
+            let forcing_0 = multiply_add(
+                -l * sin_theta,
+                multiply_add(-m, vel_0, m * g),
                 vel_1,
             );
             [forcing_0]
@@ -93,10 +96,10 @@ const _: () = {
             let Self { m, l, a, w, .. } = *self;
             let [theta] = *q;
             let [theta_dot] = *v;
-            let l_m = l * m;
             let (sin_theta, cos_theta) = sin_cos(theta);
-            let x_dot = l * cos_theta * theta_dot;
             let y_dot = multiply_add(-a * w, sin(w * t), l * sin_theta * theta_dot);
+            let l_m = l * m;
+            let x_dot = l * cos_theta * theta_dot;
             [multiply_add(l_m * cos_theta, x_dot, l_m * sin_theta * y_dot)]
         }
         /// Kinetic energy T.
@@ -109,8 +112,8 @@ const _: () = {
             let [theta] = *q;
             let [theta_dot] = *v;
             let (sin_theta, cos_theta) = sin_cos(theta);
-            let y_dot = multiply_add(-a * w, sin(w * t), l * sin_theta * theta_dot);
             let x_dot = l * cos_theta * theta_dot;
+            let y_dot = multiply_add(-a * w, sin(w * t), l * sin_theta * theta_dot);
             0.5 * m * multiply_add(y_dot, y_dot, x_dot * x_dot)
         }
         /// Potential energy V.
@@ -133,13 +136,13 @@ const _: () = {
             let Self { m, l, a, w, g } = *self;
             let [theta] = *q;
             let [theta_dot] = *v;
-            let l_m = l * m;
             let (sin_theta, cos_theta) = sin_cos(theta);
             let l_cos_theta = l * cos_theta;
             let x_dot = l_cos_theta * theta_dot;
-            let (sin_0, cos_0) = sin_cos(w * t);
-            let y_dot = multiply_add(-a * w, sin_0, l * sin_theta * theta_dot);
-            let y = multiply_add(a, cos_0, -l_cos_theta);
+            let (sin_w_t, cos_w_t) = sin_cos(w * t);
+            let y_dot = multiply_add(-a * w, sin_w_t, l * sin_theta * theta_dot);
+            let y = multiply_add(a, cos_w_t, -l_cos_theta);
+            let l_m = l * m;
             let vel_0 = multiply_add(
                 -0.5 * m,
                 multiply_add(y_dot, y_dot, x_dot * x_dot),
