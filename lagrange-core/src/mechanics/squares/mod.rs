@@ -6,6 +6,8 @@
 
 mod back;
 mod composition;
+mod frame;
+mod guard;
 mod rotation;
 
 use std::collections::BTreeSet;
