@@ -328,3 +328,6 @@ impl<'g> Elimination<'g> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
