@@ -29,6 +29,7 @@ const FAST: [&str; 2] = [
     "  in `f64` each is within 0.9 units in the last place.",
 ];
 const STRICT: &str = "- Accuracy: `strict`. Of equal ways the one that cancels least.";
+const NO_SQUARES: &str = "the kinetic energy is no sum of squares";
 const TOO_LONG: &str =
     "M q̈ = f, too long to be written out; `mass_matrix` and `forcing` compute the two sides.";
 
@@ -220,9 +221,11 @@ fn road_text(equations: &Equations) -> String {
     };
     let others = costs.iter().filter(|(road, _)| *road != equations.road);
     let others = others.map(|(road, cost)| format!("{} {cost}", road_name(*road)));
-    let others = others.collect::<Vec<_>>().join(", ");
+    let no_squares = (!equations.is_sum_of_squares).then(|| NO_SQUARES.to_owned());
+    let others = others.chain(no_squares).collect::<Vec<_>>().join(", ");
     match costs.iter().find(|(road, _)| *road == equations.road) {
-        Some((_, cost)) if !others.is_empty() => format!("{taken} (counted cost {cost}; {others})"),
+        Some((_, cost)) if costs.len() > 1 => format!("{taken} (counted cost {cost}; {others})"),
+        _ if !others.is_empty() => format!("{taken} ({others})"),
         _ => taken.to_owned(),
     }
 }

@@ -63,6 +63,8 @@ pub struct Equations {
     pub accelerations: Vec<ExprId>,
     /// How they are computed.
     pub road: Road,
+    /// Whether the road over squares was open: whatever is quadratic in the velocities is a sum of squares of rates.
+    pub is_sum_of_squares: bool,
     /// The counted cost of each road, as far as it was tried: dense, recursive, squares.
     pub costs: [Option<f64>; 3],
     /// M, in rows.
@@ -125,6 +127,7 @@ impl Equations {
         let mut equations = Equations {
             accelerations: solution.accelerations,
             road,
+            is_sum_of_squares: !split.has_other_inertia,
             costs,
             mass_matrix,
             forcing,

@@ -47,6 +47,27 @@ fn equations_read_like_those_of_a_textbook() {
 }
 
 #[test]
+fn the_documentation_says_which_road_was_taken_and_which_was_closed() {
+    let coupled = |inertia: &str| {
+        let text =
+            format!("coord x, y; let a = x + sin(y); kinetic = 1/2*dot(x)^2 + {inertia}; potential = x*y;");
+        let documentation = |text: &str| derived(text).documentation().join("\n");
+        [documentation(&text), documentation(&format!("#[accuracy(strict)] struct System; {text}"))]
+    };
+    let kept = "eliminated body by body, the kinetic energy kept a sum of squares";
+    let closed = "the kinetic energy is no sum of squares";
+    let [standard, strict] = coupled("1/2*dot(a)^2 + 1/2*dot(y)^2");
+    assert!(standard.contains("sum of squares ") && !standard.contains(closed), "{standard}");
+    assert!(strict.contains(kept), "{strict}");
+    let [standard, strict] = coupled("1/3*dot(x)*dot(a) + dot(y)^2");
+    assert!(
+        standard.contains(&format!("; {closed})")) || standard.contains(&format!(", {closed})")),
+        "{standard}"
+    );
+    assert!(strict.contains(&format!("the mass matrix is factorised ({closed})")), "{strict}");
+}
+
+#[test]
 fn numbers_that_double_in_length_are_refused_before_they_fill_the_memory() {
     let mut text = "coord x; const c0 = 3;".to_owned();
     for i in 0..40 {

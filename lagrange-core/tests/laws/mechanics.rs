@@ -289,15 +289,16 @@ fn squares_that_lose_an_unknown_somewhere_do_no_harm() {
     let rising = "param l = 0.3; coord a, b;
         let p = (l*sin(a), -l*cos(a), 0);
         let q = p + (l*cos(b)*sin(a), -l*cos(b)*cos(a), l*sin(b));
-        kinetic = kinetic_energy(1, dot(p)) + kinetic_energy(2, dot(q)); potential = 9.81*q.y + q.z;";
+        kinetic = kinetic_energy(1, dot(p)) + kinetic_energy(2, dot(q));
+        kinetic = kinetic_energy(3, dot(q + (cos(a), sin(a), 1)/5)); potential = 9.81*q.y + q.z;";
     let swinging = "param l = 0.3; coord a, b;
         let p = (a, -l, a/2);
         let q = p + (l*sin(b), -l*cos(b), 0);
         kinetic = kinetic_energy(1, dot(p)) + kinetic_energy(1 + sin(b)^2, dot(q)); potential = 9.81*q.y + p.z;";
     for text in [rising, swinging] {
-        let level = Machine { text: text.to_owned(), t: 0.0, q: vec![0.0; 2], v: vec![0.5, -2.0] };
+        let machine = Machine { text: text.to_owned(), t: 0.0, q: vec![0.0; 2], v: vec![0.5, -2.0] };
         let roads = [Road::Dense, Road::Squares].map(RoadChoice::Always);
-        let [dense, squares] = roads.map(|road| Laboratory::new(&level, road).acceleration());
+        let [dense, squares] = roads.map(|road| Laboratory::new(&machine, road).acceleration());
         assert!(agree(&dense, &squares, ROUNDED_IN_TREES, 0.0), "{dense:?} or {squares:?}: {text}");
     }
 }
