@@ -9,7 +9,7 @@ use crate::calculus::evaluate;
 use crate::expr::{ExprId, Graph, Node, Relation};
 use crate::functions::{ROWS, apply};
 use crate::number::Number;
-use crate::program::{passes, run, verify};
+use crate::program::{optimise, passes, run, schedule, verify};
 use crate::symbol::Role;
 use crate::syntax::ast::Accuracy;
 
@@ -105,6 +105,21 @@ proptest! {
                 };
                 prop_assert!(same, "after {}: {program:?}", pass.name);
             }
+        }
+    }
+
+    /// `verify` finds operands that stand after their use.
+    #[test]
+    fn any_order_of_values_computes_the_same_bits(steps in steps()) {
+        let (mut graph, parameters, coordinates) = letters();
+        let outputs = build(&mut graph, &[parameters.as_slice(), &coordinates].concat(), &steps);
+        for program in [lowered(&graph, &outputs), optimise(&lowered(&graph, &outputs), Accuracy::Standard)] {
+            let ordered = schedule(&program);
+            prop_assert_eq!(verify(&ordered), Ok(()));
+            prop_assert_eq!(ordered.len(), program.len());
+            prop_assert_eq!(&schedule(&program), &ordered);
+            let [before, after] = [&program, &ordered].map(|program| run(program, |role| at(role, 0.0)));
+            prop_assert!(before.iter().zip(&after).all(same_bits), "{program:?} or {ordered:?}");
         }
     }
 }
