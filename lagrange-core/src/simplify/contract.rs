@@ -190,15 +190,26 @@ fn merge(a: &WaveProduct, b: &WaveProduct) -> Option<WaveProduct> {
         let count = |waves: &[Wave]| waves.iter().filter(|w| w == wave).count();
         count(&a.waves) > count(&common)
     })?;
+    let (waves, coefficient) = sum_to_product(x, y, &a.coefficient, a.coefficient != b.coefficient)?;
+    common.extend(waves.into_iter().filter(|wave| !wave.is_one()));
+    common.sort();
+    Some(WaveProduct { coefficient, waves: common })
+}
+
+/// cos a + cos b = 2 cos cos, cos a − cos b = −2 sin sin, sin a ± sin b = 2 sin cos, of (a + b)/2 and (a − b)/2.
+fn sum_to_product(
+    x: &Wave,
+    y: &Wave,
+    coefficient: &Number,
+    is_difference: bool,
+) -> Option<([Wave; 2], Number)> {
     if x.is_sine != y.is_sine {
         return None;
     }
-    let is_difference = a.coefficient != b.coefficient;
-    let half = Number::ratio(1, 2).unwrap_or(Number::ONE);
+    let half = Number::ratio(1, 2)?;
     let mean = x.angle.plus(&y.angle).scaled(&half);
     let spread = x.angle.minus(&y.angle).scaled(&half);
-    let twice = &Number::TWO * &a.coefficient;
-    // cos a + cos b = 2 cos cos, cos a − cos b = −2 sin sin, sin a ± sin b = 2 sin cos.
+    let twice = &Number::TWO * coefficient;
     let (mean_is_sine, spread_is_sine, sign) = match (x.is_sine, is_difference) {
         (false, false) => (false, false, twice),
         (false, true) => (true, true, -&twice),
@@ -207,9 +218,7 @@ fn merge(a: &WaveProduct, b: &WaveProduct) -> Option<WaveProduct> {
     };
     let (mean, sign) = Wave::signed(mean_is_sine, mean, sign);
     let (spread, coefficient) = Wave::signed(spread_is_sine, spread, sign);
-    common.extend([mean, spread].into_iter().filter(|wave| !wave.is_one()));
-    common.sort();
-    Some(WaveProduct { coefficient, waves: common })
+    Some(([mean, spread], coefficient))
 }
 
 fn build(

@@ -149,11 +149,7 @@ impl<'g> Elimination<'g> {
         let ways = self.ways_up(velocity);
         let unknown = ways.last().map_or(velocity, |way| way.whole);
         let mut expansions = self.composition.expand(&mut self.algebra, unknown);
-        let (touched, kept) = std::mem::take(&mut self.squares)
-            .into_iter()
-            .partition(|square| square.form.iter().any(|(id, _)| expansions.contains(id)));
-        self.squares = kept;
-        let touched: Vec<Square> = touched;
+        let touched = self.take_touched(&expansions);
         let ids = carrier_ids(&expansions, &touched);
         let scale = self.rescale(&mut expansions, &ids);
         self.draw_out_of_drifts(&mut expansions, &ids);
@@ -175,6 +171,14 @@ impl<'g> Elimination<'g> {
         self.steps.push(Step { velocity, unknown, ways, scale, pivot: pull.pivot, rule, expansions });
         self.add_squares(left);
         Some(())
+    }
+
+    /// Takes the squares that hold any of the variables.
+    fn take_touched(&mut self, expansions: &OrderedMap<ExprId, Expansion>) -> Vec<Square> {
+        let is_touched = |square: &Square| square.form.iter().any(|(id, _)| expansions.contains(id));
+        let (touched, kept) = std::mem::take(&mut self.squares).into_iter().partition(is_touched);
+        self.squares = kept;
+        touched
     }
 
     /// How the unknown follows from what is left. A load along it is passed on.
@@ -301,7 +305,7 @@ impl<'g> Elimination<'g> {
     /// Adds squares, those of the same form as one.
     fn add_squares(&mut self, squares: Vec<Square>) {
         for square in squares {
-            let square = self.primitive(square);
+            let square = self.primitive(&square);
             match self.squares.iter_mut().find(|present| present.form == square.form) {
                 Some(present) => {
                     let graph = &mut *self.algebra.graph;
@@ -317,7 +321,7 @@ impl<'g> Elimination<'g> {
     }
 
     /// The square with what its coefficients have in common moved into the weight.
-    fn primitive(&mut self, square: Square) -> Square {
+    fn primitive(&mut self, square: &Square) -> Square {
         let (content, form) = self.algebra.primitive(&square.form);
         let graph = &mut *self.algebra.graph;
         let squared = graph.square(content);

@@ -178,31 +178,49 @@ pub(super) fn eliminate(
         let left = moment.map(|moment| across(algebra, moment, squares, pull.pivot));
         return (pull, left.into_iter().collect());
     }
+    rotate(algebra, carriers, squares)
+}
+
+/// Rotates the unknown out of all squares but one.
+fn rotate(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -> (Pull, Vec<Square>) {
+    let (last, before) = match squares {
+        [before @ .., last] if !before.is_empty() => (last, before),
+        _ => return (pull(algebra, carriers, squares), Vec::new()),
+    };
     let mut left = Vec::new();
-    let mut kept = squares[0].clone();
+    let mut kept = before[0].clone();
     let mut is_certain = false;
-    for (n, square) in squares.iter().enumerate().skip(1) {
+    for square in &before[1..] {
         let pair = [kept, square.clone()];
-        let pull = pull(algebra, carriers, &pair);
-        let residual = residual(algebra, carriers, &pair, pull.pivot);
-        // That the last pivot vanishes means that the unknown has no inertia.
-        if n + 1 == squares.len() {
-            left.extend(residual);
-            return (pull, left);
-        }
-        let guard = Guard { pivot: pull.pivot };
-        let found = normalised(algebra, &pair, pull);
         is_certain |= pair.iter().any(|square| square.is_certain(algebra.graph));
-        is_certain |= never_vanishes(algebra.graph, guard.pivot);
-        if is_certain {
-            left.extend(residual);
-            kept = found;
-        } else {
-            left.push(guard.left(algebra, carriers, &pair[1], residual));
-            kept = guard.kept(algebra.graph, &pair[0], &found);
-        }
+        let (lost, found) = rotate_pair(algebra, carriers, &pair, &mut is_certain);
+        left.extend(lost);
+        kept = found;
     }
-    (pull(algebra, carriers, squares), left)
+    // That the last pivot vanishes means that the unknown has no inertia.
+    let pair = [kept, last.clone()];
+    let pull = pull(algebra, carriers, &pair);
+    left.extend(residual(algebra, carriers, &pair, pull.pivot));
+    (pull, left)
+}
+
+/// The square that loses the unknown and the one that keeps it, with a guard unless the pivot is certain not to vanish.
+fn rotate_pair(
+    algebra: &mut Algebra<'_>,
+    carriers: &Carriers,
+    pair: &[Carried; 2],
+    is_certain: &mut bool,
+) -> (Option<Square>, Carried) {
+    let pull = pull(algebra, carriers, pair);
+    let lost = residual(algebra, carriers, pair, pull.pivot);
+    let kept = normalised(algebra, pair, &pull);
+    *is_certain |= never_vanishes(algebra.graph, pull.pivot);
+    if *is_certain {
+        return (lost, kept);
+    }
+    let guard = Guard { pivot: pull.pivot };
+    let lost = guard.left(algebra, carriers, &pair[1], lost);
+    (Some(lost), guard.kept(algebra.graph, &pair[0], &kept))
 }
 
 fn pull(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -> Pull {
@@ -280,9 +298,26 @@ fn minor(algebra: &mut Algebra<'_>, (k, l): (usize, usize), a: &Carried, b: &Car
 fn residual(
     algebra: &mut Algebra<'_>,
     carriers: &Carriers,
-    [a, b]: &[Carried; 2],
+    pair: &[Carried; 2],
     pivot: ExprId,
 ) -> Option<Square> {
+    let (form, drift) = difference(algebra, carriers, pair);
+    if form.is_empty() {
+        return None;
+    }
+    let [a, b] = pair;
+    let weights = algebra.graph.multiply(a.weight, b.weight);
+    let weight = simplify::quotient(algebra.graph, weights, pivot);
+    let arms = [(b.linear, a.weight, a.arm, Number::ONE), (a.linear, b.weight, b.arm, Number::MINUS_ONE)];
+    let load = algebra.weighted(&arms);
+    let load = algebra.graph.divide(load, pivot);
+    let drift = algebra.graph.multiply(weight, drift);
+    let linear = algebra.total(vec![(load, Number::ONE), (drift, Number::ONE)]);
+    Some(Square { weight, linear, form })
+}
+
+/// a₁ p₂ − a₂ p₁ by way of the moments: the form and its drift.
+fn difference(algebra: &mut Algebra<'_>, carriers: &Carriers, [a, b]: &[Carried; 2]) -> (LinearForm, ExprId) {
     let mut coefficients: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
     let mut drifts = Vec::new();
     for moment in &carriers.moments {
@@ -301,23 +336,11 @@ fn residual(
             coefficients.entry(variable).or_default().push((arm, coefficient, sign.clone()));
         }
     }
-    let form = algebra.form_of_products(coefficients);
-    if form.is_empty() {
-        return None;
-    }
-    let weights = algebra.graph.multiply(a.weight, b.weight);
-    let weight = simplify::quotient(algebra.graph, weights, pivot);
-    let arms = [(b.linear, a.weight, a.arm, Number::ONE), (a.linear, b.weight, b.arm, Number::MINUS_ONE)];
-    let load = algebra.weighted(&arms);
-    let load = algebra.graph.divide(load, pivot);
-    let drift = algebra.products(&drifts);
-    let drift = algebra.graph.multiply(weight, drift);
-    let linear = algebra.total(vec![(load, Number::ONE), (drift, Number::ONE)]);
-    Some(Square { weight, linear, form })
+    (algebra.form_of_products(coefficients), algebra.products(&drifts))
 }
 
 /// The square of a rotation that has kept the unknown, with the coefficient one.
-fn normalised(algebra: &mut Algebra<'_>, pair: &[Carried; 2], pull: Pull) -> Carried {
+fn normalised(algebra: &mut Algebra<'_>, pair: &[Carried; 2], pull: &Pull) -> Carried {
     let mut divided = |value: ExprId| simplify::quotient(algebra.graph, value, pull.pivot);
     let carriers = pull.carriers.iter().map(|&value| divided(value)).collect();
     let others = pull.others.iter().map(|&(variable, value)| (variable, divided(value))).collect();
