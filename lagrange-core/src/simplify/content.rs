@@ -1,5 +1,6 @@
 //! What several expressions have in common as a factor.
 
+use super::cancel::quotient;
 use super::monomial::Monomial;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
@@ -32,4 +33,19 @@ pub fn content(graph: &mut Graph, expressions: &[ExprId]) -> (ExprId, Vec<ExprId
     });
     let rest = rest.collect();
     (graph.scale(first, common_core), rest)
+}
+
+/// `numerator / denominator`, unless that divides by something that changes during the motion, which may be zero
+/// somewhere.
+pub fn safe_quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Option<ExprId> {
+    let found = quotient(graph, numerator, denominator);
+    let (_, core) = graph.split_coefficient(found);
+    let flat = Monomial::of(graph, core, MOST_FACTORS)?;
+    let (_, core) = graph.split_coefficient(denominator);
+    let divisor = Monomial::of(graph, core, MOST_FACTORS)?;
+    let is_divided = |(base, _): &(ExprId, Number)| {
+        let is_below = flat.exponent(*base).is_some_and(Number::is_negative);
+        is_below && !graph.dependencies(*base).is_constant_in_motion()
+    };
+    (!divisor.factors().iter().any(is_divided)).then_some(found)
 }

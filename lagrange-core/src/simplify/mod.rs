@@ -31,7 +31,7 @@ mod waves;
 pub use angle::Angles;
 pub use cancel::quotient;
 pub use collect::collect;
-pub use content::content;
+pub use content::{content, safe_quotient};
 pub use contract::{contract, contract_all};
 pub use open::{count_opened, factors_to_open, is_no_difference, open};
 pub use present::{multiply_out, present, present_all, proves_zero};

@@ -1,2 +1,3 @@
 mod presentation;
 mod rules;
+mod waves;

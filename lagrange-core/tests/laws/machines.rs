@@ -71,6 +71,13 @@ pub(crate) struct Machine {
     pub(crate) v: Vec<f64>,
 }
 
+impl Machine {
+    /// The same machine under the level of accuracy `strict`.
+    pub(crate) fn strict(&self) -> Machine {
+        Machine { text: format!("#[accuracy(strict)] struct Machine;\n{}", self.text), ..self.clone() }
+    }
+}
+
 /// A body: its parent, joint, inertia, mass and length in tenths, and what acts on it.
 #[derive(Clone, Debug)]
 struct Body {

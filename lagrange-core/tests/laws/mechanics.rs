@@ -10,15 +10,19 @@ use lagrange_core::symbol::Role;
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
 
 use crate::machines::{Machine, machines};
+use crate::trees::trees;
 
 /// Bounds the error of fourth-order finite differences and of their use in sums.
 const DIFFERENCED: f64 = 1e-6;
 /// Bounds rounding in differently ordered sums and eliminations.
 const ROUNDED: f64 = 1e-9;
+/// The same for trees of well-conditioned bodies.
+const ROUNDED_IN_TREES: f64 = 1e-11;
 
 /// A machine's model beside what was derived from it, at its state.
 struct Laboratory {
     model: Model,
+    road: Road,
     derived: NumericSystem,
     t: f64,
     q: Vec<f64>,
@@ -31,7 +35,8 @@ impl Laboratory {
         let model = system.model.clone();
         let derived = system.derive(choice).unwrap_or_else(|report| panic!("{report}"));
         let Machine { t, q, v, .. } = machine.clone();
-        Laboratory { model, derived: NumericSystem::new(&derived), t, q, v }
+        let road = derived.equations.road;
+        Laboratory { model, road, derived: NumericSystem::new(&derived), t, q, v }
     }
 
     fn size(&self) -> usize {
@@ -195,6 +200,25 @@ proptest! {
         prop_assert!(agree(&dense, &recursive, ROUNDED, 0.0), "{dense:?} or {recursive:?}");
     }
 
+    #[test]
+    fn the_strict_level_leads_to_the_same_accelerations(machine in machines()) {
+        let dense = Laboratory::new(&machine, RoadChoice::Always(Road::Dense)).acceleration();
+        let strict = Laboratory::new(&machine.strict(), RoadChoice::Cheapest).acceleration();
+        prop_assert!(agree(&dense, &strict, ROUNDED, 0.0), "{dense:?} or {strict:?}");
+    }
+
+    #[test]
+    fn sums_of_squares_lead_to_the_same_accelerations(tree in trees()) {
+        let dense = Laboratory::new(&tree, RoadChoice::Always(Road::Dense)).acceleration();
+        let squares = RoadChoice::Always(Road::Squares);
+        for machine in [tree.strict(), tree] {
+            let laboratory = Laboratory::new(&machine, squares);
+            prop_assert_eq!(laboratory.road, Road::Squares);
+            let found = laboratory.acceleration();
+            prop_assert!(agree(&dense, &found, ROUNDED_IN_TREES, 0.0), "{dense:?} or {found:?}");
+        }
+    }
+
     /// dh/dt = v·Q − ∂L/∂t
     #[test]
     fn energy_changes_by_power_and_by_explicit_time(machine in machines()) {
@@ -256,5 +280,24 @@ proptest! {
         let bias = laboratory.product(Product::Bias);
         let rest = applied.iter().zip(&forcing).map(|(applied, f)| applied - f).collect::<Vec<_>>();
         prop_assert!(agree(&bias, &rest, DIFFERENCED, 0.0), "{bias:?} for {rest:?}");
+    }
+}
+
+/// Configurations in which single squares do not hold an unknown that others hold.
+#[test]
+fn squares_that_lose_an_unknown_somewhere_do_no_harm() {
+    let rising = "param l = 0.3; coord a, b;
+        let p = (l*sin(a), -l*cos(a), 0);
+        let q = p + (l*cos(b)*sin(a), -l*cos(b)*cos(a), l*sin(b));
+        kinetic = kinetic_energy(1, dot(p)) + kinetic_energy(2, dot(q)); potential = 9.81*q.y + q.z;";
+    let swinging = "param l = 0.3; coord a, b;
+        let p = (a, -l, a/2);
+        let q = p + (l*sin(b), -l*cos(b), 0);
+        kinetic = kinetic_energy(1, dot(p)) + kinetic_energy(1 + sin(b)^2, dot(q)); potential = 9.81*q.y + p.z;";
+    for text in [rising, swinging] {
+        let level = Machine { text: text.to_owned(), t: 0.0, q: vec![0.0; 2], v: vec![0.5, -2.0] };
+        let roads = [Road::Dense, Road::Squares].map(RoadChoice::Always);
+        let [dense, squares] = roads.map(|road| Laboratory::new(&level, road).acceleration());
+        assert!(agree(&dense, &squares, ROUNDED_IN_TREES, 0.0), "{dense:?} or {squares:?}: {text}");
     }
 }

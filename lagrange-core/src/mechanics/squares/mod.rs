@@ -6,6 +6,8 @@
 
 mod back;
 mod composition;
+mod frame;
+mod guard;
 mod rotation;
 
 use std::collections::BTreeSet;
@@ -326,3 +328,6 @@ impl<'g> Elimination<'g> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

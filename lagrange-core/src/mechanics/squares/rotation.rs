@@ -25,7 +25,8 @@
 use std::collections::BTreeMap;
 
 use super::composition::Expansion;
-use crate::expr::ExprId;
+use super::guard::{Guard, never_vanishes};
+use crate::expr::{ExprId, Graph};
 use crate::mechanics::algebra::{Algebra, LinearForm};
 use crate::number::Number;
 use crate::simplify;
@@ -115,6 +116,33 @@ impl Carriers {
         let arm = algebra.products(&arm);
         Carried { weight: square.weight, linear: square.linear, arm, carriers, others }
     }
+
+    /// The square written in what is left when the unknown is gone.
+    pub(super) fn without_unknown(&self, algebra: &mut Algebra<'_>, square: &Carried) -> Square {
+        let one = algebra.graph.number(1);
+        let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
+        let mut drifts = Vec::new();
+        for (&coefficient, expansion) in square.carriers.iter().zip(&self.expansions) {
+            for &(part, slope) in &expansion.rest {
+                form.entry(part).or_default().push((coefficient, slope, Number::ONE));
+            }
+            drifts.push((coefficient, expansion.drift, Number::ONE));
+        }
+        for &(variable, coefficient) in &square.others {
+            form.entry(variable).or_default().push((coefficient, one, Number::ONE));
+        }
+        let drift = algebra.products(&drifts);
+        let drift = algebra.graph.multiply(square.weight, drift);
+        let linear = algebra.graph.add(square.linear, drift);
+        Square { weight: square.weight, linear, form: algebra.form_of_products(form) }
+    }
+}
+
+impl Carried {
+    /// Whether the square holds the unknown in every configuration.
+    fn is_certain(&self, graph: &Graph) -> bool {
+        never_vanishes(graph, self.weight) && never_vanishes(graph, self.arm)
+    }
 }
 
 /// t_k y′_l − t_l y′_k
@@ -128,9 +156,11 @@ fn moment(algebra: &mut Algebra<'_>, pair: (usize, usize), a: &Expansion, b: &Ex
     }
     let drift = algebra.products(&[(a.slope, b.drift, Number::ONE), (b.slope, a.drift, Number::MINUS_ONE)]);
     let form = algebra.form_of_products(slopes);
-    let (content, form) = algebra.primitive(&form);
-    let drift = simplify::quotient(algebra.graph, drift, content);
-    Moment { pair, content, form, drift }
+    let (content, primitive) = algebra.primitive(&form);
+    match simplify::safe_quotient(algebra.graph, drift, content) {
+        Some(drift) => Moment { pair, content, form: primitive, drift },
+        None => Moment { pair, content: algebra.graph.number(1), form, drift },
+    }
 }
 
 /// Eliminates the unknown; returns what it depends on and the squares that are left.
@@ -150,14 +180,27 @@ pub(super) fn eliminate(
     }
     let mut left = Vec::new();
     let mut kept = squares[0].clone();
+    let mut is_certain = false;
     for (n, square) in squares.iter().enumerate().skip(1) {
-        let pair = [kept.clone(), square.clone()];
+        let pair = [kept, square.clone()];
         let pull = pull(algebra, carriers, &pair);
-        left.extend(residual(algebra, carriers, &pair, pull.pivot));
+        let residual = residual(algebra, carriers, &pair, pull.pivot);
+        // That the last pivot vanishes means that the unknown has no inertia.
         if n + 1 == squares.len() {
+            left.extend(residual);
             return (pull, left);
         }
-        kept = normalised(algebra, &pair, pull);
+        let guard = Guard { pivot: pull.pivot };
+        let found = normalised(algebra, &pair, pull);
+        is_certain |= pair.iter().any(|square| square.is_certain(algebra.graph));
+        is_certain |= never_vanishes(algebra.graph, guard.pivot);
+        if is_certain {
+            left.extend(residual);
+            kept = found;
+        } else {
+            left.push(guard.left(algebra, carriers, &pair[1], residual));
+            kept = guard.kept(algebra.graph, &pair[0], &found);
+        }
     }
     (pull(algebra, carriers, squares), left)
 }
@@ -298,60 +341,5 @@ impl Pull {
         }
         let form = algebra.form_of_products(form);
         form.iter().map(|&(id, value)| (id, simplify::quotient(algebra.graph, value, self.pivot))).collect()
-    }
-}
-
-/// Two carriers that the unknown moves along a unit vector t, as the end of a rod.
-///
-/// Written in the frame of t, y = tangential·t + normal·(−t₁, t₀), only the tangential component is free:
-/// D·tangential = −Σ wᵢ aᵢ eᵢ · normal − load, where eᵢ are the coefficients of the squares along the normal. No
-/// component is a small difference of large ones, as the Cartesian ones may be.
-pub(super) struct Frame {
-    pub(super) carriers: [(ExprId, Expansion); 2],
-    /// Σ wᵢ aᵢ eᵢ / D
-    pub(super) bend: ExprId,
-}
-
-impl Carriers {
-    /// The frame in which to write the accelerations of two carriers, if the unknown moves them by a unit vector.
-    pub(super) fn frame(
-        &self,
-        algebra: &mut Algebra<'_>,
-        squares: &[Carried],
-        pivot: ExprId,
-    ) -> Option<Frame> {
-        let ([x, y], [a, b]) = (self.ids.as_slice(), self.expansions.as_slice()) else { return None };
-        let length = [a, b].map(|e| (e.slope, e.slope, Number::ONE));
-        let length = algebra.products(&length);
-        if !algebra.graph.is_one(length) || squares.iter().any(|square| !square.others.is_empty()) {
-            return None;
-        }
-        let arms = squares.iter().map(|square| {
-            let along_normal = algebra.products(&[
-                (a.slope, square.carriers[1], Number::ONE),
-                (b.slope, square.carriers[0], Number::MINUS_ONE),
-            ]);
-            (square.weight, square.arm, along_normal, Number::ONE)
-        });
-        let arms = arms.collect::<Vec<_>>();
-        let arm = algebra.weighted(&arms);
-        let bend = simplify::quotient(algebra.graph, arm, pivot);
-        Some(Frame { carriers: [(*x, a.clone()), (*y, b.clone())], bend })
-    }
-}
-
-impl Frame {
-    /// The unknown as −Σ factor · variable, but for drift and load: the tangential component less t·y′.
-    pub(super) fn factors(&self, algebra: &mut Algebra<'_>) -> LinearForm {
-        let [(_, a), (_, b)] = &self.carriers;
-        let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
-        for (this, other, sign) in [(a, b, Number::MINUS_ONE), (b, a, Number::ONE)] {
-            let turned = algebra.graph.multiply(self.bend, other.slope);
-            let direction = algebra.total(vec![(this.slope, Number::ONE), (turned, sign)]);
-            for &(part, slope) in &this.rest {
-                form.entry(part).or_default().push((direction, slope, Number::ONE));
-            }
-        }
-        algebra.form_of_products(form)
     }
 }

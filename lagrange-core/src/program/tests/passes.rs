@@ -98,3 +98,16 @@ fn values_are_computed_close_to_their_use() {
     assert_eq!(kinds(&program), ["add", "other", "add", "multiply"]);
     assert_eq!(schedule(&program), program);
 }
+
+/// c·d waits for nothing, sin(a·b) for a product: that comes first, and the other stands where it is needed.
+#[test]
+fn what_waits_longest_is_computed_first() {
+    let (mut g, [a, b, c, d], _) = letters();
+    let angle = g.multiply(a, b);
+    let late = apply(&mut g, Function::Sin, &[angle]);
+    let early = g.multiply(c, d);
+    for sum in [g.add(early, late), g.add(late, early)] {
+        let program = schedule(&lowered(&g, &[sum]));
+        assert_eq!(kinds(&program), ["multiply", "other", "multiply", "add"]);
+    }
+}
