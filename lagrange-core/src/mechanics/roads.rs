@@ -31,7 +31,7 @@ pub enum Road {
 }
 
 impl Road {
-    /// Every road, in the order of [`Equations::costs`].
+    /// Every road, in the order of [`Equations::costs`](super::Equations::costs).
     pub const ALL: [Road; 3] = [Road::Dense, Road::Recursive, Road::Squares];
 }
 

@@ -111,6 +111,37 @@ fn lagrangians_of_products_of_velocities_are_solved() {
     }
 }
 
+/// Three massless velocities move two points that are on a line with them: something moves nothing.
+#[test]
+fn what_no_square_moves_is_refused_at_every_level() {
+    for level in Accuracy::ALL {
+        let text = format!(
+            "#[accuracy({})] struct Rods; param m = 1, l = 1, s = 2; coord a, b, d;
+            let x0 = 2 * sin(a - b); let x1 = x0 + (l + s) * sin(d - b);
+            kinetic = 1/2 * m * (dot(x0)^2 + dot(x1)^2);",
+            level.name()
+        );
+        let refused = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+        let report = refused.expect_err("two squares cannot hold three velocities").to_string();
+        assert!(report.contains("singular"), "{report}");
+    }
+}
+
+/// ½ m (ẋ + ẏ)² − ½ m (ẋ − ẏ)² = 2 m ẋ ẏ
+#[test]
+fn squares_of_both_signs_are_no_obstacle_at_any_level() {
+    for level in Accuracy::ALL {
+        let text = format!(
+            "#[accuracy({})] struct Product; param m = 2; coord x, y;
+            kinetic = 1/2 * m * (dot(x) + dot(y))^2 - 1/2 * m * (dot(x) - dot(y))^2; force x = 1; force y = 3;",
+            level.name()
+        );
+        let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+        let system = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
+        assert_eq!(system.acceleration(0.0, &[0.1, 0.2], &[0.0; 2]), [0.75, 0.25]);
+    }
+}
+
 /// Every step is about linear in the declaration: a quadratic one would take minutes here.
 #[test]
 fn twenty_thousand_terms_are_derived_and_emitted() {
