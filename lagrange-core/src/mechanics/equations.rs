@@ -53,6 +53,8 @@ pub enum RoadChoice {
     Cheapest,
     /// This one; the dense one instead of squares where the kinetic energy is no sum of squares.
     Always(Road),
+    /// Squares, if the kinetic energy is a sum of them, with sums simplified in this way.
+    Squares(Sums),
 }
 
 /// The equations of motion and what else a model was asked for. Products that are not wanted are `None` and
@@ -174,7 +176,7 @@ struct Roads<'a> {
 impl Roads<'_> {
     fn solve(mut self, choice: RoadChoice) -> Result<Solved, SingularMassMatrix> {
         let choice = match choice {
-            RoadChoice::Always(Road::Squares) if self.split.has_other_inertia => {
+            RoadChoice::Always(Road::Squares) | RoadChoice::Squares(_) if self.split.has_other_inertia => {
                 RoadChoice::Always(Road::Dense)
             }
             RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
@@ -188,9 +190,10 @@ impl Roads<'_> {
         for (n, road) in Road::ALL.into_iter().enumerate().rev() {
             let is_wanted = match choice {
                 RoadChoice::Always(only) => only == road,
+                RoadChoice::Squares(_) => road == Road::Squares,
                 RoadChoice::Cheapest => road != Road::Dense || best.is_none() || !self.is_large(),
             };
-            let Some(solution) = is_wanted.then(|| self.take(road)).flatten() else { continue };
+            let Some(solution) = is_wanted.then(|| self.take(road, choice)).flatten() else { continue };
             let cost = cost(&self.model.graph, &solution.accelerations);
             costs[n] = Some(cost);
             if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
@@ -211,13 +214,16 @@ impl Roads<'_> {
         count > LARGEST_TRIAL && self.pushed.is_mostly_full(count)
     }
 
-    fn take(&mut self, road: Road) -> Option<Solution> {
+    fn take(&mut self, road: Road, choice: RoadChoice) -> Option<Solution> {
         let velocities = self.model.velocities();
         match road {
             Road::Dense => self.factorised(&velocities),
             Road::Recursive => solve_recursive(&mut self.model.graph, self.form.clone(), &velocities),
             Road::Squares if self.split.has_other_inertia => None,
             Road::Squares => {
+                if let RoadChoice::Squares(sums) = choice {
+                    return self.squares(sums, &velocities);
+                }
                 let contracted = self.squares(Sums::Contracted, &velocities);
                 if self.model.accuracy == Accuracy::Strict {
                     return contracted;

@@ -24,6 +24,7 @@ mod squares;
 mod structure;
 mod sweep;
 
+pub use algebra::Sums;
 pub use elaborate::elaborate;
 pub use equations::{Equations, Road, RoadChoice, SingularMassMatrix};
 pub use model::{Coordinate, Energies, Load, Model, Output, Parameter, Product};
