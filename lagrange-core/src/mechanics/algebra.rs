@@ -12,6 +12,8 @@ pub(super) type LinearForm = Vec<(ExprId, ExprId)>;
 
 /// Products of sums are multiplied out up to this many terms.
 const MOST_OPENED: usize = 16;
+/// Factors nested deeper than this are not counted apart.
+const DEEPEST_COUNTED: usize = 4;
 
 /// How sums are simplified.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -94,7 +96,22 @@ impl<'g> Algebra<'g> {
         let before = opened.len();
         let opened = self.simplified(opened);
         let has_shrunk = self.terms(opened) < before;
-        if has_shrunk && self.terms(opened) <= self.terms(closed) { opened } else { closed }
+        let is_short = self.terms(opened) <= self.terms(closed)
+            || self.factors(opened, DEEPEST_COUNTED) < self.factors(closed, DEEPEST_COUNTED);
+        if has_shrunk && is_short { opened } else { closed }
+    }
+
+    /// The number of factors in all terms, down to a depth.
+    fn factors(&self, id: ExprId, depth: usize) -> usize {
+        match self.graph.node(id) {
+            Node::Sum { terms, .. } if depth > 0 => {
+                terms.iter().map(|(term, _)| self.factors(*term, depth - 1)).sum()
+            }
+            Node::Product(factors) if depth > 0 => {
+                factors.iter().map(|(base, _)| self.factors(*base, depth - 1)).sum()
+            }
+            _ => 1,
+        }
     }
 
     fn multiply_out(&mut self, a: ExprId, b: ExprId, scale: &Number, terms: &mut Vec<(ExprId, Number)>) {

@@ -14,7 +14,7 @@ use crate::number::Number;
 use crate::simplify;
 
 /// More coordinates are factorised without looking for what cancels: the search in each entry would take too long.
-const MOST_CONTRACTED: usize = 8;
+pub(super) const MOST_CONTRACTED: usize = 8;
 /// Expressions made of more are left as they are.
 const LARGEST_OPENED: usize = 300;
 /// How many sums in one expression are opened one after the other.

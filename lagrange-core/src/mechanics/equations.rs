@@ -1,16 +1,12 @@
 //! What is derived from a model.
 
-use std::fmt;
-
-use super::algebra::Sums;
-use super::contracted::{contracted, solve_contracted};
+use super::contracted::contracted;
 use super::cost::cost;
 use super::form::QuadraticForm;
-use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form, loads_beside_squares};
-use super::messages;
+use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
 use super::model::{Energies, Model, Product};
-use super::solve::{Solution, push_down, solve_dense, solve_recursive};
-use super::squares::solve_squares;
+use super::roads::{Road, RoadChoice, Roads, SingularMassMatrix};
+use super::solve::{Solution, push_down, solve_dense};
 use super::structure::{Structure, vanishing};
 use crate::calculus::{AccelerationTerms, gradient, homogeneity};
 use crate::expr::{ExprId, Graph, Node};
@@ -18,44 +14,12 @@ use crate::number::Number;
 use crate::simplify::{self, Angles};
 use crate::syntax::ast::Accuracy;
 
-/// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
-/// the factorisation down would be all that the trial finds.
-const LARGEST_TRIAL: usize = 40;
-
 /// Systems with more coordinates are not multiplied out on trial.
 const MOST_MULTIPLIED_OUT: usize = 4;
 /// The same for systems made of more expressions.
 const LARGEST_MULTIPLIED_OUT: usize = 300;
 /// Monomials up to which coefficients are multiplied out.
 const MULTIPLYING_BUDGET: usize = 60;
-
-/// How the accelerations are computed.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Road {
-    /// The mass matrix is formed and factorised.
-    Dense,
-    /// Coordinates are eliminated body by body; the mass matrix is never formed.
-    Recursive,
-    /// The same, with the kinetic energy kept a sum of squares: no coefficient of it is ever subtracted from.
-    Squares,
-}
-
-impl Road {
-    /// Every road, in the order of [`Equations::costs`].
-    pub const ALL: [Road; 3] = [Road::Dense, Road::Recursive, Road::Squares];
-}
-
-/// Which road to take.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub enum RoadChoice {
-    /// The one with the lower counted cost.
-    #[default]
-    Cheapest,
-    /// This one; the dense one instead of squares where the kinetic energy is no sum of squares.
-    Always(Road),
-    /// Squares, if the kinetic energy is a sum of them, with sums simplified in this way.
-    Squares(Sums),
-}
 
 /// The equations of motion and what else a model was asked for. Products that are not wanted are `None` and
 /// have not been derived; the two sides of M q̈ = f come with the accelerations.
@@ -85,25 +49,6 @@ pub struct Equations {
     pub structure: Structure,
     /// Names for intermediate results, in the order of preference.
     pub labels: Vec<(ExprId, String)>,
-}
-
-/// The mass matrix is singular whatever the values of the parameters.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct SingularMassMatrix;
-
-impl fmt::Display for SingularMassMatrix {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(messages::SINGULAR_MASS_MATRIX)
-    }
-}
-
-impl std::error::Error for SingularMassMatrix {}
-
-impl SingularMassMatrix {
-    /// What to do about it.
-    pub fn help(self) -> &'static str {
-        messages::SINGULAR_HELP
-    }
 }
 
 impl Equations {
@@ -159,98 +104,6 @@ impl Equations {
         let exprs = places.iter().map(|place| **place).collect::<Vec<_>>();
         let contracted = simplify::contract_all(&mut model.graph, &mut Angles::default(), &exprs);
         places.into_iter().zip(contracted).for_each(|(place, expr)| *place = expr);
-    }
-}
-
-type Solved = (Solution, Road, [Option<f64>; 3]);
-
-/// What the roads to the accelerations start from.
-struct Roads<'a> {
-    model: &'a mut Model,
-    split: &'a SplitLagrangian,
-    form: QuadraticForm,
-    /// The form over the generalised velocities.
-    pushed: QuadraticForm,
-}
-
-impl Roads<'_> {
-    fn solve(mut self, choice: RoadChoice) -> Result<Solved, SingularMassMatrix> {
-        let choice = match choice {
-            RoadChoice::Always(Road::Squares) | RoadChoice::Squares(_) if self.split.has_other_inertia => {
-                RoadChoice::Always(Road::Dense)
-            }
-            RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
-                RoadChoice::Always(self.most_accurate())
-            }
-            choice => choice,
-        };
-        let mut best = None;
-        let mut costs = [None; 3];
-        // The mass matrix last, since it is not worth writing down its factors if it is large.
-        for (n, road) in Road::ALL.into_iter().enumerate().rev() {
-            let is_wanted = match choice {
-                RoadChoice::Always(only) => only == road,
-                RoadChoice::Squares(_) => road == Road::Squares,
-                RoadChoice::Cheapest => road != Road::Dense || best.is_none() || !self.is_large(),
-            };
-            let Some(solution) = is_wanted.then(|| self.take(road, choice)).flatten() else { continue };
-            let cost = cost(&self.model.graph, &solution.accelerations);
-            costs[n] = Some(cost);
-            if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
-                best = Some((solution, road, cost));
-            }
-        }
-        best.map(|(solution, road, _)| (solution, road, costs)).ok_or(SingularMassMatrix)
-    }
-
-    /// Nothing is more accurate than what needs no elimination.
-    fn most_accurate(&self) -> Road {
-        let is_coupled = self.model.velocities().iter().any(|&velocity| self.pushed.degree(velocity) > 0);
-        if is_coupled && !self.split.has_other_inertia { Road::Squares } else { Road::Dense }
-    }
-
-    fn is_large(&self) -> bool {
-        let count = self.model.coordinates.len();
-        count > LARGEST_TRIAL && self.pushed.is_mostly_full(count)
-    }
-
-    fn take(&mut self, road: Road, choice: RoadChoice) -> Option<Solution> {
-        let velocities = self.model.velocities();
-        match road {
-            Road::Dense => self.factorised(&velocities),
-            Road::Recursive => solve_recursive(&mut self.model.graph, self.form.clone(), &velocities),
-            Road::Squares if self.split.has_other_inertia => None,
-            Road::Squares => {
-                if let RoadChoice::Squares(sums) = choice {
-                    return self.squares(sums, &velocities);
-                }
-                let contracted = self.squares(Sums::Contracted, &velocities);
-                if self.model.accuracy == Accuracy::Strict {
-                    return contracted;
-                }
-                let collected = self.squares(Sums::Collected, &velocities);
-                self.cheaper(contracted, collected)
-            }
-        }
-    }
-
-    fn factorised(&mut self, velocities: &[ExprId]) -> Option<Solution> {
-        let graph = &mut self.model.graph;
-        let is_strict = self.model.accuracy == Accuracy::Strict;
-        let contracted = is_strict.then(|| solve_contracted(graph, &self.pushed, velocities)).flatten();
-        contracted.or_else(|| solve_dense(graph, self.pushed.clone(), velocities))
-    }
-
-    fn squares(&mut self, sums: Sums, velocities: &[ExprId]) -> Option<Solution> {
-        let dropped = AccelerationTerms::Dropped;
-        let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
-        solve_squares(&mut self.model.graph, self.split, loads, velocities, sums)
-    }
-
-    fn cheaper(&self, a: Option<Solution>, b: Option<Solution>) -> Option<Solution> {
-        let (Some(a), Some(b)) = (&a, &b) else { return a.or(b) };
-        let [first, second] = [a, b].map(|solution| cost(&self.model.graph, &solution.accelerations));
-        Some(if second < first { b.clone() } else { a.clone() })
     }
 }
 

@@ -18,6 +18,7 @@ mod loads;
 mod messages;
 mod model;
 mod operand;
+mod roads;
 mod scope;
 mod solve;
 mod squares;
@@ -26,6 +27,7 @@ mod sweep;
 
 pub use algebra::Sums;
 pub use elaborate::elaborate;
-pub use equations::{Equations, Road, RoadChoice, SingularMassMatrix};
+pub use equations::Equations;
 pub use model::{Coordinate, Energies, Load, Model, Output, Parameter, Product};
+pub use roads::{Road, RoadChoice, SingularMassMatrix};
 pub use structure::{Conserved, MassStructure, Structure};

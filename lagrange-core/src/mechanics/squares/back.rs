@@ -121,17 +121,19 @@ impl Back<'_> {
         self.label(normal, "normal", step);
         let graph = &mut *self.algebra.graph;
         let bent = graph.multiply(bend, normal);
-        let tangential = graph.sum(Number::ZERO, [(bent, Number::MINUS_ONE), (offset, Number::MINUS_ONE)]);
-        self.label(tangential, "tangential", step);
+        let reverse = graph.add(bent, offset);
+        self.label(reverse, "minus_tangential", step);
         let carried = self.combine_rest(&[(a.slope, a), (b.slope, b)]);
         let carried = self.evaluate(&carried);
         for (id, along, across) in [(*x, a.slope, opposite), (*y, b.slope, a.slope)] {
-            let mut components = vec![(tangential, along), (normal, across)];
+            let mut components = vec![(reverse, self.algebra.graph.negate(along)), (normal, across)];
             components.sort_unstable_by_key(|(component, _)| *component);
             let constant = self.algebra.graph.number(0);
             self.known.insert(id, Value { components, constant });
         }
-        self.algebra.graph.subtract(tangential, carried)
+        let graph = &mut *self.algebra.graph;
+        let value = graph.add(reverse, carried);
+        graph.negate(value)
     }
 
     /// Σ coefficient · y′ over expansions, y′ being what they are without the unknown.

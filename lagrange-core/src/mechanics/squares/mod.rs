@@ -25,16 +25,26 @@ use back::{Step, Substitution, Way, substitute_back};
 use composition::{Composition, Expansion};
 use rotation::{Carried, Carriers, Pull, Square, eliminate};
 
-/// Accelerations from the squares of a Lagrangian, in the order of the velocities. `loads` are the linear part of the
-/// form without the rates of the squares. `None` if some velocity has no inertia, or terms other than squares are
-/// quadratic in the velocities.
+/// Why no accelerations are found among squares.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Obstacle {
+    /// Some motion moves none of them, so that the mass matrix is singular whatever the weights.
+    NothingMoves,
+    /// Weights of both signs leave no pivot.
+    Pivot,
+    /// They fill in too much.
+    Size,
+}
+
+/// Accelerations from the squares of a Lagrangian without other terms quadratic in the velocities, in the order of the
+/// velocities. `loads` are the linear part of the form without the rates of the squares.
 pub(super) fn solve_squares(
     graph: &mut Graph,
     split: &SplitLagrangian,
     loads: QuadraticForm,
     velocities: &[ExprId],
     sums: Sums,
-) -> Option<Solution> {
+) -> Result<Solution, Obstacle> {
     let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables()).collect::<Vec<_>>();
     let mut sweep = Sweep::new(graph, &heads, velocities, Multiples::Merged);
     let mut elimination = Elimination::new(graph, &sweep, split, loads, sums);
@@ -44,7 +54,10 @@ pub(super) fn solve_squares(
         elimination.eliminate(velocity)?;
     }
     let Elimination { algebra, composition, steps, .. } = elimination;
-    (steps.len() == velocities.len()).then(|| substitute_back(algebra, composition, &steps, velocities))
+    if steps.len() < velocities.len() {
+        return Err(Obstacle::NothingMoves);
+    }
+    Ok(substitute_back(algebra, composition, &steps, velocities))
 }
 
 /// The generalised velocities, each after all that are made of it by way of others.
@@ -144,8 +157,8 @@ impl<'g> Elimination<'g> {
         (weights.len(), squares)
     }
 
-    /// Eliminates one velocity. `None` if it has no inertia.
-    fn eliminate(&mut self, velocity: ExprId) -> Option<()> {
+    /// Eliminates one velocity.
+    fn eliminate(&mut self, velocity: ExprId) -> Result<(), Obstacle> {
         let ways = self.ways_up(velocity);
         let unknown = ways.last().map_or(velocity, |way| way.whole);
         let mut expansions = self.composition.expand(&mut self.algebra, unknown);
@@ -158,11 +171,11 @@ impl<'g> Elimination<'g> {
         let touched =
             touched.into_iter().map(|square| carriers.carry(&mut self.algebra, square)).collect::<Vec<_>>();
         if touched.is_empty() {
-            return None;
+            return Err(Obstacle::NothingMoves);
         }
-        let (pull, left) = eliminate(&mut self.algebra, &carriers, &touched);
+        let (pull, left) = eliminate(&mut self.algebra, &carriers, &touched).ok_or(Obstacle::Size)?;
         if self.algebra.graph.is_zero(pull.pivot) {
-            return None;
+            return Err(Obstacle::Pivot);
         }
         let applied = self.applied_load(&expansions);
         let rule = self.rule(&carriers, &touched, &pull, applied);
@@ -170,7 +183,7 @@ impl<'g> Elimination<'g> {
         self.composition.retire(&retired);
         self.steps.push(Step { velocity, unknown, ways, scale, pivot: pull.pivot, rule, expansions });
         self.add_squares(left);
-        Some(())
+        Ok(())
     }
 
     /// Takes the squares that hold any of the variables.

@@ -31,6 +31,10 @@ use crate::mechanics::algebra::{Algebra, LinearForm};
 use crate::number::Number;
 use crate::simplify;
 
+/// Squares times variables up to which they are rotated one after the other. Every rotation may fill in all variables,
+/// so that many squares of many variables cost far more than the mass matrix that they add up to.
+const LARGEST_ROTATION: usize = 1000;
+
 /// ½ weight·r² + linear·r with r = form.
 #[derive(Clone, Debug)]
 pub(super) struct Square {
@@ -163,12 +167,12 @@ fn moment(algebra: &mut Algebra<'_>, pair: (usize, usize), a: &Expansion, b: &Ex
     }
 }
 
-/// Eliminates the unknown; returns what it depends on and the squares that are left.
+/// Eliminates the unknown; returns what it depends on and the squares that are left. `None` if those would be too many.
 pub(super) fn eliminate(
     algebra: &mut Algebra<'_>,
     carriers: &Carriers,
     squares: &[Carried],
-) -> (Pull, Vec<Square>) {
+) -> Option<(Pull, Vec<Square>)> {
     let is_single_moment =
         carriers.moments.len() < 2 && squares.iter().all(|square| square.others.is_empty());
     if is_single_moment {
@@ -176,9 +180,11 @@ pub(super) fn eliminate(
         // What depends on no acceleration cannot be made smaller.
         let moment = carriers.moments.iter().find(|moment| !moment.form.is_empty());
         let left = moment.map(|moment| across(algebra, moment, squares, pull.pivot));
-        return (pull, left.into_iter().collect());
+        return Some((pull, left.into_iter().collect()));
     }
-    rotate(algebra, carriers, squares)
+    let entries = carriers.moments.iter().map(|moment| moment.form.len());
+    let entries = entries.chain(squares.iter().map(|square| square.others.len())).sum::<usize>();
+    (squares.len() * entries <= LARGEST_ROTATION).then(|| rotate(algebra, carriers, squares))
 }
 
 /// Rotates the unknown out of all squares but one.

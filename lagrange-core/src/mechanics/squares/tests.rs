@@ -92,7 +92,7 @@ impl Setting {
         let carriers = Carriers::new(algebra, self.ids.clone(), self.expansions.clone());
         let carried = self.squares.iter().map(|square| carriers.carry(algebra, square.clone()));
         let carried = carried.collect::<Vec<_>>();
-        let (pull, left) = eliminate(algebra, &carriers, &carried);
+        let (pull, left) = eliminate(algebra, &carriers, &carried).expect("few squares");
         (carriers, carried, pull, left)
     }
 }

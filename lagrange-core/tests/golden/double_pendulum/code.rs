@@ -69,16 +69,18 @@ const _: () = {
             let theta1_dot_sq = theta1_dot * theta1_dot;
             let normal_0 = multiply_add(l1, theta1_dot_sq, g * cos_theta1);
             let vel_0 = m2 * l2 * sin_theta1_minus_theta2 * inv_pivot_0 * theta2_dot_sq;
-            let vel_1 = multiply_add(
+            let minus_tangential_0 = multiply_add(
                 inv_pivot_0 * pos_0 * cos_theta1_minus_theta2,
                 normal_0,
                 vel_0,
             );
-            let theta1_ddot = -multiply_add(g, sin_theta1, vel_1) / l1;
-            let tangential_0 = -vel_1;
-            let vel_2 = sin_theta1_minus_theta2 * normal_0;
-            let theta2_ddot = multiply_add(-cos_theta1_minus_theta2, tangential_0, vel_2)
-                / l2;
+            let theta1_ddot = -multiply_add(g, sin_theta1, minus_tangential_0) / l1;
+            let vel_1 = sin_theta1_minus_theta2 * normal_0;
+            let theta2_ddot = multiply_add(
+                cos_theta1_minus_theta2,
+                minus_tangential_0,
+                vel_1,
+            ) / l2;
             [theta1_ddot, theta2_ddot]
         }
         /// Mass matrix M, in rows.

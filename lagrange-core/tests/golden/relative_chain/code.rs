@@ -105,29 +105,24 @@ const _: () = {
             let q1_dot_sq = q1_dot * q1_dot;
             let normal_0 = multiply_add(l1, q1_dot_sq, g * cos_q1);
             let vel_1 = sin_q2 * inv_pivot_0 * vel_0;
-            let tangential_0 = multiply_add(
-                inv_pivot_0 * pos_1 * cos_q2,
-                normal_0,
-                vel_1,
-            );
-            let vel_2 = multiply_add(g, sin_q1, -tangential_0) / l1;
-            let q1_ddot = -vel_2;
-            let normal_1 = multiply_add(
+            let vel_2 = multiply_add(inv_pivot_0 * pos_1 * cos_q2, normal_0, vel_1);
+            let vel_3 = multiply_add(g, sin_q1, -vel_2) / l1;
+            let q1_ddot = -vel_3;
+            let minus_tangential_0 = -vel_2;
+            let vel_4 = multiply_add(cos_q2, normal_0, l2_a2_dot_sq);
+            let normal_1 = multiply_add(sin_q2, minus_tangential_0, vel_4);
+            let vel_5 = sin_q3 * inv_pivot_1 * m3_l3_a3_dot_sq;
+            let vel_6 = multiply_add(inv_pivot_1 * m3_sin_q3 * cos_q3, normal_1, vel_5);
+            let vel_7 = multiply_add(
                 -sin_q2,
-                tangential_0,
-                multiply_add(cos_q2, normal_0, l2_a2_dot_sq),
+                normal_0,
+                multiply_add(cos_q2, minus_tangential_0, vel_6),
             );
-            let vel_3 = sin_q3 * inv_pivot_1 * m3_l3_a3_dot_sq;
-            let tangential_1 = multiply_add(
-                inv_pivot_1 * m3_sin_q3 * cos_q3,
-                normal_1,
-                vel_3,
-            );
-            let vel_4 = multiply_add(-sin_q2, normal_0, tangential_1);
-            let vel_5 = multiply_add(-cos_q2, tangential_0, vel_4) / l2;
-            let q2_ddot = vel_2 + vel_5;
-            let q3_ddot = -(vel_5
-                + multiply_add(cos_q3, tangential_1, sin_q3 * normal_1) / l3);
+            let vel_8 = vel_7 / l2;
+            let q2_ddot = vel_3 + vel_8;
+            let minus_tangential_1 = -vel_6;
+            let q3_ddot = -(vel_8
+                + multiply_add(-cos_q3, minus_tangential_1, sin_q3 * normal_1) / l3);
             [q1_ddot, q2_ddot, q3_ddot]
         }
         /// Mass matrix M, in rows.

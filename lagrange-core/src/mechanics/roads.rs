@@ -1,0 +1,181 @@
+//! The roads from a quadratic form to the accelerations, and which one to take.
+
+use std::fmt;
+
+use super::algebra::Sums;
+use super::contracted::{MOST_CONTRACTED, solve_contracted};
+use super::cost::cost;
+use super::form::QuadraticForm;
+use super::gauss::{SplitLagrangian, Terms, loads_beside_squares};
+use super::messages;
+use super::model::Model;
+use super::solve::{Solution, solve_dense, solve_recursive};
+use super::squares::{Obstacle, solve_squares};
+use crate::calculus::AccelerationTerms;
+use crate::expr::ExprId;
+use crate::syntax::ast::Accuracy;
+
+/// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
+/// the factorisation down would be all that the trial finds.
+const LARGEST_TRIAL: usize = 40;
+
+/// How the accelerations are computed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Road {
+    /// The mass matrix is formed and factorised.
+    Dense,
+    /// Coordinates are eliminated body by body; the mass matrix is never formed.
+    Recursive,
+    /// The same, with the kinetic energy kept a sum of squares: no coefficient of it is ever subtracted from.
+    Squares,
+}
+
+impl Road {
+    /// Every road, in the order of [`Equations::costs`].
+    pub const ALL: [Road; 3] = [Road::Dense, Road::Recursive, Road::Squares];
+}
+
+/// Which road to take.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum RoadChoice {
+    /// The one with the lower counted cost.
+    #[default]
+    Cheapest,
+    /// This one; the dense one instead of squares where the kinetic energy is no sum of squares.
+    Always(Road),
+    /// Squares, if the kinetic energy is a sum of them, with sums simplified in this way.
+    Squares(Sums),
+}
+
+/// The mass matrix is singular whatever the values of the parameters.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SingularMassMatrix;
+
+impl fmt::Display for SingularMassMatrix {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(messages::SINGULAR_MASS_MATRIX)
+    }
+}
+
+impl std::error::Error for SingularMassMatrix {}
+
+impl SingularMassMatrix {
+    /// What to do about it.
+    pub fn help(self) -> &'static str {
+        messages::SINGULAR_HELP
+    }
+}
+
+/// A solution, the road to it, and the counted cost of each road that was tried.
+pub(super) type Solved = (Solution, Road, [Option<f64>; 3]);
+
+/// What the roads to the accelerations start from.
+pub(super) struct Roads<'a> {
+    pub(super) model: &'a mut Model,
+    pub(super) split: &'a SplitLagrangian,
+    pub(super) form: QuadraticForm,
+    /// The form over the generalised velocities.
+    pub(super) pushed: QuadraticForm,
+}
+
+impl Roads<'_> {
+    pub(super) fn solve(mut self, choice: RoadChoice) -> Result<Solved, SingularMassMatrix> {
+        let choice = match choice {
+            RoadChoice::Always(Road::Squares) | RoadChoice::Squares(_) if self.split.has_other_inertia => {
+                RoadChoice::Always(Road::Dense)
+            }
+            RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
+                return self.most_accurate();
+            }
+            choice => choice,
+        };
+        let mut best = None;
+        let mut costs = [None; 3];
+        // The mass matrix last, since it is not worth writing down its factors if it is large.
+        for (n, road) in Road::ALL.into_iter().enumerate().rev() {
+            let is_wanted = match choice {
+                RoadChoice::Always(only) => only == road,
+                RoadChoice::Squares(_) => road == Road::Squares,
+                RoadChoice::Cheapest => road != Road::Dense || best.is_none() || !self.is_large(),
+            };
+            let solution = match choice {
+                RoadChoice::Squares(sums) if is_wanted => self.squares(sums, &self.model.velocities())?,
+                _ if is_wanted => self.take(road)?,
+                _ => None,
+            };
+            let Some(solution) = solution else { continue };
+            let cost = cost(&self.model.graph, &solution.accelerations);
+            costs[n] = Some(cost);
+            if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
+                best = Some((solution, road, cost));
+            }
+        }
+        best.map(|(solution, road, _)| (solution, road, costs)).ok_or(SingularMassMatrix)
+    }
+
+    /// Nothing is more accurate than what needs no elimination. Otherwise squares come first; where they lead nowhere, the
+    /// mass matrix if what cancels in it can be looked for, and elimination body by body if it is too large for that:
+    /// this adds up less before it subtracts.
+    fn most_accurate(&mut self) -> Result<Solved, SingularMassMatrix> {
+        let velocities = self.model.velocities();
+        let is_coupled = velocities.iter().any(|&velocity| self.pushed.degree(velocity) > 0);
+        let is_contracted = velocities.len() <= MOST_CONTRACTED;
+        let roads = match (is_coupled, is_contracted) {
+            (false, _) => [Road::Dense, Road::Recursive, Road::Squares],
+            (true, true) => [Road::Squares, Road::Dense, Road::Recursive],
+            (true, false) => [Road::Squares, Road::Recursive, Road::Dense],
+        };
+        for road in roads {
+            if let Some(solution) = self.take(road)? {
+                return Ok((solution, road, [None; 3]));
+            }
+        }
+        Err(SingularMassMatrix)
+    }
+
+    fn is_large(&self) -> bool {
+        let count = self.model.coordinates.len();
+        count > LARGEST_TRIAL && self.pushed.is_mostly_full(count)
+    }
+
+    /// The solution along one road, if it leads anywhere.
+    fn take(&mut self, road: Road) -> Result<Option<Solution>, SingularMassMatrix> {
+        let velocities = self.model.velocities();
+        match road {
+            Road::Dense => Ok(self.factorised(&velocities)),
+            Road::Recursive => Ok(solve_recursive(&mut self.model.graph, self.form.clone(), &velocities)),
+            Road::Squares if self.split.has_other_inertia => Ok(None),
+            Road::Squares => {
+                let contracted = self.squares(Sums::Contracted, &velocities)?;
+                if self.model.accuracy == Accuracy::Strict {
+                    return Ok(contracted);
+                }
+                let collected = self.squares(Sums::Collected, &velocities)?;
+                Ok(self.cheaper(contracted, collected))
+            }
+        }
+    }
+
+    fn factorised(&mut self, velocities: &[ExprId]) -> Option<Solution> {
+        let graph = &mut self.model.graph;
+        let is_strict = self.model.accuracy == Accuracy::Strict;
+        let contracted = is_strict.then(|| solve_contracted(graph, &self.pushed, velocities)).flatten();
+        contracted.or_else(|| solve_dense(graph, self.pushed.clone(), velocities))
+    }
+
+    fn squares(&mut self, sums: Sums, velocities: &[ExprId]) -> Result<Option<Solution>, SingularMassMatrix> {
+        let dropped = AccelerationTerms::Dropped;
+        let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
+        match solve_squares(&mut self.model.graph, self.split, loads, velocities, sums) {
+            Ok(solution) => Ok(Some(solution)),
+            Err(Obstacle::NothingMoves) => Err(SingularMassMatrix),
+            Err(Obstacle::Pivot | Obstacle::Size) => Ok(None),
+        }
+    }
+
+    fn cheaper(&self, a: Option<Solution>, b: Option<Solution>) -> Option<Solution> {
+        let (Some(a), Some(b)) = (&a, &b) else { return a.or(b) };
+        let [first, second] = [a, b].map(|solution| cost(&self.model.graph, &solution.accelerations));
+        Some(if second < first { b.clone() } else { a.clone() })
+    }
+}
