@@ -107,7 +107,7 @@ def written(function, n):
     source = (ROOT / "benches" / "handwritten.rs").read_text()
     body = "\n".join(line for line in source.splitlines() if not line.startswith(("//!", "#![")))
     arguments = ", ".join(f"{name}: &[f64; {n}]" for name in "qvml")
-    call = f"pub fn f({arguments}, g: f64) -> [f64; {n}] {{ {function}(q, v, m, l, g) }}"
+    call = f"pub fn f({arguments}, g: f64) -> [f64; {n}] {{ {function}::<Platform, {n}>(q, v, m, l, g) }}"
     return "\n".join(["#![allow(dead_code)]", body, call])
 
 

@@ -6,15 +6,17 @@ mod reference;
 
 use std::path::Path;
 
-use lagrange_core::mechanics::{Product, Road, RoadChoice};
+use lagrange_core::mechanics::{Product, Road, RoadChoice, Sums};
 use lagrange_core::pipeline::{NumericSystem, parse};
 
 use reference::{Reference, Subject, names};
 
-const CHOICES: [RoadChoice; 4] = [
+const CHOICES: [RoadChoice; 6] = [
     RoadChoice::Always(Road::Dense),
     RoadChoice::Always(Road::Recursive),
     RoadChoice::Always(Road::Squares),
+    RoadChoice::Squares(Sums::Collected),
+    RoadChoice::Squares(Sums::Contracted),
     RoadChoice::Cheapest,
 ];
 

@@ -1,5 +1,8 @@
 //! `cargo xtask check`: everything that must hold of this workspace, in one command that needs only Rust.
+//! `cargo xtask performance`: measures how fast emitted code is and rewrites the tables of docs/performance.md.
 #![forbid(unsafe_code)]
+
+mod performance;
 
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -43,8 +46,15 @@ fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
     match env::args().nth(1).as_deref() {
         Some("check") => check(root),
+        Some("performance") => match performance::performance(root) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(message) => {
+                eprintln!("{message}");
+                ExitCode::FAILURE
+            }
+        },
         _ => {
-            eprintln!("usage: cargo xtask check");
+            eprintln!("usage: cargo xtask check | performance");
             ExitCode::from(2)
         }
     }

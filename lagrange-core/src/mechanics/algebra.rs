@@ -17,7 +17,7 @@ const DEEPEST_COUNTED: usize = 4;
 
 /// How sums are simplified.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Sums {
+pub enum Sums {
     /// Equal products meet, and squares of sine and cosine.
     Collected,
     /// Besides, products of sines and cosines are written in sums and differences of angles where that

@@ -25,6 +25,7 @@ mod squares;
 mod structure;
 mod sweep;
 
+pub use algebra::Sums;
 pub use elaborate::elaborate;
 pub use equations::Equations;
 pub use model::{Coordinate, Energies, Load, Model, Output, Parameter, Product};

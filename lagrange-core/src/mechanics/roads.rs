@@ -43,6 +43,8 @@ pub enum RoadChoice {
     Cheapest,
     /// This one; the dense one instead of squares where the kinetic energy is no sum of squares.
     Always(Road),
+    /// Squares, if the kinetic energy is a sum of them, with sums simplified in this way.
+    Squares(Sums),
 }
 
 /// The mass matrix is singular whatever the values of the parameters.
@@ -79,7 +81,7 @@ pub(super) struct Roads<'a> {
 impl Roads<'_> {
     pub(super) fn solve(mut self, choice: RoadChoice) -> Result<Solved, SingularMassMatrix> {
         let choice = match choice {
-            RoadChoice::Always(Road::Squares) if self.split.has_other_inertia => {
+            RoadChoice::Always(Road::Squares) | RoadChoice::Squares(_) if self.split.has_other_inertia => {
                 RoadChoice::Always(Road::Dense)
             }
             RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
@@ -93,9 +95,14 @@ impl Roads<'_> {
         for (n, road) in Road::ALL.into_iter().enumerate().rev() {
             let is_wanted = match choice {
                 RoadChoice::Always(only) => only == road,
+                RoadChoice::Squares(_) => road == Road::Squares,
                 RoadChoice::Cheapest => road != Road::Dense || best.is_none() || !self.is_large(),
             };
-            let solution = if is_wanted { self.take(road)? } else { None };
+            let solution = match choice {
+                RoadChoice::Squares(sums) if is_wanted => self.squares(sums, &self.model.velocities())?,
+                _ if is_wanted => self.take(road)?,
+                _ => None,
+            };
             let Some(solution) = solution else { continue };
             let cost = cost(&self.model.graph, &solution.accelerations);
             costs[n] = Some(cost);

@@ -1,0 +1,92 @@
+//! `cargo xtask performance`: measures, and rewrites the tables of docs/performance.md.
+
+mod crate_of_variants;
+mod document;
+mod ideas;
+mod machine;
+mod run;
+mod tables;
+mod undo;
+
+use std::path::Path;
+
+use crate_of_variants::Variant;
+use ideas::{Chain, Derivation, Idea, ideas};
+use lagrange_core::syntax::ast::Accuracy;
+use run::{DEFAULT, NATIVE, Target, UNPAIRED, cargo};
+use tables::{Comparison, Measured};
+
+/// Chains whose operations are counted to show how cost grows.
+const GROWING: [(&str, usize); 7] = [
+    ("absolute", 20),
+    ("absolute", 30),
+    ("absolute", 100),
+    ("absolute", 200),
+    ("relative", 20),
+    ("relative", 100),
+    ("relative", 200),
+];
+/// Chains that show what ideas are worth.
+const VARIED: [(&str, usize); 4] = [("absolute", 5), ("absolute", 10), ("absolute", 20), ("relative", 8)];
+
+/// Measures everything and writes it down.
+pub(crate) fn performance(root: &Path) -> Result<(), String> {
+    let growth = tables::growth(&counted(root)?);
+    let ideas = ideas();
+    let variants = variants(root, &ideas)?;
+    let folder = crate_of_variants::write(root, &variants)?;
+    let varied = [DEFAULT, NATIVE].map(|target| measured_variants(root, &folder, &target));
+    let varied = tables::ideas(&ideas, &variants, &VARIED.map(chain), &collected(varied)?);
+    let compared = collected([DEFAULT, NATIVE, UNPAIRED].map(|target| compared(root, &target)))?;
+    let sections = [
+        ("machine", machine::description()?),
+        ("standard", tables::beside_by_hand("standard", &compared)),
+        ("fast", tables::beside_by_hand("fast", &compared)),
+        ("strict", tables::strict(&compared)),
+        ("pairing", tables::pairing(&compared)),
+        ("growth", growth),
+        ("ideas", varied),
+    ];
+    document::rewrite(&root.join("docs/performance.md"), &sections)
+}
+
+fn chain((kind, links): (&'static str, usize)) -> Chain {
+    Chain { kind, links }
+}
+
+fn collected<T, const N: usize>(results: [Result<T, String>; N]) -> Result<Vec<T>, String> {
+    results.into_iter().collect()
+}
+
+/// Operations of the accelerations of chains as they are emitted.
+fn counted(root: &Path) -> Result<Vec<(Chain, usize)>, String> {
+    let ideas = ideas();
+    let count = |chain| Ok((chain, Derivation::of(root, chain, &ideas[0])?.operations()));
+    GROWING.map(chain).into_iter().map(count).collect()
+}
+
+fn variants(root: &Path, ideas: &[Idea]) -> Result<Vec<Variant>, String> {
+    let mut variants = Vec::new();
+    for (idea, described) in ideas.iter().enumerate() {
+        let base = base(ideas, described.accuracy);
+        for chain in VARIED.map(chain) {
+            variants.push(Variant { chain, idea, base, derivation: Derivation::of(root, chain, described)? });
+        }
+    }
+    Ok(variants)
+}
+
+/// The idea that others of this level are compared with.
+fn base(ideas: &[Idea], accuracy: Accuracy) -> usize {
+    ideas.iter().position(|idea| idea.accuracy == accuracy).unwrap_or(0)
+}
+
+fn measured_variants(root: &Path, folder: &Path, target: &Target) -> Result<Vec<Measured>, String> {
+    let printed = cargo(root, folder, target, &["run", "--release", "--quiet"])?;
+    Ok(run::rows(&printed).filter_map(|cells| Measured::read(&cells)).collect())
+}
+
+fn compared(root: &Path, target: &Target) -> Result<Vec<Comparison>, String> {
+    let printed = cargo(root, root, target, &["bench", "--quiet", "--bench", "comparison"])?;
+    Ok(run::rows(&printed).filter_map(|cells| Comparison::read(&cells)).collect())
+}
