@@ -14,6 +14,8 @@ const LARGEST_UNROLLED_POWER: i32 = 64;
 struct Fraction {
     above: Vec<(Variability, ValueId)>,
     below: Vec<ValueId>,
+    /// Whether something below changes in the motion.
+    divides_by_moving: bool,
 }
 
 impl Lowering<'_> {
@@ -34,9 +36,14 @@ impl Lowering<'_> {
         };
         let scale = self.builder.constant(scale);
         let (constants, others): (Vec<_>, Vec<_>) =
-            fraction.above.iter().map(|(_, value)| *value).partition(|&v| self.builder.op(v).is_constant());
+            fraction.above.into_iter().partition(|(_, value)| self.builder.op(*value).is_constant());
+        // What moves need not wait for a division by what does not.
+        let moves = |(variability, _): &(Variability, ValueId)| *variability > Variability::Input;
+        let late = others.iter().position(moves).filter(|_| !fraction.divides_by_moving);
+        let (early, late) = others.split_at(late.unwrap_or(others.len()));
+        let value_of = |(_, value): &(Variability, ValueId)| *value;
         // One folds away as soon as anything is multiplied by it.
-        let above = self.multiply_all(scale, constants.into_iter().chain(others));
+        let above = self.multiply_all(scale, constants.iter().chain(early).map(value_of));
         let value = match fraction.below.split_first() {
             Some((&first, rest)) => {
                 let below = self.multiply_all(first, rest.iter().copied());
@@ -44,6 +51,7 @@ impl Lowering<'_> {
             }
             None => above,
         };
+        let value = self.multiply_all(value, late.iter().map(value_of));
         Signed { value, negative: is_sign && negative != coefficient.is_negative() }
     }
 
@@ -73,6 +81,7 @@ impl Lowering<'_> {
         } else if twice < 0 {
             let powers = self.powers(value, -twice);
             fraction.below.extend(powers);
+            fraction.divides_by_moving |= variability > Variability::Input;
         } else {
             let powers = self.powers(value, twice);
             fraction.above.extend(powers.map(|power| (variability, power)));

@@ -18,7 +18,7 @@
 /// - Accelerations: eliminated body by body, the kinetic energy kept a sum of squares (counted cost 240; factorised mass matrix 253, recursion 298).
 /// - Accuracy: `fast`. Sines and cosines are computed several at a time;
 ///   in `f64` each is within 0.9 units in the last place.
-/// - Cost of `acceleration`: 8 additions, 21 multiplications, 3 divisions, 3 `sin_cos`.
+/// - Cost of `acceleration`: 8 additions, 23 multiplications, 3 divisions, 3 `sin_cos`.
 pub struct ShakenDoublePendulum {
     /// Parameter `m1`.
     pub m1: ::core::primitive::f64,
@@ -58,7 +58,7 @@ const _: () = {
     impl ShakenDoublePendulum {
         /// Accelerations in the order of the coordinates.
         ///
-        /// Takes 8 additions, 21 multiplications, 3 divisions, 3 `sin_cos`.
+        /// Takes 8 additions, 23 multiplications, 3 divisions, 3 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
@@ -89,14 +89,11 @@ const _: () = {
                 normal_0,
                 vel_0,
             );
-            let theta1_ddot = -multiply_add(sin_theta1, g - pos_1, minus_tangential_0)
-                / l1;
+            let theta1_ddot = -1.0 / l1
+                * multiply_add(sin_theta1, g - pos_1, minus_tangential_0);
             let vel_1 = sin_theta1_minus_theta2 * normal_0;
-            let theta2_ddot = multiply_add(
-                cos_theta1_minus_theta2,
-                minus_tangential_0,
-                vel_1,
-            ) / l2;
+            let theta2_ddot = 1.0 / l2
+                * multiply_add(cos_theta1_minus_theta2, minus_tangential_0, vel_1);
             [theta1_ddot, theta2_ddot]
         }
         /// Mass matrix M, in rows.

@@ -58,7 +58,7 @@ const _: () = {
                 0.0
             } else if s >= l1 {
                 if s < const_0 {
-                    -0.5 * m * mu * g * (l1 - s) / r
+                    -0.5 * m * mu * g / r * (l1 - s)
                 } else if s >= const_0 {
                     m * mu * g
                 } else {
@@ -68,7 +68,7 @@ const _: () = {
                 f64::NAN
             };
             let forcing_0 = multiply_add(-friction, sign(s_dot), m * g * sin(alpha));
-            let s_ddot = 0.6666666666666666 * forcing_0 / m;
+            let s_ddot = 0.6666666666666666 / m * forcing_0;
             [s_ddot]
         }
         /// Mass matrix M, in rows.
@@ -95,7 +95,7 @@ const _: () = {
                 0.0
             } else if s >= l1 {
                 if s < const_0 {
-                    -0.5 * m * mu * g * (l1 - s) / r
+                    -0.5 * m * mu * g / r * (l1 - s)
                 } else if s >= const_0 {
                     m * mu * g
                 } else {
@@ -172,7 +172,7 @@ const _: () = {
                 0.0
             } else if s >= l1 {
                 if s < const_0 {
-                    -0.5 * m * mu * g * (l1 - s) / r
+                    -0.5 * m * mu * g / r * (l1 - s)
                 } else if s >= const_0 {
                     m * mu * g
                 } else {

@@ -46,7 +46,7 @@ const _: () = {
         pub fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             let Self { l, g, .. } = *self;
             let [theta] = *q;
-            let theta_ddot = -g * sin(theta) / l;
+            let theta_ddot = -g / l * sin(theta);
             [theta_ddot]
         }
         /// Mass matrix M, in rows.

@@ -11,7 +11,7 @@
 /// - State: `[theta, theta_dot]`.
 /// - Mass matrix: diagonal, constant.
 /// - Accelerations: each equation divided by its entry of the mass matrix.
-/// - Cost of `acceleration`: 1 addition, 5 multiplications, 1 division, 2 functions.
+/// - Cost of `acceleration`: 1 addition, 6 multiplications, 1 division, 2 functions.
 pub struct Kapitza {
     /// Parameter `m`.
     pub m: ::core::primitive::f64,
@@ -43,14 +43,15 @@ const _: () = {
     impl Kapitza {
         /// Accelerations in the order of the coordinates.
         ///
-        /// Takes 1 addition, 5 multiplications, 1 division, 2 functions.
+        /// Takes 1 addition, 6 multiplications, 1 division, 2 functions.
         #[must_use]
         #[inline]
         pub fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             let Self { l, a, w, g, .. } = *self;
             let [theta] = *q;
             let w_sq = w * w;
-            let theta_ddot = -multiply_add(-a * w_sq, cos(w * t), g) * sin(theta) / l;
+            let theta_ddot = -1.0 / l * multiply_add(-a * w_sq, cos(w * t), g)
+                * sin(theta);
             [theta_ddot]
         }
         /// Mass matrix M, in rows.
