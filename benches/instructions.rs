@@ -32,7 +32,7 @@ fn chain<const N: usize>() -> Chain<N> {
 fn at_most(instructions: u64) -> LibraryBenchmarkConfig {
     let mut limits = Callgrind::default();
     limits.format([CallgrindMetrics::SingleEvent(EventKind::Ir)]);
-    limits.hard_limits([(EventKind::Ir, instructions + instructions / 50)]);
+    limits.hard_limits([(EventKind::Ir, instructions + instructions / 25)]);
     let mut config = LibraryBenchmarkConfig::default();
     config.tool(limits);
     config
@@ -71,15 +71,15 @@ fn setup_system<const N: usize, M>(
 }
 
 group! { standard:
-    absolute_5, 5, chains::absolute_5, 837, absolute_5_by_hand = absolute_chain_recursive::<Platform>;
-    absolute_20, 20, chains::absolute_20, 3_638, absolute_20_by_hand = absolute_chain_recursive::<Platform>;
-    relative_8, 8, chains::relative_8, 1_438, relative_8_by_hand = relative_chain::<Platform>;
+    absolute_5, 5, chains::absolute_5, 835, absolute_5_by_hand = absolute_chain_recursive::<Platform>;
+    absolute_20, 20, chains::absolute_20, 3_653, absolute_20_by_hand = absolute_chain_recursive::<Platform>;
+    relative_8, 8, chains::relative_8, 1_446, relative_8_by_hand = relative_chain::<Platform>;
 }
 
 group! { fast:
-    fast_absolute_5, 5, fast_chains::absolute_5, 590, fast_absolute_5_by_hand = absolute_chain_recursive::<Inline>;
-    fast_absolute_20, 20, fast_chains::absolute_20, 2_297, fast_absolute_20_by_hand = absolute_chain_recursive::<Inline>;
-    fast_relative_8, 8, fast_chains::relative_8, 858, fast_relative_8_by_hand = relative_chain::<Inline>;
+    fast_absolute_5, 5, fast_chains::absolute_5, 594, fast_absolute_5_by_hand = absolute_chain_recursive::<Inline>;
+    fast_absolute_20, 20, fast_chains::absolute_20, 2_346, fast_absolute_20_by_hand = absolute_chain_recursive::<Inline>;
+    fast_relative_8, 8, fast_chains::relative_8, 886, fast_relative_8_by_hand = relative_chain::<Inline>;
 }
 
 main!(library_benchmark_groups = [standard, fast]);
