@@ -93,15 +93,12 @@ impl Roads<'_> {
         let mut costs = [None; 3];
         // The mass matrix last, since it is not worth writing down its factors if it is large.
         for (n, road) in Road::ALL.into_iter().enumerate().rev() {
-            let is_wanted = match choice {
-                RoadChoice::Always(only) => only == road,
-                RoadChoice::Squares(_) => road == Road::Squares,
-                RoadChoice::Cheapest => road != Road::Dense || best.is_none() || !self.is_large(),
-            };
             let solution = match choice {
-                RoadChoice::Squares(sums) if is_wanted => self.squares(sums, &self.model.velocities())?,
-                _ if is_wanted => self.take(road)?,
-                _ => None,
+                RoadChoice::Always(only) if only != road => None,
+                RoadChoice::Squares(_) if road != Road::Squares => None,
+                RoadChoice::Cheapest if road == Road::Dense && best.is_some() && self.is_large() => None,
+                RoadChoice::Squares(sums) => self.squares(&[sums])?,
+                _ => self.take(road)?,
             };
             let Some(solution) = solution else { continue };
             let cost = cost(&self.model.graph, &solution.accelerations);
@@ -145,14 +142,8 @@ impl Roads<'_> {
             Road::Dense => Ok(self.factorised(&velocities)),
             Road::Recursive => Ok(solve_recursive(&mut self.model.graph, self.form.clone(), &velocities)),
             Road::Squares if self.split.has_other_inertia => Ok(None),
-            Road::Squares => {
-                let contracted = self.squares(Sums::Contracted, &velocities)?;
-                if self.model.accuracy == Accuracy::Strict {
-                    return Ok(contracted);
-                }
-                let collected = self.squares(Sums::Collected, &velocities)?;
-                Ok(self.cheaper(contracted, collected))
-            }
+            Road::Squares if self.model.accuracy == Accuracy::Strict => self.squares(&[Sums::Contracted]),
+            Road::Squares => self.squares(&[Sums::Contracted, Sums::Collected]),
         }
     }
 
@@ -163,19 +154,25 @@ impl Roads<'_> {
         contracted.or_else(|| solve_dense(graph, self.pushed.clone(), velocities))
     }
 
-    fn squares(&mut self, sums: Sums, velocities: &[ExprId]) -> Result<Option<Solution>, SingularMassMatrix> {
+    /// The cheapest solution by way of squares, with sums simplified in each of these ways; the first of equals.
+    fn squares(&mut self, ways: &[Sums]) -> Result<Option<Solution>, SingularMassMatrix> {
+        let velocities = self.model.velocities();
         let dropped = AccelerationTerms::Dropped;
         let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
-        match solve_squares(&mut self.model.graph, self.split, loads, velocities, sums) {
-            Ok(solution) => Ok(Some(solution)),
-            Err(Obstacle::NothingMoves) => Err(SingularMassMatrix),
-            Err(Obstacle::Pivot | Obstacle::Size) => Ok(None),
+        let mut best: Option<(f64, Solution)> = None;
+        for &sums in ways {
+            let graph = &mut self.model.graph;
+            match solve_squares(graph, self.split, loads.clone(), &velocities, sums) {
+                Ok(solution) => {
+                    let cost = cost(graph, &solution.accelerations);
+                    if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                        best = Some((cost, solution));
+                    }
+                }
+                Err(Obstacle::NothingMoves) => return Err(SingularMassMatrix),
+                Err(Obstacle::Pivot | Obstacle::Size) => {}
+            }
         }
-    }
-
-    fn cheaper(&self, a: Option<Solution>, b: Option<Solution>) -> Option<Solution> {
-        let (Some(a), Some(b)) = (&a, &b) else { return a.or(b) };
-        let [first, second] = [a, b].map(|solution| cost(&self.model.graph, &solution.accelerations));
-        Some(if second < first { b.clone() } else { a.clone() })
+        Ok(best.map(|(_, solution)| solution))
     }
 }

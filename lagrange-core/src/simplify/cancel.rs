@@ -1,6 +1,6 @@
 //! Quotients without the factors that numerator and denominator have in common.
 
-use super::monomial::Monomial;
+use super::monomial::{MOST_FACTORS, Monomial};
 use super::size::Sizes;
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
@@ -8,8 +8,6 @@ use crate::number::Number;
 
 /// Sums nested deeper than this are not searched for common factors.
 const DEEPEST: usize = 6;
-/// Products with more nested parts than this are not looked into.
-const MOST_FACTORS: usize = 16;
 
 /// `numerator / denominator`. If the denominator is a product and the terms of the numerator share a factor
 /// with it, that is cancelled and what else they share is drawn out, provided that makes the formula shorter.

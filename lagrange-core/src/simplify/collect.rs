@@ -1,14 +1,11 @@
 //! Sums in which equal products and squares of sine and cosine meet.
 
-use super::monomial::{Monomial, Term};
+use super::monomial::{MOST_FACTORS, Monomial, Term};
 use super::pairs::join;
 use super::rules::squares;
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
-
-/// Products with more nested parts than this are not looked into.
-const MOST_FACTORS: usize = 16;
 
 /// `Σ coefficient · term`, with equal products added up however they are nested, `a·cos²x + a·sin²x`
 /// replaced by `a`, and `a·cosh²x - a·sinh²x` by `a`.

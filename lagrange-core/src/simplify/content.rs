@@ -1,12 +1,9 @@
 //! What several expressions have in common as a factor.
 
 use super::cancel::quotient;
-use super::monomial::Monomial;
+use super::monomial::{MOST_FACTORS, Monomial, Term};
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
-
-/// Products with more nested parts than this are not looked into.
-const MOST_FACTORS: usize = 16;
 
 /// A common factor of the expressions, and what they are without it. Forms that are multiples of each other
 /// by a product of such factors end up equal: of the rest, the first has a positive coefficient, and a single
@@ -16,23 +13,19 @@ pub fn content(graph: &mut Graph, expressions: &[ExprId]) -> (ExprId, Vec<ExprId
     if let [only] = expressions {
         return (*only, vec![one]);
     }
-    let split = expressions.iter().map(|&id| {
-        let (coefficient, core) = graph.split_coefficient(id);
-        let flat = Monomial::of(graph, core, MOST_FACTORS);
-        (coefficient, flat.unwrap_or_else(|| Monomial::new(vec![(core, Number::ONE)])))
-    });
-    let split = split.collect::<Vec<_>>();
-    let Some((first, common)) = split.first().cloned() else { return (one, Vec::new()) };
-    let common = split[1..].iter().fold(common, |common, (_, flat)| common.least(flat));
+    let terms = expressions.iter().map(|&id| Term::of(graph, id, &Number::ONE)).collect::<Vec<_>>();
+    let Some(first) = terms.first() else { return (one, Vec::new()) };
+    let common = terms.iter().fold(first.monomial.clone(), |common, term| common.least(&term.monomial));
     let (common, _) = common.split(|_, exponent| !exponent.is_negative() && exponent.is_integer());
     let common_core = common.build(graph);
-    let rest = split.iter().map(|(coefficient, flat)| {
-        let scale = first.reciprocal().unwrap_or(Number::ONE);
-        let core = flat.over(&common).build(graph);
-        graph.scale(coefficient * &scale, core)
+    // The first one may be zero, as drifts are.
+    let Some(scale) = first.coefficient.reciprocal() else { return (one, expressions.to_vec()) };
+    let rest = terms.iter().map(|term| {
+        let core = term.monomial.over(&common).build(graph);
+        graph.scale(&term.coefficient * &scale, core)
     });
     let rest = rest.collect();
-    (graph.scale(first, common_core), rest)
+    (graph.scale(first.coefficient.clone(), common_core), rest)
 }
 
 /// `numerator / denominator`, unless that divides by something that changes during the motion, which may be zero

@@ -14,15 +14,13 @@
 use std::collections::BTreeMap;
 
 use super::angle::{Angles, Wave};
-use super::monomial::Monomial;
+use super::monomial::{Monomial, Term};
 use crate::calculus::rebuild;
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::functions::apply;
 use crate::number::Number;
 
-/// Products with more nested parts than this are not looked into.
-const MOST_FACTORS: usize = 16;
 /// Products of more sines and cosines than this stay as they are.
 const MOST_WAVES: usize = 4;
 /// Sums of more terms than this stay as they are.
@@ -98,15 +96,9 @@ fn read(
     term: ExprId,
     coefficient: &Number,
 ) -> Option<(Monomial, WaveProduct)> {
-    let (inner, core) = graph.split_coefficient(term);
-    let coefficient = coefficient * &inner;
-    if let Some(value) = graph.as_number(core) {
-        let product = WaveProduct { coefficient: &coefficient * value, waves: Vec::new() };
-        return Some((Monomial::default(), product));
-    }
-    let flat = Monomial::of(graph, core, MOST_FACTORS)?;
+    let Term { coefficient, monomial } = Term::of(graph, term, coefficient);
     let (mut cofactor, mut waves) = (Vec::new(), Vec::new());
-    for (base, exponent) in flat.factors() {
+    for (base, exponent) in monomial.factors() {
         let wave = match graph.node(*base) {
             Node::Call(function @ (Function::Sin | Function::Cos), x) => {
                 Some(Wave { is_sine: *function == Function::Sin, angle: angles.read(graph, x[0]) })

@@ -3,6 +3,9 @@
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
+/// Products with more nested parts than this are not looked into.
+pub(super) const MOST_FACTORS: usize = 16;
+
 /// `Π base ^ exponent`: ascending bases, no exponent zero. Equal monomials are equal values.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
 pub(super) struct Monomial(Vec<(ExprId, Number)>);
@@ -12,6 +15,19 @@ pub(super) struct Monomial(Vec<(ExprId, Number)>);
 pub(super) struct Term {
     pub(super) coefficient: Number,
     pub(super) monomial: Monomial,
+}
+
+impl Term {
+    /// `scale · id` with its factors opened; something with too many of them is a factor itself.
+    pub(super) fn of(graph: &Graph, id: ExprId, scale: &Number) -> Term {
+        let (inner, core) = graph.split_coefficient(id);
+        let coefficient = scale * &inner;
+        if let Some(value) = graph.as_number(core) {
+            return Term { coefficient: &coefficient * value, monomial: Monomial::default() };
+        }
+        let flat = Monomial::of(graph, core, MOST_FACTORS);
+        Term { coefficient, monomial: flat.unwrap_or_else(|| Monomial::new(vec![(core, Number::ONE)])) }
+    }
 }
 
 impl Monomial {

@@ -6,8 +6,6 @@ use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
-/// Products with more nested parts than this are not looked into.
-const MOST_FACTORS: usize = 16;
 /// Nothing is multiplied out to more terms than this.
 const MOST_TERMS: usize = 64;
 
@@ -18,7 +16,7 @@ pub fn open(
     terms: &[(ExprId, Number)],
     is_chosen: impl Fn(&Graph, ExprId) -> bool,
 ) -> Option<Vec<(ExprId, Number)>> {
-    let mut pending = terms.iter().map(|(id, c)| read(graph, *id, c)).collect::<Vec<_>>();
+    let mut pending = terms.iter().map(|(id, c)| Term::of(graph, *id, c)).collect::<Vec<_>>();
     let mut opened = Vec::new();
     while let Some(term) = pending.pop() {
         let factor = sums_of(graph, &term.monomial).find(|factor| is_chosen(graph, *factor));
@@ -59,7 +57,7 @@ pub fn count_opened(graph: &Graph, id: ExprId) -> usize {
 pub fn factors_to_open(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<ExprId> {
     let mut found = Vec::new();
     for (id, coefficient) in terms {
-        let term = read(graph, *id, coefficient);
+        let term = Term::of(graph, *id, coefficient);
         found.extend(sums_of(graph, &term.monomial));
     }
     found.sort_unstable();
@@ -73,16 +71,6 @@ pub fn is_no_difference(graph: &Graph, id: ExprId) -> bool {
         Node::Sum { constant, terms } => constant.is_zero() && !is_difference(graph, terms),
         _ => true,
     }
-}
-
-fn read(graph: &Graph, id: ExprId, coefficient: &Number) -> Term {
-    let (inner, core) = graph.split_coefficient(id);
-    let coefficient = coefficient * &inner;
-    if let Some(value) = graph.as_number(core) {
-        return Term { coefficient: &coefficient * value, monomial: Monomial::default() };
-    }
-    let flat = Monomial::of(graph, core, MOST_FACTORS);
-    Term { coefficient, monomial: flat.unwrap_or_else(|| Monomial::new(vec![(core, Number::ONE)])) }
 }
 
 fn sums_of<'a>(graph: &'a Graph, monomial: &'a Monomial) -> impl Iterator<Item = ExprId> + 'a {
@@ -101,7 +89,7 @@ fn distributed(graph: &Graph, term: &Term, factor: ExprId) -> Vec<Term> {
         parts.push(Term { coefficient: &term.coefficient * constant, monomial: rest.clone() });
     }
     parts.extend(terms.iter().map(|(id, c)| {
-        let inner = read(graph, *id, c);
+        let inner = Term::of(graph, *id, c);
         let coefficient = &term.coefficient * &inner.coefficient;
         Term { coefficient, monomial: rest.times(&inner.monomial) }
     }));

@@ -202,29 +202,24 @@ impl<'g> Elimination<'g> {
         pull: &Pull,
         applied: ExprId,
     ) -> Substitution {
-        let frame = carriers.frame(&mut self.algebra, touched, pull.pivot);
-        let factors = |elimination: &mut Self| match &frame {
-            Some(frame) => frame.factors(&mut elimination.algebra),
-            None => pull.factors(&mut elimination.algebra, carriers),
-        };
-        if !self.algebra.graph.is_zero(applied) {
-            let factors = factors(self);
-            self.pass_on(&factors, applied);
-        }
-        match frame {
-            Some(frame) => {
-                let load = self.algebra.total(vec![(pull.applied, Number::ONE), (applied, Number::ONE)]);
-                let offset = simplify::quotient(self.algebra.graph, load, pull.pivot);
-                Substitution::InFrame { carriers: frame.carriers, bend: frame.bend, offset }
+        let loads = [pull.applied, applied];
+        if let Some(frame) = carriers.frame(&mut self.algebra, touched, pull.pivot) {
+            if !self.algebra.graph.is_zero(applied) {
+                let factors = frame.factors(&mut self.algebra);
+                self.pass_on(&factors, applied);
             }
-            None => {
-                let factors = pull.factors(&mut self.algebra, carriers);
-                let load = [pull.drifting, pull.applied, applied].map(|load| (load, Number::ONE));
-                let load = self.algebra.total(load.to_vec());
-                let free = simplify::quotient(self.algebra.graph, load, pull.pivot);
-                Substitution::Plain { factors, free }
-            }
+            let offset = self.divided(&loads, pull.pivot);
+            return Substitution::InFrame { carriers: frame.carriers, bend: frame.bend, offset };
         }
+        let factors = pull.factors(&mut self.algebra, carriers);
+        self.pass_on(&factors, applied);
+        let free = self.divided(&[&loads[..], &[pull.drifting]].concat(), pull.pivot);
+        Substitution::Plain { factors, free }
+    }
+
+    fn divided(&mut self, terms: &[ExprId], pivot: ExprId) -> ExprId {
+        let total = self.algebra.total(terms.iter().map(|&term| (term, Number::ONE)).collect());
+        simplify::quotient(self.algebra.graph, total, pivot)
     }
 
     /// The part of a load that what is left has to bear.
