@@ -8,9 +8,29 @@ use core::fmt::Debug;
 use crate::scalar::Scalar;
 
 /// A vector whose length is part of its type, such as `[S; K]`.
-pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {}
+pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
+    /// A square matrix in rows, such as `[[S; K]; K]`.
+    type Square: Copy + Debug + AsRef<[Self]> + AsMut<[Self]>;
 
-impl<S: Scalar, const K: usize> StateVector<S> for [S; K] {}
+    /// The vector of zeros.
+    const ZERO: Self;
+    /// The matrix of zeros.
+    const ZERO_SQUARE: Self::Square;
+}
+
+impl<S: Scalar, const K: usize> StateVector<S> for [S; K] {
+    type Square = [[S; K]; K];
+
+    const ZERO: Self = [S::ZERO; K];
+    const ZERO_SQUARE: [[S; K]; K] = [[S::ZERO; K]; K];
+}
+
+/// The square matrix, in rows, that belongs to a system's state.
+pub type StateMatrix<M> = <<M as OdeSystem>::State as StateVector<<M as OdeSystem>::Scalar>>::Square;
+
+/// The square matrix, in rows, that belongs to a system's coordinates.
+pub type CoordinateMatrix<M> =
+    <<M as MechanicalSystem>::Coordinates as StateVector<<M as OdeSystem>::Scalar>>::Square;
 
 /// A system of ordinary differential equations of first order, ẏ = f(t, y).
 ///
@@ -43,6 +63,13 @@ pub trait OdeSystem {
     ///
     /// Where f is undefined, the result is not finite.
     fn rhs(&self, t: Self::Scalar, y: &Self::State) -> Self::State;
+
+    /// ∂f/∂y in rows, entry i, j being ∂fᵢ/∂yⱼ, if it is known: emitted types know it if the declaration says
+    /// `emit { jacobian }`. Implicit methods iterate by Newton's method where it is and by fixed points elsewhere.
+    #[inline]
+    fn jacobian(&self, _t: Self::Scalar, _y: &Self::State) -> Option<StateMatrix<Self>> {
+        None
+    }
 }
 
 /// A system described by generalised coordinates q and their velocities v = q̇.
@@ -75,4 +102,64 @@ pub trait MechanicalSystem: OdeSystem {
 pub trait EnergyFunction: MechanicalSystem {
     /// The energy function at time `t`, coordinates `q` and velocities `v`.
     fn energy(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Coordinates) -> Self::Scalar;
+}
+
+/// A system whose accelerations do not depend on its velocities and whose mass matrix is constant.
+///
+/// This makes the Hamiltonian a sum of a function of momenta and one of coordinates, which explicit symplectic
+/// methods ask for. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VI.3.
+#[diagnostic::on_unimplemented(
+    message = "the accelerations of `{Self}` depend on velocities, or its mass matrix is not constant",
+    note = "symplectic Euler, Störmer–Verlet and their compositions take separable systems only",
+    note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix"
+)]
+pub trait SeparableSystem: MechanicalSystem {}
+
+/// A mechanical system that knows its momenta p = ∂L/∂v and how fast they change, ṗ = ∂L/∂q + Q.
+///
+/// These are Hamilton's equations with velocities in the place of momenta; methods that are symplectic for any
+/// mass matrix integrate (q, p). Emitted types implement it if the declaration says `emit { momentum_rates }`.
+#[diagnostic::on_unimplemented(
+    message = "the momenta of `{Self}` and their rates are not known",
+    note = "declare it with `emit {{ momentum_rates }}`"
+)]
+pub trait CanonicalSystem: MechanicalSystem {
+    /// The momenta p = ∂L/∂v.
+    fn momenta(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Coordinates) -> Self::Coordinates;
+
+    /// The rates ∂L/∂q + Q of the momenta.
+    fn momentum_rates(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Coordinates,
+    ) -> Self::Coordinates;
+
+    /// The mass matrix ∂p/∂v, in rows.
+    fn mass_matrix(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Coordinates,
+    ) -> CoordinateMatrix<Self>;
+}
+
+/// Coordinates and velocities of a state.
+#[inline]
+pub fn split<M: MechanicalSystem + ?Sized>(y: &M::State) -> (M::Coordinates, M::Coordinates) {
+    let (mut q, mut v) = (M::Coordinates::ZERO, M::Coordinates::ZERO);
+    let (coordinates, velocities) = y.as_ref().split_at(q.as_ref().len());
+    q.as_mut().copy_from_slice(coordinates);
+    v.as_mut().copy_from_slice(velocities);
+    (q, v)
+}
+
+/// The state made of coordinates and velocities.
+#[inline]
+pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Coordinates) -> M::State {
+    let mut y = M::State::ZERO;
+    let (coordinates, velocities) = y.as_mut().split_at_mut(q.as_ref().len());
+    coordinates.copy_from_slice(q.as_ref());
+    velocities.copy_from_slice(v.as_ref());
+    y
 }

@@ -8,6 +8,7 @@ use crate::scalar::Scalar;
 use crate::system::StateVector;
 
 /// A state and the part of its increments that did not fit into it.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Compensated<Y> {
     value: Y,
     remainder: Y,

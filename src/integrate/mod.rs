@@ -1,12 +1,22 @@
 //! Methods that advance a system ẏ = f(t, y) in time.
 //!
-//! One file per family of methods, each citing its tableau. They take anything that implements
-//! [`OdeSystem`](crate::system::OdeSystem), need no heap, run forwards or backwards in time, and stop with
-//! an [`IntegrationError`] instead of passing on NaN or infinity.
+//! One file per family of methods, each citing its source. They need no heap, run forwards or backwards in time,
+//! and stop with a [`Cause`] instead of passing on NaN or infinity.
+//!
+//! A [`Method`] is chosen and given to [`integrate`], or to the front door `simulate`, which also samples, watches
+//! for events and keeps trajectories; loops of one's own drive a [`Stepper`].
 
+mod clock;
 mod compensated;
 mod error;
+mod fixed;
+mod interpolation;
+mod method;
 mod rk4;
+mod run;
 
-pub use self::error::IntegrationError;
-pub use self::rk4::{rk4, rk4_step};
+pub use self::error::{Cause, IntegrationError};
+pub use self::fixed::{FixedStepper, Formula};
+pub use self::method::{Method, Stepper, Work};
+pub use self::rk4::{RungeKutta4, rk4_step};
+pub use self::run::integrate;
