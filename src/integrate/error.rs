@@ -42,6 +42,11 @@ pub enum Cause<S> {
         /// How many iterations were made.
         iterations: u32,
     },
+    /// An event function is NaN or infinite.
+    EventNotFinite {
+        /// Which event, counted from zero in the order given.
+        event: usize,
+    },
     /// The zero of an event function could not be located.
     EventNotLocated {
         /// Which event, counted from zero in the order given.
@@ -72,6 +77,7 @@ impl<S: Debug> Display for Cause<S> {
                 "an implicit step did not converge in {iterations} iterations; take shorter steps, or let the \
                  declaration `emit {{ jacobian }}`"
             ),
+            Cause::EventNotFinite { event } => write!(f, "the function of event {event} is NaN or infinite"),
             Cause::EventNotLocated { event, bisections } => {
                 write!(f, "the zero of event {event} could not be located in {bisections} bisections")
             }
