@@ -2,7 +2,7 @@
 
 use super::direction::Direction;
 use super::watch::{Occurrence, Watch};
-use crate::integrate::{Cause, IntegrationError, Method, Stepper};
+use crate::integrate::{Cause, IntegrationError, Method, Outcome, Stepper};
 use crate::system::OdeSystem;
 
 /// What to do at an event.
@@ -62,7 +62,7 @@ pub fn integrate_with_events<M, K, const E: usize>(
     method: &K,
     (directions, mut values): ([Direction; E], impl FnMut(M::Scalar, &M::State) -> [M::Scalar; E]),
     mut react: impl FnMut(&Occurrence<M::Scalar, M::State>) -> Reaction<M::State>,
-) -> Result<(M::Scalar, M::State), IntegrationError<M::Scalar, M::State>>
+) -> Outcome<M, (M::Scalar, M::State)>
 where
     M: OdeSystem + ?Sized,
     K: Method<M>,
