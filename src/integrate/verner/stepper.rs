@@ -131,12 +131,9 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.last = Span { t, y: *self.state.value(), h: M::Scalar::ZERO };
     }
 
-    fn attempt(
-        &mut self,
-        system: &M,
-        h: M::Scalar,
-        clock: Clock<M::Scalar>,
-    ) -> Result<bool, Cause<M::Scalar>> {
+    /// Tries a step and says whether its error was small enough.
+    fn attempt(&mut self, system: &M, attempt: Attempt<M::Scalar>) -> Result<bool, Cause<M::Scalar>> {
+        let Attempt { h, clock } = attempt;
         let y = *self.state.value();
         let ends = self.stages(system, &y, h);
         let mut increment = ADVANCE.weighted(&self.rates);
@@ -185,8 +182,7 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
             if self.work.steps + self.work.rejections >= self.settings.max_steps {
                 return Err(Cause::TooManySteps { limit: self.settings.max_steps });
             }
-            let (h, clock) =
-                self.next(limit).map_err(|lost| if is_finite { lost } else { Cause::NotFinite })?;
+            let attempt = self.next(limit).map_err(|lost| if is_finite { lost } else { Cause::NotFinite })?;
             if self.attempt(system, attempt)? {
                 return Ok(());
             }
