@@ -3,6 +3,7 @@
 //! Two stages lie at the end of a step. How much their rates differ for how much their states do estimates the largest
 //! eigenvalue of the Jacobian. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
 
+use super::tolerance::epsilon;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
@@ -71,10 +72,4 @@ impl<S: Scalar> Stiffness<S> {
 /// Square of the Euclidean distance.
 fn distance<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
     a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| sum + (*a - *b) * (*a - *b))
-}
-
-/// The spacing of numbers at one: a third has no finite binary expansion.
-fn epsilon<S: Scalar>() -> S {
-    let three = S::from_f64(3.0);
-    (three * (S::from_f64(4.0) / three - S::ONE) - S::ONE).abs()
 }

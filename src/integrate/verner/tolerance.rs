@@ -4,14 +4,18 @@ use super::Verner98;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
 
+/// Fewer roundings of the state than this are tolerated in any case, since shorter steps only round more.
+const LEAST_ROUNDINGS: f64 = 16.0;
+
 impl<S: Scalar> Verner98<S> {
     /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
     pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         let ends = from.as_ref().iter().zip(to.as_ref());
+        let relative = self.relative.max(S::from_f64(LEAST_ROUNDINGS) * epsilon::<S>());
         let mut sum = S::ZERO;
         for (error, (from, to)) in error.as_ref().iter().zip(ends) {
             let size = from.abs().max(to.abs());
-            let part = h * *error / self.relative.multiply_add(size, self.absolute);
+            let part = h * *error / relative.multiply_add(size, self.absolute);
             // Zero by zero where nothing moves and nothing is tolerated.
             sum = if *error == S::ZERO { sum } else { part.multiply_add(part, sum) };
         }
@@ -56,4 +60,10 @@ impl<S: Scalar> Verner98<S> {
             guess.min(longest)
         }
     }
+}
+
+/// The spacing of numbers at one: a third has no finite binary expansion.
+pub(super) fn epsilon<S: Scalar>() -> S {
+    let three = S::from_f64(3.0);
+    (three * (S::from_f64(4.0) / three - S::ONE) - S::ONE).abs()
 }
