@@ -3,7 +3,6 @@
 //! Two stages lie at the end of a step. How much their rates differ for how much their states do estimates the largest
 //! eigenvalue of the Jacobian. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
 
-use super::tolerance::epsilon;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
@@ -51,7 +50,7 @@ impl<S: Scalar> Stiffness<S> {
         other: Point<'_, Y>,
     ) -> Option<S> {
         let (change, size) = (distance(one.0, other.0), distance(one.0, &Y::ZERO));
-        let rounding = S::from_f64(ROUNDINGS) * epsilon::<S>();
+        let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
         let is_many = (ahead / h).abs() > S::from_f64(BEARABLE);
         let eigenvalue = (distance(one.1, other.1) / change).sqrt();
         let is_at_limit = (h * eigenvalue).abs() > S::from_f64(STABLE);
