@@ -189,7 +189,7 @@ fn documentation<'a>(declaration: &'a Declaration) -> HashMap<&'a str, &'a Token
                 list.iter().for_each(|definition| insert(&definition.name));
             }
             StatementKind::Coordinates(names) => names.iter().for_each(insert),
-            StatementKind::Output(name, _) => insert(name),
+            StatementKind::Constraint(name, _) | StatementKind::Output(name, _) => insert(name),
             _ => {}
         }
     }

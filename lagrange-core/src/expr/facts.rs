@@ -25,6 +25,8 @@ impl Dependencies {
     pub const VELOCITY: Dependencies = Dependencies(16);
     /// Depends on an acceleration.
     pub const ACCELERATION: Dependencies = Dependencies(32);
+    /// Depends on a multiplier.
+    pub const MULTIPLIER: Dependencies = Dependencies(128);
     /// Contains a place holder of an unfinished computation.
     pub const PLACEHOLDER: Dependencies = Dependencies(64);
 
@@ -46,6 +48,7 @@ impl Dependencies {
             Role::Coordinate(_) => Dependencies::COORDINATE,
             Role::Velocity(_) => Dependencies::VELOCITY,
             Role::Acceleration(_) => Dependencies::ACCELERATION,
+            Role::Multiplier(_) => Dependencies::MULTIPLIER,
             Role::Placeholder(_) => Dependencies::PLACEHOLDER,
         }
     }

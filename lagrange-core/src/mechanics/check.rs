@@ -14,6 +14,7 @@ impl Elaborator<'_> {
         self.check_state_names();
         self.check_energies();
         self.check_products();
+        self.check_constraint_count();
         if self.evaluator.report.has_errors() {
             return None;
         }
@@ -124,7 +125,8 @@ impl Elaborator<'_> {
         let mut needs_input_rate = false;
         for ((coordinate, span), momentum) in self.coordinates.iter().zip(momenta) {
             let dependencies = self.evaluator.graph.dependencies(momentum);
-            if !dependencies.intersects(Dependencies::VELOCITY) {
+            let is_determined = dependencies.intersects(Dependencies::VELOCITY);
+            if !is_determined && !self.is_constrained(coordinate.velocity) {
                 let error = self.evaluator.report.error(*span, messages::no_inertia(&coordinate.name));
                 error.help(messages::NO_INERTIA_HELP);
             }
@@ -170,6 +172,7 @@ impl Elaborator<'_> {
             lagrangian,
             dissipation,
             loads: self.loads,
+            constraints: self.constraints.into_iter().map(|(constraint, _)| constraint).collect(),
             outputs: self.outputs,
             rates,
             labels,

@@ -4,7 +4,7 @@ use proc_macro2::Span;
 
 use super::expression::Evaluator;
 use super::messages;
-use super::model::{Coordinate, Load, Model, Output, Parameter, Product};
+use super::model::{Constraint, Coordinate, Load, Model, Output, Parameter, Product};
 use super::operand::Operand;
 use super::scope::Kind;
 use crate::calculus::evaluate;
@@ -49,6 +49,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) lagrangian: Vec<Term>,
     pub(super) dissipation: Vec<Term>,
     pub(super) loads: Vec<Load>,
+    /// Constraints, with where their names stand.
+    pub(super) constraints: Vec<(Constraint, Span)>,
     pub(super) outputs: Vec<Output>,
     pub(super) labels: Vec<(ExprId, String)>,
     /// Entries of `emit`, with where they stand.
@@ -68,6 +70,7 @@ impl<'a> Elaborator<'a> {
             lagrangian: Vec::new(),
             dissipation: Vec::new(),
             loads: Vec::new(),
+            constraints: Vec::new(),
             outputs: Vec::new(),
             labels: Vec::new(),
             wanted: Vec::new(),
@@ -102,6 +105,7 @@ impl<'a> Elaborator<'a> {
             StatementKind::ForceOn(coordinate, value) => self.force_on(coordinate, *value),
             StatementKind::ForceAt { force, point } => self.force_at(*force, *point),
             StatementKind::Torque { moment, angle } => self.torque(*moment, *angle, keyword),
+            StatementKind::Constraint(name, value) => self.constraint(name, *value),
             StatementKind::Output(name, value) => self.output(name, *value),
             StatementKind::Emit(items) => items.iter().for_each(|item| self.emit(item)),
         }
@@ -214,10 +218,11 @@ impl<'a> Elaborator<'a> {
     }
 
     pub(super) fn forbid_accelerations(&mut self, syntax: AstId, value: ExprId, what: &str) -> Option<()> {
-        if !self.evaluator.graph.dependencies(value).intersects(Dependencies::ACCELERATION) {
+        let unknowns = Dependencies::ACCELERATION | Dependencies::MULTIPLIER;
+        if !self.evaluator.graph.dependencies(value).intersects(unknowns) {
             return Some(());
         }
-        let (place, _) = self.evaluator.blame(syntax, Dependencies::ACCELERATION);
+        let (place, _) = self.evaluator.blame(syntax, unknowns);
         let error = self.evaluator.report.error(place, messages::acceleration_in(what));
         error.help(messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS);
         None
@@ -233,10 +238,16 @@ impl<'a> Elaborator<'a> {
         self.declare(name, Kind::Output, None);
         let Some(value) = value else { return };
         let graph = &self.evaluator.graph;
-        let uses = |&c: &ExprId| graph.dependencies(c).intersects(Dependencies::ACCELERATION);
-        let uses_accelerations = value.components().iter().any(uses);
+        let uses = |kind| value.components().iter().any(|&c| graph.dependencies(c).intersects(kind));
+        let uses_accelerations = uses(Dependencies::ACCELERATION);
+        let uses_multipliers = uses(Dependencies::MULTIPLIER);
         let components = value.components().to_vec();
-        self.outputs.push(Output { name: name.text.clone(), components, uses_accelerations });
+        self.outputs.push(Output {
+            name: name.text.clone(),
+            components,
+            uses_accelerations,
+            uses_multipliers,
+        });
     }
 
     fn emit(&mut self, item: &EmitItem) {

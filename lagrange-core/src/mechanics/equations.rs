@@ -1,5 +1,6 @@
 //! What is derived from a model.
 
+use super::constraints::{constraint_jacobian, join_multipliers};
 use super::contracted::contracted;
 use super::cost::cost;
 use super::form::QuadraticForm;
@@ -27,6 +28,10 @@ const MULTIPLYING_BUDGET: usize = 60;
 pub struct Equations {
     /// q̈ as functions of t, q, v.
     pub accelerations: Vec<ExprId>,
+    /// The multipliers of the constraints as functions of t, q, v.
+    pub multipliers: Vec<ExprId>,
+    /// A in M q̈ = f + Aᵀλ, in rows: what each constraint demands of the velocities is A v + …
+    pub constraint_jacobian: Vec<Vec<ExprId>>,
     /// How they are computed.
     pub road: Road,
     /// Whether the road over squares was open: whatever is quadratic in the velocities is a sum of squares of rates.
@@ -56,23 +61,28 @@ impl Equations {
     pub fn derive(model: &mut Model, choice: RoadChoice) -> Result<Equations, SingularMassMatrix> {
         let split = SplitLagrangian::new(model);
         let velocities = model.velocities();
-        let form = gauss_form(model, &split, AccelerationTerms::Dropped, Terms::All);
+        let mut form = gauss_form(model, &split, AccelerationTerms::Dropped, Terms::All);
+        join_multipliers(model, &mut form);
+        let unknowns = model.unknowns();
         let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
         separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
         let pushed = match model.accuracy {
-            Accuracy::Strict => contracted(&mut model.graph, pushed, &velocities),
-            _ => cheaper_coefficients(&mut model.graph, pushed, &velocities),
+            Accuracy::Strict => contracted(&mut model.graph, pushed, &unknowns),
+            _ => cheaper_coefficients(&mut model.graph, pushed, &unknowns),
         };
         let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
         let forcing = forcing(&mut model.graph, &pushed, &velocities);
-        let (solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
+        let constraint_jacobian = constraint_jacobian(model, &pushed);
+        let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
         let wants = |product: Product| model.products.contains(&product);
         let wanted = [Product::Bias, Product::Momenta, Product::Energy, Product::InverseDynamics].map(wants);
         let [bias, momenta, energy, inverse] = wanted;
         let mut equations = Equations {
-            accelerations: solution.accelerations,
+            multipliers: solution.values.split_off(velocities.len()),
+            accelerations: solution.values,
+            constraint_jacobian,
             road,
             is_sum_of_squares: !split.has_other_inertia,
             costs,
@@ -121,11 +131,11 @@ fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities:
 /// The form as it is or, for a small system, with its coefficients multiplied out, whichever leads to the
 /// accelerations at less cost. What a coordinate does to itself often cancels when multiplied out, but sharing
 /// beats that from a few coordinates on.
-fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, velocities: &[ExprId]) -> QuadraticForm {
-    let Some(expanded) = multiplied_out(graph, &pushed, velocities) else { return pushed };
+fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, unknowns: &[ExprId]) -> QuadraticForm {
+    let Some(expanded) = multiplied_out(graph, &pushed, unknowns) else { return pushed };
     let costs = [&pushed, &expanded].map(|form| {
-        let solution = solve_dense(graph, form.clone(), velocities)?;
-        Some(cost(graph, &solution.accelerations))
+        let solution = solve_dense(graph, form.clone(), unknowns)?;
+        Some(cost(graph, &solution.values))
     });
     match costs {
         [Some(as_it_is), Some(multiplied_out)] if multiplied_out < as_it_is => expanded,
@@ -133,15 +143,14 @@ fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, velocities: &[
     }
 }
 
-fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Option<QuadraticForm> {
-    if velocities.len() > MOST_MULTIPLIED_OUT {
+fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, unknowns: &[ExprId]) -> Option<QuadraticForm> {
+    if unknowns.len() > MOST_MULTIPLIED_OUT {
         return None;
     }
-    let pairs =
-        velocities.iter().enumerate().flat_map(|(n, &i)| velocities[n..].iter().map(move |&j| (i, j)));
+    let pairs = unknowns.iter().enumerate().flat_map(|(n, &i)| unknowns[n..].iter().map(move |&j| (i, j)));
     let pairs = pairs.collect::<Vec<_>>();
     let mut coefficients = pairs.iter().map(|&(i, j)| pushed.coefficient(graph, i, j)).collect::<Vec<_>>();
-    coefficients.extend(velocities.iter().map(|&v| pushed.linear(graph, v)).collect::<Vec<_>>());
+    coefficients.extend(unknowns.iter().map(|&id| pushed.linear(graph, id)).collect::<Vec<_>>());
     if graph.reachable(&coefficients).len() > LARGEST_MULTIPLIED_OUT {
         return None;
     }
@@ -149,7 +158,7 @@ fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprI
     let (quadratic, linear) = expanded.split_at(pairs.len());
     let mut form = QuadraticForm::default();
     pairs.iter().zip(quadratic).for_each(|(&(i, j), &value)| form.add_pair(graph, i, j, value));
-    velocities.iter().zip(linear).for_each(|(&v, &value)| form.add_linear(graph, v, value));
+    unknowns.iter().zip(linear).for_each(|(&id, &value)| form.add_linear(graph, id, value));
     Some(form)
 }
 
@@ -214,7 +223,7 @@ fn weighted_by_degree(graph: &mut Graph, sum: ExprId) -> Option<Vec<(ExprId, Num
 
 /// Names of the user, then of matrix entries and of what the solution computes on the way.
 fn labels(model: &Model, mass_matrix: &[Vec<ExprId>], solution: &Solution) -> Vec<(ExprId, String)> {
-    let accelerations = solution.accelerations.iter().zip(&model.coordinates);
+    let accelerations = solution.values.iter().zip(&model.coordinates);
     let accelerations = accelerations.map(|(id, coordinate)| (*id, format!("{}_ddot", coordinate.name)));
     let derived = matrix_labels(mass_matrix).into_iter().chain(accelerations);
     let derived = derived.chain(solution.labels.iter().cloned());

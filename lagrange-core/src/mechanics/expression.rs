@@ -267,6 +267,11 @@ impl<'a> Evaluator<'a> {
     /// d/dt of an operand; remembers which velocity is the rate of what.
     pub(super) fn rate(&mut self, value: &Operand, origin: AstId) -> Option<Operand> {
         for &component in value.components() {
+            if self.graph.dependencies(component).intersects(Dependencies::MULTIPLIER) {
+                let (place, name) = self.blame(origin, Dependencies::MULTIPLIER);
+                self.report.error(place, messages::rate_of_multiplier(&name));
+                return None;
+            }
             if self.graph.dependencies(component).intersects(Dependencies::INPUT) {
                 let (place, name) = self.blame(origin, Dependencies::INPUT);
                 self.report.error(place, messages::rate_of_input(&name)).help(messages::RATE_OF_INPUT_HELP);

@@ -125,6 +125,10 @@ pub(super) fn rate_of_input(name: &str) -> String {
     format!("the rate of input `{name}` is unknown")
 }
 
+pub(super) fn rate_of_multiplier(name: &str) -> String {
+    format!("the rate of the multiplier `{name}` is unknown")
+}
+
 pub(super) const RATE_OF_INPUT_HELP: &str =
     "an input may change at any time; make its rate another `input`, or the quantity a `coord`";
 
@@ -133,13 +137,14 @@ pub(super) fn velocity_in(place: &str) -> String {
 }
 
 pub(super) fn acceleration_in(place: &str) -> String {
-    format!("{place} must not depend on accelerations")
+    format!("{place} must not depend on accelerations or multipliers")
 }
 
 pub(super) const PLACE_HELP: &str = "places and angles are functions of the coordinates and of time";
 pub(super) const POTENTIAL_HELP: &str =
     "put terms with velocities into `kinetic`, `lagrangian` or `dissipation`";
-pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str = "only an `output` may use `ddot`";
+pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str =
+    "only an `output` may use `ddot`, or the name of a constraint for its multiplier";
 
 pub(super) fn input_in_kinetic(name: &str) -> String {
     format!("the rate of input `{name}` is needed here but unknown: it multiplies a velocity")
@@ -240,3 +245,34 @@ pub(super) const SINGULAR_MASS_MATRIX: &str =
     "the mass matrix is singular: the kinetic energy leaves some motion of the coordinates without inertia";
 pub(super) const SINGULAR_HELP: &str =
     "add the kinetic energy that is missing, or describe the motion with fewer coordinates";
+
+pub(super) fn constrains_nothing(name: &str) -> String {
+    format!("the constraint `{name}` holds no coordinate")
+}
+
+pub(super) const CONSTRAINS_NOTHING_HELP: &str =
+    "write what is to be zero as a function of coordinates or velocities";
+
+pub(super) fn nonlinear_constraint(name: &str) -> String {
+    format!("the constraint `{name}` is not linear in the velocities")
+}
+
+pub(super) const NONLINEAR_CONSTRAINT_HELP: &str =
+    "constraints are functions of coordinates and time, or sums of velocities times such functions";
+
+pub(super) fn repeated_constraint(name: &str, other: &str) -> String {
+    format!(
+        "the constraint `{name}` demands the same as `{other}`, so that nothing determines its multiplier"
+    )
+}
+
+pub(super) const REPEATED_CONSTRAINT_HELP: &str = "remove one of them";
+pub(super) const OTHER_CONSTRAINT_IS_HERE: &str = "the other one is here";
+
+pub(super) fn too_many_constraints(constraints: usize, coordinates: usize) -> String {
+    let plural = if coordinates == 1 { "" } else { "s" };
+    format!("{constraints} constraints are more than {coordinates} coordinate{plural} can fulfil")
+}
+
+pub(super) const TOO_MANY_CONSTRAINTS_HELP: &str =
+    "remove those that follow from the others, or add coordinates";

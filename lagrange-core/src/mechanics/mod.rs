@@ -6,6 +6,7 @@
 mod algebra;
 mod chains;
 mod check;
+mod constraints;
 mod contracted;
 mod cost;
 mod elaborate;
@@ -28,6 +29,6 @@ mod sweep;
 pub use algebra::Sums;
 pub use elaborate::elaborate;
 pub use equations::Equations;
-pub use model::{Coordinate, Energies, Load, Model, Output, Parameter, Product};
+pub use model::{Constraint, Coordinate, Energies, Load, Model, Output, Parameter, Product};
 pub use roads::{Road, RoadChoice, SingularMassMatrix};
 pub use structure::{Conserved, MassStructure, Structure};

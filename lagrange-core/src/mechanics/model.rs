@@ -22,6 +22,8 @@ pub struct Model {
     pub dissipation: ExprId,
     /// Applied forces and torques.
     pub loads: Vec<Load>,
+    /// What coordinates and velocities must satisfy, in declaration order.
+    pub constraints: Vec<Constraint>,
     /// Declared outputs.
     pub outputs: Vec<Output>,
     /// Velocities that are known to be rates, with what they are rates of: `(u, x)` with u = dx/dt.
@@ -81,6 +83,21 @@ pub struct Load {
     pub force: ExprId,
 }
 
+/// A constraint.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Its name.
+    pub name: String,
+    /// What is zero: a function of t and q, or one that is affine in v.
+    pub value: ExprId,
+    /// What is zero for the velocities: the rate of `value` or, if that holds velocities, `value` itself.
+    pub velocity: ExprId,
+    /// Whether `value` is a function of t and q.
+    pub is_holonomic: bool,
+    /// The symbol of its multiplier.
+    pub multiplier: ExprId,
+}
+
 /// A declared output.
 #[derive(Clone, Debug)]
 pub struct Output {
@@ -90,6 +107,8 @@ pub struct Output {
     pub components: Vec<ExprId>,
     /// Whether it needs the accelerations.
     pub uses_accelerations: bool,
+    /// Whether it needs the multipliers.
+    pub uses_multipliers: bool,
 }
 
 /// Something that can be emitted beside accelerations and outputs.
@@ -154,6 +173,18 @@ impl Model {
     /// The generalised velocities in state order.
     pub fn velocities(&self) -> Vec<ExprId> {
         self.coordinates.iter().map(|coordinate| coordinate.velocity).collect()
+    }
+
+    /// What the equations of motion determine: rates of the velocities, and multipliers.
+    pub fn unknowns(&self) -> Vec<ExprId> {
+        let mut unknowns = self.velocities();
+        unknowns.extend(self.multipliers());
+        unknowns
+    }
+
+    /// The multipliers in the order of the constraints.
+    pub fn multipliers(&self) -> Vec<ExprId> {
+        self.constraints.iter().map(|constraint| constraint.multiplier).collect()
     }
 
     /// The generalised coordinates in state order.

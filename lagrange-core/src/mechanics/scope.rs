@@ -17,6 +17,7 @@ pub(super) enum Kind {
     Constant,
     Coordinate,
     Abbreviation,
+    Constraint,
     Output,
 }
 
@@ -29,13 +30,14 @@ impl Kind {
             Kind::Constant => "constant",
             Kind::Coordinate => "coordinate",
             Kind::Abbreviation => "`let`",
+            Kind::Constraint => "constraint",
             Kind::Output => "output",
         }
     }
 
     /// Whether a name of this kind that nobody mentions is likely a mistake.
     fn should_be_used(self) -> bool {
-        !matches!(self, Kind::Coordinate | Kind::Output)
+        !matches!(self, Kind::Coordinate | Kind::Constraint | Kind::Output)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::form::QuadraticForm;
 use super::sweep::{Multiples, Sweep};
 use crate::collections::HashMap;
-use crate::expr::{ExprId, Graph};
+use crate::expr::{Dependencies, ExprId, Graph};
 use crate::number::Number;
 use crate::simplify;
 
@@ -29,36 +29,72 @@ struct Eliminated {
 /// The stationary point of a form, and names for what was computed on the way.
 #[derive(Clone, Debug)]
 pub(super) struct Solution {
-    /// The accelerations in the order of the velocities.
-    pub(super) accelerations: Vec<ExprId>,
+    /// The accelerations in the order of the velocities, then the multipliers.
+    pub(super) values: Vec<ExprId>,
     /// Names for pivots, factors and biases.
     pub(super) labels: Vec<(ExprId, String)>,
 }
 
-/// Eliminates all velocities from a form that has been pushed down: a left-looking LDLᵀ factorisation of
-/// the mass matrix, since every coefficient is summed only when its row is taken. Rows with the fewest
-/// neighbours go first. `None` if the mass matrix is structurally singular.
+/// Eliminates all unknowns from a form that has been pushed down: a left-looking LDLᵀ factorisation of
+/// the mass matrix, bordered by the constraints, since every coefficient is summed only when its row is taken.
+/// Multipliers follow the velocities: their squares, −A M⁻¹ Aᵀ, are complete then. `None` if the matrix is structurally
+/// singular.
 pub(super) fn solve_dense(
     graph: &mut Graph,
     mut form: QuadraticForm,
-    velocities: &[ExprId],
+    unknowns: &[ExprId],
 ) -> Option<Solution> {
-    let mut remaining = velocities.to_vec();
+    let (multipliers, mut velocities): (Vec<_>, Vec<_>) =
+        unknowns.iter().partition(|&&id| is_multiplier(graph, id));
+    let mut remaining = multipliers;
+    let mut eliminated = eliminate_massless(graph, &mut form, &mut velocities, &mut remaining)?;
+    eliminated.extend(eliminate_all(graph, &mut form, velocities)?);
+    eliminated.extend(eliminate_all(graph, &mut form, remaining)?);
+    Some(substitute_back(graph, &eliminated, &Parts::None, unknowns))
+}
+
+fn is_multiplier(graph: &Graph, id: ExprId) -> bool {
+    graph.dependencies(id).intersects(Dependencies::MULTIPLIER)
+}
+
+/// Eliminates velocities without any inertia, each together with a multiplier whose constraint determines it.
+fn eliminate_massless(
+    graph: &mut Graph,
+    form: &mut QuadraticForm,
+    velocities: &mut Vec<ExprId>,
+    multipliers: &mut Vec<ExprId>,
+) -> Option<Vec<Eliminated>> {
+    let mut eliminated = Vec::new();
+    while let Some(position) = velocities.iter().position(|&v| !form.has_square(v)) {
+        let partner = |&id: &ExprId| form.has_pair(velocities[position], id) && !form.has_square(id);
+        let Some(multiplier) = multipliers.iter().position(partner) else { break };
+        let (velocity, multiplier) = (velocities.remove(position), multipliers.remove(multiplier));
+        eliminated.extend(eliminate_pair(graph, form, velocity, multiplier)?);
+    }
+    Some(eliminated)
+}
+
+/// Eliminates these unknowns; rows with the fewest neighbours go first.
+fn eliminate_all(
+    graph: &mut Graph,
+    form: &mut QuadraticForm,
+    mut remaining: Vec<ExprId>,
+) -> Option<Vec<Eliminated>> {
     let mut eliminated = Vec::new();
     while !remaining.is_empty() {
         let candidates = remaining.iter().enumerate().filter(|(_, v)| form.has_square(**v));
         match candidates.min_by_key(|(_, v)| form.degree(**v)) {
             // What was left of the square may have cancelled; another row, or a pair, goes first then.
             Some((_, &v)) if form.drop_vanished_square(graph, v) => {}
-            Some((position, _)) => eliminated.push(eliminate(graph, &mut form, remaining.remove(position))?),
+            Some((position, _)) => eliminated.push(eliminate(graph, form, remaining.remove(position))?),
             None => {
                 let first = remaining.remove(0);
                 let position = remaining.iter().position(|&v| form.has_pair(first, v))?;
-                eliminated.extend(eliminate_pair(graph, &mut form, first, remaining.remove(position))?);
+                eliminated.extend(eliminate_pair(graph, form, first, remaining.remove(position))?);
             }
         }
     }
-    Some(substitute_back(graph, &eliminated, &Parts::None, velocities))
+    Some(eliminated)
 }
 
 /// Eliminates each velocity as soon as nothing unprocessed depends on it, while the rest of the form is
@@ -68,9 +104,11 @@ pub(super) fn solve_dense(
 pub(super) fn solve_recursive(
     graph: &mut Graph,
     mut form: QuadraticForm,
-    velocities: &[ExprId],
+    unknowns: &[ExprId],
 ) -> Option<Solution> {
-    let mut sweep = Sweep::new(graph, &form.variables(), velocities, Multiples::Merged);
+    let (multipliers, velocities): (Vec<_>, Vec<_>) =
+        unknowns.iter().partition(|&&id| is_multiplier(graph, id));
+    let mut sweep = Sweep::new(graph, &form.variables(), &velocities, Multiples::Merged);
     let mut eliminated = Vec::new();
     loop {
         if let Some(velocity) = sweep.next_leaf() {
@@ -81,8 +119,11 @@ pub(super) fn solve_recursive(
             break;
         }
     }
-    (eliminated.len() == velocities.len())
-        .then(|| substitute_back(graph, &eliminated, &Parts::Of(&sweep), velocities))
+    if eliminated.len() < velocities.len() {
+        return None;
+    }
+    eliminated.extend(eliminate_all(graph, &mut form, multipliers)?);
+    Some(substitute_back(graph, &eliminated, &Parts::Of(&sweep), unknowns))
 }
 
 fn eliminate(graph: &mut Graph, form: &mut QuadraticForm, velocity: ExprId) -> Option<Eliminated> {
@@ -157,7 +198,7 @@ fn substitute_back(
     graph: &mut Graph,
     eliminated: &[Eliminated],
     parts: &Parts<'_>,
-    velocities: &[ExprId],
+    unknowns: &[ExprId],
 ) -> Solution {
     let mut known: HashMap<ExprId, ExprId> = HashMap::default();
     for step in eliminated.iter().rev() {
@@ -169,9 +210,9 @@ fn substitute_back(
         let acceleration = graph.sum(Number::ZERO, terms);
         known.insert(step.velocity, acceleration);
     }
-    let accelerations = velocities.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect();
-    let labels = labels(graph, eliminated, velocities);
-    Solution { accelerations, labels }
+    let values = unknowns.iter().map(|id| known.get(id).copied().unwrap_or(*id)).collect();
+    let labels = labels(graph, eliminated, unknowns);
+    Solution { values, labels }
 }
 
 fn labels(graph: &mut Graph, eliminated: &[Eliminated], velocities: &[ExprId]) -> Vec<(ExprId, String)> {

@@ -136,7 +136,8 @@ fn somewhere(role: Role) -> f64 {
         Role::Coordinate(i) => (3, i),
         Role::Velocity(i) => (4, i),
         Role::Acceleration(i) => (5, i),
-        Role::Placeholder(i) => (6, i),
+        Role::Multiplier(i) => (6, i),
+        Role::Placeholder(i) => (7, i),
     };
     0.5 + (f64::from(7 * index + kind + 1) * GOLDEN_RATIO).fract()
 }

@@ -49,7 +49,7 @@ impl StatementKind {
             | StatementKind::Inputs(list)
             | StatementKind::Constants(list) => list.iter().map(|definition| &definition.name).collect(),
             StatementKind::Coordinates(names) | StatementKind::LetTuple(names, _) => names.iter().collect(),
-            StatementKind::Let(name, _) => vec![name],
+            StatementKind::Let(name, _) | StatementKind::Constraint(name, _) => vec![name],
             _ => Vec::new(),
         }
     }
@@ -115,8 +115,8 @@ pub struct Statement {
 impl StatementKind {
     /// Whether it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
-        use StatementKind::{Coordinates, Inputs, Output, Parameters};
-        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Output(..))
+        use StatementKind::{Constraint, Coordinates, Inputs, Output, Parameters};
+        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Constraint(..) | Output(..))
     }
 }
 
@@ -159,6 +159,8 @@ pub enum StatementKind {
         /// The angle it turns.
         angle: AstId,
     },
+    /// `constraint name = e;`
+    Constraint(Name, AstId),
     /// `output name = e;`
     Output(Name, AstId),
     /// `emit { a, no b }`

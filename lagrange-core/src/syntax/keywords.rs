@@ -13,12 +13,13 @@ pub(super) const STATEMENTS: &[&str] = &[
     "dissipation",
     "force",
     "torque",
+    "constraint",
     "output",
     "emit",
 ];
 
 /// Words set aside for statements that do not exist yet.
-pub(super) const FUTURE_STATEMENTS: &[&str] = &["constraint", "event", "body", "gravity", "reduce"];
+pub(super) const FUTURE_STATEMENTS: &[&str] = &["event", "body", "gravity", "reduce"];
 
 /// Functions of the language, also those that are only written behind a dot.
 const FUNCTIONS: &[&str] = &[

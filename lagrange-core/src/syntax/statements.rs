@@ -62,6 +62,9 @@ impl Parser<'_> {
             "dissipation" => Ok(StatementKind::Dissipation(self.assigned(cursor)?)),
             "force" => self.force(cursor),
             "torque" => self.torque(cursor),
+            "constraint" => {
+                Ok(StatementKind::Constraint(self.declared_name(cursor)?, self.assigned(cursor)?))
+            }
             "output" => Ok(StatementKind::Output(self.declared_name(cursor)?, self.assigned(cursor)?)),
             "emit" => Ok(StatementKind::Emit(self.emit(cursor)?)),
             _ => Err(self.unknown_statement(&keyword, cursor)),

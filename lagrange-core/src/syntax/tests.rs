@@ -103,6 +103,7 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::ForceOn(name, value) => format!("force {} {}", name.text, show(value)),
         StatementKind::ForceAt { force, point } => format!("force {} at {}", show(force), show(point)),
         StatementKind::Torque { moment, angle } => format!("torque {} on {}", show(moment), show(angle)),
+        StatementKind::Constraint(name, value) => format!("constraint {} {}", name.text, show(value)),
         StatementKind::Output(name, value) => format!("output {} {}", name.text, show(value)),
         StatementKind::Emit(items) => {
             let item = |item: &EmitItem| match item.wanted {

@@ -1,0 +1,115 @@
+//! Constraints as statements, and as cross terms of the quadratic form.
+//!
+//! A constraint c(q, t) = 0, or one that is linear in the velocities, restricts the accelerations by A a + b = 0 with A = ∂ċ/∂v
+//! or ∂c/∂v. Gauss's principle then asks for the stationary point of ½ aᵀM a − fᵀa − λᵀ(A a + b): each multiplier λ is one
+//! more unknown, whose only terms are −λ times the rate of the constraint, and M a = f + Aᵀλ.
+//! Source: Udwadia, Kalaba, *Analytical Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
+
+use super::elaborate::Elaborator;
+use super::form::QuadraticForm;
+use super::messages;
+use super::model::{Constraint, Model};
+use super::operand::Operand;
+use super::scope::Kind;
+use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates};
+use crate::diagnostics::Origin;
+use crate::expr::{Dependencies, ExprId};
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, Name};
+
+impl Elaborator<'_> {
+    pub(super) fn constraint(&mut self, name: &Name, syntax: AstId) {
+        let index = self.constraints.len() as u32;
+        let multiplier = self.evaluator.graph.symbol(&name.text, Role::Multiplier(index));
+        let term = self.term(syntax, name.span, "a constraint");
+        let velocity =
+            term.and_then(|term| Some((term.value, self.constrained_velocity(name, syntax, term.value)?)));
+        self.declare(name, Kind::Constraint, Some(Operand::Scalar(multiplier)));
+        let Some((value, velocity)) = velocity else { return };
+        self.report_repeated(name, velocity);
+        let is_holonomic = !self.evaluator.graph.dependencies(value).intersects(Dependencies::VELOCITY);
+        let constraint = Constraint { name: name.text.clone(), value, velocity, is_holonomic, multiplier };
+        self.constraints.push((constraint, name.span));
+    }
+
+    /// What a constraint demands of the velocities; `None` if that makes no sense, which has been reported.
+    fn constrained_velocity(&mut self, name: &Name, syntax: AstId, value: ExprId) -> Option<ExprId> {
+        let dependencies = self.evaluator.graph.dependencies(value);
+        let origin = self.evaluator.origin(syntax);
+        if !dependencies.intersects(Dependencies::COORDINATE | Dependencies::VELOCITY) {
+            let error = self.evaluator.report.error(origin, messages::constrains_nothing(&name.text));
+            error.help(messages::CONSTRAINS_NOTHING_HELP);
+            return None;
+        }
+        // The rate, and for accelerations also its rate, must be known.
+        let Operand::Scalar(rate) = self.evaluator.rate(&Operand::Scalar(value), syntax)? else {
+            return None;
+        };
+        if !dependencies.intersects(Dependencies::VELOCITY) {
+            return Some(rate);
+        }
+        let mut degrees = Degrees::default();
+        degrees.classify(&self.evaluator.graph, &[value]);
+        if degrees.of(&self.evaluator.graph, value) == Degree::Nonlinear {
+            let (place, _) = self.evaluator.blame(syntax, Dependencies::VELOCITY);
+            let error = self.evaluator.report.error(place, messages::nonlinear_constraint(&name.text));
+            error.help(messages::NONLINEAR_CONSTRAINT_HELP);
+            return None;
+        }
+        Some(value)
+    }
+
+    fn report_repeated(&mut self, name: &Name, velocity: ExprId) {
+        let graph = &mut self.evaluator.graph;
+        let (_, core) = graph.split_coefficient(velocity);
+        let same =
+            self.constraints.iter().find(|(other, _)| graph.split_coefficient(other.velocity).1 == core);
+        if let Some((other, span)) = same {
+            let message = messages::repeated_constraint(&name.text, &other.name);
+            let error =
+                self.evaluator.report.error(name.span, message).help(messages::REPEATED_CONSTRAINT_HELP);
+            error.related(Origin::from(*span), messages::OTHER_CONSTRAINT_IS_HERE);
+        }
+    }
+
+    /// Nothing can move, and no multiplier is determined, under more constraints than coordinates.
+    pub(super) fn check_constraint_count(&mut self) {
+        let (count, most) = (self.constraints.len(), self.coordinates.len());
+        if let Some((_, span)) = self.constraints.get(most).filter(|_| most > 0) {
+            let error = self.evaluator.report.error(*span, messages::too_many_constraints(count, most));
+            error.help(messages::TOO_MANY_CONSTRAINTS_HELP);
+        }
+    }
+
+    /// Whether a constraint holds this velocity.
+    pub(super) fn is_constrained(&self, velocity: ExprId) -> bool {
+        let rates = self.constraints.iter().map(|(constraint, _)| constraint.velocity).collect::<Vec<_>>();
+        self.evaluator.graph.reachable(&rates).contains(&velocity)
+    }
+}
+
+/// Adds −λ (A a + b) for every constraint.
+pub(super) fn join_multipliers(model: &mut Model, form: &mut QuadraticForm) {
+    let mut rates = Rates::new(AccelerationTerms::Dropped);
+    let graph = &mut model.graph;
+    for constraint in &model.constraints {
+        let drift = rates.of(graph, constraint.velocity);
+        let opposite = graph.negate(drift);
+        form.add_linear(graph, constraint.multiplier, opposite);
+        let (coefficient, velocity) = graph.split_coefficient(constraint.velocity);
+        let weight = graph.number(-&coefficient);
+        form.add_pair(graph, velocity, constraint.multiplier, weight);
+    }
+}
+
+/// A in rows: ∂ċ/∂v of each constraint, from the form that was pushed down to the velocities.
+pub(super) fn constraint_jacobian(model: &mut Model, pushed: &QuadraticForm) -> Vec<Vec<ExprId>> {
+    let velocities = model.velocities();
+    let graph = &mut model.graph;
+    let mut entry = |velocity, multiplier| {
+        let weight = pushed.coefficient(graph, velocity, multiplier);
+        graph.negate(weight)
+    };
+    let row = |constraint: &Constraint| velocities.iter().map(|&v| entry(v, constraint.multiplier)).collect();
+    model.constraints.iter().map(row).collect()
+}
