@@ -11,7 +11,9 @@ mod numerals;
 mod shape;
 mod size;
 mod skeleton;
+mod state;
 mod system;
+mod traits;
 
 pub mod graphviz;
 pub mod latex;

@@ -45,6 +45,7 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
         constants: equations_latex(""),
         names: argument_names(|wish| names.fresh(wish)),
         functions: BTreeSet::new(),
+        is_separable: true,
         has_rounded_constants: false,
     };
     items(&shape, &parts)

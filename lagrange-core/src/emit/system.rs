@@ -110,8 +110,9 @@ impl<'a> Writer<'a> {
         if !self.unrepresentable.is_empty() {
             return Err(Refusal::Constants(self.unrepresentable.into_iter().collect()));
         }
+        let is_separable = self.equations.is_separable(&self.model.graph);
         let Writer { methods, names, functions, has_rounded_constants, .. } = self;
-        Ok(Parts { docs, default, methods, constants, names, functions, has_rounded_constants })
+        Ok(Parts { docs, default, methods, constants, names, functions, is_separable, has_rounded_constants })
     }
 
     fn write_methods(&mut self) {
