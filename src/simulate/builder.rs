@@ -3,15 +3,16 @@
 use std::boxed::Box;
 use std::format;
 use std::string::{String, ToString};
-use std::vec;
 use std::vec::Vec;
 
-use crate::integrate::Method;
+use crate::integrate::{Method, Verner98};
+use crate::scalar::Scalar;
+use crate::simulate::error::SimulationError;
 use crate::simulate::progress::{Progress, Reporter, Verdict};
 use crate::simulate::run::run;
 use crate::simulate::sampling::Sampling;
-use crate::simulate::{Adaptive, SimulationError, Trajectory};
-use crate::system::{CanonicalSystem, EnergyFunction, MechanicalSystem, StateVector, split};
+use crate::simulate::trajectory::Trajectory;
+use crate::system::{CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem, split};
 
 /// Where a run starts. It wants to know when it ends.
 #[derive(Clone, Copy, Debug)]
@@ -33,12 +34,12 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
     }
 
     /// Ends at this time, which may lie before the start.
-    pub fn until(self, end: M::Scalar) -> Simulation<'a, M, Adaptive<M::Scalar>> {
+    pub fn until(self, end: M::Scalar) -> Simulation<'a, M, Verner98<M::Scalar>> {
         Simulation {
             system: self.system,
             start: (self.time, self.state),
             end,
-            method: Adaptive::default(),
+            method: Verner98::tolerance(default_tolerance()),
             sampling: Sampling::EveryStep,
             is_dense: false,
             max_steps: None,
@@ -48,7 +49,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
     }
 
     /// Ends when this much time has passed; backwards if it is negative.
-    pub fn lasting(self, duration: M::Scalar) -> Simulation<'a, M, Adaptive<M::Scalar>> {
+    pub fn lasting(self, duration: M::Scalar) -> Simulation<'a, M, Verner98<M::Scalar>> {
         let end = self.time + duration;
         self.until(end)
     }
@@ -79,8 +80,42 @@ pub(super) struct Observer<'a, M: MechanicalSystem> {
 
 /// Adds one value for each column of an observer to a row.
 type Extend<'a, M> = Box<
-    dyn FnMut(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State, &mut Vec<<M as OdeSystem>::Scalar>) + 'a,
+    dyn FnMut(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State, &mut Vec<<M as OdeSystem>::Scalar>)
+        + 'a,
 >;
+
+/// The tolerance of the default method if none is given, where numbers are fine enough.
+const TOLERANCE: f64 = 1e-9;
+/// No default tolerance is smaller than this many roundings.
+const ROUNDINGS: f64 = 10.0;
+
+fn default_tolerance<S: Scalar>() -> S {
+    let half = S::from_f64(0.5);
+    let mut rounding = S::ONE;
+    while S::ONE + half * rounding != S::ONE {
+        rounding = half * rounding;
+    }
+    S::from_f64(TOLERANCE).max(S::from_f64(ROUNDINGS) * rounding)
+}
+
+impl<M: MechanicalSystem> Simulation<'_, M, Verner98<M::Scalar>> {
+    /// The error that is tolerated in a step: relative to a component of the state where that is larger than one,
+    /// absolute where it is smaller. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
+    ///
+    /// The error at the end is the sum of these errors as the motion carries them on.
+    pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
+        self.method.relative = tolerance;
+        self.method.absolute = tolerance;
+        self
+    }
+
+    /// The error that is tolerated in a step in the units of the state, to be given after
+    /// [`tolerance`](Self::tolerance), which then is relative only.
+    pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
+        self.method.absolute = tolerance;
+        self
+    }
+}
 
 impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
     /// Integrates by this method instead of the adaptive one.
@@ -131,10 +166,10 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
     }
 
     /// Adds several columns that are computed together, such as the components of an output.
-    pub fn observe_each<const K2: usize>(
+    pub fn observe_each<const N: usize>(
         self,
-        names: [&str; K2],
-        mut values: impl FnMut(&M, M::Scalar, &M::State) -> [M::Scalar; K2] + 'a,
+        names: [&str; N],
+        mut values: impl FnMut(&M, M::Scalar, &M::State) -> [M::Scalar; N] + 'a,
     ) -> Self {
         let names = names.map(ToString::to_string).to_vec();
         self.with(names, Box::new(move |system, t, y, row| row.extend(values(system, t, y))))

@@ -12,9 +12,8 @@
 
 use std::vec::Vec;
 
-use crate::integrate::Stepper;
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StateVector};
+use crate::system::StateVector;
 
 /// The steps of a run, each as a polynomial.
 #[derive(Clone, Debug)]
@@ -40,20 +39,14 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         Dense { points: points.collect(), steps: Vec::new(), states: Vec::new() }
     }
 
-    /// Keeps the last step.
-    pub(super) fn push<M>(&mut self, system: &M, stepper: &mut impl Stepper<M>)
-    where
-        M: OdeSystem<Scalar = S, State = Y>,
-    {
-        let (from, to) = (stepper.last_time(), stepper.time());
+    /// Keeps the step between these times, in which the state is known.
+    pub(super) fn push(&mut self, (from, to): (S, S), mut state: impl FnMut(S) -> Y) {
         if from == to {
             return;
         }
-        let inner = self.points.len() - 1;
-        for s in &self.points[..inner] {
-            self.states.push(stepper.interpolate(system, from + *s * (to - from)));
-        }
-        self.states.push(*stepper.state());
+        let (inner, last) = self.points.split_at(self.points.len() - 1);
+        self.states.extend(inner.iter().map(|s| state(from + *s * (to - from))));
+        self.states.extend(last.iter().map(|_| state(to)));
         self.steps.push((from, to));
     }
 

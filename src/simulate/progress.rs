@@ -51,7 +51,9 @@ impl Verdict for ControlFlow<()> {
 /// nowhere can be cancelled, too.
 pub(super) struct Reporter<'a, S> {
     callback: Box<dyn FnMut(Progress<S>) -> bool + 'a>,
-    reports: u32,
+    /// Parts of the time whose end was reported.
+    reported: u32,
+    /// The number of steps to report at in any case.
     patience: u64,
 }
 
@@ -63,22 +65,34 @@ const PATIENCE: u64 = 1 << 12;
 impl<'a, S: Scalar> Reporter<'a, S> {
     pub(super) fn new<V: Verdict>(mut callback: impl FnMut(Progress<S>) -> V + 'a) -> Self {
         let callback = Box::new(move |progress| callback(progress).go_on());
-        Reporter { callback, reports: 0, patience: PATIENCE }
+        Reporter { callback, reported: 0, patience: PATIENCE }
     }
 
     /// Reports if it is time to; whether to go on.
     pub(super) fn step(&mut self, progress: Progress<S>) -> bool {
+        let done = self.parts_done(&progress);
+        let is_long = progress.steps >= self.patience;
+        if done == self.reported && !is_long {
+            return true;
+        }
+        if is_long {
+            self.patience = self.patience.saturating_mul(2);
+        }
+        self.reported = done;
+        (self.callback)(progress)
+    }
+
+    /// How many parts of the time are done, not less than were reported.
+    fn parts_done(&self, progress: &Progress<S>) -> u32 {
+        if progress.time == progress.end {
+            return PARTS;
+        }
         let part = (progress.end - progress.start) / S::from_f64(f64::from(PARTS));
         let done = (progress.time - progress.start) / part;
-        let next = S::from_f64(f64::from(self.reports + 1));
-        let is_new = done >= next || progress.time == progress.end;
-        let is_long = progress.steps >= self.patience;
-        if is_long {
-            self.patience *= 2;
-        }
-        while is_new && self.reports < PARTS && done >= S::from_f64(f64::from(self.reports + 1)) {
-            self.reports += 1;
-        }
-        if is_new || is_long { (self.callback)(progress) } else { true }
+        let is_done = |parts: u32| done >= S::from_f64(f64::from(parts));
+        (self.reported..PARTS)
+            .take_while(|parts| is_done(parts + 1))
+            .last()
+            .map_or(self.reported, |parts| parts + 1)
     }
 }
