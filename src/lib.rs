@@ -47,6 +47,7 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+pub mod event;
 pub mod integrate;
 pub mod scalar;
 #[cfg(feature = "std")]

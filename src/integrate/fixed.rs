@@ -136,7 +136,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
 impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
     fn advance(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Result<(), Cause<M::Scalar>> {
         let increment = self.formula.increment(system, t, self.variables.value(), h, &mut self.work)?;
-        let mut variables = self.variables.clone();
+        let mut variables = self.variables;
         variables.add(&increment);
         let state = self.formula.state(system, self.clock.time(), variables.value())?;
         check_finite(self.clock.time(), &state)?;

@@ -16,7 +16,7 @@ mod rk4;
 mod run;
 mod verner;
 
-pub use self::error::{Cause, IntegrationError};
+pub use self::error::{Cause, IntegrationError, Outcome};
 pub use self::fixed::{FixedStepper, Formula};
 pub use self::method::{Method, Stepper, Work};
 pub use self::rk4::{RungeKutta4, rk4_step};

@@ -58,10 +58,12 @@ impl<S: Scalar> Verner98<S> {
 
     fn check(&self) -> Result<(), Cause<S>> {
         let is_length = |step: Option<S>| step.is_none_or(|step| step > S::ZERO && step.is_finite());
-        if !(self.relative >= S::ZERO && self.absolute >= S::ZERO && self.relative + self.absolute > S::ZERO)
-            || !(self.relative + self.absolute).is_finite()
+        let is_tolerance = |part: S| part >= S::ZERO && part.is_finite();
+        if !is_tolerance(self.relative)
+            || !is_tolerance(self.absolute)
+            || self.relative + self.absolute == S::ZERO
         {
-            return Err(Cause::Setting("tolerances must not be negative, not both zero and not infinite"));
+            return Err(Cause::Setting("tolerances must be finite and not negative, and not both zero"));
         }
         if is_length(self.first_step) && is_length(self.longest_step) {
             return Ok(());

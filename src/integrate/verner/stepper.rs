@@ -49,6 +49,13 @@ enum Known {
     All,
 }
 
+/// The length of a step and the clock after it.
+#[derive(Clone, Copy)]
+struct Attempt<S> {
+    h: S,
+    clock: Clock<S>,
+}
+
 impl<M: OdeSystem + ?Sized> VernerStepper<M> {
     pub(super) fn start(
         settings: Verner98<M::Scalar>,
@@ -74,8 +81,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         Ok(stepper)
     }
 
-    /// The length of the next step to try and the clock after it, or that it is lost in rounding.
-    fn next(&self, limit: M::Scalar) -> Result<(M::Scalar, Clock<M::Scalar>), Cause<M::Scalar>> {
+    /// The next step to try, or that it is lost in rounding.
+    fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, Cause<M::Scalar>> {
         let length = self.settings.longest_step.map_or(self.control.step, |most| self.control.step.min(most));
         let t = self.clock.time();
         let mut clock = self.clock.with_step(if limit < t { -length } else { length });
@@ -83,7 +90,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         if clock.time() == t && t != limit {
             return Err(Cause::StepUnderflow { step: length });
         }
-        Ok((h, clock))
+        Ok(Attempt { h, clock })
     }
 
     /// Evaluates the stages of a step and returns the last two of them, which lie at its end.
@@ -124,12 +131,9 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.last = Span { t, y: *self.state.value(), h: M::Scalar::ZERO };
     }
 
-    fn attempt(
-        &mut self,
-        system: &M,
-        h: M::Scalar,
-        clock: Clock<M::Scalar>,
-    ) -> Result<bool, Cause<M::Scalar>> {
+    /// Tries a step and says whether its error was small enough.
+    fn attempt(&mut self, system: &M, attempt: Attempt<M::Scalar>) -> Result<bool, Cause<M::Scalar>> {
+        let Attempt { h, clock } = attempt;
         let y = *self.state.value();
         let ends = self.stages(system, &y, h);
         let mut increment = ADVANCE.weighted(&self.rates);
@@ -178,12 +182,11 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
             if self.work.steps + self.work.rejections >= self.settings.max_steps {
                 return Err(Cause::TooManySteps { limit: self.settings.max_steps });
             }
-            let (h, clock) =
-                self.next(limit).map_err(|lost| if is_finite { lost } else { Cause::NotFinite })?;
-            if self.attempt(system, h, clock)? {
+            let attempt = self.next(limit).map_err(|lost| if is_finite { lost } else { Cause::NotFinite })?;
+            if self.attempt(system, attempt)? {
                 return Ok(());
             }
-            is_finite = check_finite(h, &self.rates[15]).is_ok();
+            is_finite = check_finite(attempt.h, &self.rates[15]).is_ok();
         }
     }
 
