@@ -5,9 +5,11 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use crate::event::{Direction, Reaction};
 use crate::integrate::{Method, Verner98};
 use crate::scalar::Scalar;
 use crate::simulate::error::SimulationError;
+use crate::simulate::events::{Event, Watcher};
 use crate::simulate::progress::{Progress, Reporter, Verdict};
 use crate::simulate::run::run;
 use crate::simulate::sampling::Sampling;
@@ -44,6 +46,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
             is_dense: false,
             max_steps: None,
             observers: Vec::new(),
+            watchers: Vec::new(),
             reporter: None,
         }
     }
@@ -69,6 +72,7 @@ pub struct Simulation<'a, M: MechanicalSystem, K> {
     pub(super) is_dense: bool,
     pub(super) max_steps: Option<u64>,
     pub(super) observers: Vec<Observer<'a, M>>,
+    pub(super) watchers: Vec<Watcher<'a, M>>,
     pub(super) reporter: Option<Reporter<'a, M::Scalar>>,
 }
 
@@ -129,6 +133,7 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
             is_dense: self.is_dense,
             max_steps: self.max_steps,
             observers: self.observers,
+            watchers: self.watchers,
             reporter: self.reporter,
         }
     }
@@ -212,6 +217,42 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
 
     fn with(mut self, names: Vec<String>, extend: Extend<'a, M>) -> Self {
         self.observers.push(Observer { names, extend });
+        self
+    }
+
+    /// Records each zero of a function of time and state that is passed in this direction, under this name in
+    /// [`Trajectory::events`].
+    ///
+    /// Zeros are found as [`crate::event`] says: within a step, to 10⁻¹³ of it.
+    pub fn event(
+        self,
+        name: &str,
+        direction: Direction,
+        value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
+    ) -> Self {
+        self.event_with(name, direction, value, |_, _| Reaction::Continue)
+    }
+
+    /// Ends the run at the first such zero, which is recorded, too.
+    pub fn stop_at(
+        self,
+        name: &str,
+        direction: Direction,
+        value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
+    ) -> Self {
+        self.event_with(name, direction, value, |_, _| Reaction::Stop)
+    }
+
+    /// Records each such zero and then goes on, stops, or goes on from another state, as after an impact.
+    pub fn event_with(
+        mut self,
+        name: &str,
+        direction: Direction,
+        value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
+        react: impl FnMut(&M, &Event<M::Scalar, M::State>) -> Reaction<M::State> + 'a,
+    ) -> Self {
+        let (value, react) = (Box::new(value), Box::new(react));
+        self.watchers.push(Watcher { name: name.to_string(), direction, value, react });
         self
     }
 

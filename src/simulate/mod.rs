@@ -38,7 +38,9 @@ mod builder;
 mod csv;
 mod dense;
 mod error;
+mod events;
 mod progress;
+mod record;
 mod run;
 mod sampling;
 mod table;
@@ -51,6 +53,7 @@ use crate::system::MechanicalSystem;
 
 pub use self::builder::{Simulation, Start};
 pub use self::error::SimulationError;
+pub use self::events::Event;
 pub use self::progress::{Progress, Verdict};
 pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};

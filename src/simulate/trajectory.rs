@@ -2,9 +2,11 @@
 
 use std::fmt::{Debug, Display, Formatter};
 use std::string::String;
+use std::vec::Vec;
 
 use crate::integrate::Work;
 use crate::simulate::dense::Dense;
+use crate::simulate::events::Event;
 use crate::simulate::table::Table;
 use crate::system::{MechanicalSystem, StateVector};
 
@@ -15,6 +17,7 @@ use crate::system::{MechanicalSystem, StateVector};
 pub struct Trajectory<M: MechanicalSystem> {
     pub(super) table: Table<M::Scalar>,
     pub(super) dense: Option<Dense<M::Scalar, M::State>>,
+    pub(super) events: Vec<Event<M::Scalar, M::State>>,
     pub(super) work: Work,
     pub(super) ending: Ending,
     pub(super) first: (M::Scalar, M::State),
@@ -28,6 +31,8 @@ pub struct Trajectory<M: MechanicalSystem> {
 pub enum Ending {
     /// It reached its end time.
     Reached,
+    /// An event stopped it: the last of [`Trajectory::events`].
+    Stopped,
     /// The progress callback cancelled it.
     Cancelled,
     /// It failed; only the trajectory within an error says so.
@@ -116,6 +121,11 @@ impl<M: MechanicalSystem> Trajectory<M> {
         dense.at(t).ok_or(outside)
     }
 
+    /// What happened, in the order of the run.
+    pub fn events(&self) -> &[Event<M::Scalar, M::State>] {
+        &self.events
+    }
+
     /// What the run took.
     pub fn work(&self) -> Work {
         self.work
@@ -134,7 +144,12 @@ impl<M: MechanicalSystem> Trajectory<M> {
 
 impl<M: MechanicalSystem> Clone for Trajectory<M> {
     fn clone(&self) -> Self {
-        Trajectory { table: self.table.clone(), dense: self.dense.clone(), ..*self }
+        Trajectory {
+            table: self.table.clone(),
+            dense: self.dense.clone(),
+            events: self.events.clone(),
+            ..*self
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The front door on hand-written systems whose solutions are known.
 
 mod dense;
+mod events;
 mod files;
 mod limits;
 mod observers;
