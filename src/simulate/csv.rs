@@ -5,12 +5,9 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use crate::simulate::table::Table;
+use crate::simulate::table::{TIME, Table};
 use crate::simulate::trajectory::Trajectory;
 use crate::system::MechanicalSystem;
-
-/// The column of times.
-const TIME: &str = "t";
 
 impl<M: MechanicalSystem> Trajectory<M> {
     /// Writes all columns to a file, as [`write_csv`](Trajectory::write_csv) does; an older file is replaced.

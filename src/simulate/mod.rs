@@ -39,6 +39,8 @@ mod csv;
 mod dense;
 mod error;
 mod events;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod progress;
 mod record;
 mod run;

@@ -12,6 +12,7 @@ use crate::simulate::error::SimulationError;
 use crate::simulate::events::Watchers;
 use crate::simulate::progress::{Progress, Reporter};
 use crate::simulate::record::Record;
+use crate::simulate::table::TIME;
 use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::system::MechanicalSystem;
 
@@ -46,6 +47,9 @@ fn check_names<M: MechanicalSystem>(record: &Record<'_, M>) -> Result<(), Cause<
     let names = record.names();
     if names.iter().collect::<BTreeSet<_>>().len() < names.len() {
         return Err(Cause::Setting("two columns have the same name"));
+    }
+    if names.iter().any(|name| name == TIME) {
+        return Err(Cause::Setting("a column has the name of the time, `t`"));
     }
     Ok(())
 }

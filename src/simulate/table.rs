@@ -3,6 +3,9 @@
 use std::string::String;
 use std::vec::Vec;
 
+/// What the column of times is called in files.
+pub(super) const TIME: &str = "t";
+
 /// Samples in columns: their times and, for each name, a number for each time.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Table<S> {

@@ -34,6 +34,33 @@ fn csv_reads_back_to_the_bit() {
     }
 }
 
+#[cfg(feature = "parquet")]
+#[test]
+fn parquet_reads_back_to_the_bit() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::RowAccessor;
+
+    let trajectory = run();
+    let path = std::env::temp_dir().join(std::format!("lagrange_{}.parquet", std::process::id()));
+    trajectory.save_parquet(&path).expect("writes");
+    let file = SerializedFileReader::new(std::fs::File::open(&path).expect("is there")).expect("is Parquet");
+    let fields = file.metadata().file_metadata().schema().get_fields().iter();
+    let names: Vec<_> = fields.map(|field| String::from(field.name())).collect();
+    assert_eq!(names[0], "t");
+    assert_eq!(names[1..], *trajectory.names());
+    let columns: Vec<_> = std::iter::once(trajectory.times()).chain(trajectory.table().columns()).collect();
+    let mut rows = 0;
+    for (index, row) in file.get_row_iter(None).expect("rows").enumerate() {
+        let row = row.expect("a row");
+        for (place, column) in columns.iter().enumerate() {
+            assert_eq!(row.get_double(place).expect("a double").to_bits(), column[index].to_bits());
+        }
+        rows += 1;
+    }
+    assert_eq!(rows, trajectory.len());
+    std::fs::remove_file(path).expect("was there");
+}
+
 #[test]
 fn a_file_that_cannot_be_written_is_an_error() {
     assert!(run().save_csv("/no/such/folder/run.csv").is_err());

@@ -62,3 +62,9 @@ fn two_columns_of_one_name_are_refused() {
     let error = Oscillator.simulate(START).until(1.0).observe("x", |_, t, _| t).run().expect_err("refused");
     assert_eq!(error.cause, Cause::Setting("two columns have the same name"));
 }
+
+#[test]
+fn a_column_of_the_name_of_time_is_refused() {
+    let error = Oscillator.simulate(START).until(1.0).observe("t", |_, t, _| t).run().expect_err("refused");
+    assert!(matches!(error.cause, Cause::Setting(what) if what.contains("time")));
+}
