@@ -26,7 +26,8 @@ pub use self::stepper::VernerStepper;
 /// Verner's pair of order nine in steps as long as the tolerance allows, for any system that is not stiff.
 ///
 /// An accepted step has an estimated error of at most `absolute + relative · |y|`, in the root mean square over the
-/// components of the state; the error at the end is the sum of these as the motion carries them on.
+/// components of the state; the error at the end is the sum of these as the motion carries them on. What is less than
+/// 16 roundings of the state is always tolerated.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Verner98<S> {
     /// Error of a step as a part of the state.

@@ -27,7 +27,7 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
     /// From the start to the end that was in view there.
     span: M::Scalar,
     control: Control<M::Scalar>,
-    stiffness: Stiffness,
+    stiffness: Stiffness<M::Scalar>,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
     /// The last step, and its rates.
@@ -69,7 +69,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             settings,
             span: end - t,
             control: Control::new(M::Scalar::ZERO),
-            stiffness: Stiffness::default(),
+            stiffness: Stiffness::new(),
             clock: Clock::new(t, M::Scalar::ZERO),
             state: Compensated::new(*y),
             last: Span { t, y: *y, h: M::Scalar::ZERO },
@@ -131,37 +131,44 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.last = Span { t, y: *self.state.value(), h: M::Scalar::ZERO };
     }
 
-    /// Tries a step and says whether its error was small enough.
-    fn attempt(&mut self, system: &M, attempt: Attempt<M::Scalar>) -> Result<bool, Cause<M::Scalar>> {
-        let Attempt { h, clock } = attempt;
+    /// Tries a step towards `limit` and says whether its error was small enough.
+    fn attempt(
+        &mut self,
+        system: &M,
+        Attempt { h, clock }: Attempt<M::Scalar>,
+        limit: M::Scalar,
+    ) -> Result<bool, Cause<M::Scalar>> {
         let y = *self.state.value();
         let ends = self.stages(system, &y, h);
-        let mut increment = ADVANCE.weighted(&self.rates);
-        for component in increment.as_mut() {
-            *component = *component * h;
-        }
-        let mut state = self.state;
-        state.add(&increment);
+        let state = self.advanced(h);
         let error = self.settings.norm(h, &ERROR.weighted(&self.rates), &y, state.value());
         if !(error <= M::Scalar::ONE && check_finite(clock.time(), state.value()).is_ok()) {
             self.control.reject(h.abs(), error);
             self.work.rejections += 1;
             return Ok(false);
         }
-        self.work.steps += 1;
-        if self.settings.refuses_stiff {
+        if self.settings.refuses_stiff && self.stiffness.is_due(self.work.steps) {
             let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
-            if let Some(limit) = self.stiffness.watch(self.work.steps, h, one, other) {
-                self.work.steps -= 1;
+            if let Some(limit) = self.stiffness.watch((h, limit - clock.time()), one, other) {
                 return Err(Cause::Stiff { limit });
             }
         }
+        self.work.steps += 1;
         self.control.accept(h.abs(), error);
         self.last = Span { t: self.clock.time(), y, h };
-        self.clock = clock;
-        self.state = state;
-        self.known = Known::Stages;
+        (self.clock, self.state, self.known) = (clock, state, Known::Stages);
         Ok(true)
+    }
+
+    /// The state after a step of length `h` whose stages are known.
+    fn advanced(&self, h: M::Scalar) -> Compensated<M::State> {
+        let mut increment = ADVANCE.weighted(&self.rates);
+        for component in increment.as_mut() {
+            *component = *component * h;
+        }
+        let mut state = self.state;
+        state.add(&increment);
+        state
     }
 }
 
@@ -183,7 +190,7 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
                 return Err(Cause::TooManySteps { limit: self.settings.max_steps });
             }
             let attempt = self.next(limit).map_err(|lost| if is_finite { lost } else { Cause::NotFinite })?;
-            if self.attempt(system, attempt)? {
+            if self.attempt(system, attempt, limit)? {
                 return Ok(());
             }
             is_finite = check_finite(attempt.h, &self.rates[15]).is_ok();

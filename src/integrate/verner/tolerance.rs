@@ -4,14 +4,18 @@ use super::Verner98;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
 
+/// Fewer roundings of the state than this are tolerated in any case, since shorter steps only round more.
+const LEAST_ROUNDINGS: f64 = 16.0;
+
 impl<S: Scalar> Verner98<S> {
     /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
     pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         let ends = from.as_ref().iter().zip(to.as_ref());
+        let relative = self.relative.max(S::from_f64(LEAST_ROUNDINGS) * S::epsilon());
         let mut sum = S::ZERO;
         for (error, (from, to)) in error.as_ref().iter().zip(ends) {
             let size = from.abs().max(to.abs());
-            let part = h * *error / self.relative.multiply_add(size, self.absolute);
+            let part = h * *error / relative.multiply_add(size, self.absolute);
             // Zero by zero where nothing moves and nothing is tolerated.
             sum = if *error == S::ZERO { sum } else { part.multiply_add(part, sum) };
         }
