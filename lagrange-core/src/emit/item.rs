@@ -113,7 +113,7 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 }
 
 /// The lines of documentation and the other attributes.
-fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
+pub(super) fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
     let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
     // An attribute is a number sign and a group in brackets.
     let attributes = tokens.chunks(2).map(|attribute| attribute.iter().cloned().collect::<TokenStream>());
