@@ -72,6 +72,14 @@ impl Elaborator<'_> {
         }
     }
 
+    /// A reduced system would have to keep to constraints of its own.
+    pub(super) fn check_reduced_constraints(&mut self) {
+        if let (Some((_, span)), Some(reduction)) = (self.constraints.first(), self.reductions.first()) {
+            let error = self.evaluator.report.error(reduction.name.span, messages::REDUCED_CONSTRAINTS);
+            error.related(Origin::from(*span), messages::CONSTRAINT_IS_HERE);
+        }
+    }
+
     /// Nothing can move, and no multiplier is determined, under more constraints than coordinates.
     pub(super) fn check_constraint_count(&mut self) {
         let (count, most) = (self.constraints.len(), self.coordinates.len());

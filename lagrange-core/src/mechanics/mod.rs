@@ -19,6 +19,8 @@ mod loads;
 mod messages;
 mod model;
 mod operand;
+mod reduce;
+mod reductions;
 mod roads;
 mod scope;
 mod solve;
@@ -29,6 +31,8 @@ mod sweep;
 pub use algebra::Sums;
 pub use elaborate::elaborate;
 pub use equations::Equations;
-pub use model::{Constraint, Coordinate, Energies, Load, Model, Output, Parameter, Product};
+pub use model::{
+    Constraint, Coordinate, Energies, Held, Load, Model, Output, Parameter, Product, Reduced, Reduction,
+};
 pub use roads::{Road, RoadChoice, SingularMassMatrix};
 pub use structure::{Conserved, MassStructure, Structure};

@@ -16,10 +16,11 @@ pub(super) const STATEMENTS: &[&str] = &[
     "constraint",
     "output",
     "emit",
+    "reduce",
 ];
 
 /// Words set aside for statements that do not exist yet.
-pub(super) const FUTURE_STATEMENTS: &[&str] = &["event", "body", "gravity", "reduce"];
+pub(super) const FUTURE_STATEMENTS: &[&str] = &["event", "body", "gravity"];
 
 /// Functions of the language, also those that are only written behind a dot.
 const FUNCTIONS: &[&str] = &[

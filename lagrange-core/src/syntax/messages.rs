@@ -114,6 +114,17 @@ pub(super) const FORCE_HELP: &str =
 pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
 pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
 
+pub(super) const REDUCTION_HELP: &str = "write `reduce Name { freeze x = 0; small theta; }`";
+pub(super) const REDUCTION_ITEM: &str = "`freeze` or `small`";
+
+pub(super) fn frozen_without_value(name: &str) -> String {
+    format!("the frozen coordinate {} needs a value", quoted(name))
+}
+
+pub(super) fn frozen_without_value_help(name: &str) -> String {
+    format!("write `freeze {} = 0;`", shortened(name))
+}
+
 pub(super) fn future_statement(keyword: &str) -> String {
     format!("`{keyword}` statements are not available yet")
 }
@@ -121,7 +132,6 @@ pub(super) fn future_statement(keyword: &str) -> String {
 /// What can be done as long as there are no statements of that kind.
 pub(super) fn future_statement_help(keyword: &str) -> &'static str {
     match keyword {
-        "constraint" => "choose coordinates that fulfil it by themselves",
         "event" => "watch an `output` while the motion is integrated",
         "body" => "write its energies in `kinetic` and `potential` statements",
         "gravity" => "write `potential = gravitational_energy(m, g, h);` for each mass",
