@@ -154,7 +154,9 @@ impl<Y> Classical<Y> {
             return Ok(());
         }
         work.evaluations += EVALUATIONS;
-        let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), y, &stages.k1);
+        let direction = combined(&stages.k3, -M::Scalar::ONE, &stages.k2);
+        let change = h.abs() * length(&stages.k1);
+        let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), y, change, &direction);
         let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
         if h.abs() > limit { Err(Cause::Stiff { limit }) } else { Ok(()) }
     }

@@ -12,6 +12,8 @@ use crate::system::StateVector;
 
 /// Pairs of multiplications with the Jacobian: the estimate errs by some per cent where two eigenvalues are close.
 const ITERATIONS: u32 = 4;
+/// The differences of states from which the Jacobian is found are this part of the change of a step.
+const PART: f64 = 1e-3;
 /// What a look costs.
 pub(super) const EVALUATIONS: u64 = 1 + 2 * ITERATIONS as u64;
 /// After hints that came to nothing, no more steps than this pass without another look.
@@ -47,14 +49,16 @@ impl Watch {
 /// The magnitude of the largest eigenvalue of ∂`rates`/∂y at `y`, unless the motion grows along it as that of an
 /// upright pendulum does, which is no matter of the method; NaN if it cannot be told.
 ///
-/// The iteration starts with `direction`.
+/// The iteration starts in `direction` with differences that are a small part of `change`, the change of a step, so that
+/// they are felt as far as the step is and no farther.
 #[cold]
 pub(super) fn largest_eigenvalue<S: Scalar, Y: StateVector<S>>(
     mut rates: impl FnMut(&Y) -> Y,
     y: &Y,
+    change: S,
     direction: &Y,
 ) -> S {
-    let size = S::epsilon().sqrt() * (length(y) + length(direction));
+    let size = S::from_f64(PART) * if change > S::ZERO { change } else { length(direction) };
     let at = rates(y);
     let mut times_jacobian = |w: &Y| combined(&rates(&combined(y, S::ONE, w)), -S::ONE, &at);
     let mut w = scaled(direction, size);
@@ -64,7 +68,8 @@ pub(super) fn largest_eigenvalue<S: Scalar, Y: StateVector<S>>(
         let first = scaled(&once, size);
         let twice = times_jacobian(&first);
         square = (length(&once) / size) * (length(&twice) / size);
-        grows = inner(&w, &first) > S::ZERO && inner(&w, &twice) > S::ZERO;
+        let turned = inner(&w, &twice) <= S::ZERO || inner(&w, &first) < -inner(&w, &w) / S::from_f64(2.0);
+        grows = !turned;
         w = scaled(&twice, size);
     }
     if grows { S::ZERO } else { square.sqrt() }

@@ -156,13 +156,14 @@ impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> 
     {
         let [start, end] = &self.trial.accelerations;
         let stable = S::from_f64(self.composition.stable) / self.trial.h.abs();
-        let bent = stability::distance(start, end);
-        if !self.watch.follows(bent > stable * stable * stability::length(&self.trial.change)) {
+        let (change, bent) = (stability::length(&self.trial.change), stability::distance(start, end));
+        if !self.watch.follows(bent > stable * stable * change) {
             return Ok(());
         }
         work.evaluations += stability::EVALUATIONS;
         let rates = |q: &Q| system.acceleration(t, q, v);
-        let frequency = stability::largest_eigenvalue(rates, q, &self.trial.change).sqrt();
+        let direction = stability::combined(end, -S::ONE, start);
+        let frequency = stability::largest_eigenvalue(rates, q, change, &direction).sqrt();
         if frequency > stable {
             return Err(Cause::Stiff { limit: S::from_f64(self.composition.stable) / frequency });
         }
