@@ -9,7 +9,7 @@ use super::roads::{Road, RoadChoice, Roads, SingularMassMatrix};
 use super::solve::{Solution, push_down, solve_dense};
 use super::structure::{Structure, vanishing};
 use crate::calculus::{AccelerationTerms, gradient, homogeneity};
-use crate::expr::{ExprId, Graph, Node};
+use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
 use crate::simplify::{self, Angles};
 use crate::syntax::ast::Accuracy;
@@ -89,6 +89,14 @@ impl Equations {
             equations.contract(model);
         }
         Ok(equations)
+    }
+
+    /// Whether the mass matrix is constant during the motion and no acceleration depends on a velocity. It is judged
+    /// by what the expressions mention: a velocity that cancels unseen still counts.
+    pub fn is_separable(&self, graph: &Graph) -> bool {
+        let moving = Dependencies::VELOCITY;
+        let depends = |&acceleration: &ExprId| graph.dependencies(acceleration).intersects(moving);
+        self.structure.mass.is_constant && !self.accelerations.iter().any(depends)
     }
 
     /// Writes what is emitted beside the accelerations with as little to cancel as is found.
