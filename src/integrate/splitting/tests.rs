@@ -5,7 +5,7 @@ mod refusals;
 mod structure;
 
 use crate::integrate::{Method, integrate};
-use crate::system::{MechanicalSystem, OdeSystem, SeparableSystem};
+use crate::system::{MechanicalSystem, OdeSystem, SeparableSystem, Unnamed};
 
 /// q̈ = a(t, q) for N coordinates, in any scalar.
 struct Force<S, const N: usize, const TWICE: usize> {
@@ -25,6 +25,7 @@ impl<S: crate::Scalar, const N: usize, const TWICE: usize> OdeSystem for Force<S
 
 impl<S: crate::Scalar, const N: usize, const TWICE: usize> MechanicalSystem for Force<S, N, TWICE> {
     type Coordinates = [S; N];
+    type Columns<C> = Unnamed<C>;
 
     const COORDINATES: &'static [&'static str] = &["x", "y", "z", "u"];
 
