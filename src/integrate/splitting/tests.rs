@@ -5,6 +5,7 @@ mod refusals;
 mod structure;
 
 use crate::integrate::{Method, integrate};
+use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, OdeSystem, SeparableSystem, Unnamed};
 
 /// q̈ = a(t, q) for N coordinates, in any scalar.
@@ -12,7 +13,7 @@ struct Force<S, const N: usize, const TWICE: usize> {
     acceleration: fn(S, &[S; N]) -> [S; N],
 }
 
-impl<S: crate::Scalar, const N: usize, const TWICE: usize> OdeSystem for Force<S, N, TWICE> {
+impl<S: Scalar, const N: usize, const TWICE: usize> OdeSystem for Force<S, N, TWICE> {
     type Scalar = S;
     type State = [S; TWICE];
 
@@ -23,7 +24,7 @@ impl<S: crate::Scalar, const N: usize, const TWICE: usize> OdeSystem for Force<S
     }
 }
 
-impl<S: crate::Scalar, const N: usize, const TWICE: usize> MechanicalSystem for Force<S, N, TWICE> {
+impl<S: Scalar, const N: usize, const TWICE: usize> MechanicalSystem for Force<S, N, TWICE> {
     type Coordinates = [S; N];
     type Columns<C> = Unnamed<C>;
 
@@ -34,7 +35,7 @@ impl<S: crate::Scalar, const N: usize, const TWICE: usize> MechanicalSystem for 
     }
 }
 
-impl<S: crate::Scalar, const N: usize, const TWICE: usize> SeparableSystem for Force<S, N, TWICE> {}
+impl<S: Scalar, const N: usize, const TWICE: usize> SeparableSystem for Force<S, N, TWICE> {}
 
 const OSCILLATOR: Force<f64, 1, 2> = Force { acceleration: |_, [x]| [-x] };
 const PENDULUM: Force<f64, 1, 2> = Force { acceleration: |_, [x]| [-x.sin()] };
