@@ -19,7 +19,7 @@ use std::error::Error;
 use std::f64::consts::PI;
 
 use common::compare;
-use lagrange::integrate::rk4;
+use lagrange::integrate::{RungeKutta4, integrate};
 use lagrange::system::OdeSystem;
 
 lagrange::system! {
@@ -51,7 +51,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn left_alone() -> Result<(), Box<dyn Error>> {
-    let end = rk4(&CartPole::default(), 0.0, [0.0, 3.0, 0.0, 0.0], 5.0, 50_000, |_, _| {})?;
+    let (cart, start) = (CartPole::default(), [0.0, 3.0, 0.0, 0.0]);
+    let end = integrate(&cart, 0.0, start, 5.0, &RungeKutta4 { step: 1e-4 }, |_, _| {})?;
     let names = ["x", "theta", "x_dot", "theta_dot"];
     let rows: [_; 4] = std::array::from_fn(|i| (names[i], end[i], REFERENCE[i]));
     compare("left alone, t = 5 s", 1e-11, &rows);
@@ -61,7 +62,7 @@ fn left_alone() -> Result<(), Box<dyn Error>> {
 fn balanced() -> Result<(), Box<dyn Error>> {
     let system = Balanced { plant: CartPole { c: 0.01, ..CartPole::default() } };
     let start = [0.0, PI - 0.3, 0.0, 0.0, 0.0, 0.0];
-    let end = rk4(&system, 0.0, start, 10.0, 20_000, |_, _| {})?;
+    let end = integrate(&system, 0.0, start, 10.0, &RungeKutta4 { step: 5e-4 }, |_, _| {})?;
     let [.., work, heat] = end;
     let gained = system.energy(end) - system.energy(start);
     compare("balanced, t = 10 s", 1e-11, &[("energy gained", gained, work - heat)]);

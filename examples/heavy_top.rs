@@ -13,7 +13,7 @@ mod common;
 use std::error::Error;
 
 use common::compare;
-use lagrange::integrate::rk4;
+use lagrange::integrate::{RungeKutta4, integrate};
 
 lagrange::system! {
     /// A symmetric top about a fixed point on its axis.
@@ -42,12 +42,12 @@ const REFERENCE: [f64; 6] = [
     9.691751364894902,
 ];
 const START: [f64; 6] = [0.0, 0.5, 0.0, 0.0, 0.0, 10.0];
-const STEPS: usize = 100_000;
+const METHOD: RungeKutta4<f64> = RungeKutta4 { step: 1e-4 };
 
 fn main() -> Result<(), Box<dyn Error>> {
     let top = HeavyTop::default();
     let mut nutation = [f64::INFINITY, f64::NEG_INFINITY];
-    let end = rk4(&top, 0.0, START, 10.0, STEPS, |_, y| {
+    let end = integrate(&top, 0.0, START, 10.0, &METHOD, |_, y| {
         nutation = [nutation[0].min(y[1]), nutation[1].max(y[1])];
     })?;
     let names = ["phi", "theta", "psi", "phi_dot", "theta_dot", "psi_dot"];

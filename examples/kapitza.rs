@@ -19,7 +19,7 @@ use std::error::Error;
 use std::f64::consts::PI;
 
 use common::compare;
-use lagrange::integrate::rk4;
+use lagrange::integrate::{RungeKutta4, integrate};
 
 lagrange::system! {
     /// A pendulum whose pivot vibrates along the vertical; θ is measured from the lower position.
@@ -46,7 +46,7 @@ const STABLE: Run =
 const UNSTABLE: Run =
     Run { title: "omega = 30 rad/s, unstable", omega: 30.0, end: [-8.12131262418247, -0.9455167958966941] };
 const START: [f64; 2] = [3.0, 0.0];
-const STEPS: usize = 100_000;
+const METHOD: RungeKutta4<f64> = RungeKutta4 { step: 5e-5 };
 
 fn main() -> Result<(), Box<dyn Error>> {
     assert!(largest_deviation(&STABLE)? < 0.2);
@@ -58,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn largest_deviation(run: &Run) -> Result<f64, Box<dyn Error>> {
     let pendulum = Kapitza { omega: run.omega, ..Kapitza::default() };
     let mut largest = 0.0_f64;
-    let end = rk4(&pendulum, 0.0, START, 5.0, STEPS, |_, [theta, _]| {
+    let end = integrate(&pendulum, 0.0, START, 5.0, &METHOD, |_, [theta, _]| {
         largest = largest.max((theta - PI).abs());
     })?;
     let rows = [("theta", end[0], run.end[0]), ("theta_dot", end[1], run.end[1])];

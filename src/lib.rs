@@ -8,7 +8,7 @@
 //! ```
 //!
 //! ```
-//! use lagrange::integrate::rk4;
+//! use lagrange::integrate::{RungeKutta4, integrate};
 //!
 //! lagrange::system! {
 //!     /// A point mass on a massless rod; θ is measured from the rest position.
@@ -23,7 +23,7 @@
 //!
 //! let pendulum = Pendulum::default();
 //! let start = [0.5, 0.0];
-//! let end = rk4(&pendulum, 0.0, start, 10.0, 10_000, |_, _| {}).unwrap();
+//! let end = integrate(&pendulum, 0.0, start, 10.0, &RungeKutta4 { step: 1e-3 }, |_, _| {}).unwrap();
 //! let energy = |y: [f64; 2]| pendulum.energy(0.0, &[y[0]], &[y[1]]);
 //! assert!((energy(end) - energy(start)).abs() < 1e-9);
 //! # Ok::<(), lagrange::integrate::IntegrationError<f64, [f64; 2]>>(())
@@ -47,14 +47,19 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+pub mod event;
 pub mod integrate;
 pub mod scalar;
+#[cfg(feature = "std")]
+pub mod simulate;
 pub mod system;
 
 #[doc(hidden)]
 pub mod private;
 
 pub use crate::scalar::Scalar;
+#[cfg(feature = "std")]
+pub use crate::simulate::Simulate;
 
 /// Keeps the example of the README true.
 #[cfg(doctest)]

@@ -24,6 +24,11 @@ impl<S: Scalar> Clock<S> {
         Clock::new(time, self.step)
     }
 
+    /// The same time with other steps.
+    pub(super) fn with_step(&self, step: S) -> Self {
+        Clock { step, ..*self }
+    }
+
     /// The time now.
     pub(super) fn time(&self) -> S {
         self.time

@@ -1,7 +1,12 @@
 //! Why an integration stopped early.
 
 use core::error::Error;
-use core::fmt::{Debug, Display, Formatter, Result};
+use core::fmt::{Debug, Display, Formatter};
+
+use crate::system::OdeSystem;
+
+/// What came of an integration of the system M.
+pub type Outcome<M, T> = Result<T, IntegrationError<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>>;
 
 /// An integration stopped before its end; S is the scalar and Y the state.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -42,6 +47,11 @@ pub enum Cause<S> {
         /// How many iterations were made.
         iterations: u32,
     },
+    /// An event function is NaN or infinite.
+    EventNotFinite {
+        /// Which event, counted from zero in the order given.
+        event: usize,
+    },
     /// The zero of an event function could not be located.
     EventNotLocated {
         /// Which event, counted from zero in the order given.
@@ -52,7 +62,7 @@ pub enum Cause<S> {
 }
 
 impl<S: Debug> Display for Cause<S> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         match self {
             Cause::Setting(what) => f.write_str(what),
             Cause::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
@@ -72,6 +82,7 @@ impl<S: Debug> Display for Cause<S> {
                 "an implicit step did not converge in {iterations} iterations; take shorter steps, or let the \
                  declaration `emit {{ jacobian }}`"
             ),
+            Cause::EventNotFinite { event } => write!(f, "the function of event {event} is NaN or infinite"),
             Cause::EventNotLocated { event, bisections } => {
                 write!(f, "the zero of event {event} could not be located in {bisections} bisections")
             }
@@ -80,7 +91,7 @@ impl<S: Debug> Display for Cause<S> {
 }
 
 impl<S: Debug, Y> Display for IntegrationError<S, Y> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         write!(f, "{} (at time {:?})", self.cause, self.time)
     }
 }

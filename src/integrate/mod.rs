@@ -14,9 +14,14 @@ mod interpolation;
 mod method;
 mod rk4;
 mod run;
+mod splitting;
+mod stability;
+mod verner;
 
-pub use self::error::{Cause, IntegrationError};
+pub use self::error::{Cause, IntegrationError, Outcome};
 pub use self::fixed::{FixedStepper, Formula};
 pub use self::method::{Method, Stepper, Work};
 pub use self::rk4::{RungeKutta4, rk4_step};
 pub use self::run::integrate;
+pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
+pub use self::verner::{Verner98, VernerStepper};

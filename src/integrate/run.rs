@@ -1,6 +1,6 @@
 //! From a start to an end without keeping anything.
 
-use crate::integrate::error::{Cause, IntegrationError};
+use crate::integrate::error::{Cause, IntegrationError, Outcome};
 use crate::integrate::method::{Method, Stepper};
 use crate::system::OdeSystem;
 
@@ -45,7 +45,7 @@ pub fn integrate<M, K>(
     t_end: M::Scalar,
     method: &K,
     mut observe: impl FnMut(M::Scalar, &M::State),
-) -> Result<M::State, IntegrationError<M::Scalar, M::State>>
+) -> Outcome<M, M::State>
 where
     M: OdeSystem + ?Sized,
     K: Method<M>,

@@ -12,7 +12,9 @@ mod reduced;
 mod shape;
 mod size;
 mod skeleton;
+mod state;
 mod system;
+mod traits;
 
 pub mod graphviz;
 pub mod latex;

@@ -86,6 +86,12 @@ impl<'a> Shape<'a> {
         format_ident!("{}State", name.text, span = name.span)
     }
 
+    /// The name of the struct of columns.
+    pub(super) fn columns_name(&self) -> Ident {
+        let name = &self.declaration.name;
+        format_ident!("{}Columns", name.text, span = name.span)
+    }
+
     /// The number type where the user's scope decides what a bare name means.
     pub(super) fn scalar_path(&self) -> TokenStream {
         match &self.declaration.scalar {

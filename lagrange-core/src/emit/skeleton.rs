@@ -52,6 +52,7 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
         constants: equations_latex(""),
         names: argument_names(|wish| names.fresh(wish)),
         functions: BTreeSet::new(),
+        is_separable: true,
         has_rounded_constants: false,
     };
     items(&shape, &parts)

@@ -105,8 +105,9 @@ impl<'a> Writer<'a> {
         if !self.unrepresentable.is_empty() {
             return Err(Refusal::Constants(self.unrepresentable.into_iter().collect()));
         }
+        let is_separable = self.equations.is_separable(&self.model.graph);
         let Writer { methods, names, functions, has_rounded_constants, .. } = self;
-        Ok(Parts { docs, default, methods, constants, names, functions, has_rounded_constants })
+        Ok(Parts { docs, default, methods, constants, names, functions, is_separable, has_rounded_constants })
     }
 
     fn write_methods(&mut self) {
@@ -142,6 +143,9 @@ impl<'a> Writer<'a> {
             Product::Forcing => (&FORCING, Arguments::State, vector, equations.forcing.clone()),
             Product::Bias => (&BIAS, Arguments::State, vector, or_none(&equations.bias)),
             Product::Momenta => (&MOMENTA, Arguments::State, vector, or_none(&equations.momenta)),
+            Product::MomentumRates => {
+                (&MOMENTUM_RATES, Arguments::State, vector, or_none(&equations.momentum_rates))
+            }
             Product::Energy => {
                 (&ENERGY, Arguments::State, Returns::Scalar, equations.energy.into_iter().collect())
             }
@@ -304,6 +308,7 @@ const BIAS: [&str; 2] = [
     "without applied forces and dissipation.",
 ];
 const MOMENTA: [&str; 1] = ["Generalised momenta ∂L/∂v."];
+const MOMENTUM_RATES: [&str; 1] = ["Rates ∂L/∂q + Q of the momenta."];
 const KINETIC: [&str; 1] = ["Kinetic energy T."];
 const POTENTIAL: [&str; 1] = ["Potential energy V."];
 const ENERGY: [&str; 1] = ["Energy function v·∂L/∂v − L."];

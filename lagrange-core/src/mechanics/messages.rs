@@ -225,6 +225,14 @@ pub(super) fn needs_separate_energies(name: &str) -> String {
     format!("`{name}` is not defined for a system given by its `lagrangian`")
 }
 
+pub(super) fn needed_by_momentum_rates(name: &str) -> String {
+    format!("`{name}` cannot be left out beside `momentum_rates`")
+}
+
+pub(super) fn needed_by_momentum_rates_help(name: &str) -> String {
+    format!("remove `no {name}`: methods that use `momentum_rates` find velocities by it")
+}
+
 pub(super) fn tuple_size(names: usize, found: &str) -> String {
     format!("{names} names for {found}")
 }
