@@ -14,6 +14,8 @@ mod interpolation;
 mod method;
 mod rk4;
 mod run;
+mod splitting;
+mod stability;
 mod verner;
 
 pub use self::error::{Cause, IntegrationError, Outcome};
@@ -21,4 +23,5 @@ pub use self::fixed::{FixedStepper, Formula};
 pub use self::method::{Method, Stepper, Work};
 pub use self::rk4::{RungeKutta4, rk4_step};
 pub use self::run::integrate;
+pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
 pub use self::verner::{Verner98, VernerStepper};

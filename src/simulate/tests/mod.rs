@@ -11,7 +11,7 @@ mod sampling;
 
 use crate::integrate::RungeKutta4;
 use crate::simulate::{Simulate, Trajectory};
-use crate::system::{EnergyFunction, MechanicalSystem, OdeSystem};
+use crate::system::{EnergyFunction, MechanicalSystem, OdeSystem, Unnamed};
 
 /// ẍ = −x with solution (cos t, −sin t) from (1, 0).
 struct Oscillator;
@@ -27,6 +27,7 @@ impl OdeSystem for Oscillator {
 
 impl MechanicalSystem for Oscillator {
     type Coordinates = [f64; 1];
+    type Columns<C> = Unnamed<C>;
     const COORDINATES: &'static [&'static str] = &["x"];
 
     fn acceleration(&self, _t: f64, [x]: &[f64; 1], _v: &[f64; 1]) -> [f64; 1] {
@@ -54,6 +55,7 @@ impl OdeSystem for Broken {
 
 impl MechanicalSystem for Broken {
     type Coordinates = [f64; 1];
+    type Columns<C> = Unnamed<C>;
     const COORDINATES: &'static [&'static str] = &["x"];
 
     fn acceleration(&self, t: f64, [x]: &[f64; 1], [v]: &[f64; 1]) -> [f64; 1] {
