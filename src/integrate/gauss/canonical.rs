@@ -117,12 +117,14 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
     }
 
     fn interpolate(
-        &self,
+        &mut self,
         system: &M,
         from: (M::Scalar, &M::State),
         to: (M::Scalar, &M::State),
         t: M::Scalar,
+        work: &mut Work,
     ) -> M::State {
+        work.evaluations += dense::evaluations(K);
         dense::between::<M, K>(system, from, to, t)
     }
 }

@@ -4,7 +4,7 @@
 //! and rates at the ends serve better. Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
 //! §II.6.
 
-use crate::integrate::interpolation::cubic;
+use crate::integrate::interpolation;
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, OdeSystem, join, split};
 
@@ -39,6 +39,15 @@ pub(super) fn plainly_between<M: OdeSystem + ?Sized, const K: usize>(
     }
 }
 
+/// How many evaluations an interpolation for K stages takes.
+pub(super) fn evaluations(stages: usize) -> u64 {
+    match stages {
+        1 => 0,
+        2 => 2,
+        _ => 4,
+    }
+}
+
 /// The straight line between the ends. The error is O(h²).
 fn linear<M: OdeSystem + ?Sized>(from: Place<'_, M>, to: Place<'_, M>, t: M::Scalar) -> M::State {
     let part = (t - from.0) / (to.0 - from.0);
@@ -47,6 +56,14 @@ fn linear<M: OdeSystem + ?Sized>(from: Place<'_, M>, to: Place<'_, M>, t: M::Sca
         *y = (*end - *y).multiply_add(part, *y);
     }
     y
+}
+
+/// From states and rates at the ends. The error is O(h⁴).
+fn cubic<M: OdeSystem + ?Sized>(system: &M, from: Place<'_, M>, to: Place<'_, M>, t: M::Scalar) -> M::State {
+    let h = to.0 - from.0;
+    let place = interpolation::Place { h, s: (t - from.0) / h };
+    let rates = [from, to].map(|(t, y)| system.rhs(t, y));
+    interpolation::cubic(place, [from.1, to.1], rates.each_ref())
 }
 
 /// From states and rates at the ends and from the rates at two places between, to which the former lead. The error is

@@ -66,12 +66,14 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
     }
 
     fn interpolate(
-        &self,
+        &mut self,
         system: &M,
         from: (M::Scalar, &M::State),
         to: (M::Scalar, &M::State),
         t: M::Scalar,
+        work: &mut Work,
     ) -> M::State {
+        work.evaluations += dense::evaluations(K);
         dense::plainly_between::<M, K>(system, from, to, t)
     }
 }
