@@ -34,5 +34,6 @@ pub use equations::Equations;
 pub use model::{
     Constraint, Coordinate, Energies, Held, Load, Model, Output, Parameter, Product, Reduced, Reduction,
 };
+pub use reductions::METHODS_OF_REDUCED;
 pub use roads::{Road, RoadChoice, SingularMassMatrix};
 pub use structure::{Conserved, MassStructure, Structure};
