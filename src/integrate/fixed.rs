@@ -27,6 +27,7 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         _system: &M,
         _t: M::Scalar,
         variables: &M::State,
+        _work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
         Ok(*variables)
     }
@@ -148,7 +149,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         let increment = self.formula.increment(system, t, self.variables.value(), h, &mut self.work)?;
         let mut variables = self.variables;
         variables.add(&increment);
-        let state = self.formula.state(system, self.clock.time(), variables.value())?;
+        let state = self.formula.state(system, self.clock.time(), variables.value(), &mut self.work)?;
         check_finite(self.clock.time(), &state)?;
         self.last = (t, core::mem::replace(&mut self.state, state));
         self.variables = variables;

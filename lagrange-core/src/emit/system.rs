@@ -143,6 +143,9 @@ impl<'a> Writer<'a> {
             Product::Forcing => (&FORCING, Arguments::State, vector, equations.forcing.clone()),
             Product::Bias => (&BIAS, Arguments::State, vector, or_none(&equations.bias)),
             Product::Momenta => (&MOMENTA, Arguments::State, vector, or_none(&equations.momenta)),
+            Product::MomentumRates => {
+                (&MOMENTUM_RATES, Arguments::State, vector, or_none(&equations.momentum_rates))
+            }
             Product::Energy => {
                 (&ENERGY, Arguments::State, Returns::Scalar, equations.energy.into_iter().collect())
             }
@@ -305,6 +308,7 @@ const BIAS: [&str; 2] = [
     "without applied forces and dissipation.",
 ];
 const MOMENTA: [&str; 1] = ["Generalised momenta ∂L/∂v."];
+const MOMENTUM_RATES: [&str; 1] = ["Rates ∂L/∂q + Q of the momenta."];
 const KINETIC: [&str; 1] = ["Kinetic energy T."];
 const POTENTIAL: [&str; 1] = ["Potential energy V."];
 const ENERGY: [&str; 1] = ["Energy function v·∂L/∂v − L."];

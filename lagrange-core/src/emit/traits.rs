@@ -4,15 +4,16 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::item::Parts;
-use super::method::ArgumentNames;
+use super::method::{ArgumentNames, Arguments};
 use super::shape::{Shape, length};
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (ode, mechanical) = (ode_impl(shape, parts), mechanical_impl(shape, parts));
     let energy = has(parts, "energy").then(|| energy_impl(shape, parts));
+    let canonical = has(parts, "momentum_rates").then(|| canonical_impl(shape, parts));
     let separable = parts.is_separable.then(|| separable_impl(shape));
-    quote!(#ode #mechanical #energy #separable)
+    quote!(#ode #mechanical #energy #separable #canonical)
 }
 
 /// Whether there is a method of this name.
@@ -71,6 +72,33 @@ fn energy_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             #[inline]
             fn energy(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]) -> #scalar {
                 self.energy(#time, #positions, #velocities)
+            }
+        }
+    }
+}
+
+fn canonical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &parts.names;
+    let mut mass_matrix = parts.methods.iter().filter(|method| method.name == "mass_matrix");
+    let arguments = mass_matrix.next().map_or(Arguments::State, |method| method.arguments);
+    let vectors = arguments.vectors(&parts.names);
+    let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::CanonicalSystem for #name #generics {
+            #[inline]
+            fn momenta(#parameters) -> [#scalar; #n] {
+                self.momenta(#time, #positions, #velocities)
+            }
+            #[inline]
+            fn momentum_rates(#parameters) -> [#scalar; #n] {
+                self.momentum_rates(#time, #positions, #velocities)
+            }
+            #[inline]
+            fn mass_matrix(#parameters) -> [[#scalar; #n]; #n] {
+                self.mass_matrix(#time, #(#vectors),*)
             }
         }
     }

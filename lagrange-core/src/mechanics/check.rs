@@ -90,6 +90,21 @@ impl Elaborator<'_> {
                 self.evaluator.report.error(span, message).help(messages::LAGRANGIAN_HELP);
             }
         }
+        self.check_canonical_products();
+    }
+
+    /// What takes momenta and their rates must get from one to the other.
+    fn check_canonical_products(&mut self) {
+        if !self.products().contains(&Product::MomentumRates) {
+            return;
+        }
+        for &(product, wanted, span) in &self.wanted {
+            if !wanted && matches!(product, Product::Momenta | Product::MassMatrix) {
+                let error =
+                    self.evaluator.report.error(span, messages::needed_by_momentum_rates(product.name()));
+                error.help(messages::needed_by_momentum_rates_help(product.name()));
+            }
+        }
     }
 
     fn is_undefined(&self, product: Product) -> bool {

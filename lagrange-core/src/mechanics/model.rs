@@ -138,6 +138,8 @@ pub enum Product {
     Bias,
     /// `momenta`
     Momenta,
+    /// `momentum_rates`; only on demand
+    MomentumRates,
     /// `kinetic_energy`
     KineticEnergy,
     /// `potential_energy`
@@ -152,11 +154,12 @@ pub enum Product {
 
 impl Product {
     /// Every product, in the order in which they are emitted.
-    pub const ALL: [Product; 9] = [
+    pub const ALL: [Product; 10] = [
         Product::MassMatrix,
         Product::Forcing,
         Product::Bias,
         Product::Momenta,
+        Product::MomentumRates,
         Product::KineticEnergy,
         Product::PotentialEnergy,
         Product::Energy,
@@ -171,6 +174,7 @@ impl Product {
             Product::Forcing => "forcing",
             Product::Bias => "bias",
             Product::Momenta => "momenta",
+            Product::MomentumRates => "momentum_rates",
             Product::KineticEnergy => "kinetic_energy",
             Product::PotentialEnergy => "potential_energy",
             Product::Energy => "energy",
@@ -181,7 +185,7 @@ impl Product {
 
     /// Whether it is emitted without being asked for.
     pub fn is_default(self) -> bool {
-        !matches!(self, Product::Bias | Product::Latex)
+        !matches!(self, Product::Bias | Product::MomentumRates | Product::Latex)
     }
 }
 

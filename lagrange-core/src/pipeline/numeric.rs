@@ -65,6 +65,7 @@ impl NumericSystem {
             (Product::Forcing, Some(equations.forcing.clone())),
             (Product::Bias, equations.bias.clone()),
             (Product::Momenta, equations.momenta.clone()),
+            (Product::MomentumRates, equations.momentum_rates.clone()),
             (Product::KineticEnergy, kinetic),
             (Product::PotentialEnergy, potential),
             (Product::Energy, equations.energy.map(|energy| vec![energy])),
