@@ -3,7 +3,8 @@
 //!
 //! The reference is the whole crane all the way through, its trolley held by the servo of its drive instead of by
 //! the brake. Look for the states, which agree to what the brake and the linear equations leave out; for the energies
-//! at each change of type; and for the operations of one evaluation, counted by a number type that counts.
+//! at each change of type; and for the operations of one evaluation, counted by a number type that counts. Most of
+//! what the scene saves is evaluations, for the brake does away with the servo, which is stiff.
 
 mod common;
 #[path = "common/counted.rs"]
