@@ -5,6 +5,7 @@ mod columns;
 mod declarations;
 mod methods;
 mod products;
+mod reduced;
 mod scalars;
 mod shadowing;
 mod states;
