@@ -3,6 +3,7 @@
 mod accuracy;
 mod columns;
 mod declarations;
+mod fixed_steps;
 mod methods;
 mod products;
 mod reduced;
