@@ -86,6 +86,10 @@ pub trait MechanicalSystem: OdeSystem {
     /// A vector with one entry for each coordinate: coordinates, velocities or accelerations.
     type Coordinates: StateVector<Self::Scalar>;
 
+    /// Columns of a table of states under the names of the coordinates and velocities. [`Unnamed`] will do for a
+    /// system that is written by hand.
+    type Columns<C>: From<C> + AsRef<C>;
+
     /// Names of the coordinates, in the order of the state.
     const COORDINATES: &'static [&'static str];
 
@@ -97,6 +101,36 @@ pub trait MechanicalSystem: OdeSystem {
         q: &Self::Coordinates,
         v: &Self::Coordinates,
     ) -> Self::Coordinates;
+}
+
+/// A table of states that is kept in columns, one for each entry of the state.
+pub trait Columns {
+    /// The number type.
+    type Scalar;
+
+    /// The values of the state's entry `index`, coordinates first; as many as there are states.
+    ///
+    /// # Panics
+    /// If the state has no such entry.
+    fn column(&self, index: usize) -> &[Self::Scalar];
+}
+
+/// Columns without names, for systems that are written by hand.
+#[derive(Clone, Copy, Debug)]
+pub struct Unnamed<C>(C);
+
+impl<C> From<C> for Unnamed<C> {
+    #[inline]
+    fn from(columns: C) -> Self {
+        Unnamed(columns)
+    }
+}
+
+impl<C> AsRef<C> for Unnamed<C> {
+    #[inline]
+    fn as_ref(&self) -> &C {
+        &self.0
+    }
 }
 
 /// A mechanical system that knows its energy function h(q, v, t) = v · ∂L/∂v − L.

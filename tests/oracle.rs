@@ -6,10 +6,15 @@ mod reference;
 
 use std::path::Path;
 
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::mechanics::{Product, RoadChoice};
 use lagrange_core::pipeline::{NumericSystem, parse};
 
 use reference::{Reference, Subject, names};
+
+/// What the references do not hold of a system.
+trait Compiled: Subject {
+    fn momentum_rates(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64>;
+}
 
 /// A system, compiled at two levels of accuracy, as tests of its own: `declare! { name, energies: …,
 /// mass_matrix: …; statements }`. The two words say which methods it has: `kinetic_energy` and
@@ -31,12 +36,23 @@ macro_rules! declare {
     };
     (@level $level:ident, $energies:ident, $mass_matrix:ident; $($declaration:tt)*) => {
         mod $level {
+            use lagrange::system::CanonicalSystem;
+
             use super::{DECLARATION, NAME, array};
 
             lagrange::system! {
                 #[accuracy($level)]
                 pub(crate) struct Compiled;
                 $($declaration)*
+                emit { momentum_rates }
+            }
+
+            impl crate::Compiled for Compiled {
+                fn momentum_rates(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+                    let matrix = CanonicalSystem::mass_matrix(self, t, &array(q), &array(v));
+                    assert_eq!(matrix, declare!(@$mass_matrix self, t, &array(q), &array(v)));
+                    CanonicalSystem::momentum_rates(self, t, &array(q), &array(v)).to_vec()
+                }
             }
 
             impl crate::Subject for Compiled {
@@ -88,13 +104,16 @@ fn every_reference_is_compiled() {
     assert!(declared.eq(names(directory()).iter()), "run `python3 tests/oracle/declare.py`");
 }
 
-fn check(name: &str, level: &str, declaration: &str, compiled: &impl Subject) {
+fn check(name: &str, level: &str, declaration: &str, compiled: &impl Compiled) {
     let reference = Reference::read(directory(), name);
     assert_eq!(packed(declaration), packed(&reference.declaration), "run `python3 tests/oracle/declare.py`");
     let failures = reference.failures(compiled);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 
-    let text = format!("#[accuracy({level})] struct Interpreted; {}", reference.declaration);
+    let text = format!(
+        "#[accuracy({level})] struct Interpreted; {} emit {{ momentum_rates }}",
+        reference.declaration
+    );
     let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
     let mut interpreted = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
     for (name, value) in reference.settings() {
@@ -105,6 +124,11 @@ fn check(name: &str, level: &str, declaration: &str, compiled: &impl Subject) {
         assert_eq!(
             bits(compiled.acceleration(state.t, &state.q, &state.v)),
             bits(interpreted.acceleration(state.t, &state.q, &state.v)),
+        );
+        let rates = interpreted.product(Product::MomentumRates, state.t, &state.q, &state.v);
+        assert_eq!(
+            bits(compiled.momentum_rates(state.t, &state.q, &state.v)),
+            bits(rates.expect("it is asked for")),
         );
     }
 }

@@ -69,8 +69,40 @@ fn right_angles_are_no_singularities() {
     }
 }
 
+/// The momenta, which agree with the references, change along the motion as their rates say.
+#[test]
+fn momenta_change_at_their_rates() {
+    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));
+    for name in names(directory) {
+        let reference = Reference::read(directory, &name);
+        let system = numeric(&reference, RoadChoice::Cheapest);
+        for state in reference.states() {
+            let product = |product, q: &[f64], v: &[f64], t| {
+                system.product(product, t, q, v).unwrap_or_else(|| panic!("{name} has {product:?}"))
+            };
+            let acceleration = system.acceleration(state.t, &state.q, &state.v);
+            let momenta = |h: f64| {
+                let moved = |x: &[f64], rate: &[f64]| {
+                    x.iter().zip(rate).map(|(x, rate)| x + h * rate).collect::<Vec<_>>()
+                };
+                let (q, v) = (moved(&state.q, &state.v), moved(&state.v, &acceleration));
+                product(Product::Momenta, &q, &v, state.t + h)
+            };
+            let h = 1e-3 / state.v.iter().chain(&acceleration).fold(1.0, |a: f64, b| a.max(b.abs()));
+            let [before, near, after, far] = [-2.0, -1.0, 1.0, 2.0].map(|steps| momenta(steps * h));
+            let rates = product(Product::MomentumRates, &state.q, &state.v, state.t);
+            let scale = rates.iter().fold(1.0, |a: f64, b| a.max(b.abs()));
+            for (i, rate) in rates.iter().enumerate() {
+                let slope = (8.0 * (after[i] - near[i]) - (far[i] - before[i])) / (12.0 * h);
+                assert!((rate - slope).abs() < 1e-7 * scale, "{name}, t = {}: {rate} or {slope}", state.t);
+            }
+        }
+    }
+}
+
 fn numeric(reference: &Reference, choice: RoadChoice) -> NumericSystem {
-    let derived = parse(&reference.declaration).and_then(|system| system.derive(choice));
+    let text = format!("{} emit {{ momentum_rates }}", reference.declaration);
+    let derived = parse(&text).and_then(|system| system.derive(choice));
     let derived = derived.unwrap_or_else(|report| panic!("{report}"));
     if let RoadChoice::Always(road) = choice {
         let is_without_squares = road == Road::Squares && derived.equations.road == Road::Dense;

@@ -12,7 +12,8 @@ use crate::system::{OdeSystem, StateVector};
 /// What it advances may be other variables than the state, such as coordinates and momenta: they are summed with
 /// compensation, so that what the formula conserves is conserved to rounding.
 pub trait Formula<M: OdeSystem + ?Sized> {
-    /// The variables of the state `y`.
+    /// The variables of the state `y`, from which the integration starts or goes on: nothing that was found before
+    /// holds any more.
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
         *y
     }
@@ -44,13 +45,18 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>>;
 
-    /// The state between `from` and `to`, the ends of a step with their times.
+    /// The step of the last increment was taken and ended at time `t`, which may differ from the sum of its
+    /// start and its length by rounding. What was found at its end may be kept for the next one.
+    fn accept(&mut self, _t: M::Scalar) {}
+
+    /// The state between `from` and `to`, the ends of the last accepted step with their times.
     fn interpolate(
-        &self,
+        &mut self,
         system: &M,
         from: (M::Scalar, &M::State),
         to: (M::Scalar, &M::State),
         t: M::Scalar,
+        work: &mut Work,
     ) -> M::State;
 }
 
@@ -117,7 +123,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
         if t == to {
             return self.state;
         }
-        self.formula.interpolate(system, (from, &self.last.1), (to, &self.state), t)
+        self.formula.interpolate(system, (from, &self.last.1), (to, &self.state), t, &mut self.work)
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
@@ -143,6 +149,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         check_finite(self.clock.time(), &state)?;
         self.last = (t, core::mem::replace(&mut self.state, state));
         self.variables = variables;
+        self.formula.accept(self.clock.time());
         self.work.steps += 1;
         Ok(())
     }

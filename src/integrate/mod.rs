@@ -20,6 +20,8 @@ mod newton;
 mod prediction;
 mod rk4;
 mod run;
+mod splitting;
+mod stability;
 mod velocities;
 mod verner;
 
@@ -29,4 +31,5 @@ pub use self::gauss::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMid
 pub use self::method::{Method, Stepper, Work};
 pub use self::rk4::{RungeKutta4, rk4_step};
 pub use self::run::integrate;
+pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
 pub use self::verner::{Verner98, VernerStepper};

@@ -15,7 +15,7 @@ use crate::expr::ExprId;
 use crate::mechanics::{Energies, Equations, Model, Product};
 use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
 use crate::symbol::Role;
-use crate::syntax::ast::{Declaration, ScalarType};
+use crate::syntax::ast::Declaration;
 
 /// The items of a derived system.
 #[derive(Clone, Debug)]
@@ -78,18 +78,13 @@ impl<'a> Writer<'a> {
         for (expression, name) in &equations.labels {
             labels.insert(*expression, name.as_str());
         }
-        let scalar = match &shape.declaration.scalar {
-            ScalarType::F64 => Scalar::F64,
-            ScalarType::F32 => Scalar::F32,
-            ScalarType::Generic(name) => Scalar::Generic(identifier(name)),
-        };
         let mut arguments = Names::new(user_names(shape).iter().map(String::as_str));
         Writer {
             shape,
             model,
             equations,
             labels,
-            scalar,
+            scalar: shape.computed_with(),
             names: argument_names(|wish| arguments.fresh(wish)),
             methods: Vec::new(),
             counts: OperationCounts::default(),
@@ -110,8 +105,9 @@ impl<'a> Writer<'a> {
         if !self.unrepresentable.is_empty() {
             return Err(Refusal::Constants(self.unrepresentable.into_iter().collect()));
         }
+        let is_separable = self.equations.is_separable(&self.model.graph);
         let Writer { methods, names, functions, has_rounded_constants, .. } = self;
-        Ok(Parts { docs, default, methods, constants, names, functions, has_rounded_constants })
+        Ok(Parts { docs, default, methods, constants, names, functions, is_separable, has_rounded_constants })
     }
 
     fn write_methods(&mut self) {
@@ -147,6 +143,9 @@ impl<'a> Writer<'a> {
             Product::Forcing => (&FORCING, Arguments::State, vector, equations.forcing.clone()),
             Product::Bias => (&BIAS, Arguments::State, vector, or_none(&equations.bias)),
             Product::Momenta => (&MOMENTA, Arguments::State, vector, or_none(&equations.momenta)),
+            Product::MomentumRates => {
+                (&MOMENTUM_RATES, Arguments::State, vector, or_none(&equations.momentum_rates))
+            }
             Product::Energy => {
                 (&ENERGY, Arguments::State, Returns::Scalar, equations.energy.into_iter().collect())
             }
@@ -215,7 +214,7 @@ impl<'a> Writer<'a> {
     fn bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
         let symbols = self.model.graph.symbols();
         let ArgumentNames { time, positions, velocities, accelerations, .. } = &self.names;
-        let fields = self.field_bindings(used, names);
+        let fields = field_bindings(self.shape, self.model, used, names);
         let mut vector = |source: TokenStream, role: fn(u32) -> Role| {
             let indices = 0..self.model.coordinates.len() as u32;
             if !indices.clone().any(|i| used.contains(&role(i))) {
@@ -235,25 +234,6 @@ impl<'a> Writer<'a> {
         };
         let a = vector(accelerations, Role::Acceleration);
         quote!(#fields #q #v #a)
-    }
-
-    fn field_bindings(&self, used: &[Role], names: &mut Names) -> TokenStream {
-        let symbols = self.model.graph.symbols();
-        let roles = (0..self.model.parameters.len() as u32).map(Role::Parameter);
-        let roles = roles.chain((0..self.model.inputs.len() as u32).map(Role::Input));
-        let bound = self.shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
-        let bound = bound.map(|(name, role)| {
-            let field = identifier(name);
-            let local = names.role(symbols, role);
-            // A field can be named from the macro's side, and must be, for the local to be the macro's.
-            if local == name.text { quote!(#local) } else { quote!(#field: #local) }
-        });
-        let bound = bound.collect::<Vec<_>>();
-        if bound.is_empty() {
-            return TokenStream::new();
-        }
-        let rest = (bound.len() < self.shape.fields.len()).then(|| quote!(..));
-        quote!(let Self { #(#bound,)* #rest } = *self;)
     }
 
     /// A value of the struct with its defaults, if every field has one.
@@ -287,6 +267,31 @@ impl<'a> Writer<'a> {
     }
 }
 
+/// Parameters and inputs under the names that a body uses.
+pub(super) fn field_bindings(
+    shape: &Shape<'_>,
+    model: &Model,
+    used: &[Role],
+    names: &mut Names,
+) -> TokenStream {
+    let symbols = model.graph.symbols();
+    let roles = (0..model.parameters.len() as u32).map(Role::Parameter);
+    let roles = roles.chain((0..model.inputs.len() as u32).map(Role::Input));
+    let bound = shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
+    let bound = bound.map(|(name, role)| {
+        let field = identifier(name);
+        let local = names.role(symbols, role);
+        // A field can be named from the macro's side, and must be, for the local to be the macro's.
+        if local == name.text { quote!(#local) } else { quote!(#field: #local) }
+    });
+    let bound = bound.collect::<Vec<_>>();
+    if bound.is_empty() {
+        return TokenStream::new();
+    }
+    let rest = (bound.len() < shape.fields.len()).then(|| quote!(..));
+    quote!(let Self { #(#bound,)* #rest } = *self;)
+}
+
 /// The constant that holds the equations.
 pub(super) fn equations_latex(equations: &str) -> TokenStream {
     quote! {
@@ -303,6 +308,7 @@ const BIAS: [&str; 2] = [
     "without applied forces and dissipation.",
 ];
 const MOMENTA: [&str; 1] = ["Generalised momenta ∂L/∂v."];
+const MOMENTUM_RATES: [&str; 1] = ["Rates ∂L/∂q + Q of the momenta."];
 const KINETIC: [&str; 1] = ["Kinetic energy T."];
 const POTENTIAL: [&str; 1] = ["Potential energy V."];
 const ENERGY: [&str; 1] = ["Energy function v·∂L/∂v − L."];

@@ -4,8 +4,9 @@ use proc_macro2::Span;
 
 use super::expression::Evaluator;
 use super::messages;
-use super::model::{Coordinate, Load, Model, Output, Parameter, Product};
+use super::model::{Coordinate, Load, Model, Output, Parameter, Product, Reduction};
 use super::operand::Operand;
+use super::reduce::reduce;
 use super::scope::Kind;
 use crate::calculus::evaluate;
 use crate::diagnostics::Report;
@@ -27,7 +28,12 @@ pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model
     for statement in &declaration.statements {
         elaborator.statement(statement);
     }
-    elaborator.finish()
+    let (mut model, reductions) = elaborator.finish()?;
+    for reduction in &reductions {
+        let reduced = reduce(&model, reduction, report)?;
+        model.reduced.push(reduced);
+    }
+    Some(model)
 }
 
 /// An expression of a statement and where it stands.
@@ -53,6 +59,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) labels: Vec<(ExprId, String)>,
     /// Entries of `emit`, with where they stand.
     pub(super) wanted: Vec<(Product, bool, Span)>,
+    pub(super) reductions: Vec<Reduction>,
 }
 
 impl<'a> Elaborator<'a> {
@@ -71,6 +78,7 @@ impl<'a> Elaborator<'a> {
             outputs: Vec::new(),
             labels: Vec::new(),
             wanted: Vec::new(),
+            reductions: Vec::new(),
         }
     }
 
@@ -104,6 +112,7 @@ impl<'a> Elaborator<'a> {
             StatementKind::Torque { moment, angle } => self.torque(*moment, *angle, keyword),
             StatementKind::Output(name, value) => self.output(name, *value),
             StatementKind::Emit(items) => items.iter().for_each(|item| self.emit(item)),
+            StatementKind::Reduce(reduction) => self.reduction(reduction),
         }
     }
 

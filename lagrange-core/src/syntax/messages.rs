@@ -114,6 +114,17 @@ pub(super) const FORCE_HELP: &str =
 pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
 pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
 
+pub(super) const REDUCTION_HELP: &str = "write `reduce Name { freeze x = 0; small theta; }`";
+pub(super) const REDUCTION_ITEM: &str = "`freeze` or `small`";
+
+pub(super) fn frozen_without_value(name: &str) -> String {
+    format!("the frozen coordinate {} needs a value", quoted(name))
+}
+
+pub(super) fn frozen_without_value_help(name: &str) -> String {
+    format!("write `freeze {} = 0;`", shortened(name))
+}
+
 pub(super) fn future_statement(keyword: &str) -> String {
     format!("`{keyword}` statements are not available yet")
 }

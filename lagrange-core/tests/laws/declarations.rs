@@ -38,7 +38,7 @@ const WORDS: [&str; 20] = [
     ";force x = ",
     "if x < 0 { 1 } else { x }",
     ";let x = ",
-    ";emit { bias, latex };",
+    ";emit { bias, momentum_rates, latex };",
     "1e999",
 ];
 

@@ -154,6 +154,10 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
+fn sum(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + b).collect()
+}
+
 /// The product of a matrix, in rows, and a vector.
 fn times(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
     matrix.chunks(vector.len()).map(|row| dot(row, vector)).collect()
@@ -277,6 +281,8 @@ proptest! {
         let expected = expected.collect::<Vec<_>>();
         let forcing = laboratory.product(Product::Forcing);
         prop_assert!(agree(&forcing, &expected, DIFFERENCED, 0.0), "{forcing:?} for {expected:?}");
+        let (rates, sum) = (laboratory.product(Product::MomentumRates), sum(&slopes, &applied));
+        prop_assert!(agree(&rates, &sum, DIFFERENCED, 0.0), "{rates:?} for {sum:?}");
         let bias = laboratory.product(Product::Bias);
         let rest = applied.iter().zip(&forcing).map(|(applied, f)| applied - f).collect::<Vec<_>>();
         prop_assert!(agree(&bias, &rest, DIFFERENCED, 0.0), "{bias:?} for {rest:?}");

@@ -39,6 +39,9 @@ pub struct KeplerState<S> {
     /// Velocity of `phi`.
     pub phi_dot: S,
 }
+/// Columns of a table of states of [`Kepler`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct KeplerColumns<C>(C);
 const _: () = {
     use ::lagrange::private::multiply_add;
     impl<S: ::lagrange::Scalar> Kepler<S> {
@@ -199,6 +202,46 @@ const _: () = {
             [state.r, state.phi, state.r_dot, state.phi_dot]
         }
     }
+    impl<C: ::lagrange::system::Columns> KeplerColumns<C> {
+        /// Coordinate `r`.
+        #[must_use]
+        #[inline]
+        pub fn r(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Coordinate `phi`.
+        #[must_use]
+        #[inline]
+        pub fn phi(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+        /// Velocity of `r`.
+        #[must_use]
+        #[inline]
+        pub fn r_dot(&self) -> &[C::Scalar] {
+            self.0.column(2)
+        }
+        /// Velocity of `phi`.
+        #[must_use]
+        #[inline]
+        pub fn phi_dot(&self) -> &[C::Scalar] {
+            self.0.column(3)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for KeplerColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for KeplerColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::OdeSystem for Kepler<S> {
         type Scalar = S;
@@ -211,6 +254,7 @@ const _: () = {
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::MechanicalSystem for Kepler<S> {
         type Coordinates = [S; 2];
+        type Columns<C> = KeplerColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["r", "phi"];
         #[inline]
         fn acceleration(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {

@@ -1,0 +1,44 @@
+//! The Störmer–Verlet method in its velocity form.
+//!
+//! Source: Hairer, Lubich, Wanner, *Geometric numerical integration illustrated by the Störmer–Verlet method*, Acta
+//! Numerica 12 (2003), 399–450.
+
+use crate::integrate::error::Cause;
+use crate::integrate::fixed::FixedStepper;
+use crate::integrate::method::Method;
+use crate::integrate::splitting::{Composition, Splitting};
+use crate::system::SeparableSystem;
+
+/// The Störmer–Verlet method in equal steps: half a kick, a drift, half a kick.
+///
+/// Order two; symplectic and symmetric. One acceleration a step. The energy oscillates by O(h²) without drift; steps
+/// longer than 2/ω, with the fastest frequency ω, are unstable.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct StormerVerlet<S> {
+    /// Length of a step.
+    pub step: S,
+}
+
+const COMPOSITION: Composition<1> = Composition { first: 0.5, rest: [(1.0, 0.5)], stable: 2.0 };
+
+impl<M: SeparableSystem + ?Sized> Method<M> for StormerVerlet<M::Scalar> {
+    type Stepper = FixedStepper<M, Splitting<M::Scalar, M::Coordinates, 1>>;
+
+    fn name(&self) -> &'static str {
+        "Störmer–Verlet"
+    }
+
+    fn order(&self) -> u32 {
+        2
+    }
+
+    fn start(
+        &self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+        FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
+    }
+}
