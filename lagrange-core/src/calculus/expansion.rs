@@ -5,7 +5,9 @@
 //! series; Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 13). All other symbols stay what they
 //! are, so that the result is exact in them. With nothing but held symbols this is substitution.
 //!
-//! An expression has no expansion where it is undefined at the point, or has a kink or a pole there.
+//! An expression has no expansion where it is undefined at the point or jumps there. Where it has a kink, the
+//! expansion is known to a lower order only, and to a higher one again behind what vanishes there: |v| to order 0,
+//! |v| v to order 1, |v|³ to order 2.
 
 use crate::calculus::{evaluate, partials, rebuild, second_partials};
 use crate::collections::HashMap;
@@ -19,23 +21,36 @@ pub struct Series {
     pub parts: [ExprId; 3],
     /// Their sum, written as the expression was where nothing had to be left out.
     pub closed: ExprId,
+    /// The degree up to which the parts are known; those of higher degree are zero here.
+    order: usize,
     /// Whether the expression, not only what is left of it, depends on a deviation.
     varies: bool,
 }
 
+/// The highest degree that is kept.
+const HIGHEST: usize = 2;
+
 impl Series {
     fn constant(graph: &mut Graph, value: ExprId) -> Series {
         let zero = graph.number(0);
-        Series { parts: [value, zero, zero], closed: value, varies: false }
+        Series { parts: [value, zero, zero], closed: value, order: HIGHEST, varies: false }
     }
 
-    fn new(graph: &mut Graph, parts: [ExprId; 3]) -> Series {
-        Series { parts, closed: graph.total(parts), varies: true }
+    /// With unknown parts left out.
+    fn new(graph: &mut Graph, mut parts: [ExprId; 3], order: usize) -> Series {
+        let (order, zero) = (order.min(HIGHEST), graph.number(0));
+        parts.iter_mut().skip(order + 1).for_each(|part| *part = zero);
+        Series { parts, closed: graph.total(parts), order, varies: true }
     }
 
     /// The degree of the polynomial.
     pub fn degree(&self, graph: &Graph) -> usize {
-        (1..3).rev().find(|&degree| !graph.is_zero(self.parts[degree])).unwrap_or(0)
+        (1..=HIGHEST).rev().find(|&degree| !graph.is_zero(self.parts[degree])).unwrap_or(0)
+    }
+
+    /// The lowest degree in which the expression need not vanish.
+    pub fn valuation(&self, graph: &Graph) -> usize {
+        (0..=self.order).find(|&degree| !vanishes(graph, self.parts[degree])).unwrap_or(self.order + 1)
     }
 
     /// The parts up to a degree.
@@ -44,6 +59,17 @@ impl Series {
             true => self.closed,
             false => graph.total(self.parts.iter().take(degree + 1).copied()),
         }
+    }
+
+    /// What two expressions have in common that are equal at the point: neither is known where they differ.
+    fn common(self, graph: &mut Graph, other: Series) -> Option<Series> {
+        let differ = |degree: &usize| {
+            let difference = graph.subtract(self.parts[*degree], other.parts[*degree]);
+            !vanishes(graph, difference)
+        };
+        let known = self.order.min(other.order);
+        let order = (0..=known).find(differ).unwrap_or(known + 1).checked_sub(1)?;
+        Some(Series::new(graph, self.parts, order))
     }
 }
 
@@ -69,8 +95,8 @@ impl Expansion {
         self.deviations.insert(symbol, graph.subtract(symbol, value));
     }
 
-    /// The expansion of an expression, if it has one.
-    pub fn of(&mut self, graph: &mut Graph, root: ExprId) -> Option<Series> {
+    /// The expansion of an expression, if it has one to an order of at most two.
+    pub fn of(&mut self, graph: &mut Graph, root: ExprId, order: usize) -> Option<Series> {
         self.value(graph, root);
         for id in graph.reachable_until(&[root], |id| self.series.contains(&id)) {
             if !self.series.contains(&id) {
@@ -78,7 +104,7 @@ impl Expansion {
                 self.series.insert(id, series);
             }
         }
-        self.known(root)
+        self.known(root).filter(|series| series.order >= order)
     }
 
     fn known(&self, id: ExprId) -> Option<Series> {
@@ -136,7 +162,12 @@ impl Expansion {
         let value = self.known_value(id)?;
         if let Some(&deviation) = self.deviations.get(&id) {
             let zero = graph.number(0);
-            return Some(Series { parts: [value, deviation, zero], closed: id, varies: true });
+            return Some(Series {
+                parts: [value, deviation, zero],
+                closed: id,
+                order: HIGHEST,
+                varies: true,
+            });
         }
         let mut varies = false;
         let node = graph.node(id).clone();
@@ -159,7 +190,12 @@ impl Expansion {
         };
         let none = &Number::ZERO;
         let parts = [sum(constant, |s| s.parts[0]), sum(none, |s| s.parts[1]), sum(none, |s| s.parts[2])];
-        Some(Series { parts, closed: sum(constant, |s| s.closed), varies: true })
+        let closed = sum(constant, |s| s.closed);
+        let order = series.iter().map(|(series, _)| series.order).min().unwrap_or(HIGHEST);
+        match order {
+            HIGHEST => Some(Series { parts, closed, order, varies: true }),
+            _ => Some(Series::new(graph, parts, order)),
+        }
     }
 
     fn product(&self, graph: &mut Graph, factors: &[(ExprId, Number)]) -> Option<Series> {
@@ -174,7 +210,7 @@ impl Expansion {
             closed.push((base.closed, exponent.clone()));
         }
         // A polynomial of low degree loses nothing, so that squares of sums stay squares.
-        if degree <= 2 {
+        if degree <= HIGHEST && product.order == HIGHEST {
             product.closed = graph.product(closed);
         }
         Some(product)
@@ -183,17 +219,19 @@ impl Expansion {
     fn choice(&self, graph: &mut Graph, node: &Node) -> Option<Series> {
         let Node::Choose { relation, left, right, then, otherwise } = node else { return None };
         let (left, right) = (self.known(*left)?, self.known(*right)?);
-        if meet(graph, &[left, right]) {
-            return None;
-        }
         let [a, b] = [left, right].map(|side| side.parts[0]);
-        if graph.as_number(a).is_some() && graph.as_number(b).is_some() {
+        let meets = meet(graph, left, right);
+        if !meets && graph.as_number(a).is_some() && graph.as_number(b).is_some() {
             return self.known(if self.holds(graph, node) { *then } else { *otherwise });
         }
         let (then, otherwise) = (self.known(*then)?, self.known(*otherwise)?);
+        if meets {
+            return then.common(graph, otherwise);
+        }
         let mut choose = |x: ExprId, y: ExprId| graph.choose(*relation, a, b, x, y);
         let parts = [0, 1, 2].map(|degree| choose(then.parts[degree], otherwise.parts[degree]));
-        Some(Series { parts, closed: choose(then.closed, otherwise.closed), varies: true })
+        let closed = choose(then.closed, otherwise.closed);
+        Some(Series { parts, closed, order: then.order.min(otherwise.order), varies: true })
     }
 
     /// f(a + δ) = f(a) + Σ fᵢ δᵢ + ½ Σ fᵢⱼ δᵢ δⱼ
@@ -206,8 +244,8 @@ impl Expansion {
     ) -> Option<Series> {
         let series = arguments.iter().map(|&argument| self.known(argument));
         let series = series.collect::<Option<Vec<_>>>()?;
-        if has_kink(graph, function, &series) {
-            return None;
+        if let Some(at_kink) = at_kink(graph, function, &series) {
+            return at_kink;
         }
         let (mut first, mut second) = (Vec::new(), Vec::new());
         for (operand, slope) in partials(graph, id) {
@@ -226,7 +264,8 @@ impl Expansion {
             }
         }
         let parts = [self.known_value(id)?, graph.total(first), graph.total(second)];
-        Some(Series::new(graph, parts))
+        let order = series.iter().map(|series| series.order).min().unwrap_or(HIGHEST);
+        Some(Series::new(graph, parts, order))
     }
 }
 
@@ -241,7 +280,7 @@ fn power(graph: &mut Graph, base: Series, exponent: &Number) -> Option<Series> {
         return Some(Series::constant(graph, value));
     }
     if vanishes(graph, a) {
-        return power_at_zero(graph, first, exponent);
+        return power_at_zero(graph, base, exponent);
     }
     let lowered = |by: i64| exponent + &Number::from(-by);
     let (slope, curvature) = (graph.power(a, lowered(1)), graph.power(a, lowered(2)));
@@ -250,18 +289,18 @@ fn power(graph: &mut Graph, base: Series, exponent: &Number) -> Option<Series> {
     let square = graph.square(first);
     let (straight, bent) = (graph.multiply(slope, second), graph.multiply(curvature, square));
     let parts = [graph.power(a, exponent.clone()), graph.multiply(slope, first), graph.add(straight, bent)];
-    Some(Series::new(graph, parts))
+    Some(Series::new(graph, parts, base.order))
 }
 
-/// The power of what is zero at the point; it has a second derivative there only if the exponent is 2 or larger.
-fn power_at_zero(graph: &mut Graph, first: ExprId, exponent: &Number) -> Option<Series> {
+/// The power of what is zero at the point and grows with at least δᵐ: it grows with at least δᵐᵉ.
+fn power_at_zero(graph: &mut Graph, base: Series, exponent: &Number) -> Option<Series> {
+    if *exponent == Number::TWO {
+        return Some(multiply(graph, base, base));
+    }
+    let growth = exponent * &Number::from(base.valuation(graph) as i64);
+    let order = (0..=HIGHEST).rev().find(|&order| Number::from(order as i64) < growth)?;
     let zero = graph.number(0);
-    let second = match exponent.cmp(&Number::TWO) {
-        std::cmp::Ordering::Less => return None,
-        std::cmp::Ordering::Equal => graph.square(first),
-        std::cmp::Ordering::Greater => zero,
-    };
-    Some(Series::new(graph, [zero, zero, second]))
+    Some(Series::new(graph, [zero; 3], order))
 }
 
 fn multiply(graph: &mut Graph, a: Series, b: Series) -> Series {
@@ -271,7 +310,8 @@ fn multiply(graph: &mut Graph, a: Series, b: Series) -> Series {
         graph.total(products)
     };
     let parts = [part(&[(0, 0)]), part(&[(0, 1), (1, 0)]), part(&[(0, 2), (1, 1), (2, 0)])];
-    Series::new(graph, parts)
+    let order = (a.order + b.valuation(graph)).min(b.order + a.valuation(graph));
+    Series { varies: a.varies || b.varies, ..Series::new(graph, parts, order) }
 }
 
 /// The degree of a power before anything is left out; more than two if it is no polynomial.
@@ -283,18 +323,20 @@ fn degree_of_power(graph: &Graph, base: Series, exponent: &Number) -> usize {
     }
 }
 
-/// Whether a function bends sharply where the arguments take their values.
-fn has_kink(graph: &mut Graph, function: Function, arguments: &[Series]) -> bool {
+/// The series of a function that bends sharply or jumps where the arguments take their values, if it does.
+fn at_kink(graph: &mut Graph, function: Function, arguments: &[Series]) -> Option<Option<Series>> {
     match (function, arguments) {
-        (Function::Abs | Function::Sign, [argument]) => vanishes(graph, argument.parts[0]),
-        (Function::Min | Function::Max, sides) => meet(graph, sides),
-        _ => false,
+        (Function::Sign, [argument]) if vanishes(graph, argument.parts[0]) => Some(None),
+        (Function::Abs, [argument]) if vanishes(graph, argument.parts[0]) => {
+            Some(power_at_zero(graph, *argument, &Number::ONE))
+        }
+        (Function::Min | Function::Max, [a, b]) if meet(graph, *a, *b) => Some(a.common(graph, *b)),
+        _ => None,
     }
 }
 
 /// Whether two sides of a comparison, of which one varies, are equal at the point.
-fn meet(graph: &mut Graph, sides: &[Series]) -> bool {
-    let [left, right] = sides else { return false };
+fn meet(graph: &mut Graph, left: Series, right: Series) -> bool {
     let difference = graph.subtract(left.parts[0], right.parts[0]);
     (left.varies || right.varies) && vanishes(graph, difference)
 }

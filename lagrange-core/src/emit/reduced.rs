@@ -10,9 +10,9 @@ use super::skeleton::skeleton_of_type;
 use super::system::{Refusal, field_bindings};
 use super::text;
 use crate::collections::HashMap;
-use crate::mechanics::{Held, Reduced};
+use crate::mechanics::{Held, METHODS_OF_REDUCED, Reduced};
 use crate::program::{Labels, lower, optimise};
-use crate::syntax::ast::Declaration;
+use crate::syntax::ast::{Declaration, ScalarType, StatementKind};
 
 /// Values with longer texts are not written out in documentation.
 const LONGEST_VALUE: usize = 60;
@@ -234,6 +234,11 @@ fn returning(state: &Ident, Body { statements, fields }: &Body) -> TokenStream {
     }
 }
 
+/// Whether it is an output with the name of a method, which is reported.
+fn is_reserved(statement: &StatementKind) -> bool {
+    matches!(statement, StatementKind::Output(name, _) if METHODS_OF_REDUCED.contains(&name.text.as_str()))
+}
+
 /// The same types and methods for a declaration with errors.
 pub(super) fn skeletons(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let mut taken = HashMap::default();
@@ -242,10 +247,14 @@ pub(super) fn skeletons(declaration: &Declaration, krate: &TokenStream) -> Token
         insert(name.to_owned()) & insert(format!("{name}State"))
     };
     is_new(&declaration.name.text);
+    if let ScalarType::Generic(name) = &declaration.scalar {
+        is_new(&name.text);
+    }
     let full = Shape::new(declaration, krate);
     let types = declaration.reductions().filter(|(reduction, _)| is_new(&reduction.name.text));
     let types = types.map(|(reduction, docs)| {
-        let part = declaration.reduced(reduction, attributes(declaration, docs, &[]));
+        let mut part = declaration.reduced(reduction, attributes(declaration, docs, &[]));
+        part.statements.retain(|statement| !is_reserved(&statement.kind));
         let nothing = Body { statements: TokenStream::new(), fields: TokenStream::new() };
         let shape = Shape::new(&part, krate);
         let methods = inherent_impl(&full, &shape, &nothing, &nothing);

@@ -29,10 +29,8 @@ pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model
         elaborator.statement(statement);
     }
     let (mut model, reductions) = elaborator.finish()?;
-    for reduction in &reductions {
-        let reduced = reduce(&model, reduction, report)?;
-        model.reduced.push(reduced);
-    }
+    let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, report)).collect::<Vec<_>>();
+    model.reduced = reduced.into_iter().collect::<Option<Vec<_>>>()?;
     Some(model)
 }
 

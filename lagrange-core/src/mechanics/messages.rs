@@ -252,7 +252,6 @@ pub(super) const SINGULAR_HELP: &str =
 // Reduced types.
 
 pub(super) const REDUCTION_HELP: &str = "`freeze` and `small` take coordinates: `freeze x = 0; small theta;`";
-pub(super) const NOTHING_REDUCED: &str = "nothing is frozen or small here";
 pub(super) const ALL_FROZEN: &str = "every coordinate is frozen, so that nothing is left to move";
 pub(super) const ALL_FROZEN_HELP: &str = "leave at least one coordinate free, or make it `small`";
 pub(super) const HELD_VALUE: &str = "the value of a coordinate that is frozen or small";
@@ -286,7 +285,8 @@ pub(super) fn undefined_when_frozen(part: &str) -> String {
     format!("{part} is not defined with this coordinate at this value")
 }
 
-pub(super) const UNDEFINED_HELP: &str = "it divides by zero there; freeze the coordinate at another value";
+pub(super) const UNDEFINED_HELP: &str =
+    "it divides by zero there, for example; freeze the coordinate at another value";
 
 pub(super) fn output_of_reduced(name: &str) -> String {
     format!(

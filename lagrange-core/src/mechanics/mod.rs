@@ -31,5 +31,6 @@ pub use algebra::Sums;
 pub use elaborate::elaborate;
 pub use equations::Equations;
 pub use model::{Coordinate, Energies, Held, Load, Model, Output, Parameter, Product, Reduced, Reduction};
+pub use reductions::METHODS_OF_REDUCED;
 pub use roads::{Road, RoadChoice, SingularMassMatrix};
 pub use structure::{Conserved, MassStructure, Structure};

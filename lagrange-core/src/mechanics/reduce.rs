@@ -103,13 +103,15 @@ impl<'a> Reducer<'a> {
     }
 
     fn of(&mut self, root: ExprId, part: &str) -> Result<Series, Undefined> {
-        self.expanded.of(&mut self.graph, root).ok_or_else(|| part.to_owned())
+        self.expanded.of(&mut self.graph, root, ORDER).ok_or_else(|| part.to_owned())
     }
 
     /// The power of a load up to second order, as loads: F₀₁₂ along ṗ₀, F₀₁ along ṗ₁ and F₀ along ṗ₂.
     fn load(&mut self, load: Load) -> Result<Vec<Load>, Undefined> {
         let velocity = self.of(load.velocity, "the point of a force")?;
-        let force = self.of(load.force, "a force")?;
+        // Along the velocity of something small, a force of first order does.
+        let order = ORDER.saturating_sub(velocity.valuation(&self.graph));
+        let force = self.expanded.of(&mut self.graph, load.force, order).ok_or("a force")?;
         let graph = &mut self.graph;
         let mut loads = match velocity.degree(graph) + force.degree(graph) <= ORDER {
             true => vec![Load { velocity: velocity.closed, force: force.closed }],
@@ -129,7 +131,7 @@ impl<'a> Reducer<'a> {
         let mut outputs = model.outputs.clone();
         for output in &mut outputs {
             for component in &mut output.components {
-                let series = self.frozen.of(&mut self.graph, *component);
+                let series = self.frozen.of(&mut self.graph, *component, 0);
                 *component = series.ok_or_else(|| format!("output `{}`", output.name))?.closed;
             }
             let uses = |&c: &ExprId| self.graph.dependencies(c).intersects(Dependencies::ACCELERATION);
@@ -141,7 +143,8 @@ impl<'a> Reducer<'a> {
     fn rates(&mut self, model: &Model) -> Vec<(ExprId, ExprId)> {
         let mut rates = Vec::new();
         for &(velocity, position) in &model.rates {
-            let [velocity, position] = [velocity, position].map(|id| self.expanded.of(&mut self.graph, id));
+            let [velocity, position] =
+                [velocity, position].map(|id| self.expanded.of(&mut self.graph, id, ORDER));
             let Some((velocity, position)) = velocity.zip(position) else { continue };
             let (coefficient, velocity) = self.graph.split_coefficient(velocity.closed);
             if self.graph.dependencies(velocity).intersects(Dependencies::VELOCITY)
@@ -157,7 +160,7 @@ impl<'a> Reducer<'a> {
     fn labels(&mut self, model: &Model) -> Vec<(ExprId, String)> {
         let mut labels = Vec::new();
         for (expression, name) in &model.labels {
-            let Some(series) = self.expanded.of(&mut self.graph, *expression) else { continue };
+            let Some(series) = self.expanded.of(&mut self.graph, *expression, ORDER) else { continue };
             let is_plain = matches!(self.graph.node(series.closed), Node::Symbol(_) | Node::Number(_));
             if !is_plain || series.closed == *expression {
                 labels.push((series.closed, name.clone()));

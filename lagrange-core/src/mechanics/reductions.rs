@@ -9,7 +9,7 @@ use crate::expr::{Dependencies, ExprId};
 use crate::syntax::ast::{self, AstId, ReductionItem, ReductionKind, ScalarType, StatementKind};
 
 /// Methods of reduced types beside those of every system; no output may take their names.
-const METHODS_OF_REDUCED: [&str; 2] = ["expand", "deviation"];
+pub const METHODS_OF_REDUCED: [&str; 2] = ["expand", "deviation"];
 /// What a value must not depend on, the most telling first.
 const CHANGING: [Dependencies; 5] = [
     Dependencies::ACCELERATION,
@@ -22,10 +22,6 @@ const CHANGING: [Dependencies; 5] = [
 impl Elaborator<'_> {
     pub(super) fn reduction(&mut self, syntax: &ast::Reduction) {
         self.check_type_name(syntax);
-        let report = &mut *self.evaluator.report;
-        if syntax.items.is_empty() && !report.has_errors() {
-            report.error(syntax.name.span, messages::NOTHING_REDUCED).help(messages::REDUCTION_HELP);
-        }
         let mut reduction = Reduction { name: syntax.name.clone(), frozen: Vec::new(), small: Vec::new() };
         for item in &syntax.items {
             let Some(held) = self.held(item) else { continue };

@@ -115,6 +115,7 @@ pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
 pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
 
 pub(super) const REDUCTION_HELP: &str = "write `reduce Name { freeze x = 0; small theta; }`";
+pub(super) const NOTHING_REDUCED: &str = "nothing is frozen or small here";
 pub(super) const REDUCTION_ITEM: &str = "`freeze` or `small`";
 
 pub(super) fn frozen_without_value(name: &str) -> String {

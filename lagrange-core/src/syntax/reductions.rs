@@ -3,7 +3,7 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{Reduction, ReductionItem, ReductionKind};
-use super::cursor::Cursor;
+use super::cursor::{Cursor, group_origin};
 use super::messages;
 use super::parser::{Parsed, Parser};
 use crate::diagnostics::nearest;
@@ -20,6 +20,10 @@ impl Parser<'_> {
             let message = messages::expected("`{`", cursor.peek());
             return Err(self.fail_with_help(cursor.here(), message, messages::REDUCTION_HELP));
         };
+        if group.stream().is_empty() {
+            let help = messages::REDUCTION_HELP;
+            self.report.error(group_origin(&group), messages::NOTHING_REDUCED).help(help);
+        }
         // A mistake between the braces leaves the end of the statement in place.
         let items = self.inside(&group, Self::reduction_lines).unwrap_or_default();
         Ok(Reduction { name, items })

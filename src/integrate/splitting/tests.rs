@@ -5,14 +5,15 @@ mod refusals;
 mod structure;
 
 use crate::integrate::{Method, integrate};
-use crate::system::{MechanicalSystem, OdeSystem, SeparableSystem};
+use crate::scalar::Scalar;
+use crate::system::{MechanicalSystem, OdeSystem, SeparableSystem, Unnamed};
 
 /// q̈ = a(t, q) for N coordinates, in any scalar.
 struct Force<S, const N: usize, const TWICE: usize> {
     acceleration: fn(S, &[S; N]) -> [S; N],
 }
 
-impl<S: crate::Scalar, const N: usize, const TWICE: usize> OdeSystem for Force<S, N, TWICE> {
+impl<S: Scalar, const N: usize, const TWICE: usize> OdeSystem for Force<S, N, TWICE> {
     type Scalar = S;
     type State = [S; TWICE];
 
@@ -23,8 +24,9 @@ impl<S: crate::Scalar, const N: usize, const TWICE: usize> OdeSystem for Force<S
     }
 }
 
-impl<S: crate::Scalar, const N: usize, const TWICE: usize> MechanicalSystem for Force<S, N, TWICE> {
+impl<S: Scalar, const N: usize, const TWICE: usize> MechanicalSystem for Force<S, N, TWICE> {
     type Coordinates = [S; N];
+    type Columns<C> = Unnamed<C>;
 
     const COORDINATES: &'static [&'static str] = &["x", "y", "z", "u"];
 
@@ -33,7 +35,7 @@ impl<S: crate::Scalar, const N: usize, const TWICE: usize> MechanicalSystem for 
     }
 }
 
-impl<S: crate::Scalar, const N: usize, const TWICE: usize> SeparableSystem for Force<S, N, TWICE> {}
+impl<S: Scalar, const N: usize, const TWICE: usize> SeparableSystem for Force<S, N, TWICE> {}
 
 const OSCILLATOR: Force<f64, 1, 2> = Force { acceleration: |_, [x]| [-x] };
 const PENDULUM: Force<f64, 1, 2> = Force { acceleration: |_, [x]| [-x.sin()] };

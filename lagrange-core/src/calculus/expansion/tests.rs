@@ -23,7 +23,7 @@ fn near_zero(g: &mut Graph, root: ExprId) -> Option<Series> {
     let mut expansion = Expansion::default();
     expansion.vary(g, x, zero);
     expansion.vary(g, v, zero);
-    expansion.of(g, root)
+    expansion.of(g, root, 2)
 }
 
 fn value(g: &Graph, root: ExprId, at: [f64; 4]) -> f64 {
@@ -45,7 +45,7 @@ fn every_function_is_met_to_third_order() {
             let point = ratio(&mut g, tenths, 10);
             expansion.vary(&mut g, symbol, point);
         }
-        let series = expansion.of(&mut g, f).expect("smooth there");
+        let series = expansion.of(&mut g, f, 2).expect("smooth there");
         let error = |h: f64| {
             let at = [0.6 + h, 0.4 - 2.0 * h, 0.0, 0.0];
             (value(&g, series.closed, at) - value(&g, f, at)).abs()
@@ -90,6 +90,38 @@ fn kinks_and_poles_at_the_point_have_no_expansion() {
 }
 
 #[test]
+fn what_vanishes_at_a_kink_smooths_it() {
+    let mut g = Graph::new();
+    let ([x, y, v, _], zero) = (symbols(&mut g), g.number(0));
+    let magnitude = apply(&mut g, Function::Abs, &[v]);
+    let squares = [g.square(x), g.square(v)];
+    let sum = g.total(squares);
+    let norm = g.power(sum, Number::ratio(1, 2).expect("a number"));
+    let larger = apply(&mut g, Function::Max, &[x, v]);
+    let steeper = g.scale(Number::TWO, squares[0]);
+    let known = [
+        (magnitude, 0),
+        (norm, 0),
+        (larger, 0),
+        (g.multiply(magnitude, v), 1),
+        (g.multiply(norm, v), 1),
+        (g.multiply(norm, y), 0),
+        (g.product([(magnitude, Number::ONE), (norm, Number::ONE), (v, Number::ONE)]), 2),
+        (g.power(norm, Number::from(3)), 2),
+        (g.choose(Relation::Less, x, zero, squares[0], steeper), 1),
+        (g.choose(Relation::Less, x, zero, v, zero), 0),
+    ];
+    for (root, order) in known {
+        let mut expansion = Expansion::default();
+        expansion.vary(&mut g, x, zero);
+        expansion.vary(&mut g, v, zero);
+        let found = expansion.of(&mut g, root, 0).expect("continuous");
+        assert_eq!(found.order, order, "{:?}", g.node(root));
+        assert!(g.is_zero(found.closed), "{:?}", g.node(root));
+    }
+}
+
+#[test]
 fn what_is_not_chosen_need_not_be_defined() {
     let mut g = Graph::new();
     let ([x, ..], one) = (symbols(&mut g), g.number(1));
@@ -98,7 +130,7 @@ fn what_is_not_chosen_need_not_be_defined() {
     assert_eq!(near_zero(&mut g, guarded).expect("the other branch").closed, x);
     let mut held = Expansion::default();
     held.hold(x, one);
-    assert_eq!(held.of(&mut g, guarded).map(|series| series.closed), Some(one));
+    assert_eq!(held.of(&mut g, guarded, 2).map(|series| series.closed), Some(one));
 }
 
 #[test]
