@@ -150,7 +150,7 @@ fn infinite<S: Scalar, Y: StateVector<S>>() -> Y {
 #[inline(always)]
 fn is_settled<S: Scalar>(now: S, last: S, earlier: S, unseen: S) -> bool {
     let expected = S::from_f64(16.0) * last * (last / earlier);
-    now == S::ZERO || (now <= S::from_f64(4.0) * unseen && earlier.is_finite() && expected <= unseen)
+    now == S::ZERO || (now <= S::from_f64(100.0) * unseen && earlier.is_finite() && expected <= unseen)
 }
 
 /// Whether residuals are a small part of the terms they are made of.
