@@ -49,6 +49,8 @@ extern crate std;
 
 pub mod event;
 pub mod integrate;
+#[cfg(feature = "plot")]
+mod plot;
 pub mod scalar;
 #[cfg(feature = "std")]
 pub mod simulate;

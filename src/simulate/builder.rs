@@ -88,6 +88,8 @@ type Extend<'a, M> = Box<
         + 'a,
 >;
 
+/// The name of the column that [`Simulation::energy`] adds.
+pub(super) const ENERGY: &str = "energy";
 /// The tolerance of the default method if none is given, where numbers are fine enough.
 const TOLERANCE: f64 = 1e-9;
 /// No default tolerance is smaller than this many roundings.
@@ -186,7 +188,7 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
     where
         M: EnergyFunction,
     {
-        self.observe("energy", |system, t, y| {
+        self.observe(ENERGY, |system, t, y| {
             let (q, v) = split::<M>(y);
             system.energy(t, &q, &v)
         })

@@ -26,7 +26,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// # Errors
     /// What the writer says.
     pub fn write_csv(&self, writer: impl Write) -> io::Result<()> {
-        self.table.write_csv(writer)
+        self.table().write_csv(writer)
     }
 }
 

@@ -31,6 +31,9 @@ type Found<M> = Event<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 /// What to do at an event.
 type React<'a, M> = Box<dyn FnMut(&M, &Found<M>) -> Reaction<<M as OdeSystem>::State> + 'a>;
 
+/// An event with what to do at it, if there is one.
+type Next<M> = Result<Option<(Found<M>, Reaction<<M as OdeSystem>::State>)>, Cause<<M as OdeSystem>::Scalar>>;
+
 /// A function whose zeros are looked for.
 pub(super) struct Watcher<'a, M: MechanicalSystem> {
     pub(super) name: String,
@@ -58,11 +61,7 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
     }
 
     /// The next event in the last step, with what to do; of those at the same time the one given first.
-    pub(super) fn next(
-        &mut self,
-        system: &M,
-        stepper: &mut impl Stepper<M>,
-    ) -> Result<Option<(Found<M>, Reaction<M::State>)>, Cause<M::Scalar>> {
+    pub(super) fn next(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Next<M> {
         self.look(system, stepper)?;
         let since = |time: M::Scalar| (time - stepper.last_time()).abs();
         let mut earliest: Option<(usize, M::Scalar)> = None;

@@ -41,6 +41,8 @@ mod error;
 mod events;
 #[cfg(feature = "parquet")]
 mod parquet;
+#[cfg(feature = "plot")]
+mod plots;
 mod progress;
 mod record;
 mod run;
@@ -59,6 +61,8 @@ pub use self::events::Event;
 pub use self::progress::{Progress, Verdict};
 pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};
+#[cfg(feature = "plot")]
+pub use crate::plot::PlotError;
 
 /// Lets every mechanical system be simulated.
 pub trait Simulate: MechanicalSystem + Sized {

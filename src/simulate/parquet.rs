@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
+use std::string::String;
 use std::sync::Arc;
 use std::vec::Vec;
 
@@ -62,7 +63,7 @@ fn properties() -> WriterProperties {
 
 /// One column of doubles for each name, after the time.
 fn schema<S: Copy>(table: &Table<S>) -> Result<Type, ParquetError> {
-    let names = std::iter::once(TIME).chain(table.names().iter().map(|name| name.as_str()));
+    let names = std::iter::once(TIME).chain(table.names().iter().map(String::as_str));
     let column = |name: &str| {
         let builder = Type::primitive_type_builder(name, Physical::DOUBLE);
         builder.with_repetition(Repetition::REQUIRED).build().map(Arc::new)

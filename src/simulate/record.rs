@@ -125,7 +125,7 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
             self.sample(time, &state);
         }
         let Record { table, dense, events, first, last, work, .. } = self;
-        Trajectory { table, dense, events, work, ending, first, last, method }
+        Trajectory { columns: table.into(), dense, events, work, ending, first, last, method }
     }
 }
 

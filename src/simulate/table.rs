@@ -3,6 +3,8 @@
 use std::string::String;
 use std::vec::Vec;
 
+use crate::system::Columns;
+
 /// What the column of times is called in files.
 pub(super) const TIME: &str = "t";
 
@@ -59,5 +61,14 @@ impl<S: Copy> Table<S> {
     pub fn column(&self, name: &str) -> Option<&[S]> {
         let index = self.names.iter().position(|known| known == name)?;
         self.columns.get(index).map(Vec::as_slice)
+    }
+}
+
+/// By index, for the named columns that are emitted with a system.
+impl<S: Copy> Columns for Table<S> {
+    type Scalar = S;
+
+    fn column(&self, index: usize) -> &[S] {
+        &self.columns[index]
     }
 }

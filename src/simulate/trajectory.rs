@@ -1,6 +1,7 @@
 //! What a run found.
 
 use std::fmt::{Debug, Display, Formatter};
+use std::ops::Deref;
 use std::string::String;
 use std::vec::Vec;
 
@@ -12,10 +13,14 @@ use crate::system::{MechanicalSystem, StateVector};
 
 /// What a run found: samples in named columns, and what it took.
 ///
-/// Columns are the coordinates and velocities, such as `theta` and `theta_dot`, and then what observers added. There
-/// is at least one sample, the initial state, and the last sample is where the run ended.
+/// Columns are the coordinates and velocities and then what observers added. There is at least one sample, the initial
+/// state, and the last sample is where the run ended.
+///
+/// Of an emitted system, the columns of the state are also methods, such as `trajectory.theta()` and
+/// `trajectory.theta_dot()`; where one would be called like a method of this type, [`column`](Trajectory::column) finds
+/// it.
 pub struct Trajectory<M: MechanicalSystem> {
-    pub(super) table: Table<M::Scalar>,
+    pub(super) columns: M::Columns<Table<M::Scalar>>,
     pub(super) dense: Option<Dense<M::Scalar, M::State>>,
     pub(super) events: Vec<Event<M::Scalar, M::State>>,
     pub(super) work: Work,
@@ -43,33 +48,33 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// How many samples there are; at least one.
     #[expect(clippy::len_without_is_empty, reason = "there is at least one sample")]
     pub fn len(&self) -> usize {
-        self.table.len()
+        self.table().len()
     }
 
     /// The times of the samples, in the order of the run: falling if it ran backwards.
     pub fn times(&self) -> &[M::Scalar] {
-        self.table.times()
+        self.table().times()
     }
 
     /// The names of the columns, in their order; time has none.
     pub fn names(&self) -> &[String] {
-        self.table.names()
+        self.table().names()
     }
 
     /// The column of this name: a coordinate, a velocity such as `theta_dot`, or what an observer added.
     pub fn column(&self, name: &str) -> Option<&[M::Scalar]> {
-        self.table.column(name)
+        self.table().column(name)
     }
 
     /// All columns.
     pub fn table(&self) -> &Table<M::Scalar> {
-        &self.table
+        self.columns.as_ref()
     }
 
     /// The state of a sample, counted from zero.
     pub fn state(&self, index: usize) -> Option<M::State> {
         let mut state = M::State::ZERO;
-        for (component, column) in state.as_mut().iter_mut().zip(self.table.columns()) {
+        for (component, column) in state.as_mut().iter_mut().zip(self.table().columns()) {
             *component = *column.get(index)?;
         }
         Some(state)
@@ -142,10 +147,18 @@ impl<M: MechanicalSystem> Trajectory<M> {
     }
 }
 
+impl<M: MechanicalSystem> Deref for Trajectory<M> {
+    type Target = M::Columns<Table<M::Scalar>>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.columns
+    }
+}
+
 impl<M: MechanicalSystem> Clone for Trajectory<M> {
     fn clone(&self) -> Self {
         Trajectory {
-            table: self.table.clone(),
+            columns: self.table().clone().into(),
             dense: self.dense.clone(),
             events: self.events.clone(),
             ..*self

@@ -5,6 +5,8 @@ mod events;
 mod files;
 mod limits;
 mod observers;
+#[cfg(feature = "plot")]
+mod plots;
 mod sampling;
 
 use crate::integrate::RungeKutta4;
