@@ -76,6 +76,7 @@ impl<L: Lagrangian<N>, const N: usize> OdeSystem for System<L, N> {
 
 impl<L: Lagrangian<N>, const N: usize> MechanicalSystem for System<L, N> {
     type Coordinates = [L::Number; N];
+    type Columns<C> = crate::system::Unnamed<C>;
 
     const COORDINATES: &'static [&'static str] = &["q"; N];
 

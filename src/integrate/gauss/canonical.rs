@@ -45,6 +45,8 @@ pub struct Canonical<M: CanonicalSystem + ?Sized, const K: usize> {
     mass_rate: Mass<M>,
     /// Velocities at the stages of the step that is being taken, and its length.
     stages: (Stages<M, K>, Number<M>),
+    /// Velocities and mass matrix at its end.
+    next: (Vector<M>, Mass<M>),
 }
 
 impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K>
@@ -62,6 +64,7 @@ where
             mass: Matrix::ZERO,
             mass_rate: Matrix::ZERO,
             stages: ([Vector::<M>::ZERO; K], Number::<M>::ONE),
+            next: (Vector::<M>::ZERO, Matrix::ZERO),
         }
     }
 }
@@ -109,21 +112,28 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         let guess = sum(&self.end.0, &stages, self.end.1, &self.velocities);
         let mass = Matrix(system.mass_matrix(t, &q, &guess));
         let v = velocities(system, t, (&q, &p), guess, &mass, h, work)?;
-        self.prediction.learn(stages, h);
-        self.mass_rate = Matrix::of(|i, j| (mass[(i, j)] - self.mass[(i, j)]) / h);
-        self.mass = mass;
-        self.velocities = v;
+        self.next = (v, mass);
         Ok(join::<M>(&q, &v))
     }
 
+    fn accept(&mut self, _t: M::Scalar) {
+        let (stages, h) = self.stages;
+        let (velocities, mass) = self.next;
+        self.prediction.learn(stages, h);
+        self.mass_rate = Matrix::of(|i, j| (mass[(i, j)] - self.mass[(i, j)]) / h);
+        self.mass = mass;
+        self.velocities = velocities;
+    }
+
     fn interpolate(
-        &self,
+        &mut self,
         system: &M,
         from: (M::Scalar, &M::State),
         to: (M::Scalar, &M::State),
         t: M::Scalar,
+        work: &mut Work,
     ) -> M::State {
-        dense::between::<M, K>(system, from, to, t)
+        dense::between::<M, K>(system, from, to, t, work)
     }
 }
 

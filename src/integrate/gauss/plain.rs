@@ -26,6 +26,8 @@ pub struct Plain<M: OdeSystem + ?Sized, const K: usize> {
     tableau: Tableau<Number<M>, K>,
     rounding: Number<M>,
     prediction: Prediction<Number<M>, State<M>, K>,
+    /// Slopes of the step that is being taken, and its length.
+    stages: (Stages<M, K>, Number<M>),
 }
 
 impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K>
@@ -34,7 +36,12 @@ where
 {
     pub(super) fn new() -> Self {
         let tableau = Tableau::<Number<M>, K>::coefficients();
-        Plain { tableau, rounding: newton::rounding(), prediction: Prediction::new(tableau.c) }
+        Plain {
+            tableau,
+            rounding: newton::rounding(),
+            prediction: Prediction::new(tableau.c),
+            stages: ([State::<M>::ZERO; K], Number::<M>::ONE),
+        }
     }
 }
 
@@ -65,14 +72,20 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
         self.solve(&step, predicted, work).or_else(|_| self.solve(&step, [slope; K], work))
     }
 
+    fn accept(&mut self, _t: M::Scalar) {
+        let (slopes, h) = self.stages;
+        self.prediction.learn(slopes, h);
+    }
+
     fn interpolate(
-        &self,
+        &mut self,
         system: &M,
         from: (M::Scalar, &M::State),
         to: (M::Scalar, &M::State),
         t: M::Scalar,
+        work: &mut Work,
     ) -> M::State {
-        dense::plainly_between::<M, K>(system, from, to, t)
+        dense::plainly_between::<M, K>(system, from, to, t, work)
     }
 }
 
@@ -101,7 +114,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         for (weight, slope) in tableau.b.iter().zip(&stages) {
             add(&mut change, step.h * *weight, slope);
         }
-        self.prediction.learn(stages, step.h);
+        self.stages = (stages, step.h);
         Ok(change)
     }
 
