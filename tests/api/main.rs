@@ -7,6 +7,7 @@ mod methods;
 mod products;
 mod scalars;
 mod shadowing;
+mod simulation;
 mod states;
 mod traits;
 
