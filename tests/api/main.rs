@@ -9,6 +9,7 @@ mod products;
 mod reduced;
 mod scalars;
 mod shadowing;
+mod simulation;
 mod states;
 mod traits;
 
