@@ -3,8 +3,10 @@
 mod accuracy;
 mod columns;
 mod declarations;
+mod fixed_steps;
 mod methods;
 mod products;
+mod reduced;
 mod scalars;
 mod shadowing;
 mod simulation;

@@ -3,10 +3,11 @@
 //! The stages hold slopes Fᵢ = f(t + cᵢ h, y + h Σ aᵢⱼ Fⱼ). Where the system is stiff, the solution of these equations is
 //! more accurate than f at its rounded argument; the step therefore adds up the solution.
 
+use crate::integrate::canonical::{Pencil, add, magnitude};
 use crate::integrate::error::Cause;
 use crate::integrate::fixed::Formula;
 use crate::integrate::gauss::dense;
-use crate::integrate::gauss::linearised::{Linearised, Pencil, add};
+use crate::integrate::gauss::linearised::Linearised;
 use crate::integrate::gauss::tableau::{Coefficients, Tableau};
 use crate::integrate::linear::Matrix;
 use crate::integrate::method::Work;
@@ -39,7 +40,7 @@ where
         Plain {
             tableau,
             rounding: newton::rounding(),
-            prediction: Prediction::new(tableau.c),
+            prediction: Prediction::new(tableau.c, tableau.c),
             stages: ([State::<M>::ZERO; K], Number::<M>::ONE),
         }
     }
@@ -107,7 +108,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
     ) -> Result<M::State, Cause<M::Scalar>> {
         let pencil = self.pencil(step, &stages, work)?;
         let tableau = &self.tableau;
-        let linearised = pencil.factors(tableau).ok_or(Cause::NotFinite)?;
+        let linearised = Linearised::new(&pencil, tableau).ok_or(Cause::NotFinite)?;
         let mut equations = StageEquations { step, tableau, pencil, linearised };
         newton::solve(&mut equations, &mut stages, self.rounding, work)?;
         let mut change = State::<M>::ZERO;
@@ -173,10 +174,6 @@ impl<M: OdeSystem + ?Sized, const K: usize> Equations<M::Scalar, M::State, K> fo
     }
 
     fn magnitude(&self, slopes: &Stages<M, K>) -> M::State {
-        let mut unknowns = newton::largest(slopes);
-        for (unknown, y) in unknowns.as_mut().iter_mut().zip(self.step.y.as_ref()) {
-            *unknown = *unknown + (M::Scalar::ONE + y.abs()) / self.step.h.abs();
-        }
-        self.pencil.magnitude(&unknowns)
+        self.pencil.magnitude(&magnitude(newton::largest(slopes), self.step.y, self.step.h))
     }
 }
