@@ -43,6 +43,7 @@
 //! | [`StormerVerlet`] | separable | 2 | yes | 1 acceleration | long runs at moderate accuracy |
 //! | [`BlanesMoan4`] | separable | 4 | yes | 6 accelerations | long runs, accurately |
 //! | [`ImplicitMidpoint`], [`GaussLegendre4`], [`GaussLegendre6`] | with momenta | 2, 4, 6 | yes | iterations of 1, 2, 3 evaluations | long runs with any mass matrix; stiff springs |
+//! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta kept to rounding, forces included |
 //! | [`PlainGaussLegendre`] | any | 2, 4, 6 | no | as above | stiff systems without momenta |
 //!
 //! Separable systems have a constant mass matrix and accelerations that do not depend on velocities; declarations with
@@ -68,7 +69,7 @@ mod trajectory;
 #[cfg(doc)]
 use crate::integrate::{
     BlanesMoan4, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre, RungeKutta4,
-    StormerVerlet, SymplecticEuler, Verner98,
+    StormerVerlet, SymplecticEuler, Variational, Verner98,
 };
 use crate::scalar::Scalar;
 use crate::system::MechanicalSystem;
