@@ -21,27 +21,28 @@
 //!     potential = -m * g * l * cos(theta);
 //! }
 //!
-//! let motion = Pendulum::default().simulate([0.5, 0.0]).until(10.0).tolerance(1e-12).energy().run()?;
-//! let energy = motion.column("energy").expect("observed");
-//! assert!(energy.iter().all(|e| (e - energy[0]).abs() < 1e-10));
-//! assert!(motion.theta().iter().all(|theta| theta.abs() < 0.5 + 1e-10));
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! let trajectory = Pendulum::default().simulate([0.5, 0.0]).until(10.0).tolerance(1e-12).energy().run()?;
+//! assert!(trajectory.theta().iter().all(|theta| theta.abs() < 0.5 + 1e-10));
+//! let energy = trajectory.column("energy").unwrap_or_default();
+//! assert!(energy.iter().all(|now| (now - energy[0]).abs() < 1e-10));
+//! # Ok::<(), lagrange::simulate::SimulationError<Pendulum>>(())
 //! ```
 //!
 //! | where | what |
 //! |---|---|
 //! | [`system!`] | the language of declarations and what is emitted for one |
-//! | [`simulate`] | from a system and a start to a trajectory, with files and plots |
-//! | [`mod@integrate`] | methods that advance a system in time, for loops of one's own and small devices |
-//! | [`event`] | zeros of functions of time and state during an integration |
 //! | [`mod@system`] | traits that the emitted types implement, for code that takes any system |
+//! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
+//! | [`mod@integrate`] | methods that advance a system in time, without heap |
+//! | [`mod@event`] | zeros of functions of time and state |
 //! | [`Scalar`] | numbers that emitted code can compute with |
 //!
 //! # Features
 //!
-//! `std` (default) takes elementary functions from the platform, and opens the front door [`simulate`]. Without it they
-//! come from `libm`, and the crate is `no_std`; it never allocates. `plot` draws trajectories, `parquet` saves them.
-//! `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run time.
+//! `std` (default) takes elementary functions from the platform. Without it they come from `libm`, and
+//! the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let trajectories save to Parquet and
+//! plot to SVG and PNG. `symbolic` re-exports the computer algebra as
+//! `lagrange::symbolic`, for tools that derive at run time.
 #![no_std]
 #![forbid(unsafe_code)]
 
