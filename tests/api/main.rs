@@ -6,8 +6,10 @@ mod declarations;
 mod fixed_steps;
 mod methods;
 mod products;
+mod reduced;
 mod scalars;
 mod shadowing;
+mod simulation;
 mod states;
 mod traits;
 
