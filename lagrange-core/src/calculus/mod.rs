@@ -3,6 +3,7 @@
 mod adjoint;
 mod degree;
 mod evaluate;
+mod jacobian;
 mod local;
 mod partial;
 mod rate;
@@ -11,10 +12,11 @@ mod substitute;
 pub use adjoint::{adjoint, gradient};
 pub use degree::{Degree, Degrees, homogeneity};
 pub use evaluate::evaluate;
+pub use jacobian::jacobian;
 pub use local::{partials, second_partials};
 pub use partial::partial;
 pub use rate::{AccelerationTerms, Rates};
-pub use substitute::{rebuild, substitute};
+pub use substitute::{rebuild, substitute, substitute_all};
 
 #[cfg(test)]
 mod tests;
