@@ -79,7 +79,10 @@ impl Equations {
         let (solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
-        let derivatives = forms.map(|forms| Derivatives::new(model, &split, forms, &solution.accelerations));
+        let derivatives = forms.map(|forms| {
+            let accelerations = (&solution.accelerations[..], road);
+            Derivatives::new(model, &split, forms, accelerations)
+        });
         let differentiate = |model: &mut Model, product: Product, variables: Vec<ExprId>| {
             Some(derivatives.as_ref().filter(|_| wants(product))?.by(model, &variables))
         };

@@ -10,12 +10,14 @@ use super::equations::residual;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms};
 use super::model::Model;
+use super::roads::Road;
 use super::solve::Elimination;
 use crate::calculus::{AccelerationTerms, jacobian, substitute_all};
 use crate::expr::{ExprId, Graph};
 use crate::syntax::ast::Accuracy;
 
-/// Above this many coordinates only the way is taken that needs no factors of a full mass matrix.
+/// Above this many coordinates only one way is tried, the one that is known to be cheaper there: a factorised full
+/// matrix of n rows takes n³ operations, and differentiating it n⁴.
 const LARGEST_TRIAL: usize = 20;
 
 /// The forms that the accelerations follow from.
@@ -27,46 +29,53 @@ pub(super) struct Forms {
 
 /// What the derivatives are found from.
 pub(super) struct Derivatives {
-    accelerations: Vec<ExprId>,
+    /// The accelerations as they are computed, if they are to be differentiated.
+    explicit: Option<Vec<ExprId>>,
     /// r(q, v, a), with symbols for the accelerations.
     residual: Vec<ExprId>,
+    /// Of M, each to be tried with r.
     eliminations: Vec<Elimination>,
 }
 
 impl Derivatives {
-    /// Prepares both ways. Under `strict` only the first is taken, since nothing cancels in it that does not cancel in
-    /// the accelerations.
+    /// Prepares what is to be tried. Under `strict` that is the first way, since nothing cancels in it that does not
+    /// cancel in the accelerations.
     pub(super) fn new(
         model: &mut Model,
         split: &SplitLagrangian,
         forms: Forms,
-        accelerations: &[ExprId],
+        (accelerations, road): (&[ExprId], Road),
     ) -> Derivatives {
-        let accelerations = accelerations.to_vec();
-        if model.accuracy == Accuracy::Strict {
-            return Derivatives { accelerations, residual: Vec::new(), eliminations: Vec::new() };
-        }
         let velocities = model.velocities();
-        let residual = residual(model, split, AccelerationTerms::Kept, Terms::All);
-        let recursive = Elimination::recursive(&mut model.graph, forms.form, &velocities);
-        let dense = (velocities.len() <= LARGEST_TRIAL || recursive.is_none())
-            .then(|| Elimination::dense(&mut model.graph, forms.pushed, &velocities));
-        let eliminations = recursive.into_iter().chain(dense.flatten()).collect();
-        Derivatives { accelerations, residual, eliminations }
+        let (count, is_strict) = (velocities.len(), model.accuracy == Accuracy::Strict);
+        let is_factorised = road == Road::Dense && forms.pushed.is_mostly_full(count);
+        let (is_small, mut eliminations) = (count <= LARGEST_TRIAL, Vec::new());
+        // Where the factorised matrix is the best road to the accelerations, recursion is no better for their slopes.
+        if is_small && road != Road::Dense && !is_strict {
+            eliminations.extend(Elimination::recursive(&mut model.graph, forms.form, &velocities));
+        }
+        if (is_small || is_factorised) && !is_strict {
+            eliminations.extend(Elimination::dense(&mut model.graph, forms.pushed, &velocities));
+        }
+        let is_explicit = is_small || !is_factorised || eliminations.is_empty();
+        let residual = match eliminations.is_empty() {
+            true => Vec::new(),
+            false => residual(model, split, AccelerationTerms::Kept, Terms::All),
+        };
+        Derivatives { explicit: is_explicit.then(|| accelerations.to_vec()), residual, eliminations }
     }
 
     /// ∂a/∂x in rows, with an entry for each of `variables`.
     pub(super) fn by(&self, model: &mut Model, variables: &[ExprId]) -> Vec<Vec<ExprId>> {
-        let mut best = jacobian(&mut model.graph, &self.accelerations, variables);
-        let mut least = cost(&model.graph, &best.concat());
-        for elimination in &self.eliminations {
-            let found = self.implicit(model, elimination, variables);
-            let cost = cost(&model.graph, &found.concat());
-            if cost < least {
-                (best, least) = (found, cost);
-            }
-        }
-        best
+        let explicit = self.explicit.as_ref();
+        let explicit = explicit.map(|accelerations| jacobian(&mut model.graph, accelerations, variables));
+        let mut found = explicit.into_iter().collect::<Vec<_>>();
+        found
+            .extend(self.eliminations.iter().map(|elimination| self.implicit(model, elimination, variables)));
+        // One that counts as much as another is kept if it comes first.
+        let costs = found.iter().map(|rows| cost(&model.graph, &rows.concat())).collect::<Vec<_>>();
+        let least = (0..found.len()).min_by(|&i, &j| costs[i].total_cmp(&costs[j])).unwrap_or_default();
+        found.swap_remove(least)
     }
 
     /// −M⁻¹ ∂r/∂x
