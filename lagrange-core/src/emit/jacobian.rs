@@ -8,8 +8,8 @@ use super::shape::{Shape, length};
 use crate::expr::{ExprId, Graph};
 
 pub(super) const JACOBIAN: [&str; 2] = [
-    "Jacobian of `rhs`, in rows: entry `[i][j]` is the derivative of its entry `i` by",
-    "that of the state, `j`.",
+    "Jacobian of `rhs`, in rows: entry `[i][j]` is the derivative of its entry `i` by entry `j`",
+    "of the state.",
 ];
 pub(super) const PARAMETER_JACOBIAN: [&str; 2] = [
     "Derivatives of `rhs` by the fields in the order of `PARAMETERS`, in rows: entry `[i][j]`",
