@@ -3,8 +3,11 @@
 //! `cargo test --release --test trajectories` runs them; without optimisation there is nothing here.
 #![cfg(not(debug_assertions))]
 
+mod adaptive;
 mod comet;
 mod drift;
 mod phase;
+#[path = "../references/mod.rs"]
+mod references;
 mod stiff;
 mod systems;

@@ -14,6 +14,7 @@ mod equations;
 mod expression;
 mod form;
 mod gauss;
+mod jacobian;
 mod kinematics;
 mod loads;
 mod messages;
