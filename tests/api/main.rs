@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod columns;
+mod constraints;
 mod declarations;
 mod fixed_steps;
 mod methods;

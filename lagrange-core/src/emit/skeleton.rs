@@ -13,7 +13,7 @@ use super::rust_body::Names;
 use super::shape::{Shape, identifier, local};
 use super::system::{equations_latex, user_names};
 use crate::mechanics::Product;
-use crate::syntax::ast::Declaration;
+use crate::syntax::ast::{Declaration, StatementKind};
 
 /// The items of a system that could not be derived: the same types and methods, so that the code that uses
 /// them causes no errors of its own. They are never run, since the mistakes are errors.
@@ -27,13 +27,21 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
     let shape = Shape::new(declaration, krate);
     let n = shape.coordinates.len();
     let mut methods = vec![placeholder(local("acceleration"), Arguments::State, Returns::Vector(n))];
-    for product in Product::ALL.into_iter().filter(|product| *product != Product::Latex) {
+    let m = declaration.statements.iter().filter(|s| matches!(s.kind, StatementKind::Constraint(..))).count();
+    if m > 0 {
+        methods.push(placeholder(local("multipliers"), Arguments::State, Returns::Vector(m)));
+    }
+    let is_written =
+        |product: &Product| *product != Product::Latex && (m > 0 || !product.is_of_constraints());
+    for product in Product::ALL.into_iter().filter(is_written) {
         let (arguments, returns) = match product {
             Product::MassMatrix => (Arguments::Positions, Returns::Matrix(n, n)),
             Product::PotentialEnergy => (Arguments::Positions, Returns::Scalar),
             Product::KineticEnergy | Product::Energy => (Arguments::State, Returns::Scalar),
             Product::Jacobian => (Arguments::Whole, Returns::Matrix(2 * n, 2 * n)),
             Product::ParameterJacobian => (Arguments::Whole, Returns::Matrix(2 * n, shape.fields.len())),
+            Product::Constraints | Product::ConstraintVelocity => (Arguments::State, Returns::Vector(m)),
+            Product::ConstraintJacobian => (Arguments::Positions, Returns::Matrix(m, n)),
             Product::InverseDynamics => (Arguments::Motion, Returns::Vector(n)),
             _ => (Arguments::State, Returns::Vector(n)),
         };

@@ -116,6 +116,16 @@ impl<'a> Writer<'a> {
         let accelerations = self.equations.accelerations.clone();
         let docs = ["Accelerations in the order of the coordinates."];
         self.counts = self.add("acceleration", &docs, Arguments::State, n, &accelerations);
+        if !self.model.constraints.is_empty() {
+            let multipliers = self.equations.multipliers.clone();
+            self.add(
+                "multipliers",
+                &MULTIPLIERS,
+                Arguments::State,
+                Returns::Vector(multipliers.len()),
+                &multipliers,
+            );
+        }
         for product in self.model.products.clone() {
             self.write_product(product, n);
         }
@@ -152,6 +162,22 @@ impl<'a> Writer<'a> {
             }
             Product::InverseDynamics => {
                 (&INVERSE, Arguments::Motion, vector, or_none(&equations.inverse_dynamics))
+            }
+            Product::Constraints => {
+                let values = self.model.constraints.iter().map(|c| c.value).collect::<Vec<_>>();
+                (&CONSTRAINTS, Arguments::State, Returns::Vector(values.len()), values)
+            }
+            Product::ConstraintVelocity => {
+                let rates = self.model.constraints.iter().map(|c| c.velocity).collect::<Vec<_>>();
+                (&CONSTRAINT_VELOCITY, Arguments::State, Returns::Vector(rates.len()), rates)
+            }
+            Product::ConstraintJacobian => {
+                let rows = &equations.constraint_jacobian;
+                let returns = Returns::Matrix(rows.len(), self.model.coordinates.len());
+                (&CONSTRAINT_JACOBIAN, Arguments::Positions, returns, rows.concat())
+            }
+            Product::ConstraintForces => {
+                (&CONSTRAINT_FORCES, Arguments::State, vector, equations.constraint_forces.clone())
             }
             Product::Jacobian => {
                 let rows = equations.jacobian.as_deref().unwrap_or_default();
@@ -233,19 +259,21 @@ impl<'a> Writer<'a> {
             let entries = pattern.map(|pattern| quote!(let #pattern = *#state;));
             return quote!(#fields #entries);
         }
-        let mut vector = |source: TokenStream, role: fn(u32) -> Role| {
-            let roles = (0..self.model.coordinates.len() as u32).map(role);
-            let pattern = self.pattern(roles, used, names);
+        let count = self.model.coordinates.len();
+        let mut vector = |source: TokenStream, count: usize, role: fn(u32) -> Role| {
+            let pattern = self.pattern((0..count as u32).map(role), used, names);
             pattern.map(|pattern| quote!(let #pattern = #source;))
         };
-        let q = vector(quote!(*#positions), Role::Coordinate);
-        let v = vector(quote!(*#velocities), Role::Velocity);
+        let q = vector(quote!(*#positions), count, Role::Coordinate);
+        let v = vector(quote!(*#velocities), count, Role::Velocity);
         let accelerations = match arguments {
             Arguments::Motion => quote!(*#accelerations),
             _ => quote!(self.acceleration(#time, #positions, #velocities)),
         };
-        let a = vector(accelerations, Role::Acceleration);
-        quote!(#fields #q #v #a)
+        let a = vector(accelerations, count, Role::Acceleration);
+        let multipliers = quote!(self.multipliers(#time, #positions, #velocities));
+        let multipliers = vector(multipliers, self.model.constraints.len(), Role::Multiplier);
+        quote!(#fields #q #v #a #multipliers)
     }
 
     /// An array of the names of those roles that are used, if any is.
@@ -337,6 +365,21 @@ const BIAS: [&str; 2] = [
     "Bias c of M q̈ + c = Q: Coriolis, centrifugal and potential terms,",
     "without applied forces and dissipation.",
 ];
+const MULTIPLIERS: [&str; 2] = [
+    "Multipliers λ of the constraints in the order of their declaration: M q̈ = f + Aᵀλ. That of a",
+    "constraint on a length is the force along it.",
+];
+const CONSTRAINTS: [&str; 2] = [
+    "What the constraints hold at zero, in the order of their declaration; the velocities matter to",
+    "nonholonomic ones only.",
+];
+const CONSTRAINT_VELOCITY: [&str; 2] = [
+    "What the constraints demand of the velocities to be zero: the rate of a holonomic constraint,",
+    "a nonholonomic one itself.",
+];
+const CONSTRAINT_JACOBIAN: [&str; 2] =
+    ["Matrix A of the constraints, in rows: what each demands of the velocities, differentiated by", "them."];
+const CONSTRAINT_FORCES: [&str; 1] = ["Generalised forces Aᵀλ of the constraints."];
 const MOMENTA: [&str; 1] = ["Generalised momenta ∂L/∂v."];
 const MOMENTUM_RATES: [&str; 1] = ["Rates ∂L/∂q + Q of the momenta."];
 const KINETIC: [&str; 1] = ["Kinetic energy T."];

@@ -88,8 +88,11 @@ impl Elaborator<'_> {
     fn check_products(&mut self) {
         for &(product, wanted, span) in &self.wanted {
             if wanted && self.is_undefined(product) {
-                let message = messages::needs_separate_energies(product.name());
-                self.evaluator.report.error(span, message).help(messages::LAGRANGIAN_HELP);
+                let (message, help) = match product.is_of_constraints() {
+                    true => (messages::needs_constraints(product.name()), messages::CONSTRAINT_HELP),
+                    false => (messages::needs_separate_energies(product.name()), messages::LAGRANGIAN_HELP),
+                };
+                self.evaluator.report.error(span, message).help(help);
             }
         }
         self.check_canonical_products();
@@ -110,7 +113,8 @@ impl Elaborator<'_> {
     }
 
     fn is_undefined(&self, product: Product) -> bool {
-        !self.lagrangian.is_empty() && matches!(product, Product::KineticEnergy | Product::PotentialEnergy)
+        let is_energy = matches!(product, Product::KineticEnergy | Product::PotentialEnergy);
+        !self.lagrangian.is_empty() && is_energy || self.constraints.is_empty() && product.is_of_constraints()
     }
 
     fn products(&self) -> Vec<Product> {

@@ -121,3 +121,19 @@ pub(super) fn constraint_jacobian(model: &mut Model, pushed: &QuadraticForm) -> 
     let row = |constraint: &Constraint| velocities.iter().map(|&v| entry(v, constraint.multiplier)).collect();
     model.constraints.iter().map(row).collect()
 }
+
+/// Aᵀλ
+pub(super) fn constraint_forces(
+    model: &mut Model,
+    jacobian: &[Vec<ExprId>],
+    multipliers: &[ExprId],
+) -> Vec<ExprId> {
+    let (count, graph) = (model.coordinates.len(), &mut model.graph);
+    let force = |i: usize| {
+        let terms =
+            jacobian.iter().zip(multipliers).map(|(row, &multiplier)| graph.multiply(row[i], multiplier));
+        let terms = terms.collect::<Vec<_>>();
+        graph.total(terms)
+    };
+    (0..count).map(force).collect()
+}

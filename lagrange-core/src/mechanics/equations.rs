@@ -1,6 +1,6 @@
 //! What is derived from a model.
 
-use super::constraints::{constraint_jacobian, join_multipliers};
+use super::constraints::{constraint_forces, constraint_jacobian, join_multipliers};
 use super::contracted::contracted;
 use super::cost::cost;
 use super::form::QuadraticForm;
@@ -33,6 +33,8 @@ pub struct Equations {
     pub multipliers: Vec<ExprId>,
     /// A in M q̈ = f + Aᵀλ, in rows: what each constraint demands of the velocities is A v + …
     pub constraint_jacobian: Vec<Vec<ExprId>>,
+    /// Aᵀλ
+    pub constraint_forces: Vec<ExprId>,
     /// How they are computed.
     pub road: Road,
     /// Whether the road over squares was open: whatever is quadratic in the velocities is a sum of squares of rates.
@@ -99,9 +101,11 @@ impl Equations {
         let constants =
             model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol).collect();
         let parameter_jacobian = differentiate(model, Product::ParameterJacobian, constants);
+        let multipliers = solution.values.split_off(velocities.len());
+        let constraint_forces = constraint_forces(model, &constraint_jacobian, &multipliers);
         let mut equations = Equations {
-            multipliers: solution.values.split_off(velocities.len()),
             accelerations: solution.values,
+            multipliers,
             constraint_jacobian,
             road,
             is_sum_of_squares: !split.has_other_inertia,
@@ -112,7 +116,8 @@ impl Equations {
                 .then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
             momenta: wants(Product::Momenta)
                 .then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
-            momentum_rates: wants(Product::MomentumRates).then(|| momentum_rates(model)),
+            momentum_rates: wants(Product::MomentumRates).then(|| momentum_rates(model, &constraint_forces)),
+            constraint_forces,
             energy: wants(Product::Energy).then(|| energy_function(model)),
             inverse_dynamics: wants(Product::InverseDynamics)
                 .then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
@@ -224,17 +229,19 @@ pub(super) fn residual(
 }
 
 /// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate.
-fn momentum_rates(model: &mut Model) -> Vec<ExprId> {
+fn momentum_rates(model: &mut Model, constraint_forces: &[ExprId]) -> Vec<ExprId> {
     let (positions, velocities) = (model.positions(), model.velocities());
     let graph = &mut model.graph;
     let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
     let slopes = gradient(graph, model.lagrangian, &positions);
     let forces = adjoint(graph, &loads, &velocities);
     let resistances = gradient(graph, model.dissipation, &velocities);
-    let rates = slopes.into_iter().zip(forces).zip(resistances).map(|((slope, force), resistance)| {
-        let terms = [(slope, Number::ONE), (force, Number::ONE), (resistance, Number::MINUS_ONE)];
-        graph.sum(Number::ZERO, terms)
-    });
+    let losses = resistances.into_iter().zip(constraint_forces);
+    let rates =
+        slopes.into_iter().zip(forces).zip(losses).map(|((slope, force), (resistance, &reaction))| {
+            let gains = [slope, force, reaction].map(|gain| (gain, Number::ONE));
+            graph.sum(Number::ZERO, gains.into_iter().chain([(resistance, Number::MINUS_ONE)]))
+        });
     rates.collect()
 }
 

@@ -230,6 +230,12 @@ pub(super) fn needs_separate_energies(name: &str) -> String {
     format!("`{name}` is not defined for a system given by its `lagrangian`")
 }
 
+pub(super) fn needs_constraints(name: &str) -> String {
+    format!("`{name}` is not defined for a system without constraints")
+}
+
+pub(super) const CONSTRAINT_HELP: &str = "write `constraint name = e;` for e = 0";
+
 pub(super) fn needed_by_momentum_rates(name: &str) -> String {
     format!("`{name}` cannot be left out beside `momentum_rates`")
 }

@@ -167,6 +167,14 @@ pub enum Product {
     Energy,
     /// `inverse_dynamics`
     InverseDynamics,
+    /// `constraints`; like the next three only for systems with constraints
+    Constraints,
+    /// `constraint_velocity`
+    ConstraintVelocity,
+    /// `constraint_jacobian`
+    ConstraintJacobian,
+    /// `constraint_forces`
+    ConstraintForces,
     /// `jacobian`; only on demand
     Jacobian,
     /// `parameter_jacobian`; only with `jacobian` or on demand
@@ -177,7 +185,7 @@ pub enum Product {
 
 impl Product {
     /// Every product, in the order in which they are emitted.
-    pub const ALL: [Product; 12] = [
+    pub const ALL: [Product; 16] = [
         Product::MassMatrix,
         Product::Forcing,
         Product::Bias,
@@ -187,6 +195,10 @@ impl Product {
         Product::PotentialEnergy,
         Product::Energy,
         Product::InverseDynamics,
+        Product::Constraints,
+        Product::ConstraintVelocity,
+        Product::ConstraintJacobian,
+        Product::ConstraintForces,
         Product::Jacobian,
         Product::ParameterJacobian,
         Product::Latex,
@@ -204,10 +216,20 @@ impl Product {
             Product::PotentialEnergy => "potential_energy",
             Product::Energy => "energy",
             Product::InverseDynamics => "inverse_dynamics",
+            Product::Constraints => "constraints",
+            Product::ConstraintVelocity => "constraint_velocity",
+            Product::ConstraintJacobian => "constraint_jacobian",
+            Product::ConstraintForces => "constraint_forces",
             Product::Jacobian => "jacobian",
             Product::ParameterJacobian => "parameter_jacobian",
             Product::Latex => "latex",
         }
+    }
+
+    /// Whether only systems with constraints have it.
+    pub fn is_of_constraints(self) -> bool {
+        use Product::{ConstraintForces, ConstraintJacobian, ConstraintVelocity, Constraints};
+        matches!(self, Constraints | ConstraintVelocity | ConstraintJacobian | ConstraintForces)
     }
 
     /// Whether it is emitted without being asked for.
