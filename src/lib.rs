@@ -49,13 +49,19 @@ extern crate std;
 
 pub mod event;
 pub mod integrate;
+#[cfg(feature = "plot")]
+mod plot;
 pub mod scalar;
+#[cfg(feature = "std")]
+pub mod simulate;
 pub mod system;
 
 #[doc(hidden)]
 pub mod private;
 
 pub use crate::scalar::Scalar;
+#[cfg(feature = "std")]
+pub use crate::simulate::Simulate;
 
 /// Keeps the example of the README true.
 #[cfg(doctest)]

@@ -11,18 +11,24 @@ use crate::scalar::Scalar;
 pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
     /// A square matrix in rows, such as `[[S; K]; K]`.
     type Square: Copy + Debug + AsRef<[Self]> + AsMut<[Self]>;
+    /// As many indices as the vector has entries, such as `[usize; K]`.
+    type Indices: Copy + Debug + AsRef<[usize]> + AsMut<[usize]>;
 
     /// The vector of zeros.
     const ZERO: Self;
     /// The matrix of zeros.
     const ZERO_SQUARE: Self::Square;
+    /// Indices that are all zero.
+    const ZERO_INDICES: Self::Indices;
 }
 
 impl<S: Scalar, const K: usize> StateVector<S> for [S; K] {
     type Square = [[S; K]; K];
+    type Indices = [usize; K];
 
     const ZERO: Self = [S::ZERO; K];
     const ZERO_SQUARE: [[S; K]; K] = [[S::ZERO; K]; K];
+    const ZERO_INDICES: [usize; K] = [0; K];
 }
 
 /// The square matrix, in rows, that belongs to a system's state.

@@ -47,6 +47,8 @@ pub enum Cause<S> {
         /// How many iterations were made.
         iterations: u32,
     },
+    /// The mass matrix is singular, so that velocities do not follow from momenta.
+    SingularMassMatrix,
     /// An event function is NaN or infinite.
     EventNotFinite {
         /// Which event, counted from zero in the order given.
@@ -82,6 +84,9 @@ impl<S: Debug> Display for Cause<S> {
                 "an implicit step did not converge in {iterations} iterations; take shorter steps, or let the \
                  declaration `emit {{ jacobian }}`"
             ),
+            Cause::SingularMassMatrix => {
+                f.write_str("the mass matrix is singular: velocities do not follow from momenta here")
+            }
             Cause::EventNotFinite { event } => write!(f, "the function of event {event} is NaN or infinite"),
             Cause::EventNotLocated { event, bisections } => {
                 write!(f, "the zero of event {event} could not be located in {bisections} bisections")

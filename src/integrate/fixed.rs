@@ -12,7 +12,8 @@ use crate::system::{OdeSystem, StateVector};
 /// What it advances may be other variables than the state, such as coordinates and momenta: they are summed with
 /// compensation, so that what the formula conserves is conserved to rounding.
 pub trait Formula<M: OdeSystem + ?Sized> {
-    /// The variables of the state `y`.
+    /// The variables of the state `y`, from which the integration starts or goes on: nothing that was found before
+    /// holds any more.
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
         *y
     }
@@ -26,6 +27,7 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         _system: &M,
         _t: M::Scalar,
         variables: &M::State,
+        _work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
         Ok(*variables)
     }
@@ -43,13 +45,18 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>>;
 
-    /// The state between `from` and `to`, the ends of a step with their times.
+    /// The step of the last increment was taken and ended at time `t`, which may differ from the sum of its
+    /// start and its length by rounding. What was found at its end may be kept for the next one.
+    fn accept(&mut self, _t: M::Scalar) {}
+
+    /// The state between `from` and `to`, the ends of the last accepted step with their times.
     fn interpolate(
-        &self,
+        &mut self,
         system: &M,
         from: (M::Scalar, &M::State),
         to: (M::Scalar, &M::State),
         t: M::Scalar,
+        work: &mut Work,
     ) -> M::State;
 }
 
@@ -89,14 +96,17 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
 }
 
 impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
+    #[inline]
     fn time(&self) -> M::Scalar {
         self.clock.time()
     }
 
+    #[inline]
     fn state(&self) -> &M::State {
         &self.state
     }
 
+    #[inline]
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>> {
         let (t, before) = (self.clock.time(), self.clock);
         let h = self.clock.advance(limit);
@@ -116,7 +126,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
         if t == to {
             return self.state;
         }
-        self.formula.interpolate(system, (from, &self.last.1), (to, &self.state), t)
+        self.formula.interpolate(system, (from, &self.last.1), (to, &self.state), t, &mut self.work)
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
@@ -134,20 +144,23 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
 }
 
 impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
+    #[inline]
     fn advance(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Result<(), Cause<M::Scalar>> {
         let increment = self.formula.increment(system, t, self.variables.value(), h, &mut self.work)?;
         let mut variables = self.variables;
         variables.add(&increment);
-        let state = self.formula.state(system, self.clock.time(), variables.value())?;
+        let state = self.formula.state(system, self.clock.time(), variables.value(), &mut self.work)?;
         check_finite(self.clock.time(), &state)?;
         self.last = (t, core::mem::replace(&mut self.state, state));
         self.variables = variables;
+        self.formula.accept(self.clock.time());
         self.work.steps += 1;
         Ok(())
     }
 }
 
 /// Whether time and state can be gone on from.
+#[inline]
 pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<(), Cause<S>> {
     if t.is_finite() && y.as_ref().iter().all(|component| component.is_finite()) {
         return Ok(());

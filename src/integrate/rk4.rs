@@ -14,8 +14,9 @@
 
 use crate::integrate::error::Cause;
 use crate::integrate::fixed::{FixedStepper, Formula};
-use crate::integrate::interpolation::cubic;
+use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, Work};
+use crate::integrate::stability::{EVALUATIONS, Watch, combined, distance, largest_eigenvalue, length};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
 
@@ -28,12 +29,16 @@ pub fn rk4_step<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::S
 where
     M: OdeSystem + ?Sized,
 {
-    shifted(y, M::Scalar::ONE, &increment(system, t, y, h))
+    combined(y, M::Scalar::ONE, &Stages::new(system, t, y, h, system.rhs(t, y)).increment(h))
 }
+
+/// The method is stable up to this |h λ| on the negative real axis, and a little farther on the imaginary one.
+const STABLE: f64 = 2.785;
 
 /// The classical Runge–Kutta method of order four in equal steps, for any system.
 ///
-/// Four evaluations a step; not symplectic: the energy drifts in proportion to time and h⁵.
+/// Four evaluations a step; not symplectic: the energy drifts in proportion to time and h⁵. Steps longer than about 2.8
+/// times the shortest time constant are refused as unstable.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RungeKutta4<S> {
     /// Length of a step.
@@ -41,7 +46,7 @@ pub struct RungeKutta4<S> {
 }
 
 impl<M: OdeSystem + ?Sized> Method<M> for RungeKutta4<M::Scalar> {
-    type Stepper = FixedStepper<M, Classical>;
+    type Stepper = FixedStepper<M, Classical<M::State>>;
 
     fn name(&self) -> &'static str {
         "Runge–Kutta 4"
@@ -58,15 +63,28 @@ impl<M: OdeSystem + ?Sized> Method<M> for RungeKutta4<M::Scalar> {
         y: &M::State,
         end: M::Scalar,
     ) -> Result<Self::Stepper, Cause<M::Scalar>> {
-        FixedStepper::start(Classical, self.step, system, t, y, end)
+        FixedStepper::start(Classical::new(), self.step, system, t, y, end)
     }
 }
 
-/// The formula of [`RungeKutta4`].
+/// The formula of [`RungeKutta4`]; Y is the state.
 #[derive(Clone, Copy, Debug)]
-pub struct Classical;
+pub struct Classical<Y> {
+    /// The rate at the start of the last increment.
+    trial: Y,
+    /// The rate at the start of the last accepted step.
+    start: Y,
+    /// The rate at its end, if it was asked for.
+    end: Option<Y>,
+    watch: Watch,
+}
 
-impl<M: OdeSystem + ?Sized> Formula<M> for Classical {
+impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
+    fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
+        self.end = None;
+        *y
+    }
+
     #[inline]
     fn increment(
         &mut self,
@@ -76,50 +94,114 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical {
         h: M::Scalar,
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
-        work.evaluations += 4;
-        Ok(increment(system, t, y, h))
+        let k1 = self.end.take().unwrap_or_else(|| {
+            work.evaluations += 1;
+            system.rhs(t, y)
+        });
+        work.evaluations += 3;
+        let stages = Stages::new(system, t, y, h, k1);
+        self.trial = stages.k1;
+        self.check(system, t, y, h, &stages, work)?;
+        Ok(stages.increment(h))
+    }
+
+    #[inline]
+    fn accept(&mut self, _t: M::Scalar) {
+        self.start = self.trial;
+        self.end = None;
     }
 
     fn interpolate(
-        &self,
+        &mut self,
         system: &M,
-        from: (M::Scalar, &M::State),
-        to: (M::Scalar, &M::State),
+        (from, y0): (M::Scalar, &M::State),
+        (to, y1): (M::Scalar, &M::State),
         t: M::Scalar,
+        work: &mut Work,
     ) -> M::State {
-        cubic(system, from, to, t)
+        let end = *self.end.get_or_insert_with(|| {
+            work.evaluations += 1;
+            system.rhs(to, y1)
+        });
+        let h = to - from;
+        cubic(Place { h, s: (t - from) / h }, [y0, y1], [&self.start, &end])
     }
 }
 
-/// h (k₁ + 2 k₂ + 2 k₃ + k₄)/6
-#[inline]
-fn increment<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::State
-where
-    M: OdeSystem + ?Sized,
-{
-    let two = M::Scalar::from_f64(2.0);
-    let half = h / two;
-    let k1 = system.rhs(t, y);
-    let k2 = system.rhs(t + half, &shifted(y, half, &k1));
-    let k3 = system.rhs(t + half, &shifted(y, half, &k2));
-    let k4 = system.rhs(t + h, &shifted(y, h, &k3));
-    let sixth = h / M::Scalar::from_f64(6.0);
-    let mut increment = k1;
-    let middle = k2.as_ref().iter().zip(k3.as_ref());
-    for ((sum, (k2, k3)), k4) in increment.as_mut().iter_mut().zip(middle).zip(k4.as_ref()) {
-        *sum = sixth * (*sum + two * (*k2 + *k3) + *k4);
+impl<Y> Classical<Y> {
+    fn new<S: Scalar>() -> Self
+    where
+        Y: StateVector<S>,
+    {
+        Classical { trial: Y::ZERO, start: Y::ZERO, end: None, watch: Watch::default() }
     }
-    increment
+
+    /// Refuses the step if something is too fast for it.
+    ///
+    /// k₃ − k₂ is (h/2)² J² k₁, with the Jacobian J, up to higher powers of h.
+    #[inline]
+    fn check<M>(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        y: &Y,
+        h: M::Scalar,
+        stages: &Stages<Y>,
+        work: &mut Work,
+    ) -> Result<(), Cause<M::Scalar>>
+    where
+        M: OdeSystem<State = Y> + ?Sized,
+        Y: StateVector<M::Scalar>,
+    {
+        let hint = M::Scalar::from_f64(STABLE * STABLE / 4.0) * length(&stages.k1);
+        if !self.watch.follows(distance(&stages.k2, &stages.k3) > hint) {
+            return Ok(());
+        }
+        work.evaluations += EVALUATIONS;
+        let direction = combined(&stages.k3, -M::Scalar::ONE, &stages.k2);
+        let change = h.abs() * length(&stages.k1);
+        let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), y, change, &direction);
+        let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
+        if h.abs() > limit { Err(Cause::Stiff { limit }) } else { Ok(()) }
+    }
 }
 
-/// y + c k
-#[inline]
-fn shifted<S: Scalar, Y: StateVector<S>>(y: &Y, c: S, k: &Y) -> Y {
-    let mut result = *y;
-    for (y, k) in result.as_mut().iter_mut().zip(k.as_ref()) {
-        *y = k.multiply_add(c, *y);
+/// The rates of the four stages.
+struct Stages<Y> {
+    k1: Y,
+    k2: Y,
+    k3: Y,
+    k4: Y,
+}
+
+impl<Y> Stages<Y> {
+    #[inline]
+    fn new<M>(system: &M, t: M::Scalar, y: &Y, h: M::Scalar, k1: Y) -> Self
+    where
+        M: OdeSystem<State = Y> + ?Sized,
+        Y: StateVector<M::Scalar>,
+    {
+        let half = h / M::Scalar::from_f64(2.0);
+        let k2 = system.rhs(t + half, &combined(y, half, &k1));
+        let k3 = system.rhs(t + half, &combined(y, half, &k2));
+        let k4 = system.rhs(t + h, &combined(y, h, &k3));
+        Stages { k1, k2, k3, k4 }
     }
-    result
+
+    /// h (k₁ + 2 k₂ + 2 k₃ + k₄)/6
+    #[inline]
+    fn increment<S: Scalar>(&self, h: S) -> Y
+    where
+        Y: StateVector<S>,
+    {
+        let (sixth, two) = (h / S::from_f64(6.0), S::from_f64(2.0));
+        let mut increment = self.k1;
+        let middle = self.k2.as_ref().iter().zip(self.k3.as_ref());
+        for ((sum, (k2, k3)), k4) in increment.as_mut().iter_mut().zip(middle).zip(self.k4.as_ref()) {
+            *sum = sixth * (*sum + two * (*k2 + *k3) + *k4);
+        }
+        increment
+    }
 }
 
 #[cfg(test)]

@@ -28,8 +28,19 @@ pub fn substitute_all(
 
 /// The node with every operand mapped, made by the constructors.
 pub fn rebuild(graph: &mut Graph, id: ExprId, map: impl Fn(ExprId) -> ExprId) -> ExprId {
-    match graph.node(id).clone() {
-        Node::Number(_) | Node::Pi | Node::Symbol(_) => id,
+    let node = graph.node(id).clone();
+    if matches!(node, Node::Number(_) | Node::Pi) {
+        return id;
+    }
+    construct(graph, node, id, map)
+}
+
+/// A node made anew by the constructors, its operands being what `map` says; symbols are `id`.
+pub(super) fn construct(graph: &mut Graph, node: Node, id: ExprId, map: impl Fn(ExprId) -> ExprId) -> ExprId {
+    match node {
+        Node::Symbol(_) => id,
+        Node::Number(value) => graph.number(value),
+        Node::Pi => graph.pi(),
         Node::Sum { constant, terms } => graph.sum(constant, terms.iter().map(|(t, c)| (map(*t), c.clone()))),
         Node::Product(factors) => graph.product(factors.iter().map(|(b, e)| (map(*b), e.clone()))),
         Node::Call(function, arguments) => {

@@ -41,9 +41,7 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (krate, functions) = (shape.krate, parts.functions.iter().map(|name| local(name)));
     let functions = (!parts.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
     let names = name_exception(shape);
-    let rounded = parts.has_rounded_constants.then(
-        || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
-    );
+    let rounded = rounded_exception(parts.has_rounded_constants);
     quote! {
         #system
         #state
@@ -58,6 +56,13 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             #traits
         };
     }
+}
+
+/// Lets rounded constants look like those of the standard library.
+pub(super) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {
+    is_needed.then(
+        || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
+    )
 }
 
 /// Lets names keep the letters that they have in formulas.
@@ -113,7 +118,7 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 }
 
 /// The lines of documentation and the other attributes.
-fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
+pub(super) fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
     let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
     // An attribute is a number sign and a group in brackets.
     let attributes = tokens.chunks(2).map(|attribute| attribute.iter().cloned().collect::<TokenStream>());

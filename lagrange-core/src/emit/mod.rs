@@ -9,6 +9,7 @@ mod messages;
 mod method;
 mod naming;
 mod numerals;
+mod reduced;
 mod shape;
 mod size;
 mod skeleton;
@@ -23,6 +24,7 @@ pub mod text;
 
 pub use diagnostics::{diagnostics, report_refusal};
 pub use docs::{documentation, equations_latex};
+pub use reduced::{conversions, reduced_declarations};
 pub use size::{Size, report_cost, report_hopeless_model};
 pub use skeleton::skeleton;
 pub use system::{Emitted, Refusal, system};

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::rust_body::Scalar;
 use crate::collections::HashMap;
 use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
 use crate::syntax::ast::{Name, ScalarType, Statement, StatementKind};
@@ -109,6 +110,15 @@ impl<'a> Shape<'a> {
             ScalarType::F64 => quote!(f64),
             ScalarType::F32 => quote!(f32),
             ScalarType::Generic(_) => self.scalar_path(),
+        }
+    }
+
+    /// The number type that bodies of methods compute with.
+    pub(super) fn computed_with(&self) -> Scalar {
+        match &self.declaration.scalar {
+            ScalarType::F64 => Scalar::F64,
+            ScalarType::F32 => Scalar::F32,
+            ScalarType::Generic(name) => Scalar::Generic(identifier(name)),
         }
     }
 

@@ -8,6 +8,7 @@ use quote::quote;
 use super::item::{Parts, argument_names, items};
 use super::jacobian::parameter_names;
 use super::method::{Arguments, Method, Returns};
+use super::reduced::skeletons;
 use super::rust_body::Names;
 use super::shape::{Shape, identifier, local};
 use super::system::{equations_latex, user_names};
@@ -17,6 +18,12 @@ use crate::syntax::ast::Declaration;
 /// The items of a system that could not be derived: the same types and methods, so that the code that uses
 /// them causes no errors of its own. They are never run, since the mistakes are errors.
 pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
+    let (system, reduced) = (skeleton_of_type(declaration, krate), skeletons(declaration, krate));
+    quote!(#system #reduced)
+}
+
+/// The same for one type alone.
+pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let shape = Shape::new(declaration, krate);
     let n = shape.coordinates.len();
     let mut methods = vec![placeholder(local("acceleration"), Arguments::State, Returns::Vector(n))];

@@ -16,7 +16,7 @@ use crate::expr::ExprId;
 use crate::mechanics::{Energies, Equations, Model, Product};
 use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
 use crate::symbol::Role;
-use crate::syntax::ast::{Declaration, ScalarType};
+use crate::syntax::ast::Declaration;
 
 /// The items of a derived system.
 #[derive(Clone, Debug)]
@@ -79,18 +79,13 @@ impl<'a> Writer<'a> {
         for (expression, name) in &equations.labels {
             labels.insert(*expression, name.as_str());
         }
-        let scalar = match &shape.declaration.scalar {
-            ScalarType::F64 => Scalar::F64,
-            ScalarType::F32 => Scalar::F32,
-            ScalarType::Generic(name) => Scalar::Generic(identifier(name)),
-        };
         let mut arguments = Names::new(user_names(shape).iter().map(String::as_str));
         Writer {
             shape,
             model,
             equations,
             labels,
-            scalar,
+            scalar: shape.computed_with(),
             names: argument_names(|wish| arguments.fresh(wish)),
             methods: Vec::new(),
             counts: OperationCounts::default(),
@@ -230,7 +225,7 @@ impl<'a> Writer<'a> {
     /// Parameters, coordinates and rates under the names that the body uses.
     fn bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
         let ArgumentNames { time, positions, velocities, accelerations, state } = &self.names;
-        let fields = self.field_bindings(used, names);
+        let fields = field_bindings(self.shape, self.model, used, names);
         if arguments == Arguments::Whole {
             let indices = 0..self.model.coordinates.len() as u32;
             let roles = indices.clone().map(Role::Coordinate).chain(indices.map(Role::Velocity));
@@ -270,25 +265,6 @@ impl<'a> Writer<'a> {
         { roles }.any(|role| is_used(&role)).then(|| quote!([#(#pattern),*]))
     }
 
-    fn field_bindings(&self, used: &[Role], names: &mut Names) -> TokenStream {
-        let symbols = self.model.graph.symbols();
-        let roles = (0..self.model.parameters.len() as u32).map(Role::Parameter);
-        let roles = roles.chain((0..self.model.inputs.len() as u32).map(Role::Input));
-        let bound = self.shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
-        let bound = bound.map(|(name, role)| {
-            let field = identifier(name);
-            let local = names.role(symbols, role);
-            // A field can be named from the macro's side, and must be, for the local to be the macro's.
-            if local == name.text { quote!(#local) } else { quote!(#field: #local) }
-        });
-        let bound = bound.collect::<Vec<_>>();
-        if bound.is_empty() {
-            return TokenStream::new();
-        }
-        let rest = (bound.len() < self.shape.fields.len()).then(|| quote!(..));
-        quote!(let Self { #(#bound,)* #rest } = *self;)
-    }
-
     /// A value of the struct with its defaults, if every field has one.
     fn default_body(&mut self) -> Option<TokenStream> {
         let fields = self.model.parameters.iter().chain(&self.model.inputs);
@@ -319,6 +295,31 @@ impl<'a> Writer<'a> {
         let parameters = parameters.then(|| parameter_names(self.shape));
         quote!(#latex #parameters)
     }
+}
+
+/// Parameters and inputs under the names that a body uses.
+pub(super) fn field_bindings(
+    shape: &Shape<'_>,
+    model: &Model,
+    used: &[Role],
+    names: &mut Names,
+) -> TokenStream {
+    let symbols = model.graph.symbols();
+    let roles = (0..model.parameters.len() as u32).map(Role::Parameter);
+    let roles = roles.chain((0..model.inputs.len() as u32).map(Role::Input));
+    let bound = shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
+    let bound = bound.map(|(name, role)| {
+        let field = identifier(name);
+        let local = names.role(symbols, role);
+        // A field can be named from the macro's side, and must be, for the local to be the macro's.
+        if local == name.text { quote!(#local) } else { quote!(#field: #local) }
+    });
+    let bound = bound.collect::<Vec<_>>();
+    if bound.is_empty() {
+        return TokenStream::new();
+    }
+    let rest = (bound.len() < shape.fields.len()).then(|| quote!(..));
+    quote!(let Self { #(#bound,)* #rest } = *self;)
 }
 
 /// The constant that holds the equations.

@@ -2,16 +2,18 @@
 
 use super::elaborate::{Elaborator, Term};
 use super::messages;
-use super::model::{Energies, Model, Product};
+use super::model::{Energies, Model, Product, Reduction};
 use crate::calculus::{AccelerationTerms, Rates, gradient};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::syntax::ast::StatementKind;
 
 impl Elaborator<'_> {
-    pub(super) fn finish(mut self) -> Option<Model> {
+    /// The model and what is to be reduced of it.
+    pub(super) fn finish(mut self) -> Option<(Model, Vec<Reduction>)> {
         self.check_header();
         self.check_state_names();
+        self.check_reductions();
         self.check_energies();
         self.check_products();
         if self.evaluator.report.has_errors() {
@@ -27,7 +29,8 @@ impl Elaborator<'_> {
             return None;
         }
         self.evaluator.scope.report_unused(self.evaluator.report);
-        Some(self.into_model(energies, lagrangian))
+        let reductions = std::mem::take(&mut self.reductions);
+        Some((self.into_model(energies, lagrangian), reductions))
     }
 
     fn check_header(&mut self) {
@@ -195,6 +198,7 @@ impl Elaborator<'_> {
             labels,
             accuracy: self.declaration.accuracy,
             products,
+            reduced: Vec::new(),
         }
     }
 }

@@ -4,8 +4,9 @@ use proc_macro2::Span;
 
 use super::expression::Evaluator;
 use super::messages;
-use super::model::{Coordinate, Load, Model, Output, Parameter, Product};
+use super::model::{Coordinate, Load, Model, Output, Parameter, Product, Reduction};
 use super::operand::Operand;
+use super::reduce::reduce;
 use super::scope::Kind;
 use crate::calculus::evaluate;
 use crate::diagnostics::Report;
@@ -28,7 +29,10 @@ pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model
     for statement in &declaration.statements {
         elaborator.statement(statement);
     }
-    elaborator.finish()
+    let (mut model, reductions) = elaborator.finish()?;
+    let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, report)).collect::<Vec<_>>();
+    model.reduced = reduced.into_iter().collect::<Option<Vec<_>>>()?;
+    Some(model)
 }
 
 /// An expression of a statement and where it stands.
@@ -54,6 +58,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) labels: Vec<(ExprId, String)>,
     /// Entries of `emit`, with where they stand.
     pub(super) wanted: Vec<(Product, bool, Span)>,
+    pub(super) reductions: Vec<Reduction>,
 }
 
 impl<'a> Elaborator<'a> {
@@ -72,6 +77,7 @@ impl<'a> Elaborator<'a> {
             outputs: Vec::new(),
             labels: Vec::new(),
             wanted: Vec::new(),
+            reductions: Vec::new(),
         }
     }
 
@@ -105,6 +111,7 @@ impl<'a> Elaborator<'a> {
             StatementKind::Torque { moment, angle } => self.torque(*moment, *angle, keyword),
             StatementKind::Output(name, value) => self.output(name, *value),
             StatementKind::Emit(items) => items.iter().for_each(|item| self.emit(item)),
+            StatementKind::Reduce(reduction) => self.reduction(reduction),
         }
     }
 

@@ -1,7 +1,9 @@
 //! A checked model: every name resolved, every expression of the right kind.
 
+use proc_macro2::Span;
+
 use crate::expr::{ExprId, Graph};
-use crate::syntax::ast::Accuracy;
+use crate::syntax::ast::{Accuracy, Name};
 
 /// What a declaration says, as expressions of one graph.
 #[derive(Clone, Debug)]
@@ -32,6 +34,39 @@ pub struct Model {
     pub accuracy: Accuracy,
     /// The products to emit, in the order of [`Product::ALL`].
     pub products: Vec<Product>,
+    /// The reduced types, in the order of their declaration.
+    pub reduced: Vec<Reduced>,
+}
+
+/// A model with fewer coordinates or with small ones, made from another.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    /// What was done to the coordinates; values are expressions of the reduced model.
+    pub reduction: Reduction,
+    /// What it comes to. Nothing is reduced a second time.
+    pub model: Model,
+}
+
+/// What is done to the coordinates of a model to reduce it.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    /// The name of the reduced type.
+    pub name: Name,
+    /// Coordinates held at a value.
+    pub frozen: Vec<Held>,
+    /// Coordinates that stay near a value.
+    pub small: Vec<Held>,
+}
+
+/// A coordinate and a value that is constant in motion.
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// The index of the coordinate in the model that is reduced.
+    pub coordinate: usize,
+    /// The value.
+    pub value: ExprId,
+    /// Where the coordinate is named.
+    pub span: Span,
 }
 
 /// A parameter or an input.

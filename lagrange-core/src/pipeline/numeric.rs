@@ -3,8 +3,8 @@
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
 use crate::expr::ExprId;
-use crate::mechanics::{Energies, Product};
-use crate::pipeline::Derived;
+use crate::mechanics::{Energies, Equations, Model, Product};
+use crate::pipeline::{Derived, DerivedPart};
 use crate::program::{Labels, Program, lower, optimise, run};
 use crate::symbol::Role;
 
@@ -35,7 +35,15 @@ struct Instant<'a> {
 impl NumericSystem {
     /// Lowers everything that `derived` holds. Parameters without a default are NaN until they are set.
     pub fn new(derived: &Derived) -> NumericSystem {
-        let (model, equations) = (&derived.model, &derived.equations);
+        NumericSystem::lowered(&derived.model, &derived.equations)
+    }
+
+    /// The same for a reduced type.
+    pub fn of_part(part: &DerivedPart) -> NumericSystem {
+        NumericSystem::lowered(&part.reduced.model, &part.equations)
+    }
+
+    fn lowered(model: &Model, equations: &Equations) -> NumericSystem {
         // A named value is kept apart, so that only with the same names the results are those of emitted code.
         let mut labels = Labels::default();
         equations.labels.iter().for_each(|(expression, name)| labels.insert(*expression, name.as_str()));

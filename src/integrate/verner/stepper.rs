@@ -4,7 +4,7 @@ use super::Verner98;
 use super::control::Control;
 use super::dense::{Span, complete, interpolate};
 use super::stage::RATES;
-use super::stiffness::Stiffness;
+use super::stiffness::{STABLE, Stiffness};
 use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
@@ -14,9 +14,12 @@ use crate::integrate::compensated::Compensated;
 use crate::integrate::error::Cause;
 use crate::integrate::fixed::check_finite;
 use crate::integrate::method::{Stepper, Work};
+use crate::integrate::stability::{EVALUATIONS, combined, distance, largest_eigenvalue};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
 
+/// Steps longer than this part of the longest stable one are limited by it.
+const NEAR: f64 = 0.7;
 /// Where the rate at the end of a step, which begins the next one, has its place.
 const END: usize = 16;
 
@@ -27,7 +30,7 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
     /// From the start to the end that was in view there.
     span: M::Scalar,
     control: Control<M::Scalar>,
-    stiffness: Stiffness<M::Scalar>,
+    stiffness: Stiffness,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
     /// The last step, and its rates.
@@ -69,7 +72,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             settings,
             span: end - t,
             control: Control::new(M::Scalar::ZERO),
-            stiffness: Stiffness::new(),
+            stiffness: Stiffness::default(),
             clock: Clock::new(t, M::Scalar::ZERO),
             state: Compensated::new(*y),
             last: Span { t, y: *y, h: M::Scalar::ZERO },
@@ -149,8 +152,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         }
         if self.settings.refuses_stiff && self.stiffness.is_due(self.work.steps) {
             let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
-            if let Some(limit) = self.stiffness.watch((h, limit - clock.time()), one, other) {
-                return Err(Cause::Stiff { limit });
+            if self.stiffness.watch((h, limit - clock.time()), one, other) {
+                self.refuse_stiff(system, h, &ends)?;
             }
         }
         self.work.steps += 1;
@@ -158,6 +161,24 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.last = Span { t: self.clock.time(), y, h };
         (self.clock, self.state, self.known) = (clock, state, Known::Stages);
         Ok(true)
+    }
+
+    /// Refuses to go on if steps of the length `h` are at the limit of stability; `ends` are two states that differ in
+    /// the direction that grows fastest.
+    fn refuse_stiff(
+        &mut self,
+        system: &M,
+        h: M::Scalar,
+        ends: &[M::State; 2],
+    ) -> Result<(), Cause<M::Scalar>> {
+        let t = self.clock.time();
+        let direction = combined(&ends[0], -M::Scalar::ONE, &ends[1]);
+        let change = distance(self.state.value(), &ends[0]);
+        let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), &ends[0], change, &direction);
+        self.work.evaluations += EVALUATIONS;
+        self.stiffness = Stiffness::default();
+        let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
+        if h.abs() > M::Scalar::from_f64(NEAR) * limit { Err(Cause::Stiff { limit }) } else { Ok(()) }
     }
 
     /// The state after a step of length `h` whose stages are known.

@@ -11,7 +11,7 @@ impl<S: Scalar> Verner98<S> {
     /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
     pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         let ends = from.as_ref().iter().zip(to.as_ref());
-        let relative = self.relative.max(S::from_f64(LEAST_ROUNDINGS) * epsilon::<S>());
+        let relative = self.relative.max(S::from_f64(LEAST_ROUNDINGS) * S::epsilon());
         let mut sum = S::ZERO;
         for (error, (from, to)) in error.as_ref().iter().zip(ends) {
             let size = from.abs().max(to.abs());
@@ -60,10 +60,4 @@ impl<S: Scalar> Verner98<S> {
             guess.min(longest)
         }
     }
-}
-
-/// The spacing of numbers at one: a third has no finite binary expansion.
-pub(super) fn epsilon<S: Scalar>() -> S {
-    let three = S::from_f64(3.0);
-    (three * (S::from_f64(4.0) / three - S::ONE) - S::ONE).abs()
 }
