@@ -59,7 +59,7 @@ lagrange::system! {
     coord a, b, spin;
     kinetic = 1/2 * i1 * (dot(a)^2 * cos(b)^2 + dot(b)^2) + 1/2 * i3 * (dot(spin) + dot(a) * sin(b))^2;
     potential = w * cos(a) * cos(b);
-    emit { bias }
+    emit { bias, momentum_rates, jacobian }
     reduce Sleeping { small a, b; }
 }
 
@@ -92,6 +92,26 @@ fn a_parked_cart_is_a_pendulum_to_the_last_bit() {
             [parked.energy(0.0, &[theta], &[theta_dot]), pendulum.energy(0.0, &[theta], &[theta_dot])];
         assert_eq!(energies[0].to_bits(), energies[1].to_bits());
     }
+}
+
+/// (i1 ä, i1 b̈) = (w a − i3 s ḃ, w b + i3 s ȧ) with the spin s, and s does not change.
+#[test]
+fn what_is_asked_for_is_emitted_for_reduced_types_too() {
+    let sleeping = Sleeping::default();
+    for [spin, rate] in states() {
+        let jacobian = sleeping.jacobian(0.0, &[0.0, 0.0, spin, 0.0, 0.0, rate]);
+        assert_close(jacobian[3][0], 2.7 / 0.12);
+        assert_close(jacobian[4][1], 2.7 / 0.12);
+        assert_close(jacobian[3][4], -jacobian[4][3]);
+        assert_close(jacobian[3][4].abs(), 0.05 * rate.abs() / 0.12);
+        let [by_i1, by_i3, by_w] = sleeping.parameter_jacobian(0.0, &[0.1, 0.0, spin, 0.0, 0.0, 0.0])[3];
+        assert_close(by_w, 0.1 / 0.12);
+        assert_close(by_i1, -2.7 * 0.1 / (0.12 * 0.12));
+        assert_close(by_i3, 0.0);
+        let [tilt, ..] = sleeping.momentum_rates(0.0, &[0.1, 0.0, 0.0], &[0.0; 3]);
+        assert_close(tilt, 0.27);
+    }
+    assert_eq!(Sleeping::PARAMETERS, Top::PARAMETERS);
 }
 
 #[test]
