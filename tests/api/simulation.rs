@@ -1,7 +1,10 @@
 //! The front door on emitted types.
 
 use lagrange::Simulate;
-use lagrange::integrate::RungeKutta4;
+use lagrange::integrate::{
+    BlanesMoan4, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, StormerVerlet,
+    SymplecticEuler, Variational, Verner98,
+};
 use lagrange::simulate::{SimulationError, Trajectory};
 
 lagrange::system! {
@@ -71,4 +74,53 @@ fn errors_keep_what_was_found() {
     let result = Short { k: f32::NAN }.simulate([1.0, 0.0]).until(1.0).method(method).run();
     let SimulationError { trajectory, .. } = result.expect_err("nothing can be computed");
     assert_eq!((trajectory.len(), trajectory.x()), (1, [1.0_f32].as_slice()));
+}
+
+lagrange::system! {
+    pub struct Pendulum;
+    param l = 1.0, g = 9.81;
+    coord theta;
+    emit { momentum_rates }
+    kinetic = 1/2 * (l * dot(theta))^2;
+    potential = -g * l * cos(theta);
+}
+
+/// The state at 2 s from a start at −1 s, at rest at 1 rad, by a method with samples between its steps.
+fn swing(method: impl Method<Pendulum>) -> Trajectory<Pendulum> {
+    let pendulum = Pendulum::default();
+    let simulation = pendulum.simulate([1.0, 0.0]).from(-1.0).until(2.0).method(method);
+    simulation.every(0.07).dense().energy().momenta().run().expect("runs")
+}
+
+#[test]
+fn every_method_goes_through_the_front_door() {
+    let best = swing(Verner98::tolerance(1e-13));
+    let step = 0.01;
+    let runs = [
+        (swing(RungeKutta4 { step }), 1e-6),
+        (swing(SymplecticEuler { step }), 0.2),
+        (swing(StormerVerlet { step }), 1e-2),
+        (swing(BlanesMoan4 { step }), 1e-6),
+        (swing(ImplicitMidpoint { step }), 1e-2),
+        (swing(GaussLegendre4 { step }), 1e-6),
+        (swing(GaussLegendre6 { step }), 1e-7),
+        (swing(Variational { step }), 1e-6),
+    ];
+    for (run, bound) in runs {
+        let name = run.method();
+        assert_eq!((run.times(), run.len()), (best.times(), 44), "{name}");
+        for (t, [theta, theta_dot]) in best.iter() {
+            let [found, found_dot] = run.at(t).expect("within");
+            let error = (theta - found).hypot(theta_dot - found_dot);
+            assert!(error < bound, "{name}: {error:e} at {t}");
+        }
+        for ((t, y), momentum) in run.iter().zip(run.column("p_theta").expect("observed")) {
+            let at = run.at(t).expect("within");
+            assert!(
+                (y[0] - at[0]).hypot(y[1] - at[1]) < 1e-8,
+                "{name}: samples are not the dense output at {t}"
+            );
+            assert_eq!(*momentum, y[1], "{name}");
+        }
+    }
 }
