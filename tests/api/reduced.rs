@@ -78,7 +78,7 @@ lagrange::system! {
 
 /// States that are neither special nor small.
 fn states() -> impl Iterator<Item = [f64; 2]> {
-    (0..100).map(|i| f64::from(i)).map(|i| [(1.7 * i).sin() * 4.0, (2.3 * i + 0.4).cos() * 9.0])
+    (0..100).map(f64::from).map(|i| [(1.7 * i).sin() * 4.0, (2.3 * i + 0.4).cos() * 9.0])
 }
 
 #[test]
