@@ -3,6 +3,7 @@
 //! `cargo test --release --test trajectories` runs them; without optimisation there is nothing here.
 #![cfg(not(debug_assertions))]
 
+mod canonical;
 mod comet;
 mod drift;
 mod phase;

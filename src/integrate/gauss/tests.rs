@@ -7,7 +7,7 @@ use crate::integrate::canonical_systems::checks::{
     canonical, check_order, defect_of_symplecticity, distance, reached,
 };
 use crate::integrate::canonical_systems::{
-    DoublePendulum, HeavyTop, Kepler, ShakenPendulum, SpringPendulum, System, opaque, smooth,
+    DoublePendulum, HeavyTop, Kepler, Lagrangian, ShakenPendulum, SpringPendulum, System, opaque, smooth,
 };
 use crate::integrate::{Cause, Method, RungeKutta4, Stepper, integrate};
 use crate::system::EnergyFunction;
@@ -106,6 +106,63 @@ fn stiff_springs_neither_limit_steps_nor_disturb_slow_motion() {
     assert!(distance(&end, &[1.0, angle, 0.0, rate * unit]) < 1e-6, "{end:?} {angle} {rate}");
     let energy = |y: [f64; 4]| system.energy(0.0, &[y[0], y[1]], &[y[2], y[3]]);
     assert!((energy(end) - energy(start)).abs() < 1e-7, "{:e}", energy(end) - energy(start));
+}
+
+#[test]
+fn an_almost_upright_pendulum_falls_in_time() {
+    // The quarter of its period is K(cos δ/2) = ln(4/sin(δ/2)) but for terms in δ², at the angle π − δ. What is left of
+    // the rounding of angles near π, 4e-16, grows until then as δ does, by nine powers of ten.
+    let angle = core::f64::consts::PI - 1e-9;
+    let delta = (core::f64::consts::PI - angle) + 1.224_646_799_147_353e-16;
+    let quarter = (4.0 / (delta / 2.0).sin()).ln();
+    let rod = smooth(ShakenPendulum { amplitude: 0.0, frequency: 0.0 });
+    let [angle, rate] = reached(&rod, 0.0, [angle, 0.0], quarter, &GaussLegendre6 { step: 0.02 });
+    assert!(angle.abs() < 4e-6 && (rate + 2.0).abs() < 1e-10, "{angle:e} {rate}");
+}
+
+/// A mass that falls to where its force is not defined.
+struct Edge;
+
+impl Lagrangian<1> for Edge {
+    type Number = f64;
+    type State = [f64; 2];
+
+    fn mass(&self, _q: &[f64; 1], _v: &[f64; 1]) -> [[f64; 1]; 1] {
+        [[1.0]]
+    }
+
+    fn rates(&self, _t: f64, [x]: &[f64; 1], _v: &[f64; 1]) -> [f64; 1] {
+        [-1.0 - x.sqrt()]
+    }
+
+    fn drift(&self, _t: f64, _q: &[f64; 1], _v: &[f64; 1]) -> [f64; 1] {
+        [0.0]
+    }
+
+    fn potential(&self, _q: &[f64; 1]) -> f64 {
+        0.0
+    }
+}
+
+#[test]
+fn nan_stops_at_the_last_good_state() {
+    for system in [smooth(Edge), opaque(Edge)] {
+        let mut last = (0.0, [0.0; 2]);
+        let method = GaussLegendre4 { step: 0.01 };
+        let error =
+            integrate(&system, 0.0, [1.0, 0.0], 9.0, &method, |t, y| last = (t, *y)).expect_err("stops");
+        assert_eq!((error.cause, error.time, error.state), (Cause::NotFinite, last.0, last.1));
+        assert!(error.time > 0.5 && error.state[0] > 0.0, "{error:?}");
+    }
+}
+
+#[test]
+fn a_singular_mass_matrix_is_named() {
+    let system = opaque(SpringPendulum { stiffness: 10.0 });
+    let start = [0.0, 0.3, 0.0, 0.0];
+    let error =
+        integrate(&system, 0.0, start, 1.0, &GaussLegendre4 { step: 0.01 }, |_, _| {}).expect_err("stops");
+    assert_eq!((error.cause, error.time, error.state), (Cause::SingularMassMatrix, 0.0, start));
 }
 
 #[test]

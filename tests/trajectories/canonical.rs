@@ -1,0 +1,176 @@
+//! Methods in coordinates and momenta over millions of steps, where the mass matrix depends on the coordinates.
+
+use lagrange::integrate::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, Variational, integrate};
+use lagrange::system::{CanonicalSystem, EnergyFunction, OdeSystem, split};
+
+use crate::drift::{Line, assert_bounded, line};
+
+lagrange::system! {
+    /// Two unit masses on unit rods.
+    #[derive(Clone, Debug)]
+    pub(crate) struct DoublePendulum;
+
+    param g = 9.81;
+    coord a, b;
+    kinetic = dot(a)^2 + 1/2 * dot(b)^2 + dot(a) * dot(b) * cos(a - b);
+    potential = -g * (2 * cos(a) + cos(b));
+}
+
+impl CanonicalSystem for DoublePendulum {
+    fn momenta(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+        self.momenta(t, q, v)
+    }
+
+    fn momentum_rates(&self, _t: f64, [a, b]: &[f64; 2], [u, w]: &[f64; 2]) -> [f64; 2] {
+        let twist = u * w * (a - b).sin();
+        [-twist - 2.0 * self.g * a.sin(), twist - self.g * b.sin()]
+    }
+
+    fn mass_matrix(&self, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> [[f64; 2]; 2] {
+        self.mass_matrix(t, q)
+    }
+}
+
+lagrange::system! {
+    /// A symmetric top about a fixed point.
+    #[derive(Clone, Debug)]
+    pub(crate) struct Top;
+
+    param i1 = 0.12, i3 = 0.05, weight = 2.7;
+    coord phi, theta, psi;
+    kinetic = 1/2 * i1 * (dot(theta)^2 + dot(phi)^2 * sin(theta)^2) + 1/2 * i3 * (dot(psi) + dot(phi) * cos(theta))^2;
+    potential = weight * cos(theta);
+}
+
+impl CanonicalSystem for Top {
+    fn momenta(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
+        self.momenta(t, q, v)
+    }
+
+    fn momentum_rates(&self, _t: f64, [_, theta, _]: &[f64; 3], [phi, _, psi]: &[f64; 3]) -> [f64; 3] {
+        let (s, c) = theta.sin_cos();
+        [0.0, s * ((self.i1 * phi * c - self.i3 * (psi + phi * c)) * phi + self.weight), 0.0]
+    }
+
+    fn mass_matrix(&self, t: f64, q: &[f64; 3], _v: &[f64; 3]) -> [[f64; 3]; 3] {
+        self.mass_matrix(t, q)
+    }
+}
+
+lagrange::system! {
+    /// A point mass on a spring that turns around its pivot, in Cartesian coordinates.
+    #[derive(Clone, Debug)]
+    pub(crate) struct Swing;
+
+    param k = 3.0;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    potential = 1/2 * k * (hypot(x, y) - 1)^2;
+}
+
+impl CanonicalSystem for Swing {
+    fn momenta(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+        self.momenta(t, q, v)
+    }
+
+    fn momentum_rates(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+        self.acceleration(t, q, v)
+    }
+
+    fn mass_matrix(&self, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> [[f64; 2]; 2] {
+        self.mass_matrix(t, q)
+    }
+}
+
+/// One state of so many is looked at.
+const INTERVAL: u32 = 1009;
+
+/// The error of the energy over time, and the largest relative error of each momentum.
+fn errors<M, K>(system: &M, start: M::State, step: f64, steps: u32, method: &K) -> (Line, Vec<f64>)
+where
+    M: OdeSystem<Scalar = f64> + CanonicalSystem + EnergyFunction,
+    K: Method<M>,
+{
+    let watched = |t: f64, y: &M::State| {
+        let (q, v) = split::<M>(y);
+        (system.energy(t, &q, &v), CanonicalSystem::momenta(system, t, &q, &v))
+    };
+    let (energy, momenta) = watched(0.0, &start);
+    let (mut count, mut points) = (0, Vec::new());
+    let mut changes = vec![0.0_f64; momenta.as_ref().len()];
+    integrate(system, 0.0, start, f64::from(steps) * step, method, |t, y| {
+        if count % INTERVAL == 0 {
+            let now = watched(t, y);
+            points.push((t, now.0 - energy));
+            for ((change, now), before) in changes.iter_mut().zip(now.1.as_ref()).zip(momenta.as_ref()) {
+                *change = change.max((now - before).abs() / before.abs());
+            }
+        }
+        count += 1;
+    })
+    .expect("converges");
+    let line = line(&points);
+    println!("{}, h = {step}: {line:?}, momenta {changes:?}", method.name());
+    (line, changes)
+}
+
+const MILLION: u32 = 1_000_000;
+
+#[test]
+fn the_energy_of_a_double_pendulum_does_not_drift() {
+    let (pendulum, start, step) = (DoublePendulum::default(), [0.5, 0.8, 0.0, 0.0], 0.01);
+    assert_bounded(&errors(&pendulum, start, step, MILLION, &ImplicitMidpoint { step }).0, 2e-3);
+    assert_bounded(&errors(&pendulum, start, step, 10 * MILLION, &GaussLegendre4 { step }).0, 1e-7);
+    assert_bounded(&errors(&pendulum, start, step, MILLION, &Variational { step }).0, 1e-7);
+    // In shorter steps rounding errors, whose sum wanders, would show.
+    let step = 0.05;
+    assert_bounded(&errors(&pendulum, start, step, MILLION, &GaussLegendre6 { step }).0, 1e-7);
+}
+
+#[test]
+fn a_top_keeps_its_energy_and_its_cyclic_momenta() {
+    let (top, start, step) = (Top::default(), [0.1, 0.6, 0.0, 1.0, 0.2, 30.0], 0.005);
+    let check = |(line, momenta): (Line, Vec<f64>), bound: f64| {
+        assert_bounded(&line, bound);
+        assert!(momenta[0] < 1e-15 && momenta[2] < 1e-15, "{momenta:?}");
+    };
+    check(errors(&top, start, step, MILLION, &GaussLegendre4 { step }), 1e-8);
+    check(errors(&top, start, step, 10 * MILLION, &Variational { step }), 1e-8);
+    let step = 0.03;
+    check(errors(&top, start, step, MILLION, &GaussLegendre6 { step }), 1e-8);
+}
+
+/// A fast top stands upright though its weight would make it fall: it sleeps.
+#[test]
+fn a_fast_top_sleeps() {
+    let (top, step) = (Top::default(), 0.002);
+    // Stable above spin² i3² = 4 weight i1.
+    let limit = (4.0 * top.weight * top.i1).sqrt() / top.i3;
+    let start = [0.0, 1e-3, 0.0, 0.0, 0.0, 1.2 * limit];
+    let mut highest = 0.0_f64;
+    integrate(&top, 0.0, start, 200.0, &GaussLegendre6 { step }, |_, y| highest = highest.max(y[1].abs()))
+        .expect("converges");
+    println!("largest inclination {highest:e}");
+    assert!(highest < 5e-3, "{highest:e}");
+}
+
+/// It is quadratic in coordinates and momenta.
+#[test]
+fn angular_momentum_in_cartesian_coordinates_is_kept() {
+    let (swing, start, step) = (Swing::default(), [1.2, 0.0, 0.2, 0.7], 0.02);
+    let momentum = |y: &[f64; 4]| y[0] * y[3] - y[1] * y[2];
+    let change = |method: &dyn Fn(&mut dyn FnMut(&[f64; 4]))| {
+        let mut largest = 0.0_f64;
+        method(&mut |y| largest = largest.max((momentum(y) / momentum(&start) - 1.0).abs()));
+        println!("angular momentum {largest:e}");
+        largest
+    };
+    let end = f64::from(2 * MILLION) * step;
+    let gauss = change(&|watch| {
+        integrate(&swing, 0.0, start, end, &GaussLegendre4 { step }, |_, y| watch(y)).expect("converges");
+    });
+    let variational = change(&|watch| {
+        integrate(&swing, 0.0, start, end, &Variational { step }, |_, y| watch(y)).expect("converges");
+    });
+    assert!(gauss < 1e-13 && variational < 1e-13, "{gauss:e} {variational:e}");
+}
