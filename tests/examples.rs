@@ -20,7 +20,9 @@ fn agree_with_their_references() {
     let examples = examples();
     assert!(!examples.is_empty());
     for name in examples {
-        let cargo = Command::new(env!("CARGO")).args(["run", "--quiet", "--example", &name]).output();
+        let cargo = Command::new(env!("CARGO"))
+            .args(["run", "--quiet", "--features", "plot", "--example", &name])
+            .output();
         let output = cargo.expect("cargo starts");
         let messages = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{name}: {messages}");

@@ -10,25 +10,11 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub(crate) struct DoublePendulum;
 
+    emit { jacobian, momentum_rates }
     param g = 9.81;
     coord a, b;
     kinetic = dot(a)^2 + 1/2 * dot(b)^2 + dot(a) * dot(b) * cos(a - b);
     potential = -g * (2 * cos(a) + cos(b));
-}
-
-impl CanonicalSystem for DoublePendulum {
-    fn momenta(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
-        self.momenta(t, q, v)
-    }
-
-    fn momentum_rates(&self, _t: f64, [a, b]: &[f64; 2], [u, w]: &[f64; 2]) -> [f64; 2] {
-        let twist = u * w * (a - b).sin();
-        [-twist - 2.0 * self.g * a.sin(), twist - self.g * b.sin()]
-    }
-
-    fn mass_matrix(&self, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> [[f64; 2]; 2] {
-        self.mass_matrix(t, q)
-    }
 }
 
 lagrange::system! {
@@ -36,25 +22,11 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub(crate) struct Top;
 
+    emit { jacobian, momentum_rates }
     param i1 = 0.12, i3 = 0.05, weight = 2.7;
     coord phi, theta, psi;
     kinetic = 1/2 * i1 * (dot(theta)^2 + dot(phi)^2 * sin(theta)^2) + 1/2 * i3 * (dot(psi) + dot(phi) * cos(theta))^2;
     potential = weight * cos(theta);
-}
-
-impl CanonicalSystem for Top {
-    fn momenta(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
-        self.momenta(t, q, v)
-    }
-
-    fn momentum_rates(&self, _t: f64, [_, theta, _]: &[f64; 3], [phi, _, psi]: &[f64; 3]) -> [f64; 3] {
-        let (s, c) = theta.sin_cos();
-        [0.0, s * ((self.i1 * phi * c - self.i3 * (psi + phi * c)) * phi + self.weight), 0.0]
-    }
-
-    fn mass_matrix(&self, t: f64, q: &[f64; 3], _v: &[f64; 3]) -> [[f64; 3]; 3] {
-        self.mass_matrix(t, q)
-    }
 }
 
 lagrange::system! {
@@ -62,24 +34,11 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub(crate) struct Swing;
 
+    emit { momentum_rates }
     param k = 3.0;
     coord x, y;
     kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
     potential = 1/2 * k * (hypot(x, y) - 1)^2;
-}
-
-impl CanonicalSystem for Swing {
-    fn momenta(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
-        self.momenta(t, q, v)
-    }
-
-    fn momentum_rates(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
-        self.acceleration(t, q, v)
-    }
-
-    fn mass_matrix(&self, t: f64, q: &[f64; 2], _v: &[f64; 2]) -> [[f64; 2]; 2] {
-        self.mass_matrix(t, q)
-    }
 }
 
 /// One state of so many is looked at.

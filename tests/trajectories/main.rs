@@ -3,9 +3,12 @@
 //! `cargo test --release --test trajectories` runs them; without optimisation there is nothing here.
 #![cfg(not(debug_assertions))]
 
+mod adaptive;
 mod canonical;
 mod comet;
 mod drift;
 mod phase;
+#[path = "../references/mod.rs"]
+mod references;
 mod stiff;
 mod systems;

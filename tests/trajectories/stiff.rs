@@ -1,6 +1,9 @@
 //! Explicit methods and a pendulum on a stiff spring.
 
-use lagrange::integrate::{BlanesMoan4, Cause, Method, RungeKutta4, StormerVerlet, integrate};
+use lagrange::integrate::{BlanesMoan4, Cause, Method, RungeKutta4, Stepper, StormerVerlet, integrate};
+use lagrange::system::MechanicalSystem;
+
+use crate::systems::Planet;
 
 lagrange::system! {
     /// A point mass on a spring that hardly gives, in Cartesian coordinates.
@@ -38,4 +41,46 @@ fn stiff_springs_are_refused_with_the_step_that_would_do() {
     assert_refuses(|step| StormerVerlet { step }, 2.0);
     assert_refuses(|step| BlanesMoan4 { step }, 3.16);
     assert_refuses(|step| RungeKutta4 { step }, 2.785);
+}
+
+lagrange::system! {
+    /// Two point masses on massless rods.
+    #[derive(Clone, Debug)]
+    struct DoublePendulum;
+
+    param g = 9.81;
+    coord a, b;
+    let (xa, ya) = (sin(a), -cos(a));
+    let (xb, yb) = (xa + sin(b), ya - cos(b));
+    kinetic = 1/2 * (dot(xa)^2 + dot(ya)^2 + dot(xb)^2 + dot(yb)^2);
+    potential = g * (ya + yb);
+}
+
+/// Evaluations beyond those of the formula, over a thousand seconds.
+fn looks<M, K>(system: &M, start: M::State, method: &K, each: u64) -> u64
+where
+    M: MechanicalSystem<Scalar = f64>,
+    K: Method<M>,
+{
+    let mut stepper = method.start(system, 0.0, &start, 1000.0).expect("valid");
+    while stepper.time() < 1000.0 {
+        stepper.step(system, 1000.0).expect("no motion for which stability limits the step");
+    }
+    let work = stepper.work();
+    println!("{}: {} evaluations in {} steps", method.name(), work.evaluations, work.steps);
+    work.evaluations - each * work.steps
+}
+
+#[test]
+fn ordinary_motions_are_neither_refused_nor_slowed() {
+    let (chaos, comet) = ([2.0, 1.5, 0.0, 0.0], [1.9, 0.0, 0.0, (0.1_f64 / 1.9).sqrt()]);
+    for step in [1e-3, 1e-2, 5e-2] {
+        let total = [
+            looks(&DoublePendulum::default(), chaos, &RungeKutta4 { step }, 4),
+            looks(&Planet::default(), comet, &RungeKutta4 { step }, 4),
+            looks(&Planet::default(), comet, &StormerVerlet { step }, 1),
+            looks(&Planet::default(), comet, &BlanesMoan4 { step }, 6),
+        ];
+        assert!(total.iter().all(|evaluations| *evaluations < 20), "{total:?}");
+    }
 }

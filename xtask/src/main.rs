@@ -94,7 +94,10 @@ fn steps(root: &Path) -> Vec<Step> {
     }
     // Every example asserts its own reference values.
     steps.extend(examples(root).iter().map(|name| {
-        Step::new(&format!("example {name}"), &format!("run --quiet --release --example {name}"))
+        Step::new(
+            &format!("example {name}"),
+            &format!("run --quiet --release --features plot --example {name}"),
+        )
     }));
     steps
 }
