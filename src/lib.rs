@@ -47,6 +47,8 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+#[cfg(any(feature = "differential-equations", feature = "diffsol"))]
+pub mod adapt;
 pub mod event;
 pub mod integrate;
 #[cfg(feature = "plot")]
