@@ -57,6 +57,8 @@ pub mod scalar;
 #[cfg(feature = "std")]
 pub mod simulate;
 pub mod system;
+#[cfg(feature = "trade")]
+pub mod trade;
 
 #[doc(hidden)]
 pub mod private;
