@@ -16,7 +16,7 @@ use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
 use common::compare;
-use lagrange::integrate::{RungeKutta4, integrate};
+use lagrange::Simulate;
 
 lagrange::system! {
     /// A planet around a fixed sun.
@@ -37,8 +37,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let momentum = (1.0 - ECCENTRICITY * ECCENTRICITY).sqrt();
     let start = [nearest, 0.0, 0.0, momentum / (nearest * nearest)];
     for (title, t) in [("a quarter of the period", PI / 2.0), ("half of it", PI), ("the whole", TAU)] {
-        let method = RungeKutta4 { step: t / 20_000.0 };
-        let end = KeplerState::from(integrate(&planet, 0.0, start, t, &method, |_, _| {})?);
+        let trajectory = planet.simulate(start).until(t).tolerance(1e-14).ends_only().run()?;
+        let end = KeplerState::from(trajectory.last());
         let (q, v) = (end.coordinates(), end.velocities());
         let [r, phi] = ellipse(t);
         let rows = [

@@ -6,8 +6,10 @@ mod reference;
 
 use std::path::Path;
 
+use lagrange_core::expr::ExprId;
 use lagrange_core::mechanics::{Product, Road, RoadChoice, Sums};
 use lagrange_core::pipeline::{NumericSystem, parse};
+use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 
 use reference::{Reference, Subject, names};
 
@@ -97,6 +99,28 @@ fn momenta_change_at_their_rates() {
                 assert!((rate - slope).abs() < 1e-7 * scale, "{name}, t = {}: {rate} or {slope}", state.t);
             }
         }
+    }
+}
+
+/// Else implicit methods would rather difference the right-hand side, which takes an evaluation for each entry of the
+/// state beside the one that they need anyway.
+#[test]
+fn jacobians_cost_less_than_differences() {
+    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));
+    for name in names(directory) {
+        let text = format!("{} emit {{ jacobian }}", Reference::read(directory, &name).declaration);
+        let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+        let derived = derived.unwrap_or_else(|report| panic!("{report}"));
+        let (model, equations) = (&derived.model, &derived.equations);
+        let operations = |roots: &[ExprId]| {
+            let program = lower(&model.graph, roots, &Labels::default());
+            OperationCounts::of(&optimise(&program, model.accuracy)).total()
+        };
+        let jacobian = equations.jacobian.as_ref().expect("it is asked for").concat();
+        let (found, differences) =
+            (operations(&jacobian), 2 * model.coordinates.len() * operations(&equations.accelerations));
+        println!("{name}: {found} operations beside {differences}");
+        assert!(found < differences, "{name}: {found} operations, {differences} for differences");
     }
 }
 

@@ -30,11 +30,13 @@ impl<S: Scalar> Clock<S> {
     }
 
     /// The time now.
+    #[inline]
     pub(super) fn time(&self) -> S {
         self.time
     }
 
     /// Goes on by one step, or to `limit` if that is not farther; returns how far that is.
+    #[inline]
     pub(super) fn advance(&mut self, limit: S) -> S {
         let left = (limit - self.time) - self.remainder;
         if left.abs() <= self.step.abs() * S::from_f64(1.0 + STRETCH) {

@@ -26,11 +26,13 @@ impl<Y> Compensated<Y> {
     }
 
     /// The sum so far.
+    #[inline]
     pub(super) fn value(&self) -> &Y {
         &self.value
     }
 
     /// Adds an increment, component by component.
+    #[inline]
     pub(super) fn add<S: Scalar>(&mut self, increment: &Y)
     where
         Y: StateVector<S>,

@@ -96,14 +96,17 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
 }
 
 impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
+    #[inline]
     fn time(&self) -> M::Scalar {
         self.clock.time()
     }
 
+    #[inline]
     fn state(&self) -> &M::State {
         &self.state
     }
 
+    #[inline]
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>> {
         let (t, before) = (self.clock.time(), self.clock);
         let h = self.clock.advance(limit);
@@ -141,6 +144,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
 }
 
 impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
+    #[inline]
     fn advance(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Result<(), Cause<M::Scalar>> {
         let increment = self.formula.increment(system, t, self.variables.value(), h, &mut self.work)?;
         let mut variables = self.variables;
@@ -156,6 +160,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
 }
 
 /// Whether time and state can be gone on from.
+#[inline]
 pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<(), Cause<S>> {
     if t.is_finite() && y.as_ref().iter().all(|component| component.is_finite()) {
         return Ok(());

@@ -40,6 +40,9 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
 
     /// Takes one step towards `limit` and not beyond; a step that would end just short of it ends there.
     ///
+    /// What was found at the end of the last step may be used again: after `system` was changed, as by another input,
+    /// go on with [`restart`](Stepper::restart) from the state that was reached.
+    ///
     /// # Errors
     /// If no step can be taken. Time and state are then what they were before.
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>>;

@@ -92,7 +92,7 @@ pub(super) fn largest<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> Y {
 /// The corrections of each unknown so far.
 struct Progress<S, Y> {
     rounding: S,
-    /// The smallest, the last and the last but one; nothing is known of them at first.
+    /// The smallest and the last, and the best of the ratios of one to the one before; nothing is known at first.
     seen: Option<(Y, Y, Y)>,
 }
 
@@ -105,18 +105,20 @@ impl<S: Scalar, Y: StateVector<S>> Progress<S, Y> {
     #[inline]
     fn after<const K: usize>(&mut self, unknowns: &[Y; K], correction: &[Y; K]) -> Trend {
         let (now, scale) = (largest(correction), largest(unknowns));
-        let (smallest, last, earlier) = self.seen.get_or_insert((infinite(), infinite(), infinite()));
+        let (smallest, last, rate) = self.seen.get_or_insert((infinite(), infinite(), infinite()));
         let (mut falls, mut settled) = (false, true);
-        let before = smallest.as_mut().iter_mut().zip(last.as_ref()).zip(earlier.as_ref());
-        for ((now, scale), ((smallest, last), earlier)) in now.as_ref().iter().zip(scale.as_ref()).zip(before)
-        {
-            if !is_settled(*now, *last, *earlier, *scale * self.rounding) {
+        let before = smallest.as_mut().iter_mut().zip(last.as_mut()).zip(rate.as_mut());
+        for ((now, scale), ((smallest, last), rate)) in now.as_ref().iter().zip(scale.as_ref()).zip(before) {
+            if !is_settled(*now, *last * *rate, *scale * self.rounding) {
                 settled = false;
                 falls |= *now < S::from_f64(FALL) * *smallest;
             }
+            if *last < infinity() && *now < *last * *rate {
+                *rate = *now / *last;
+            }
             *smallest = smallest.min(*now);
+            *last = *now;
         }
-        *earlier = core::mem::replace(last, now);
         match (settled, falls) {
             (true, _) => Trend::Settled,
             (false, true) => Trend::Falls,
@@ -136,21 +138,25 @@ enum Trend {
     Stalls,
 }
 
+/// More than any correction.
+fn infinity<S: Scalar>() -> S {
+    S::ONE / S::ZERO
+}
+
 /// Entries larger than any correction.
 fn infinite<S: Scalar, Y: StateVector<S>>() -> Y {
     let mut vector = Y::ZERO;
-    vector.as_mut().fill(S::ONE / S::ZERO);
+    vector.as_mut().fill(infinity());
     vector
 }
 
 /// Whether the correction `now` is the rounding of an unknown, on which a change by `unseen` is lost.
 ///
-/// What it would be without rounding follows from the two before it. Small is not enough: what slow convergence
-/// leaves has the same sign in every step.
+/// Without rounding it would be no larger than `expected`, what the best rate of convergence so far makes of the one
+/// before. Small is not enough: what slow convergence leaves has the same sign in every step.
 #[inline(always)]
-fn is_settled<S: Scalar>(now: S, last: S, earlier: S, unseen: S) -> bool {
-    let expected = S::from_f64(16.0) * last * (last / earlier);
-    now == S::ZERO || (now <= S::from_f64(4.0) * unseen && earlier.is_finite() && expected <= unseen)
+fn is_settled<S: Scalar>(now: S, expected: S, unseen: S) -> bool {
+    now == S::ZERO || (now <= S::from_f64(100.0) * unseen && S::from_f64(8.0) * expected <= unseen)
 }
 
 /// Whether residuals are a small part of the terms they are made of.

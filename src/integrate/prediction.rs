@@ -12,6 +12,7 @@ type Weights<S, const K: usize> = ([S; K], S);
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Prediction<S, Y, const K: usize> {
     nodes: [S; K],
+    targets: [S; K],
     /// Slopes of the last step and its length.
     last: Option<([Y; K], S)>,
     /// For a ratio of the lengths of two steps: how much of each slope and of that at the end makes up each
@@ -20,9 +21,9 @@ pub(super) struct Prediction<S, Y, const K: usize> {
 }
 
 impl<S: Scalar, Y: StateVector<S>, const K: usize> Prediction<S, Y, K> {
-    /// Knows of no step yet.
-    pub(super) fn new(nodes: [S; K]) -> Self {
-        Prediction { nodes, last: None, weights: None }
+    /// Knows of no step yet. Slopes will be learnt at the nodes and asked for at the targets, parts of a step.
+    pub(super) fn new(nodes: [S; K], targets: [S; K]) -> Self {
+        Prediction { nodes, targets, last: None, weights: None }
     }
 
     /// Forgets the last step.
@@ -49,7 +50,7 @@ impl<S: Scalar, Y: StateVector<S>, const K: usize> Prediction<S, Y, K> {
         match self.weights {
             Some((known, weights)) if known == ratio => weights,
             _ => {
-                let weights = self.nodes.map(|node| weights(&self.nodes, S::ONE, S::ONE + node * ratio));
+                let weights = self.targets.map(|node| weights(&self.nodes, S::ONE, S::ONE + node * ratio));
                 self.weights = Some((ratio, weights));
                 weights
             }

@@ -29,7 +29,7 @@ pub fn rk4_step<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::S
 where
     M: OdeSystem + ?Sized,
 {
-    combined(y, M::Scalar::ONE, &Stages::new(system, t, y, h).increment(h))
+    combined(y, M::Scalar::ONE, &Stages::new(system, t, y, h, system.rhs(t, y)).increment(h))
 }
 
 /// The method is stable up to this |h λ| on the negative real axis, and a little farther on the imaginary one.
@@ -94,8 +94,12 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
         h: M::Scalar,
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
-        work.evaluations += 4;
-        let stages = Stages::new(system, t, y, h);
+        let k1 = self.end.take().unwrap_or_else(|| {
+            work.evaluations += 1;
+            system.rhs(t, y)
+        });
+        work.evaluations += 3;
+        let stages = Stages::new(system, t, y, h, k1);
         self.trial = stages.k1;
         self.check(system, t, y, h, &stages, work)?;
         Ok(stages.increment(h))
@@ -172,13 +176,12 @@ struct Stages<Y> {
 
 impl<Y> Stages<Y> {
     #[inline]
-    fn new<M>(system: &M, t: M::Scalar, y: &Y, h: M::Scalar) -> Self
+    fn new<M>(system: &M, t: M::Scalar, y: &Y, h: M::Scalar, k1: Y) -> Self
     where
         M: OdeSystem<State = Y> + ?Sized,
         Y: StateVector<M::Scalar>,
     {
         let half = h / M::Scalar::from_f64(2.0);
-        let k1 = system.rhs(t, y);
         let k2 = system.rhs(t + half, &combined(y, half, &k1));
         let k3 = system.rhs(t + half, &combined(y, half, &k2));
         let k4 = system.rhs(t + h, &combined(y, h, &k3));

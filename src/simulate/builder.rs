@@ -61,7 +61,23 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
 /// A run that can be started: what to integrate, how, and what to keep of it.
 ///
 /// K is the method. `.tolerance(…)` and `.absolute_tolerance(…)` exist for the default method only; other methods come
-/// with settings of their own.
+/// with settings of their own:
+///
+/// ```compile_fail,E0599
+/// # lagrange::system! {
+/// #     pub struct Pendulum;
+/// #     param m = 1.0, l = 1.0, g = 9.81;
+/// #     coord theta;
+/// #     kinetic = 1/2 * m * (l * dot(theta))^2;
+/// #     potential = -m * g * l * cos(theta);
+/// # }
+/// use lagrange::Simulate;
+/// use lagrange::integrate::RungeKutta4;
+///
+/// let pendulum = Pendulum::default();
+/// let simulation = pendulum.simulate([0.5, 0.0]).until(2.0);
+/// simulation.method(RungeKutta4 { step: 1e-3 }).tolerance(1e-9).run().unwrap();
+/// ```
 #[must_use = "nothing happens before `.run()`"]
 pub struct Simulation<'a, M: MechanicalSystem, K> {
     pub(super) system: &'a M,

@@ -19,20 +19,36 @@
 //! ```
 //!
 //! A run is asked for in words: [`simulate`](Simulate::simulate) a start, [`until`](Start::until) an end, and then as
-//! much of [`Simulation`] as is wanted: the method, what is sampled ([`every`](Simulation::every) so often, or
-//! [`dense`](Simulation::dense)), what is observed besides the state, limits, and a callback for progress. What comes
-//! back is a [`Trajectory`], or a [`SimulationError`] that holds the trajectory up to the last good state.
+//! much of [`Simulation`] as is wanted. What comes back is a [`Trajectory`], or a [`SimulationError`] that holds the
+//! trajectory up to the last good state.
+//!
+//! | to | say |
+//! |---|---|
+//! | ask for accuracy | [`tolerance`](Simulation::tolerance), or another [`method`](Simulation::method) |
+//! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
+//! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`observe`](Simulation::observe) anything |
+//! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |
+//! | set limits, see progress | [`max_steps`](Simulation::max_steps), [`progress`](Simulation::progress), which can also cancel |
+//! | read | columns by name, [`state`](Trajectory::state), [`iter`](Trajectory::iter), [`at`](Trajectory::at), [`events`](Trajectory::events), [`work`](Trajectory::work) |
+//! | save | [`save_csv`](Trajectory::save_csv); `save_parquet` with the feature `parquet` |
+//! | plot | `plot_states`, `plot_energy`, `plot_phase`, `plot_pair`, `plot_columns` with the feature `plot` |
 //!
 //! # Methods
 //!
-//! | method | order | symplectic | cost of a step | take it for |
-//! |---|---|---|---|---|
-//! | [`Verner98`], the default | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy: anything from 1e-4 to rounding |
-//! | [`RungeKutta4`] | 4 | no | 4 evaluations | fixed frame rates, systems with jumps |
+//! | method | for systems | order | symplectic | cost of a step | take it for |
+//! |---|---|---|---|---|---|
+//! | [`Verner98`], the default | any | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy, from 1e-4 to rounding |
+//! | [`RungeKutta4`] | any | 4 | no | 4 evaluations | fixed frame rates, forces with jumps |
+//! | [`SymplecticEuler`] | separable | 1 | yes | 1 acceleration | the cheapest frame that stays alive |
+//! | [`StormerVerlet`] | separable | 2 | yes | 1 acceleration | long runs at moderate accuracy |
+//! | [`BlanesMoan4`] | separable | 4 | yes | 6 accelerations | long runs, accurately |
+//! | [`ImplicitMidpoint`], [`GaussLegendre4`], [`GaussLegendre6`] | with momenta | 2, 4, 6 | yes | iterations of 1, 2, 3 evaluations | long runs with any mass matrix; stiff springs |
+//! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta kept to rounding, forces included |
+//! | [`PlainGaussLegendre`] | any | 2, 4, 6 | no | as above | stiff systems without momenta |
 //!
+//! Separable systems have a constant mass matrix and accelerations that do not depend on velocities; declarations with
+//! `emit { momentum_rates }` know their momenta, and with `emit { jacobian }` implicit methods converge at any stiffness.
 //! Code for microcontrollers and inner loops goes without heap through [`integrate`](crate::integrate::integrate).
-//!
-//! [`RungeKutta4`]: crate::integrate::RungeKutta4
 
 mod builder;
 mod csv;
@@ -51,7 +67,10 @@ mod table;
 mod trajectory;
 
 #[cfg(doc)]
-use crate::integrate::Verner98;
+use crate::integrate::{
+    BlanesMoan4, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre, RungeKutta4,
+    StormerVerlet, SymplecticEuler, Variational, Verner98,
+};
 use crate::scalar::Scalar;
 use crate::system::MechanicalSystem;
 

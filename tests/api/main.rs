@@ -3,10 +3,13 @@
 mod accuracy;
 mod columns;
 mod declarations;
+mod fixed_steps;
 mod methods;
 mod products;
+mod reduced;
 mod scalars;
 mod shadowing;
+mod simulation;
 mod states;
 mod traits;
 

@@ -6,15 +6,24 @@ use crate::functions::apply;
 
 /// `root` with every expression that `replacements` knows replaced, all at once.
 pub fn substitute(graph: &mut Graph, root: ExprId, replacements: &HashMap<ExprId, ExprId>) -> ExprId {
+    substitute_all(graph, &[root], replacements)[0]
+}
+
+/// The same for several roots, each shared part once.
+pub fn substitute_all(
+    graph: &mut Graph,
+    roots: &[ExprId],
+    replacements: &HashMap<ExprId, ExprId>,
+) -> Vec<ExprId> {
     let mut image: HashMap<ExprId, ExprId> = HashMap::default();
-    for id in graph.reachable_until(&[root], |id| replacements.contains(&id)) {
+    for id in graph.reachable_until(roots, |id| replacements.contains(&id)) {
         let new = match replacements.get(&id) {
             Some(&replacement) => replacement,
             None => rebuild(graph, id, |child| image.get(&child).copied().unwrap_or(child)),
         };
         image.insert(id, new);
     }
-    image.get(&root).copied().unwrap_or(root)
+    roots.iter().map(|root| image.get(root).copied().unwrap_or(*root)).collect()
 }
 
 /// The node with every operand mapped, made by the constructors.

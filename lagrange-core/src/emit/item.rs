@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
 use super::method::{ArgumentNames, Method};
@@ -41,9 +41,7 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (krate, functions) = (shape.krate, parts.functions.iter().map(|name| local(name)));
     let functions = (!parts.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
     let names = name_exception(shape);
-    let rounded = parts.has_rounded_constants.then(
-        || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
-    );
+    let rounded = rounded_exception(parts.has_rounded_constants);
     quote! {
         #system
         #state
@@ -58,6 +56,13 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             #traits
         };
     }
+}
+
+/// Lets rounded constants look like those of the standard library.
+pub(super) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {
+    is_needed.then(
+        || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
+    )
 }
 
 /// Lets names keep the letters that they have in formulas.
@@ -116,9 +121,19 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 pub(super) fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
     let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
     // An attribute is a number sign and a group in brackets.
-    let attributes = tokens.chunks(2).map(|attribute| attribute.iter().cloned().collect::<TokenStream>());
-    attributes
-        .partition(|attribute| attribute.to_string().trim_start_matches(['#', '[', ' ']).starts_with("doc"))
+    let (docs, others) = tokens.chunks(2).partition::<Vec<_>, _>(|attribute| is_documentation(attribute));
+    let attributes = |list: Vec<&[TokenTree]>| {
+        list.into_iter().map(|attribute| attribute.iter().cloned().collect()).collect()
+    };
+    (attributes(docs), attributes(others))
+}
+
+/// `#[doc = …]`, which is also what comments become, but not `#[doc(hidden)]`.
+fn is_documentation(attribute: &[TokenTree]) -> bool {
+    let Some(TokenTree::Group(group)) = attribute.get(1) else { return false };
+    let mut tokens = group.stream().into_iter();
+    let is_doc = matches!(tokens.next(), Some(TokenTree::Ident(word)) if word == "doc");
+    is_doc && matches!(tokens.next(), Some(TokenTree::Punct(punct)) if punct.as_char() == '=')
 }
 
 fn coordinate_list(shape: &Shape<'_>) -> String {

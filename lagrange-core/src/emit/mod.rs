@@ -3,6 +3,7 @@
 mod diagnostics;
 mod docs;
 mod item;
+mod jacobian;
 mod layout;
 mod messages;
 mod method;

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::item::split_attributes;
+use super::item::{rounded_exception, split_attributes};
 use super::rust_body::{Names, body};
 use super::shape::{Shape, doc, identifier, local};
 use super::skeleton::skeleton_of_type;
@@ -11,7 +11,7 @@ use super::system::{Refusal, field_bindings};
 use super::text;
 use crate::collections::HashMap;
 use crate::mechanics::{Held, METHODS_OF_REDUCED, Reduced};
-use crate::program::{Labels, lower, optimise};
+use crate::program::{Labels, Op, lower, optimise};
 use crate::syntax::ast::{Declaration, ScalarType, StatementKind};
 
 /// Values with longer texts are not written out in documentation.
@@ -175,7 +175,10 @@ fn with_values(
     let mut roots = all.iter().map(|held| held.value).collect::<Vec<_>>();
     let is_zero = roots.iter().map(|&value| graph.is_zero(value)).collect::<Vec<_>>();
     roots.push(graph.number(0));
-    let program = optimise(&lower(&graph, &roots, &Labels::default()), reduced.model.accuracy);
+    let mut labels = Labels::default();
+    all.iter().for_each(|held| labels.insert(held.value, "held"));
+    let program = optimise(&lower(&graph, &roots, &labels), reduced.model.accuracy);
+    let is_rounded = program.values().any(|(_, op)| matches!(op, Op::Float(_)));
     let (state, mut names) = (local("state"), Names::new(["state"]));
     let written = body(&program, graph.symbols(), &part.computed_with(), &mut names)
         .map_err(|error| Refusal::Constants(error.constants))?;
@@ -187,24 +190,28 @@ fn with_values(
     let krate = part.krate;
     let functions = written.functions.iter().map(|name| local(name));
     let functions = (!written.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
-    Ok(Body { statements: quote!(#functions #bindings #statements), fields })
+    Ok(Body { statements: quote!(#functions #bindings #statements), fields, is_rounded })
 }
 
 /// Statements and the fields of the state that is returned behind them.
 struct Body {
     statements: TokenStream,
     fields: TokenStream,
+    /// Whether it holds rounded values of irrational constants.
+    is_rounded: bool,
 }
 
 fn inherent_impl(full: &Shape<'_>, part: &Shape<'_>, expand: &Body, deviation: &Body) -> TokenStream {
     let (name, generics, bounds) = (part.name(), part.generics(), part.bounds());
     let (whole, reduced, state) = (full.state_name(), part.state_name(), local("state"));
+    let rounded = rounded_exception(expand.is_rounded || deviation.is_rounded);
     let (expand, deviation) = (returning(&whole, expand), returning(&whole, deviation));
     let system = &full.declaration.name.text;
     let expand_docs = doc(&format!("The state of [`{system}`] that belongs to a state of this system:"));
     let deviation_docs =
         doc(&format!("How far a state of [`{system}`] is from those that this system stands for:"));
     quote! {
+        #rounded
         impl #bounds #name #generics {
             #expand_docs
             /// frozen coordinates have their values, and no velocity.
@@ -227,7 +234,7 @@ fn inherent_impl(full: &Shape<'_>, part: &Shape<'_>, expand: &Body, deviation: &
     }
 }
 
-fn returning(state: &Ident, Body { statements, fields }: &Body) -> TokenStream {
+fn returning(state: &Ident, Body { statements, fields, .. }: &Body) -> TokenStream {
     match fields.is_empty() {
         true => quote!(::core::unreachable!()),
         false => quote!(#statements #state { #fields }),
@@ -255,7 +262,7 @@ pub(super) fn skeletons(declaration: &Declaration, krate: &TokenStream) -> Token
     let types = types.map(|(reduction, docs)| {
         let mut part = declaration.reduced(reduction, attributes(declaration, docs, &[]));
         part.statements.retain(|statement| !is_reserved(&statement.kind));
-        let nothing = Body { statements: TokenStream::new(), fields: TokenStream::new() };
+        let nothing = Body { statements: TokenStream::new(), fields: TokenStream::new(), is_rounded: false };
         let shape = Shape::new(&part, krate);
         let methods = inherent_impl(&full, &shape, &nothing, &nothing);
         let (system, conversions) = (skeleton_of_type(&part, krate), items(&full, &shape, &methods));

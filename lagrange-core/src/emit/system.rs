@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 
 use super::docs;
 use super::item::{Parts, argument_names, items};
+use super::jacobian::{JACOBIAN, PARAMETER_JACOBIAN, by_fields, by_state, parameter_names};
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::rust_body::{Names, Scalar, body};
 use super::shape::{Shape, doc, identifier, local};
@@ -138,7 +139,7 @@ impl<'a> Writer<'a> {
                 let matrix = equations.mass_matrix.clone();
                 let moving = equations.structure.mass.depends_on_velocities;
                 let arguments = if moving { Arguments::State } else { Arguments::Positions };
-                (&MASS_MATRIX, arguments, Returns::Matrix(matrix.len()), matrix.concat())
+                (&MASS_MATRIX, arguments, Returns::Matrix(matrix.len(), matrix.len()), matrix.concat())
             }
             Product::Forcing => (&FORCING, Arguments::State, vector, equations.forcing.clone()),
             Product::Bias => (&BIAS, Arguments::State, vector, or_none(&equations.bias)),
@@ -151,6 +152,17 @@ impl<'a> Writer<'a> {
             }
             Product::InverseDynamics => {
                 (&INVERSE, Arguments::Motion, vector, or_none(&equations.inverse_dynamics))
+            }
+            Product::Jacobian => {
+                let rows = equations.jacobian.as_deref().unwrap_or_default();
+                let (returns, entries) = by_state(&mut self.model.graph, rows);
+                (&JACOBIAN, Arguments::Whole, returns, entries)
+            }
+            Product::ParameterJacobian => {
+                let rows = equations.parameter_jacobian.as_deref().unwrap_or_default();
+                let count = self.shape.fields.len();
+                let (returns, entries) = by_fields(&mut self.model.graph, rows, count);
+                (&PARAMETER_JACOBIAN, Arguments::Whole, returns, entries)
             }
             Product::KineticEnergy | Product::PotentialEnergy => {
                 let Energies::Separate { kinetic, potential } = self.model.energies else { return };
@@ -212,19 +224,19 @@ impl<'a> Writer<'a> {
 
     /// Parameters, coordinates and rates under the names that the body uses.
     fn bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
-        let symbols = self.model.graph.symbols();
-        let ArgumentNames { time, positions, velocities, accelerations, .. } = &self.names;
+        let ArgumentNames { time, positions, velocities, accelerations, state } = &self.names;
         let fields = field_bindings(self.shape, self.model, used, names);
-        let mut vector = |source: TokenStream, role: fn(u32) -> Role| {
+        if arguments == Arguments::Whole {
             let indices = 0..self.model.coordinates.len() as u32;
-            if !indices.clone().any(|i| used.contains(&role(i))) {
-                return TokenStream::new();
-            }
-            let pattern = indices.map(|i| match used.contains(&role(i)) {
-                true => names.role(symbols, role(i)),
-                false => local("_"),
-            });
-            quote!(let [#(#pattern),*] = #source;)
+            let roles = indices.clone().map(Role::Coordinate).chain(indices.map(Role::Velocity));
+            let pattern = self.pattern(roles, used, names);
+            let entries = pattern.map(|pattern| quote!(let #pattern = *#state;));
+            return quote!(#fields #entries);
+        }
+        let mut vector = |source: TokenStream, role: fn(u32) -> Role| {
+            let roles = (0..self.model.coordinates.len() as u32).map(role);
+            let pattern = self.pattern(roles, used, names);
+            pattern.map(|pattern| quote!(let #pattern = #source;))
         };
         let q = vector(quote!(*#positions), Role::Coordinate);
         let v = vector(quote!(*#velocities), Role::Velocity);
@@ -234,6 +246,23 @@ impl<'a> Writer<'a> {
         };
         let a = vector(accelerations, Role::Acceleration);
         quote!(#fields #q #v #a)
+    }
+
+    /// An array of the names of those roles that are used, if any is.
+    fn pattern(
+        &self,
+        roles: impl Iterator<Item = Role> + Clone,
+        used: &[Role],
+        names: &mut Names,
+    ) -> Option<TokenStream> {
+        let symbols = self.model.graph.symbols();
+        let is_used = |role: &Role| used.contains(role);
+        let pattern = roles.clone().map(|role| match is_used(&role) {
+            true => names.role(symbols, role),
+            false => local("_"),
+        });
+        let pattern = pattern.collect::<Vec<_>>();
+        { roles }.any(|role| is_used(&role)).then(|| quote!([#(#pattern),*]))
     }
 
     /// A value of the struct with its defaults, if every field has one.
@@ -260,10 +289,11 @@ impl<'a> Writer<'a> {
     }
 
     fn constants(&mut self) -> TokenStream {
-        if !self.model.products.contains(&Product::Latex) {
-            return TokenStream::new();
-        }
-        equations_latex(&docs::equations_latex(self.model, self.equations))
+        let wants = |product: Product| self.model.products.contains(&product);
+        let (latex, parameters) = (wants(Product::Latex), wants(Product::ParameterJacobian));
+        let latex = latex.then(|| equations_latex(&docs::equations_latex(self.model, self.equations)));
+        let parameters = parameters.then(|| parameter_names(self.shape));
+        quote!(#latex #parameters)
     }
 }
 

@@ -25,6 +25,18 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, twice) = (shape.krate, length(2 * shape.coordinates.len()));
     let ArgumentNames { time, state, .. } = &parts.names;
+    let jacobian = has(parts, "jacobian").then(|| {
+        quote! {
+            #[inline]
+            fn jacobian(
+                &self,
+                #time: #scalar,
+                #state: &[#scalar; #twice],
+            ) -> ::core::option::Option<[[#scalar; #twice]; #twice]> {
+                ::core::option::Option::Some(self.jacobian(#time, #state))
+            }
+        }
+    });
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -34,6 +46,7 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             fn rhs(&self, #time: #scalar, #state: &[#scalar; #twice]) -> [#scalar; #twice] {
                 self.rhs(#time, #state)
             }
+            #jacobian
         }
     }
 }

@@ -113,9 +113,14 @@ impl Elaborator<'_> {
 
     fn products(&self) -> Vec<Product> {
         let last_word = |product| self.wanted.iter().rev().find(|(named, ..)| *named == product);
+        let asked =
+            |product: Product, otherwise| last_word(product).map_or(otherwise, |(_, wanted, _)| *wanted);
         let wanted = |&product: &Product| {
-            let asked = last_word(product).map_or(product.is_default(), |(_, wanted, _)| *wanted);
-            asked && !self.is_undefined(product)
+            let otherwise = match product {
+                Product::ParameterJacobian => asked(Product::Jacobian, false),
+                product => product.is_default(),
+            };
+            asked(product, otherwise) && !self.is_undefined(product)
         };
         Product::ALL.into_iter().filter(wanted).collect()
     }

@@ -18,9 +18,10 @@ use crate::syntax::ast::{
 };
 
 /// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 5] = ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX"];
+const GENERATED_METHODS: [&str; 6] =
+    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS"];
 /// Products that later versions will emit.
-const PLANNED_PRODUCTS: [&str; 3] = ["jacobian", "hamiltonian", "taylor"];
+const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
 pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model> {

@@ -4,6 +4,7 @@ use super::contracted::contracted;
 use super::cost::cost;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
+use super::jacobian::{Derivatives, Forms};
 use super::model::{Energies, Model, Product};
 use super::roads::{Road, RoadChoice, Roads, SingularMassMatrix};
 use super::solve::{Solution, push_down, solve_dense};
@@ -47,6 +48,10 @@ pub struct Equations {
     pub energy: Option<ExprId>,
     /// The generalised forces that must be added for given accelerations.
     pub inverse_dynamics: Option<Vec<ExprId>>,
+    /// ∂a/∂q and ∂a/∂v, in rows
+    pub jacobian: Option<Vec<Vec<ExprId>>>,
+    /// The derivatives of the accelerations by parameters, then by inputs, in rows.
+    pub parameter_jacobian: Option<Vec<Vec<ExprId>>>,
     /// What was found out about the system.
     pub structure: Structure,
     /// Names for intermediate results, in the order of preference.
@@ -67,11 +72,25 @@ impl Equations {
         };
         let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
         let forcing = forcing(&mut model.graph, &pushed, &velocities);
+        let products = model.products.clone();
+        let wants = |product: Product| products.contains(&product);
+        let differentiated = wants(Product::Jacobian) || wants(Product::ParameterJacobian);
+        let forms = differentiated.then(|| Forms { form: form.clone(), pushed: pushed.clone() });
         let (solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
-        let products = model.products.clone();
-        let wants = |product: Product| products.contains(&product);
+        let derivatives = forms.map(|forms| {
+            let accelerations = (&solution.accelerations[..], road);
+            Derivatives::new(model, &split, forms, accelerations)
+        });
+        let differentiate = |model: &mut Model, product: Product, variables: Vec<ExprId>| {
+            Some(derivatives.as_ref().filter(|_| wants(product))?.by(model, &variables))
+        };
+        let state = [model.positions(), model.velocities()].concat();
+        let jacobian = differentiate(model, Product::Jacobian, state);
+        let constants =
+            model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol).collect();
+        let parameter_jacobian = differentiate(model, Product::ParameterJacobian, constants);
         let mut equations = Equations {
             accelerations: solution.accelerations,
             road,
@@ -87,6 +106,8 @@ impl Equations {
             energy: wants(Product::Energy).then(|| energy_function(model)),
             inverse_dynamics: wants(Product::InverseDynamics)
                 .then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
+            jacobian,
+            parameter_jacobian,
             structure,
             labels,
         };
@@ -181,7 +202,7 @@ fn forcing(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> 
 }
 
 /// The linear part at the generalised velocities.
-fn residual(
+pub(super) fn residual(
     model: &mut Model,
     split: &SplitLagrangian,
     accelerations: AccelerationTerms,

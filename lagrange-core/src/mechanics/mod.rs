@@ -13,6 +13,7 @@ mod equations;
 mod expression;
 mod form;
 mod gauss;
+mod jacobian;
 mod kinematics;
 mod loads;
 mod messages;

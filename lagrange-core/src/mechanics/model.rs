@@ -148,13 +148,17 @@ pub enum Product {
     Energy,
     /// `inverse_dynamics`
     InverseDynamics,
+    /// `jacobian`; only on demand
+    Jacobian,
+    /// `parameter_jacobian`; only with `jacobian` or on demand
+    ParameterJacobian,
     /// `EQUATIONS_LATEX`; only on demand
     Latex,
 }
 
 impl Product {
     /// Every product, in the order in which they are emitted.
-    pub const ALL: [Product; 10] = [
+    pub const ALL: [Product; 12] = [
         Product::MassMatrix,
         Product::Forcing,
         Product::Bias,
@@ -164,6 +168,8 @@ impl Product {
         Product::PotentialEnergy,
         Product::Energy,
         Product::InverseDynamics,
+        Product::Jacobian,
+        Product::ParameterJacobian,
         Product::Latex,
     ];
 
@@ -179,13 +185,22 @@ impl Product {
             Product::PotentialEnergy => "potential_energy",
             Product::Energy => "energy",
             Product::InverseDynamics => "inverse_dynamics",
+            Product::Jacobian => "jacobian",
+            Product::ParameterJacobian => "parameter_jacobian",
             Product::Latex => "latex",
         }
     }
 
     /// Whether it is emitted without being asked for.
     pub fn is_default(self) -> bool {
-        !matches!(self, Product::Bias | Product::MomentumRates | Product::Latex)
+        !matches!(
+            self,
+            Product::Bias
+                | Product::MomentumRates
+                | Product::Jacobian
+                | Product::ParameterJacobian
+                | Product::Latex
+        )
     }
 }
 

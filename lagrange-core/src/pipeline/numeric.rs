@@ -70,6 +70,8 @@ impl NumericSystem {
             (Product::PotentialEnergy, potential),
             (Product::Energy, equations.energy.map(|energy| vec![energy])),
             (Product::InverseDynamics, equations.inverse_dynamics.clone()),
+            (Product::Jacobian, equations.jacobian.as_ref().map(|rows| rows.concat())),
+            (Product::ParameterJacobian, equations.parameter_jacobian.as_ref().map(|rows| rows.concat())),
         ];
         let products = products.into_iter().filter_map(|(product, roots)| Some((product, lowered(&roots?))));
         NumericSystem {
@@ -125,7 +127,7 @@ impl NumericSystem {
     }
 
     /// A product at a state: one value for an energy, one per coordinate for a vector, rows one after the
-    /// other for the mass matrix. `None` if it was not derived.
+    /// other for a matrix. Of Jacobians only the rows of the accelerations. `None` if it was not derived.
     pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.products.iter().find(|(known, _)| *known == product)?;
         Some(self.run(program, Instant { t, q, v, a: &[] }))

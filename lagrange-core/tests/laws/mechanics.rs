@@ -289,6 +289,50 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(crate::one_in(16))]
+
+    /// Both ways, whichever is the cheaper, in every direction of the state.
+    #[test]
+    fn jacobians_are_slopes_of_the_accelerations(machine in machines()) {
+        let differentiated = Machine { text: format!("{} emit {{ jacobian }}", machine.text), ..machine };
+        let choices = [RoadChoice::Cheapest, RoadChoice::Always(Road::Dense), RoadChoice::Always(Road::Recursive)];
+        for choice in choices {
+            let mut laboratory = Laboratory::new(&differentiated, choice);
+            let (jacobian, n) = (laboratory.product(Product::Jacobian), laboratory.size());
+            let found = (0..n).map(|i| {
+                let component = |laboratory: &Laboratory| laboratory.acceleration()[i];
+                [laboratory.position_slopes(component), laboratory.velocity_slopes(component)].concat()
+            });
+            let slopes = found.collect::<Vec<_>>().concat();
+            prop_assert!(agree(&jacobian, &slopes, DIFFERENCED, 0.0), "{jacobian:?} for {slopes:?}");
+        }
+    }
+
+    #[test]
+    fn parameter_jacobians_are_slopes_of_the_accelerations(machine in machines()) {
+        let differentiated = Machine { text: format!("{} emit {{ jacobian }}", machine.text), ..machine };
+        let mut laboratory = Laboratory::new(&differentiated, RoadChoice::Cheapest);
+        let jacobian = laboratory.product(Product::ParameterJacobian);
+        let fields = laboratory.model.parameters.iter().chain(&laboratory.model.inputs).cloned();
+        let fields = fields.collect::<Vec<_>>();
+        for (j, field) in fields.iter().enumerate() {
+            let value = evaluate(&laboratory.model.graph, &[field.default.expect("a default")], |_| f64::NAN)[0];
+            let mut at = |value: f64| {
+                assert!(laboratory.derived.set(&field.name, value), "{} is declared", field.name);
+                laboratory.acceleration()
+            };
+            let step = 1e-3;
+            let [before, near, after, far] = [-2.0, -1.0, 1.0, 2.0].map(|steps| at(value + steps * step));
+            at(value);
+            let slopes = (0..near.len()).map(|i| (8.0 * (after[i] - near[i]) - (far[i] - before[i])) / (12.0 * step));
+            let column = jacobian.iter().skip(j).step_by(fields.len()).copied().collect::<Vec<_>>();
+            let slopes = slopes.collect::<Vec<_>>();
+            prop_assert!(agree(&column, &slopes, DIFFERENCED, 0.0), "{}: {column:?} for {slopes:?}", field.name);
+        }
+    }
+}
+
 /// Configurations in which single squares do not hold an unknown that others hold.
 #[test]
 fn squares_that_lose_an_unknown_somewhere_do_no_harm() {

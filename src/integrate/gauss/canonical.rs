@@ -7,28 +7,23 @@
 //! ```
 //!
 //! so that no mass matrix has to be inverted within a stage. To first order, a change of the velocities changes what is
-//! left of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q), and differentiating d/dt P = R along the motion
-//! gives ∂R/∂v − ∂P/∂q = M ∂a/∂v + dM/dt and ∂R/∂q = M ∂a/∂q + d/dt ∂P/∂q. The last term is left out: it changes the
-//! number of iterations alone, and no more than the change of the derivatives within the step does.
+//! left of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
 
+use crate::integrate::canonical::{Derivatives, Reached, Step, add, factors, magnitude};
 use crate::integrate::error::Cause;
 use crate::integrate::fixed::Formula;
 use crate::integrate::gauss::dense;
-use crate::integrate::gauss::linearised::{Linearised, Pencil, add};
+use crate::integrate::gauss::linearised::Linearised;
 use crate::integrate::gauss::tableau::{Coefficients, Tableau};
-use crate::integrate::linear::Matrix;
 use crate::integrate::method::Work;
-use crate::integrate::newton::{self, Equations, finite};
+use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::{Prediction, sum, weights};
-use crate::integrate::velocities::{factors, velocities};
 use crate::scalar::Scalar;
 use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
 
 type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
 type Stages<M, const K: usize> = [Vector<M>; K];
-type Derivatives<M> = Pencil<Number<M>, Vector<M>>;
-type Mass<M> = Matrix<Number<M>, Vector<M>>;
 
 /// The formula of [`GaussLegendre`](crate::integrate::GaussLegendre) with K stages.
 #[derive(Debug)]
@@ -38,11 +33,7 @@ pub struct Canonical<M: CanonicalSystem + ?Sized, const K: usize> {
     /// How the velocity at the end of a step follows from its stages and its start.
     end: ([Number<M>; K], Number<M>),
     prediction: Prediction<Number<M>, Vector<M>, K>,
-    /// Velocities and mass matrix at the present state.
-    velocities: Vector<M>,
-    mass: Mass<M>,
-    /// The rate of the mass matrix over the last step.
-    mass_rate: Mass<M>,
+    reached: Reached<M>,
     /// Velocities at the stages of the step that is being taken, and its length.
     stages: (Stages<M, K>, Number<M>),
 }
@@ -57,10 +48,8 @@ where
             tableau,
             rounding: newton::rounding(),
             end: weights(&tableau.c, Number::<M>::ZERO, Number::<M>::ONE),
-            prediction: Prediction::new(tableau.c),
-            velocities: Vector::<M>::ZERO,
-            mass: Matrix::ZERO,
-            mass_rate: Matrix::ZERO,
+            prediction: Prediction::new(tableau.c, tableau.c),
+            reached: Reached::NOTHING,
             stages: ([Vector::<M>::ZERO; K], Number::<M>::ONE),
         }
     }
@@ -68,18 +57,14 @@ where
 
 impl<M: CanonicalSystem + ?Sized, const K: usize> Clone for Canonical<M, K> {
     fn clone(&self) -> Self {
-        Canonical { ..*self }
+        Canonical { reached: self.reached.clone(), ..*self }
     }
 }
 
 impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K> {
     fn variables(&mut self, system: &M, t: M::Scalar, y: &M::State) -> M::State {
-        let (q, v) = split::<M>(y);
-        self.velocities = v;
-        self.mass = Matrix(system.mass_matrix(t, &q, &v));
-        self.mass_rate = Matrix::ZERO;
         self.prediction.forget();
-        join::<M>(&q, &system.momenta(t, &q, &v))
+        self.reached.start(system, t, y)
     }
 
     fn increment(
@@ -91,8 +76,8 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
         let (q, p) = split::<M>(variables);
-        let start = [self.velocities; K];
-        let predicted = self.prediction.slopes(&self.velocities, h);
+        let start = [self.reached.velocities; K];
+        let predicted = self.prediction.slopes(&self.reached.velocities, h);
         let step = Step { system, t, q, p, h };
         self.solve(&step, predicted, work).or_else(|_| self.solve(&step, start, work))
     }
@@ -104,16 +89,15 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         variables: &M::State,
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
-        let (q, p) = split::<M>(variables);
         let (stages, h) = self.stages;
-        let guess = sum(&self.end.0, &stages, self.end.1, &self.velocities);
-        let mass = Matrix(system.mass_matrix(t, &q, &guess));
-        let v = velocities(system, t, (&q, &p), guess, &mass, h, work)?;
+        let guess = sum(&self.end.0, &stages, self.end.1, &self.reached.velocities);
+        self.reached.finish(system, (t, variables), guess, h, work)
+    }
+
+    fn accept(&mut self, _t: M::Scalar) {
+        let (stages, h) = self.stages;
         self.prediction.learn(stages, h);
-        self.mass_rate = Matrix::of(|i, j| (mass[(i, j)] - self.mass[(i, j)]) / h);
-        self.mass = mass;
-        self.velocities = v;
-        Ok(join::<M>(&q, &v))
+        self.reached.accept(h);
     }
 
     fn interpolate(
@@ -124,18 +108,8 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         t: M::Scalar,
         work: &mut Work,
     ) -> M::State {
-        work.evaluations += dense::evaluations(K);
-        dense::between::<M, K>(system, from, to, t)
+        dense::between::<M, K>(system, from, to, t, work)
     }
-}
-
-/// A step to be taken.
-struct Step<'a, M: CanonicalSystem + ?Sized> {
-    system: &'a M,
-    t: M::Scalar,
-    q: M::Coordinates,
-    p: M::Coordinates,
-    h: M::Scalar,
 }
 
 impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
@@ -146,8 +120,12 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
         mut stages: Stages<M, K>,
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
-        let pencil = self.pencil(step, &stages, work)?;
-        let Some(linearised) = pencil.factors(&self.tableau) else {
+        let mut mean = Vector::<M>::ZERO;
+        for (weight, stage) in self.tableau.b.iter().zip(&stages) {
+            add(&mut mean, *weight, stage);
+        }
+        let pencil = self.reached.derivatives(step, &mean, work)?;
+        let Some(linearised) = Linearised::new(&pencil, &self.tableau) else {
             return Err(factors(&pencil.constant).err().unwrap_or(Cause::NotFinite));
         };
         let tableau = &self.tableau;
@@ -161,36 +139,6 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
         }
         self.stages = (stages, step.h);
         Ok(join::<M>(&q, &p))
-    }
-
-    /// The derivatives of the equations in the middle of the step.
-    fn pencil(
-        &self,
-        step: &Step<'_, M>,
-        stages: &Stages<M, K>,
-        work: &mut Work,
-    ) -> Result<Derivatives<M>, Cause<M::Scalar>> {
-        let h = step.h;
-        let half = h / M::Scalar::from_f64(2.0);
-        let mass = Matrix::of(|i, j| self.mass_rate[(i, j)].multiply_add(half, self.mass[(i, j)]));
-        let (mut q, mut v) = (step.q, Vector::<M>::ZERO);
-        for (weight, stage) in self.tableau.b.iter().zip(stages) {
-            add(&mut v, *weight, stage);
-        }
-        add(&mut q, half, &v);
-        let Some(jacobian) = step.system.jacobian(step.t + half, &join::<M>(&q, &v)) else {
-            return Ok(Pencil { constant: mass, derivatives: None });
-        };
-        work.jacobians += 1;
-        let jacobian = Matrix::<M::Scalar, M::State>(jacobian);
-        if !finite(jacobian.0.as_ref()) {
-            return Err(Cause::NotFinite);
-        }
-        let n = mass.rows();
-        let by_q = mass.times(&Matrix::of(|i, j| h * h * jacobian[(n + i, j)]));
-        let by_v = mass.times(&Matrix::of(|i, j| h * jacobian[(n + i, n + j)]));
-        let by_v = Matrix::of(|i, j| self.mass_rate[(i, j)].multiply_add(h, by_v[(i, j)]));
-        Ok(Pencil { constant: mass, derivatives: Some((by_v, by_q)) })
     }
 }
 
@@ -234,10 +182,6 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Equations<M::Scalar, M::Coordi
     }
 
     fn magnitude(&self, velocities: &Stages<M, K>) -> M::Coordinates {
-        let mut unknowns = newton::largest(velocities);
-        for (unknown, q) in unknowns.as_mut().iter_mut().zip(self.step.q.as_ref()) {
-            *unknown = *unknown + (M::Scalar::ONE + q.abs()) / self.step.h.abs();
-        }
-        self.pencil.magnitude(&unknowns)
+        self.pencil.magnitude(&magnitude(newton::largest(velocities), &self.step.q, self.step.h))
     }
 }

@@ -4,19 +4,11 @@
 //! eigenvectors they fall apart into one real system as large as one stage and a complex one. Source: Hairer, Wanner,
 //! *Solving Ordinary Differential Equations II*, §IV.8.
 
+use crate::integrate::canonical::{Pencil, add};
 use crate::integrate::gauss::tableau::{Mode, Tableau};
 use crate::integrate::linear::{ComplexFactors, Factors, Matrix};
 use crate::scalar::Scalar;
 use crate::system::StateVector;
-
-/// The matrix constant − λ linear − λ² quadratic, which λ, an eigenvalue or the coefficients themselves, turns into
-/// that of the equations.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pencil<S: Scalar, Y: StateVector<S>> {
-    pub(super) constant: Matrix<S, Y>,
-    /// Linear and quadratic, if derivatives are known.
-    pub(super) derivatives: Option<(Matrix<S, Y>, Matrix<S, Y>)>,
-}
 
 /// A real eigenvalue with the factors of its equations.
 type Real<S, Y, const K: usize> = (Mode<f64, K>, Factors<S, Y>);
@@ -33,56 +25,23 @@ pub(super) enum Linearised<S: Scalar, Y: StateVector<S>, const K: usize> {
     Modes(Option<Real<S, Y, K>>, Option<Complex<S, Y, K>>),
 }
 
-impl<S: Scalar, Y: StateVector<S>> Pencil<S, Y> {
+impl<S: Scalar, Y: StateVector<S>, const K: usize> Linearised<S, Y, K> {
     /// The factors, of the constant alone if derivatives are not known or lead to a singular matrix.
-    pub(super) fn factors<const K: usize>(&self, tableau: &Tableau<S, K>) -> Option<Linearised<S, Y, K>> {
-        let modes = self.derivatives.as_ref().and_then(|(linear, quadratic)| {
+    pub(super) fn new(pencil: &Pencil<S, Y>, tableau: &Tableau<S, K>) -> Option<Self> {
+        let modes = pencil.derivatives.as_ref().and_then(|(linear, quadratic)| {
             let real = match tableau.real {
-                Some(mode) => Some((mode, Factors::new(self.at(linear, quadratic, mode.value))?)),
+                Some(mode) => Some((mode, at_real(&pencil.constant, linear, quadratic, mode.value)?)),
                 None => None,
             };
             let complex = match tableau.complex {
-                Some(mode) => Some((mode, self.at_complex(linear, quadratic, mode.value)?)),
+                Some(mode) => Some((mode, at_complex(&pencil.constant, linear, quadratic, mode.value)?)),
                 None => None,
             };
             Some(Linearised::Modes(real, complex))
         });
-        modes.or_else(|| Some(Linearised::Constant(Factors::new(self.constant)?)))
+        modes.or_else(|| Some(Linearised::Constant(Factors::new(pencil.constant)?)))
     }
 
-    /// Σ of the magnitudes of all terms of the equations for unknowns of this magnitude.
-    pub(super) fn magnitude(&self, unknowns: &Y) -> Y {
-        let constant = |i, j| self.constant[(i, j)].abs();
-        match &self.derivatives {
-            None => Matrix::of(constant).apply(unknowns),
-            Some((linear, quadratic)) => {
-                Matrix::of(|i, j| constant(i, j) + linear[(i, j)].abs() + quadratic[(i, j)].abs())
-                    .apply(unknowns)
-            }
-        }
-    }
-
-    fn at(&self, linear: &Matrix<S, Y>, quadratic: &Matrix<S, Y>, value: f64) -> Matrix<S, Y> {
-        let value = S::from_f64(value);
-        Matrix::of(|i, j| self.constant[(i, j)] - value * (linear[(i, j)] + value * quadratic[(i, j)]))
-    }
-
-    fn at_complex(
-        &self,
-        linear: &Matrix<S, Y>,
-        quadratic: &Matrix<S, Y>,
-        (x, y): (f64, f64),
-    ) -> Option<ComplexFactors<S, Y>> {
-        let (re, im) = (S::from_f64(x), S::from_f64(y));
-        let (square_re, square_im) = (S::from_f64(x * x - y * y), S::from_f64(2.0 * x * y));
-        ComplexFactors::new(
-            Matrix::of(|i, j| self.constant[(i, j)] - re * linear[(i, j)] - square_re * quadratic[(i, j)]),
-            Matrix::of(|i, j| -(im * linear[(i, j)]) - square_im * quadratic[(i, j)]),
-        )
-    }
-}
-
-impl<S: Scalar, Y: StateVector<S>, const K: usize> Linearised<S, Y, K> {
     /// The solution for a right-hand side.
     #[inline]
     pub(super) fn solve(&self, right: &[Y; K]) -> [Y; K] {
@@ -121,10 +80,28 @@ fn combination<S: Scalar, Y: StateVector<S>, const K: usize>(parts: &[f64; K], v
     sum
 }
 
-/// y + c x
-#[inline]
-pub(super) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
-    for (y, x) in y.as_mut().iter_mut().zip(x.as_ref()) {
-        *y = x.multiply_add(c, *y);
-    }
+/// The factors of constant − λ linear − λ² quadratic.
+fn at_real<S: Scalar, Y: StateVector<S>>(
+    constant: &Matrix<S, Y>,
+    linear: &Matrix<S, Y>,
+    quadratic: &Matrix<S, Y>,
+    value: f64,
+) -> Option<Factors<S, Y>> {
+    let (first, second) = (S::from_f64(value), S::from_f64(value * value));
+    Factors::new(Matrix::of(|i, j| constant[(i, j)] - first * linear[(i, j)] - second * quadratic[(i, j)]))
+}
+
+/// As [`at_real`] for a complex λ.
+fn at_complex<S: Scalar, Y: StateVector<S>>(
+    constant: &Matrix<S, Y>,
+    linear: &Matrix<S, Y>,
+    quadratic: &Matrix<S, Y>,
+    (x, y): (f64, f64),
+) -> Option<ComplexFactors<S, Y>> {
+    let first = (S::from_f64(x), S::from_f64(y));
+    let second = (S::from_f64(x * x - y * y), S::from_f64(2.0 * x * y));
+    ComplexFactors::new(
+        Matrix::of(|i, j| constant[(i, j)] - first.0 * linear[(i, j)] - second.0 * quadratic[(i, j)]),
+        Matrix::of(|i, j| -(first.1 * linear[(i, j)]) - second.1 * quadratic[(i, j)]),
+    )
 }

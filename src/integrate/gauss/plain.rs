@@ -3,10 +3,11 @@
 //! The stages hold slopes Fᵢ = f(t + cᵢ h, y + h Σ aᵢⱼ Fⱼ). Where the system is stiff, the solution of these equations is
 //! more accurate than f at its rounded argument; the step therefore adds up the solution.
 
+use crate::integrate::canonical::{Pencil, add, magnitude};
 use crate::integrate::error::Cause;
 use crate::integrate::fixed::Formula;
 use crate::integrate::gauss::dense;
-use crate::integrate::gauss::linearised::{Linearised, Pencil, add};
+use crate::integrate::gauss::linearised::Linearised;
 use crate::integrate::gauss::tableau::{Coefficients, Tableau};
 use crate::integrate::linear::Matrix;
 use crate::integrate::method::Work;
@@ -26,6 +27,8 @@ pub struct Plain<M: OdeSystem + ?Sized, const K: usize> {
     tableau: Tableau<Number<M>, K>,
     rounding: Number<M>,
     prediction: Prediction<Number<M>, State<M>, K>,
+    /// Slopes of the step that is being taken, and its length.
+    stages: (Stages<M, K>, Number<M>),
 }
 
 impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K>
@@ -34,7 +37,12 @@ where
 {
     pub(super) fn new() -> Self {
         let tableau = Tableau::<Number<M>, K>::coefficients();
-        Plain { tableau, rounding: newton::rounding(), prediction: Prediction::new(tableau.c) }
+        Plain {
+            tableau,
+            rounding: newton::rounding(),
+            prediction: Prediction::new(tableau.c, tableau.c),
+            stages: ([State::<M>::ZERO; K], Number::<M>::ONE),
+        }
     }
 }
 
@@ -65,6 +73,11 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
         self.solve(&step, predicted, work).or_else(|_| self.solve(&step, [slope; K], work))
     }
 
+    fn accept(&mut self, _t: M::Scalar) {
+        let (slopes, h) = self.stages;
+        self.prediction.learn(slopes, h);
+    }
+
     fn interpolate(
         &mut self,
         system: &M,
@@ -73,8 +86,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
         t: M::Scalar,
         work: &mut Work,
     ) -> M::State {
-        work.evaluations += dense::evaluations(K);
-        dense::plainly_between::<M, K>(system, from, to, t)
+        dense::plainly_between::<M, K>(system, from, to, t, work)
     }
 }
 
@@ -96,14 +108,14 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
     ) -> Result<M::State, Cause<M::Scalar>> {
         let pencil = self.pencil(step, &stages, work)?;
         let tableau = &self.tableau;
-        let linearised = pencil.factors(tableau).ok_or(Cause::NotFinite)?;
+        let linearised = Linearised::new(&pencil, tableau).ok_or(Cause::NotFinite)?;
         let mut equations = StageEquations { step, tableau, pencil, linearised };
         newton::solve(&mut equations, &mut stages, self.rounding, work)?;
         let mut change = State::<M>::ZERO;
         for (weight, slope) in tableau.b.iter().zip(&stages) {
             add(&mut change, step.h * *weight, slope);
         }
-        self.prediction.learn(stages, step.h);
+        self.stages = (stages, step.h);
         Ok(change)
     }
 
@@ -162,10 +174,6 @@ impl<M: OdeSystem + ?Sized, const K: usize> Equations<M::Scalar, M::State, K> fo
     }
 
     fn magnitude(&self, slopes: &Stages<M, K>) -> M::State {
-        let mut unknowns = newton::largest(slopes);
-        for (unknown, y) in unknowns.as_mut().iter_mut().zip(self.step.y.as_ref()) {
-            *unknown = *unknown + (M::Scalar::ONE + y.abs()) / self.step.h.abs();
-        }
-        self.pencil.magnitude(&unknowns)
+        self.pencil.magnitude(&magnitude(newton::largest(slopes), self.step.y, self.step.h))
     }
 }

@@ -44,8 +44,8 @@ pub(super) struct Composition<const DRIFTS: usize> {
 #[derive(Clone, Copy, Debug)]
 pub struct Splitting<S, Q, const DRIFTS: usize> {
     composition: Composition<DRIFTS>,
-    /// The acceleration at the end of the last accepted step, with its time.
-    known: Option<(S, Q)>,
+    /// When the last accepted step ended, if the acceleration there still holds.
+    known: Option<S>,
     /// What the last increment was made of.
     trial: Trial<S, Q>,
     /// That of the last accepted step.
@@ -58,13 +58,12 @@ pub struct Splitting<S, Q, const DRIFTS: usize> {
 struct Trial<S, Q> {
     h: S,
     change: Q,
-    gain: Q,
     accelerations: [Q; 2],
 }
 
 impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> {
     pub(super) fn new(composition: Composition<DRIFTS>) -> Self {
-        let nothing = Trial { h: S::ZERO, change: Q::ZERO, gain: Q::ZERO, accelerations: [Q::ZERO; 2] };
+        let nothing = Trial { h: S::ZERO, change: Q::ZERO, accelerations: [Q::ZERO; 2] };
         Splitting { composition, known: None, trial: nothing, taken: nothing, watch: Watch::default() }
     }
 }
@@ -89,21 +88,22 @@ where
     ) -> Result<M::State, Cause<M::Scalar>> {
         let (q, v) = split::<M>(y);
         let start = match self.known {
-            Some((time, acceleration)) if time == t => acceleration,
+            Some(time) if time == t => self.taken.accelerations[1],
             _ => {
                 work.evaluations += 1;
                 system.acceleration(t, &q, &v)
             }
         };
         work.evaluations += DRIFTS as u64;
-        self.trial = composed(system, &self.composition, t, (&q, &v), h, &start);
+        let (trial, gain) = composed(system, &self.composition, t, (&q, &v), h, &start);
+        self.trial = trial;
         self.check(system, t, (&q, &v), work)?;
-        Ok(join::<M>(&self.trial.change, &self.trial.gain))
+        Ok(join::<M>(&trial.change, &gain))
     }
 
     #[inline]
     fn accept(&mut self, t: M::Scalar) {
-        self.known = Some((t, self.trial.accelerations[1]));
+        self.known = Some(t);
         self.taken = self.trial;
     }
 
@@ -123,7 +123,8 @@ where
     }
 }
 
-/// The step by this composition from `q` and `v` at time `t`, where the acceleration is `start`.
+/// The step by this composition from `q` and `v` at time `t`, where the acceleration is `start`, and the change of
+/// the velocities.
 #[inline]
 fn composed<M: SeparableSystem + ?Sized, const DRIFTS: usize>(
     system: &M,
@@ -132,7 +133,7 @@ fn composed<M: SeparableSystem + ?Sized, const DRIFTS: usize>(
     (q, v): (&M::Coordinates, &M::Coordinates),
     h: M::Scalar,
     start: &M::Coordinates,
-) -> Trial<M::Scalar, M::Coordinates> {
+) -> (Trial<M::Scalar, M::Coordinates>, M::Coordinates) {
     let (number, zero) = (M::Scalar::from_f64, M::Coordinates::ZERO);
     let (mut change, mut acceleration, mut drifted) = (zero, *start, 0.0);
     let mut gain = stability::combined(&zero, number(composition.first) * h, start);
@@ -144,7 +145,7 @@ fn composed<M: SeparableSystem + ?Sized, const DRIFTS: usize>(
         acceleration = system.acceleration(t + number(drifted) * h, &position, &velocity);
         gain = stability::combined(&gain, number(kick) * h, &acceleration);
     }
-    Trial { h, change, gain, accelerations: [*start, acceleration] }
+    (Trial { h, change, accelerations: [*start, acceleration] }, gain)
 }
 
 impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> {
@@ -154,18 +155,18 @@ impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> 
     where
         M: SeparableSystem<Scalar = S, Coordinates = Q> + ?Sized,
     {
-        let [start, end] = &self.trial.accelerations;
-        let stable = S::from_f64(self.composition.stable) / self.trial.h.abs();
+        let ([start, end], h) = (&self.trial.accelerations, self.trial.h);
+        let stable = S::from_f64(self.composition.stable);
         let (change, bent) = (stability::length(&self.trial.change), stability::distance(start, end));
-        if !self.watch.follows(bent > stable * stable * change) {
+        if !self.watch.follows(bent * (h * h) > stable * stable * change) {
             return Ok(());
         }
         work.evaluations += stability::EVALUATIONS;
         let rates = |q: &Q| system.acceleration(t, q, v);
         let direction = stability::combined(end, -S::ONE, start);
-        let frequency = stability::largest_eigenvalue(rates, q, change, &direction).sqrt();
-        if frequency > stable {
-            return Err(Cause::Stiff { limit: S::from_f64(self.composition.stable) / frequency });
+        let limit = stable / stability::largest_eigenvalue(rates, q, change, &direction).sqrt();
+        if h.abs() > limit {
+            return Err(Cause::Stiff { limit });
         }
         Ok(())
     }

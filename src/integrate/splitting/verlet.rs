@@ -13,6 +13,27 @@ use crate::system::SeparableSystem;
 ///
 /// Order two; symplectic and symmetric. One acceleration a step. The energy oscillates by O(h²) without drift; steps
 /// longer than 2/ω, with the fastest frequency ω, are unstable.
+///
+/// ```
+/// use lagrange::integrate::{StormerVerlet, integrate};
+///
+/// lagrange::system! {
+///     /// A planet around a fixed sun.
+///     pub struct Planet;
+///
+///     param mu = 1.0;
+///     coord x, y;
+///     kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+///     potential = -mu / hypot(x, y);
+/// }
+///
+/// let planet = Planet::default();
+/// let method = StormerVerlet { step: 1e-2 };
+/// let [x, y, u, v] = integrate(&planet, 0.0, [1.0, 0.0, 0.0, 1.2], 1000.0, &method, |_, _| {})?;
+/// assert!((planet.energy(0.0, &[x, y], &[u, v]) + 0.28).abs() < 1e-4);
+/// assert!((x * v - y * u - 1.2).abs() < 1e-14);
+/// # Ok::<(), lagrange::integrate::IntegrationError<f64, [f64; 4]>>(())
+/// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct StormerVerlet<S> {
     /// Length of a step.

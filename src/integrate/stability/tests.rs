@@ -19,9 +19,10 @@ fn units_do_not_matter() {
 
 #[test]
 fn nothing_is_said_where_nothing_can_be_told() {
-    assert!(!(largest_eigenvalue(|[x]: &[f64; 1]| [x.ln()], &[-1.0], 0.1, &[1.0]) > 0.0));
-    assert!(!(largest_eigenvalue(|_: &[f64; 1]| [1.0], &[0.0], 0.0, &[0.0]) > 0.0));
-    assert!(!(largest_eigenvalue(|[_, v]: &[f64; 2]| [*v, 0.0], &[0.0, 0.0], 0.0, &[1.0, 1.0]) > 0.0));
+    let outside = largest_eigenvalue(|[x]: &[f64; 1]| [x.ln()], &[-1.0], 0.1, &[1.0]);
+    let unmoved = largest_eigenvalue(|_: &[f64; 1]| [1.0], &[0.0], 0.0, &[0.0]);
+    let free = largest_eigenvalue(|[_, v]: &[f64; 2]| [*v, 0.0], &[0.0, 0.0], 0.0, &[1.0, 1.0]);
+    assert!([outside, unmoved, free].iter().all(|eigenvalue| eigenvalue.is_nan() || *eigenvalue == 0.0));
 }
 
 #[test]

@@ -33,7 +33,7 @@ fn every_observer_has_a_column_at_every_sample() {
         .momenta()
         .accelerations()
         .observe("time squared", |_, t, _| t * t)
-        .observe_each(["a", "b"], |system, t, y| system.rhs(t, y))
+        .observe_each(["a", "b"], OdeSystem::rhs)
         .observe("calls", |_, _, _| {
             calls += 1;
             f64::from(calls)

@@ -529,8 +529,9 @@ const _: () = {
         #[inline]
         pub fn expand(&self, state: ParkedState) -> CartPoleState {
             let Self { l, .. } = *self;
+            let held = 2.0 * l;
             CartPoleState {
-                x: 2.0 * l,
+                x: held,
                 theta: state.theta,
                 x_dot: 0.0,
                 theta_dot: state.theta_dot,
@@ -544,8 +545,9 @@ const _: () = {
         #[inline]
         pub fn deviation(&self, state: CartPoleState) -> CartPoleState {
             let Self { l, .. } = *self;
+            let held = 2.0 * l;
             CartPoleState {
-                x: state.x - 2.0 * l,
+                x: state.x - held,
                 theta: 0.0,
                 x_dot: state.x_dot,
                 theta_dot: 0.0,

@@ -1,5 +1,6 @@
 //! Velocities that belong to momenta.
 
+use crate::integrate::canonical::magnitude;
 use crate::integrate::error::Cause;
 use crate::integrate::linear::{Factors, Matrix};
 use crate::integrate::method::Work;
@@ -11,7 +12,7 @@ use crate::system::{CanonicalSystem, StateVector};
 ///
 /// One correction does if L is quadratic in the velocities; another removes what rounding left of it. The length `h` of
 /// the step that led here tells which velocities are small.
-pub(super) fn velocities<M: CanonicalSystem + ?Sized>(
+pub(in crate::integrate) fn velocities<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     (q, p): (&M::Coordinates, &M::Coordinates),
@@ -29,7 +30,9 @@ pub(super) fn velocities<M: CanonicalSystem + ?Sized>(
 }
 
 /// The factors of a mass matrix.
-pub(super) fn factors<S: Scalar, Y: StateVector<S>>(mass: &Matrix<S, Y>) -> Result<Factors<S, Y>, Cause<S>> {
+pub(in crate::integrate) fn factors<S: Scalar, Y: StateVector<S>>(
+    mass: &Matrix<S, Y>,
+) -> Result<Factors<S, Y>, Cause<S>> {
     if !finite(mass.0.as_ref()) {
         return Err(Cause::NotFinite);
     }
@@ -64,10 +67,7 @@ impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::Coordinates, 1> for Mo
     }
 
     fn magnitude(&self, [v]: &[M::Coordinates; 1]) -> M::Coordinates {
-        let mut unknowns = *v;
-        for (unknown, q) in unknowns.as_mut().iter_mut().zip(self.q.as_ref()) {
-            *unknown = unknown.abs() + (M::Scalar::ONE + q.abs()) / self.h.abs();
-        }
+        let unknowns = magnitude(*v, self.q, self.h);
         Matrix::of(|i, j| self.mass[(i, j)].abs()).apply(&unknowns)
     }
 }

@@ -51,4 +51,13 @@ lagrange::system! {
     reduce CentreOrbit { freeze r = 0; }
 }
 
+lagrange::system! {
+    struct Sheet;
+
+    coord x, y, z;
+    kinetic = 1/2 * ((dot(x) + dot(y))^2 + z^2 * dot(x)^2 + dot(z)^2);
+
+    reduce Flat { freeze z = 0; }
+}
+
 fn main() {}
