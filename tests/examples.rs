@@ -13,7 +13,11 @@ fn examples() -> Vec<String> {
     let files =
         read_dir(folder).expect("the examples are in place").map(|entry| entry.expect("readable").path());
     let stem = |file: PathBuf| file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    let mut names = files.filter(|file| file.is_file()).filter_map(stem).filter(|name| name != MEASUREMENT).collect::<Vec<_>>();
+    let mut names = files
+        .filter(|file| file.is_file())
+        .filter_map(stem)
+        .filter(|name| name != MEASUREMENT)
+        .collect::<Vec<_>>();
     names.sort();
     names
 }
