@@ -49,6 +49,8 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+#[cfg(any(feature = "differential-equations", feature = "diffsol"))]
+pub mod adapt;
 pub mod event;
 pub mod integrate;
 #[cfg(feature = "plot")]
@@ -57,6 +59,8 @@ pub mod scalar;
 #[cfg(feature = "std")]
 pub mod simulate;
 pub mod system;
+#[cfg(feature = "trade")]
+pub mod trade;
 
 #[doc(hidden)]
 pub mod private;

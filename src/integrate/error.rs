@@ -54,6 +54,8 @@ pub enum Cause<S> {
         /// Which event, counted from zero in the order given.
         event: usize,
     },
+    /// A method of another crate failed, in words.
+    Adapted(&'static str),
     /// The zero of an event function could not be located.
     EventNotLocated {
         /// Which event, counted from zero in the order given.
@@ -66,7 +68,7 @@ pub enum Cause<S> {
 impl<S: Debug> Display for Cause<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         match self {
-            Cause::Setting(what) => f.write_str(what),
+            Cause::Setting(what) | Cause::Adapted(what) => f.write_str(what),
             Cause::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
             Cause::StepUnderflow { step } => {
                 write!(

@@ -32,7 +32,9 @@ pub(super) struct Mark {
 }
 
 /// An axis spans at least this part of the values on it, so that their rounding does not fill it.
-const LEAST_SPAN: f64 = 4e-15;
+const LEAST_SPAN: f64 = 3e-14;
+/// An axis on which everything is zero goes so far to both sides.
+const ZERO_SPAN: f64 = 1.0;
 /// Labels of numbers from 10⁻³ to 10⁵ are written as they are, others with a power of ten beside the axis.
 const PLAIN: core::ops::Range<f64> = 1e-3..1e5;
 /// If labels would have to differ after this many digits, most of the number stands beside the axis.
@@ -59,9 +61,9 @@ impl Axis {
 
 fn linear((low, high): (f64, f64), room: f64, marks: u32) -> Axis {
     let size = low.abs().max(high.abs());
-    let least = if size > 0.0 { LEAST_SPAN * size } else { 1.0 };
+    let least = if size > 0.0 { LEAST_SPAN * size } else { ZERO_SPAN };
     let is_constant = high - low < least;
-    let room = if is_constant { 8.0 * least } else { room * (high - low) };
+    let room = if is_constant { least } else { room * (high - low) };
     let (from, to) = (low - room, high + room);
     let step = nice((to - from) / f64::from(marks));
     let indices = (from / step).ceil()..=(to / step).floor();

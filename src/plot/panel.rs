@@ -58,6 +58,8 @@ const MARK: (i32, i32) = (90, 30);
 /// Half of the width of a curve, about: points closer than this cannot be told apart.
 const COLUMN: f64 = 5.0;
 const CURVE: u32 = 14;
+/// A curve of a single point is a dot of this size.
+const DOT: u32 = 60;
 
 const INK: RGBColor = RGBColor(40, 40, 40);
 const GRID: RGBColor = RGBColor(225, 225, 225);
@@ -139,9 +141,9 @@ impl Panel {
             for piece in thin(curve.points.iter().map(place), COLUMN) {
                 let mut path: Vec<(i32, i32)> = piece.into_iter().map(rounded).collect();
                 path.dedup();
-                // A single point is drawn as a dot.
-                path.extend(path.first().copied().filter(|_| path.len() == 1));
-                backend.draw_path(path, &line(self.color(index), CURVE))?;
+                let is_dot = path.len() == 1;
+                path.extend(path.first().copied().filter(|_| is_dot));
+                backend.draw_path(path, &line(self.color(index), if is_dot { DOT } else { CURVE }))?;
             }
         }
         self.draw_legend(backend, &frame)

@@ -86,6 +86,15 @@ fn a_curve_is_broken_where_it_is_not_finite() {
 }
 
 #[test]
+fn a_single_point_is_a_dot() {
+    let svg = figure(vec![curve("y", [(1.0, 2.0)].into_iter())]).svg().expect("draws");
+    let dots: Vec<_> = svg.lines().filter(|line| line.contains("stroke-width=\"60\"")).collect();
+    assert_eq!(dots.len(), 1);
+    // The middle of the axes.
+    assert!(dots[0].contains("points=\"2280,1390 2280,1390 \""), "{}", dots[0]);
+}
+
+#[test]
 fn nothing_finite_leaves_empty_axes() {
     for value in [f64::NAN, f64::INFINITY] {
         let svg = figure(vec![curve("y", (0..10).map(|k| (f64::from(k), value)))]).svg().expect("draws");

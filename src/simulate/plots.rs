@@ -85,16 +85,13 @@ where
     /// written.
     pub fn plot_energy(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let energies = self.numbers(ENERGY).map_err(|_| PlotError::NoEnergy)?;
-        let (drift, name) = drift(&energies);
+        let (drift, [signed, absolute]) = drift(&energies);
         let is_growing = grows(&drift);
-        let (name, y_scale) = if is_growing {
-            (std::format!("|{name}|"), Scale::Logarithmic)
-        } else {
-            (name.to_string(), Scale::Linear)
-        };
+        let (name, y_scale) =
+            if is_growing { (absolute, Scale::Logarithmic) } else { (signed, Scale::Linear) };
         let shown = drift.iter().map(|drift| if is_growing { drift.abs() } else { *drift });
         let points = self.seconds().zip(shown).collect();
-        let panel = Panel { y_scale, ..panel(TIME, &name, vec![Curve { name: name.clone(), points }]) };
+        let panel = Panel { y_scale, ..panel(TIME, name, vec![Curve { name: name.to_string(), points }]) };
         Figure { panels: vec![panel], columns: 1, size: WIDE }.save(path.as_ref())
     }
 
@@ -122,15 +119,15 @@ fn panel(x: &str, y: &str, curves: Vec<Curve>) -> Panel {
     Panel { x: x.to_string(), y: y.to_string(), x_scale, y_scale, has_room: false, curves }
 }
 
-/// How far energies are from the first, and what that is called.
-fn drift(energies: &[f64]) -> (Vec<f64>, &'static str) {
+/// How far energies are from the first, and what that is called, with and without its sign.
+fn drift(energies: &[f64]) -> (Vec<f64>, [&'static str; 2]) {
     let start = energies.first().copied().unwrap_or(0.0);
     let drift: Vec<f64> = energies.iter().map(|energy| energy - start).collect();
     let largest = drift.iter().copied().map(f64::abs).fold(0.0, f64::max);
     if start != 0.0 && largest < LARGE_DRIFT * start.abs() {
-        return (drift.iter().map(|drift| drift / start.abs()).collect(), "(E − E0)/|E0|");
+        return (drift.iter().map(|drift| drift / start.abs()).collect(), ["(E − E0)/|E0|", "|E − E0|/|E0|"]);
     }
-    (drift, "E − E0")
+    (drift, ["E − E0", "|E − E0|"])
 }
 
 /// Whether a drift grows by orders of magnitude.

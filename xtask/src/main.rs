@@ -102,6 +102,9 @@ fn steps(root: &Path) -> Vec<Step> {
     steps
 }
 
+/// The example that checks nothing but measures, for minutes, and rewrites documentation.
+const MEASUREMENT: &str = "trade";
+
 /// Whether this processor can run what is compiled for the target feature `fma`.
 fn fuses_products() -> bool {
     #[cfg(target_arch = "x86_64")]
@@ -115,6 +118,7 @@ fn examples(root: &Path) -> Vec<String> {
     let entries = fs::read_dir(root.join("examples")).into_iter().flatten().flatten();
     let mut names = entries
         .filter_map(|entry| Some(entry.file_name().to_str()?.strip_suffix(".rs")?.to_owned()))
+        .filter(|name| name != MEASUREMENT)
         .collect::<Vec<_>>();
     names.sort();
     names
