@@ -82,7 +82,7 @@ fn steps(criterion: &mut Criterion) {
     group.warm_up_time(Duration::from_millis(500)).measurement_time(Duration::from_secs(2));
     let (classical, verlet) = (RungeKutta4 { step: STEP }, StormerVerlet { step: STEP });
     group.bench_function("double pendulum, Runge–Kutta 4", |b| {
-        b.iter(|| ours(&pendulum, SWING, &classical))
+        b.iter(|| ours(&pendulum, SWING, &classical));
     });
     let rhs = |t: f64, y: &[f64; 4]| pendulum.rhs(t, y);
     group.bench_function("the same by hand", |b| b.iter(|| runge_kutta_by_hand(rhs, SWING)));

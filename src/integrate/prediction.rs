@@ -92,3 +92,6 @@ pub(super) fn sum<S: Scalar, Y: StateVector<S>, const K: usize>(
     }
     sum
 }
+
+#[cfg(test)]
+mod tests;

@@ -4,6 +4,7 @@
 #![cfg(not(debug_assertions))]
 
 mod adaptive;
+mod canonical;
 mod comet;
 mod drift;
 mod phase;

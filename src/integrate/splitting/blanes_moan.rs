@@ -1,8 +1,8 @@
 //! A fourth-order composition with small errors.
 //!
-//! Among the symmetric compositions of order four that only need the kicks of one step to commute, as those of a kinetic
-//! energy quadratic in the velocities do, its coefficients were chosen for the smallest error at equal cost: some
-//! hundred times smaller than that of the three-stage composition of Yoshida and of Forest and Ruth.
+//! Among the symmetric compositions that are of order four where the kinetic energy is quadratic in the velocities, its
+//! coefficients were chosen for the smallest error at equal cost: some hundred times less than that of the three-stage
+//! composition of Yoshida and of Forest and Ruth.
 //!
 //! Source: Blanes, Moan, *Practical symplectic partitioned Runge–Kutta and Runge–Kutta–Nyström methods*, Journal of
 //! Computational and Applied Mathematics 142 (2002), 313–330, table 3, the method of order four with six stages that

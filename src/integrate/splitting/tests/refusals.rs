@@ -52,6 +52,20 @@ stiffness_is_refused!(blanes_moan_refuses_stiff_springs, BlanesMoan4, 3.16);
 stiffness_is_refused!(runge_kutta_refuses_stiff_springs, RungeKutta4, 2.785);
 
 #[test]
+fn stiffness_is_refused_in_single_precision() {
+    let stiff: Force<f32, 1, 2> = Force { acceleration: |_, [x]| [-1e9 * x] };
+    let limits = [
+        integrate(&stiff, 0.0, [1e-3, 0.0], 1.0, &StormerVerlet { step: 1e-3 }, |_, _| {}),
+        integrate(&stiff, 0.0, [1e-3, 0.0], 1.0, &RungeKutta4 { step: 1e-3 }, |_, _| {}),
+    ];
+    for (outcome, stable) in limits.into_iter().zip([2.0, 2.785]) {
+        let cause = outcome.expect_err("refused").cause;
+        let near = |limit: f32| (f64::from(limit) * FREQUENCY / stable - 1.0).abs() < 0.01;
+        assert!(matches!(cause, Cause::Stiff { limit } if near(limit)), "{cause:?}");
+    }
+}
+
+#[test]
 fn the_state_of_a_refused_step_is_the_one_before() {
     let start = [1e-3, 0.0];
     let outcome = integrate(&STIFF, 5.0, start, 6.0, &StormerVerlet { step: 1e-3 }, |_, _| {});
