@@ -19,7 +19,8 @@ use std::error::Error;
 use std::f64::consts::PI;
 
 use common::compare;
-use lagrange::integrate::rk4;
+use lagrange::Simulate;
+use lagrange::integrate::{Verner98, integrate};
 use lagrange::system::OdeSystem;
 
 lagrange::system! {
@@ -51,9 +52,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn left_alone() -> Result<(), Box<dyn Error>> {
-    let end = rk4(&CartPole::default(), 0.0, [0.0, 3.0, 0.0, 0.0], 5.0, 50_000, |_, _| {})?;
-    let names = ["x", "theta", "x_dot", "theta_dot"];
-    let rows: [_; 4] = std::array::from_fn(|i| (names[i], end[i], REFERENCE[i]));
+    let cart = CartPole::default();
+    let trajectory = cart.simulate([0.0, 3.0, 0.0, 0.0]).until(5.0).tolerance(1e-13).run()?;
+    let end = trajectory.last();
+    let rows: [_; 4] = std::array::from_fn(|i| (trajectory.names()[i].as_str(), end[i], REFERENCE[i]));
     compare("left alone, t = 5 s", 1e-11, &rows);
     Ok(())
 }
@@ -61,7 +63,7 @@ fn left_alone() -> Result<(), Box<dyn Error>> {
 fn balanced() -> Result<(), Box<dyn Error>> {
     let system = Balanced { plant: CartPole { c: 0.01, ..CartPole::default() } };
     let start = [0.0, PI - 0.3, 0.0, 0.0, 0.0, 0.0];
-    let end = rk4(&system, 0.0, start, 10.0, 20_000, |_, _| {})?;
+    let end = integrate(&system, 0.0, start, 10.0, &Verner98::tolerance(1e-13), |_, _| {})?;
     let [.., work, heat] = end;
     let gained = system.energy(end) - system.energy(start);
     compare("balanced, t = 10 s", 1e-11, &[("energy gained", gained, work - heat)]);

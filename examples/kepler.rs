@@ -16,7 +16,7 @@ use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
 use common::compare;
-use lagrange::integrate::rk4;
+use lagrange::Simulate;
 
 lagrange::system! {
     /// A planet around a fixed sun.
@@ -30,7 +30,6 @@ lagrange::system! {
 }
 
 const ECCENTRICITY: f64 = 0.6;
-const STEPS: usize = 20_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let planet = Kepler::default();
@@ -38,7 +37,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let momentum = (1.0 - ECCENTRICITY * ECCENTRICITY).sqrt();
     let start = [nearest, 0.0, 0.0, momentum / (nearest * nearest)];
     for (title, t) in [("a quarter of the period", PI / 2.0), ("half of it", PI), ("the whole", TAU)] {
-        let end = KeplerState::from(rk4(&planet, 0.0, start, t, STEPS, |_, _| {})?);
+        let trajectory = planet.simulate(start).until(t).tolerance(1e-14).ends_only().run()?;
+        let end = KeplerState::from(trajectory.last());
         let (q, v) = (end.coordinates(), end.velocities());
         let [r, phi] = ellipse(t);
         let rows = [

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! ```
-//! use lagrange::integrate::rk4;
+//! use lagrange::Simulate;
 //!
 //! lagrange::system! {
 //!     /// A point mass on a massless rod; θ is measured from the rest position.
@@ -21,40 +21,55 @@
 //!     potential = -m * g * l * cos(theta);
 //! }
 //!
-//! let pendulum = Pendulum::default();
-//! let start = [0.5, 0.0];
-//! let end = rk4(&pendulum, 0.0, start, 10.0, 10_000, |_, _| {}).unwrap();
-//! let energy = |y: [f64; 2]| pendulum.energy(0.0, &[y[0]], &[y[1]]);
-//! assert!((energy(end) - energy(start)).abs() < 1e-9);
-//! # Ok::<(), lagrange::integrate::IntegrationError<f64, [f64; 2]>>(())
+//! let trajectory = Pendulum::default().simulate([0.5, 0.0]).until(10.0).tolerance(1e-12).energy().run()?;
+//! assert!(trajectory.theta().iter().all(|theta| theta.abs() < 0.5 + 1e-10));
+//! let energy = trajectory.column("energy").unwrap_or_default();
+//! assert!(energy.iter().all(|now| (now - energy[0]).abs() < 1e-10));
+//! # Ok::<(), lagrange::simulate::SimulationError<Pendulum>>(())
 //! ```
 //!
 //! | where | what |
 //! |---|---|
 //! | [`system!`] | the language of declarations and what is emitted for one |
 //! | [`mod@system`] | traits that the emitted types implement, for code that takes any system |
-//! | [`mod@integrate`] | methods that advance a system in time |
+//! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
+//! | [`mod@integrate`] | methods that advance a system in time, without heap |
+//! | [`mod@event`] | zeros of functions of time and state |
+//! | `adapt`, `trade` (features) | other crates' methods; methods measured against each other |
 //! | [`Scalar`] | numbers that emitted code can compute with |
 //!
 //! # Features
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`, and
-//! the crate is `no_std`; it never allocates. `symbolic` re-exports the computer algebra as
-//! `lagrange::symbolic`, for tools that derive at run time.
+//! the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let trajectories save to Parquet and
+//! plot to SVG and PNG. `trade` measures what every digit costs on a system. `differential-equations` and `diffsol` hand
+//! systems to these crates. `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run
+//! time.
 #![no_std]
 #![forbid(unsafe_code)]
 
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+#[cfg(any(feature = "differential-equations", feature = "diffsol"))]
+pub mod adapt;
+pub mod event;
 pub mod integrate;
+#[cfg(feature = "plot")]
+mod plot;
 pub mod scalar;
+#[cfg(feature = "std")]
+pub mod simulate;
 pub mod system;
+#[cfg(feature = "trade")]
+pub mod trade;
 
 #[doc(hidden)]
 pub mod private;
 
 pub use crate::scalar::Scalar;
+#[cfg(feature = "std")]
+pub use crate::simulate::Simulate;
 
 /// Keeps the example of the README true.
 #[cfg(doctest)]

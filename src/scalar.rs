@@ -38,6 +38,15 @@ pub trait Scalar:
     /// Whether this is neither NaN nor infinite.
     fn is_finite(self) -> bool;
 
+    /// The distance from one to the next number, as [`f64::EPSILON`].
+    #[inline]
+    fn epsilon() -> Self {
+        // A third has no finite binary expansion; rounding it leaves this much.
+        let three = Self::from_f64(3.0);
+        let rounded = three * (Self::from_f64(4.0) / three - Self::ONE) - Self::ONE;
+        if rounded < Self::ZERO { -rounded } else { rounded }
+    }
+
     /// Sine and cosine; NaN at infinity.
     fn sin_cos(self) -> (Self, Self);
 

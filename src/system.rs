@@ -8,9 +8,35 @@ use core::fmt::Debug;
 use crate::scalar::Scalar;
 
 /// A vector whose length is part of its type, such as `[S; K]`.
-pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {}
+pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
+    /// A square matrix in rows, such as `[[S; K]; K]`.
+    type Square: Copy + Debug + AsRef<[Self]> + AsMut<[Self]>;
+    /// As many indices as the vector has entries, such as `[usize; K]`.
+    type Indices: Copy + Debug + AsRef<[usize]> + AsMut<[usize]>;
 
-impl<S: Scalar, const K: usize> StateVector<S> for [S; K] {}
+    /// The vector of zeros.
+    const ZERO: Self;
+    /// The matrix of zeros.
+    const ZERO_SQUARE: Self::Square;
+    /// Indices that are all zero.
+    const ZERO_INDICES: Self::Indices;
+}
+
+impl<S: Scalar, const K: usize> StateVector<S> for [S; K] {
+    type Square = [[S; K]; K];
+    type Indices = [usize; K];
+
+    const ZERO: Self = [S::ZERO; K];
+    const ZERO_SQUARE: [[S; K]; K] = [[S::ZERO; K]; K];
+    const ZERO_INDICES: [usize; K] = [0; K];
+}
+
+/// The square matrix, in rows, that belongs to a system's state.
+pub type StateMatrix<M> = <<M as OdeSystem>::State as StateVector<<M as OdeSystem>::Scalar>>::Square;
+
+/// The square matrix, in rows, that belongs to a system's coordinates.
+pub type CoordinateMatrix<M> =
+    <<M as MechanicalSystem>::Coordinates as StateVector<<M as OdeSystem>::Scalar>>::Square;
 
 /// A system of ordinary differential equations of first order, ẏ = f(t, y).
 ///
@@ -43,6 +69,13 @@ pub trait OdeSystem {
     ///
     /// Where f is undefined, the result is not finite.
     fn rhs(&self, t: Self::Scalar, y: &Self::State) -> Self::State;
+
+    /// ∂f/∂y in rows, entry i, j being ∂fᵢ/∂yⱼ, if it is known: emitted types know it if the declaration says
+    /// `emit { jacobian }`. Implicit methods iterate by Newton's method where it is and by fixed points elsewhere.
+    #[inline]
+    fn jacobian(&self, _t: Self::Scalar, _y: &Self::State) -> Option<StateMatrix<Self>> {
+        None
+    }
 }
 
 /// A system described by generalised coordinates q and their velocities v = q̇.
@@ -52,6 +85,10 @@ pub trait OdeSystem {
 pub trait MechanicalSystem: OdeSystem {
     /// A vector with one entry for each coordinate: coordinates, velocities or accelerations.
     type Coordinates: StateVector<Self::Scalar>;
+
+    /// Columns of a table of states under the names of the coordinates and velocities. [`Unnamed`] will do for a
+    /// system that is written by hand.
+    type Columns<C>: From<C> + AsRef<C>;
 
     /// Names of the coordinates, in the order of the state.
     const COORDINATES: &'static [&'static str];
@@ -66,6 +103,36 @@ pub trait MechanicalSystem: OdeSystem {
     ) -> Self::Coordinates;
 }
 
+/// A table of states that is kept in columns, one for each entry of the state.
+pub trait Columns {
+    /// The number type.
+    type Scalar;
+
+    /// The values of the state's entry `index`, coordinates first; as many as there are states.
+    ///
+    /// # Panics
+    /// If the state has no such entry.
+    fn column(&self, index: usize) -> &[Self::Scalar];
+}
+
+/// Columns without names, for systems that are written by hand.
+#[derive(Clone, Copy, Debug)]
+pub struct Unnamed<C>(C);
+
+impl<C> From<C> for Unnamed<C> {
+    #[inline]
+    fn from(columns: C) -> Self {
+        Unnamed(columns)
+    }
+}
+
+impl<C> AsRef<C> for Unnamed<C> {
+    #[inline]
+    fn as_ref(&self) -> &C {
+        &self.0
+    }
+}
+
 /// A mechanical system that knows its energy function h(q, v, t) = v · ∂L/∂v − L.
 ///
 /// It changes by dh/dt = v · Q − ∂L/∂t, so that it is constant if L does not depend on time and the forces
@@ -75,4 +142,64 @@ pub trait MechanicalSystem: OdeSystem {
 pub trait EnergyFunction: MechanicalSystem {
     /// The energy function at time `t`, coordinates `q` and velocities `v`.
     fn energy(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Coordinates) -> Self::Scalar;
+}
+
+/// A system whose accelerations do not depend on its velocities and whose mass matrix is constant.
+///
+/// This makes the Hamiltonian a sum of a function of momenta and one of coordinates, which explicit symplectic
+/// methods ask for. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VI.3.
+#[diagnostic::on_unimplemented(
+    message = "the accelerations of `{Self}` depend on velocities, or its mass matrix is not constant",
+    note = "symplectic Euler, Störmer–Verlet and their compositions take separable systems only",
+    note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix"
+)]
+pub trait SeparableSystem: MechanicalSystem {}
+
+/// A mechanical system that knows its momenta p = ∂L/∂v and how fast they change, ṗ = ∂L/∂q + Q.
+///
+/// These are Hamilton's equations with velocities in the place of momenta; methods that are symplectic for any
+/// mass matrix integrate (q, p). Emitted types implement it if the declaration says `emit { momentum_rates }`.
+#[diagnostic::on_unimplemented(
+    message = "the momenta of `{Self}` and their rates are not known",
+    note = "declare it with `emit {{ momentum_rates }}`"
+)]
+pub trait CanonicalSystem: MechanicalSystem {
+    /// The momenta p = ∂L/∂v.
+    fn momenta(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Coordinates) -> Self::Coordinates;
+
+    /// The rates ∂L/∂q + Q of the momenta.
+    fn momentum_rates(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Coordinates,
+    ) -> Self::Coordinates;
+
+    /// The mass matrix ∂p/∂v, in rows.
+    fn mass_matrix(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Coordinates,
+    ) -> CoordinateMatrix<Self>;
+}
+
+/// Coordinates and velocities of a state.
+#[inline]
+pub fn split<M: MechanicalSystem + ?Sized>(y: &M::State) -> (M::Coordinates, M::Coordinates) {
+    let (mut q, mut v) = (M::Coordinates::ZERO, M::Coordinates::ZERO);
+    let (coordinates, velocities) = y.as_ref().split_at(q.as_ref().len());
+    q.as_mut().copy_from_slice(coordinates);
+    v.as_mut().copy_from_slice(velocities);
+    (q, v)
+}
+
+/// The state made of coordinates and velocities.
+#[inline]
+pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Coordinates) -> M::State {
+    let mut y = M::State::ZERO;
+    let (coordinates, velocities) = y.as_mut().split_at_mut(q.as_ref().len());
+    coordinates.copy_from_slice(q.as_ref());
+    velocities.copy_from_slice(v.as_ref());
+    y
 }

@@ -1,15 +1,23 @@
 //! Compiled systems against reference values that an independent derivation computed with many digits (see
 //! `tests/oracle/README.md`) and, bit for bit, against the interpreter of programs.
 
+#[path = "oracle/complex.rs"]
+mod complex;
 #[path = "oracle/reference.rs"]
 mod reference;
 
 use std::path::Path;
 
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::mechanics::{Product, RoadChoice};
 use lagrange_core::pipeline::{NumericSystem, parse};
 
+use complex::Complex;
 use reference::{Reference, Subject, names};
+
+/// What the references do not hold of a system.
+trait Compiled: Subject {
+    fn momentum_rates(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64>;
+}
 
 /// A system, compiled at two levels of accuracy, as tests of its own: `declare! { name, energies: …,
 /// mass_matrix: …; statements }`. The two words say which methods it has: `kinetic_energy` and
@@ -23,6 +31,7 @@ macro_rules! declare {
 
             declare!(@level standard, $energies, $mass_matrix; $($declaration)*);
             declare!(@level fast, $energies, $mass_matrix; $($declaration)*);
+            declare!(@generic $($declaration)*);
 
             fn array<const N: usize>(values: &[f64]) -> [f64; N] {
                 values.try_into().expect("one value for each coordinate")
@@ -31,12 +40,23 @@ macro_rules! declare {
     };
     (@level $level:ident, $energies:ident, $mass_matrix:ident; $($declaration:tt)*) => {
         mod $level {
+            use lagrange::system::CanonicalSystem;
+
             use super::{DECLARATION, NAME, array};
 
             lagrange::system! {
                 #[accuracy($level)]
                 pub(crate) struct Compiled;
                 $($declaration)*
+                emit { momentum_rates }
+            }
+
+            impl crate::Compiled for Compiled {
+                fn momentum_rates(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+                    let matrix = CanonicalSystem::mass_matrix(self, t, &array(q), &array(v));
+                    assert_eq!(matrix, declare!(@$mass_matrix self, t, &array(q), &array(v)));
+                    CanonicalSystem::momentum_rates(self, t, &array(q), &array(v)).to_vec()
+                }
             }
 
             impl crate::Subject for Compiled {
@@ -68,6 +88,41 @@ macro_rules! declare {
             }
         }
     };
+    (@generic $($declaration:tt)*) => {
+        mod generic {
+            use lagrange::system::OdeSystem;
+
+            use super::{NAME, array};
+            use crate::complex::Complex;
+
+            lagrange::system! {
+                pub(crate) struct Compiled<S>;
+                $($declaration)*
+                emit { jacobian }
+            }
+
+            impl crate::Differentiated for Compiled<f64> {
+                fn jacobian(&self, t: f64, y: &[f64]) -> Vec<f64> {
+                    let jacobian = self.jacobian(t, &array(y));
+                    assert_eq!(Some(jacobian), OdeSystem::jacobian(self, t, &array(y)));
+                    jacobian.concat()
+                }
+
+                fn parameter_jacobian(&self, t: f64, y: &[f64]) -> (Vec<&'static str>, Vec<f64>) {
+                    (Self::PARAMETERS.to_vec(), self.parameter_jacobian(t, &array(y)).concat())
+                }
+
+                fn complex_rhs(&self, t: Complex, y: &[Complex]) -> Vec<Complex> {
+                    Compiled::<Complex>::default().rhs(t, y.try_into().expect("a state")).to_vec()
+                }
+            }
+
+            #[test]
+            fn jacobians_agree_with_complex_steps_and_interpreter() {
+                crate::check_jacobians(NAME, &Compiled::default());
+            }
+        }
+    };
     (@separate $value:expr) => { $value };
     (@joint $value:expr) => { return None };
     (@positions $system:expr, $t:expr, $q:expr, $v:expr) => { $system.mass_matrix($t, $q) };
@@ -88,13 +143,16 @@ fn every_reference_is_compiled() {
     assert!(declared.eq(names(directory()).iter()), "run `python3 tests/oracle/declare.py`");
 }
 
-fn check(name: &str, level: &str, declaration: &str, compiled: &impl Subject) {
+fn check(name: &str, level: &str, declaration: &str, compiled: &impl Compiled) {
     let reference = Reference::read(directory(), name);
     assert_eq!(packed(declaration), packed(&reference.declaration), "run `python3 tests/oracle/declare.py`");
     let failures = reference.failures(compiled);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 
-    let text = format!("#[accuracy({level})] struct Interpreted; {}", reference.declaration);
+    let text = format!(
+        "#[accuracy({level})] struct Interpreted; {} emit {{ momentum_rates }}",
+        reference.declaration
+    );
     let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
     let mut interpreted = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
     for (name, value) in reference.settings() {
@@ -106,7 +164,65 @@ fn check(name: &str, level: &str, declaration: &str, compiled: &impl Subject) {
             bits(compiled.acceleration(state.t, &state.q, &state.v)),
             bits(interpreted.acceleration(state.t, &state.q, &state.v)),
         );
+        let rates = interpreted.product(Product::MomentumRates, state.t, &state.q, &state.v);
+        assert_eq!(
+            bits(compiled.momentum_rates(state.t, &state.q, &state.v)),
+            bits(rates.expect("it is asked for")),
+        );
     }
+}
+
+/// A compiled system with its Jacobians, rows one after the other.
+trait Differentiated {
+    fn jacobian(&self, t: f64, y: &[f64]) -> Vec<f64>;
+    /// The names of the columns, too.
+    fn parameter_jacobian(&self, t: f64, y: &[f64]) -> (Vec<&'static str>, Vec<f64>);
+    /// The right-hand side in complex numbers.
+    fn complex_rhs(&self, t: Complex, y: &[Complex]) -> Vec<Complex>;
+}
+
+fn check_jacobians(name: &str, compiled: &impl Differentiated) {
+    let reference = Reference::read(directory(), name);
+    let text = format!("struct Interpreted; {} emit {{ jacobian }}", reference.declaration);
+    let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+    let derived = derived.unwrap_or_else(|report| panic!("{report}"));
+    let fields = derived.model.parameters.iter().chain(&derived.model.inputs);
+    let fields = fields.map(|field| field.name.as_str()).collect::<Vec<_>>();
+    let interpreted = NumericSystem::new(&derived);
+    for state in reference.states() {
+        let (t, y) = (state.t, [state.q.clone(), state.v.clone()].concat());
+        let n = state.q.len();
+        let (jacobian, (names, by_fields)) = (compiled.jacobian(t, &y), compiled.parameter_jacobian(t, &y));
+        assert_eq!(names, fields);
+        let steps = (0..2 * n).map(|j| complex_slope(compiled, t, &y, j)).collect::<Vec<_>>();
+        for (i, row) in jacobian.chunks(2 * n).enumerate() {
+            let slopes = steps.iter().map(|step| step[i]).collect::<Vec<_>>();
+            let scale = slopes.iter().fold(1.0_f64, |largest, slope| largest.max(slope.abs()));
+            let agrees = row.iter().zip(&slopes).all(|(a, b)| (a - b).abs() <= 1e-11 * scale);
+            assert!(agrees, "{name}, row {i} at t = {t}: {row:?} or {slopes:?}");
+        }
+        let of_accelerations = [&jacobian[2 * n * n..], &by_fields[n * fields.len()..]];
+        for (found, product) in
+            of_accelerations.into_iter().zip([Product::Jacobian, Product::ParameterJacobian])
+        {
+            let expected = interpreted.product(product, t, &state.q, &state.v).expect("it is asked for");
+            assert!(
+                found.iter().map(|x| x.to_bits()).eq(expected.iter().map(|x| x.to_bits())),
+                "{name}: {product:?}"
+            );
+        }
+        assert!(by_fields[..n * fields.len()].iter().all(|entry| *entry == 0.0));
+    }
+}
+
+/// The derivative of the right-hand side by entry `j` of the state: the imaginary part of it at a state with a tiny
+/// imaginary part there, over that. Nothing is subtracted, so that it is exact to rounding (Squire and Trapp 1998).
+fn complex_slope(compiled: &impl Differentiated, t: f64, y: &[f64], j: usize) -> Vec<f64> {
+    const STEP: f64 = 1e-100;
+    let mut at = y.iter().map(|&y| Complex::from_real(y)).collect::<Vec<_>>();
+    at[j].imaginary = STEP;
+    let rate = compiled.complex_rhs(Complex::from_real(t), &at);
+    rate.iter().map(|rate| rate.imaginary / STEP).collect()
 }
 
 /// The tokens of a declaration, without comments and spaces.

@@ -8,7 +8,7 @@ use quote::quote;
 use crate::diagnostics::Report;
 use crate::emit;
 use crate::emit::{Emitted, Refusal};
-use crate::mechanics::{Equations, Model, RoadChoice, SingularMassMatrix, elaborate};
+use crate::mechanics::{Equations, Model, Reduced, RoadChoice, SingularMassMatrix, elaborate};
 use crate::syntax::ast::Declaration;
 use crate::syntax::{parse_text, parse_tokens};
 
@@ -34,8 +34,21 @@ pub struct Derived {
     pub model: Model,
     /// What follows.
     pub equations: Equations,
+    /// The reduced types.
+    pub reduced: Vec<DerivedPart>,
     /// Warnings.
     pub report: Report,
+}
+
+/// A reduced type with its equations of motion.
+#[derive(Clone, Debug)]
+pub struct DerivedPart {
+    /// The declaration of the whole system, without the frozen coordinates.
+    pub declaration: Declaration,
+    /// What is reduced, and the model that remains.
+    pub reduced: Reduced,
+    /// What follows.
+    pub equations: Equations,
 }
 
 /// Reads and checks a system from text: a whole declaration, or only its statements.
@@ -56,13 +69,13 @@ impl System {
     ///
     /// # Errors
     /// If the mass matrix is singular whatever the parameters are.
-    pub fn derive(mut self, road: RoadChoice) -> Result<Derived, Report> {
-        match derive(&self.declaration, &mut self.model, road, &mut self.report) {
-            Some(equations) => {
-                let System { declaration, model, report } = self;
-                Ok(Derived { declaration, model, equations, report })
-            }
-            None => Err(self.report),
+    pub fn derive(self, road: RoadChoice) -> Result<Derived, Report> {
+        let System { declaration, mut model, mut report } = self;
+        let equations = derive(&declaration, &mut model, road, &mut report);
+        let reduced = equations.is_some().then(|| derive_parts(&declaration, &mut model, road, &mut report));
+        match equations.zip(reduced.flatten()) {
+            Some((equations, reduced)) => Ok(Derived { declaration, model, equations, reduced, report }),
+            None => Err(report),
         }
     }
 }
@@ -73,7 +86,10 @@ impl Derived {
     /// # Errors
     /// If a constant is too large for the scalar.
     pub fn emit(mut self, krate: &TokenStream) -> Result<TokenStream, Report> {
-        emit(&self.declaration, &mut self.model, &self.equations, krate, &mut self.report).ok_or(self.report)
+        let Derived { declaration, model, equations, reduced, report } = &mut self;
+        let items = emit(declaration, model, equations, krate, report);
+        let parts = emit_parts(declaration, reduced, krate, report);
+        items.zip(parts).map(|(items, parts)| quote!(#items #parts)).ok_or(self.report)
     }
 
     /// The equations, the structure and the cost of the system in lines of Markdown, as they stand in the
@@ -95,8 +111,12 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let items = parse_tokens(tokens, &mut report).map(|declaration| {
         let items = elaborate(&declaration, &mut report).and_then(|mut model| {
             emit::report_hopeless_model(&declaration, &model, &mut report)?;
-            let equations = derive(&declaration, &mut model, RoadChoice::Cheapest, &mut report)?;
-            emit(&declaration, &mut model, &equations, krate, &mut report)
+            let road = RoadChoice::Cheapest;
+            let equations = derive(&declaration, &mut model, road, &mut report)?;
+            let mut parts = derive_parts(&declaration, &mut model, road, &mut report)?;
+            let items = emit(&declaration, &mut model, &equations, krate, &mut report)?;
+            let parts = emit_parts(&declaration, &mut parts, krate, &mut report)?;
+            Some(quote!(#items #parts))
         });
         let items = items.unwrap_or_else(|| emit::skeleton(&declaration, krate));
         (items, declaration.attributes)
@@ -116,6 +136,39 @@ fn derive(
         report.error(declaration.name.span, error.to_string()).help(error.help());
     };
     Equations::derive(model, road).inspect_err(is_singular).ok()
+}
+
+/// The equations of the reduced types, which are taken out of the model.
+fn derive_parts(
+    declaration: &Declaration,
+    model: &mut Model,
+    road: RoadChoice,
+    report: &mut Report,
+) -> Option<Vec<DerivedPart>> {
+    let reduced = std::mem::take(&mut model.reduced);
+    let declarations = emit::reduced_declarations(declaration, &reduced);
+    let parts = declarations.into_iter().zip(reduced).map(|(declaration, mut reduced)| {
+        emit::report_hopeless_model(&declaration, &reduced.model, report)?;
+        let equations = derive(&declaration, &mut reduced.model, road, report)?;
+        Some(DerivedPart { declaration, reduced, equations })
+    });
+    parts.collect()
+}
+
+/// The items of the reduced types, with their conversions.
+fn emit_parts(
+    full: &Declaration,
+    parts: &mut [DerivedPart],
+    krate: &TokenStream,
+    report: &mut Report,
+) -> Option<TokenStream> {
+    let mut items = TokenStream::new();
+    for DerivedPart { declaration, reduced, equations } in parts {
+        items.extend(emit(declaration, &mut reduced.model, equations, krate, report)?);
+        let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
+        items.extend(emit::conversions(full, declaration, reduced, krate).inspect_err(refused).ok()?);
+    }
+    Some(items)
 }
 
 fn emit(

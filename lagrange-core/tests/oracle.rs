@@ -6,8 +6,10 @@ mod reference;
 
 use std::path::Path;
 
+use lagrange_core::expr::ExprId;
 use lagrange_core::mechanics::{Product, Road, RoadChoice, Sums};
 use lagrange_core::pipeline::{NumericSystem, parse};
+use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 
 use reference::{Reference, Subject, names};
 
@@ -69,8 +71,62 @@ fn right_angles_are_no_singularities() {
     }
 }
 
+/// The momenta, which agree with the references, change along the motion as their rates say.
+#[test]
+fn momenta_change_at_their_rates() {
+    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));
+    for name in names(directory) {
+        let reference = Reference::read(directory, &name);
+        let system = numeric(&reference, RoadChoice::Cheapest);
+        for state in reference.states() {
+            let product = |product, q: &[f64], v: &[f64], t| {
+                system.product(product, t, q, v).unwrap_or_else(|| panic!("{name} has {product:?}"))
+            };
+            let acceleration = system.acceleration(state.t, &state.q, &state.v);
+            let momenta = |h: f64| {
+                let moved = |x: &[f64], rate: &[f64]| {
+                    x.iter().zip(rate).map(|(x, rate)| x + h * rate).collect::<Vec<_>>()
+                };
+                let (q, v) = (moved(&state.q, &state.v), moved(&state.v, &acceleration));
+                product(Product::Momenta, &q, &v, state.t + h)
+            };
+            let h = 1e-3 / state.v.iter().chain(&acceleration).fold(1.0, |a: f64, b| a.max(b.abs()));
+            let [before, near, after, far] = [-2.0, -1.0, 1.0, 2.0].map(|steps| momenta(steps * h));
+            let rates = product(Product::MomentumRates, &state.q, &state.v, state.t);
+            let scale = rates.iter().fold(1.0, |a: f64, b| a.max(b.abs()));
+            for (i, rate) in rates.iter().enumerate() {
+                let slope = (8.0 * (after[i] - near[i]) - (far[i] - before[i])) / (12.0 * h);
+                assert!((rate - slope).abs() < 1e-7 * scale, "{name}, t = {}: {rate} or {slope}", state.t);
+            }
+        }
+    }
+}
+
+/// Else implicit methods would rather difference the right-hand side, which takes an evaluation for each entry of the
+/// state beside the one that they need anyway.
+#[test]
+fn jacobians_cost_less_than_differences() {
+    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));
+    for name in names(directory) {
+        let text = format!("{} emit {{ jacobian }}", Reference::read(directory, &name).declaration);
+        let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+        let derived = derived.unwrap_or_else(|report| panic!("{report}"));
+        let (model, equations) = (&derived.model, &derived.equations);
+        let operations = |roots: &[ExprId]| {
+            let program = lower(&model.graph, roots, &Labels::default());
+            OperationCounts::of(&optimise(&program, model.accuracy)).total()
+        };
+        let jacobian = equations.jacobian.as_ref().expect("it is asked for").concat();
+        let (found, differences) =
+            (operations(&jacobian), 2 * model.coordinates.len() * operations(&equations.accelerations));
+        println!("{name}: {found} operations beside {differences}");
+        assert!(found < differences, "{name}: {found} operations, {differences} for differences");
+    }
+}
+
 fn numeric(reference: &Reference, choice: RoadChoice) -> NumericSystem {
-    let derived = parse(&reference.declaration).and_then(|system| system.derive(choice));
+    let text = format!("{} emit {{ momentum_rates }}", reference.declaration);
+    let derived = parse(&text).and_then(|system| system.derive(choice));
     let derived = derived.unwrap_or_else(|report| panic!("{report}"));
     if let RoadChoice::Always(road) = choice {
         let is_without_squares = road == Road::Squares && derived.equations.road == Road::Dense;

@@ -8,6 +8,7 @@ use crate::scalar::Scalar;
 use crate::system::StateVector;
 
 /// A state and the part of its increments that did not fit into it.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Compensated<Y> {
     value: Y,
     remainder: Y,
@@ -25,11 +26,13 @@ impl<Y> Compensated<Y> {
     }
 
     /// The sum so far.
+    #[inline]
     pub(super) fn value(&self) -> &Y {
         &self.value
     }
 
     /// Adds an increment, component by component.
+    #[inline]
     pub(super) fn add<S: Scalar>(&mut self, increment: &Y)
     where
         Y: StateVector<S>,

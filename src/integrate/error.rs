@@ -1,31 +1,117 @@
 //! Why an integration stopped early.
 
 use core::error::Error;
-use core::fmt::{Debug, Display, Formatter, Result};
+use core::fmt::{Debug, Display, Formatter};
 
-/// Why an integration stopped before its end time; S is the scalar and Y the state.
+use crate::system::OdeSystem;
+
+/// What came of an integration of the system M.
+pub type Outcome<M, T> = Result<T, IntegrationError<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>>;
+
+/// An integration stopped before its end; S is the scalar and Y the state.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct IntegrationError<S, Y> {
+    /// Why.
+    pub cause: Cause<S>,
+    /// Time of `state`.
+    pub time: S,
+    /// The last good state that was reached; finite unless it is the initial one.
+    pub state: Y,
+}
+
+/// Why a step could not be taken.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
-pub enum IntegrationError<S, Y> {
-    /// A nonzero span of time was to be covered in no steps.
-    NoSteps,
-    /// NaN or infinity appeared in the step that starts here, or stood in the initial state already.
-    NotFinite {
-        /// Time of `state`.
-        time: S,
-        /// The last state that was reached; finite unless it is the initial one.
-        state: Y,
+pub enum Cause<S> {
+    /// A setting that makes no sense, in words.
+    Setting(&'static str),
+    /// The initial state, a time or the rate of the state is NaN or infinite.
+    NotFinite,
+    /// The step that the tolerance asks for is lost in the rounding of time.
+    StepUnderflow {
+        /// That step.
+        step: S,
+    },
+    /// As many steps were taken as are allowed.
+    TooManySteps {
+        /// How many that is.
+        limit: u64,
+    },
+    /// An explicit method whose steps are limited by stability and not by accuracy.
+    Stiff {
+        /// About the longest step that is stable.
+        limit: S,
+    },
+    /// The equations of an implicit step could not be solved.
+    NotConverged {
+        /// How many iterations were made.
+        iterations: u32,
+    },
+    /// The mass matrix is singular, so that velocities do not follow from momenta.
+    SingularMassMatrix,
+    /// An event function is NaN or infinite.
+    EventNotFinite {
+        /// Which event, counted from zero in the order given.
+        event: usize,
+    },
+    /// A method of another crate failed, in words.
+    Adapted(&'static str),
+    /// So many events follow each other at the same time that they are taken for infinitely many, as the bounces of a ball
+    /// that comes to rest.
+    EventsAccumulate {
+        /// How many were counted.
+        events: u32,
+    },
+    /// The zero of an event function could not be located.
+    EventNotLocated {
+        /// Which event, counted from zero in the order given.
+        event: usize,
+        /// How many bisections were made.
+        bisections: u32,
     },
 }
 
-impl<S: Debug, Y> Display for IntegrationError<S, Y> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+impl<S: Debug> Display for Cause<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         match self {
-            IntegrationError::NoSteps => f.write_str("a nonzero span of time needs at least one step"),
-            IntegrationError::NotFinite { time, .. } => {
-                write!(f, "the state is NaN or infinite in the step from time {time:?}")
+            Cause::Setting(what) | Cause::Adapted(what) => f.write_str(what),
+            Cause::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
+            Cause::StepUnderflow { step } => {
+                write!(
+                    f,
+                    "a step of {step:?} is lost in the rounding of time; the motion may be singular here"
+                )
+            }
+            Cause::TooManySteps { limit } => write!(f, "all {limit} steps that are allowed were taken"),
+            Cause::Stiff { limit } => write!(
+                f,
+                "the system is stiff: steps longer than about {limit:?} are unstable; take an implicit method"
+            ),
+            Cause::NotConverged { iterations } => write!(
+                f,
+                "an implicit step did not converge in {iterations} iterations; take shorter steps, or let the \
+                 declaration `emit {{ jacobian }}`"
+            ),
+            Cause::SingularMassMatrix => {
+                f.write_str("the mass matrix is singular: velocities do not follow from momenta here")
+            }
+            Cause::EventNotFinite { event } => write!(f, "the function of event {event} is NaN or infinite"),
+            Cause::EventsAccumulate { events } => {
+                write!(
+                    f,
+                    "events accumulate: the last {events} cannot be told apart in time; stop at such an event instead"
+                )
+            }
+            Cause::EventNotLocated { event, bisections } => {
+                write!(f, "the zero of event {event} could not be located in {bisections} bisections")
             }
         }
+    }
+}
+
+impl<S: Debug, Y> Display for IntegrationError<S, Y> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{} (at time {:?})", self.cause, self.time)
     }
 }
 

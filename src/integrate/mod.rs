@@ -1,12 +1,54 @@
 //! Methods that advance a system ẏ = f(t, y) in time.
 //!
-//! One file per family of methods, each citing its tableau. They take anything that implements
-//! [`OdeSystem`](crate::system::OdeSystem), need no heap, run forwards or backwards in time, and stop with
-//! an [`IntegrationError`] instead of passing on NaN or infinity.
+//! One file per family of methods, each citing its source. They need no heap, run forwards or backwards in time,
+//! and stop with a [`Cause`] instead of passing on NaN or infinity. States and times are summed with compensation, so
+//! that rounding errors do not grow with the number of steps where the method itself lets them not.
+//!
+//! A [`Method`] is chosen and given to [`integrate`], or to the front door `simulate`, which also samples, watches
+//! for events and keeps trajectories; loops of one's own drive a [`Stepper`].
+//!
+//! | method | for systems | order | symplectic | cost of a step | take it for |
+//! |---|---|---|---|---|---|
+//! | [`Verner98`], the default of the front door | any that is not stiff | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy, from 1e-4 to rounding |
+//! | [`RungeKutta4`] | any that is not stiff | 4 | no | 4 evaluations | fixed frame rates, forces with jumps |
+//! | [`SymplecticEuler`] | separable | 1 | yes | 1 acceleration | the cheapest frame that stays alive |
+//! | [`StormerVerlet`] | separable | 2 | yes | 1 acceleration | long runs at moderate accuracy |
+//! | [`BlanesMoan4`] | separable | 4 | yes | 6 accelerations | long runs, accurately |
+//! | [`ImplicitMidpoint`], [`GaussLegendre4`], [`GaussLegendre6`] | with momenta | 2, 4, 6 | yes | iterations of 1, 2, 3 evaluations | long runs with any mass matrix; stiff springs |
+//! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta kept to rounding, forces included |
+//! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and forces without velocities | as above | stiff systems without momenta |
+//!
+//! A separable system is one whose [declaration](crate::system!) shows a constant mass matrix and accelerations without
+//! velocities; emitted types say so themselves ([`SeparableSystem`](crate::system::SeparableSystem)), and the compiler
+//! refuses the others. The implicit methods for any mass matrix want momenta and their rates,
+//! `emit { momentum_rates }`, and iterate by Newton's method with `emit { jacobian }`.
 
+mod canonical;
+#[cfg(test)]
+mod canonical_systems;
+mod clock;
 mod compensated;
 mod error;
+mod fixed;
+mod gauss;
+mod interpolation;
+mod linear;
+mod method;
+mod newton;
+mod prediction;
 mod rk4;
+mod run;
+mod splitting;
+mod stability;
+mod variational;
+mod verner;
 
-pub use self::error::IntegrationError;
-pub use self::rk4::{rk4, rk4_step};
+pub use self::error::{Cause, IntegrationError, Outcome};
+pub use self::fixed::{FixedStepper, Formula};
+pub use self::gauss::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre};
+pub use self::method::{Method, Stepper, Work};
+pub use self::rk4::{RungeKutta4, rk4_step};
+pub use self::run::integrate;
+pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
+pub use self::variational::Variational;
+pub use self::verner::{Verner98, VernerStepper};

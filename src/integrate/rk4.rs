@@ -12,8 +12,11 @@
 //! Sources: Kutta 1901; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.1,
 //! table 1.2.
 
-use crate::integrate::compensated::Compensated;
-use crate::integrate::error::IntegrationError;
+use crate::integrate::error::Cause;
+use crate::integrate::fixed::{FixedStepper, Formula};
+use crate::integrate::interpolation::{Place, cubic};
+use crate::integrate::method::{Method, Work};
+use crate::integrate::stability::{EVALUATIONS, Watch, combined, distance, largest_eigenvalue, length};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
 
@@ -26,116 +29,179 @@ pub fn rk4_step<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::S
 where
     M: OdeSystem + ?Sized,
 {
-    shifted(y, M::Scalar::ONE, &increment(system, t, y, h))
+    combined(y, M::Scalar::ONE, &Stages::new(system, t, y, h, system.rhs(t, y)).increment(h))
 }
 
-/// Integrates from `y0` at `t0` to `t_end` in `steps` equal steps of the classical Runge–Kutta method and
-/// returns the state at `t_end`, which may lie before `t0`.
+/// The method is stable up to this |h λ| on the negative real axis, and a little farther on the imaginary one.
+const STABLE: f64 = 2.785;
+
+/// The classical Runge–Kutta method of order four in equal steps, for any system.
 ///
-/// `observe` is called with time and state at the start and after every step, `steps + 1` times in all.
-/// Time k is t₀ + k (t_end − t₀)/steps and the last one `t_end` itself, so that times do not drift. The
-/// global error is O(h⁴); increments are summed with compensation, so that rounding errors do not grow with
-/// the number of steps.
-///
-/// # Errors
-///
-/// [`NotFinite`](IntegrationError::NotFinite) if `y0` or a step contains NaN or infinity; `observe` never
-/// sees such a state. [`NoSteps`](IntegrationError::NoSteps) if `steps` is zero and `t_end` is not `t0`.
-///
-/// # Example
-///
-/// ```
-/// use lagrange::integrate::rk4;
-/// use lagrange::system::OdeSystem;
-///
-/// /// ẍ = −x
-/// struct Oscillator;
-///
-/// impl OdeSystem for Oscillator {
-///     type Scalar = f64;
-///     type State = [f64; 2];
-///
-///     fn rhs(&self, _t: f64, [x, v]: &[f64; 2]) -> [f64; 2] {
-///         [*v, -x]
-///     }
-/// }
-///
-/// let mut largest = 0.0_f64;
-/// let [x, v] = rk4(&Oscillator, 0.0, [1.0, 0.0], 2.0, 1000, |_, [_, v]| largest = largest.max(v.abs()))?;
-/// assert!((x - 2.0_f64.cos()).abs() < 1e-12);
-/// assert!((v + 2.0_f64.sin()).abs() < 1e-12);
-/// assert!((largest - 1.0).abs() < 1e-6);
-/// # Ok::<(), lagrange::integrate::IntegrationError<f64, [f64; 2]>>(())
-/// ```
-pub fn rk4<M>(
-    system: &M,
-    t0: M::Scalar,
-    y0: M::State,
-    t_end: M::Scalar,
-    steps: usize,
-    mut observe: impl FnMut(M::Scalar, &M::State),
-) -> Result<M::State, IntegrationError<M::Scalar, M::State>>
-where
-    M: OdeSystem + ?Sized,
-{
-    let span = t_end - t0;
-    if steps == 0 && span != M::Scalar::ZERO {
-        return Err(IntegrationError::NoSteps);
+/// Four evaluations a step; not symplectic: the energy drifts in proportion to time and h⁵. Steps longer than about 2.8
+/// times the shortest time constant are refused as unstable.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RungeKutta4<S> {
+    /// Length of a step.
+    pub step: S,
+}
+
+impl<M: OdeSystem + ?Sized> Method<M> for RungeKutta4<M::Scalar> {
+    type Stepper = FixedStepper<M, Classical<M::State>>;
+
+    fn name(&self) -> &'static str {
+        "Runge–Kutta 4"
     }
-    if !is_finite(&y0) {
-        return Err(IntegrationError::NotFinite { time: t0, state: y0 });
+
+    fn order(&self) -> u32 {
+        4
     }
-    observe(t0, &y0);
-    let count = M::Scalar::from_f64(steps as f64);
-    let h = span / count;
-    let mut time = t0;
-    let mut sum = Compensated::new(y0);
-    for step in 1..=steps {
-        let state = *sum.value();
-        sum.add(&increment(system, time, &state, h));
-        if !is_finite(sum.value()) {
-            return Err(IntegrationError::NotFinite { time, state });
+
+    fn start(
+        &self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+        FixedStepper::start(Classical::new(), self.step, system, t, y, end)
+    }
+}
+
+/// The formula of [`RungeKutta4`]; Y is the state.
+#[derive(Clone, Copy, Debug)]
+pub struct Classical<Y> {
+    /// The rate at the start of the last increment.
+    trial: Y,
+    /// The rate at the start of the last accepted step.
+    start: Y,
+    /// The rate at its end, if it was asked for.
+    end: Option<Y>,
+    watch: Watch,
+}
+
+impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
+    fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
+        self.end = None;
+        *y
+    }
+
+    #[inline]
+    fn increment(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        h: M::Scalar,
+        work: &mut Work,
+    ) -> Result<M::State, Cause<M::Scalar>> {
+        let k1 = self.end.take().unwrap_or_else(|| {
+            work.evaluations += 1;
+            system.rhs(t, y)
+        });
+        work.evaluations += 3;
+        let stages = Stages::new(system, t, y, h, k1);
+        self.trial = stages.k1;
+        self.check(system, t, y, h, &stages, work)?;
+        Ok(stages.increment(h))
+    }
+
+    #[inline]
+    fn accept(&mut self, _t: M::Scalar) {
+        self.start = self.trial;
+        self.end = None;
+    }
+
+    fn interpolate(
+        &mut self,
+        system: &M,
+        (from, y0): (M::Scalar, &M::State),
+        (to, y1): (M::Scalar, &M::State),
+        t: M::Scalar,
+        work: &mut Work,
+    ) -> M::State {
+        let end = *self.end.get_or_insert_with(|| {
+            work.evaluations += 1;
+            system.rhs(to, y1)
+        });
+        let h = to - from;
+        cubic(Place { h, s: (t - from) / h }, [y0, y1], [&self.start, &end])
+    }
+}
+
+impl<Y> Classical<Y> {
+    fn new<S: Scalar>() -> Self
+    where
+        Y: StateVector<S>,
+    {
+        Classical { trial: Y::ZERO, start: Y::ZERO, end: None, watch: Watch::default() }
+    }
+
+    /// Refuses the step if something is too fast for it.
+    ///
+    /// k₃ − k₂ is (h/2)² J² k₁, with the Jacobian J, up to higher powers of h.
+    #[inline]
+    fn check<M>(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        y: &Y,
+        h: M::Scalar,
+        stages: &Stages<Y>,
+        work: &mut Work,
+    ) -> Result<(), Cause<M::Scalar>>
+    where
+        M: OdeSystem<State = Y> + ?Sized,
+        Y: StateVector<M::Scalar>,
+    {
+        let hint = M::Scalar::from_f64(STABLE * STABLE / 4.0) * length(&stages.k1);
+        if !self.watch.follows(distance(&stages.k2, &stages.k3) > hint) {
+            return Ok(());
         }
-        // The formula need not round to the end time in the last step.
-        time = if step == steps { t_end } else { t0 + M::Scalar::from_f64(step as f64) * span / count };
-        observe(time, sum.value());
+        work.evaluations += EVALUATIONS;
+        let direction = combined(&stages.k3, -M::Scalar::ONE, &stages.k2);
+        let change = h.abs() * length(&stages.k1);
+        let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), y, change, &direction);
+        let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
+        if h.abs() > limit { Err(Cause::Stiff { limit }) } else { Ok(()) }
     }
-    Ok(*sum.value())
 }
 
-/// h (k₁ + 2 k₂ + 2 k₃ + k₄)/6
-#[inline]
-fn increment<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::State
-where
-    M: OdeSystem + ?Sized,
-{
-    let two = M::Scalar::from_f64(2.0);
-    let half = h / two;
-    let k1 = system.rhs(t, y);
-    let k2 = system.rhs(t + half, &shifted(y, half, &k1));
-    let k3 = system.rhs(t + half, &shifted(y, half, &k2));
-    let k4 = system.rhs(t + h, &shifted(y, h, &k3));
-    let sixth = h / M::Scalar::from_f64(6.0);
-    let mut increment = k1;
-    let middle = k2.as_ref().iter().zip(k3.as_ref());
-    for ((sum, (k2, k3)), k4) in increment.as_mut().iter_mut().zip(middle).zip(k4.as_ref()) {
-        *sum = sixth * (*sum + two * (*k2 + *k3) + *k4);
-    }
-    increment
+/// The rates of the four stages.
+struct Stages<Y> {
+    k1: Y,
+    k2: Y,
+    k3: Y,
+    k4: Y,
 }
 
-/// y + c k
-#[inline]
-fn shifted<S: Scalar, Y: StateVector<S>>(y: &Y, c: S, k: &Y) -> Y {
-    let mut result = *y;
-    for (y, k) in result.as_mut().iter_mut().zip(k.as_ref()) {
-        *y = k.multiply_add(c, *y);
+impl<Y> Stages<Y> {
+    #[inline]
+    fn new<M>(system: &M, t: M::Scalar, y: &Y, h: M::Scalar, k1: Y) -> Self
+    where
+        M: OdeSystem<State = Y> + ?Sized,
+        Y: StateVector<M::Scalar>,
+    {
+        let half = h / M::Scalar::from_f64(2.0);
+        let k2 = system.rhs(t + half, &combined(y, half, &k1));
+        let k3 = system.rhs(t + half, &combined(y, half, &k2));
+        let k4 = system.rhs(t + h, &combined(y, h, &k3));
+        Stages { k1, k2, k3, k4 }
     }
-    result
-}
 
-fn is_finite<S: Scalar, Y: StateVector<S>>(y: &Y) -> bool {
-    y.as_ref().iter().all(|component| component.is_finite())
+    /// h (k₁ + 2 k₂ + 2 k₃ + k₄)/6
+    #[inline]
+    fn increment<S: Scalar>(&self, h: S) -> Y
+    where
+        Y: StateVector<S>,
+    {
+        let (sixth, two) = (h / S::from_f64(6.0), S::from_f64(2.0));
+        let mut increment = self.k1;
+        let middle = self.k2.as_ref().iter().zip(self.k3.as_ref());
+        for ((sum, (k2, k3)), k4) in increment.as_mut().iter_mut().zip(middle).zip(self.k4.as_ref()) {
+            *sum = sixth * (*sum + two * (*k2 + *k3) + *k4);
+        }
+        increment
+    }
 }
 
 #[cfg(test)]

@@ -317,3 +317,9 @@ mod libraries {
         }
     }
 }
+
+#[test]
+fn epsilon_is_the_spacing_at_one() {
+    assert_eq!(<f64 as Scalar>::epsilon(), f64::EPSILON);
+    assert_eq!(<f32 as Scalar>::epsilon(), f32::EPSILON);
+}

@@ -1,11 +1,15 @@
 //! What a user may rely on of the items that `system!` emits: names, types, conversions, traits.
 
 mod accuracy;
+mod columns;
 mod declarations;
+mod fixed_steps;
 mod methods;
 mod products;
+mod reduced;
 mod scalars;
 mod shadowing;
+mod simulation;
 mod states;
 mod traits;
 

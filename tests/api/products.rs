@@ -1,6 +1,6 @@
 //! Products that are asked for, left out, or follow from how the energies are given.
 
-use lagrange::system::{EnergyFunction, MechanicalSystem};
+use lagrange::system::{CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem};
 
 use crate::assert_close;
 
@@ -20,7 +20,7 @@ lagrange::system! {
 
     coord x;
     kinetic = 1/2 * dot(x)^2;
-    emit { no energy, no kinetic_energy, no momenta }
+    emit { no energy, no kinetic_energy, no momenta, jacobian }
 }
 
 lagrange::system! {
@@ -48,6 +48,51 @@ trait Fallback {
 impl Fallback for Asked {}
 impl Fallback for Silent {}
 impl Fallback for Particle<f64> {}
+
+lagrange::system! {
+    /// Its force is undefined in a branch that is not always taken.
+    struct Valve;
+
+    param m = 2.0, k = 3.0;
+    input push = 0.5;
+    coord x;
+    kinetic = 1/2 * m * dot(x)^2;
+    force x = push + if x > 0 { k * sqrt(x) * dot(x) } else { 0 };
+    emit { momentum_rates, jacobian }
+}
+
+#[test]
+fn jacobians_are_those_of_the_branch_that_is_taken() {
+    let valve = Valve::default();
+    assert_eq!(valve.jacobian(0.0, &[-1.0, 0.5]), [[0.0, 1.0], [0.0, 0.0]]);
+    let [first, [slope, resistance]] = valve.jacobian(0.0, &[4.0, 0.5]);
+    assert_eq!(first, [0.0, 1.0]);
+    assert_close(slope, 3.0 * 0.25 * 0.5 / 2.0);
+    assert_close(resistance, 3.0 * 2.0 / 2.0);
+    assert!(valve.jacobian(0.0, &[f64::NAN, 0.5])[1].iter().all(|entry| entry.is_nan()));
+    assert_eq!(OdeSystem::jacobian(&valve, 0.0, &[4.0, 0.5]), Some(valve.jacobian(0.0, &[4.0, 0.5])));
+    assert_eq!(OdeSystem::jacobian(&Asked::default(), 0.0, &[1.0; 4]), None);
+}
+
+#[test]
+fn parameters_are_differentiated_by_in_their_order_before_inputs() {
+    assert_eq!(Valve::PARAMETERS, ["m", "k", "push"]);
+    let [first, [m, k, push]] = Valve::default().parameter_jacobian(0.0, &[4.0, 0.5]);
+    assert_eq!(first, [0.0; 3]);
+    assert_close(m, -(0.5 + 3.0) / 4.0);
+    assert_close(k, 2.0 * 0.5 / 2.0);
+    assert_close(push, 0.5);
+    assert_eq!(Silent.parameter_jacobian(0.0, &[1.0; 2]), [[0.0_f64; 0]; 2]);
+    assert!(Silent::PARAMETERS.is_empty());
+}
+
+#[test]
+fn momentum_rates_are_forces_where_the_mass_is_constant() {
+    let (q, v) = ([4.0], [0.5]);
+    let [rate] = CanonicalSystem::momentum_rates(&Valve::default(), 0.0, &q, &v);
+    assert_eq!([rate], Valve::default().momentum_rates(0.0, &q, &v));
+    assert_close(rate, 3.5);
+}
 
 #[test]
 fn bias_is_the_inverse_dynamics_at_rest_without_applied_forces() {

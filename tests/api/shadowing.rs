@@ -104,6 +104,7 @@ macro_rules! system {
     potential = m * G * L * cos(theta) + if phi < 0 { c * phi } else { 0 };
     output x = (L * sin(theta) * cos(phi), L^3 * (1 + theta^2)^0.5, sqrt(theta));
     emit { bias, latex }
+    reduce Meridian { freeze phi = sqrt(L); small theta = 1/2; }
 }
 
 ::lagrange::system! {
@@ -113,6 +114,7 @@ macro_rules! system {
     coord theta;
     kinetic = 1/2 * m * L^2 * dot(theta)^2;
     potential = m * G * L * cos(theta) + if theta < 0 { theta } else { 0 };
+    reduce AnyNear { small theta = G; }
 }
 
 ::lagrange::system! {

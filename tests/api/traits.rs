@@ -1,7 +1,7 @@
 //! Emitted types through the traits of `lagrange::system`.
 
 use lagrange::Scalar;
-use lagrange::integrate::rk4;
+use lagrange::integrate::{RungeKutta4, integrate};
 use lagrange::system::{EnergyFunction, MechanicalSystem, OdeSystem};
 
 lagrange::system! {
@@ -34,7 +34,9 @@ where
     };
     let (first, mut largest) = (energy(&start), T::Scalar::ZERO);
     let observe = |_, y: &_| largest = largest.max((energy(y) - first).abs());
-    rk4(system, T::Scalar::ZERO, start, T::Scalar::from_f64(end), 2000, observe).expect("a finite motion");
+    let method = RungeKutta4 { step: T::Scalar::from_f64(end / 2000.0) };
+    integrate(system, T::Scalar::ZERO, start, T::Scalar::from_f64(end), &method, observe)
+        .expect("a finite motion");
     largest
 }
 

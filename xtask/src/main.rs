@@ -78,6 +78,8 @@ fn steps(root: &Path) -> Vec<Step> {
         Step::new("lints", "clippy --workspace --all-targets --all-features -- -D warnings"),
         // The same random cases every time; `cargo test` by itself draws new ones.
         Step::new("tests and doctests", "test --workspace --all-features").with("PROPTEST_RNG_SEED", "20"),
+        Step::new("lints of long motions", "clippy --release --test trajectories -- -D warnings"),
+        Step::new("long motions", "test --release --test trajectories"),
         Step::new("documentation", "doc --workspace --no-deps --all-features")
             .with("RUSTDOCFLAGS", "-D warnings"),
         Step::new("no_std", "build --package lagrange --no-default-features"),
@@ -92,10 +94,16 @@ fn steps(root: &Path) -> Vec<Step> {
     }
     // Every example asserts its own reference values.
     steps.extend(examples(root).iter().map(|name| {
-        Step::new(&format!("example {name}"), &format!("run --quiet --release --example {name}"))
+        Step::new(
+            &format!("example {name}"),
+            &format!("run --quiet --release --features plot --example {name}"),
+        )
     }));
     steps
 }
+
+/// The example that checks nothing but measures, for minutes, and rewrites documentation.
+const MEASUREMENT: &str = "trade";
 
 /// Whether this processor can run what is compiled for the target feature `fma`.
 fn fuses_products() -> bool {
@@ -110,6 +118,7 @@ fn examples(root: &Path) -> Vec<String> {
     let entries = fs::read_dir(root.join("examples")).into_iter().flatten().flatten();
     let mut names = entries
         .filter_map(|entry| Some(entry.file_name().to_str()?.strip_suffix(".rs")?.to_owned()))
+        .filter(|name| name != MEASUREMENT)
         .collect::<Vec<_>>();
     names.sort();
     names

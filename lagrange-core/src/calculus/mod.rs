@@ -3,18 +3,24 @@
 mod adjoint;
 mod degree;
 mod evaluate;
+mod expansion;
+mod jacobian;
 mod local;
 mod partial;
 mod rate;
 mod substitute;
+mod transplant;
 
 pub use adjoint::{adjoint, gradient};
 pub use degree::{Degree, Degrees, homogeneity};
 pub use evaluate::evaluate;
+pub use expansion::{Expansion, Series};
+pub use jacobian::jacobian;
 pub use local::{partials, second_partials};
 pub use partial::partial;
 pub use rate::{AccelerationTerms, Rates};
-pub use substitute::{rebuild, substitute};
+pub use substitute::{rebuild, substitute, substitute_all};
+pub use transplant::transplant;
 
 #[cfg(test)]
 mod tests;

@@ -29,6 +29,7 @@ const FAST: [&str; 2] = [
     "  in `f64` each is within 0.9 units in the last place.",
 ];
 const STRICT: &str = "- Accuracy: `strict`. Of equal ways the one that cancels least.";
+const SEPARABLE: &str = "- Separable: explicit symplectic methods take it.";
 const NO_SQUARES: &str = "the kinetic energy is no sum of squares";
 const TOO_LONG: &str =
     "M q̈ = f, too long to be written out; `mass_matrix` and `forcing` compute the two sides.";
@@ -150,6 +151,9 @@ pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: Oper
     lines.extend([String::new(), "# State and structure".to_owned(), String::new()]);
     lines.push(format!("- State: `[{}]`.", state_order(model)));
     lines.extend(structure_lines(model, &equations.structure));
+    if equations.is_separable(&model.graph) {
+        lines.push(SEPARABLE.to_owned());
+    }
     lines.push(format!("- Accelerations: {}.", road_text(equations)));
     match model.accuracy {
         Accuracy::Fast => lines.extend(FAST.map(str::to_owned)),

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
-use super::method::{ArgumentNames, Arguments, Method};
-use super::rust_body::Names;
+use super::method::{ArgumentNames, Method};
 use super::shape::{Shape, doc, identifier, length, local};
+use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
+use super::traits::trait_impls;
 
 /// Everything that differs between a derived system and a skeleton.
 pub(super) struct Parts {
@@ -21,6 +22,8 @@ pub(super) struct Parts {
     pub(super) names: ArgumentNames,
     /// Functions of `lagrange::private` that the methods call.
     pub(super) functions: BTreeSet<&'static str>,
+    /// Whether explicit symplectic methods take the system.
+    pub(super) is_separable: bool,
     /// Whether the methods hold rounded values of irrational constants.
     pub(super) has_rounded_constants: bool,
 }
@@ -29,34 +32,41 @@ pub(super) struct Parts {
 /// helpers they need are nobody else's.
 pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let system = system_struct(shape, parts);
-    let state = state_struct(shape);
+    let (state, columns) = (state_struct(shape), columns_struct(shape));
     let implementations = [inherent_impl(shape, parts), default_impl(shape, parts)];
-    let (conversions, traits) = (state_conversions(shape), trait_impls(shape, parts));
+    let conversions = [state_conversions(shape), columns_impls(shape)];
+    let traits = trait_impls(shape, parts);
     let scalar = shape.scalar_path();
     let import = shape.generics().is_empty().then(|| quote!(use #scalar;));
     let (krate, functions) = (shape.krate, parts.functions.iter().map(|name| local(name)));
     let functions = (!parts.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
     let names = name_exception(shape);
-    let rounded = parts.has_rounded_constants.then(
-        || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
-    );
+    let rounded = rounded_exception(parts.has_rounded_constants);
     quote! {
         #system
         #state
+        #columns
         #names
         #rounded
         const _: () = {
             #import
             #functions
             #(#implementations)*
-            #conversions
+            #(#conversions)*
             #traits
         };
     }
 }
 
+/// Lets rounded constants look like those of the standard library.
+pub(super) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {
+    is_needed.then(
+        || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
+    )
+}
+
 /// Lets names keep the letters that they have in formulas.
-fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
+pub(super) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
     let names =
         shape.fields.iter().chain(&shape.coordinates).chain(shape.outputs.iter().map(|(name, _)| name));
     let is_snake_case = |name: &str| !name.contains(char::is_uppercase) && !name.contains("__");
@@ -108,12 +118,22 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 }
 
 /// The lines of documentation and the other attributes.
-fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
+pub(super) fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
     let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
     // An attribute is a number sign and a group in brackets.
-    let attributes = tokens.chunks(2).map(|attribute| attribute.iter().cloned().collect::<TokenStream>());
-    attributes
-        .partition(|attribute| attribute.to_string().trim_start_matches(['#', '[', ' ']).starts_with("doc"))
+    let (docs, others) = tokens.chunks(2).partition::<Vec<_>, _>(|attribute| is_documentation(attribute));
+    let attributes = |list: Vec<&[TokenTree]>| {
+        list.into_iter().map(|attribute| attribute.iter().cloned().collect()).collect()
+    };
+    (attributes(docs), attributes(others))
+}
+
+/// `#[doc = …]`, which is also what comments become, but not `#[doc(hidden)]`.
+fn is_documentation(attribute: &[TokenTree]) -> bool {
+    let Some(TokenTree::Group(group)) = attribute.get(1) else { return false };
+    let mut tokens = group.stream().into_iter();
+    let is_doc = matches!(tokens.next(), Some(TokenTree::Ident(word)) if word == "doc");
+    is_doc && matches!(tokens.next(), Some(TokenTree::Punct(punct)) if punct.as_char() == '=')
 }
 
 fn coordinate_list(shape: &Shape<'_>) -> String {
@@ -121,30 +141,6 @@ fn coordinate_list(shape: &Shape<'_>) -> String {
     match names.as_slice() {
         [single] => format!("coordinate {single}"),
         names => format!("coordinates {}", names.join(", ")),
-    }
-}
-
-fn state_struct(shape: &Shape<'_>) -> TokenStream {
-    let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());
-    let visibility = &shape.declaration.visibility;
-    let title = doc(&format!("State of [`{}`]: coordinates, then velocities.", shape.declaration.name.text));
-    let docs = shape
-        .coordinates
-        .iter()
-        .map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text)))
-        .chain(shape.coordinates.iter().map(|name| doc(&format!("Velocity of `{}`.", name.text))));
-    let (fields, names) = (shape.state_fields(), name_exception(shape));
-    let allow = (!generics.is_empty()).then(
-        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
-    );
-    quote! {
-        #title
-        #names
-        #allow
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name #generics {
-            #(#docs pub #fields: #scalar,)*
-        }
     }
 }
 
@@ -190,102 +186,6 @@ fn default_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
                 #default
             }
         }
-    }
-}
-
-fn state_conversions(shape: &Shape<'_>) -> TokenStream {
-    let (state, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar());
-    // Not `Scalar`: a state can be converted whatever its numbers can do.
-    let (fields, n) = (shape.state_fields(), shape.coordinates.len());
-    let (positions, velocities) = fields.split_at(n);
-    let (n, twice) = (length(n), length(2 * n));
-    let variables = state_variables(shape);
-    let entries = fields.iter().zip(&variables).map(|(field, variable)| match field == variable {
-        true => quote!(#variable),
-        false => quote!(#field: #variable),
-    });
-    quote! {
-        impl #generics #state #generics {
-            /// The coordinates in their order.
-            #[must_use]
-            #[inline]
-            pub fn coordinates(self) -> [#scalar; #n] {
-                [#(self.#positions),*]
-            }
-
-            /// The velocities in the order of the coordinates.
-            #[must_use]
-            #[inline]
-            pub fn velocities(self) -> [#scalar; #n] {
-                [#(self.#velocities),*]
-            }
-        }
-        #[automatically_derived]
-        impl #generics ::core::convert::From<[#scalar; #twice]> for #state #generics {
-            #[inline]
-            fn from([#(#variables),*]: [#scalar; #twice]) -> Self {
-                Self { #(#entries),* }
-            }
-        }
-        #[automatically_derived]
-        impl #generics ::core::convert::From<#state #generics> for [#scalar; #twice] {
-            #[inline]
-            fn from(state: #state #generics) -> Self {
-                [#(state.#fields),*]
-            }
-        }
-    }
-}
-
-/// Local variables for the entries of a state.
-fn state_variables(shape: &Shape<'_>) -> Vec<Ident> {
-    let mut names = Names::default();
-    shape.state_fields().iter().map(|field| names.fresh(&field.to_string())).collect()
-}
-
-fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
-    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
-    let twice = length(2 * shape.coordinates.len());
-    let ArgumentNames { time, positions, velocities, state, .. } = &parts.names;
-    let coordinates = shape.coordinates.iter().map(|name| &name.text);
-    let has_energy = parts.methods.iter().any(|m| m.name == "energy" && m.arguments == Arguments::State);
-    let energy = has_energy.then(|| {
-        quote! {
-            #[automatically_derived]
-            impl #bounds #krate::system::EnergyFunction for #name #generics {
-                #[inline]
-                fn energy(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]) -> #scalar {
-                    self.energy(#time, #positions, #velocities)
-                }
-            }
-        }
-    });
-    quote! {
-        #[automatically_derived]
-        impl #bounds #krate::system::OdeSystem for #name #generics {
-            type Scalar = #scalar;
-            type State = [#scalar; #twice];
-            #[inline]
-            fn rhs(&self, #time: #scalar, #state: &[#scalar; #twice]) -> [#scalar; #twice] {
-                self.rhs(#time, #state)
-            }
-        }
-        #[automatically_derived]
-        impl #bounds #krate::system::MechanicalSystem for #name #generics {
-            type Coordinates = [#scalar; #n];
-            const COORDINATES: &'static [&'static ::core::primitive::str] = &[#(#coordinates),*];
-            #[inline]
-            fn acceleration(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #n],
-                #velocities: &[#scalar; #n],
-            ) -> [#scalar; #n] {
-                self.acceleration(#time, #positions, #velocities)
-            }
-        }
-        #energy
     }
 }
 

@@ -14,6 +14,8 @@ pub(super) enum Arguments {
     State,
     /// `t, q, v, a`
     Motion,
+    /// `t, y`
+    Whole,
 }
 
 /// What a method returns.
@@ -21,8 +23,8 @@ pub(super) enum Arguments {
 pub(super) enum Returns {
     Scalar,
     Vector(usize),
-    /// Square, of this size.
-    Matrix(usize),
+    /// With this many rows and columns.
+    Matrix(usize, usize),
 }
 
 /// The names of the arguments, chosen so that they hide no name of the user.
@@ -47,11 +49,12 @@ pub(super) struct Method {
 impl Arguments {
     /// Those that are vectors.
     pub(super) fn vectors(self, names: &ArgumentNames) -> Vec<&Ident> {
-        let ArgumentNames { positions, velocities, accelerations, .. } = names;
+        let ArgumentNames { positions, velocities, accelerations, state, .. } = names;
         match self {
             Arguments::Positions => vec![positions],
             Arguments::State => vec![positions, velocities],
             Arguments::Motion => vec![positions, velocities, accelerations],
+            Arguments::Whole => vec![state],
         }
     }
 }
@@ -59,7 +62,11 @@ impl Arguments {
 impl Method {
     pub(super) fn tokens(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
         let Method { name, docs, body, .. } = self;
-        let (n, scalar) = (length(shape.coordinates.len()), shape.scalar());
+        let scalar = shape.scalar();
+        let n = match self.arguments {
+            Arguments::Whole => length(2 * shape.coordinates.len()),
+            _ => length(shape.coordinates.len()),
+        };
         let (time, vectors) = (&names.time, self.arguments.vectors(names));
         let returns = self.returns.tokens(&scalar);
         quote! {
@@ -81,9 +88,9 @@ impl Returns {
                 let n = length(n);
                 quote!([#scalar; #n])
             }
-            Returns::Matrix(n) => {
-                let n = length(n);
-                quote!([[#scalar; #n]; #n])
+            Returns::Matrix(rows, columns) => {
+                let (rows, columns) = (length(rows), length(columns));
+                quote!([[#scalar; #columns]; #rows])
             }
         }
     }
@@ -93,8 +100,9 @@ impl Returns {
         match self {
             Returns::Scalar => quote!(#(#results)*),
             Returns::Vector(_) => quote!([#(#results),*]),
-            Returns::Matrix(n) => {
-                let rows = results.chunks(n.max(1)).map(|row| quote!([#(#row),*]));
+            Returns::Matrix(rows, columns) => {
+                let rows = (0..rows).map(|i| &results[i * columns..][..columns]);
+                let rows = rows.map(|row| quote!([#(#row),*]));
                 quote!([#(#rows),*])
             }
         }

@@ -3,15 +3,19 @@
 mod diagnostics;
 mod docs;
 mod item;
+mod jacobian;
 mod layout;
 mod messages;
 mod method;
 mod naming;
 mod numerals;
+mod reduced;
 mod shape;
 mod size;
 mod skeleton;
+mod state;
 mod system;
+mod traits;
 
 pub mod graphviz;
 pub mod latex;
@@ -20,6 +24,7 @@ pub mod text;
 
 pub use diagnostics::{diagnostics, report_refusal};
 pub use docs::{documentation, equations_latex};
+pub use reduced::{conversions, reduced_declarations};
 pub use size::{Size, report_cost, report_hopeless_model};
 pub use skeleton::skeleton;
 pub use system::{Emitted, Refusal, system};

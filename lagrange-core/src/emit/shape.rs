@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::rust_body::Scalar;
 use crate::collections::HashMap;
 use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
 use crate::syntax::ast::{Name, ScalarType, Statement, StatementKind};
@@ -85,6 +86,12 @@ impl<'a> Shape<'a> {
         format_ident!("{}State", name.text, span = name.span)
     }
 
+    /// The name of the struct of columns.
+    pub(super) fn columns_name(&self) -> Ident {
+        let name = &self.declaration.name;
+        format_ident!("{}Columns", name.text, span = name.span)
+    }
+
     /// The number type where the user's scope decides what a bare name means.
     pub(super) fn scalar_path(&self) -> TokenStream {
         match &self.declaration.scalar {
@@ -103,6 +110,15 @@ impl<'a> Shape<'a> {
             ScalarType::F64 => quote!(f64),
             ScalarType::F32 => quote!(f32),
             ScalarType::Generic(_) => self.scalar_path(),
+        }
+    }
+
+    /// The number type that bodies of methods compute with.
+    pub(super) fn computed_with(&self) -> Scalar {
+        match &self.declaration.scalar {
+            ScalarType::F64 => Scalar::F64,
+            ScalarType::F32 => Scalar::F32,
+            ScalarType::Generic(name) => Scalar::Generic(identifier(name)),
         }
     }
 

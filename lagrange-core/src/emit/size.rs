@@ -48,13 +48,17 @@ pub fn report_cost(declaration: &Declaration, Size(size): Size, report: &mut Rep
 }
 
 /// Reports a model from which more would follow than can be emitted, before anything is derived from it: methods
-/// hold about as many operations as energies have expressions, and the mass matrix an entry for each two
-/// coordinates. `None` if there is no point in deriving.
+/// hold about as many operations as energies have expressions, and matrices an entry for each row and column. `None` if there is no point in deriving.
 pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
-    let entries = match model.products.contains(&Product::MassMatrix) {
-        true => model.coordinates.len().saturating_pow(2),
-        false => 0,
-    };
+    let (coordinates, fields) = (model.coordinates.len(), model.parameters.len() + model.inputs.len());
+    let matrices = [
+        (Product::MassMatrix, coordinates),
+        (Product::Jacobian, 4 * coordinates),
+        (Product::ParameterJacobian, 2 * fields),
+    ];
+    let wanted = matrices.into_iter().filter(|(product, _)| model.products.contains(product));
+    let entries =
+        wanted.map(|(_, columns)| coordinates.saturating_mul(columns)).fold(0, usize::saturating_add);
     if Size(model.graph.len().max(entries)).is_hopeless() {
         report_hopeless(declaration, report);
         return None;

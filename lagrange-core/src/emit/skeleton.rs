@@ -6,7 +6,9 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::item::{Parts, argument_names, items};
+use super::jacobian::parameter_names;
 use super::method::{Arguments, Method, Returns};
+use super::reduced::skeletons;
 use super::rust_body::Names;
 use super::shape::{Shape, identifier, local};
 use super::system::{equations_latex, user_names};
@@ -16,14 +18,22 @@ use crate::syntax::ast::Declaration;
 /// The items of a system that could not be derived: the same types and methods, so that the code that uses
 /// them causes no errors of its own. They are never run, since the mistakes are errors.
 pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
+    let (system, reduced) = (skeleton_of_type(declaration, krate), skeletons(declaration, krate));
+    quote!(#system #reduced)
+}
+
+/// The same for one type alone.
+pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let shape = Shape::new(declaration, krate);
     let n = shape.coordinates.len();
     let mut methods = vec![placeholder(local("acceleration"), Arguments::State, Returns::Vector(n))];
     for product in Product::ALL.into_iter().filter(|product| *product != Product::Latex) {
         let (arguments, returns) = match product {
-            Product::MassMatrix => (Arguments::Positions, Returns::Matrix(n)),
+            Product::MassMatrix => (Arguments::Positions, Returns::Matrix(n, n)),
             Product::PotentialEnergy => (Arguments::Positions, Returns::Scalar),
             Product::KineticEnergy | Product::Energy => (Arguments::State, Returns::Scalar),
+            Product::Jacobian => (Arguments::Whole, Returns::Matrix(2 * n, 2 * n)),
+            Product::ParameterJacobian => (Arguments::Whole, Returns::Matrix(2 * n, shape.fields.len())),
             Product::InverseDynamics => (Arguments::Motion, Returns::Vector(n)),
             _ => (Arguments::State, Returns::Vector(n)),
         };
@@ -31,7 +41,7 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     }
     for &(name, count) in &shape.outputs {
         let returns = if count == 1 { Returns::Scalar } else { Returns::Vector(count) };
-        let is_taken = ["rhs", "EQUATIONS_LATEX"].contains(&name.text.as_str());
+        let is_taken = ["rhs", "EQUATIONS_LATEX", "PARAMETERS"].contains(&name.text.as_str());
         if !is_taken && methods.iter().all(|method| method.name != name.text) {
             methods.push(placeholder(identifier(name), Arguments::State, returns));
         }
@@ -42,9 +52,10 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
         docs: Vec::new(),
         default: (!is_derived).then(|| quote!(::core::unreachable!())),
         methods,
-        constants: equations_latex(""),
+        constants: [equations_latex(""), parameter_names(&shape)].into_iter().collect(),
         names: argument_names(|wish| names.fresh(wish)),
         functions: BTreeSet::new(),
+        is_separable: true,
         has_rounded_constants: false,
     };
     items(&shape, &parts)

@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 
 use super::docs;
 use super::item::{Parts, argument_names, items};
+use super::jacobian::{JACOBIAN, PARAMETER_JACOBIAN, by_fields, by_state, parameter_names};
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::rust_body::{Names, Scalar, body};
 use super::shape::{Shape, doc, identifier, local};
@@ -15,7 +16,7 @@ use crate::expr::ExprId;
 use crate::mechanics::{Energies, Equations, Model, Product};
 use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
 use crate::symbol::Role;
-use crate::syntax::ast::{Declaration, ScalarType};
+use crate::syntax::ast::Declaration;
 
 /// The items of a derived system.
 #[derive(Clone, Debug)]
@@ -78,18 +79,13 @@ impl<'a> Writer<'a> {
         for (expression, name) in &equations.labels {
             labels.insert(*expression, name.as_str());
         }
-        let scalar = match &shape.declaration.scalar {
-            ScalarType::F64 => Scalar::F64,
-            ScalarType::F32 => Scalar::F32,
-            ScalarType::Generic(name) => Scalar::Generic(identifier(name)),
-        };
         let mut arguments = Names::new(user_names(shape).iter().map(String::as_str));
         Writer {
             shape,
             model,
             equations,
             labels,
-            scalar,
+            scalar: shape.computed_with(),
             names: argument_names(|wish| arguments.fresh(wish)),
             methods: Vec::new(),
             counts: OperationCounts::default(),
@@ -110,8 +106,9 @@ impl<'a> Writer<'a> {
         if !self.unrepresentable.is_empty() {
             return Err(Refusal::Constants(self.unrepresentable.into_iter().collect()));
         }
+        let is_separable = self.equations.is_separable(&self.model.graph);
         let Writer { methods, names, functions, has_rounded_constants, .. } = self;
-        Ok(Parts { docs, default, methods, constants, names, functions, has_rounded_constants })
+        Ok(Parts { docs, default, methods, constants, names, functions, is_separable, has_rounded_constants })
     }
 
     fn write_methods(&mut self) {
@@ -142,16 +139,30 @@ impl<'a> Writer<'a> {
                 let matrix = equations.mass_matrix.clone();
                 let moving = equations.structure.mass.depends_on_velocities;
                 let arguments = if moving { Arguments::State } else { Arguments::Positions };
-                (&MASS_MATRIX, arguments, Returns::Matrix(matrix.len()), matrix.concat())
+                (&MASS_MATRIX, arguments, Returns::Matrix(matrix.len(), matrix.len()), matrix.concat())
             }
             Product::Forcing => (&FORCING, Arguments::State, vector, equations.forcing.clone()),
             Product::Bias => (&BIAS, Arguments::State, vector, or_none(&equations.bias)),
             Product::Momenta => (&MOMENTA, Arguments::State, vector, or_none(&equations.momenta)),
+            Product::MomentumRates => {
+                (&MOMENTUM_RATES, Arguments::State, vector, or_none(&equations.momentum_rates))
+            }
             Product::Energy => {
                 (&ENERGY, Arguments::State, Returns::Scalar, equations.energy.into_iter().collect())
             }
             Product::InverseDynamics => {
                 (&INVERSE, Arguments::Motion, vector, or_none(&equations.inverse_dynamics))
+            }
+            Product::Jacobian => {
+                let rows = equations.jacobian.as_deref().unwrap_or_default();
+                let (returns, entries) = by_state(&mut self.model.graph, rows);
+                (&JACOBIAN, Arguments::Whole, returns, entries)
+            }
+            Product::ParameterJacobian => {
+                let rows = equations.parameter_jacobian.as_deref().unwrap_or_default();
+                let count = self.shape.fields.len();
+                let (returns, entries) = by_fields(&mut self.model.graph, rows, count);
+                (&PARAMETER_JACOBIAN, Arguments::Whole, returns, entries)
             }
             Product::KineticEnergy | Product::PotentialEnergy => {
                 let Energies::Separate { kinetic, potential } = self.model.energies else { return };
@@ -213,19 +224,19 @@ impl<'a> Writer<'a> {
 
     /// Parameters, coordinates and rates under the names that the body uses.
     fn bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
-        let symbols = self.model.graph.symbols();
-        let ArgumentNames { time, positions, velocities, accelerations, .. } = &self.names;
-        let fields = self.field_bindings(used, names);
-        let mut vector = |source: TokenStream, role: fn(u32) -> Role| {
+        let ArgumentNames { time, positions, velocities, accelerations, state } = &self.names;
+        let fields = field_bindings(self.shape, self.model, used, names);
+        if arguments == Arguments::Whole {
             let indices = 0..self.model.coordinates.len() as u32;
-            if !indices.clone().any(|i| used.contains(&role(i))) {
-                return TokenStream::new();
-            }
-            let pattern = indices.map(|i| match used.contains(&role(i)) {
-                true => names.role(symbols, role(i)),
-                false => local("_"),
-            });
-            quote!(let [#(#pattern),*] = #source;)
+            let roles = indices.clone().map(Role::Coordinate).chain(indices.map(Role::Velocity));
+            let pattern = self.pattern(roles, used, names);
+            let entries = pattern.map(|pattern| quote!(let #pattern = *#state;));
+            return quote!(#fields #entries);
+        }
+        let mut vector = |source: TokenStream, role: fn(u32) -> Role| {
+            let roles = (0..self.model.coordinates.len() as u32).map(role);
+            let pattern = self.pattern(roles, used, names);
+            pattern.map(|pattern| quote!(let #pattern = #source;))
         };
         let q = vector(quote!(*#positions), Role::Coordinate);
         let v = vector(quote!(*#velocities), Role::Velocity);
@@ -237,23 +248,21 @@ impl<'a> Writer<'a> {
         quote!(#fields #q #v #a)
     }
 
-    fn field_bindings(&self, used: &[Role], names: &mut Names) -> TokenStream {
+    /// An array of the names of those roles that are used, if any is.
+    fn pattern(
+        &self,
+        roles: impl Iterator<Item = Role> + Clone,
+        used: &[Role],
+        names: &mut Names,
+    ) -> Option<TokenStream> {
         let symbols = self.model.graph.symbols();
-        let roles = (0..self.model.parameters.len() as u32).map(Role::Parameter);
-        let roles = roles.chain((0..self.model.inputs.len() as u32).map(Role::Input));
-        let bound = self.shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
-        let bound = bound.map(|(name, role)| {
-            let field = identifier(name);
-            let local = names.role(symbols, role);
-            // A field can be named from the macro's side, and must be, for the local to be the macro's.
-            if local == name.text { quote!(#local) } else { quote!(#field: #local) }
+        let is_used = |role: &Role| used.contains(role);
+        let pattern = roles.clone().map(|role| match is_used(&role) {
+            true => names.role(symbols, role),
+            false => local("_"),
         });
-        let bound = bound.collect::<Vec<_>>();
-        if bound.is_empty() {
-            return TokenStream::new();
-        }
-        let rest = (bound.len() < self.shape.fields.len()).then(|| quote!(..));
-        quote!(let Self { #(#bound,)* #rest } = *self;)
+        let pattern = pattern.collect::<Vec<_>>();
+        { roles }.any(|role| is_used(&role)).then(|| quote!([#(#pattern),*]))
     }
 
     /// A value of the struct with its defaults, if every field has one.
@@ -280,11 +289,37 @@ impl<'a> Writer<'a> {
     }
 
     fn constants(&mut self) -> TokenStream {
-        if !self.model.products.contains(&Product::Latex) {
-            return TokenStream::new();
-        }
-        equations_latex(&docs::equations_latex(self.model, self.equations))
+        let wants = |product: Product| self.model.products.contains(&product);
+        let (latex, parameters) = (wants(Product::Latex), wants(Product::ParameterJacobian));
+        let latex = latex.then(|| equations_latex(&docs::equations_latex(self.model, self.equations)));
+        let parameters = parameters.then(|| parameter_names(self.shape));
+        quote!(#latex #parameters)
     }
+}
+
+/// Parameters and inputs under the names that a body uses.
+pub(super) fn field_bindings(
+    shape: &Shape<'_>,
+    model: &Model,
+    used: &[Role],
+    names: &mut Names,
+) -> TokenStream {
+    let symbols = model.graph.symbols();
+    let roles = (0..model.parameters.len() as u32).map(Role::Parameter);
+    let roles = roles.chain((0..model.inputs.len() as u32).map(Role::Input));
+    let bound = shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
+    let bound = bound.map(|(name, role)| {
+        let field = identifier(name);
+        let local = names.role(symbols, role);
+        // A field can be named from the macro's side, and must be, for the local to be the macro's.
+        if local == name.text { quote!(#local) } else { quote!(#field: #local) }
+    });
+    let bound = bound.collect::<Vec<_>>();
+    if bound.is_empty() {
+        return TokenStream::new();
+    }
+    let rest = (bound.len() < shape.fields.len()).then(|| quote!(..));
+    quote!(let Self { #(#bound,)* #rest } = *self;)
 }
 
 /// The constant that holds the equations.
@@ -303,6 +338,7 @@ const BIAS: [&str; 2] = [
     "without applied forces and dissipation.",
 ];
 const MOMENTA: [&str; 1] = ["Generalised momenta ∂L/∂v."];
+const MOMENTUM_RATES: [&str; 1] = ["Rates ∂L/∂q + Q of the momenta."];
 const KINETIC: [&str; 1] = ["Kinetic energy T."];
 const POTENTIAL: [&str; 1] = ["Potential energy V."];
 const ENERGY: [&str; 1] = ["Energy function v·∂L/∂v − L."];

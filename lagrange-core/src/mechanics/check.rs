@@ -2,16 +2,18 @@
 
 use super::elaborate::{Elaborator, Term};
 use super::messages;
-use super::model::{Energies, Model, Product};
+use super::model::{Energies, Model, Product, Reduction};
 use crate::calculus::{AccelerationTerms, Rates, gradient};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::syntax::ast::StatementKind;
 
 impl Elaborator<'_> {
-    pub(super) fn finish(mut self) -> Option<Model> {
+    /// The model and what is to be reduced of it.
+    pub(super) fn finish(mut self) -> Option<(Model, Vec<Reduction>)> {
         self.check_header();
         self.check_state_names();
+        self.check_reductions();
         self.check_energies();
         self.check_products();
         if self.evaluator.report.has_errors() {
@@ -27,7 +29,8 @@ impl Elaborator<'_> {
             return None;
         }
         self.evaluator.scope.report_unused(self.evaluator.report);
-        Some(self.into_model(energies, lagrangian))
+        let reductions = std::mem::take(&mut self.reductions);
+        Some((self.into_model(energies, lagrangian), reductions))
     }
 
     fn check_header(&mut self) {
@@ -87,6 +90,21 @@ impl Elaborator<'_> {
                 self.evaluator.report.error(span, message).help(messages::LAGRANGIAN_HELP);
             }
         }
+        self.check_canonical_products();
+    }
+
+    /// What takes momenta and their rates must get from one to the other.
+    fn check_canonical_products(&mut self) {
+        if !self.products().contains(&Product::MomentumRates) {
+            return;
+        }
+        for &(product, wanted, span) in &self.wanted {
+            if !wanted && matches!(product, Product::Momenta | Product::MassMatrix) {
+                let error =
+                    self.evaluator.report.error(span, messages::needed_by_momentum_rates(product.name()));
+                error.help(messages::needed_by_momentum_rates_help(product.name()));
+            }
+        }
     }
 
     fn is_undefined(&self, product: Product) -> bool {
@@ -95,9 +113,14 @@ impl Elaborator<'_> {
 
     fn products(&self) -> Vec<Product> {
         let last_word = |product| self.wanted.iter().rev().find(|(named, ..)| *named == product);
+        let asked =
+            |product: Product, otherwise| last_word(product).map_or(otherwise, |(_, wanted, _)| *wanted);
         let wanted = |&product: &Product| {
-            let asked = last_word(product).map_or(product.is_default(), |(_, wanted, _)| *wanted);
-            asked && !self.is_undefined(product)
+            let otherwise = match product {
+                Product::ParameterJacobian => asked(Product::Jacobian, false),
+                product => product.is_default(),
+            };
+            asked(product, otherwise) && !self.is_undefined(product)
         };
         Product::ALL.into_iter().filter(wanted).collect()
     }
@@ -175,6 +198,7 @@ impl Elaborator<'_> {
             labels,
             accuracy: self.declaration.accuracy,
             products,
+            reduced: Vec::new(),
         }
     }
 }

@@ -4,8 +4,9 @@ use proc_macro2::Span;
 
 use super::expression::Evaluator;
 use super::messages;
-use super::model::{Coordinate, Load, Model, Output, Parameter, Product};
+use super::model::{Coordinate, Load, Model, Output, Parameter, Product, Reduction};
 use super::operand::Operand;
+use super::reduce::reduce;
 use super::scope::Kind;
 use crate::calculus::evaluate;
 use crate::diagnostics::Report;
@@ -17,9 +18,10 @@ use crate::syntax::ast::{
 };
 
 /// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 5] = ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX"];
+const GENERATED_METHODS: [&str; 6] =
+    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS"];
 /// Products that later versions will emit.
-const PLANNED_PRODUCTS: [&str; 3] = ["jacobian", "hamiltonian", "taylor"];
+const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
 pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model> {
@@ -27,7 +29,10 @@ pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model
     for statement in &declaration.statements {
         elaborator.statement(statement);
     }
-    elaborator.finish()
+    let (mut model, reductions) = elaborator.finish()?;
+    let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, report)).collect::<Vec<_>>();
+    model.reduced = reduced.into_iter().collect::<Option<Vec<_>>>()?;
+    Some(model)
 }
 
 /// An expression of a statement and where it stands.
@@ -53,6 +58,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) labels: Vec<(ExprId, String)>,
     /// Entries of `emit`, with where they stand.
     pub(super) wanted: Vec<(Product, bool, Span)>,
+    pub(super) reductions: Vec<Reduction>,
 }
 
 impl<'a> Elaborator<'a> {
@@ -71,6 +77,7 @@ impl<'a> Elaborator<'a> {
             outputs: Vec::new(),
             labels: Vec::new(),
             wanted: Vec::new(),
+            reductions: Vec::new(),
         }
     }
 
@@ -104,6 +111,7 @@ impl<'a> Elaborator<'a> {
             StatementKind::Torque { moment, angle } => self.torque(*moment, *angle, keyword),
             StatementKind::Output(name, value) => self.output(name, *value),
             StatementKind::Emit(items) => items.iter().for_each(|item| self.emit(item)),
+            StatementKind::Reduce(reduction) => self.reduction(reduction),
         }
     }
 

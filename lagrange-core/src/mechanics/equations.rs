@@ -4,12 +4,13 @@ use super::contracted::contracted;
 use super::cost::cost;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
+use super::jacobian::{Derivatives, Forms};
 use super::model::{Energies, Model, Product};
 use super::roads::{Road, RoadChoice, Roads, SingularMassMatrix};
 use super::solve::{Solution, push_down, solve_dense};
 use super::structure::{Structure, vanishing};
-use crate::calculus::{AccelerationTerms, gradient, homogeneity};
-use crate::expr::{ExprId, Graph, Node};
+use crate::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
+use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
 use crate::simplify::{self, Angles};
 use crate::syntax::ast::Accuracy;
@@ -41,10 +42,16 @@ pub struct Equations {
     pub bias: Option<Vec<ExprId>>,
     /// ∂L/∂v
     pub momenta: Option<Vec<ExprId>>,
+    /// ∂L/∂q + Q, by which the momenta change
+    pub momentum_rates: Option<Vec<ExprId>>,
     /// v·∂L/∂v − L
     pub energy: Option<ExprId>,
     /// The generalised forces that must be added for given accelerations.
     pub inverse_dynamics: Option<Vec<ExprId>>,
+    /// ∂a/∂q and ∂a/∂v, in rows
+    pub jacobian: Option<Vec<Vec<ExprId>>>,
+    /// The derivatives of the accelerations by parameters, then by inputs, in rows.
+    pub parameter_jacobian: Option<Vec<Vec<ExprId>>>,
     /// What was found out about the system.
     pub structure: Structure,
     /// Names for intermediate results, in the order of preference.
@@ -65,12 +72,25 @@ impl Equations {
         };
         let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
         let forcing = forcing(&mut model.graph, &pushed, &velocities);
+        let products = model.products.clone();
+        let wants = |product: Product| products.contains(&product);
+        let differentiated = wants(Product::Jacobian) || wants(Product::ParameterJacobian);
+        let forms = differentiated.then(|| Forms { form: form.clone(), pushed: pushed.clone() });
         let (solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
-        let wants = |product: Product| model.products.contains(&product);
-        let wanted = [Product::Bias, Product::Momenta, Product::Energy, Product::InverseDynamics].map(wants);
-        let [bias, momenta, energy, inverse] = wanted;
+        let derivatives = forms.map(|forms| {
+            let accelerations = (&solution.accelerations[..], road);
+            Derivatives::new(model, &split, forms, accelerations)
+        });
+        let differentiate = |model: &mut Model, product: Product, variables: Vec<ExprId>| {
+            Some(derivatives.as_ref().filter(|_| wants(product))?.by(model, &variables))
+        };
+        let state = [model.positions(), model.velocities()].concat();
+        let jacobian = differentiate(model, Product::Jacobian, state);
+        let constants =
+            model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol).collect();
+        let parameter_jacobian = differentiate(model, Product::ParameterJacobian, constants);
         let mut equations = Equations {
             accelerations: solution.accelerations,
             road,
@@ -78,10 +98,16 @@ impl Equations {
             costs,
             mass_matrix,
             forcing,
-            bias: bias.then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
-            momenta: momenta.then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
-            energy: energy.then(|| energy_function(model)),
-            inverse_dynamics: inverse.then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
+            bias: wants(Product::Bias)
+                .then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
+            momenta: wants(Product::Momenta)
+                .then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
+            momentum_rates: wants(Product::MomentumRates).then(|| momentum_rates(model)),
+            energy: wants(Product::Energy).then(|| energy_function(model)),
+            inverse_dynamics: wants(Product::InverseDynamics)
+                .then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
+            jacobian,
+            parameter_jacobian,
             structure,
             labels,
         };
@@ -91,10 +117,19 @@ impl Equations {
         Ok(equations)
     }
 
+    /// Whether the mass matrix is constant during the motion and no acceleration depends on a velocity. It is judged
+    /// by what the expressions mention: a velocity that cancels unseen still counts.
+    pub fn is_separable(&self, graph: &Graph) -> bool {
+        let moving = Dependencies::VELOCITY;
+        let depends = |&acceleration: &ExprId| graph.dependencies(acceleration).intersects(moving);
+        self.structure.mass.is_constant && !self.accelerations.iter().any(depends)
+    }
+
     /// Writes what is emitted beside the accelerations with as little to cancel as is found.
     fn contract(&mut self, model: &mut Model) {
         let mut places = self.mass_matrix.iter_mut().flatten().chain(&mut self.forcing).collect::<Vec<_>>();
-        let optional = [&mut self.bias, &mut self.momenta, &mut self.inverse_dynamics];
+        let optional =
+            [&mut self.bias, &mut self.momenta, &mut self.momentum_rates, &mut self.inverse_dynamics];
         places.extend(optional.into_iter().flatten().flatten());
         places.extend(&mut self.energy);
         if let Energies::Separate { kinetic, potential } = &mut model.energies {
@@ -167,7 +202,7 @@ fn forcing(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> 
 }
 
 /// The linear part at the generalised velocities.
-fn residual(
+pub(super) fn residual(
     model: &mut Model,
     split: &SplitLagrangian,
     accelerations: AccelerationTerms,
@@ -177,6 +212,21 @@ fn residual(
     let form = linear_form(model, split, accelerations, terms);
     let pushed = push_down(&mut model.graph, form, &velocities);
     velocities.iter().map(|&v| pushed.linear(&mut model.graph, v)).collect()
+}
+
+/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate.
+fn momentum_rates(model: &mut Model) -> Vec<ExprId> {
+    let (positions, velocities) = (model.positions(), model.velocities());
+    let graph = &mut model.graph;
+    let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
+    let slopes = gradient(graph, model.lagrangian, &positions);
+    let forces = adjoint(graph, &loads, &velocities);
+    let resistances = gradient(graph, model.dissipation, &velocities);
+    let rates = slopes.into_iter().zip(forces).zip(resistances).map(|((slope, force), resistance)| {
+        let terms = [(slope, Number::ONE), (force, Number::ONE), (resistance, Number::MINUS_ONE)];
+        graph.sum(Number::ZERO, terms)
+    });
+    rates.collect()
 }
 
 /// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7).

@@ -23,11 +23,12 @@ impl Elaborator<'_> {
                 let velocity = coordinate.velocity;
                 self.loads.extend(force.map(|force| Load { velocity, force: force.value }));
             }
-            None => self.report_no_coordinate(name),
+            None => self.report_no_coordinate(name, messages::FORCE_HELP),
         }
     }
 
-    fn report_no_coordinate(&mut self, name: &Name) {
+    /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of something else.
+    pub(super) fn report_no_coordinate(&mut self, name: &Name, usage: &str) {
         let is_unknown = self.evaluator.scope.find(&name.text).is_none();
         if is_unknown && self.evaluator.is_declared_elsewhere(&name.text, name.span.into()) {
             return;
@@ -40,8 +41,8 @@ impl Elaborator<'_> {
         let coordinates = self.coordinates.iter().map(|(coordinate, _)| coordinate.name.as_str());
         let help = match scope.nearest(&name.text, |kind| kind == Kind::Coordinate) {
             Some(nearest) => messages::did_you_mean(nearest),
-            None if scope.find(&name.text).is_some() => messages::FORCE_HELP.to_owned(),
-            None => messages::coordinates_are(&coordinates.collect::<Vec<_>>()),
+            None if scope.find(&name.text).is_some() => usage.to_owned(),
+            None => messages::coordinates_are(&coordinates.collect::<Vec<_>>(), usage),
         };
         self.evaluator.report.error(name.span, message).help(help);
     }

@@ -185,11 +185,11 @@ pub(super) fn largest_help(scalar: &str, largest: f64) -> String {
 /// Longer lists do not help.
 const MOST_LISTED: usize = 10;
 
-pub(super) fn coordinates_are(names: &[&str]) -> String {
+pub(super) fn coordinates_are(names: &[&str], usage: &str) -> String {
     match names {
         [] => COORDINATES_HELP.to_owned(),
         [name] => format!("the coordinate is `{name}`"),
-        _ if names.len() > MOST_LISTED => FORCE_HELP.to_owned(),
+        _ if names.len() > MOST_LISTED => usage.to_owned(),
         _ => format!("the coordinates are `{}`", names.join("`, `")),
     }
 }
@@ -225,6 +225,14 @@ pub(super) fn needs_separate_energies(name: &str) -> String {
     format!("`{name}` is not defined for a system given by its `lagrangian`")
 }
 
+pub(super) fn needed_by_momentum_rates(name: &str) -> String {
+    format!("`{name}` cannot be left out beside `momentum_rates`")
+}
+
+pub(super) fn needed_by_momentum_rates_help(name: &str) -> String {
+    format!("remove `no {name}`: methods that use `momentum_rates` find velocities by it")
+}
+
 pub(super) fn tuple_size(names: usize, found: &str) -> String {
     format!("{names} names for {found}")
 }
@@ -240,3 +248,55 @@ pub(super) const SINGULAR_MASS_MATRIX: &str =
     "the mass matrix is singular: the kinetic energy leaves some motion of the coordinates without inertia";
 pub(super) const SINGULAR_HELP: &str =
     "add the kinetic energy that is missing, or describe the motion with fewer coordinates";
+
+// Reduced types.
+
+pub(super) const REDUCTION_HELP: &str = "`freeze` and `small` take coordinates: `freeze x = 0; small theta;`";
+pub(super) const ALL_FROZEN: &str = "every coordinate is frozen, so that nothing is left to move";
+pub(super) const ALL_FROZEN_HELP: &str = "leave at least one coordinate free, or make it `small`";
+pub(super) const HELD_VALUE: &str = "the value of a coordinate that is frozen or small";
+pub(super) const HELD_VALUE_HELP: &str =
+    "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
+pub(super) const TYPE_NAME_HELP: &str =
+    "each declared type `Name` comes with `NameState` and `NameColumns`: choose a name that is none of them";
+
+pub(super) fn reduced_twice(name: &str) -> String {
+    format!("`{name}` is named twice in this reduction")
+}
+
+pub(super) const NAMED_HERE: &str = "it is named here already";
+
+pub(super) fn type_name_taken(name: &str) -> String {
+    format!("the type name `{name}` is taken already")
+}
+
+pub(super) const TYPE_NAMED_HERE: &str = "by what is declared here";
+
+pub(super) fn no_expansion(part: &str, coordinate: Option<&str>) -> String {
+    match coordinate {
+        Some(name) => format!("{part} has no second-order expansion about this value of `{name}`"),
+        None => format!("{part} has no second-order expansion about these values"),
+    }
+}
+
+pub(super) const NO_EXPANSION_HELP: &str = "it is not defined there or has a kink there: a coordinate can be small only where energies and forces are smooth";
+
+pub(super) fn undefined_when_frozen(part: &str) -> String {
+    format!("{part} is not defined with this coordinate at this value")
+}
+
+pub(super) const UNDEFINED_HELP: &str =
+    "it divides by zero there, for example; freeze the coordinate at another value";
+
+pub(super) fn output_of_reduced(name: &str) -> String {
+    format!(
+        "beside `reduce`, an output cannot be called `{name}`, since reduced types have a method of that name"
+    )
+}
+
+pub(super) fn inertia_lost(coordinate: &str) -> String {
+    format!("`{coordinate}` has no inertia in this reduced system")
+}
+
+pub(super) const INERTIA_LOST_HELP: &str =
+    "its kinetic energy vanishes with what is frozen, or is of higher than second order in what is small";

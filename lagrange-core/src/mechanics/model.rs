@@ -1,7 +1,9 @@
 //! A checked model: every name resolved, every expression of the right kind.
 
+use proc_macro2::Span;
+
 use crate::expr::{ExprId, Graph};
-use crate::syntax::ast::Accuracy;
+use crate::syntax::ast::{Accuracy, Name};
 
 /// What a declaration says, as expressions of one graph.
 #[derive(Clone, Debug)]
@@ -32,6 +34,39 @@ pub struct Model {
     pub accuracy: Accuracy,
     /// The products to emit, in the order of [`Product::ALL`].
     pub products: Vec<Product>,
+    /// The reduced types, in the order of their declaration.
+    pub reduced: Vec<Reduced>,
+}
+
+/// A model with fewer coordinates or with small ones, made from another.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    /// What was done to the coordinates; values are expressions of the reduced model.
+    pub reduction: Reduction,
+    /// What it comes to. Nothing is reduced a second time.
+    pub model: Model,
+}
+
+/// What is done to the coordinates of a model to reduce it.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    /// The name of the reduced type.
+    pub name: Name,
+    /// Coordinates held at a value.
+    pub frozen: Vec<Held>,
+    /// Coordinates that stay near a value.
+    pub small: Vec<Held>,
+}
+
+/// A coordinate and a value that is constant in motion.
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// The index of the coordinate in the model that is reduced.
+    pub coordinate: usize,
+    /// The value.
+    pub value: ExprId,
+    /// Where the coordinate is named.
+    pub span: Span,
 }
 
 /// A parameter or an input.
@@ -103,6 +138,8 @@ pub enum Product {
     Bias,
     /// `momenta`
     Momenta,
+    /// `momentum_rates`; only on demand
+    MomentumRates,
     /// `kinetic_energy`
     KineticEnergy,
     /// `potential_energy`
@@ -111,21 +148,28 @@ pub enum Product {
     Energy,
     /// `inverse_dynamics`
     InverseDynamics,
+    /// `jacobian`; only on demand
+    Jacobian,
+    /// `parameter_jacobian`; only with `jacobian` or on demand
+    ParameterJacobian,
     /// `EQUATIONS_LATEX`; only on demand
     Latex,
 }
 
 impl Product {
     /// Every product, in the order in which they are emitted.
-    pub const ALL: [Product; 9] = [
+    pub const ALL: [Product; 12] = [
         Product::MassMatrix,
         Product::Forcing,
         Product::Bias,
         Product::Momenta,
+        Product::MomentumRates,
         Product::KineticEnergy,
         Product::PotentialEnergy,
         Product::Energy,
         Product::InverseDynamics,
+        Product::Jacobian,
+        Product::ParameterJacobian,
         Product::Latex,
     ];
 
@@ -136,17 +180,27 @@ impl Product {
             Product::Forcing => "forcing",
             Product::Bias => "bias",
             Product::Momenta => "momenta",
+            Product::MomentumRates => "momentum_rates",
             Product::KineticEnergy => "kinetic_energy",
             Product::PotentialEnergy => "potential_energy",
             Product::Energy => "energy",
             Product::InverseDynamics => "inverse_dynamics",
+            Product::Jacobian => "jacobian",
+            Product::ParameterJacobian => "parameter_jacobian",
             Product::Latex => "latex",
         }
     }
 
     /// Whether it is emitted without being asked for.
     pub fn is_default(self) -> bool {
-        !matches!(self, Product::Bias | Product::Latex)
+        !matches!(
+            self,
+            Product::Bias
+                | Product::MomentumRates
+                | Product::Jacobian
+                | Product::ParameterJacobian
+                | Product::Latex
+        )
     }
 }
 

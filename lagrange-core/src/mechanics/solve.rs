@@ -1,7 +1,7 @@
 //! Elimination: from the quadratic form to mass matrix, forcing and accelerations.
 
 use super::form::QuadraticForm;
-use super::sweep::{Multiples, Sweep};
+use super::sweep::{Multiples, Step, Sweep};
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
@@ -35,54 +35,197 @@ pub(super) struct Solution {
     pub(super) labels: Vec<(ExprId, String)>,
 }
 
-/// Eliminates all velocities from a form that has been pushed down: a left-looking LDLᵀ factorisation of
-/// the mass matrix, since every coefficient is summed only when its row is taken. Rows with the fewest
-/// neighbours go first. `None` if the mass matrix is structurally singular.
-pub(super) fn solve_dense(
+/// Solves a form that has been pushed down; `None` if the mass matrix is structurally singular.
+pub(super) fn solve_dense(graph: &mut Graph, form: QuadraticForm, velocities: &[ExprId]) -> Option<Solution> {
+    Some(Elimination::dense(graph, form, velocities)?.solution(graph, velocities))
+}
+
+/// Solves a form body by body; `None` if a pivot is missing.
+pub(super) fn solve_recursive(
     graph: &mut Graph,
-    mut form: QuadraticForm,
+    form: QuadraticForm,
     velocities: &[ExprId],
 ) -> Option<Solution> {
-    let mut remaining = velocities.to_vec();
-    let mut eliminated = Vec::new();
-    while !remaining.is_empty() {
-        let candidates = remaining.iter().enumerate().filter(|(_, v)| form.has_square(**v));
-        match candidates.min_by_key(|(_, v)| form.degree(**v)) {
-            // What was left of the square may have cancelled; another row, or a pair, goes first then.
-            Some((_, &v)) if form.drop_vanished_square(graph, v) => {}
-            Some((position, _)) => eliminated.push(eliminate(graph, &mut form, remaining.remove(position))?),
-            None => {
-                let first = remaining.remove(0);
-                let position = remaining.iter().position(|&v| form.has_pair(first, v))?;
-                eliminated.extend(eliminate_pair(graph, &mut form, first, remaining.remove(position))?);
+    Some(Elimination::recursive(graph, form, velocities)?.solution(graph, velocities))
+}
+
+/// What happens to the linear part of a form when its velocities are eliminated, in the order in which it happens.
+enum Move {
+    /// The step with this index.
+    Eliminate(usize),
+    /// Two steps, this one and the next.
+    EliminatePair(usize),
+    Substitute(Step),
+}
+
+/// Velocities that have been eliminated from a form.
+pub(super) struct Elimination {
+    eliminated: Vec<Eliminated>,
+    moves: Vec<Move>,
+    /// How the variables that remained at an elimination are made of velocities, if they were not themselves.
+    sweep: Option<Sweep>,
+}
+
+impl Elimination {
+    /// Eliminates all velocities from a form that has been pushed down: a left-looking LDLᵀ factorisation of
+    /// the mass matrix, since every coefficient is summed only when its row is taken. Rows with the fewest
+    /// neighbours go first. `None` if the mass matrix is structurally singular.
+    pub(super) fn dense(
+        graph: &mut Graph,
+        mut form: QuadraticForm,
+        velocities: &[ExprId],
+    ) -> Option<Elimination> {
+        let mut remaining = velocities.to_vec();
+        let mut elimination = Elimination { eliminated: Vec::new(), moves: Vec::new(), sweep: None };
+        while !remaining.is_empty() {
+            let candidates = remaining.iter().enumerate().filter(|(_, v)| form.has_square(**v));
+            match candidates.min_by_key(|(_, v)| form.degree(**v)) {
+                // What was left of the square may have cancelled; another row, or a pair, goes first then.
+                Some((_, &v)) if form.drop_vanished_square(graph, v) => {}
+                Some((position, _)) => {
+                    elimination.push(eliminate(graph, &mut form, remaining.remove(position))?);
+                }
+                None => {
+                    let first = remaining.remove(0);
+                    let position = remaining.iter().position(|&v| form.has_pair(first, v))?;
+                    let pair = eliminate_pair(graph, &mut form, first, remaining.remove(position))?;
+                    elimination.moves.push(Move::EliminatePair(elimination.eliminated.len()));
+                    elimination.eliminated.extend(pair);
+                }
+            }
+        }
+        Some(elimination)
+    }
+
+    /// Eliminates each velocity as soon as nothing unprocessed depends on it, while the rest of the form is
+    /// still written in velocities of bodies. On chains and trees the fill-in stays within one body: this is
+    /// the articulated-body algorithm (Featherstone, *Rigid Body Dynamics Algorithms*, §7) found by ordering.
+    /// `None` if a pivot is missing.
+    pub(super) fn recursive(
+        graph: &mut Graph,
+        mut form: QuadraticForm,
+        velocities: &[ExprId],
+    ) -> Option<Elimination> {
+        let mut sweep = Sweep::new(graph, &form.variables(), velocities, Multiples::Merged);
+        let mut elimination = Elimination { eliminated: Vec::new(), moves: Vec::new(), sweep: None };
+        loop {
+            if let Some(velocity) = sweep.next_leaf() {
+                elimination.push(eliminate(graph, &mut form, velocity)?);
+            } else if let Some(step) = sweep.next_step() {
+                form.apply(graph, &step);
+                elimination.moves.push(Move::Substitute(step));
+            } else {
+                break;
+            }
+        }
+        elimination.sweep = Some(sweep);
+        (elimination.eliminated.len() == velocities.len()).then_some(elimination)
+    }
+
+    fn push(&mut self, step: Eliminated) {
+        self.moves.push(Move::Eliminate(self.eliminated.len()));
+        self.eliminated.push(step);
+    }
+
+    /// The stationary point of the form.
+    pub(super) fn solution(&self, graph: &mut Graph, velocities: &[ExprId]) -> Solution {
+        let free = self.eliminated.iter().map(|step| step.free).collect::<Vec<_>>();
+        let accelerations = self.substitute_back(graph, &free, velocities);
+        Solution { accelerations, labels: labels(graph, &self.eliminated, velocities) }
+    }
+
+    /// The stationary point of the form with another linear part, given by its coefficients at the velocities: M⁻¹ times
+    /// their opposites, by the factors that are already there.
+    pub(super) fn solve_again(
+        &self,
+        graph: &mut Graph,
+        linear: &[ExprId],
+        velocities: &[ExprId],
+    ) -> Vec<ExprId> {
+        let mut rest = Rest::default();
+        velocities.iter().zip(linear).for_each(|(&v, &value)| rest.add(v, value));
+        let mut free = vec![graph.number(0); self.eliminated.len()];
+        for step in &self.moves {
+            match *step {
+                Move::Eliminate(i) => {
+                    let step = &self.eliminated[i];
+                    let value = rest.take(graph, step.velocity);
+                    free[i] = freed(graph, step, value);
+                    rest.subtract(graph, &step.factors, value);
+                }
+                Move::EliminatePair(i) => {
+                    // Each of the two accelerations follows from the row of the other, and so do the factors.
+                    let (first, second) = (&self.eliminated[i], &self.eliminated[i + 1]);
+                    let values = [first, second].map(|step| rest.take(graph, step.velocity));
+                    free[i] = freed(graph, first, values[1]);
+                    free[i + 1] = freed(graph, second, values[0]);
+                    rest.subtract(graph, &second.factors, values[1]);
+                    rest.subtract(graph, &first.factors, values[0]);
+                }
+                Move::Substitute(ref step) => rest.substitute(graph, step),
+            }
+        }
+        self.substitute_back(graph, &free, velocities)
+    }
+
+    fn substitute_back(&self, graph: &mut Graph, free: &[ExprId], velocities: &[ExprId]) -> Vec<ExprId> {
+        let mut known: HashMap<ExprId, ExprId> = HashMap::default();
+        for (step, &free) in self.eliminated.iter().zip(free).rev() {
+            let mut terms = vec![(free, Number::ONE)];
+            for &(j, factor) in &step.factors {
+                let value = acceleration_of(graph, &mut known, self.sweep.as_ref(), j);
+                terms.push((graph.multiply(factor, value), Number::MINUS_ONE));
+            }
+            let acceleration = graph.sum(Number::ZERO, terms);
+            known.insert(step.velocity, acceleration);
+        }
+        velocities.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect()
+    }
+}
+
+/// −value/pivot
+fn freed(graph: &mut Graph, step: &Eliminated, value: ExprId) -> ExprId {
+    let inverse = graph.reciprocal(step.pivot);
+    let quotient = graph.multiply(value, inverse);
+    graph.negate(quotient)
+}
+
+/// A linear part while velocities are eliminated.
+#[derive(Default)]
+struct Rest(HashMap<ExprId, Vec<ExprId>>);
+
+impl Rest {
+    fn add(&mut self, variable: ExprId, value: ExprId) {
+        self.0.get_or_insert_with(variable, Vec::new).push(value);
+    }
+
+    fn take(&mut self, graph: &mut Graph, variable: ExprId) -> ExprId {
+        graph.total(self.0.remove(&variable).unwrap_or_default())
+    }
+
+    fn subtract(&mut self, graph: &mut Graph, factors: &[(ExprId, ExprId)], value: ExprId) {
+        for &(j, factor) in factors {
+            let product = graph.multiply(factor, value);
+            self.add(j, graph.negate(product));
+        }
+    }
+
+    fn substitute(&mut self, graph: &mut Graph, step: &Step) {
+        match step {
+            Step::Replace(id, parts) => {
+                let value = self.take(graph, *id);
+                for &(part, slope) in parts {
+                    self.add(part, graph.multiply(slope, value));
+                }
+            }
+            Step::Collapse(target, multiples) => {
+                for &(id, slope) in multiples {
+                    let value = self.take(graph, id);
+                    self.add(*target, graph.multiply(slope, value));
+                }
             }
         }
     }
-    Some(substitute_back(graph, &eliminated, &Parts::None, velocities))
-}
-
-/// Eliminates each velocity as soon as nothing unprocessed depends on it, while the rest of the form is
-/// still written in velocities of bodies. On chains and trees the fill-in stays within one body: this is
-/// the articulated-body algorithm (Featherstone, *Rigid Body Dynamics Algorithms*, §7) found by ordering.
-/// `None` if a pivot is missing.
-pub(super) fn solve_recursive(
-    graph: &mut Graph,
-    mut form: QuadraticForm,
-    velocities: &[ExprId],
-) -> Option<Solution> {
-    let mut sweep = Sweep::new(graph, &form.variables(), velocities, Multiples::Merged);
-    let mut eliminated = Vec::new();
-    loop {
-        if let Some(velocity) = sweep.next_leaf() {
-            eliminated.push(eliminate(graph, &mut form, velocity)?);
-        } else if let Some(step) = sweep.next_step() {
-            form.apply(graph, &step);
-        } else {
-            break;
-        }
-    }
-    (eliminated.len() == velocities.len())
-        .then(|| substitute_back(graph, &eliminated, &Parts::Of(&sweep), velocities))
 }
 
 fn eliminate(graph: &mut Graph, form: &mut QuadraticForm, velocity: ExprId) -> Option<Eliminated> {
@@ -147,33 +290,6 @@ fn eliminate_pair(
     Some(steps)
 }
 
-/// How the variables that remained at an elimination are made of velocities.
-enum Parts<'a> {
-    None,
-    Of(&'a Sweep),
-}
-
-fn substitute_back(
-    graph: &mut Graph,
-    eliminated: &[Eliminated],
-    parts: &Parts<'_>,
-    velocities: &[ExprId],
-) -> Solution {
-    let mut known: HashMap<ExprId, ExprId> = HashMap::default();
-    for step in eliminated.iter().rev() {
-        let mut terms = vec![(step.free, Number::ONE)];
-        for &(j, factor) in &step.factors {
-            let value = acceleration_of(graph, &mut known, parts, j);
-            terms.push((graph.multiply(factor, value), Number::MINUS_ONE));
-        }
-        let acceleration = graph.sum(Number::ZERO, terms);
-        known.insert(step.velocity, acceleration);
-    }
-    let accelerations = velocities.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect();
-    let labels = labels(graph, eliminated, velocities);
-    Solution { accelerations, labels }
-}
-
 fn labels(graph: &mut Graph, eliminated: &[Eliminated], velocities: &[ExprId]) -> Vec<(ExprId, String)> {
     let index = velocities.iter().enumerate().map(|(i, &v)| (v, i)).collect::<HashMap<_, _>>();
     let mut labels = Vec::new();
@@ -192,13 +308,10 @@ fn labels(graph: &mut Graph, eliminated: &[Eliminated], velocities: &[ExprId]) -
 fn acceleration_of(
     graph: &mut Graph,
     known: &mut HashMap<ExprId, ExprId>,
-    parts: &Parts<'_>,
+    sweep: Option<&Sweep>,
     variable: ExprId,
 ) -> ExprId {
-    let parts_of = |id: ExprId| match parts {
-        Parts::None => &[],
-        Parts::Of(sweep) => sweep.parts(id),
-    };
+    let parts_of = |id: ExprId| sweep.map_or(&[][..], |sweep| sweep.parts(id));
     let mut pending = vec![variable];
     while let Some(&id) = pending.last() {
         let before = pending.len();

@@ -3,8 +3,8 @@
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
 use crate::expr::ExprId;
-use crate::mechanics::{Energies, Product};
-use crate::pipeline::Derived;
+use crate::mechanics::{Energies, Equations, Model, Product};
+use crate::pipeline::{Derived, DerivedPart};
 use crate::program::{Labels, Program, lower, optimise, run};
 use crate::symbol::Role;
 
@@ -35,7 +35,15 @@ struct Instant<'a> {
 impl NumericSystem {
     /// Lowers everything that `derived` holds. Parameters without a default are NaN until they are set.
     pub fn new(derived: &Derived) -> NumericSystem {
-        let (model, equations) = (&derived.model, &derived.equations);
+        NumericSystem::lowered(&derived.model, &derived.equations)
+    }
+
+    /// The same for a reduced type.
+    pub fn of_part(part: &DerivedPart) -> NumericSystem {
+        NumericSystem::lowered(&part.reduced.model, &part.equations)
+    }
+
+    fn lowered(model: &Model, equations: &Equations) -> NumericSystem {
         // A named value is kept apart, so that only with the same names the results are those of emitted code.
         let mut labels = Labels::default();
         equations.labels.iter().for_each(|(expression, name)| labels.insert(*expression, name.as_str()));
@@ -57,10 +65,13 @@ impl NumericSystem {
             (Product::Forcing, Some(equations.forcing.clone())),
             (Product::Bias, equations.bias.clone()),
             (Product::Momenta, equations.momenta.clone()),
+            (Product::MomentumRates, equations.momentum_rates.clone()),
             (Product::KineticEnergy, kinetic),
             (Product::PotentialEnergy, potential),
             (Product::Energy, equations.energy.map(|energy| vec![energy])),
             (Product::InverseDynamics, equations.inverse_dynamics.clone()),
+            (Product::Jacobian, equations.jacobian.as_ref().map(|rows| rows.concat())),
+            (Product::ParameterJacobian, equations.parameter_jacobian.as_ref().map(|rows| rows.concat())),
         ];
         let products = products.into_iter().filter_map(|(product, roots)| Some((product, lowered(&roots?))));
         NumericSystem {
@@ -116,7 +127,7 @@ impl NumericSystem {
     }
 
     /// A product at a state: one value for an energy, one per coordinate for a vector, rows one after the
-    /// other for the mass matrix. `None` if it was not derived.
+    /// other for a matrix. Of Jacobians only the rows of the accelerations. `None` if it was not derived.
     pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.products.iter().find(|(known, _)| *known == product)?;
         Some(self.run(program, Instant { t, q, v, a: &[] }))

@@ -195,3 +195,23 @@ fn the_level_of_accuracy_reaches_the_derived_system() {
     }
     assert_eq!(derived(SPRING_PENDULUM).model.accuracy, Accuracy::Standard);
 }
+
+#[test]
+fn reduced_types_keep_attributes_but_not_documentation() {
+    let text = "
+        /// The whole.
+        #[doc(hidden)]
+        #[derive(Clone)]
+        pub struct Whole;
+        coord x, y;
+        kinetic = 1/2*dot(x)^2 + 1/2*dot(y)^2;
+        /// A part.
+        reduce Part { freeze x = 0; }";
+    let derived = derived(text);
+    let part = derived.reduced[0].declaration.attributes.to_string().replace(' ', "");
+    assert!(part.contains("hidden") && part.contains("derive(Clone)"), "{part}");
+    assert!(part.contains("Apart.") && part.contains("Reducedfrom[`Whole`]:`x=0`frozen."), "{part}");
+    assert!(!part.contains("Thewhole."), "{part}");
+    let items = derived.emit(&quote!(::lagrange)).expect("constants that fit").to_string();
+    assert_eq!(items.matches("hidden").count(), 2);
+}

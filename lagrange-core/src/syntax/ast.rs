@@ -39,6 +39,40 @@ impl Declaration {
         let declared = self.statements.iter().flat_map(|statement| statement.kind.declared_names());
         declared.into_iter().find(|declared| declared.text == name).map(|declared| declared.span)
     }
+
+    /// The coordinates in their order.
+    pub fn coordinates(&self) -> Vec<&Name> {
+        let coordinates = self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Coordinates(names) => Some(names),
+            _ => None,
+        });
+        coordinates.flatten().collect()
+    }
+
+    /// The reduced types in their order, each with its documentation.
+    pub fn reductions(&self) -> impl Iterator<Item = (&Reduction, &TokenStream)> {
+        self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Reduce(reduction) => Some((reduction, &statement.docs)),
+            _ => None,
+        })
+    }
+
+    /// The declaration of a reduced type: another name and documentation, frozen coordinates left out. What its
+    /// statements say is still said of the whole system.
+    pub fn reduced(&self, reduction: &Reduction, attributes: TokenStream) -> Declaration {
+        let is_frozen = |name: &Name| {
+            let frozen = reduction.items.iter().filter(|item| item.kind == ReductionKind::Frozen);
+            frozen.into_iter().any(|item| item.coordinate.text == name.text)
+        };
+        let mut declaration = Declaration { attributes, name: reduction.name.clone(), ..self.clone() };
+        declaration.statements.retain(|statement| !matches!(statement.kind, StatementKind::Reduce(_)));
+        for statement in &mut declaration.statements {
+            if let StatementKind::Coordinates(names) = &mut statement.kind {
+                names.retain(|name| !is_frozen(name));
+            }
+        }
+        declaration
+    }
 }
 
 impl StatementKind {
@@ -115,8 +149,8 @@ pub struct Statement {
 impl StatementKind {
     /// Whether it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
-        use StatementKind::{Coordinates, Inputs, Output, Parameters};
-        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Output(..))
+        use StatementKind::{Coordinates, Inputs, Output, Parameters, Reduce};
+        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Output(..) | Reduce(_))
     }
 }
 
@@ -163,6 +197,37 @@ pub enum StatementKind {
     Output(Name, AstId),
     /// `emit { a, no b }`
     Emit(Vec<EmitItem>),
+    /// `reduce Name { freeze x = e; small theta; }`
+    Reduce(Reduction),
+}
+
+/// A second type with fewer or simpler motions.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    /// Its name.
+    pub name: Name,
+    /// What is done to which coordinates.
+    pub items: Vec<ReductionItem>,
+}
+
+/// What is done to one coordinate of a reduced type.
+#[derive(Clone, Debug)]
+pub struct ReductionItem {
+    /// The coordinate.
+    pub coordinate: Name,
+    /// What is done to it.
+    pub kind: ReductionKind,
+    /// The value behind `=`, if there is one; 0 is meant if there is none.
+    pub value: Option<AstId>,
+}
+
+/// What can be done to a coordinate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ReductionKind {
+    /// `freeze x = e;`: held at a value.
+    Frozen,
+    /// `small theta = e;`: stays near a value.
+    Small,
 }
 
 /// One `name = value` of a `param`, `input` or `const` statement.

@@ -53,7 +53,7 @@ impl Parser<'_> {
 
     /// Reads items between commas, with or without a comma behind the last one, up to what ends the
     /// statement. Those that cannot be read are left out.
-    fn items<T>(
+    pub(super) fn items<T>(
         &mut self,
         cursor: &mut Cursor,
         mut read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
@@ -80,7 +80,7 @@ impl Parser<'_> {
     }
 
     /// Reads an expression up to the next comma or the end of the statement.
-    fn item_value(&mut self, cursor: &mut Cursor) -> AstId {
+    pub(super) fn item_value(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
         match self.expression(cursor) {
             Ok(id) if at_item_end(cursor) => return id,

@@ -73,7 +73,8 @@ impl Parser<'_> {
         Ok(declaration(attributes, visibility, name, scalar))
     }
 
-    fn type_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
+    /// The name of an emitted type.
+    pub(super) fn type_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let name = self.name(cursor)?;
         if keywords::is_rust_keyword(&name.text) || name.text == "_" {
             let message = messages::keyword_as_type(&name.text);

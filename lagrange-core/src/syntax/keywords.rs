@@ -15,10 +15,11 @@ pub(super) const STATEMENTS: &[&str] = &[
     "torque",
     "output",
     "emit",
+    "reduce",
 ];
 
 /// Words set aside for statements that do not exist yet.
-pub(super) const FUTURE_STATEMENTS: &[&str] = &["constraint", "event", "body", "gravity", "reduce"];
+pub(super) const FUTURE_STATEMENTS: &[&str] = &["constraint", "event", "body", "gravity"];
 
 /// Functions of the language, also those that are only written behind a dot.
 const FUNCTIONS: &[&str] = &[

@@ -102,7 +102,7 @@ pub(super) const REPEATED_ATTRIBUTE_HELP: &str = "leave one of them out";
 
 pub(super) const STATEMENT: &str = "a statement";
 pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes have no meaning here";
-pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord` and `output`; other comments begin with `//`";
+pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord`, `output` and `reduce`; other comments begin with `//`";
 pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
 pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
 pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";
@@ -113,6 +113,18 @@ pub(super) const FORCE_HELP: &str =
     "write `force x = e;` for a coordinate or `force (fx, fy) at (px, py);` for a point";
 pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
 pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
+
+pub(super) const REDUCTION_HELP: &str = "write `reduce Name { freeze x = 0; small theta; }`";
+pub(super) const NOTHING_REDUCED: &str = "nothing is frozen or small here";
+pub(super) const REDUCTION_ITEM: &str = "`freeze` or `small`";
+
+pub(super) fn frozen_without_value(name: &str) -> String {
+    format!("the frozen coordinate {} needs a value", quoted(name))
+}
+
+pub(super) fn frozen_without_value_help(name: &str) -> String {
+    format!("write `freeze {} = 0;`", shortened(name))
+}
 
 pub(super) fn future_statement(keyword: &str) -> String {
     format!("`{keyword}` statements are not available yet")

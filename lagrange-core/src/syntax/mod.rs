@@ -16,6 +16,9 @@
 //!             | "torque" sum "on" sum ";"
 //!             | "output" NAME "=" sum ";"
 //!             | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
+//!             | "reduce" NAME "{" { reduction } "}" [ ";" ]
+//! reduction   = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
+//!             | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 //! sum         = product { ( "+" | "-" ) product }
 //! product     = signed { ( "*" | "/" ) signed }
 //! signed      = { "-" } power
@@ -40,6 +43,7 @@ mod names;
 mod operands;
 mod parser;
 mod recovery;
+mod reductions;
 mod statements;
 #[cfg(test)]
 mod tests;

@@ -39,7 +39,7 @@ impl Parser<'_> {
         if kind.is_err() {
             self.skip_statement(cursor);
         }
-        let complete = self.skipped || matches!(kind, Ok(StatementKind::Emit(_)));
+        let complete = self.skipped || matches!(kind, Ok(StatementKind::Emit(_) | StatementKind::Reduce(_)));
         if cursor.eat(';').is_none() && !complete {
             self.missing_semicolon(cursor);
         }
@@ -64,6 +64,7 @@ impl Parser<'_> {
             "torque" => self.torque(cursor),
             "output" => Ok(StatementKind::Output(self.declared_name(cursor)?, self.assigned(cursor)?)),
             "emit" => Ok(StatementKind::Emit(self.emit(cursor)?)),
+            "reduce" => Ok(StatementKind::Reduce(self.reduction(cursor)?)),
             _ => Err(self.unknown_statement(&keyword, cursor)),
         }
     }

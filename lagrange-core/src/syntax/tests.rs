@@ -6,7 +6,8 @@ mod statements;
 mod systems;
 
 use super::ast::{
-    AstId, BinaryOperator, Declaration, Definition, EmitItem, Expression, Expressions, Name, StatementKind,
+    AstId, BinaryOperator, Declaration, Definition, EmitItem, Expression, Expressions, Name, Reduction,
+    ReductionItem, StatementKind,
 };
 use super::parse_text;
 use crate::diagnostics::Report;
@@ -110,6 +111,13 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
                 false => format!(" -{}", item.product.text),
             };
             format!("emit{}", items.iter().map(item).collect::<String>())
+        }
+        StatementKind::Reduce(Reduction { name, items }) => {
+            let item = |item: &ReductionItem| {
+                let value = item.value.map_or(String::new(), |value| format!(" {}", show(&value)));
+                format!(" ({:?} {}{value})", item.kind, item.coordinate.text)
+            };
+            format!("reduce {}{}", name.text, items.iter().map(item).collect::<String>())
         }
     }
 }

@@ -19,7 +19,7 @@ const CHILD: &str = "LAGRANGE_LAWS_CHILD";
 /// Longer declarations are not mutated: deriving them takes too long.
 const LONGEST_MUTATED: usize = 1_500;
 /// Words that mean something in many places.
-const WORDS: [&str; 20] = [
+const WORDS: [&str; 23] = [
     " 0 ",
     " - ",
     " 1/2 ",
@@ -38,7 +38,10 @@ const WORDS: [&str; 20] = [
     ";force x = ",
     "if x < 0 { 1 } else { x }",
     ";let x = ",
-    ";emit { bias, latex };",
+    ";emit { bias, momentum_rates, latex };",
+    ";reduce A { freeze x = 0; }",
+    ";reduce B { small x, theta = m; }",
+    "small q1;",
     "1e999",
 ];
 

@@ -120,7 +120,7 @@ fn body() -> impl Strategy<Value = Body> {
 
 fn declaration(support: &str, bodies: &[Body], as_lagrangian: bool) -> String {
     let mut text =
-        "const g = 9.81; param k = 2.5, c = 0.3, b = 0.7; input u = 0.8; emit { bias, latex };\n".to_owned();
+        "const g = 9.81; param k = 2.5, c = 0.3, b = 0.7; input u = 0.8; emit { bias, momentum_rates, latex };\n".to_owned();
     for (i, body) in (1..).zip(bodies) {
         let (mass, length) = (f64::from(body.tenths.0) / 10.0, f64::from(body.tenths.1) / 10.0);
         writeln!(text, "param m{i} = {mass}, l{i} = {length}; coord q{i};").expect("a string takes it");

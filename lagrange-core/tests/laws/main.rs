@@ -7,6 +7,7 @@ mod growth;
 mod machines;
 mod mechanics;
 mod products;
+mod reductions;
 mod trees;
 
 use proptest::prelude::ProptestConfig;

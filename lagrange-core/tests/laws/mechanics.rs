@@ -154,6 +154,10 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
+fn sum(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + b).collect()
+}
+
 /// The product of a matrix, in rows, and a vector.
 fn times(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
     matrix.chunks(vector.len()).map(|row| dot(row, vector)).collect()
@@ -277,9 +281,55 @@ proptest! {
         let expected = expected.collect::<Vec<_>>();
         let forcing = laboratory.product(Product::Forcing);
         prop_assert!(agree(&forcing, &expected, DIFFERENCED, 0.0), "{forcing:?} for {expected:?}");
+        let (rates, sum) = (laboratory.product(Product::MomentumRates), sum(&slopes, &applied));
+        prop_assert!(agree(&rates, &sum, DIFFERENCED, 0.0), "{rates:?} for {sum:?}");
         let bias = laboratory.product(Product::Bias);
         let rest = applied.iter().zip(&forcing).map(|(applied, f)| applied - f).collect::<Vec<_>>();
         prop_assert!(agree(&bias, &rest, DIFFERENCED, 0.0), "{bias:?} for {rest:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::one_in(16))]
+
+    /// Both ways, whichever is the cheaper, in every direction of the state.
+    #[test]
+    fn jacobians_are_slopes_of_the_accelerations(machine in machines()) {
+        let differentiated = Machine { text: format!("{} emit {{ jacobian }}", machine.text), ..machine };
+        let choices = [RoadChoice::Cheapest, RoadChoice::Always(Road::Dense), RoadChoice::Always(Road::Recursive)];
+        for choice in choices {
+            let mut laboratory = Laboratory::new(&differentiated, choice);
+            let (jacobian, n) = (laboratory.product(Product::Jacobian), laboratory.size());
+            let found = (0..n).map(|i| {
+                let component = |laboratory: &Laboratory| laboratory.acceleration()[i];
+                [laboratory.position_slopes(component), laboratory.velocity_slopes(component)].concat()
+            });
+            let slopes = found.collect::<Vec<_>>().concat();
+            prop_assert!(agree(&jacobian, &slopes, DIFFERENCED, 0.0), "{jacobian:?} for {slopes:?}");
+        }
+    }
+
+    #[test]
+    fn parameter_jacobians_are_slopes_of_the_accelerations(machine in machines()) {
+        let differentiated = Machine { text: format!("{} emit {{ jacobian }}", machine.text), ..machine };
+        let mut laboratory = Laboratory::new(&differentiated, RoadChoice::Cheapest);
+        let jacobian = laboratory.product(Product::ParameterJacobian);
+        let fields = laboratory.model.parameters.iter().chain(&laboratory.model.inputs).cloned();
+        let fields = fields.collect::<Vec<_>>();
+        for (j, field) in fields.iter().enumerate() {
+            let value = evaluate(&laboratory.model.graph, &[field.default.expect("a default")], |_| f64::NAN)[0];
+            let mut at = |value: f64| {
+                assert!(laboratory.derived.set(&field.name, value), "{} is declared", field.name);
+                laboratory.acceleration()
+            };
+            let step = 1e-3;
+            let [before, near, after, far] = [-2.0, -1.0, 1.0, 2.0].map(|steps| at(value + steps * step));
+            at(value);
+            let slopes = (0..near.len()).map(|i| (8.0 * (after[i] - near[i]) - (far[i] - before[i])) / (12.0 * step));
+            let column = jacobian.iter().skip(j).step_by(fields.len()).copied().collect::<Vec<_>>();
+            let slopes = slopes.collect::<Vec<_>>();
+            prop_assert!(agree(&column, &slopes, DIFFERENCED, 0.0), "{}: {column:?} for {slopes:?}", field.name);
+        }
     }
 }
 

@@ -3,8 +3,8 @@
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::{rk4, rk4_step};
-use crate::integrate::IntegrationError;
+use super::{RungeKutta4, rk4_step};
+use crate::integrate::{Cause, IntegrationError, Method, Stepper, integrate};
 use crate::scalar::Scalar;
 use crate::system::OdeSystem;
 
@@ -44,9 +44,22 @@ impl OdeSystem for BlowUp {
     }
 }
 
-fn oscillator_error(steps: usize) -> f64 {
+type Outcome<S, Y> = Result<Y, IntegrationError<S, Y>>;
+
+/// Without looking at what is between start and end.
+fn rk4<M: OdeSystem>(
+    system: &M,
+    t0: M::Scalar,
+    y0: M::State,
+    end: M::Scalar,
+    step: M::Scalar,
+) -> Outcome<M::Scalar, M::State> {
+    integrate(system, t0, y0, end, &RungeKutta4 { step }, |_, _| {})
+}
+
+fn oscillator_error(steps: u32) -> f64 {
     let end = 3.0_f64;
-    let [x, v] = rk4(&Oscillator, 0.0, [1.0, 0.0], end, steps, |_, _| {}).expect("finite");
+    let [x, v] = rk4(&Oscillator, 0.0, [1.0, 0.0], end, end / f64::from(steps)).expect("finite");
     (x - end.cos()).hypot(v + end.sin())
 }
 
@@ -69,40 +82,57 @@ fn one_step_of_a_linear_system_is_its_taylor_polynomial() {
 #[test]
 fn cubics_in_time_are_integrated_exactly() {
     let cubic = Integral(|t: f64| 4.0 * t * t * t - 6.0 * t);
-    assert_eq!(rk4(&cubic, 0.0, [1.0], 2.0, 1, |_, _| {}), Ok([5.0]));
-    assert_eq!(rk4(&cubic, 0.0, [1.0], 2.0, 8, |_, _| {}), Ok([5.0]));
+    assert_eq!(rk4(&cubic, 0.0, [1.0], 2.0, 2.0), Ok([5.0]));
+    assert_eq!(rk4(&cubic, 0.0, [1.0], 2.0, 0.25), Ok([5.0]));
 }
 
 #[test]
 fn rounding_errors_do_not_grow_with_the_number_of_steps() {
-    let steps = 1_000_000;
     let rate = Integral(|_: f32| 0.1);
-    let [end] = rk4(&rate, 0.0, [0.0], 100.0, steps, |_, _| {}).expect("finite");
+    let [end] = rk4(&rate, 0.0, [0.0], 100.0, 1e-4).expect("finite");
     assert!((end - 10.0).abs() <= 4.0 * f32::EPSILON * 10.0, "{end}");
 }
 
 #[test]
 fn backward_time_returns_to_the_start() {
     let start = [0.3, -1.2];
-    let there = rk4(&Oscillator, 1.0, start, 4.0, 2000, |_, _| {}).expect("finite");
-    let back = rk4(&Oscillator, 4.0, there, 1.0, 2000, |_, _| {}).expect("finite");
+    let there = rk4(&Oscillator, 1.0, start, 4.0, 1.5e-3).expect("finite");
+    let back = rk4(&Oscillator, 4.0, there, 1.0, 1.5e-3).expect("finite");
     assert!((back[0] - start[0]).abs() < 1e-13 && (back[1] - start[1]).abs() < 1e-13, "{back:?}");
 }
 
 #[test]
-fn times_are_fractions_of_the_span_and_end_exactly() {
+fn times_are_multiples_of_the_step_and_end_exactly() {
     let mut times = Vec::new();
-    let outcome = rk4(&Oscillator, 0.0, [1.0, 0.0], 0.7, 7, |t, _| times.push(t));
+    let method = RungeKutta4 { step: 0.1 };
+    let outcome = integrate(&Oscillator, 0.0, [1.0, 0.0], 0.75, &method, |t, _| times.push(t));
     assert!(outcome.is_ok());
-    let wanted: Vec<f64> = (0..=7).map(|k| f64::from(k) * 0.7 / 7.0).collect();
-    assert_eq!(times[..7], wanted[..7]);
-    assert_eq!(times[7..], [0.7]);
+    let wanted: Vec<f64> = (0..=7).map(|k| f64::from(k) * 0.1).collect();
+    let [multiples @ .., end] = &times[..] else { panic!("nothing was observed") };
+    assert_eq!(multiples.len(), wanted.len());
+    for (time, wanted) in multiples.iter().zip(wanted) {
+        assert!((time - wanted).abs() <= f64::EPSILON * wanted, "{time} and not {wanted}");
+    }
+    assert_eq!(*end, 0.75);
+}
+
+#[test]
+fn a_span_of_whole_steps_takes_no_further_one_for_rounding() {
+    for (end, step, steps) in [(0.7, 0.1, 7), (100.0, 1e-4, 1_000_000), (3.0, 3.0 / 7.0, 7)] {
+        let mut observations = 0;
+        let method = RungeKutta4 { step };
+        let outcome = integrate(&Integral(|_: f64| 1.0), 0.0, [0.0], end, &method, |_, _| observations += 1);
+        assert!(outcome.is_ok());
+        assert_eq!(observations, steps + 1);
+    }
 }
 
 #[test]
 fn the_last_observation_is_the_result() {
     let mut last = None;
-    let end = rk4(&Oscillator, 0.0, [1.0, 0.0], 5.0, 50, |_, y| last = Some(*y));
+    let method = RungeKutta4 { step: 0.1 };
+    let end = integrate(&Oscillator, 0.0, [1.0, 0.0], 5.0, &method, |_, y| last = Some(*y));
+    assert!(end.is_ok());
     assert_eq!(end.ok(), last);
 }
 
@@ -110,44 +140,52 @@ fn the_last_observation_is_the_result() {
 fn nan_stops_at_the_last_good_state() {
     let root = Integral(|t: f64| (1.0 - t).sqrt());
     let mut good = Vec::new();
-    let outcome = rk4(&root, 0.0, [0.0], 2.0, 16, |t, y| good.push((t, *y)));
+    let method = RungeKutta4 { step: 0.125 };
+    let outcome = integrate(&root, 0.0, [0.0], 2.0, &method, |t, y| good.push((t, *y)));
     let (time, state) = good[good.len() - 1];
-    assert_eq!(outcome, Err(IntegrationError::NotFinite { time, state }));
+    assert_eq!(outcome, Err(IntegrationError { cause: Cause::NotFinite, time, state }));
     assert_eq!(time, 1.0);
     assert!((state[0] - 2.0 / 3.0).abs() < 1e-2);
 }
 
 #[test]
 fn overflow_stops_as_well() {
-    let outcome = rk4(&BlowUp, 0.0, [1.0], 2.0, 100, |_, y| assert!(y[0].is_finite()));
-    let Err(error @ IntegrationError::NotFinite { time, state }) = outcome else {
-        panic!("{outcome:?}");
-    };
-    assert!((1.0..1.2).contains(&time) && state[0].is_finite());
-    assert!(error.to_string().ends_with(&std::format!("in the step from time {time:?}")), "{error}");
+    let method = RungeKutta4 { step: 0.02 };
+    let outcome = integrate(&BlowUp, 0.0, [1.0], 2.0, &method, |_, y| assert!(y[0].is_finite()));
+    let error = outcome.expect_err("no number represents the solution");
+    assert!((1.0..1.2).contains(&error.time) && error.state[0].is_finite());
+    assert!(error.to_string().ends_with(&std::format!("(at time {:?})", error.time)), "{error}");
 }
 
 #[test]
-fn an_initial_state_that_is_not_finite_is_refused() {
-    let outcome = rk4(&Oscillator, 3.0, [f64::INFINITY, 0.0], 3.0, 0, |_, _| panic!("observed"));
-    assert_eq!(outcome, Err(IntegrationError::NotFinite { time: 3.0, state: [f64::INFINITY, 0.0] }));
-}
-
-#[test]
-fn spans_without_length_or_steps() {
-    let start = [0.3, -1.2];
-    for steps in [0, 1, 3] {
-        let mut observations = 0;
-        let outcome = rk4(&Oscillator, 2.0, start, 2.0, steps, |t, _| {
-            assert_eq!(t, 2.0);
-            observations += 1;
-        });
-        assert_eq!(outcome, Ok(start));
-        assert_eq!(observations, steps + 1);
-    }
-    assert_eq!(rk4(&Oscillator, 2.0, start, 3.0, 0, |_, _| {}), Err(IntegrationError::NoSteps));
+fn what_is_not_finite_at_the_start_is_refused() {
+    let start = [f64::INFINITY, 0.0];
+    let method = RungeKutta4 { step: 0.1 };
+    let outcome = integrate(&Oscillator, 3.0, start, 3.0, &method, |_, _| panic!("observed"));
+    assert_eq!(outcome, Err(IntegrationError { cause: Cause::NotFinite, time: 3.0, state: start }));
     for end in [f64::NAN, f64::INFINITY] {
-        assert!(rk4(&Oscillator, 2.0, start, end, 5, |_, _| {}).is_err());
+        let outcome = rk4(&Oscillator, 2.0, [0.3, -1.2], end, 0.1);
+        assert_eq!(outcome.map_err(|error| error.cause), Err(Cause::NotFinite));
+    }
+}
+
+#[test]
+fn spans_without_length_are_the_start_alone() {
+    let start = [0.3, -1.2];
+    let mut observations = 0;
+    let outcome = integrate(&Oscillator, 2.0, start, 2.0, &RungeKutta4 { step: 0.1 }, |t, _| {
+        assert_eq!(t, 2.0);
+        observations += 1;
+    });
+    assert_eq!(outcome, Ok(start));
+    assert_eq!(observations, 1);
+}
+
+#[test]
+fn steps_without_length_are_refused() {
+    for step in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+        let outcome = rk4(&Oscillator, 2.0, [0.3, -1.2], 3.0, step);
+        assert!(matches!(outcome, Err(IntegrationError { cause: Cause::Setting(_), .. })), "{outcome:?}");
     }
 }
 
@@ -155,4 +193,25 @@ fn spans_without_length_or_steps() {
 fn systems_behind_a_pointer_to_a_trait_are_taken() {
     let system: &dyn OdeSystem<Scalar = f64, State = [f64; 2]> = &Oscillator;
     assert_eq!(rk4_step(system, 0.0, &[1.0, 0.0], 0.1), rk4_step(&Oscillator, 0.0, &[1.0, 0.0], 0.1));
+}
+
+#[test]
+fn late_times_take_as_many_steps_as_early_ones() {
+    for start in [0.0_f32, 3e5, 1e6] {
+        let mut steps = 0;
+        let rate = Integral(|_: f32| 1.0);
+        let method = RungeKutta4 { step: 0.01 };
+        let [end] = integrate(&rate, start, [0.0], start + 5.0, &method, |_, _| steps += 1).expect("finite");
+        assert!((end - 5.0).abs() < 1e-5 && (500..=502).contains(&steps), "{start}: {end} in {steps}");
+    }
+}
+
+#[test]
+fn steps_turn_round_for_a_limit_behind() {
+    let mut stepper = RungeKutta4 { step: 0.1 }.start(&Oscillator, 0.0, &[1.0, 0.0], 1.0).expect("starts");
+    for limit in [1.0, 1.0, 0.0, 0.0] {
+        stepper.step(&Oscillator, limit).expect("finite");
+    }
+    assert_eq!(stepper.time(), 0.0, "two steps there and two back");
+    assert!((stepper.state()[0] - 1.0).abs() < 1e-6);
 }

@@ -26,5 +26,5 @@ fn main() {
     let [_, height] = cart.tip(0.0, &q, &v);
     let _ = height + cart.swing(0.0, &q, &v) + cart.l + cart.u;
     let _ = CartPole::EQUATIONS_LATEX.len();
-    let _ = lagrange::integrate::rk4(&cart, 0.0, y, 1.0, 10, |_, _| {});
+    let _ = lagrange::integrate::rk4_step(&cart, 0.0, &y, 0.1);
 }

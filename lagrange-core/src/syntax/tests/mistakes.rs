@@ -168,3 +168,27 @@ fn long_words_are_cut_in_messages() {
     let report = read_wrong(&format!("{} = 1;", "a".repeat(10_000))).1;
     assert!(report.len() < 300, "{report}");
 }
+
+#[test]
+fn reductions_go_on_behind_a_mistake() {
+    let text = "
+reduce near;
+reduce Near { frieze x = 0; small y + 1; freeze x; 3; small z; }
+coord x;
+";
+    let (declaration, report) = read_wrong(text);
+    let expected = "\
+error at 2:12: expected `{`, found `;`
+  help: write `reduce Name { freeze x = 0; small theta; }`
+error at 3:15: expected `freeze` or `small`, found `frieze`
+  help: did you mean `freeze`?
+error at 3:37: expected an operator, `,` or `;`, found `+`
+error at 3:49: the frozen coordinate `x` needs a value
+  help: write `freeze x = 0;`
+error at 3:52: expected `freeze` or `small`, found `3`
+  help: write `reduce Name { freeze x = 0; small theta; }`
+";
+    assert_eq!(report, expected);
+    let expected = ["reduce Near (Small y) (Frozen x) (Small z)", "coord x"];
+    assert_eq!(statements(&declaration.expect("tokens")), expected);
+}

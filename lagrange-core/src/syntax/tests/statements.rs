@@ -19,7 +19,8 @@ fn every_statement_has_its_form() {
         force f at p + q;
         torque -m on theta - x;
         output tip = (p, q);
-        emit { jacobian, no energy }";
+        emit { jacobian, no energy }
+        reduce Near { freeze x = 0, y = a; small theta, phi = pi/2; }";
     let expected = [
         "param a (b 1) c",
         "input u (w (- 2))",
@@ -38,6 +39,7 @@ fn every_statement_has_its_form() {
         "torque (- m) on (- theta x)",
         "output tip (vector p q)",
         "emit jacobian -energy",
+        "reduce Near (Frozen x 0) (Frozen y a) (Small theta) (Small phi (/ pi 2))",
     ];
     assert_eq!(statements(&read(text)), expected);
 }
@@ -55,6 +57,8 @@ fn separators_may_be_repeated_where_nothing_is_lost() {
 fn words_inside_statements_are_free_as_names() {
     assert_eq!(statements(&read("force at at on; torque on on at;")), ["force at at on", "torque on on at"]);
     assert_eq!(statements(&read("param no, θ = 1;")), ["param no (θ 1)"]);
+    let text = "param freeze; coord small; reduce Near { small small = freeze; }";
+    assert_eq!(statements(&read(text)), ["param freeze", "coord small", "reduce Near (Small small freeze)"]);
 }
 
 #[test]
@@ -73,7 +77,6 @@ fn statements_for_later_are_refused_and_skipped() {
         constraint c = x - y;
         event hit = if x < 0 { x } else { y }, falling => { dot(x) = -dot(x); };
         gravity = (0, -g);
-        reduce x;
         body rod { mass: m; coord: 3; }
         body rod { mass: m };
         coord x;";
@@ -81,9 +84,8 @@ fn statements_for_later_are_refused_and_skipped() {
         "error at 2:9: `constraint` statements are not available yet",
         "error at 3:9: `event` statements are not available yet",
         "error at 4:9: `gravity` statements are not available yet",
-        "error at 5:9: `reduce` statements are not available yet",
+        "error at 5:9: `body` statements are not available yet",
         "error at 6:9: `body` statements are not available yet",
-        "error at 7:9: `body` statements are not available yet",
     ];
     assert_eq!(errors(text), report);
     let (declaration, _) = super::read_wrong(text);

@@ -46,6 +46,9 @@ pub struct CartPoleState {
     /// Velocity of `theta`.
     pub theta_dot: ::core::primitive::f64,
 }
+/// Columns of a table of states of [`CartPole`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct CartPoleColumns<C>(C);
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
@@ -265,6 +268,46 @@ const _: () = {
             [state.x, state.theta, state.x_dot, state.theta_dot]
         }
     }
+    impl<C: ::lagrange::system::Columns> CartPoleColumns<C> {
+        /// Coordinate `x`.
+        #[must_use]
+        #[inline]
+        pub fn x(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Coordinate `theta`.
+        #[must_use]
+        #[inline]
+        pub fn theta(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+        /// Velocity of `x`.
+        #[must_use]
+        #[inline]
+        pub fn x_dot(&self) -> &[C::Scalar] {
+            self.0.column(2)
+        }
+        /// Velocity of `theta`.
+        #[must_use]
+        #[inline]
+        pub fn theta_dot(&self) -> &[C::Scalar] {
+            self.0.column(3)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for CartPoleColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for CartPoleColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl ::lagrange::system::OdeSystem for CartPole {
         type Scalar = f64;
@@ -277,6 +320,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for CartPole {
         type Coordinates = [f64; 2];
+        type Columns<C> = CartPoleColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "theta"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {

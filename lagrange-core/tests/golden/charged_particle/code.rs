@@ -47,6 +47,9 @@ pub struct ChargedParticleState {
     /// Velocity of `z`.
     pub z_dot: ::core::primitive::f32,
 }
+/// Columns of a table of states of [`ChargedParticle`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct ChargedParticleColumns<C>(C);
 const _: () = {
     use ::core::primitive::f32;
     use ::lagrange::private::multiply_add;
@@ -197,6 +200,58 @@ const _: () = {
             [state.x, state.y, state.z, state.x_dot, state.y_dot, state.z_dot]
         }
     }
+    impl<C: ::lagrange::system::Columns> ChargedParticleColumns<C> {
+        /// Coordinate `x`.
+        #[must_use]
+        #[inline]
+        pub fn x(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Coordinate `y`.
+        #[must_use]
+        #[inline]
+        pub fn y(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+        /// Coordinate `z`.
+        #[must_use]
+        #[inline]
+        pub fn z(&self) -> &[C::Scalar] {
+            self.0.column(2)
+        }
+        /// Velocity of `x`.
+        #[must_use]
+        #[inline]
+        pub fn x_dot(&self) -> &[C::Scalar] {
+            self.0.column(3)
+        }
+        /// Velocity of `y`.
+        #[must_use]
+        #[inline]
+        pub fn y_dot(&self) -> &[C::Scalar] {
+            self.0.column(4)
+        }
+        /// Velocity of `z`.
+        #[must_use]
+        #[inline]
+        pub fn z_dot(&self) -> &[C::Scalar] {
+            self.0.column(5)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for ChargedParticleColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for ChargedParticleColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl ::lagrange::system::OdeSystem for ChargedParticle {
         type Scalar = f32;
@@ -209,6 +264,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for ChargedParticle {
         type Coordinates = [f32; 3];
+        type Columns<C> = ChargedParticleColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "y", "z"];
         #[inline]
         fn acceleration(&self, t: f32, positions: &[f32; 3], v: &[f32; 3]) -> [f32; 3] {

@@ -45,6 +45,9 @@ pub struct DoublePendulumState {
     /// Velocity of `theta2`.
     pub theta2_dot: ::core::primitive::f64,
 }
+/// Columns of a table of states of [`DoublePendulum`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct DoublePendulumColumns<C>(C);
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
@@ -296,6 +299,46 @@ const _: () = {
             [state.theta1, state.theta2, state.theta1_dot, state.theta2_dot]
         }
     }
+    impl<C: ::lagrange::system::Columns> DoublePendulumColumns<C> {
+        /// Coordinate `theta1`.
+        #[must_use]
+        #[inline]
+        pub fn theta1(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Coordinate `theta2`.
+        #[must_use]
+        #[inline]
+        pub fn theta2(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+        /// Velocity of `theta1`.
+        #[must_use]
+        #[inline]
+        pub fn theta1_dot(&self) -> &[C::Scalar] {
+            self.0.column(2)
+        }
+        /// Velocity of `theta2`.
+        #[must_use]
+        #[inline]
+        pub fn theta2_dot(&self) -> &[C::Scalar] {
+            self.0.column(3)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for DoublePendulumColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for DoublePendulumColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl ::lagrange::system::OdeSystem for DoublePendulum {
         type Scalar = f64;
@@ -308,6 +351,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for DoublePendulum {
         type Coordinates = [f64; 2];
+        type Columns<C> = DoublePendulumColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &[
             "theta1",
             "theta2",

@@ -40,6 +40,9 @@ pub struct FrictionPatchState {
     /// Velocity of `s`.
     pub s_dot: ::core::primitive::f64,
 }
+/// Columns of a table of states of [`FrictionPatch`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct FrictionPatchColumns<C>(C);
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sign, sin};
@@ -234,6 +237,34 @@ const _: () = {
             [state.s, state.s_dot]
         }
     }
+    impl<C: ::lagrange::system::Columns> FrictionPatchColumns<C> {
+        /// Coordinate `s`.
+        #[must_use]
+        #[inline]
+        pub fn s(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Velocity of `s`.
+        #[must_use]
+        #[inline]
+        pub fn s_dot(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for FrictionPatchColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for FrictionPatchColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl ::lagrange::system::OdeSystem for FrictionPatch {
         type Scalar = f64;
@@ -246,6 +277,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for FrictionPatch {
         type Coordinates = [f64; 1];
+        type Columns<C> = FrictionPatchColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["s"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {

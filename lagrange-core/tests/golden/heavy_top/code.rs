@@ -51,6 +51,9 @@ pub struct HeavyTopState {
     /// Velocity of `psi`.
     pub psi_dot: ::core::primitive::f64,
 }
+/// Columns of a table of states of [`HeavyTop`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct HeavyTopColumns<C>(C);
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
@@ -289,6 +292,58 @@ const _: () = {
             ]
         }
     }
+    impl<C: ::lagrange::system::Columns> HeavyTopColumns<C> {
+        /// Coordinate `phi`.
+        #[must_use]
+        #[inline]
+        pub fn phi(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Coordinate `theta`.
+        #[must_use]
+        #[inline]
+        pub fn theta(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+        /// Coordinate `psi`.
+        #[must_use]
+        #[inline]
+        pub fn psi(&self) -> &[C::Scalar] {
+            self.0.column(2)
+        }
+        /// Velocity of `phi`.
+        #[must_use]
+        #[inline]
+        pub fn phi_dot(&self) -> &[C::Scalar] {
+            self.0.column(3)
+        }
+        /// Velocity of `theta`.
+        #[must_use]
+        #[inline]
+        pub fn theta_dot(&self) -> &[C::Scalar] {
+            self.0.column(4)
+        }
+        /// Velocity of `psi`.
+        #[must_use]
+        #[inline]
+        pub fn psi_dot(&self) -> &[C::Scalar] {
+            self.0.column(5)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for HeavyTopColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for HeavyTopColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl ::lagrange::system::OdeSystem for HeavyTop {
         type Scalar = f64;
@@ -301,6 +356,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for HeavyTop {
         type Coordinates = [f64; 3];
+        type Columns<C> = HeavyTopColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &[
             "phi",
             "theta",

@@ -39,9 +39,14 @@ pub struct KeplerState<S> {
     /// Velocity of `phi`.
     pub phi_dot: S,
 }
+/// Columns of a table of states of [`Kepler`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct KeplerColumns<C>(C);
 const _: () = {
     use ::lagrange::private::multiply_add;
     impl<S: ::lagrange::Scalar> Kepler<S> {
+        /// Parameters, then inputs: the columns of `parameter_jacobian`.
+        pub const PARAMETERS: [&'static ::core::primitive::str; 2] = ["m", "mu"];
         /// Accelerations in the order of the coordinates.
         ///
         /// Takes 1 addition, 7 multiplications, 1 division.
@@ -98,6 +103,19 @@ const _: () = {
             let [r_dot, phi_dot] = *v;
             let r_sq = r * r;
             [m * r_dot, m * r_sq * phi_dot]
+        }
+        /// Rates ∂L/∂q + Q of the momenta.
+        ///
+        /// Takes 1 addition, 5 multiplications, 1 division.
+        #[must_use]
+        #[inline]
+        pub fn momentum_rates(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
+            let Self { m, mu } = *self;
+            let [r, _] = *q;
+            let [_, phi_dot] = *v;
+            let r_sq = r * r;
+            let phi_dot_sq = phi_dot * phi_dot;
+            [multiply_add(m * r, phi_dot_sq, -m * mu / r_sq), S::ZERO]
         }
         /// Kinetic energy T.
         ///
@@ -162,6 +180,55 @@ const _: () = {
                 multiply_add(m_1_1, phi_ddot, S::from_f64(2.0) * m_r * phi_dot * r_dot),
             ]
         }
+        /// Jacobian of `rhs`, in rows: entry `[i][j]` is the derivative of its entry `i` by entry `j`
+        /// of the state.
+        ///
+        /// Takes 1 addition, 13 multiplications, 1 division.
+        #[must_use]
+        #[inline]
+        pub fn jacobian(&self, t: S, y: &[S; 4]) -> [[S; 4]; 4] {
+            let Self { mu, .. } = *self;
+            let [r, _, r_dot, phi_dot] = *y;
+            let const_0 = S::ZERO;
+            let const_1 = S::ONE;
+            let inv_r = const_1 / r;
+            let inv_r_sq = inv_r * inv_r;
+            let two = S::from_f64(2.0);
+            let pos_0 = S::from_f64(-2.0) * inv_r;
+            [
+                [const_0, const_0, const_1, const_0],
+                [const_0, const_0, const_0, const_1],
+                [
+                    multiply_add(two * mu, inv_r_sq * inv_r, phi_dot * phi_dot),
+                    const_0,
+                    const_0,
+                    two * r * phi_dot,
+                ],
+                [
+                    two * inv_r_sq * r_dot * phi_dot,
+                    const_0,
+                    pos_0 * phi_dot,
+                    pos_0 * r_dot,
+                ],
+            ]
+        }
+        /// Derivatives of `rhs` by the fields in the order of `PARAMETERS`, in rows: entry `[i][j]`
+        /// is that of its entry `i` by field `j`.
+        ///
+        /// Takes 1 multiplication, 1 division.
+        #[must_use]
+        #[inline]
+        pub fn parameter_jacobian(&self, t: S, y: &[S; 4]) -> [[S; 2]; 4] {
+            let [r, _, _, _] = *y;
+            let const_0 = S::ZERO;
+            let r_sq = r * r;
+            [
+                [const_0, const_0],
+                [const_0, const_0],
+                [const_0, -S::ONE / r_sq],
+                [const_0, const_0],
+            ]
+        }
         /// Rate of the state: velocities, then accelerations.
         #[must_use]
         #[inline]
@@ -199,6 +266,46 @@ const _: () = {
             [state.r, state.phi, state.r_dot, state.phi_dot]
         }
     }
+    impl<C: ::lagrange::system::Columns> KeplerColumns<C> {
+        /// Coordinate `r`.
+        #[must_use]
+        #[inline]
+        pub fn r(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Coordinate `phi`.
+        #[must_use]
+        #[inline]
+        pub fn phi(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+        /// Velocity of `r`.
+        #[must_use]
+        #[inline]
+        pub fn r_dot(&self) -> &[C::Scalar] {
+            self.0.column(2)
+        }
+        /// Velocity of `phi`.
+        #[must_use]
+        #[inline]
+        pub fn phi_dot(&self) -> &[C::Scalar] {
+            self.0.column(3)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for KeplerColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for KeplerColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::OdeSystem for Kepler<S> {
         type Scalar = S;
@@ -207,10 +314,15 @@ const _: () = {
         fn rhs(&self, t: S, y: &[S; 4]) -> [S; 4] {
             self.rhs(t, y)
         }
+        #[inline]
+        fn jacobian(&self, t: S, y: &[S; 4]) -> ::core::option::Option<[[S; 4]; 4]> {
+            ::core::option::Option::Some(self.jacobian(t, y))
+        }
     }
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::MechanicalSystem for Kepler<S> {
         type Coordinates = [S; 2];
+        type Columns<C> = KeplerColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["r", "phi"];
         #[inline]
         fn acceleration(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
@@ -222,6 +334,21 @@ const _: () = {
         #[inline]
         fn energy(&self, t: S, q: &[S; 2], v: &[S; 2]) -> S {
             self.energy(t, q, v)
+        }
+    }
+    #[automatically_derived]
+    impl<S: ::lagrange::Scalar> ::lagrange::system::CanonicalSystem for Kepler<S> {
+        #[inline]
+        fn momenta(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
+            self.momenta(t, q, v)
+        }
+        #[inline]
+        fn momentum_rates(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
+            self.momentum_rates(t, q, v)
+        }
+        #[inline]
+        fn mass_matrix(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [[S; 2]; 2] {
+            self.mass_matrix(t, q)
         }
     }
 };

@@ -11,6 +11,7 @@
 /// - State: `[theta, theta_dot]`.
 /// - Mass matrix: diagonal, constant.
 /// - Conserved: the energy function.
+/// - Separable: explicit symplectic methods take it.
 /// - Accelerations: each equation divided by its entry of the mass matrix.
 /// - Cost of `acceleration`: 1 multiplication, 1 division, 1 function.
 pub struct Pendulum {
@@ -34,6 +35,9 @@ pub struct PendulumState {
     /// Velocity of `theta`.
     pub theta_dot: ::core::primitive::f64,
 }
+/// Columns of a table of states of [`Pendulum`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct PendulumColumns<C>(C);
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin};
@@ -177,6 +181,34 @@ const _: () = {
             [state.theta, state.theta_dot]
         }
     }
+    impl<C: ::lagrange::system::Columns> PendulumColumns<C> {
+        /// Coordinate `theta`.
+        #[must_use]
+        #[inline]
+        pub fn theta(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Velocity of `theta`.
+        #[must_use]
+        #[inline]
+        pub fn theta_dot(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for PendulumColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for PendulumColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl ::lagrange::system::OdeSystem for Pendulum {
         type Scalar = f64;
@@ -189,6 +221,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for Pendulum {
         type Coordinates = [f64; 1];
+        type Columns<C> = PendulumColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
@@ -202,4 +235,6 @@ const _: () = {
             self.energy(t, q, v)
         }
     }
+    #[automatically_derived]
+    impl ::lagrange::system::SeparableSystem for Pendulum {}
 };

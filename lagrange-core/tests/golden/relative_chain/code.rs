@@ -68,6 +68,9 @@ pub struct RelativeChainState {
     /// Velocity of `q3`.
     pub q3_dot: ::core::primitive::f64,
 }
+/// Columns of a table of states of [`RelativeChain`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct RelativeChainColumns<C>(C);
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
@@ -461,6 +464,58 @@ const _: () = {
             [state.q1, state.q2, state.q3, state.q1_dot, state.q2_dot, state.q3_dot]
         }
     }
+    impl<C: ::lagrange::system::Columns> RelativeChainColumns<C> {
+        /// Coordinate `q1`.
+        #[must_use]
+        #[inline]
+        pub fn q1(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Coordinate `q2`.
+        #[must_use]
+        #[inline]
+        pub fn q2(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+        /// Coordinate `q3`.
+        #[must_use]
+        #[inline]
+        pub fn q3(&self) -> &[C::Scalar] {
+            self.0.column(2)
+        }
+        /// Velocity of `q1`.
+        #[must_use]
+        #[inline]
+        pub fn q1_dot(&self) -> &[C::Scalar] {
+            self.0.column(3)
+        }
+        /// Velocity of `q2`.
+        #[must_use]
+        #[inline]
+        pub fn q2_dot(&self) -> &[C::Scalar] {
+            self.0.column(4)
+        }
+        /// Velocity of `q3`.
+        #[must_use]
+        #[inline]
+        pub fn q3_dot(&self) -> &[C::Scalar] {
+            self.0.column(5)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for RelativeChainColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for RelativeChainColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl ::lagrange::system::OdeSystem for RelativeChain {
         type Scalar = f64;
@@ -473,6 +528,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for RelativeChain {
         type Coordinates = [f64; 3];
+        type Columns<C> = RelativeChainColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &[
             "q1",
             "q2",

@@ -10,6 +10,7 @@
 ///
 /// - State: `[theta, theta_dot]`.
 /// - Mass matrix: diagonal, constant.
+/// - Separable: explicit symplectic methods take it.
 /// - Accelerations: each equation divided by its entry of the mass matrix.
 /// - Cost of `acceleration`: 1 addition, 6 multiplications, 1 division, 2 functions.
 pub struct Kapitza {
@@ -37,6 +38,9 @@ pub struct KapitzaState {
     /// Velocity of `theta`.
     pub theta_dot: ::core::primitive::f64,
 }
+/// Columns of a table of states of [`Kapitza`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct KapitzaColumns<C>(C);
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
@@ -227,6 +231,34 @@ const _: () = {
             [state.theta, state.theta_dot]
         }
     }
+    impl<C: ::lagrange::system::Columns> KapitzaColumns<C> {
+        /// Coordinate `theta`.
+        #[must_use]
+        #[inline]
+        pub fn theta(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Velocity of `theta`.
+        #[must_use]
+        #[inline]
+        pub fn theta_dot(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for KapitzaColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for KapitzaColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
     #[automatically_derived]
     impl ::lagrange::system::OdeSystem for Kapitza {
         type Scalar = f64;
@@ -239,6 +271,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for Kapitza {
         type Coordinates = [f64; 1];
+        type Columns<C> = KapitzaColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
@@ -252,4 +285,6 @@ const _: () = {
             self.energy(t, q, v)
         }
     }
+    #[automatically_derived]
+    impl ::lagrange::system::SeparableSystem for Kapitza {}
 };

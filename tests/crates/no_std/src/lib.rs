@@ -3,7 +3,7 @@
 #![forbid(unsafe_code)]
 
 use lagrange::Scalar;
-use lagrange::integrate::rk4;
+use lagrange::integrate::{RungeKutta4, integrate};
 
 lagrange::system! {
     /// A point mass on a massless rod.
@@ -59,7 +59,8 @@ lagrange::system! {
 /// Where a pendulum at rest at an angle is after a second; `None` if its motion cannot be computed.
 #[must_use]
 pub fn angle_after_a_second(pendulum: &Pendulum, angle: f64) -> Option<f64> {
-    rk4(pendulum, 0.0, [angle, 0.0], 1.0, 200, |_, _| {}).ok().map(|[theta, _]| theta)
+    let method = RungeKutta4 { step: 5e-3 };
+    integrate(pendulum, 0.0, [angle, 0.0], 1.0, &method, |_, _| {}).ok().map(|[theta, _]| theta)
 }
 
 /// The relative acceleration of two masses at rest at a distance.

@@ -28,7 +28,7 @@ mechanics::system! {
 #[cfg(test)]
 mod tests {
     use super::{Disk, Oscillator};
-    use mechanics::integrate::rk4;
+    use mechanics::integrate::{RungeKutta4, integrate};
     use mechanics::system::{EnergyFunction, OdeSystem};
 
     fn energy_and_rate<T>(system: &T, y: &[f64; 2]) -> (f64, [f64; 2])
@@ -43,7 +43,8 @@ mod tests {
         let oscillator = Oscillator::default();
         assert_eq!(energy_and_rate(&oscillator, &[0.5, 1.0]), (2.0, [1.0, -2.0]));
         let period = oscillator.period(0.0, &[0.0], &[0.0]);
-        let end = rk4(&oscillator, 0.0, [0.5, 0.0], period, 1000, |_, _| {}).expect("finite");
+        let method = RungeKutta4 { step: period / 1000.0 };
+        let end = integrate(&oscillator, 0.0, [0.5, 0.0], period, &method, |_, _| {}).expect("finite");
         assert!((end[0] - 0.5).abs() < 1e-9);
         let disk = Disk::<f64> { j: 0.5, u: 3.0 };
         assert_eq!(disk.acceleration(0.0, &[0.0], &[1.0]), [2.0]);

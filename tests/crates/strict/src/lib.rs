@@ -15,3 +15,4 @@ pub mod friction;
 pub mod letters;
 pub mod precision;
 pub mod products;
+pub mod reduced;

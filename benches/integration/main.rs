@@ -1,0 +1,47 @@
+//! Whole integrations by this crate and by others, each in the setting that reaches a stated error fastest.
+//!
+//! `cargo bench --bench integration -- table` prints what each solver needs for the error at the end to be no more than
+//! stated, all solvers in turns in one run. Without `table` criterion times the same runs one after the other.
+//!
+//! The other crates get a right-hand side that is simplified by hand, with constants folded and one sine and cosine
+//! for each angle. This crate gets what it emits for a declaration; all solvers return the last state only.
+
+#[path = "../../tests/references/mod.rs"]
+mod references;
+
+mod choose;
+mod emitted;
+mod peers;
+mod problem;
+mod table;
+
+use criterion::Criterion;
+
+use choose::choose;
+use problem::{Case, double_pendulum, kepler};
+
+fn cases() -> Vec<Case> {
+    vec![double_pendulum(), kepler()]
+}
+
+fn with_criterion() {
+    let mut criterion = Criterion::default().configure_from_args();
+    for case in cases() {
+        for goal in case.goals {
+            let mut group = criterion.benchmark_group(format!("{} to {goal:e}", case.name));
+            for (solver, choice) in choose(&case, *goal) {
+                group.bench_function(solver.name, |b| b.iter(|| (solver.run)(choice.tolerance)));
+            }
+            group.finish();
+        }
+    }
+    criterion.final_summary();
+}
+
+fn main() {
+    if std::env::args().any(|argument| argument == "table") {
+        table::print(&cases());
+    } else {
+        with_criterion();
+    }
+}

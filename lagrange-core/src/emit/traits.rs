@@ -1,0 +1,126 @@
+//! The traits of `lagrange::system` that an emitted system implements, by way of its methods.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::item::Parts;
+use super::method::{ArgumentNames, Arguments};
+use super::shape::{Shape, length};
+
+/// The implementations of all traits that the system has the methods for.
+pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (ode, mechanical) = (ode_impl(shape, parts), mechanical_impl(shape, parts));
+    let energy = has(parts, "energy").then(|| energy_impl(shape, parts));
+    let canonical = has(parts, "momentum_rates").then(|| canonical_impl(shape, parts));
+    let separable = parts.is_separable.then(|| separable_impl(shape));
+    quote!(#ode #mechanical #energy #separable #canonical)
+}
+
+/// Whether there is a method of this name.
+fn has(parts: &Parts, name: &str) -> bool {
+    parts.methods.iter().any(|method| method.name == name)
+}
+
+fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, twice) = (shape.krate, length(2 * shape.coordinates.len()));
+    let ArgumentNames { time, state, .. } = &parts.names;
+    let jacobian = has(parts, "jacobian").then(|| {
+        quote! {
+            #[inline]
+            fn jacobian(
+                &self,
+                #time: #scalar,
+                #state: &[#scalar; #twice],
+            ) -> ::core::option::Option<[[#scalar; #twice]; #twice]> {
+                ::core::option::Option::Some(self.jacobian(#time, #state))
+            }
+        }
+    });
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::OdeSystem for #name #generics {
+            type Scalar = #scalar;
+            type State = [#scalar; #twice];
+            #[inline]
+            fn rhs(&self, #time: #scalar, #state: &[#scalar; #twice]) -> [#scalar; #twice] {
+                self.rhs(#time, #state)
+            }
+            #jacobian
+        }
+    }
+}
+
+fn mechanical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, columns, n) = (shape.krate, shape.columns_name(), length(shape.coordinates.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &parts.names;
+    let coordinates = shape.coordinates.iter().map(|name| &name.text);
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::MechanicalSystem for #name #generics {
+            type Coordinates = [#scalar; #n];
+            type Columns<C> = #columns<C>;
+            const COORDINATES: &'static [&'static ::core::primitive::str] = &[#(#coordinates),*];
+            #[inline]
+            fn acceleration(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #n],
+                #velocities: &[#scalar; #n],
+            ) -> [#scalar; #n] {
+                self.acceleration(#time, #positions, #velocities)
+            }
+        }
+    }
+}
+
+fn energy_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &parts.names;
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::EnergyFunction for #name #generics {
+            #[inline]
+            fn energy(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]) -> #scalar {
+                self.energy(#time, #positions, #velocities)
+            }
+        }
+    }
+}
+
+fn canonical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &parts.names;
+    let mut mass_matrix = parts.methods.iter().filter(|method| method.name == "mass_matrix");
+    let arguments = mass_matrix.next().map_or(Arguments::State, |method| method.arguments);
+    let vectors = arguments.vectors(&parts.names);
+    let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::CanonicalSystem for #name #generics {
+            #[inline]
+            fn momenta(#parameters) -> [#scalar; #n] {
+                self.momenta(#time, #positions, #velocities)
+            }
+            #[inline]
+            fn momentum_rates(#parameters) -> [#scalar; #n] {
+                self.momentum_rates(#time, #positions, #velocities)
+            }
+            #[inline]
+            fn mass_matrix(#parameters) -> [[#scalar; #n]; #n] {
+                self.mass_matrix(#time, #(#vectors),*)
+            }
+        }
+    }
+}
+
+fn separable_impl(shape: &Shape<'_>) -> TokenStream {
+    let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::SeparableSystem for #name #generics {}
+    }
+}

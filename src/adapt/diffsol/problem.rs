@@ -1,0 +1,88 @@
+//! A system as the closures that `diffsol` builds a problem of.
+
+use core::cell::RefCell;
+
+use ::diffsol::{MatrixCommon, NalgebraMat, OdeBuilder, OdeEquationsImplicit, OdeSolverProblem};
+
+use super::Stiff;
+use crate::adapt::jacobian::jacobian;
+use crate::integrate::Cause;
+use crate::system::{OdeSystem, StateMatrix, StateVector};
+
+pub(super) type Matrix = NalgebraMat<f64>;
+pub(super) type Vector = <Matrix as MatrixCommon>::V;
+pub(super) type Context = <Matrix as MatrixCommon>::C;
+
+/// The problem in the time ± t that grows towards the end, since `diffsol` stops at later times only.
+pub(super) fn problem<'a, M>(
+    system: &'a M,
+    t0: f64,
+    y0: &M::State,
+    t_end: f64,
+    method: &Stiff,
+) -> Result<
+    OdeSolverProblem<impl OdeEquationsImplicit<T = f64, V = Vector, M = Matrix, C = Context> + use<'a, M>>,
+    Cause<f64>,
+>
+where
+    M: OdeSystem<Scalar = f64> + ?Sized,
+{
+    let direction = direction(t0, t_end);
+    let start = *y0;
+    let columns = RefCell::new(Known::<M>::new());
+    OdeBuilder::<Matrix>::new()
+        .t0(direction * t0)
+        .rtol(method.relative)
+        .atol([method.absolute])
+        .rhs_implicit(
+            move |y: &[f64], _: &[f64], t: f64, rate: &mut [f64]| {
+                let own = system.rhs(direction * t, &state::<M>(y));
+                for (rate, own) in rate.iter_mut().zip(own.as_ref()) {
+                    *rate = direction * own;
+                }
+            },
+            move |y: &[f64], _: &[f64], t: f64, v: &[f64], product: &mut [f64]| {
+                let rows = columns.borrow_mut().at(system, direction * t, &state::<M>(y));
+                for (product, row) in product.iter_mut().zip(rows.as_ref()) {
+                    let sum = row.as_ref().iter().zip(v).map(|(entry, v)| entry * v).sum::<f64>();
+                    *product = direction * sum;
+                }
+            },
+        )
+        .init(move |_: &[f64], _: f64, y: &mut [f64]| y.copy_from_slice(start.as_ref()), y0.as_ref().len())
+        .build()
+        .map_err(|_| Cause::Adapted("diffsol refused the problem"))
+}
+
+/// 1 forwards and −1 backwards.
+pub(super) fn direction(t0: f64, t_end: f64) -> f64 {
+    if t_end < t0 { -1.0 } else { 1.0 }
+}
+
+pub(super) fn state<M: OdeSystem<Scalar = f64> + ?Sized>(values: &[f64]) -> M::State {
+    let mut y = M::State::ZERO;
+    y.as_mut().copy_from_slice(values);
+    y
+}
+
+/// The last Jacobian: `diffsol` asks for it column by column, in products with unit vectors.
+struct Known<M: OdeSystem<Scalar = f64> + ?Sized> {
+    last: Option<(f64, M::State, StateMatrix<M>)>,
+}
+
+impl<M: OdeSystem<Scalar = f64> + ?Sized> Known<M> {
+    fn new() -> Self {
+        Known { last: None }
+    }
+
+    fn at(&mut self, system: &M, t: f64, y: &M::State) -> StateMatrix<M> {
+        match &self.last {
+            Some((time, at, rows)) if *time == t && at.as_ref() == y.as_ref() => *rows,
+            _ => {
+                let rows = jacobian(system, t, y);
+                self.last = Some((t, *y, rows));
+                rows
+            }
+        }
+    }
+}

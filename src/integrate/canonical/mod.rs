@@ -1,0 +1,144 @@
+//! What implicit methods in coordinates and momenta have in common.
+//!
+//! They keep momenta p = ∂L/∂v and find velocities from them. Their equations hold the change of P(Q, V) = ∂L/∂v and that of
+//! the rates R(Q, V) = ∂L/∂q + Q of momenta, of which Newton's method needs derivatives. Differentiating d/dt P = R along
+//! the motion gives
+//!
+//! ```text
+//! ∂P/∂v = M,    ∂R/∂v − ∂P/∂q = M ∂a/∂v + dM/dt,    ∂R/∂q = M ∂a/∂q + d/dt ∂P/∂q,
+//! ```
+//!
+//! so that the Jacobian of the system and the mass matrix do. The last term is left out: it changes the number of
+//! iterations alone, and no more than the change of the derivatives within a step does.
+
+mod pencil;
+mod velocities;
+
+use crate::integrate::error::Cause;
+use crate::integrate::linear::Matrix;
+use crate::integrate::method::Work;
+use crate::integrate::newton::finite;
+use crate::scalar::Scalar;
+use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
+
+pub(super) use self::pencil::Pencil;
+pub(super) use self::velocities::{factors, velocities};
+
+type Mass<M> = Matrix<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
+
+/// The derivatives of the equations of a step.
+pub(super) type Derivatives<M> = Pencil<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
+
+/// A step to be taken, from coordinates and momenta.
+#[derive(Debug)]
+pub(super) struct Step<'a, M: CanonicalSystem + ?Sized> {
+    pub(super) system: &'a M,
+    pub(super) t: M::Scalar,
+    pub(super) q: M::Coordinates,
+    pub(super) p: M::Coordinates,
+    pub(super) h: M::Scalar,
+}
+
+/// Velocities and the mass matrix at the state that was reached.
+#[derive(Debug)]
+pub(super) struct Reached<M: CanonicalSystem + ?Sized> {
+    pub(super) velocities: M::Coordinates,
+    mass: Mass<M>,
+    /// The rate of the mass matrix over the last step.
+    mass_rate: Mass<M>,
+    /// Velocities and mass matrix at the end of the step that is being taken.
+    next: (M::Coordinates, Mass<M>),
+}
+
+impl<M: CanonicalSystem + ?Sized> Clone for Reached<M> {
+    fn clone(&self) -> Self {
+        Reached { ..*self }
+    }
+}
+
+impl<M: CanonicalSystem + ?Sized> Reached<M> {
+    /// Nothing yet.
+    pub(super) const NOTHING: Self = Reached {
+        velocities: M::Coordinates::ZERO,
+        mass: Matrix::ZERO,
+        mass_rate: Matrix::ZERO,
+        next: (M::Coordinates::ZERO, Matrix::ZERO),
+    };
+
+    /// Starts at a state and returns its coordinates and momenta.
+    pub(super) fn start(&mut self, system: &M, t: M::Scalar, y: &M::State) -> M::State {
+        let (q, v) = split::<M>(y);
+        self.velocities = v;
+        self.mass = Matrix(system.mass_matrix(t, &q, &v));
+        self.mass_rate = Matrix::ZERO;
+        join::<M>(&q, &system.momenta(t, &q, &v))
+    }
+
+    /// The state of coordinates and momenta at the end of a step of the length `h`, from a guess of velocities.
+    pub(super) fn finish(
+        &mut self,
+        system: &M,
+        (t, variables): (M::Scalar, &M::State),
+        guess: M::Coordinates,
+        h: M::Scalar,
+        work: &mut Work,
+    ) -> Result<M::State, Cause<M::Scalar>> {
+        let (q, p) = split::<M>(variables);
+        let mass = Matrix(system.mass_matrix(t, &q, &guess));
+        let v = velocities(system, t, (&q, &p), guess, &mass, h, work)?;
+        self.next = (v, mass);
+        Ok(join::<M>(&q, &v))
+    }
+
+    /// Goes on from the end of the step of the length `h`.
+    pub(super) fn accept(&mut self, h: M::Scalar) {
+        let (velocities, mass) = self.next;
+        self.mass_rate = Matrix::of(|i, j| (mass[(i, j)] - self.mass[(i, j)]) / h);
+        self.mass = mass;
+        self.velocities = velocities;
+    }
+
+    /// The derivatives of the equations in the middle of a step with the mean velocity `v`.
+    pub(super) fn derivatives(
+        &self,
+        step: &Step<'_, M>,
+        v: &M::Coordinates,
+        work: &mut Work,
+    ) -> Result<Derivatives<M>, Cause<M::Scalar>> {
+        let h = step.h;
+        let half = h / M::Scalar::from_f64(2.0);
+        let mass = Matrix::of(|i, j| self.mass_rate[(i, j)].multiply_add(half, self.mass[(i, j)]));
+        let mut q = step.q;
+        add(&mut q, half, v);
+        let Some(jacobian) = step.system.jacobian(step.t + half, &join::<M>(&q, v)) else {
+            return Ok(Pencil { constant: mass, derivatives: None });
+        };
+        work.jacobians += 1;
+        if !finite(jacobian.as_ref()) {
+            // The rates may be smooth enough for fixed points where their slopes are not defined.
+            return Ok(Pencil { constant: mass, derivatives: None });
+        }
+        let (jacobian, n) = (Matrix::<M::Scalar, M::State>(jacobian), mass.rows());
+        let by_q = mass.times(&Matrix::of(|i, j| h * h * jacobian[(n + i, j)]));
+        let by_v = mass.times(&Matrix::of(|i, j| h * jacobian[(n + i, n + j)]));
+        let by_v = Matrix::of(|i, j| self.mass_rate[(i, j)].multiply_add(h, by_v[(i, j)]));
+        Ok(Pencil { constant: mass, derivatives: Some((by_v, by_q)) })
+    }
+}
+
+/// The magnitude of slopes and of those that would move `from` by itself or by one within a step of the length `h`: in
+/// floating point it makes no difference to change them by their rounding.
+pub(super) fn magnitude<S: Scalar, Y: StateVector<S>>(mut slopes: Y, from: &Y, h: S) -> Y {
+    for (slope, from) in slopes.as_mut().iter_mut().zip(from.as_ref()) {
+        *slope = slope.abs() + (S::ONE + from.abs()) / h.abs();
+    }
+    slopes
+}
+
+/// y + c x
+#[inline]
+pub(super) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
+    for (y, x) in y.as_mut().iter_mut().zip(x.as_ref()) {
+        *y = x.multiply_add(c, *y);
+    }
+}

@@ -1,0 +1,28 @@
+//! The derivatives of the equations of a step, frozen.
+
+use crate::integrate::linear::Matrix;
+use crate::scalar::Scalar;
+use crate::system::StateVector;
+
+/// The matrix constant − λ linear − μ quadratic. A method puts its coefficients in the place of λ and of μ, which is of
+/// second order in them; the length of the step is in the matrices.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::integrate) struct Pencil<S: Scalar, Y: StateVector<S>> {
+    pub(in crate::integrate) constant: Matrix<S, Y>,
+    /// Linear and quadratic, if derivatives are known.
+    pub(in crate::integrate) derivatives: Option<(Matrix<S, Y>, Matrix<S, Y>)>,
+}
+
+impl<S: Scalar, Y: StateVector<S>> Pencil<S, Y> {
+    /// Σ of the magnitudes of all terms of the equations for unknowns of this magnitude.
+    pub(in crate::integrate) fn magnitude(&self, unknowns: &Y) -> Y {
+        let constant = |i, j| self.constant[(i, j)].abs();
+        match &self.derivatives {
+            None => Matrix::of(constant).apply(unknowns),
+            Some((linear, quadratic)) => {
+                Matrix::of(|i, j| constant(i, j) + linear[(i, j)].abs() + quadratic[(i, j)].abs())
+                    .apply(unknowns)
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Velocities that belong to momenta.
+
+use crate::integrate::canonical::magnitude;
+use crate::integrate::error::Cause;
+use crate::integrate::linear::{Factors, Matrix};
+use crate::integrate::method::Work;
+use crate::integrate::newton::{self, Equations, finite};
+use crate::scalar::Scalar;
+use crate::system::{CanonicalSystem, StateVector};
+
+/// The velocities v with ∂L/∂v = p, from a guess and the mass matrix there.
+///
+/// One correction does if L is quadratic in the velocities; another removes what rounding left of it. The length `h` of
+/// the step that led here tells which velocities are small.
+pub(in crate::integrate) fn velocities<M: CanonicalSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    (q, p): (&M::Coordinates, &M::Coordinates),
+    guess: M::Coordinates,
+    mass: &Matrix<M::Scalar, M::Coordinates>,
+    h: M::Scalar,
+    work: &mut Work,
+) -> Result<M::Coordinates, Cause<M::Scalar>> {
+    let mut unknowns = [guess];
+    let mut uncounted = Work::default();
+    let mut equations = Momenta { system, t, q, p, h, mass, factors: factors(mass)? };
+    newton::solve(&mut equations, &mut unknowns, Scalar::epsilon(), &mut uncounted)?;
+    work.evaluations += uncounted.evaluations;
+    Ok(unknowns[0])
+}
+
+/// The factors of a mass matrix.
+pub(in crate::integrate) fn factors<S: Scalar, Y: StateVector<S>>(
+    mass: &Matrix<S, Y>,
+) -> Result<Factors<S, Y>, Cause<S>> {
+    if !finite(mass.0.as_ref()) {
+        return Err(Cause::NotFinite);
+    }
+    Factors::new(*mass).ok_or(Cause::SingularMassMatrix)
+}
+
+/// The equations ∂L/∂v = p for v.
+struct Momenta<'a, M: CanonicalSystem + ?Sized> {
+    system: &'a M,
+    t: M::Scalar,
+    q: &'a M::Coordinates,
+    p: &'a M::Coordinates,
+    h: M::Scalar,
+    mass: &'a Matrix<M::Scalar, M::Coordinates>,
+    factors: Factors<M::Scalar, M::Coordinates>,
+}
+
+impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::Coordinates, 1> for Momenta<'_, M> {
+    #[inline]
+    fn residual(&mut self, [v]: &[M::Coordinates; 1], work: &mut Work) -> [M::Coordinates; 1] {
+        work.evaluations += 1;
+        let mut residual = *self.p;
+        let momenta = self.system.momenta(self.t, self.q, v);
+        for (residual, momentum) in residual.as_mut().iter_mut().zip(momenta.as_ref()) {
+            *residual = *residual - *momentum;
+        }
+        [residual]
+    }
+
+    fn correction(&self, [residual]: &[M::Coordinates; 1]) -> [M::Coordinates; 1] {
+        [self.factors.solve(residual)]
+    }
+
+    fn magnitude(&self, [v]: &[M::Coordinates; 1]) -> M::Coordinates {
+        let unknowns = magnitude(*v, self.q, self.h);
+        Matrix::of(|i, j| self.mass[(i, j)].abs()).apply(&unknowns)
+    }
+}

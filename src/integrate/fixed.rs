@@ -1,0 +1,169 @@
+//! Steps of equal length.
+
+use crate::integrate::clock::Clock;
+use crate::integrate::compensated::Compensated;
+use crate::integrate::error::Cause;
+use crate::integrate::method::{Stepper, Work};
+use crate::scalar::Scalar;
+use crate::system::{OdeSystem, StateVector};
+
+/// A formula that advances the state by a step of given length.
+///
+/// What it advances may be other variables than the state, such as coordinates and momenta: they are summed with
+/// compensation, so that what the formula conserves is conserved to rounding.
+pub trait Formula<M: OdeSystem + ?Sized> {
+    /// The variables of the state `y`, from which the integration starts or goes on: nothing that was found before
+    /// holds any more.
+    fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
+        *y
+    }
+
+    /// The state of these variables.
+    ///
+    /// # Errors
+    /// If it could not be found.
+    fn state(
+        &mut self,
+        _system: &M,
+        _t: M::Scalar,
+        variables: &M::State,
+        _work: &mut Work,
+    ) -> Result<M::State, Cause<M::Scalar>> {
+        Ok(*variables)
+    }
+
+    /// By how much the variables change from time `t` to `t + h`. What is not finite is returned as it is.
+    ///
+    /// # Errors
+    /// If the step could not be taken.
+    fn increment(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        variables: &M::State,
+        h: M::Scalar,
+        work: &mut Work,
+    ) -> Result<M::State, Cause<M::Scalar>>;
+
+    /// The step of the last increment was taken and ended at time `t`, which may differ from the sum of its
+    /// start and its length by rounding. What was found at its end may be kept for the next one.
+    fn accept(&mut self, _t: M::Scalar) {}
+
+    /// The state between `from` and `to`, the ends of the last accepted step with their times.
+    fn interpolate(
+        &mut self,
+        system: &M,
+        from: (M::Scalar, &M::State),
+        to: (M::Scalar, &M::State),
+        t: M::Scalar,
+        work: &mut Work,
+    ) -> M::State;
+}
+
+/// An integration in steps of equal length; only one that reaches its limit may be shorter.
+#[derive(Clone, Debug)]
+pub struct FixedStepper<M: OdeSystem + ?Sized, F> {
+    formula: F,
+    clock: Clock<M::Scalar>,
+    variables: Compensated<M::State>,
+    state: M::State,
+    last: (M::Scalar, M::State),
+    work: Work,
+}
+
+impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
+    /// Starts at `y` at time `t`, with steps of the length `h` towards `end`.
+    ///
+    /// # Errors
+    /// If `h` is not positive and finite, or something else is not finite.
+    pub fn start(
+        mut formula: F,
+        h: M::Scalar,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self, Cause<M::Scalar>> {
+        if !(h > M::Scalar::ZERO && h.is_finite()) {
+            return Err(Cause::Setting("the length of steps must be positive and finite"));
+        }
+        check_finite(t, y)?;
+        check_finite(end, y)?;
+        let variables = Compensated::new(formula.variables(system, t, y));
+        let clock = Clock::new(t, if end < t { -h } else { h });
+        Ok(FixedStepper { formula, clock, variables, state: *y, last: (t, *y), work: Work::default() })
+    }
+}
+
+impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
+    #[inline]
+    fn time(&self) -> M::Scalar {
+        self.clock.time()
+    }
+
+    #[inline]
+    fn state(&self) -> &M::State {
+        &self.state
+    }
+
+    #[inline]
+    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>> {
+        let (t, before) = (self.clock.time(), self.clock);
+        let h = self.clock.advance(limit);
+        let stepped = self.advance(system, t, h);
+        if stepped.is_err() {
+            self.clock = before;
+        }
+        stepped
+    }
+
+    fn last_time(&self) -> M::Scalar {
+        self.last.0
+    }
+
+    fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State {
+        let (from, to) = (self.last.0, self.clock.time());
+        if t == to {
+            return self.state;
+        }
+        self.formula.interpolate(system, (from, &self.last.1), (to, &self.state), t, &mut self.work)
+    }
+
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
+        check_finite(t, y)?;
+        self.clock = self.clock.at(t);
+        self.variables = Compensated::new(self.formula.variables(system, t, y));
+        self.state = *y;
+        self.last = (t, *y);
+        Ok(())
+    }
+
+    fn work(&self) -> Work {
+        self.work
+    }
+}
+
+impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
+    #[inline]
+    fn advance(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Result<(), Cause<M::Scalar>> {
+        let increment = self.formula.increment(system, t, self.variables.value(), h, &mut self.work)?;
+        let mut variables = self.variables;
+        variables.add(&increment);
+        let state = self.formula.state(system, self.clock.time(), variables.value(), &mut self.work)?;
+        check_finite(self.clock.time(), &state)?;
+        self.last = (t, core::mem::replace(&mut self.state, state));
+        self.variables = variables;
+        self.formula.accept(self.clock.time());
+        self.work.steps += 1;
+        Ok(())
+    }
+}
+
+/// Whether time and state can be gone on from.
+#[inline]
+pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<(), Cause<S>> {
+    if t.is_finite() && y.as_ref().iter().all(|component| component.is_finite()) {
+        return Ok(());
+    }
+    Err(Cause::NotFinite)
+}

@@ -1,0 +1,83 @@
+//! What a method of integration is to those who drive it.
+//!
+//! A [`Method`] holds settings and can be kept and compared; it starts a [`Stepper`], which holds all that changes
+//! from step to step and needs no heap.
+
+use crate::integrate::error::Cause;
+use crate::system::OdeSystem;
+
+/// A method of integration with its settings.
+pub trait Method<M: OdeSystem + ?Sized> {
+    /// An integration by this method in progress.
+    type Stepper: Stepper<M>;
+
+    /// What the method is called in tables.
+    fn name(&self) -> &'static str;
+
+    /// The power of the step with which the global error falls.
+    fn order(&self) -> u32;
+
+    /// Starts at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
+    ///
+    /// # Errors
+    /// If a setting makes no sense, or `t`, `y`, `end` or, where the method asks for it, the rate at the start is not finite.
+    fn start(
+        &self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self::Stepper, Cause<M::Scalar>>;
+}
+
+/// An integration in progress.
+pub trait Stepper<M: OdeSystem + ?Sized> {
+    /// The time that was reached.
+    fn time(&self) -> M::Scalar;
+
+    /// The state that was reached; always finite.
+    fn state(&self) -> &M::State;
+
+    /// Takes one step towards `limit` and not beyond; a step that would end just short of it ends there.
+    ///
+    /// What was found at the end of the last step may be used again: after `system` was changed, as by another input,
+    /// go on with [`restart`](Stepper::restart) from the state that was reached.
+    ///
+    /// # Errors
+    /// If no step can be taken. Time and state are then what they were before.
+    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>>;
+
+    /// The time at which the last step began; the present time if none was taken since the start.
+    fn last_time(&self) -> M::Scalar;
+
+    /// The state at a time within the last step. At both ends it is what the method itself found there.
+    ///
+    /// The error is of the order of the method's own; a method that needs further evaluations for this makes
+    /// them when first asked after a step.
+    fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State;
+
+    /// Goes on from another state at another time, as after an impact. The work done so far still counts.
+    ///
+    /// # Errors
+    /// If the state or, where the method asks for it, its rate is not finite.
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>>;
+
+    /// What it took so far.
+    fn work(&self) -> Work;
+}
+
+/// What an integration took.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+#[non_exhaustive]
+pub struct Work {
+    /// Steps taken.
+    pub steps: u64,
+    /// Steps tried and thrown away because their error was too large.
+    pub rejections: u64,
+    /// Evaluations of the right-hand side, or of momenta and their rates.
+    pub evaluations: u64,
+    /// Evaluations of the Jacobian.
+    pub jacobians: u64,
+    /// Iterations of implicit methods.
+    pub iterations: u64,
+}

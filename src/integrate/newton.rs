@@ -1,0 +1,173 @@
+//! Iteration of the equations of an implicit step down to rounding.
+//!
+//! What a symplectic method conserves is lost to where its equations are left unsolved, so that iterations go on
+//! until corrections stop falling, not until they fall below a tolerance. Unknowns may differ in units and scale:
+//! each is judged by its own corrections. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
+//! §VIII.6.2.
+
+use crate::integrate::error::Cause;
+use crate::integrate::method::Work;
+use crate::scalar::Scalar;
+use crate::system::StateVector;
+
+/// Equations for K vectors of unknowns.
+pub(super) trait Equations<S: Scalar, Y: StateVector<S>, const K: usize> {
+    /// What is left of the equations at `unknowns`; what an evaluation finds on its way may be kept.
+    fn residual(&mut self, unknowns: &[Y; K], work: &mut Work) -> [Y; K];
+
+    /// By how much the unknowns should change for a residual, to first order.
+    fn correction(&self, residual: &[Y; K]) -> [Y; K];
+
+    /// The magnitude of the terms that make up each residual, of which rounding errors are a small part.
+    fn magnitude(&self, unknowns: &[Y; K]) -> Y;
+}
+
+/// More iterations than this are no use: those that converge so slowly should take shorter steps.
+const LIMIT: u32 = 100;
+
+/// Unknowns that depend on each other in turns may pause for one iteration on their way.
+const PAUSE: u32 = 2;
+
+/// Corrections that stall for more iterations than this stall for good.
+const PATIENCE: u32 = 3;
+
+/// Corrections that fall by less than this factor do not fall.
+const FALL: f64 = 0.7;
+
+/// Solves `equations` from the starting values in `unknowns`. The last evaluation was at what is left there.
+pub(super) fn solve<S: Scalar, Y: StateVector<S>, const K: usize>(
+    equations: &mut impl Equations<S, Y, K>,
+    unknowns: &mut [Y; K],
+    rounding: S,
+    work: &mut Work,
+) -> Result<(), Cause<S>> {
+    let mut progress = Progress::new(rounding);
+    let mut stalls = 0;
+    for iteration in 1..=LIMIT {
+        let residual = equations.residual(unknowns, work);
+        let correction = equations.correction(&residual);
+        work.iterations += 1;
+        if !finite(&correction) {
+            return Err(Cause::NotFinite);
+        }
+        match progress.after(unknowns, &correction) {
+            Trend::Falls => stalls = 0,
+            Trend::Settled => return Ok(()),
+            Trend::Stalls => stalls += 1,
+        }
+        if stalls >= PAUSE && is_rounding(&residual, &equations.magnitude(unknowns), rounding) {
+            return Ok(());
+        }
+        if stalls > PATIENCE {
+            return Err(Cause::NotConverged { iterations: iteration });
+        }
+        add(unknowns, &correction);
+    }
+    Err(Cause::NotConverged { iterations: LIMIT })
+}
+
+/// Whether every entry is finite.
+pub(super) fn finite<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> bool {
+    vectors.iter().all(|vector| vector.as_ref().iter().all(|entry| entry.is_finite()))
+}
+
+/// The largest magnitude of each unknown over all vectors.
+#[inline]
+pub(super) fn largest<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> Y {
+    let mut largest = Y::ZERO;
+    for vector in vectors {
+        for (largest, entry) in largest.as_mut().iter_mut().zip(vector.as_ref()) {
+            *largest = largest.max(entry.abs());
+        }
+    }
+    largest
+}
+
+/// The corrections of each unknown so far.
+struct Progress<S, Y> {
+    rounding: S,
+    /// The smallest and the last, and the best of the ratios of one to the one before; nothing is known at first.
+    seen: Option<(Y, Y, Y)>,
+}
+
+impl<S: Scalar, Y: StateVector<S>> Progress<S, Y> {
+    fn new(rounding: S) -> Self {
+        Progress { rounding, seen: None }
+    }
+
+    /// What one more correction makes of it.
+    #[inline]
+    fn after<const K: usize>(&mut self, unknowns: &[Y; K], correction: &[Y; K]) -> Trend {
+        let (now, scale) = (largest(correction), largest(unknowns));
+        let (smallest, last, rate) = self.seen.get_or_insert((infinite(), infinite(), infinite()));
+        let (mut falls, mut settled) = (false, true);
+        let before = smallest.as_mut().iter_mut().zip(last.as_mut()).zip(rate.as_mut());
+        for ((now, scale), ((smallest, last), rate)) in now.as_ref().iter().zip(scale.as_ref()).zip(before) {
+            if !is_settled(*now, *last * *rate, *scale * self.rounding) {
+                settled = false;
+                falls |= *now < S::from_f64(FALL) * *smallest;
+            }
+            if *last < infinity() && *now < *last * *rate {
+                *rate = *now / *last;
+            }
+            *smallest = smallest.min(*now);
+            *last = *now;
+        }
+        match (settled, falls) {
+            (true, _) => Trend::Settled,
+            (false, true) => Trend::Falls,
+            (false, false) => Trend::Stalls,
+        }
+    }
+}
+
+/// What corrections do.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Trend {
+    /// Some still fall.
+    Falls,
+    /// They are zero, or rounding errors and nothing else.
+    Settled,
+    /// They do not fall.
+    Stalls,
+}
+
+/// More than any correction.
+fn infinity<S: Scalar>() -> S {
+    S::ONE / S::ZERO
+}
+
+/// Entries larger than any correction.
+fn infinite<S: Scalar, Y: StateVector<S>>() -> Y {
+    let mut vector = Y::ZERO;
+    vector.as_mut().fill(infinity());
+    vector
+}
+
+/// Whether the correction `now` is the rounding of an unknown, on which a change by `unseen` is lost.
+///
+/// Without rounding it would be no larger than `expected`, what the best rate of convergence so far makes of the one
+/// before. Small is not enough: what slow convergence leaves has the same sign in every step.
+#[inline(always)]
+fn is_settled<S: Scalar>(now: S, expected: S, unseen: S) -> bool {
+    now == S::ZERO || (now <= S::from_f64(100.0) * unseen && S::from_f64(8.0) * expected <= unseen)
+}
+
+/// Whether residuals are a small part of the terms they are made of.
+fn is_rounding<S: Scalar, Y: StateVector<S>>(residuals: &[Y], magnitude: &Y, rounding: S) -> bool {
+    let root = rounding.sqrt();
+    let part = root * root.sqrt();
+    let largest = largest(residuals);
+    largest.as_ref().iter().zip(magnitude.as_ref()).all(|(residual, terms)| *residual <= part * *terms)
+}
+
+fn add<S: Scalar, Y: StateVector<S>, const K: usize>(unknowns: &mut [Y; K], correction: &[Y; K]) {
+    for (unknowns, correction) in unknowns.iter_mut().zip(correction) {
+        for (unknown, correction) in unknowns.as_mut().iter_mut().zip(correction.as_ref()) {
+            *unknown = *unknown + *correction;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,176 @@
+//! Explicit symplectic methods for separable systems: kicks and drifts in turns.
+//!
+//! With time as one more coordinate, the motion is split into two that are known exactly,
+//!
+//! ```text
+//! kick:   v += β h a(t, q)                drift:   q += α h v,   t += α h
+//! ```
+//!
+//! and a method composes kicks β₀, β₁, … and drifts α₁, α₂, …: first the kick β₀, then each drift αᵢ with the kick βᵢ
+//! after it. Every part is symplectic in (q, M v) with the constant mass matrix M, and so is their composition, however
+//! the forces depend on time. Each kick and drift also keeps momenta that belong to linear symmetries, such as the
+//! angular momentum in Cartesian coordinates. A last kick shares its acceleration with the first one of the next step.
+//!
+//! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §II.5 and §VI.3.
+
+mod blanes_moan;
+mod symplectic_euler;
+mod verlet;
+
+use crate::integrate::error::Cause;
+use crate::integrate::fixed::Formula;
+use crate::integrate::interpolation::{Motion, Place, quintic};
+use crate::integrate::method::Work;
+use crate::integrate::stability::{self, Watch};
+use crate::scalar::Scalar;
+use crate::system::{SeparableSystem, StateVector, join, split};
+
+pub use self::blanes_moan::BlanesMoan4;
+pub use self::symplectic_euler::SymplecticEuler;
+pub use self::verlet::StormerVerlet;
+
+/// A composition of kicks and drifts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Composition<const DRIFTS: usize> {
+    /// The kick before the first drift.
+    first: f64,
+    /// Drifts, each with the kick after it.
+    rest: [(f64, f64); DRIFTS],
+    /// The step times the frequency of an oscillation up to which its amplitude is bounded.
+    stable: f64,
+}
+
+/// The formula of a composition; S is the scalar and Q the vector of coordinates.
+#[derive(Clone, Copy, Debug)]
+pub struct Splitting<S, Q, const DRIFTS: usize> {
+    composition: Composition<DRIFTS>,
+    /// When the last accepted step ended, if the acceleration there still holds.
+    known: Option<S>,
+    /// What the last increment was made of.
+    trial: Trial<S, Q>,
+    /// That of the last accepted step.
+    taken: Trial<S, Q>,
+    watch: Watch,
+}
+
+/// A step in the making.
+#[derive(Clone, Copy, Debug)]
+struct Trial<S, Q> {
+    h: S,
+    change: Q,
+    accelerations: [Q; 2],
+}
+
+impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> {
+    pub(super) fn new(composition: Composition<DRIFTS>) -> Self {
+        let nothing = Trial { h: S::ZERO, change: Q::ZERO, accelerations: [Q::ZERO; 2] };
+        Splitting { composition, known: None, trial: nothing, taken: nothing, watch: Watch::default() }
+    }
+}
+
+impl<M, const DRIFTS: usize> Formula<M> for Splitting<M::Scalar, M::Coordinates, DRIFTS>
+where
+    M: SeparableSystem + ?Sized,
+{
+    fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
+        self.known = None;
+        *y
+    }
+
+    #[inline]
+    fn increment(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        h: M::Scalar,
+        work: &mut Work,
+    ) -> Result<M::State, Cause<M::Scalar>> {
+        let (q, v) = split::<M>(y);
+        let start = match self.known {
+            Some(time) if time == t => self.taken.accelerations[1],
+            _ => {
+                work.evaluations += 1;
+                system.acceleration(t, &q, &v)
+            }
+        };
+        work.evaluations += DRIFTS as u64;
+        let (trial, gain) = composed(system, &self.composition, t, (&q, &v), h, &start);
+        self.trial = trial;
+        self.check(system, t, (&q, &v), work)?;
+        Ok(join::<M>(&trial.change, &gain))
+    }
+
+    #[inline]
+    fn accept(&mut self, t: M::Scalar) {
+        self.known = Some(t);
+        self.taken = self.trial;
+    }
+
+    fn interpolate(
+        &mut self,
+        _system: &M,
+        (from, start): (M::Scalar, &M::State),
+        (to, end): (M::Scalar, &M::State),
+        t: M::Scalar,
+        _work: &mut Work,
+    ) -> M::State {
+        let ((q, v), (_, v_end)) = (split::<M>(start), split::<M>(end));
+        let Trial { h, change, accelerations, .. } = self.taken;
+        let place = Place { h, s: (t - from) / (to - from) };
+        let (change, velocity) = quintic(place, &Motion { change, velocities: [v, v_end], accelerations });
+        join::<M>(&stability::combined(&q, M::Scalar::ONE, &change), &velocity)
+    }
+}
+
+/// The step by this composition from `q` and `v` at time `t`, where the acceleration is `start`, and the change of
+/// the velocities.
+#[inline]
+fn composed<M: SeparableSystem + ?Sized, const DRIFTS: usize>(
+    system: &M,
+    composition: &Composition<DRIFTS>,
+    t: M::Scalar,
+    (q, v): (&M::Coordinates, &M::Coordinates),
+    h: M::Scalar,
+    start: &M::Coordinates,
+) -> (Trial<M::Scalar, M::Coordinates>, M::Coordinates) {
+    let (number, zero) = (M::Scalar::from_f64, M::Coordinates::ZERO);
+    let (mut change, mut acceleration, mut drifted) = (zero, *start, 0.0);
+    let mut gain = stability::combined(&zero, number(composition.first) * h, start);
+    for (drift, kick) in composition.rest {
+        drifted += drift;
+        let velocity = stability::combined(v, M::Scalar::ONE, &gain);
+        change = stability::combined(&change, number(drift) * h, &velocity);
+        let position = stability::combined(q, M::Scalar::ONE, &change);
+        acceleration = system.acceleration(t + number(drifted) * h, &position, &velocity);
+        gain = stability::combined(&gain, number(kick) * h, &acceleration);
+    }
+    (Trial { h, change, accelerations: [*start, acceleration] }, gain)
+}
+
+impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> {
+    /// Refuses the step if an oscillation is too fast for it.
+    #[inline]
+    fn check<M>(&mut self, system: &M, t: S, (q, v): (&Q, &Q), work: &mut Work) -> Result<(), Cause<S>>
+    where
+        M: SeparableSystem<Scalar = S, Coordinates = Q> + ?Sized,
+    {
+        let ([start, end], h) = (&self.trial.accelerations, self.trial.h);
+        let stable = S::from_f64(self.composition.stable);
+        let (change, bent) = (stability::length(&self.trial.change), stability::distance(start, end));
+        if !self.watch.follows(bent * (h * h) > stable * stable * change) {
+            return Ok(());
+        }
+        work.evaluations += stability::EVALUATIONS;
+        let rates = |q: &Q| system.acceleration(t, q, v);
+        let direction = stability::combined(end, -S::ONE, start);
+        let limit = stable / stability::largest_eigenvalue(rates, q, change, &direction).sqrt();
+        if h.abs() > limit {
+            return Err(Cause::Stiff { limit });
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,44 @@
+//! The symplectic Euler method.
+//!
+//! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §I.1.2 and theorem VI.3.3.
+
+use crate::integrate::error::Cause;
+use crate::integrate::fixed::FixedStepper;
+use crate::integrate::method::Method;
+use crate::integrate::splitting::{Composition, Splitting};
+use crate::system::SeparableSystem;
+
+/// The symplectic Euler method in equal steps: velocities first, then coordinates with the new velocities.
+///
+/// Order one; symplectic, not symmetric. One acceleration a step. The energy oscillates by O(h) without drift, so that
+/// games and sketches stay alive for ever; [`StormerVerlet`](crate::integrate::StormerVerlet) costs the same and has
+/// order two.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SymplecticEuler<S> {
+    /// Length of a step.
+    pub step: S,
+}
+
+const COMPOSITION: Composition<1> = Composition { first: 1.0, rest: [(1.0, 0.0)], stable: 2.0 };
+
+impl<M: SeparableSystem + ?Sized> Method<M> for SymplecticEuler<M::Scalar> {
+    type Stepper = FixedStepper<M, Splitting<M::Scalar, M::Coordinates, 1>>;
+
+    fn name(&self) -> &'static str {
+        "symplectic Euler"
+    }
+
+    fn order(&self) -> u32 {
+        1
+    }
+
+    fn start(
+        &self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+        FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
+    }
+}

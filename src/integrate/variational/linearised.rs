@@ -1,0 +1,88 @@
+//! The linear equations of a Newton iteration over the velocities at both ends of a step.
+
+use crate::integrate::canonical::{Pencil, add};
+use crate::integrate::linear::{Factors, Matrix};
+use crate::scalar::Scalar;
+use crate::system::StateVector;
+
+/// −C₀⁻¹C₁, where Cₖ holds the coefficients of hᵏ in the derivatives of the equations.
+pub(super) const LINEAR: [[f64; 2]; 2] = [[1.0 / 12.0, -1.0 / 12.0], [7.0 / 12.0, 5.0 / 12.0]];
+
+/// −C₀⁻¹C₂
+pub(super) const QUADRATIC: [[f64; 2]; 2] = [[-1.0 / 16.0, -1.0 / 48.0], [5.0 / 16.0, 5.0 / 48.0]];
+
+/// −C₀⁻¹
+const TURNED: [[f64; 2]; 2] = [[1.0, -1.0 / 3.0], [1.0, 2.0 / 3.0]];
+
+/// The factors of the equations, by blocks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Linearised<S: Scalar, Y: StateVector<S>> {
+    first: Factors<S, Y>,
+    /// What the elimination of the first velocity leaves, and the blocks off the diagonal, the upper one solved for it;
+    /// nothing if the velocities do not depend on each other.
+    rest: Option<Rest<S, Y>>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Rest<S: Scalar, Y: StateVector<S>> {
+    second: Factors<S, Y>,
+    upper: Matrix<S, Y>,
+    lower: Matrix<S, Y>,
+}
+
+impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
+    /// The factors, of the mass matrix alone if derivatives are not known or lead to a singular matrix.
+    pub(super) fn new(pencil: &Pencil<S, Y>) -> Option<Self> {
+        let coupled = pencil.derivatives.as_ref().and_then(|(linear, quadratic)| {
+            let block = |i: usize, j: usize| {
+                let (first, second) = (S::from_f64(LINEAR[i][j]), S::from_f64(QUADRATIC[i][j]));
+                Matrix::of(|k, l| {
+                    let constant = if i == j { pencil.constant[(k, l)] } else { S::ZERO };
+                    constant - first * linear[(k, l)] - second * quadratic[(k, l)]
+                })
+            };
+            let (first, lower) = (Factors::new(block(0, 0))?, block(1, 0));
+            let upper = solved(&first, &block(0, 1));
+            let (corner, product) = (block(1, 1), lower.times(&upper));
+            let second = Factors::new(Matrix::of(|k, l| corner[(k, l)] - product[(k, l)]))?;
+            Some(Linearised { first, rest: Some(Rest { second, upper, lower }) })
+        });
+        coupled.or_else(|| Some(Linearised { first: Factors::new(pencil.constant)?, rest: None }))
+    }
+
+    /// By how much both velocities should change for what is left of the equations.
+    #[inline]
+    pub(super) fn solve(&self, residual: &[Y; 2]) -> [Y; 2] {
+        let [one, two] = TURNED.map(|row| {
+            let mut sum = Y::ZERO;
+            for (part, residual) in row.iter().zip(residual) {
+                add(&mut sum, S::from_f64(*part), residual);
+            }
+            sum
+        });
+        let mut first = self.first.solve(&one);
+        let Some(Rest { second, upper, lower }) = &self.rest else {
+            return [first, self.first.solve(&two)];
+        };
+        let mut rest = two;
+        add(&mut rest, -S::ONE, &lower.apply(&first));
+        let last = second.solve(&rest);
+        add(&mut first, -S::ONE, &upper.apply(&last));
+        [first, last]
+    }
+}
+
+/// The solutions for the columns of a matrix.
+fn solved<S: Scalar, Y: StateVector<S>>(factors: &Factors<S, Y>, right: &Matrix<S, Y>) -> Matrix<S, Y> {
+    let mut solution = Matrix::ZERO;
+    for j in 0..right.rows() {
+        let mut column = Y::ZERO;
+        for (i, entry) in column.as_mut().iter_mut().enumerate() {
+            *entry = right[(i, j)];
+        }
+        for (i, entry) in factors.solve(&column).as_ref().iter().enumerate() {
+            solution[(i, j)] = *entry;
+        }
+    }
+    solution
+}

@@ -1,0 +1,61 @@
+//! How long the next step is.
+//!
+//! A proportional–integral controller: the step follows the error of the last two steps, so that it does not swing.
+//! Source: Gustafsson 1991; Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
+
+use crate::scalar::Scalar;
+
+/// The error of a step grows with this power of its length.
+const POWER: f64 = 9.0;
+/// Weight of the error before the last in the choice.
+const MEMORY: f64 = 0.02;
+/// Steps are shorter than what would just do by this factor.
+const SAFETY: f64 = 0.8;
+/// No step is shorter than the one before by more than this factor,
+const MOST_SHRINKING: f64 = 0.2;
+/// a step after a rejection is shorter at least by this,
+const LEAST_SHRINKING: f64 = 0.9;
+/// and none is longer by more than this.
+const MOST_GROWTH: f64 = 6.0;
+/// How much shorter the next attempt is when a step led to NaN or infinity.
+const RETREAT: f64 = 0.1;
+
+/// The controller with its memory.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Control<S> {
+    /// Length of the next step to try, always positive.
+    pub(super) step: S,
+    error: S,
+    was_rejected: bool,
+}
+
+impl<S: Scalar> Control<S> {
+    pub(super) fn new(step: S) -> Self {
+        Control { step, error: S::from_f64(1e-4), was_rejected: false }
+    }
+
+    /// A step of length `taken`, which may be shorter than asked for, had this error, not above one.
+    pub(super) fn accept(&mut self, taken: S, error: S) {
+        let power = S::from_f64(1.0 / POWER - 0.75 * MEMORY);
+        let memory = S::from_f64(MEMORY);
+        let wanted = S::from_f64(SAFETY) * self.error.powf(memory) / error.powf(power);
+        let most = if self.was_rejected { S::ONE } else { S::from_f64(MOST_GROWTH) };
+        let growth = if wanted < most { wanted.max(S::from_f64(MOST_SHRINKING)) } else { most };
+        let next = taken * growth;
+        self.step = if taken < self.step { next.max(self.step) } else { next };
+        self.error = error.max(S::from_f64(1e-4));
+        self.was_rejected = false;
+    }
+
+    /// A step of length `taken` had an error above one or, if not finite, led to NaN or infinity.
+    pub(super) fn reject(&mut self, taken: S, error: S) {
+        let wanted = S::from_f64(SAFETY) / error.powf(S::from_f64(1.0 / POWER));
+        let shrinking = if error.is_finite() {
+            wanted.max(S::from_f64(MOST_SHRINKING)).min(S::from_f64(LEAST_SHRINKING))
+        } else {
+            S::from_f64(RETREAT)
+        };
+        self.step = taken * shrinking;
+        self.was_rejected = true;
+    }
+}

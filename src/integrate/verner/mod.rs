@@ -1,0 +1,100 @@
+//! An explicit Runge–Kutta pair of order nine with steps as long as a tolerance allows.
+//!
+//! Sixteen stages give the state to order nine and an estimate of its error of order eight. Within a step, nine more
+//! give the state anywhere to order nine; they are evaluated only for steps in which it is asked for. Not symplectic,
+//! but at tolerances near rounding the drift of the energy is rounding.
+//!
+//! Sources: Verner, "Numerically optimal Runge–Kutta pairs with interpolants", *Numerical Algorithms* 53 (2010)
+//! 383–396, in the version of 2024; step control and first step: Hairer, Nørsett, Wanner, *Solving Ordinary Differential
+//! Equations I*, §II.4; stiffness: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
+
+mod control;
+mod dense;
+mod stage;
+mod stepper;
+mod stiffness;
+mod tableau;
+mod tolerance;
+
+use crate::integrate::error::Cause;
+use crate::integrate::method::Method;
+use crate::scalar::Scalar;
+use crate::system::OdeSystem;
+
+pub use self::stepper::VernerStepper;
+
+/// Verner's pair of order nine in steps as long as the tolerance allows, for any system that is not stiff.
+///
+/// An accepted step has an estimated error of at most `absolute + relative · |y|`, in the root mean square over the
+/// components of the state; the error at the end is the sum of these as the motion carries them on. What is less than
+/// 16 roundings of the state is always tolerated.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Verner98<S> {
+    /// Error of a step as a part of the state.
+    pub relative: S,
+    /// Error of a step in the units of the state.
+    pub absolute: S,
+    /// Length of the first step to try; estimated if not given.
+    pub first_step: Option<S>,
+    /// No step is longer.
+    pub longest_step: Option<S>,
+    /// No more steps are tried, rejected ones included.
+    pub max_steps: u64,
+    /// Whether to give up where stability and not the tolerance limits the steps.
+    pub refuses_stiff: bool,
+}
+
+impl<S: Scalar> Verner98<S> {
+    /// With this tolerance relative to the state where that is larger than one, and absolute where it is smaller.
+    pub fn tolerance(tolerance: S) -> Self {
+        Verner98 {
+            relative: tolerance,
+            absolute: tolerance,
+            first_step: None,
+            longest_step: None,
+            max_steps: 100_000_000,
+            refuses_stiff: true,
+        }
+    }
+
+    fn check(&self) -> Result<(), Cause<S>> {
+        let is_length = |step: Option<S>| step.is_none_or(|step| step > S::ZERO && step.is_finite());
+        let is_tolerance = |part: S| part >= S::ZERO && part.is_finite();
+        if !is_tolerance(self.relative)
+            || !is_tolerance(self.absolute)
+            || self.relative + self.absolute == S::ZERO
+        {
+            return Err(Cause::Setting("tolerances must be finite and not negative, and not both zero"));
+        }
+        if is_length(self.first_step) && is_length(self.longest_step) {
+            return Ok(());
+        }
+        Err(Cause::Setting("lengths of steps must be positive and finite"))
+    }
+}
+
+impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
+    type Stepper = VernerStepper<M>;
+
+    fn name(&self) -> &'static str {
+        "Verner 9(8)"
+    }
+
+    fn order(&self) -> u32 {
+        9
+    }
+
+    fn start(
+        &self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+        self.check()?;
+        VernerStepper::start(*self, system, t, y, end)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,54 @@
+//! One stage of an explicit Runge–Kutta method.
+
+use crate::scalar::Scalar;
+use crate::system::StateVector;
+
+/// How many rates of the state belong to a step, those for the interpolant included.
+pub(super) const RATES: usize = 26;
+
+/// Where a stage lies in a step, and the weights of the rates that lead there.
+pub(super) struct Stage<const N: usize> {
+    /// The part of the step that is past.
+    pub(super) node: f64,
+    /// Indices of rates with their weights; others have none.
+    pub(super) weights: [(usize, f64); N],
+}
+
+impl<const N: usize> Stage<N> {
+    /// The time of the stage in a step of the length `h` from `t`.
+    #[inline(always)]
+    pub(super) fn time<S: Scalar>(&self, t: S, h: S) -> S {
+        S::from_f64(self.node).multiply_add(h, t)
+    }
+
+    /// y + h Σ wⱼ kⱼ
+    #[inline(always)]
+    pub(super) fn point<S: Scalar, Y: StateVector<S>>(&self, y: &Y, h: S, rates: &[Y; RATES]) -> Y {
+        let mut point = self.weighted(rates);
+        for (sum, y) in point.as_mut().iter_mut().zip(y.as_ref()) {
+            *sum = sum.multiply_add(h, *y);
+        }
+        point
+    }
+
+    /// Σ wⱼ kⱼ
+    #[inline(always)]
+    pub(super) fn weighted<S: Scalar, Y: StateVector<S>>(&self, rates: &[Y; RATES]) -> Y {
+        weighted(rates, self.weights.map(|(rate, weight)| (rate, S::from_f64(weight))))
+    }
+}
+
+/// Σ wⱼ kⱼ
+#[inline(always)]
+pub(super) fn weighted<S: Scalar, Y: StateVector<S>, const N: usize>(
+    rates: &[Y; RATES],
+    weights: [(usize, S); N],
+) -> Y {
+    let mut sum = Y::ZERO;
+    for (rate, weight) in weights {
+        for (sum, rate) in sum.as_mut().iter_mut().zip(rates[rate].as_ref()) {
+            *sum = rate.multiply_add(weight, *sum);
+        }
+    }
+    sum
+}

@@ -1,0 +1,274 @@
+//! The pair in progress.
+
+use super::Verner98;
+use super::control::Control;
+use super::dense::{Span, complete, interpolate};
+use super::stage::RATES;
+use super::stiffness::{STABLE, Stiffness};
+use super::tableau::{
+    ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
+    STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
+};
+use crate::integrate::clock::Clock;
+use crate::integrate::compensated::Compensated;
+use crate::integrate::error::Cause;
+use crate::integrate::fixed::check_finite;
+use crate::integrate::method::{Stepper, Work};
+use crate::integrate::stability::{EVALUATIONS, combined, distance, largest_eigenvalue, length};
+use crate::scalar::Scalar;
+use crate::system::{OdeSystem, StateVector};
+
+/// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
+const FINEST: f64 = 4096.0;
+/// Steps longer than this part of the longest stable one are limited by it.
+const NEAR: f64 = 0.7;
+/// An eigenvalue is fast beside a motion whose rates are smaller than the state times it by this,
+const FAST: f64 = 100.0;
+/// and that motion goes on if it changes the state by at least this part of it in a step.
+const SLOWEST: f64 = 1e-9;
+/// Where the rate at the end of a step, which begins the next one, has its place.
+const END: usize = 16;
+
+/// An integration by [`Verner98`] in progress.
+#[derive(Clone, Debug)]
+pub struct VernerStepper<M: OdeSystem + ?Sized> {
+    settings: Verner98<M::Scalar>,
+    /// From the start to the end that was in view there.
+    span: M::Scalar,
+    control: Control<M::Scalar>,
+    stiffness: Stiffness,
+    clock: Clock<M::Scalar>,
+    state: Compensated<M::State>,
+    /// The last step, and its rates.
+    last: Span<M::Scalar, M::State>,
+    rates: [M::State; RATES],
+    /// How many of the rates of the last step are there.
+    known: Known,
+    work: Work,
+}
+
+/// Which rates of the last step are known.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Known {
+    /// Those that the step needs.
+    Stages,
+    /// And that at its end.
+    End,
+    /// And those that the interpolant needs.
+    All,
+}
+
+/// The length of a step and the clock after it.
+#[derive(Clone, Copy)]
+struct Attempt<S> {
+    h: S,
+    clock: Clock<S>,
+}
+
+impl<M: OdeSystem + ?Sized> VernerStepper<M> {
+    pub(super) fn start(
+        settings: Verner98<M::Scalar>,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self, Cause<M::Scalar>> {
+        check_finite(end, y)?;
+        let mut stepper = VernerStepper {
+            settings,
+            span: end - t,
+            control: Control::new(M::Scalar::ZERO),
+            stiffness: Stiffness::default(),
+            clock: Clock::new(t, M::Scalar::ZERO),
+            state: Compensated::new(*y),
+            last: Span { t, y: *y, h: M::Scalar::ZERO },
+            rates: [M::State::ZERO; RATES],
+            known: Known::End,
+            work: Work::default(),
+        };
+        stepper.restart(system, t, y)?;
+        Ok(stepper)
+    }
+
+    /// The next step to try, or that it is lost in rounding.
+    fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, Cause<M::Scalar>> {
+        let length = self.settings.longest_step.map_or(self.control.step, |most| self.control.step.min(most));
+        let t = self.clock.time();
+        let mut clock = self.clock.with_step(if limit < t { -length } else { length });
+        let h = clock.advance(limit);
+        if t + M::Scalar::from_f64(FINEST) * length == t && t != limit {
+            return Err(Cause::StepUnderflow { step: length });
+        }
+        Ok(Attempt { h, clock })
+    }
+
+    /// Evaluates the stages of a step and returns the last two of them, which lie at its end.
+    #[inline(always)]
+    fn stages(&mut self, system: &M, y: &M::State, h: M::Scalar) -> [M::State; 2] {
+        let t = self.clock.time();
+        let rates = &mut self.rates;
+        macro_rules! rate {
+            ($($index:literal: $stage:ident),*) => {
+                $( rates[$index] = system.rhs($stage.time(t, h), &$stage.point(y, h, rates)); )*
+            };
+        }
+        rate!(
+            1: STAGE_1, 2: STAGE_2, 3: STAGE_3, 4: STAGE_4, 5: STAGE_5, 6: STAGE_6, 7: STAGE_7, 8: STAGE_8,
+            9: STAGE_9, 10: STAGE_10, 11: STAGE_11, 12: STAGE_12, 13: STAGE_13
+        );
+        let end = STAGE_14.point(y, h, rates);
+        rates[14] = system.rhs(STAGE_14.time(t, h), &end);
+        let other_end = STAGE_15.point(y, h, rates);
+        rates[15] = system.rhs(STAGE_15.time(t, h), &other_end);
+        self.work.evaluations += 15;
+        [end, other_end]
+    }
+
+    /// The rate at the end of the last step, which may be known.
+    fn end_rate(&mut self, system: &M) -> M::State {
+        if self.known < Known::End {
+            self.rates[END] = system.rhs(self.clock.time(), self.state.value());
+            self.known = Known::End;
+            self.work.evaluations += 1;
+        }
+        self.rates[END]
+    }
+
+    /// Forgets the last step, whose rates are about to be lost.
+    fn forget_last(&mut self) {
+        let t = self.clock.time();
+        self.last = Span { t, y: *self.state.value(), h: M::Scalar::ZERO };
+    }
+
+    /// Tries a step towards `limit` and says whether its error was small enough.
+    fn attempt(
+        &mut self,
+        system: &M,
+        Attempt { h, clock }: Attempt<M::Scalar>,
+        limit: M::Scalar,
+    ) -> Result<bool, Cause<M::Scalar>> {
+        let y = *self.state.value();
+        let ends = self.stages(system, &y, h);
+        let state = self.advanced(h);
+        let error = self.settings.norm(h, &ERROR.weighted(&self.rates), &y, state.value());
+        let is_finite = check_finite(clock.time(), state.value()).is_ok();
+        if !(error <= M::Scalar::ONE && is_finite) {
+            self.control.reject(h.abs(), if is_finite { error } else { M::Scalar::NAN });
+            self.work.rejections += 1;
+            return Ok(false);
+        }
+        if self.settings.refuses_stiff && self.stiffness.is_due(self.work.steps) {
+            let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
+            if self.stiffness.watch((h, limit - clock.time()), one, other) {
+                self.refuse_stiff(system, h, &ends)?;
+            }
+        }
+        self.work.steps += 1;
+        self.control.accept(h.abs(), error);
+        self.last = Span { t: self.clock.time(), y, h };
+        (self.clock, self.state, self.known) = (clock, state, Known::Stages);
+        Ok(true)
+    }
+
+    /// Refuses to go on if steps of the length `h` are at the limit of stability; `ends` are two states that differ in
+    /// the direction that grows fastest.
+    fn refuse_stiff(
+        &mut self,
+        system: &M,
+        h: M::Scalar,
+        ends: &[M::State; 2],
+    ) -> Result<(), Cause<M::Scalar>> {
+        let t = self.clock.time();
+        let direction = combined(&ends[0], -M::Scalar::ONE, &ends[1]);
+        let change = distance(self.state.value(), &ends[0]);
+        let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), &ends[0], change, &direction);
+        self.work.evaluations += EVALUATIONS;
+        self.stiffness = Stiffness::default();
+        let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
+        let is_at_limit = h.abs() > M::Scalar::from_f64(NEAR) * limit;
+        let (size, speed) = (length(&ends[0]), length(&self.rates[14]));
+        // A motion that is slower than its tolerance, or has ended, may take the steps that stability leaves.
+        let goes_on = speed * h.abs() > M::Scalar::from_f64(SLOWEST) * size;
+        let is_fast = eigenvalue * size > M::Scalar::from_f64(FAST) * speed;
+        if is_at_limit && goes_on && is_fast { Err(Cause::Stiff { limit }) } else { Ok(()) }
+    }
+
+    /// The state after a step of length `h` whose stages are known.
+    fn advanced(&self, h: M::Scalar) -> Compensated<M::State> {
+        let mut increment = ADVANCE.weighted(&self.rates);
+        for component in increment.as_mut() {
+            *component = *component * h;
+        }
+        let mut state = self.state;
+        state.add(&increment);
+        state
+    }
+}
+
+impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
+    fn time(&self) -> M::Scalar {
+        self.clock.time()
+    }
+
+    fn state(&self) -> &M::State {
+        self.state.value()
+    }
+
+    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>> {
+        self.rates[0] = self.end_rate(system);
+        self.forget_last();
+        let mut is_finite = true;
+        loop {
+            if self.work.steps + self.work.rejections >= self.settings.max_steps {
+                return Err(Cause::TooManySteps { limit: self.settings.max_steps });
+            }
+            let attempt = self.next(limit).map_err(|lost| if is_finite { lost } else { Cause::NotFinite })?;
+            if self.attempt(system, attempt, limit)? {
+                return Ok(());
+            }
+            is_finite = check_finite(attempt.h, &self.rates[15]).is_ok();
+        }
+    }
+
+    fn last_time(&self) -> M::Scalar {
+        self.last.t
+    }
+
+    fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State {
+        if t == self.clock.time() {
+            return *self.state.value();
+        }
+        if t == self.last.t {
+            return self.last.y;
+        }
+        if self.known < Known::All {
+            self.end_rate(system);
+            complete(system, &self.last, &mut self.rates);
+            self.known = Known::All;
+            self.work.evaluations += 9;
+        }
+        interpolate(&self.last, (t - self.last.t) / self.last.h, &self.rates)
+    }
+
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
+        check_finite(t, y)?;
+        let rate = system.rhs(t, y);
+        self.work.evaluations += 1;
+        check_finite(t, &rate)?;
+        let step = self.settings.first_step.unwrap_or_else(|| {
+            self.work.evaluations += 1;
+            self.settings.first_step(system, t, y, &rate, self.span)
+        });
+        self.control = Control::new(step);
+        self.clock = Clock::new(t, M::Scalar::ZERO);
+        self.state = Compensated::new(*y);
+        self.forget_last();
+        self.rates[END] = rate;
+        self.known = Known::End;
+        Ok(())
+    }
+
+    fn work(&self) -> Work {
+        self.work
+    }
+}

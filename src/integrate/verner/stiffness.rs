@@ -1,0 +1,64 @@
+//! Whether stability limits the steps.
+//!
+//! Two stages lie at the end of a step. How much their rates differ for how much their states do hints at the largest
+//! eigenvalue of the Jacobian, which is computed before a system is refused.
+//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
+
+use crate::integrate::stability::{distance, length};
+use crate::scalar::Scalar;
+use crate::system::StateVector;
+
+/// The method is stable up to |h λ| about this: 2.9 on the imaginary axis, 4.4 on the negative real one.
+pub(super) const STABLE: f64 = 2.9;
+/// This many steps at the limit tell that the system is stiff;
+const MOST_AT_LIMIT: u32 = 15;
+/// so many below it in turn tell that it is not.
+const ENOUGH_BELOW: u32 = 6;
+/// As long as there is no suspicion, one step in so many is looked at.
+const INTERVAL: u64 = 100;
+/// If no more steps than this are ahead, the system is not stiff enough to bother.
+const BEARABLE: f64 = 1e4;
+/// States that differ by less than this many roundings say nothing.
+const ROUNDINGS: f64 = 1e3;
+
+/// What was seen of the limit.
+#[derive(Clone, Copy, Default, Debug)]
+pub(super) struct Stiffness {
+    at_limit: u32,
+    below: u32,
+}
+
+/// A state and its rate.
+pub(super) type Point<'a, Y> = (&'a Y, &'a Y);
+
+impl Stiffness {
+    /// Whether this step is to be looked at.
+    pub(super) fn is_due(&self, steps: u64) -> bool {
+        self.at_limit > 0 || steps.is_multiple_of(INTERVAL)
+    }
+
+    /// Looks at two stages at the end of an accepted step of length `h` with `ahead` to go; whether it is likely that
+    /// the limit of stability makes it long.
+    pub(super) fn watch<S: Scalar, Y: StateVector<S>>(
+        &mut self,
+        (h, ahead): (S, S),
+        one: Point<'_, Y>,
+        other: Point<'_, Y>,
+    ) -> bool {
+        let change = distance(one.0, other.0);
+        let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
+        let is_many = (ahead / h).abs() > S::from_f64(BEARABLE);
+        let eigenvalue = distance(one.1, other.1) / change;
+        let is_at_limit = (h * eigenvalue).abs() > S::from_f64(STABLE);
+        if is_many && is_at_limit && change > rounding * length(one.0) {
+            self.below = 0;
+            self.at_limit += 1;
+        } else {
+            self.below += 1;
+            if self.below >= ENOUGH_BELOW {
+                *self = Stiffness::default();
+            }
+        }
+        self.at_limit >= MOST_AT_LIMIT
+    }
+}

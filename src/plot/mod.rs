@@ -1,0 +1,145 @@
+//! Figures of curves, drawn on any backend of `plotters` and saved as SVG or PNG.
+//!
+//! A [`Figure`] is a grid of panels with axes of their own, a [`Panel`] holds curves. Nothing needs tuning: ranges, marks,
+//! labels and colours follow from the numbers. Colours are those of Okabe and Ito, *Color Universal Design* (2008), which
+//! people with any colour vision tell apart; more than seven curves run from blue to yellow.
+
+mod axis;
+mod canvas;
+mod lettering;
+mod panel;
+mod thin;
+
+use std::borrow::ToOwned;
+use std::fmt::{Display, Formatter};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::string::String;
+use std::vec::Vec;
+
+use plotters::backend::SVGBackend;
+use plotters::style::WHITE;
+use plotters_backend::{DrawingBackend, DrawingErrorKind};
+
+use self::canvas::Canvas;
+use self::panel::Frame;
+
+pub(crate) use self::axis::Scale;
+pub(crate) use self::panel::{Curve, Panel};
+
+/// Panels side by side.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Figure {
+    pub(crate) panels: Vec<Panel>,
+    /// How many panels are side by side.
+    pub(crate) columns: usize,
+    /// Width and height of a panel with its labels, as on a screen: 96 to the inch.
+    pub(crate) size: (u32, u32),
+}
+
+/// Points of backends to the unit of sizes: curves are drawn to a tenth of it.
+pub(super) const FINENESS: u32 = 10;
+/// Points to the pixel of PNG files, which are so twice as fine as a screen of 96 dots to the inch.
+const POINTS_A_PIXEL: u32 = 5;
+
+impl Figure {
+    /// Writes the figure to a file: SVG or PNG, by its extension.
+    pub(crate) fn save(&self, path: &Path) -> Result<(), PlotError> {
+        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        match extension.to_ascii_lowercase().as_str() {
+            "svg" => Ok(fs::write(path, self.svg()?)?),
+            "png" => {
+                let mut canvas = Canvas::new(self.points(), POINTS_A_PIXEL);
+                self.draw(&mut canvas)?;
+                Ok(canvas.save(path)?)
+            }
+            _ => Err(PlotError::Extension(path.to_owned())),
+        }
+    }
+
+    /// The figure as SVG.
+    pub(crate) fn svg(&self) -> Result<String, PlotError> {
+        let mut text = String::new();
+        let (width, height) = self.points();
+        let mut backend = SVGBackend::with_string(&mut text, (width, height));
+        self.draw(&mut backend)?;
+        drop(backend);
+        // Points are finer than what a size is given in, and corners of curves must not stick out.
+        let size = |points: u32| std::format!("=\"{points}\"");
+        let wanted = |points: u32| std::format!("=\"{}\"", points / FINENESS);
+        let text = text.replacen(&size(width), &wanted(width), 1).replacen(&size(height), &wanted(height), 1);
+        Ok(text.replacen("<svg ", "<svg stroke-linejoin=\"round\" stroke-linecap=\"round\" ", 1))
+    }
+
+    fn draw<B: DrawingBackend>(&self, backend: &mut B) -> Result<(), PlotError>
+    where
+        B::ErrorType: 'static,
+    {
+        let (width, height) = self.points();
+        let drawn = |result: Result<(), DrawingErrorKind<B::ErrorType>>| {
+            result.map_err(|error| PlotError::Io(io::Error::other(error)))
+        };
+        drawn(backend.draw_rect((0, 0), (width as i32, height as i32), &WHITE, true))?;
+        for (index, panel) in self.panels.iter().enumerate() {
+            let (row, column) = (index / self.columns, index % self.columns);
+            let corner = (column as u32 * self.size.0, row as u32 * self.size.1);
+            drawn(panel.draw(backend, &Frame::new(corner, self.size)))?;
+        }
+        drawn(backend.present())
+    }
+
+    /// Its size in points.
+    fn points(&self) -> (u32, u32) {
+        let columns = self.columns.min(self.panels.len()) as u32;
+        let rows = self.panels.len().div_ceil(self.columns) as u32;
+        (FINENESS * columns * self.size.0, FINENESS * rows * self.size.1)
+    }
+}
+
+/// Why a plot could not be made.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum PlotError {
+    /// The trajectory has no column of this name.
+    UnknownColumn(String),
+    /// Only an observed energy can be plotted.
+    NoEnergy,
+    /// The extension of the file is neither `svg` nor `png`.
+    Extension(PathBuf),
+    /// What the operating system says.
+    Io(io::Error),
+}
+
+impl Display for PlotError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self {
+            PlotError::UnknownColumn(name) => write!(f, "the trajectory has no column `{name}`"),
+            PlotError::NoEnergy => {
+                f.write_str("the trajectory has no column `energy`; add `.energy()` to the simulation")
+            }
+            PlotError::Extension(path) => {
+                write!(f, "`{}` ends neither in .svg nor in .png", path.display())
+            }
+            PlotError::Io(error) => Display::fmt(error, f),
+        }
+    }
+}
+
+impl std::error::Error for PlotError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            PlotError::Io(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<io::Error> for PlotError {
+    fn from(error: io::Error) -> Self {
+        PlotError::Io(error)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,305 @@
+//! What is asked of a run.
+
+use std::boxed::Box;
+use std::format;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use crate::event::{Direction, Reaction};
+use crate::integrate::{Method, Verner98};
+use crate::scalar::Scalar;
+use crate::simulate::error::SimulationError;
+use crate::simulate::events::{Event, Watcher};
+use crate::simulate::progress::{Progress, Reporter, Verdict};
+use crate::simulate::run::run;
+use crate::simulate::sampling::Sampling;
+use crate::simulate::trajectory::Trajectory;
+use crate::system::{CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem, split};
+
+/// Where a run starts. It wants to know when it ends.
+#[derive(Clone, Copy, Debug)]
+#[must_use = "say when the run ends: `.until(time)`"]
+pub struct Start<'a, M: MechanicalSystem> {
+    system: &'a M,
+    time: M::Scalar,
+    state: M::State,
+}
+
+impl<'a, M: MechanicalSystem> Start<'a, M> {
+    pub(super) fn new(system: &'a M, time: M::Scalar, state: M::State) -> Self {
+        Start { system, time, state }
+    }
+
+    /// Starts at this time instead of 0.
+    pub fn from(self, time: M::Scalar) -> Self {
+        Start { time, ..self }
+    }
+
+    /// Ends at this time, which may lie before the start.
+    pub fn until(self, end: M::Scalar) -> Simulation<'a, M, Verner98<M::Scalar>> {
+        Simulation {
+            system: self.system,
+            start: (self.time, self.state),
+            end,
+            method: Verner98::tolerance(default_tolerance()),
+            sampling: Sampling::EveryStep,
+            is_dense: false,
+            max_steps: None,
+            observers: Vec::new(),
+            watchers: Vec::new(),
+            reporter: None,
+        }
+    }
+
+    /// Ends when this much time has passed; backwards if it is negative.
+    pub fn lasting(self, duration: M::Scalar) -> Simulation<'a, M, Verner98<M::Scalar>> {
+        let end = self.time + duration;
+        self.until(end)
+    }
+}
+
+/// A run that can be started: what to integrate, how, and what to keep of it.
+///
+/// K is the method. `.tolerance(…)` and `.absolute_tolerance(…)` exist for the default method only; other methods come
+/// with settings of their own:
+///
+/// ```compile_fail,E0599
+/// # lagrange::system! {
+/// #     pub struct Pendulum;
+/// #     param m = 1.0, l = 1.0, g = 9.81;
+/// #     coord theta;
+/// #     kinetic = 1/2 * m * (l * dot(theta))^2;
+/// #     potential = -m * g * l * cos(theta);
+/// # }
+/// use lagrange::Simulate;
+/// use lagrange::integrate::RungeKutta4;
+///
+/// let pendulum = Pendulum::default();
+/// let simulation = pendulum.simulate([0.5, 0.0]).until(2.0);
+/// simulation.method(RungeKutta4 { step: 1e-3 }).tolerance(1e-9).run().unwrap();
+/// ```
+#[must_use = "nothing happens before `.run()`"]
+pub struct Simulation<'a, M: MechanicalSystem, K> {
+    pub(super) system: &'a M,
+    pub(super) start: (M::Scalar, M::State),
+    pub(super) end: M::Scalar,
+    pub(super) method: K,
+    pub(super) sampling: Sampling<M::Scalar>,
+    pub(super) is_dense: bool,
+    pub(super) max_steps: Option<u64>,
+    pub(super) observers: Vec<Observer<'a, M>>,
+    pub(super) watchers: Vec<Watcher<'a, M>>,
+    pub(super) reporter: Option<Reporter<'a, M::Scalar>>,
+}
+
+/// Columns that are computed from time and state.
+pub(super) struct Observer<'a, M: MechanicalSystem> {
+    pub(super) names: Vec<String>,
+    pub(super) extend: Extend<'a, M>,
+}
+
+/// Adds one value for each column of an observer to a row.
+type Extend<'a, M> = Box<
+    dyn FnMut(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State, &mut Vec<<M as OdeSystem>::Scalar>)
+        + 'a,
+>;
+
+/// The name of the column that [`Simulation::energy`] adds.
+pub(super) const ENERGY: &str = "energy";
+/// The tolerance of the default method if none is given, where numbers are fine enough.
+const TOLERANCE: f64 = 1e-9;
+/// No default tolerance is smaller than this many roundings.
+const ROUNDINGS: f64 = 10.0;
+
+fn default_tolerance<S: Scalar>() -> S {
+    S::from_f64(TOLERANCE).max(S::from_f64(ROUNDINGS) * S::epsilon())
+}
+
+impl<M: MechanicalSystem> Simulation<'_, M, Verner98<M::Scalar>> {
+    /// The error that is tolerated in a step: relative to a component of the state where that is larger than one,
+    /// absolute where it is smaller. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
+    ///
+    /// The error at the end is the sum of these errors as the motion carries them on.
+    pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
+        self.method.relative = tolerance;
+        self.method.absolute = tolerance;
+        self
+    }
+
+    /// The error that is tolerated in a step in the units of the state, to be given after
+    /// [`tolerance`](Self::tolerance), which then is relative only.
+    pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
+        self.method.absolute = tolerance;
+        self
+    }
+}
+
+impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
+    /// Integrates by this method instead of the adaptive one.
+    pub fn method<N: Method<M>>(self, method: N) -> Simulation<'a, M, N> {
+        Simulation {
+            system: self.system,
+            start: self.start,
+            end: self.end,
+            method,
+            sampling: self.sampling,
+            is_dense: self.is_dense,
+            max_steps: self.max_steps,
+            observers: self.observers,
+            watchers: self.watchers,
+            reporter: self.reporter,
+        }
+    }
+
+    /// Keeps a sample at the start, after every step, and so at the end. This is the default.
+    pub fn every_step(self) -> Self {
+        Simulation { sampling: Sampling::EveryStep, ..self }
+    }
+
+    /// Keeps a sample at the start, at the end, and at start + k `interval` between them.
+    ///
+    /// The method steps as it would without samples; what lies within a step is interpolated.
+    pub fn every(self, interval: M::Scalar) -> Self {
+        Simulation { sampling: Sampling::Every(interval), ..self }
+    }
+
+    /// Keeps a sample at the start and at the end only.
+    pub fn ends_only(self) -> Self {
+        Simulation { sampling: Sampling::Ends, ..self }
+    }
+
+    /// Keeps besides the samples what [`Trajectory::at`] needs to know the state at any time: order + 2 states a
+    /// step, 6 at least.
+    pub fn dense(self) -> Self {
+        Simulation { is_dense: true, ..self }
+    }
+
+    /// Adds a column: a value computed from time and state for each sample.
+    pub fn observe(
+        self,
+        name: &str,
+        mut value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
+    ) -> Self {
+        self.observe_each([name], move |system, t, y| [value(system, t, y)])
+    }
+
+    /// Adds several columns that are computed together, such as the components of an output.
+    pub fn observe_each<const N: usize>(
+        self,
+        names: [&str; N],
+        mut values: impl FnMut(&M, M::Scalar, &M::State) -> [M::Scalar; N] + 'a,
+    ) -> Self {
+        let names = names.map(ToString::to_string).to_vec();
+        self.with(names, Box::new(move |system, t, y, row| row.extend(values(system, t, y))))
+    }
+
+    /// Adds the column `energy`: the energy function, which is constant if L does not depend on time and forces do no
+    /// work.
+    pub fn energy(self) -> Self
+    where
+        M: EnergyFunction,
+    {
+        self.observe(ENERGY, |system, t, y| {
+            let (q, v) = split::<M>(y);
+            system.energy(t, &q, &v)
+        })
+    }
+
+    /// Adds a column for the momentum of each coordinate, such as `p_theta`.
+    pub fn momenta(self) -> Self
+    where
+        M: CanonicalSystem,
+    {
+        let names = M::COORDINATES.iter().map(|name| format!("p_{name}")).collect();
+        let extend = |system: &M, t, y: &M::State, row: &mut Vec<_>| {
+            let (q, v) = split::<M>(y);
+            row.extend_from_slice(system.momenta(t, &q, &v).as_ref());
+        };
+        self.with(names, Box::new(extend))
+    }
+
+    /// Adds a column for the acceleration of each coordinate, such as `theta_ddot`.
+    pub fn accelerations(self) -> Self {
+        let names = M::COORDINATES.iter().map(|name| format!("{name}_ddot")).collect();
+        let extend = |system: &M, t, y: &M::State, row: &mut Vec<_>| {
+            let (q, v) = split::<M>(y);
+            row.extend_from_slice(system.acceleration(t, &q, &v).as_ref());
+        };
+        self.with(names, Box::new(extend))
+    }
+
+    fn with(mut self, names: Vec<String>, extend: Extend<'a, M>) -> Self {
+        self.observers.push(Observer { names, extend });
+        self
+    }
+
+    /// Records each zero of a function of time and state that is passed in this direction, under this name in
+    /// [`Trajectory::events`].
+    ///
+    /// Zeros are found as [`crate::event`] says: within a step, to 10⁻¹³ of it.
+    pub fn event(
+        self,
+        name: &str,
+        direction: Direction,
+        value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
+    ) -> Self {
+        self.event_with(name, direction, value, |_, _| Reaction::Continue)
+    }
+
+    /// Ends the run at the first such zero, which is recorded, too.
+    pub fn stop_at(
+        self,
+        name: &str,
+        direction: Direction,
+        value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
+    ) -> Self {
+        self.event_with(name, direction, value, |_, _| Reaction::Stop)
+    }
+
+    /// Records each such zero and then goes on, stops, or goes on from another state, as after an impact.
+    pub fn event_with(
+        mut self,
+        name: &str,
+        direction: Direction,
+        value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
+        react: impl FnMut(&M, &Event<M::Scalar, M::State>) -> Reaction<M::State> + 'a,
+    ) -> Self {
+        let (value, react) = (Box::new(value), Box::new(react));
+        self.watchers.push(Watcher { name: name.to_string(), direction, value, react });
+        self
+    }
+
+    /// Gives up with an error after this many steps, rejected ones included. The default method has a limit of its own, a
+    /// hundred million; others have none.
+    pub fn max_steps(self, limit: u64) -> Self {
+        Simulation { max_steps: Some(limit), ..self }
+    }
+
+    /// Calls back about 200 times during the run, as for a progress bar.
+    ///
+    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the run, which then returns the trajectory
+    /// so far. It is also called, ever more seldom, while a run takes many steps and gets nowhere.
+    pub fn progress<V: Verdict>(self, callback: impl FnMut(Progress<M::Scalar>) -> V + 'a) -> Self {
+        Simulation { reporter: Some(Reporter::new(callback)), ..self }
+    }
+
+    /// Integrates.
+    ///
+    /// # Errors
+    /// What the method met, or a setting that makes no sense, with the trajectory so far.
+    pub fn run(self) -> Result<Trajectory<M>, SimulationError<M>>
+    where
+        K: Method<M>,
+    {
+        run(self)
+    }
+}
+
+impl<M: MechanicalSystem> Observer<'_, M> {
+    /// The names of the state: coordinates, then velocities.
+    pub(super) fn state_names() -> Vec<String> {
+        let names = M::COORDINATES.iter().map(ToString::to_string);
+        let rates = M::COORDINATES.iter().map(|name| format!("{name}_dot"));
+        names.chain(rates).collect()
+    }
+}

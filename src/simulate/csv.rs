@@ -1,0 +1,59 @@
+//! Comma-separated values.
+
+use std::fmt::Debug;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+use crate::simulate::table::{TIME, Table};
+use crate::simulate::trajectory::Trajectory;
+use crate::system::MechanicalSystem;
+
+impl<M: MechanicalSystem> Trajectory<M> {
+    /// Writes all columns to a file, as [`write_csv`](Trajectory::write_csv) does; an older file is replaced.
+    ///
+    /// # Errors
+    /// What the operating system says.
+    pub fn save_csv(&self, path: impl AsRef<Path>) -> io::Result<()> {
+        self.write_csv(File::create(path)?)
+    }
+
+    /// Writes all columns as comma-separated values: a line of names, the first being `t`, then a line for each sample.
+    ///
+    /// Every `f64` or `f32` is written with as many digits as it takes to read back the same bits, and other numbers in
+    /// their `Debug` form.
+    ///
+    /// # Errors
+    /// What the writer says.
+    pub fn write_csv(&self, writer: impl Write) -> io::Result<()> {
+        self.table().write_csv(writer)
+    }
+}
+
+impl<S: Copy + Debug> Table<S> {
+    fn write_csv(&self, writer: impl Write) -> io::Result<()> {
+        let mut writer = BufWriter::new(writer);
+        write!(writer, "{TIME}")?;
+        for name in self.names() {
+            write!(writer, ",{}", quoted(name))?;
+        }
+        writeln!(writer)?;
+        for (row, time) in self.times().iter().enumerate() {
+            write!(writer, "{time:?}")?;
+            for column in self.columns() {
+                write!(writer, ",{:?}", column[row])?;
+            }
+            writeln!(writer)?;
+        }
+        writer.flush()
+    }
+}
+
+/// A name as RFC 4180 wants it.
+fn quoted(name: &str) -> std::borrow::Cow<'_, str> {
+    if name.contains([',', '"', '\n', '\r']) {
+        std::format!("\"{}\"", name.replace('"', "\"\"")).into()
+    } else {
+        name.into()
+    }
+}

@@ -1,0 +1,85 @@
+//! States between the samples.
+//!
+//! Each step is kept as its states at the Chebyshev points of the second kind, found by the method's own
+//! interpolation, and evaluated by the barycentric formula
+//!
+//! ```text
+//! p(s) = Σ wⱼ yⱼ/(s − sⱼ) / Σ wⱼ/(s − sⱼ),   sⱼ = (1 − cos(π j/d))/2,   wⱼ = ±1, halved at both ends.
+//! ```
+//!
+//! A polynomial of degree d comes back but for rounding, and d is chosen not to be below the degree of what methods
+//! interpolate with. Source: Berrut, Trefethen, *Barycentric Lagrange Interpolation*, SIAM Review 46 (2004), §5.
+
+use std::vec::Vec;
+
+use crate::scalar::Scalar;
+use crate::system::StateVector;
+
+/// The steps of a run, each as a polynomial.
+#[derive(Clone, Debug)]
+pub(super) struct Dense<S, Y> {
+    /// Where the points lie in a step, from 0 to 1; d + 1 numbers.
+    points: Vec<S>,
+    /// Start and end of each step.
+    steps: Vec<(S, S)>,
+    /// The states at the points of each step.
+    states: Vec<Y>,
+}
+
+/// Quintic Hermite interpolation, which methods of low order use, has this degree.
+const LEAST_DEGREE: u32 = 5;
+
+impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
+    /// For a method of this order.
+    pub(super) fn new(order: u32) -> Self {
+        let degree = LEAST_DEGREE.max(order + 1);
+        let angle = |j: u32| core::f64::consts::PI * f64::from(j) / f64::from(degree);
+        // Exact at both ends and at the middle, unlike (1 − cos)/2.
+        let points = (0..=degree).map(|j| S::from_f64(Scalar::powi(Scalar::sin(angle(j) / 2.0), 2)));
+        Dense { points: points.collect(), steps: Vec::new(), states: Vec::new() }
+    }
+
+    /// Keeps the step between these times, in which the state is known.
+    pub(super) fn push(&mut self, (from, to): (S, S), mut state: impl FnMut(S) -> Y) {
+        if from == to {
+            return;
+        }
+        let (inner, last) = self.points.split_at(self.points.len() - 1);
+        self.states.extend(inner.iter().map(|s| state(from + *s * (to - from))));
+        self.states.extend(last.iter().map(|_| state(to)));
+        self.steps.push((from, to));
+    }
+
+    /// The state at `t`, at an end shared by two steps that of the later one; `None` outside of all steps.
+    pub(super) fn at(&self, t: S) -> Option<Y> {
+        let backwards = self.steps.first().is_some_and(|(from, to)| to < from);
+        let is_past = |(from, _): &(S, S)| if backwards { *from >= t } else { *from <= t };
+        let index = self.steps.partition_point(is_past).checked_sub(1)?;
+        let (from, to) = *self.steps.get(index)?;
+        let s = (t - from) / (to - from);
+        if !(s >= S::ZERO && s <= S::ONE) {
+            return None;
+        }
+        let count = self.points.len();
+        Some(self.barycentric(self.states.get(index * count..(index + 1) * count)?, s))
+    }
+
+    fn barycentric(&self, states: &[Y], s: S) -> Y {
+        if let Some(index) = self.points.iter().position(|point| *point == s) {
+            return states[index];
+        }
+        let (mut sum, mut weights) = (Y::ZERO, S::ZERO);
+        let half = S::from_f64(0.5);
+        let last = self.points.len() - 1;
+        for (j, (point, state)) in self.points.iter().zip(states).enumerate() {
+            let sign = if j % 2 == 0 { S::ONE } else { -S::ONE };
+            let weight = (if j == 0 || j == last { half * sign } else { sign }) / (s - *point);
+            weights = weights + weight;
+            for (sum, component) in sum.as_mut().iter_mut().zip(state.as_ref()) {
+                *sum = component.multiply_add(weight, *sum);
+            }
+        }
+        sum.as_mut().iter_mut().for_each(|sum| *sum = *sum / weights);
+        sum
+    }
+}

@@ -1,0 +1,73 @@
+//! Apache Parquet files.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::Path;
+use std::string::String;
+use std::sync::Arc;
+use std::vec::Vec;
+
+use parquet::basic::{Repetition, Type as Physical};
+use parquet::data_type::DoubleType;
+use parquet::errors::ParquetError;
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
+
+use crate::simulate::table::{TIME, Table};
+use crate::simulate::trajectory::Trajectory;
+use crate::system::MechanicalSystem;
+
+/// What the schema is called.
+const SCHEMA: &str = "trajectory";
+
+impl<M: MechanicalSystem> Trajectory<M>
+where
+    M::Scalar: Into<f64>,
+{
+    /// Writes all columns to a Parquet file, as [`write_parquet`](Trajectory::write_parquet) does; an older file is
+    /// replaced.
+    ///
+    /// # Errors
+    /// What the operating system says.
+    pub fn save_parquet(&self, path: impl AsRef<Path>) -> Result<(), ParquetError> {
+        self.write_parquet(File::create(path)?)
+    }
+
+    /// Writes all columns in Apache Parquet format: required columns of type `DOUBLE`, not compressed, the first being
+    /// the time `t`.
+    ///
+    /// # Errors
+    /// What the writer says.
+    pub fn write_parquet(&self, writer: impl Write + Send) -> Result<(), ParquetError> {
+        let table = self.table();
+        let mut file = SerializedFileWriter::new(writer, Arc::new(schema(table)?), Arc::new(properties()))?;
+        let mut group = file.next_row_group()?;
+        for column in std::iter::once(table.times()).chain(table.columns()) {
+            let values: Vec<f64> = column.iter().map(|value| (*value).into()).collect();
+            let Some(mut writer) = group.next_column()? else {
+                return Err(ParquetError::General("fewer columns than the schema has".into()));
+            };
+            writer.typed::<DoubleType>().write_batch(&values, None, None)?;
+            writer.close()?;
+        }
+        group.close()?;
+        file.close().map(drop)
+    }
+}
+
+/// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time.
+fn properties() -> WriterProperties {
+    WriterProperties::builder().set_dictionary_enabled(false).build()
+}
+
+/// One column of doubles for each name, after the time.
+fn schema<S: Copy>(table: &Table<S>) -> Result<Type, ParquetError> {
+    let names = std::iter::once(TIME).chain(table.names().iter().map(String::as_str));
+    let column = |name: &str| {
+        let builder = Type::primitive_type_builder(name, Physical::DOUBLE);
+        builder.with_repetition(Repetition::REQUIRED).build().map(Arc::new)
+    };
+    let columns = names.map(column).collect::<Result<Vec<_>, _>>()?;
+    Type::group_type_builder(SCHEMA).with_fields(columns).build()
+}

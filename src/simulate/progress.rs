@@ -1,0 +1,98 @@
+//! How far a run has come, told now and then.
+
+use std::boxed::Box;
+use std::ops::ControlFlow;
+
+use crate::scalar::Scalar;
+
+/// How far a run has come.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub struct Progress<S> {
+    /// The time at which the run started.
+    pub start: S,
+    /// The time that was reached.
+    pub time: S,
+    /// The time at which the run will end.
+    pub end: S,
+    /// Steps taken so far.
+    pub steps: u64,
+}
+
+impl<S: Scalar + Into<f64>> Progress<S> {
+    /// The part of the time that is done, from 0 to 1.
+    pub fn fraction(&self) -> f64 {
+        if self.time == self.end {
+            return 1.0;
+        }
+        ((self.time - self.start) / (self.end - self.start)).into()
+    }
+}
+
+/// What a progress callback may return: nothing, or whether to go on.
+pub trait Verdict {
+    /// Whether to go on.
+    fn go_on(self) -> bool;
+}
+
+impl Verdict for () {
+    fn go_on(self) -> bool {
+        true
+    }
+}
+
+impl Verdict for ControlFlow<()> {
+    fn go_on(self) -> bool {
+        self.is_continue()
+    }
+}
+
+/// A callback, called when another part of the time is done, and more and more seldom if it is not: a run that gets
+/// nowhere can be cancelled, too.
+pub(super) struct Reporter<'a, S> {
+    callback: Box<dyn FnMut(Progress<S>) -> bool + 'a>,
+    /// Parts of the time whose end was reported.
+    reported: u32,
+    /// The number of steps to report at in any case.
+    patience: u64,
+}
+
+/// A run is divided into this many parts.
+const PARTS: u32 = 200;
+/// Steps after which a part that is not done is reported; doubled each time.
+const PATIENCE: u64 = 1 << 12;
+
+impl<'a, S: Scalar> Reporter<'a, S> {
+    pub(super) fn new<V: Verdict>(mut callback: impl FnMut(Progress<S>) -> V + 'a) -> Self {
+        let callback = Box::new(move |progress| callback(progress).go_on());
+        Reporter { callback, reported: 0, patience: PATIENCE }
+    }
+
+    /// Reports if it is time to; whether to go on.
+    pub(super) fn step(&mut self, progress: Progress<S>) -> bool {
+        let done = self.parts_done(&progress);
+        let is_long = progress.steps >= self.patience;
+        if done == self.reported && !is_long {
+            return true;
+        }
+        if is_long {
+            self.patience = self.patience.saturating_mul(2);
+        }
+        self.reported = done;
+        (self.callback)(progress)
+    }
+
+    /// How many parts of the time are done, not less than were reported.
+    fn parts_done(&self, progress: &Progress<S>) -> u32 {
+        if progress.time == progress.end {
+            return PARTS;
+        }
+        let part = (progress.end - progress.start) / S::from_f64(f64::from(PARTS));
+        let done = (progress.time - progress.start) / part;
+        let is_done = |parts: u32| done >= S::from_f64(f64::from(parts));
+        (self.reported..PARTS)
+            .take_while(|parts| is_done(parts + 1))
+            .last()
+            .map_or(self.reported, |parts| parts + 1)
+    }
+}

@@ -1,0 +1,137 @@
+//! What is kept of a run while it goes on.
+
+use std::string::String;
+use std::vec::Vec;
+
+use crate::integrate::{Cause, Stepper, Work};
+use crate::simulate::builder::Observer;
+use crate::simulate::dense::Dense;
+use crate::simulate::events::Event;
+use crate::simulate::sampling::{Grid, Sampling};
+use crate::simulate::table::Table;
+use crate::simulate::trajectory::{Ending, Trajectory};
+use crate::system::MechanicalSystem;
+
+/// What is kept of a run while it goes on.
+pub(super) struct Record<'a, M: MechanicalSystem> {
+    system: &'a M,
+    table: Table<M::Scalar>,
+    observers: Vec<Observer<'a, M>>,
+    /// Room for the columns of one sample.
+    row: Vec<M::Scalar>,
+    dense: Option<Dense<M::Scalar, M::State>>,
+    samples: Samples<M::Scalar>,
+    events: Vec<Event<M::Scalar, M::State>>,
+    pub(super) first: (M::Scalar, M::State),
+    last: (M::Scalar, M::State),
+    pub(super) work: Work,
+}
+
+/// Which samples are still to come.
+enum Samples<S> {
+    EveryStep,
+    Grid(Grid<S>),
+    None,
+}
+
+impl<'a, M: MechanicalSystem> Record<'a, M> {
+    /// Starts with the initial state as the first sample.
+    pub(super) fn new(
+        system: &'a M,
+        observers: Vec<Observer<'a, M>>,
+        dense: Option<Dense<M::Scalar, M::State>>,
+        start: (M::Scalar, M::State),
+    ) -> Self {
+        let mut record = Record {
+            system,
+            table: Table::new(names(&observers)),
+            observers,
+            row: Vec::new(),
+            dense,
+            samples: Samples::None,
+            events: Vec::new(),
+            first: start,
+            last: start,
+            work: Work::default(),
+        };
+        record.sample(start.0, &start.1);
+        record
+    }
+
+    /// The names of the columns.
+    pub(super) fn names(&self) -> &[String] {
+        self.table.names()
+    }
+
+    /// Chooses the samples up to this end.
+    pub(super) fn choose(
+        &mut self,
+        sampling: Sampling<M::Scalar>,
+        end: M::Scalar,
+    ) -> Result<(), Cause<M::Scalar>> {
+        self.samples = match sampling {
+            Sampling::EveryStep => Samples::EveryStep,
+            Sampling::Every(interval) => Samples::Grid(Grid::new(self.first.0, end, interval)?),
+            Sampling::Ends => Samples::None,
+        };
+        Ok(())
+    }
+
+    /// Keeps what is asked for of the last step up to `to`, where this is the state.
+    pub(super) fn keep(&mut self, stepper: &mut impl Stepper<M>, to: M::Scalar, state: &M::State) {
+        match self.samples {
+            Samples::EveryStep => self.sample(to, state),
+            Samples::Grid(mut grid) => {
+                while let Some(time) = grid.up_to(to) {
+                    let state = if time == to { *state } else { stepper.interpolate(self.system, time) };
+                    self.sample(time, &state);
+                }
+                self.samples = Samples::Grid(grid);
+            }
+            Samples::None => {}
+        }
+        if let Some(dense) = &mut self.dense {
+            dense.push((stepper.last_time(), to), |t| stepper.interpolate(self.system, t));
+        }
+        self.last = (to, *state);
+    }
+
+    /// Goes on from another state at the time that was reached.
+    pub(super) fn jump(&mut self, state: &M::State) {
+        self.last.1 = *state;
+        if let Samples::EveryStep = self.samples {
+            self.sample(self.last.0, state);
+        }
+    }
+
+    pub(super) fn event(&mut self, event: Event<M::Scalar, M::State>) {
+        self.events.push(event);
+    }
+
+    /// Adds a sample.
+    fn sample(&mut self, time: M::Scalar, state: &M::State) {
+        self.row.clear();
+        self.row.extend_from_slice(state.as_ref());
+        for observer in &mut self.observers {
+            (observer.extend)(self.system, time, state, &mut self.row);
+        }
+        self.table.push(time, &self.row);
+    }
+
+    /// What was found, with the last good state as its last sample.
+    pub(super) fn close(mut self, ending: Ending, method: &'static str) -> Trajectory<M> {
+        let (time, state) = self.last;
+        if time != self.first.0 && self.table.times().last() != Some(&time) {
+            self.sample(time, &state);
+        }
+        let Record { table, dense, events, first, last, work, .. } = self;
+        Trajectory { columns: table.into(), dense, events, work, ending, first, last, method }
+    }
+}
+
+/// The names of all columns: coordinates, velocities, and what observers add.
+fn names<M: MechanicalSystem>(observers: &[Observer<'_, M>]) -> Vec<String> {
+    let mut names = Observer::<M>::state_names();
+    names.extend(observers.iter().flat_map(|observer| observer.names.iter().cloned()));
+    names
+}

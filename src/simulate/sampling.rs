@@ -1,0 +1,66 @@
+//! Which times of a run are kept.
+
+use crate::integrate::Cause;
+use crate::scalar::Scalar;
+
+/// Which times of a run are kept, besides its start and its end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Sampling<S> {
+    /// The end of every step.
+    EveryStep,
+    /// The start plus multiples of this interval.
+    Every(S),
+    /// None.
+    Ends,
+}
+
+/// The times start + k dt, each computed from k, so that rounding errors do not add up.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Grid<S> {
+    start: S,
+    /// Signed: negative if time runs backwards.
+    interval: S,
+    end: S,
+    index: u64,
+}
+
+/// A time this part of the interval away from the end is the end.
+const SNAP: f64 = 1e-9;
+
+impl<S: Scalar> Grid<S> {
+    pub(super) fn new(start: S, end: S, interval: S) -> Result<Self, Cause<S>> {
+        if !(interval > S::ZERO && interval.is_finite()) {
+            return Err(Cause::Setting("the interval between samples must be positive and finite"));
+        }
+        let interval = if end < start { -interval } else { interval };
+        if start + interval == start || end - interval == end {
+            return Err(Cause::Setting("the interval between samples is lost in the rounding of time"));
+        }
+        Ok(Grid { start, interval, end, index: 1 })
+    }
+
+    /// The next time, if it comes before the end and not after `reached`.
+    pub(super) fn up_to(&mut self, reached: S) -> Option<S> {
+        let time = self.start + S::from_f64(self.index as f64) * self.interval;
+        if self.is_after(time, reached) || self.is_end(time) {
+            return None;
+        }
+        self.index += 1;
+        Some(time)
+    }
+
+    fn is_after(&self, time: S, other: S) -> bool {
+        if self.interval > S::ZERO { time > other } else { time < other }
+    }
+
+    /// Whether a time is the end or beyond it, but for rounding: closer than a part of the interval, or its
+    /// neighbour among the numbers.
+    fn is_end(&self, time: S) -> bool {
+        let left = self.end - time;
+        let middle = time + left / S::from_f64(2.0);
+        self.is_after(time, self.end)
+            || left.abs() <= self.interval.abs() * S::from_f64(SNAP)
+            || middle == time
+            || middle == self.end
+    }
+}

@@ -1,0 +1,74 @@
+//! Columns of numbers with names.
+
+use std::string::String;
+use std::vec::Vec;
+
+use crate::system::Columns;
+
+/// What the column of times is called in files.
+pub(super) const TIME: &str = "t";
+
+/// Samples in columns: their times and, for each name, a number for each time.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Table<S> {
+    times: Vec<S>,
+    names: Vec<String>,
+    columns: Vec<Vec<S>>,
+}
+
+impl<S: Copy> Table<S> {
+    /// A table without samples.
+    pub(super) fn new(names: Vec<String>) -> Self {
+        let columns = names.iter().map(|_| Vec::new()).collect();
+        Table { times: Vec::new(), names, columns }
+    }
+
+    /// Adds a sample with one number for each column.
+    pub(super) fn push(&mut self, time: S, row: &[S]) {
+        debug_assert_eq!(row.len(), self.columns.len());
+        self.times.push(time);
+        for (column, value) in self.columns.iter_mut().zip(row) {
+            column.push(*value);
+        }
+    }
+
+    /// How many samples there are.
+    pub fn len(&self) -> usize {
+        self.times.len()
+    }
+
+    /// Whether there is no sample.
+    pub fn is_empty(&self) -> bool {
+        self.times.is_empty()
+    }
+
+    /// The times of the samples, in the order of the run.
+    pub fn times(&self) -> &[S] {
+        &self.times
+    }
+
+    /// The names of the columns, in their order; time has none.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The columns in the order of their names.
+    pub fn columns(&self) -> impl ExactSizeIterator<Item = &[S]> {
+        self.columns.iter().map(Vec::as_slice)
+    }
+
+    /// The column of this name.
+    pub fn column(&self, name: &str) -> Option<&[S]> {
+        let index = self.names.iter().position(|known| known == name)?;
+        self.columns.get(index).map(Vec::as_slice)
+    }
+}
+
+/// By index, for the named columns that are emitted with a system.
+impl<S: Copy> Columns for Table<S> {
+    type Scalar = S;
+
+    fn column(&self, index: usize) -> &[S] {
+        &self.columns[index]
+    }
+}

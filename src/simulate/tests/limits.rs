@@ -1,0 +1,121 @@
+//! Runs that end early, and what tells how far they are.
+
+use std::f64::consts::FRAC_PI_3;
+use std::ops::ControlFlow;
+use std::string::ToString;
+use std::vec::Vec;
+
+use super::{Broken, Oscillator, START, assert_exact};
+use crate::integrate::{Cause, RungeKutta4};
+use crate::simulate::{Ending, Progress, Simulate};
+
+#[test]
+fn a_failure_keeps_the_samples_so_far() {
+    let error = Broken(0.5).simulate(START).until(10.0).every(0.1).run().expect_err("fails");
+    // cos t falls below 0.5 at π/3.
+    let (time, state) = (error.time(), error.state());
+    assert!(time > 0.8 && time < FRAC_PI_3 + 1e-9, "{time}");
+    assert!((state[0] - time.cos()).abs() < 1e-8);
+    let kept = &error.trajectory;
+    assert_eq!(kept.ending(), Ending::Failed);
+    assert_eq!((kept.end_time(), kept.last()), (time, state));
+    assert_eq!(kept.times().last(), Some(&time));
+    assert!(kept.times()[..kept.len() - 1].iter().enumerate().all(|(k, t)| *t == 0.1 * k as f64));
+    assert!(kept.states().flatten().all(f64::is_finite));
+    assert!(kept.work().steps > 0);
+}
+
+#[test]
+fn a_failure_of_a_fixed_step_says_why_and_when() {
+    let method = RungeKutta4 { step: 0.01 };
+    let error = Broken(0.5).simulate(START).until(10.0).method(method).run().expect_err("fails");
+    assert_eq!(error.cause, Cause::NotFinite);
+    assert_eq!(error.trajectory.work().steps, 104);
+    assert_eq!(error.to_string(), std::format!("{} (at time {:?})", error.cause, error.time()));
+    let boxed: std::boxed::Box<dyn std::error::Error + Send + Sync> = error.into();
+    assert!(boxed.to_string().contains("NaN"));
+}
+
+#[test]
+fn an_initial_state_that_is_not_finite_is_refused_and_shown() {
+    let error = Oscillator.simulate([f64::NAN, 0.0]).until(1.0).run().expect_err("refused");
+    assert_eq!(error.cause, Cause::NotFinite);
+    assert_eq!(error.trajectory.len(), 1);
+    assert!(error.state()[0].is_nan());
+    for end in [f64::NAN, f64::INFINITY] {
+        assert!(Oscillator.simulate(START).until(end).run().is_err(), "{end}");
+    }
+}
+
+#[test]
+fn settings_of_methods_are_checked() {
+    let error = Oscillator.simulate(START).until(1.0).tolerance(-1.0).run().expect_err("refused");
+    assert!(matches!(error.cause, Cause::Setting(_)));
+    let method = RungeKutta4 { step: 0.0 };
+    let error = Oscillator.simulate(START).until(1.0).method(method).run().expect_err("refused");
+    assert!(matches!(error.cause, Cause::Setting(_)));
+}
+
+#[test]
+fn no_more_steps_are_taken_than_allowed() {
+    let run = |limit| {
+        let simulation = Oscillator.simulate(START).until(1.0).method(RungeKutta4 { step: 0.125 });
+        simulation.max_steps(limit).run()
+    };
+    assert_eq!(run(8).expect("just enough").len(), 9);
+    let error = run(7).expect_err("one too few");
+    assert_eq!(error.cause, Cause::TooManySteps { limit: 7 });
+    assert_eq!((error.time(), error.trajectory.len()), (0.875, 8));
+    assert_exact(&error.trajectory, 1e-4);
+    assert_eq!(run(0).expect_err("none").trajectory.times(), [0.0]);
+}
+
+#[test]
+fn progress_is_reported_about_two_hundred_times() {
+    for (end, step) in [(10.0, 1e-3), (-10.0, 1e-3), (10.0, 0.5)] {
+        let mut reports = Vec::new();
+        let simulation = Oscillator.simulate(START).until(end).method(RungeKutta4 { step });
+        simulation.progress(|progress| reports.push(progress)).run().expect("runs");
+        let fractions: Vec<f64> = reports.iter().map(Progress::fraction).collect();
+        assert!(fractions.windows(2).all(|pair| pair[0] < pair[1]), "{fractions:?}");
+        assert_eq!(fractions.last(), Some(&1.0));
+        let expected = if step > 0.1 { 20..=20 } else { 200..=203 };
+        assert!(expected.contains(&fractions.len()), "{} reports", fractions.len());
+        assert_eq!(reports.last().map(|progress| (progress.time, progress.end)), Some((end, end)));
+    }
+}
+
+#[test]
+fn a_run_that_gets_nowhere_is_reported_more_and_more_seldom() {
+    let mut reports = Vec::new();
+    let simulation = Oscillator.simulate(START).until(1e9).method(RungeKutta4 { step: 1e-3 });
+    let trajectory = simulation
+        .ends_only()
+        .progress(|progress| {
+            reports.push(progress.steps);
+            if reports.len() < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        })
+        .run()
+        .expect("cancelled is no failure");
+    assert_eq!(reports, [4096, 8192, 16384, 32768]);
+    assert_eq!(trajectory.work().steps, 32768);
+}
+
+#[test]
+fn a_cancelled_run_returns_what_it_has() {
+    let simulation = Oscillator.simulate(START).until(10.0).every(0.3);
+    let trajectory =
+        simulation
+            .method(RungeKutta4 { step: 0.125 })
+            .progress(|progress| {
+                if progress.fraction() < 0.5 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            })
+            .run()
+            .expect("cancelled is no failure");
+    assert_eq!(trajectory.ending(), Ending::Cancelled);
+    assert_eq!(trajectory.end_time(), 5.0);
+    assert_eq!(trajectory.times().last(), Some(&5.0));
+    assert_exact(&trajectory, 1e-4);
+    let complete = Oscillator.simulate(START).until(1.0).run().expect("runs");
+    assert_eq!(complete.ending(), Ending::Reached);
+}

@@ -1,0 +1,82 @@
+//! One call, one picture.
+
+use std::path::PathBuf;
+use std::string::String;
+
+use super::{Oscillator, START};
+use crate::integrate::RungeKutta4;
+use crate::simulate::{PlotError, Simulate, Trajectory};
+
+fn run() -> Trajectory<Oscillator> {
+    Oscillator.simulate(START).until(10.0).tolerance(1e-10).every(0.05).energy().run().expect("runs")
+}
+
+/// What a plot writes to a file of this name.
+fn written(name: &str, plot: impl FnOnce(PathBuf) -> Result<(), PlotError>) -> String {
+    let path = std::env::temp_dir().join(std::format!("lagrange_{}_{name}.svg", std::process::id()));
+    plot(path.clone()).expect("plots");
+    let text = std::fs::read_to_string(&path).expect("is there");
+    std::fs::remove_file(path).expect("was there");
+    text
+}
+
+/// Points of all curves, and whether all these labels are there.
+fn points(svg: &str, labels: &[&str]) -> usize {
+    assert!(labels.iter().all(|label| svg.contains(&std::format!(">\n{label}\n<"))), "{svg}");
+    let curves = svg.lines().filter(|line| line.contains("stroke-width=\"14\""));
+    curves.map(|line| line.matches(',').count()).sum()
+}
+
+#[test]
+fn states_have_a_panel_each() {
+    let svg = written("states", |path| run().plot_states(path));
+    assert_eq!(points(&svg, &["x", "x_dot", "time t in s", "0.5"]), 2 * 201);
+}
+
+#[test]
+fn a_phase_portrait_is_velocity_against_coordinate() {
+    let svg = written("phase", |path| run().plot_phase("x", path));
+    assert!(points(&svg, &["x", "x_dot"]) > 100);
+    let error = run().plot_phase("y", "y.svg").expect_err("unknown");
+    assert!(matches!(error, PlotError::UnknownColumn(name) if name == "y"));
+}
+
+#[test]
+fn columns_share_a_panel_and_a_legend() {
+    let svg = written("columns", |path| run().plot_columns(&["x", "energy"], path));
+    assert_eq!(points(&svg, &["x", "energy"]), 2 * 201);
+    assert!(matches!(run().plot_columns(&["x", "z"], "z.svg"), Err(PlotError::UnknownColumn(_))));
+}
+
+#[test]
+fn the_drift_of_the_energy_is_relative_and_readable() {
+    let svg = written("energy", |path| run().plot_energy(path));
+    assert_eq!(points(&svg, &["(E − E0)/|E0|"]), 201);
+    assert!(svg.contains("×10⁻"), "a drift of 1e-10 has a factor beside the axis");
+}
+
+#[test]
+fn a_drift_that_grows_by_orders_of_magnitude_is_logarithmic() {
+    let simulation = Oscillator.simulate(START).until(1000.0).method(RungeKutta4 { step: 1e-2 });
+    let trajectory = simulation
+        .every(0.01)
+        .observe("energy", |_, t, _| 1.0 + 1e-15 * (0.02 * t).exp())
+        .run()
+        .expect("runs");
+    let svg = written("growth", |path| trajectory.plot_energy(path));
+    assert!(points(&svg, &["|E − E0|/|E0|", "10⁻¹⁰"]) > 1000);
+}
+
+#[test]
+fn an_energy_of_zero_drifts_absolutely() {
+    let simulation = Oscillator.simulate(START).until(10.0).every(0.1);
+    let trajectory = simulation.observe("energy", |_, t, _| 1e-14 * t.sin()).run().expect("runs");
+    let svg = written("zero", |path| trajectory.plot_energy(path));
+    assert_eq!(points(&svg, &["E − E0"]), 101);
+}
+
+#[test]
+fn an_energy_that_was_not_observed_is_asked_for() {
+    let trajectory = Oscillator.simulate(START).until(1.0).run().expect("runs");
+    assert!(matches!(trajectory.plot_energy("energy.svg"), Err(PlotError::NoEnergy)));
+}

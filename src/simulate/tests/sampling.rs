@@ -1,0 +1,109 @@
+//! Which times are kept.
+
+use std::vec;
+use std::vec::Vec;
+
+use super::{Oscillator, START, assert_exact};
+use crate::integrate::{Cause, RungeKutta4};
+use crate::simulate::Simulate;
+
+fn sampled(from: f64, until: f64, every: f64) -> Vec<f64> {
+    let run = Oscillator.simulate(START).from(from).until(until).every(every).tolerance(1e-10).run();
+    let trajectory = run.expect("runs");
+    let (first, last) = (trajectory.first(), trajectory.last());
+    assert_eq!((trajectory.state(0), trajectory.state(trajectory.len() - 1)), (Some(first), Some(last)));
+    if from.abs() < 1e6 {
+        assert_exact(&trajectory, 1e-8);
+    }
+    trajectory.times().to_vec()
+}
+
+#[test]
+fn times_are_multiples_of_the_interval_without_accumulation() {
+    let times = sampled(0.0, 100.0, 0.1);
+    let expected: Vec<f64> = (0..=1000).map(|k| f64::from(k) * 0.1).collect();
+    assert_eq!(times, expected);
+}
+
+#[test]
+fn an_interval_that_does_not_divide_the_span_ends_with_a_shorter_one() {
+    assert_eq!(sampled(0.0, 1.0, 0.3), [0.0, 0.3, 0.6, 3.0 * 0.3, 1.0]);
+}
+
+#[test]
+fn rounding_adds_no_sample_next_to_the_end() {
+    // 3 · 0.1 exceeds 0.3, and 3 · 0.7 falls short of 2.1.
+    assert_eq!(sampled(0.0, 0.3, 0.1), [0.0, 0.1, 0.2, 0.3]);
+    assert_eq!(sampled(0.0, 2.1, 0.7), [0.0, 0.7, 1.4, 2.1]);
+}
+
+#[test]
+fn time_may_run_backwards() {
+    assert_eq!(sampled(1.0, -1.0, 0.5), [1.0, 0.5, 0.0, -0.5, -1.0]);
+}
+
+#[test]
+fn an_interval_longer_than_the_span_leaves_both_ends() {
+    assert_eq!(sampled(2.0, 3.0, 7.0), [2.0, 3.0]);
+}
+
+#[test]
+fn a_late_start_keeps_times_apart() {
+    let times = sampled(1e9, 1e9 + 1.0, 0.1);
+    assert_eq!(times.len(), 11);
+    assert_eq!((times[0], times[10]), (1e9, 1e9 + 1.0));
+    assert!(times.windows(2).all(|pair| (pair[1] - pair[0] - 0.1).abs() < 3e-7));
+}
+
+#[test]
+fn a_late_start_leads_to_the_same_states() {
+    let run = |from: f64| {
+        let start = Oscillator.simulate(START).from(from);
+        start.lasting(10.0).tolerance(1e-11).run().expect("runs").last()
+    };
+    let (early, late) = (run(0.0), run(1e9));
+    assert!((early[0] - late[0]).abs() < 1e-9 && (early[1] - late[1]).abs() < 1e-9);
+}
+
+#[test]
+fn a_run_of_no_length_is_one_sample() {
+    assert_eq!(sampled(0.7, 0.7, 0.1), [0.7]);
+    let trajectory = Oscillator.simulate(START).until(0.0).dense().run().expect("runs");
+    assert_eq!(trajectory.times(), [0.0]);
+    assert_eq!(trajectory.last(), START);
+    assert_eq!(trajectory.at(0.0), Ok(START));
+    assert_eq!(trajectory.work().steps, 0);
+}
+
+#[test]
+fn ends_only_keeps_two_samples() {
+    let trajectory = Oscillator.simulate(START).until(10.0).ends_only().run().expect("runs");
+    assert_eq!(trajectory.times(), [0.0, 10.0]);
+    let last_asked_wins = Oscillator.simulate(START).until(1.0).ends_only().every_step().every(0.5);
+    assert_eq!(last_asked_wins.run().expect("runs").len(), 3);
+}
+
+#[test]
+fn samples_at_the_ends_of_steps_are_the_states_there() {
+    let simulation = || Oscillator.simulate(START).until(2.0).method(RungeKutta4 { step: 0.25 });
+    let (steps, samples) = (simulation().run().expect("runs"), simulation().every(0.5).run().expect("runs"));
+    let every_other: Vec<_> = steps.iter().step_by(2).collect();
+    assert_eq!(samples.iter().collect::<Vec<_>>(), every_other);
+}
+
+#[test]
+fn a_duration_counts_from_the_start() {
+    let trajectory = Oscillator.simulate(START).from(3.0).lasting(-2.0).ends_only().run().expect("runs");
+    assert_eq!(trajectory.times(), [3.0, 1.0]);
+    assert_exact(&trajectory, 1e-8);
+}
+
+#[test]
+fn intervals_that_make_no_sense_are_refused() {
+    for interval in [0.0, -0.1, f64::NAN, f64::INFINITY, 1e-17] {
+        let error =
+            Oscillator.simulate(START).from(1.0).until(2.0).every(interval).run().expect_err("refused");
+        assert!(matches!(error.cause, Cause::Setting(_)), "{interval}: {error}");
+        assert_eq!(error.trajectory.times(), vec![1.0]);
+    }
+}

@@ -1,0 +1,214 @@
+//! What a run found.
+
+use std::fmt::{Debug, Display, Formatter};
+use std::ops::Deref;
+use std::string::String;
+use std::vec::Vec;
+
+use crate::integrate::Work;
+use crate::simulate::dense::Dense;
+use crate::simulate::events::Event;
+use crate::simulate::table::Table;
+use crate::system::{MechanicalSystem, StateVector};
+
+/// What a run found: samples in named columns, and what it took.
+///
+/// Columns are the coordinates and velocities and then what observers added. There is at least one sample, the initial
+/// state, and the last sample is where the run ended.
+///
+/// Of an emitted system, the columns of the state are also methods, such as `trajectory.theta()` and
+/// `trajectory.theta_dot()`; where one would be called like a method of this type, [`column`](Trajectory::column) finds
+/// it.
+pub struct Trajectory<M: MechanicalSystem> {
+    pub(super) columns: M::Columns<Table<M::Scalar>>,
+    pub(super) dense: Option<Dense<M::Scalar, M::State>>,
+    pub(super) events: Vec<Event<M::Scalar, M::State>>,
+    pub(super) work: Work,
+    pub(super) ending: Ending,
+    pub(super) first: (M::Scalar, M::State),
+    pub(super) last: (M::Scalar, M::State),
+    pub(super) method: &'static str,
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum Ending {
+    /// It reached its end time.
+    Reached,
+    /// An event stopped it: the last of [`Trajectory::events`].
+    Stopped,
+    /// The progress callback cancelled it.
+    Cancelled,
+    /// It failed; only the trajectory within an error says so.
+    Failed,
+}
+
+impl<M: MechanicalSystem> Trajectory<M> {
+    /// How many samples there are; at least one.
+    #[expect(clippy::len_without_is_empty, reason = "there is at least one sample")]
+    pub fn len(&self) -> usize {
+        self.table().len()
+    }
+
+    /// The times of the samples, in the order of the run: falling if it ran backwards.
+    pub fn times(&self) -> &[M::Scalar] {
+        self.table().times()
+    }
+
+    /// The names of the columns, in their order; time has none.
+    pub fn names(&self) -> &[String] {
+        self.table().names()
+    }
+
+    /// The column of this name: a coordinate, a velocity such as `theta_dot`, or what an observer added.
+    pub fn column(&self, name: &str) -> Option<&[M::Scalar]> {
+        self.table().column(name)
+    }
+
+    /// All columns.
+    pub fn table(&self) -> &Table<M::Scalar> {
+        self.columns.as_ref()
+    }
+
+    /// The state of a sample, counted from zero.
+    pub fn state(&self, index: usize) -> Option<M::State> {
+        let mut state = M::State::ZERO;
+        for (component, column) in state.as_mut().iter_mut().zip(self.table().columns()) {
+            *component = *column.get(index)?;
+        }
+        Some(state)
+    }
+
+    /// The states of the samples.
+    pub fn states(&self) -> impl Iterator<Item = M::State> + '_ {
+        (0..self.len()).filter_map(|index| self.state(index))
+    }
+
+    /// Times and states of the samples.
+    pub fn iter(&self) -> impl Iterator<Item = (M::Scalar, M::State)> + '_ {
+        self.times().iter().copied().zip(self.states())
+    }
+
+    /// The state where the run started.
+    pub fn first(&self) -> M::State {
+        self.first.1
+    }
+
+    /// The time at which the run started.
+    pub fn start_time(&self) -> M::Scalar {
+        self.first.0
+    }
+
+    /// The state where the run ended.
+    pub fn last(&self) -> M::State {
+        self.last.1
+    }
+
+    /// The time at which the run ended.
+    pub fn end_time(&self) -> M::Scalar {
+        self.last.0
+    }
+
+    /// The state at any time of a run that was asked to be [`dense`](crate::simulate::Simulation::dense); at the time
+    /// of an impact, the state after it.
+    ///
+    /// The error is that of the method's own interpolation, plus a few roundings.
+    ///
+    /// # Errors
+    /// If the run was not asked to be dense, or did not pass this time.
+    pub fn at(&self, t: M::Scalar) -> Result<M::State, NotKept<M::Scalar>> {
+        let dense = self.dense.as_ref().ok_or(NotKept::NotDense)?;
+        if t == self.end_time() {
+            return Ok(self.last());
+        }
+        let outside = NotKept::Outside { time: t, start: self.start_time(), end: self.end_time() };
+        dense.at(t).ok_or(outside)
+    }
+
+    /// What happened, in the order of the run.
+    pub fn events(&self) -> &[Event<M::Scalar, M::State>] {
+        &self.events
+    }
+
+    /// What the run took.
+    pub fn work(&self) -> Work {
+        self.work
+    }
+
+    /// How the run ended.
+    pub fn ending(&self) -> Ending {
+        self.ending
+    }
+
+    /// What the method is called.
+    pub fn method(&self) -> &'static str {
+        self.method
+    }
+}
+
+impl<M: MechanicalSystem> Deref for Trajectory<M> {
+    type Target = M::Columns<Table<M::Scalar>>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.columns
+    }
+}
+
+impl<M: MechanicalSystem> Clone for Trajectory<M> {
+    fn clone(&self) -> Self {
+        Trajectory {
+            columns: self.table().clone().into(),
+            dense: self.dense.clone(),
+            events: self.events.clone(),
+            ..*self
+        }
+    }
+}
+
+/// Not the samples, which may be millions.
+impl<M: MechanicalSystem> Debug for Trajectory<M> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Trajectory")
+            .field("method", &self.method)
+            .field("ending", &self.ending)
+            .field("samples", &self.len())
+            .field("columns", &self.names())
+            .field("first", &self.first)
+            .field("last", &self.last)
+            .field("work", &self.work)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Why a state between samples is not known.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum NotKept<S> {
+    /// The run kept its samples only.
+    NotDense,
+    /// The run did not pass this time.
+    Outside {
+        /// This time.
+        time: S,
+        /// Where the run started.
+        start: S,
+        /// Where the run ended.
+        end: S,
+    },
+}
+
+impl<S: Debug> Display for NotKept<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self {
+            NotKept::NotDense => {
+                f.write_str("states between samples are kept only by a run that is `.dense()`")
+            }
+            NotKept::Outside { time, start, end } => {
+                write!(f, "time {time:?} is not between {start:?} and {end:?}, the ends of the run")
+            }
+        }
+    }
+}
+
+impl<S: Debug> std::error::Error for NotKept<S> {}

@@ -1,0 +1,100 @@
+//! A contestant from coarse to fine settings.
+
+use std::hint::black_box;
+use std::string::String;
+use std::time::Instant;
+use std::vec::Vec;
+
+use super::contestant::{Contestant, Knob, Run};
+use super::report::{Measurement, Row};
+
+/// Tolerances from 10⁻¹ to 10⁻¹⁵, in this many rungs to the decade.
+const RUNGS_A_DECADE: i32 = 2;
+const DECADES: (i32, i32) = (1, 15);
+/// The coarsest step is this part of the run; each rung halves it.
+const COARSEST: f64 = 8.0;
+const HALVINGS: i32 = 30;
+/// A run is repeated until this many seconds are over, but not more often than `REPEATS`.
+const LONG_ENOUGH: f64 = 0.01;
+const REPEATS: usize = 20;
+/// An error this many times the least one is above rounding: finer steps only round more.
+const RISEN: f64 = 8.0;
+/// But one error may be the least by luck.
+const OFTEN: u32 = 4;
+
+/// Runs with all settings, until one takes longer than `longest` or finer ones do not help.
+pub(super) fn climb(
+    contestant: &Contestant<'_>,
+    start: &[f64],
+    end: f64,
+    reference: &[f64],
+    longest: f64,
+) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let (mut least, mut risen) = (f64::INFINITY, 0);
+    for setting in settings(contestant.knob, end) {
+        let began = Instant::now();
+        let outcome = measure(contestant, setting, start, end, reference);
+        // Runs that fail late are long, too.
+        let was_long = outcome.is_err() && began.elapsed().as_secs_f64() > longest;
+        let is_last = outcome.as_ref().is_ok_and(|found| {
+            least = least.min(found.error);
+            let has_risen = contestant.knob == Knob::Step && found.error > RISEN * least;
+            risen = if has_risen && least < f64::from(f32::EPSILON) { risen + 1 } else { 0 };
+            found.seconds > longest || risen >= OFTEN
+        });
+        rows.push(Row {
+            method: contestant.method.clone(),
+            scalar: contestant.scalar,
+            variant: contestant.variant.clone(),
+            is_tolerance: contestant.knob == Knob::Tolerance,
+            setting,
+            outcome,
+        });
+        if is_last || was_long {
+            break;
+        }
+    }
+    rows
+}
+
+fn settings(knob: Knob, end: f64) -> Vec<f64> {
+    let (coarse, fine) = DECADES;
+    match knob {
+        Knob::Tolerance => {
+            let rungs = (RUNGS_A_DECADE * coarse)..=(RUNGS_A_DECADE * fine);
+            rungs.map(|k| 10_f64.powf(-f64::from(k) / f64::from(RUNGS_A_DECADE))).collect()
+        }
+        Knob::Step => (0..HALVINGS).map(|k| end.abs() / COARSEST / 2_f64.powi(k)).collect(),
+    }
+}
+
+/// Error, and the shortest time of several runs.
+fn measure(
+    contestant: &Contestant<'_>,
+    setting: f64,
+    start: &[f64],
+    end: f64,
+    reference: &[f64],
+) -> Result<Measurement, String> {
+    let mut best: Option<(f64, Run)> = None;
+    let (mut total, mut repeats) = (0.0, 0);
+    while repeats == 0 || total < LONG_ENOUGH && repeats < REPEATS {
+        let began = Instant::now();
+        let run = black_box((contestant.run)(black_box(setting), start, end)?);
+        let seconds = began.elapsed().as_secs_f64();
+        total += seconds;
+        repeats += 1;
+        if best.as_ref().is_none_or(|(shortest, _)| seconds < *shortest) {
+            best = Some((seconds, run));
+        }
+    }
+    let (seconds, run) = best.ok_or("nothing was run")?;
+    Ok(Measurement { error: error(&run.state, reference), seconds, work: run.work })
+}
+
+/// The largest error of a component; NaN stays NaN.
+fn error(state: &[f64], reference: &[f64]) -> f64 {
+    let errors = state.iter().zip(reference).map(|(found, exact)| (found - exact).abs());
+    errors.fold(0.0, |largest, error| if error <= largest { largest } else { error })
+}

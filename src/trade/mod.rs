@@ -1,0 +1,250 @@
+//! What every digit costs: methods, numbers and variants of a system measured against each other.
+//!
+//! A [`Trade`] runs each method from coarse to fine settings, measures the error at the end and the time it took, and
+//! reports which one is the fastest for an accuracy. `cargo run --release --features trade --example trade` does it for four
+//! known systems; this is how to do it for a system of one's own:
+//!
+//! ```no_run
+//! lagrange::system! {
+//!     pub struct Pendulum;
+//!     coord theta;
+//!     kinetic = 1/2 * dot(theta)^2;
+//!     potential = -9.81 * cos(theta);
+//! }
+//!
+//! let pendulum = Pendulum::default();
+//! let report = lagrange::trade::Trade::new("my pendulum", &pendulum, [1.0, 0.0], 10.0).run();
+//! print!("{}", report.recommendation());
+//! report.save("trade")?;
+//! # Ok::<(), lagrange::simulate::PlotError>(())
+//! ```
+//!
+//! Times depend on the machine and its load; errors, evaluations and steps do not.
+
+mod contestant;
+mod diagram;
+mod ladder;
+mod report;
+
+use std::boxed::Box;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use self::contestant::{Contestant, Knob, Runner};
+use self::ladder::climb;
+use crate::integrate::{
+    BlanesMoan4, GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4,
+    StormerVerlet, SymplecticEuler, Variational, Verner98,
+};
+use crate::scalar::Scalar;
+use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem};
+
+pub use self::report::{Measurement, Report, Row};
+
+/// A motion, and all that compete for it.
+pub struct Trade<'a> {
+    title: String,
+    start: Vec<f64>,
+    end: f64,
+    reference: Option<Vec<f64>>,
+    longest: f64,
+    contestants: Vec<Contestant<'a>>,
+}
+
+/// Seconds after which finer settings of a method are not tried, unless told otherwise.
+const LONGEST: f64 = 0.2;
+
+impl<'a> Trade<'a> {
+    /// The motion of `system` from the state `start` at the time zero to the time `end`, in all methods that take any
+    /// system.
+    pub fn new<M>(title: &str, system: &'a M, start: M::State, end: M::Scalar) -> Self
+    where
+        M: OdeSystem,
+        M::Scalar: Into<f64>,
+    {
+        let start = start.as_ref().iter().map(|component| (*component).into()).collect();
+        let trade = Trade {
+            title: title.to_string(),
+            start,
+            end: end.into(),
+            reference: None,
+            longest: LONGEST,
+            contestants: Vec::new(),
+        };
+        trade.variant("standard", system)
+    }
+
+    /// The state at the end. If it is not given, the finest run of [`Verner98`] on the first system takes its place, so
+    /// that errors close to rounding are not to be trusted.
+    ///
+    /// # Panics
+    /// If it is no longer or shorter than the state at the start.
+    #[must_use]
+    pub fn reference(mut self, state: &[f64]) -> Self {
+        assert_eq!(state.len(), self.start.len(), "the reference is a state of another system");
+        self.reference = Some(state.to_vec());
+        self
+    }
+
+    /// Settings finer than one that took this many seconds are not tried.
+    #[must_use]
+    pub fn longest(mut self, seconds: f64) -> Self {
+        self.longest = seconds;
+        self
+    }
+
+    /// The same system in another way, such as in other numbers or with another level of accuracy, in all methods that
+    /// take any system.
+    ///
+    /// # Panics
+    /// If its state is longer or shorter.
+    #[must_use]
+    pub fn variant<M>(self, name: &str, system: &'a M) -> Self
+    where
+        M: OdeSystem,
+        M::Scalar: Into<f64>,
+    {
+        self.by_tolerance(name, system, |tolerance| Verner98 {
+            // What stability costs is to be seen.
+            refuses_stiff: false,
+            ..Verner98::tolerance(tolerance)
+        })
+        .by_step(name, system, |step| RungeKutta4 { step })
+        .by_step(name, system, |step| ImplicitMidpoint { step }.plain())
+        .by_step(name, system, |step| GaussLegendre4 { step }.plain())
+        .by_step(name, system, |step| GaussLegendre6 { step }.plain())
+    }
+
+    /// A system in the methods that take coordinates and momenta.
+    ///
+    /// # Panics
+    /// As [`variant`](Self::variant).
+    #[must_use]
+    pub fn canonical<M>(self, name: &str, system: &'a M) -> Self
+    where
+        M: CanonicalSystem,
+        M::Scalar: Into<f64>,
+    {
+        let name = std::format!("{name}, canonical");
+        self.by_step(&name, system, |step| GaussLegendre::<_, 1> { step })
+            .by_step(&name, system, |step| GaussLegendre::<_, 2> { step })
+            .by_step(&name, system, |step| GaussLegendre::<_, 3> { step })
+            .by_step(&name, system, |step| Variational { step })
+    }
+
+    /// A [reduced type](crate::system!#reduced-types) of the same declaration, with steps by tolerance and without.
+    ///
+    /// It starts at what `restrict` leaves of the start, and is judged by what `expand` makes of its end: so the error that
+    /// the reduction itself makes is in the account.
+    #[must_use]
+    pub fn reduced<M>(
+        mut self,
+        name: &str,
+        system: &'a M,
+        restrict: impl Fn(&[f64]) -> M::State + Copy + 'a,
+        expand: impl Fn(&M::State) -> Vec<f64> + Copy + 'a,
+    ) -> Self
+    where
+        M: OdeSystem,
+        M::Scalar: Into<f64>,
+    {
+        let by_tolerance = contestant::run(system, Verner98::tolerance, restrict, expand);
+        self.push::<M>("Verner 9(8)", name, Knob::Tolerance, Box::new(by_tolerance));
+        let by_step = contestant::run(system, |step| RungeKutta4 { step }, restrict, expand);
+        self.push::<M>("Runge–Kutta 4", name, Knob::Step, Box::new(by_step));
+        self
+    }
+
+    /// A system in the methods for separable ones.
+    ///
+    /// # Panics
+    /// As [`variant`](Self::variant).
+    #[must_use]
+    pub fn separable<M>(self, name: &str, system: &'a M) -> Self
+    where
+        M: SeparableSystem,
+        M::Scalar: Into<f64>,
+    {
+        self.by_step(name, system, |step| SymplecticEuler { step })
+            .by_step(name, system, |step| StormerVerlet { step })
+            .by_step(name, system, |step| BlanesMoan4 { step })
+    }
+
+    /// Any method that is told a tolerance.
+    ///
+    /// # Panics
+    /// As [`variant`](Self::variant).
+    #[must_use]
+    pub fn by_tolerance<M, K>(self, name: &str, system: &'a M, method: impl Fn(M::Scalar) -> K + 'a) -> Self
+    where
+        M: OdeSystem,
+        M::Scalar: Into<f64>,
+        K: Method<M>,
+    {
+        self.with(name, system, Knob::Tolerance, method)
+    }
+
+    /// Any method that is told the length of a step.
+    ///
+    /// # Panics
+    /// As [`variant`](Self::variant).
+    #[must_use]
+    pub fn by_step<M, K>(self, name: &str, system: &'a M, method: impl Fn(M::Scalar) -> K + 'a) -> Self
+    where
+        M: OdeSystem,
+        M::Scalar: Into<f64>,
+        K: Method<M>,
+    {
+        self.with(name, system, Knob::Step, method)
+    }
+
+    fn with<M, K>(
+        mut self,
+        name: &str,
+        system: &'a M,
+        knob: Knob,
+        method: impl Fn(M::Scalar) -> K + 'a,
+    ) -> Self
+    where
+        M: OdeSystem,
+        M::Scalar: Into<f64>,
+        K: Method<M>,
+    {
+        assert_eq!(contestant::length::<M>(), self.start.len(), "{name} has a state of another length");
+        let title = method(M::Scalar::ONE).name();
+        let run = contestant::run(system, method, contestant::rounded::<M>, contestant::components::<M>);
+        self.push::<M>(title, name, knob, Box::new(run));
+        self
+    }
+
+    fn push<M: OdeSystem>(&mut self, method: &str, variant: &str, knob: Knob, run: Box<Runner<'a>>) {
+        let (method, variant) = (method.to_string(), variant.to_string());
+        let scalar = core::any::type_name::<M::Scalar>();
+        self.contestants.push(Contestant { method, scalar, variant, knob, run });
+    }
+
+    /// Runs them all, one after the other.
+    pub fn run(&self) -> Report {
+        let reference = self.reference.clone().or_else(|| self.finest());
+        let rows = match &reference {
+            Some(reference) => {
+                let climbed = self
+                    .contestants
+                    .iter()
+                    .map(|contestant| climb(contestant, &self.start, self.end, reference, self.longest));
+                climbed.flatten().collect()
+            }
+            None => Vec::new(),
+        };
+        Report { title: self.title.clone(), has_own_reference: self.reference.is_none(), rows }
+    }
+
+    /// The end of the finest run of the first contestant.
+    fn finest(&self) -> Option<Vec<f64>> {
+        let first = self.contestants.first()?;
+        (first.run)(f64::EPSILON, &self.start, self.end).ok().map(|run| run.state)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,154 @@
+//! What came of a trade, and what to choose.
+
+use std::format;
+use std::fs;
+use std::path::Path;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::diagram::diagram;
+use crate::integrate::Work;
+use crate::simulate::PlotError;
+
+/// Accuracies for which a choice is recommended.
+const GOALS: [f64; 7] = [1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+
+/// What a setting of a method gave.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// What the method is called.
+    pub method: String,
+    /// The number type.
+    pub scalar: &'static str,
+    /// Which of the systems.
+    pub variant: String,
+    /// Whether `setting` is a tolerance; the length of a step otherwise.
+    pub is_tolerance: bool,
+    /// What the method was told.
+    pub setting: f64,
+    /// What came of it, or why nothing did.
+    pub outcome: Result<Measurement, String>,
+}
+
+/// A run that reached its end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Measurement {
+    /// The largest error of a component of the state at the end, in its unit.
+    pub error: f64,
+    /// The shortest time of several runs.
+    pub seconds: f64,
+    /// What it took.
+    pub work: Work,
+}
+
+/// All runs of a [`Trade`](super::Trade).
+#[derive(Clone, Debug)]
+pub struct Report {
+    pub(super) title: String,
+    pub(super) has_own_reference: bool,
+    pub(super) rows: Vec<Row>,
+}
+
+impl Report {
+    /// What was measured.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// All runs, in the order in which they were made; none if there was no reference and the finest run failed.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The fastest run whose error is no more than this.
+    pub fn fastest(&self, error: f64) -> Option<(&Row, Measurement)> {
+        let good = self.measured().filter(|(_, found)| found.error <= error);
+        good.min_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds))
+    }
+
+    /// The fastest way to each accuracy that was reached, a table in Markdown.
+    pub fn recommendation(&self) -> String {
+        let mut text = String::from(
+            "| error wanted | method | numbers | variant | setting | error | µs | evaluations |\n|---|---|---|---|---|---|---|---|\n",
+        );
+        for goal in GOALS {
+            let Some((row, found)) = self.fastest(goal) else {
+                text += &format!("| {goal:.0e} | not reached | | | | | | |\n");
+                continue;
+            };
+            let knob = if row.is_tolerance { "tolerance" } else { "step" };
+            text += &format!(
+                "| {goal:.0e} | {} | {} | {} | {knob} {:.1e} | {:.1e} | {:.0} | {} |\n",
+                row.method,
+                row.scalar,
+                row.variant,
+                row.setting,
+                found.error,
+                1e6 * found.seconds,
+                found.work.evaluations
+            );
+        }
+        if self.has_own_reference {
+            text += "\nErrors are differences to the finest run of the first method.\n";
+        }
+        text
+    }
+
+    /// All runs as comma-separated values, the failed ones with their reason.
+    pub fn csv(&self) -> String {
+        let mut text = String::from(
+            "method,numbers,variant,knob,setting,error,microseconds,steps,rejections,evaluations,jacobians,iterations,failure\n",
+        );
+        for row in &self.rows {
+            let knob = if row.is_tolerance { "tolerance" } else { "step" };
+            let Row { method, scalar, setting, .. } = row;
+            text += &format!("{},{scalar},{},{knob},{setting:e},", quoted(method), quoted(&row.variant));
+            text += &match &row.outcome {
+                Ok(Measurement { error, seconds, work }) => {
+                    let Work { steps, rejections, evaluations, jacobians, iterations, .. } = work;
+                    let time = 1e6 * seconds;
+                    format!(
+                        "{error:e},{time:.3},{steps},{rejections},{evaluations},{jacobians},{iterations},\n"
+                    )
+                }
+                Err(failure) => format!(",,,,,,,{}\n", quoted(failure)),
+            };
+        }
+        text
+    }
+
+    /// Writes the runs (CSV), the diagrams (SVG) and the recommendation (Markdown) into a directory, in files named for
+    /// the title; makes the directory if there is none.
+    ///
+    /// # Errors
+    /// What the operating system says, or why the diagram could not be drawn.
+    pub fn save(&self, directory: impl AsRef<Path>) -> Result<(), PlotError> {
+        let directory = directory.as_ref();
+        fs::create_dir_all(directory)?;
+        let name = self.file_name();
+        fs::write(directory.join(format!("{name}.csv")), self.csv())?;
+        fs::write(directory.join(format!("{name}.md")), self.recommendation())?;
+        diagram(self).save(&directory.join(format!("{name}.svg")))
+    }
+
+    /// The title in small letters, digits and underscores.
+    pub fn file_name(&self) -> String {
+        let words =
+            self.title.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+        words.collect::<Vec<_>>().join("_").to_ascii_lowercase()
+    }
+
+    /// Runs that reached the end.
+    pub(super) fn measured(&self) -> impl Iterator<Item = (&Row, Measurement)> {
+        self.rows.iter().filter_map(|row| Some((row, *row.outcome.as_ref().ok()?)))
+    }
+}
+
+/// A field that may hold commas and quotes.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_string()
+    }
+}

@@ -1,0 +1,82 @@
+//! No method asks for memory while it steps: not on a microcontroller, not in the loop of a game.
+//!
+//! A test binary of its own, since it replaces the allocator.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use lagrange::integrate::{
+    BlanesMoan4, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, Stepper,
+    StormerVerlet, SymplecticEuler, Variational, Verner98,
+};
+
+lagrange::system! {
+    /// A point mass on a massless rod.
+    #[derive(Clone, Debug)]
+    struct Pendulum;
+
+    param g = 9.81;
+    coord theta;
+    kinetic = 1/2 * dot(theta)^2;
+    potential = -g * cos(theta);
+    emit { jacobian, momentum_rates }
+}
+
+thread_local! {
+    static REQUESTS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// The allocator of the platform, whose requests are counted in each thread.
+struct Counting;
+
+// SAFETY: all requests go to the allocator of the platform as they are.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        REQUESTS.set(REQUESTS.get() + 1);
+        // SAFETY: the caller's promises are passed on.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
+        // SAFETY: the caller's promises are passed on.
+        unsafe { System.dealloc(place, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// How often memory is asked for from the start on, over steps and states between them.
+fn requests(method: &impl Method<Pendulum>) -> u64 {
+    let pendulum = Pendulum::default();
+    let before = REQUESTS.get();
+    let mut stepper = method.start(&pendulum, 0.0, &[1.0, 0.0], 1.0).expect("starts");
+    while stepper.time() < 1.0 {
+        stepper.step(&pendulum, 1.0).expect("goes on");
+        let middle = 0.5 * (stepper.last_time() + stepper.time());
+        assert!(stepper.interpolate(&pendulum, middle)[0].is_finite());
+    }
+    REQUESTS.get() - before
+}
+
+#[test]
+fn the_counter_counts() {
+    let before = REQUESTS.get();
+    drop(std::hint::black_box(Box::new(1)));
+    assert_eq!(REQUESTS.get() - before, 1);
+}
+
+#[test]
+fn no_method_asks_for_memory() {
+    let step = 0.01;
+    assert_eq!(requests(&SymplecticEuler { step }), 0);
+    assert_eq!(requests(&StormerVerlet { step }), 0);
+    assert_eq!(requests(&BlanesMoan4 { step }), 0);
+    assert_eq!(requests(&RungeKutta4 { step }), 0);
+    assert_eq!(requests(&Verner98::tolerance(1e-9)), 0);
+    assert_eq!(requests(&ImplicitMidpoint { step }), 0);
+    assert_eq!(requests(&GaussLegendre4 { step }), 0);
+    assert_eq!(requests(&GaussLegendre6 { step }), 0);
+    assert_eq!(requests(&GaussLegendre4 { step }.plain()), 0);
+    assert_eq!(requests(&Variational { step }), 0);
+}

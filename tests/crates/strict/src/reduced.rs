@@ -1,0 +1,72 @@
+//! Reduced types with names of all kinds.
+
+lagrange::system! {
+    /// Parameters and coordinates called as what conversions use.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Whole;
+
+    param state = 0.5, system = 2.0, stiff = 1.5, L = 0.3, m = 1.0;
+    /// A push.
+    input u;
+    coord a, b, c;
+    kinetic = 1/2 * m * (dot(a)^2 + system * dot(b)^2 + dot(c)^2 + stiff * dot(a) * dot(b) / 4);
+    potential = state * cos(a - b) + L * c^2 * exp(a);
+    force c = u;
+    output place = a + b + c;
+
+    /// With a value that takes a function.
+    reduce Held { freeze a = sqrt(state + system) * sin(L), b = pi; }
+    reduce Near { small a, b = 1e-3; }
+    reduce Both { freeze c = 0; small a = state; }
+}
+
+lagrange::system! {
+    /// Without parameters, in any number type.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub struct Bare<T>;
+
+    coord x, y;
+    kinetic = 1/2 * dot(x)^2 + 3/7 * dot(y)^2;
+    potential = cos(x * y);
+
+    reduce Line { freeze x = 1/3; }
+    reduce Origin { small x, y; }
+}
+
+lagrange::system! {
+    /// In single precision.
+    #[scalar(f32)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub struct Single;
+
+    coord x, y;
+    kinetic = 1/2 * dot(x)^2 + 3/7 * dot(y)^2;
+    potential = cosh(x - y);
+
+    reduce Shorter { freeze y = 0.1; }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bare, BareState, Held, HeldState, Line, LineState, Whole, WholeState};
+
+    #[test]
+    fn names_mean_what_the_user_means() {
+        let whole = Whole::default();
+        let held = Held::from(&whole);
+        assert_eq!(Whole::from(&held), whole);
+        let state = held.expand(HeldState { c: 1.0, c_dot: 2.0 });
+        let a = 2.5_f64.sqrt() * 0.3_f64.sin();
+        let expected = WholeState { a, b: core::f64::consts::PI, c: 1.0, a_dot: 0.0, b_dot: 0.0, c_dot: 2.0 };
+        let deviation = held.deviation(expected);
+        assert!((state.a - a).abs() < 1e-15 && deviation.a.abs() < 1e-15);
+        assert_eq!(WholeState { a, ..state }, expected);
+    }
+
+    #[test]
+    fn generic_types_convert() {
+        let line = Line::from(&Bare::<f64>::default());
+        let state = line.expand(LineState { y: 1.0, y_dot: 2.0 });
+        assert_eq!(state, BareState { x: 1.0 / 3.0, y: 1.0, x_dot: 0.0, y_dot: 2.0 });
+    }
+}

@@ -1,0 +1,33 @@
+//! Reference trajectories of 30 digits, which `tools/references.py` computes.
+
+const STATES: &str = include_str!("states.csv");
+
+/// What the decimals of a declaration stand for in a reference.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(dead_code, reason = "each target that includes this module needs some of it")]
+pub(crate) enum Numbers {
+    /// Themselves.
+    Decimal,
+    /// The nearest numbers of 53 bits.
+    Binary,
+}
+
+/// The state of a case at a time that the table lists; `time` as the nearest number.
+///
+/// # Panics
+/// If the table has no such state, or one of another length.
+pub(crate) fn state<const N: usize>(case: &str, numbers: Numbers, time: f64) -> [f64; N] {
+    let numbers = match numbers {
+        Numbers::Decimal => "decimal",
+        Numbers::Binary => "binary",
+    };
+    let values = STATES.lines().skip(1).filter_map(|line| {
+        let mut columns = line.split(',');
+        let here = columns.next() == Some(case)
+            && columns.next() == Some(numbers)
+            && columns.next().and_then(|text| text.parse().ok()) == Some(time);
+        here.then(|| columns.nth(1).and_then(|text| text.parse().ok()).expect("a value in every row"))
+    });
+    let values = values.collect::<Vec<f64>>();
+    values.try_into().unwrap_or_else(|found| panic!("{case} at {time}: {found:?} in the references"))
+}
