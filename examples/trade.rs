@@ -18,12 +18,12 @@ use references::{Numbers, state};
 
 /// A declaration at each level of accuracy, and in short numbers.
 macro_rules! variants {
-    ($module:ident { $($body:tt)* }) => {
+    ($module:ident { $($body:tt)* } $({ $($reduced:tt)* })?) => {
         mod $module {
-            lagrange::system! { pub(crate) struct Standard; emit { momentum_rates } $($body)* }
-            lagrange::system! { #[accuracy(fast)] pub(crate) struct Fast; $($body)* }
-            lagrange::system! { #[accuracy(strict)] pub(crate) struct Strict; $($body)* }
-            lagrange::system! { #[scalar(f32)] pub(crate) struct Short; $($body)* }
+            lagrange::system! { pub(crate) struct Standard; $($body)* emit { jacobian, momentum_rates } $($($reduced)*)? }
+            lagrange::system! { #[accuracy(fast)] pub(crate) struct Fast; $($body)* emit { jacobian } }
+            lagrange::system! { #[accuracy(strict)] pub(crate) struct Strict; $($body)* emit { jacobian } }
+            lagrange::system! { #[scalar(f32)] pub(crate) struct Short; $($body)* emit { jacobian } }
         }
     };
 }
@@ -57,15 +57,19 @@ variants! { elastic_pendulum {
     coord r, theta;
     kinetic = 1/2 * m * (dot(r)^2 + r^2 * dot(theta)^2);
     potential = 1/2 * k * (r - l)^2 - m * g * r * cos(theta);
+} {
+    reduce Rigid { freeze r = l; }
 } }
 
 /// All variants of a module from a start to an end.
 macro_rules! trade {
-    ($title:literal, $module:ident, $start:expr, $end:expr) => {{
+    ($title:literal, $module:ident, $start:expr, $end:expr $(, $more:expr)?) => {{
         let (standard, fast) = ($module::Standard::default(), $module::Fast::default());
         let (strict, short) = ($module::Strict::default(), $module::Short::default());
         eprintln!("{}", $title);
-        Trade::new($title, &standard, $start, $end)
+        let trade = Trade::new($title, &standard, $start, $end);
+        $( let trade = $more(trade); )?
+        trade
             .canonical("standard", &standard)
             .variant("fast", &fast)
             .variant("strict", &strict)
@@ -75,8 +79,19 @@ macro_rules! trade {
     }};
 }
 
+/// The elastic pendulum on a rod instead of the spring.
+fn on_a_rod<'a>(trade: Trade<'a>, rod: &'a elastic_pendulum::Rigid) -> Trade<'a> {
+    let angle = |y: &[f64]| [y[1], y[3]];
+    let expand = |y: &[f64; 2]| {
+        let state: [f64; 4] = rod.expand(elastic_pendulum::RigidState::from(*y)).into();
+        state.to_vec()
+    };
+    trade.reduced("on a rod", rod, angle, expand)
+}
+
 fn reports() -> Vec<(Report, &'static str)> {
     const TOP: [f64; 6] = [0.0, 0.5, 0.0, 0.0, 0.0, 10.0];
+    let rod = elastic_pendulum::Rigid::from(&elastic_pendulum::Standard::default());
     const HUNDRED_PERIODS: f64 = 100.0 * std::f64::consts::TAU;
     vec![
         (
@@ -92,7 +107,9 @@ fn reports() -> Vec<(Report, &'static str)> {
             "I₁ = 1, I₃ = 0.5, m g l = 1, let go at θ = 0.5 with a spin of 10 rad/s, 10 s.",
         ),
         (
-            trade!("Elastic pendulum", elastic_pendulum, [1.0000053, 1.0, 0.0, 0.0], 10.0),
+            trade!("Elastic pendulum", elastic_pendulum, [1.0000053, 1.0, 0.0, 0.0], 10.0, |trade| on_a_rod(
+                trade, &rod
+            )),
             "m = l = 1, g = 9.81, k = 10⁶, released at θ = 1 with the spring stretched by the load, 10 s. Stiff, not damped.",
         ),
     ]

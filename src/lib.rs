@@ -35,14 +35,16 @@
 //! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
+//! | `adapt`, `trade` (features) | other crates' methods; methods measured against each other |
 //! | [`Scalar`] | numbers that emitted code can compute with |
 //!
 //! # Features
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`, and
 //! the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let trajectories save to Parquet and
-//! plot to SVG and PNG. `symbolic` re-exports the computer algebra as
-//! `lagrange::symbolic`, for tools that derive at run time.
+//! plot to SVG and PNG. `trade` measures what every digit costs on a system. `differential-equations` and `diffsol` hand
+//! systems to these crates. `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run
+//! time.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -148,6 +148,7 @@ fn derive_parts(
     let reduced = std::mem::take(&mut model.reduced);
     let declarations = emit::reduced_declarations(declaration, &reduced);
     let parts = declarations.into_iter().zip(reduced).map(|(declaration, mut reduced)| {
+        emit::report_hopeless_model(&declaration, &reduced.model, report)?;
         let equations = derive(&declaration, &mut reduced.model, road, report)?;
         Some(DerivedPart { declaration, reduced, equations })
     });

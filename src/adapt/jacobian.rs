@@ -5,7 +5,10 @@ use crate::system::{OdeSystem, StateMatrix, StateVector};
 
 /// ∂f/∂y in rows: the system's own, or central differences, good to about two thirds of the digits of f.
 pub(super) fn jacobian<M: OdeSystem + ?Sized>(system: &M, t: M::Scalar, y: &M::State) -> StateMatrix<M> {
-    system.jacobian(t, y).unwrap_or_else(|| central_differences(system, t, y))
+    let is_finite = |jacobian: &StateMatrix<M>| {
+        jacobian.as_ref().iter().all(|row| row.as_ref().iter().all(|entry| entry.is_finite()))
+    };
+    system.jacobian(t, y).filter(is_finite).unwrap_or_else(|| central_differences(system, t, y))
 }
 
 fn central_differences<M: OdeSystem + ?Sized>(system: &M, t: M::Scalar, y: &M::State) -> StateMatrix<M> {

@@ -7,7 +7,8 @@
 //!
 //! A function that is exactly zero at the start fires only once it has left zero and crossed it again; one that touches
 //! zero without changing its sign never does. Zeros are seen if the function has different signs at two of the nine
-//! places, evenly spread over a step, at which it is looked at.
+//! places, evenly spread over a step, at which it is looked at; one that is exactly zero at the end of a run is not known to
+//! cross it. Events at the same time follow each other in the order in which they were given.
 
 mod direction;
 mod locate;
@@ -16,6 +17,7 @@ mod watch;
 
 pub use self::direction::Direction;
 pub use self::run::{Reaction, integrate_with_events};
+pub(crate) use self::watch::is_at_once;
 pub use self::watch::{Occurrence, Watch};
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::direction::Direction;
 use super::watch::{Occurrence, Watch};
 use crate::integrate::{Cause, IntegrationError, Method, Outcome, Stepper};
+use crate::scalar::Scalar;
 use crate::system::OdeSystem;
 
 /// What to do at an event.
@@ -77,17 +78,40 @@ where
             let Some(event) = next.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))? else {
                 break;
             };
-            match react(&event) {
+            let (time, state) = (event.time, event.state);
+            let mut others = || watch.next_at_once(time, system, &mut stepper, &mut values);
+            match answer(event, &mut react, &mut others).map_err(|cause| failed(cause, time, state))? {
                 Reaction::Continue => {}
-                Reaction::Stop => return Ok((event.time, event.state)),
-                Reaction::Replace(state) => {
-                    let restarted = stepper.restart(system, event.time, &state);
-                    restarted.map_err(|cause| failed(cause, event.time, event.state))?;
-                    watch.restart(event.time, values(event.time, &state));
+                Reaction::Stop => return Ok((time, state)),
+                Reaction::Replace(other) => {
+                    stepper.restart(system, time, &other).map_err(|cause| failed(cause, time, state))?;
+                    watch.restart(time, values(time, &other));
                     break;
                 }
             }
         }
     }
     Ok((t_end, *stepper.state()))
+}
+
+/// What comes of an event and of those at the same time, which follow each other, each from the state that the last one
+/// left. To stop prevails.
+fn answer<S: Scalar, Y: Copy>(
+    first: Occurrence<S, Y>,
+    react: &mut impl FnMut(&Occurrence<S, Y>) -> Reaction<Y>,
+    others: &mut impl FnMut() -> Result<Option<Occurrence<S, Y>>, Cause<S>>,
+) -> Result<Reaction<Y>, Cause<S>> {
+    let (mut event, mut answer) = (first, Reaction::Continue);
+    loop {
+        answer = match (react(&event), answer) {
+            (Reaction::Continue, earlier) | (_, earlier @ Reaction::Stop) => earlier,
+            (later, _) => later,
+        };
+        if let Reaction::Continue = answer {
+            return Ok(answer);
+        }
+        let Some(next) = others()? else { return Ok(answer) };
+        let state = if let Reaction::Replace(state) = answer { state } else { next.state };
+        event = Occurrence { time: first.time, state, ..next };
+    }
 }

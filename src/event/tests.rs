@@ -171,3 +171,77 @@ fn a_loop_of_ones_own_watches_step_by_step() {
     }
     assert!(times.len() == 1 && (times[0] - 0.5 * PI).abs() < 1e-12, "{times:?}");
 }
+
+/// ÿ = −10
+struct Ball;
+
+impl OdeSystem for Ball {
+    type Scalar = f64;
+    type State = [f64; 2];
+
+    fn rhs(&self, _t: f64, [_, v]: &[f64; 2]) -> [f64; 2] {
+        [*v, -10.0]
+    }
+}
+
+#[test]
+fn a_state_replaced_at_zero_does_not_fire_again() {
+    for direction in [Direction::Falling, Direction::Crossing] {
+        let mut bounces = Vec::new();
+        let watch = ([direction], |_: f64, y: &[f64; 2]| [y[0]]);
+        let bounce = |event: &Occurrence<f64, [f64; 2]>| {
+            bounces.push(event.time);
+            Reaction::Replace([0.0, -0.5 * event.state[1]])
+        };
+        integrate_with_events(&Ball, (0.0, [5.0, 0.0]), 2.9, &pair(), watch, bounce).expect("finite");
+        // The first fall takes a second, then the hops last 1, 1/2, 1/4, …
+        assert_eq!(bounces.len(), 5, "{bounces:?}");
+        for (time, wanted) in bounces.iter().zip([1.0, 2.0, 2.5, 2.75, 2.875]) {
+            assert!((time - wanted).abs() < 1e-11, "{time} for {wanted}");
+        }
+    }
+}
+
+#[test]
+fn infinitely_many_bounces_are_an_error_with_the_last_state_above_ground() {
+    let mut count = 0;
+    let watch = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0]]);
+    let bounce = |event: &Occurrence<f64, [f64; 2]>| {
+        count += 1;
+        Reaction::Replace([0.0, -0.5 * event.state[1]])
+    };
+    let error =
+        integrate_with_events(&Ball, (0.0, [5.0, 0.0]), 4.0, &pair(), watch, bounce).expect_err("Zeno");
+    assert!(matches!(error.cause, Cause::EventsAccumulate { .. }), "{error:?}");
+    assert!((error.time - 3.0).abs() < 1e-9 && error.state[0].abs() < 1e-9, "{error:?}");
+    assert!(count < 200, "{count}");
+}
+
+#[test]
+fn events_at_one_time_follow_each_other() {
+    let mut seen = Vec::new();
+    let watch = ([Direction::Falling; 3], |_: f64, y: &[f64; 2]| [y[0], 2.0 * y[0], y[0] - 1.0]);
+    let react = |event: &Occurrence<f64, [f64; 2]>| {
+        seen.push((event.event, event.state[1]));
+        match event.event {
+            0 => Reaction::Replace([0.0, 3.0]),
+            1 => Reaction::Replace([0.0, 2.0 * event.state[1]]),
+            _ => Reaction::Continue,
+        }
+    };
+    let (_, end) =
+        integrate_with_events(&Ball, (0.0, [5.0, 0.0]), 1.1, &pair(), watch, react).expect("finite");
+    let events: Vec<usize> = seen.iter().map(|(event, _)| *event).collect();
+    assert_eq!(events, [2, 0, 1]);
+    assert_eq!(seen[2].1, 3.0, "the second sees what the first has left");
+    assert!((end[1] - (6.0 - 1.0)).abs() < 1e-9, "{end:?}");
+}
+
+#[test]
+fn nan_in_a_function_at_the_start_is_an_error() {
+    let values = ([Direction::Rising], |t: f64, _: &[f64; 2]| [if t > 0.0 { t - 0.5 } else { f64::NAN }]);
+    let go_on = |_: &Occurrence<f64, [f64; 2]>| Reaction::Continue;
+    let error =
+        integrate_with_events(&Oscillator, (0.0, COSINE), 9.0, &pair(), values, go_on).expect_err("NaN");
+    assert_eq!(error.cause, Cause::EventNotFinite { event: 0 });
+}

@@ -8,6 +8,12 @@ use crate::system::OdeSystem;
 
 /// Into how many parts a step is cut in search of changes of sign.
 const PARTS: u32 = 8;
+/// The part of a step after which the state has left what it was replaced by.
+const SHORTLY: f64 = 1e-10;
+/// Times that differ by fewer roundings than this are taken for the same,
+const ROUNDINGS: f64 = 64.0;
+/// and so many events at the same time for infinitely many.
+const MOST_REPETITIONS: u32 = 50;
 
 /// An event that happened.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -34,6 +40,10 @@ pub struct Watch<S, const K: usize> {
     detectors: [Detector<S>; K],
     /// Up to where the last step was looked at.
     reached: S,
+    /// Whether the state was replaced there.
+    is_replaced: bool,
+    /// How often it was, each time no later than rounding can tell.
+    repetitions: u32,
 }
 
 impl<S: Scalar, const K: usize> Watch<S, K> {
@@ -43,7 +53,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         for (detector, value) in detectors.iter_mut().zip(values) {
             detector.value = value;
         }
-        Watch { detectors, reached: t }
+        Watch { detectors, reached: t, is_replaced: false, repetitions: 0 }
     }
 
     /// The next event in the stepper's last step, after those that were returned before.
@@ -53,7 +63,8 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
     /// value there is zero or has the sign that it changes to.
     ///
     /// # Errors
-    /// If a function is NaN, or does not settle in 200 evaluations.
+    /// If a function is NaN or infinite, or does not settle in 200 evaluations, or if states were replaced many times at
+    /// times that rounding cannot tell apart.
     pub fn next<M>(
         &mut self,
         system: &M,
@@ -66,35 +77,57 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         if K == 0 {
             return Ok(None);
         }
+        check(self.detectors.map(|detector| detector.value))?;
         let (from, to) = (stepper.last_time(), stepper.time());
+        if core::mem::take(&mut self.is_replaced) {
+            let shortly = from + S::from_f64(SHORTLY) * (to - from);
+            self.learn(values(shortly, &stepper.interpolate(system, shortly)))?;
+            self.check_repetitions()?;
+        }
         let is_past = |t: S, reached: S| if to < from { t >= reached } else { t <= reached };
-        let accuracy = S::from_f64(ACCURACY) * (to - from).abs();
         for part in 1..=PARTS {
-            let t = if part == PARTS {
-                to
-            } else {
-                from + (to - from) * S::from_f64(f64::from(part) / f64::from(PARTS))
-            };
+            let s = S::from_f64(f64::from(part) / f64::from(PARTS));
+            let t = if part == PARTS { to } else { from + (to - from) * s };
             if is_past(t, self.reached) {
                 continue;
             }
             let found = values(t, &stepper.interpolate(system, t));
-            if let Some(event) = found.iter().position(|value| !(value.is_finite())) {
-                return Err(Cause::EventNotFinite { event });
-            }
+            check(found)?;
             let earliest =
-                self.earliest(t, found, accuracy, |t| values(t, &stepper.interpolate(system, t)))?;
+                self.earliest(t, found, accuracy(from, to), |t| values(t, &stepper.interpolate(system, t)))?;
             if let Some((event, time)) = earliest {
                 self.detectors[event].value = found[event];
                 self.reached = time;
                 return Ok(Some(Occurrence { event, time, state: stepper.interpolate(system, time) }));
             }
-            for (detector, value) in self.detectors.iter_mut().zip(found) {
-                detector.value = if value == S::ZERO { detector.value } else { value };
-            }
+            self.learn(found)?;
             self.reached = t;
         }
         Ok(None)
+    }
+
+    /// The next event, if it happens at the same time as one that was just returned, as far as times are located: to be
+    /// asked before the stepper is restarted, or the others are lost.
+    ///
+    /// # Errors
+    /// As [`next`](Self::next).
+    pub fn next_at_once<M>(
+        &mut self,
+        time: S,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+        values: impl FnMut(S, &M::State) -> [S; K],
+    ) -> Result<Option<Occurrence<S, M::State>>, Cause<S>>
+    where
+        M: OdeSystem<Scalar = S> + ?Sized,
+    {
+        let before = *self;
+        let (from, to) = (stepper.last_time(), stepper.time());
+        let next = self.next(system, stepper, values)?.filter(|next| is_at_once(time, next.time, from, to));
+        if next.is_none() {
+            *self = before;
+        }
+        Ok(next)
     }
 
     /// The earliest zero between where the search has got and `t`, where the functions have these values.
@@ -122,13 +155,50 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         Ok(earliest)
     }
 
-    /// Goes on from time `t`, where the method was restarted from another state.
-    ///
-    /// A function is taken to have the sign it has now, unless it is zero.
-    pub fn restart(&mut self, t: S, values: [S; K]) {
+    /// Remembers the signs of these values; zero has none.
+    fn learn(&mut self, values: [S; K]) -> Result<(), Cause<S>> {
+        check(values)?;
         for (detector, value) in self.detectors.iter_mut().zip(values) {
             detector.value = if value == S::ZERO { detector.value } else { value };
         }
-        self.reached = t;
+        Ok(())
+    }
+
+    /// Goes on from time `t`, where the method was restarted from another state in which the functions have these values.
+    ///
+    /// The signs that count from now on are those shortly after: a ball that was turned round on the ground is above it.
+    pub fn restart(&mut self, t: S, values: [S; K]) {
+        let distance = (t - self.reached).abs();
+        let is_same = self.repetitions > 0 && distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
+        self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
+        for (detector, value) in self.detectors.iter_mut().zip(values) {
+            detector.value = value;
+        }
+        (self.reached, self.is_replaced) = (t, true);
+    }
+
+    fn check_repetitions(&self) -> Result<(), Cause<S>> {
+        if self.repetitions < MOST_REPETITIONS {
+            return Ok(());
+        }
+        Err(Cause::EventsAccumulate { events: self.repetitions })
+    }
+}
+
+/// To which part of a step, or of time, zeros within it are located.
+fn accuracy<S: Scalar>(from: S, to: S) -> S {
+    S::from_f64(ACCURACY) * (to - from).abs()
+}
+
+/// Whether two times in a step cannot be told apart.
+pub(crate) fn is_at_once<S: Scalar>(one: S, other: S, from: S, to: S) -> bool {
+    let rounding = S::from_f64(4.0) * S::epsilon() * one.abs();
+    (one - other).abs() <= accuracy(from, to) + accuracy(from, to) + rounding
+}
+
+fn check<S: Scalar, const K: usize>(values: [S; K]) -> Result<(), Cause<S>> {
+    match values.iter().position(|value| !value.is_finite()) {
+        Some(event) => Err(Cause::EventNotFinite { event }),
+        None => Ok(()),
     }
 }

@@ -44,10 +44,13 @@ impl<S: Scalar> Clock<S> {
             self.remainder = S::ZERO;
             return left;
         }
-        let wanted = self.remainder + self.step;
+        let step = if left < S::ZERO { -self.step.abs() } else { self.step.abs() };
+        let wanted = self.remainder + step;
         let before = self.time;
-        self.time = before + wanted;
+        let rounded = before + wanted;
+        // Rounding must not end what has steps to go.
+        self.time = if rounded == limit { before } else { rounded };
         self.remainder = wanted + (before - self.time);
-        self.step
+        step
     }
 }

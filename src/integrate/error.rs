@@ -56,6 +56,12 @@ pub enum Cause<S> {
     },
     /// A method of another crate failed, in words.
     Adapted(&'static str),
+    /// So many events follow each other at the same time that they are taken for infinitely many, as the bounces of a ball
+    /// that comes to rest.
+    EventsAccumulate {
+        /// How many were counted.
+        events: u32,
+    },
     /// The zero of an event function could not be located.
     EventNotLocated {
         /// Which event, counted from zero in the order given.
@@ -90,6 +96,12 @@ impl<S: Debug> Display for Cause<S> {
                 f.write_str("the mass matrix is singular: velocities do not follow from momenta here")
             }
             Cause::EventNotFinite { event } => write!(f, "the function of event {event} is NaN or infinite"),
+            Cause::EventsAccumulate { events } => {
+                write!(
+                    f,
+                    "events accumulate: the last {events} cannot be told apart in time; stop at such an event instead"
+                )
+            }
             Cause::EventNotLocated { event, bisections } => {
                 write!(f, "the zero of event {event} could not be located in {bisections} bisections")
             }

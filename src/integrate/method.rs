@@ -20,7 +20,7 @@ pub trait Method<M: OdeSystem + ?Sized> {
     /// Starts at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
     ///
     /// # Errors
-    /// If a setting makes no sense, or `t`, `y`, `end` or the rate of the state at the start are not finite.
+    /// If a setting makes no sense, or `t`, `y`, `end` or, where the method asks for it, the rate at the start is not finite.
     fn start(
         &self,
         system: &M,
@@ -59,7 +59,7 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// Goes on from another state at another time, as after an impact. The work done so far still counts.
     ///
     /// # Errors
-    /// If the state or its rate are not finite.
+    /// If the state or, where the method asks for it, its rate is not finite.
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>>;
 
     /// What it took so far.

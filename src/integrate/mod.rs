@@ -7,17 +7,16 @@
 //! A [`Method`] is chosen and given to [`integrate`], or to the front door `simulate`, which also samples, watches
 //! for events and keeps trajectories; loops of one's own drive a [`Stepper`].
 //!
-//! | method | order | symplectic | evaluations a step | systems |
-//! |---|---|---|---|---|
-//! | [`Verner98`] | 9, steps by tolerance | no | 16, and 9 where a state within the step is asked for | any that is not stiff |
-//! | [`RungeKutta4`] | 4 | no | 4 | any that is not stiff |
-//! | [`SymplecticEuler`] | 1 | yes | 1 | separable |
-//! | [`StormerVerlet`] | 2 | yes | 1 | separable |
-//! | [`BlanesMoan4`] | 4 | yes | 6 | separable |
-//! | [`ImplicitMidpoint`] | 2 | yes | by iteration | any mass matrix, stiff or not |
-//! | [`GaussLegendre4`], [`GaussLegendre6`] | 4, 6 | yes | by iteration | any mass matrix, stiff or not |
-//! | [`Variational`] | 4 | yes, momenta kept to rounding | by iteration | any mass matrix |
-//! | [`PlainGaussLegendre`] | 2, 4, 6 | if the mass matrix is constant | by iteration | any, stiff or not |
+//! | method | for systems | order | symplectic | cost of a step | take it for |
+//! |---|---|---|---|---|---|
+//! | [`Verner98`], the default of the front door | any that is not stiff | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy, from 1e-4 to rounding |
+//! | [`RungeKutta4`] | any that is not stiff | 4 | no | 4 evaluations | fixed frame rates, forces with jumps |
+//! | [`SymplecticEuler`] | separable | 1 | yes | 1 acceleration | the cheapest frame that stays alive |
+//! | [`StormerVerlet`] | separable | 2 | yes | 1 acceleration | long runs at moderate accuracy |
+//! | [`BlanesMoan4`] | separable | 4 | yes | 6 accelerations | long runs, accurately |
+//! | [`ImplicitMidpoint`], [`GaussLegendre4`], [`GaussLegendre6`] | with momenta | 2, 4, 6 | yes | iterations of 1, 2, 3 evaluations | long runs with any mass matrix; stiff springs |
+//! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta kept to rounding, forces included |
+//! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and forces without velocities | as above | stiff systems without momenta |
 //!
 //! A separable system is one whose [declaration](crate::system!) shows a constant mass matrix and accelerations without
 //! velocities; emitted types say so themselves ([`SeparableSystem`](crate::system::SeparableSystem)), and the compiler

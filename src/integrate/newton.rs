@@ -66,12 +66,6 @@ pub(super) fn solve<S: Scalar, Y: StateVector<S>, const K: usize>(
     Err(Cause::NotConverged { iterations: LIMIT })
 }
 
-/// The distance from one to the next number, or thereabouts.
-pub(super) fn rounding<S: Scalar>() -> S {
-    let three = S::from_f64(3.0);
-    (three * (S::from_f64(4.0) / three - S::ONE) - S::ONE).abs()
-}
-
 /// Whether every entry is finite.
 pub(super) fn finite<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> bool {
     vectors.iter().all(|vector| vector.as_ref().iter().all(|entry| entry.is_finite()))

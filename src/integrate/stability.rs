@@ -29,7 +29,7 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Whether to look, given this hint, which NaN is as well.
+    /// Whether to look, given this hint.
     #[inline]
     pub(super) fn follows(&mut self, is_hint: bool) -> bool {
         if self.wait > 0 {

@@ -112,12 +112,7 @@ const TOLERANCE: f64 = 1e-9;
 const ROUNDINGS: f64 = 10.0;
 
 fn default_tolerance<S: Scalar>() -> S {
-    let half = S::from_f64(0.5);
-    let mut rounding = S::ONE;
-    while S::ONE + half * rounding != S::ONE {
-        rounding = half * rounding;
-    }
-    S::from_f64(TOLERANCE).max(S::from_f64(ROUNDINGS) * rounding)
+    S::from_f64(TOLERANCE).max(S::from_f64(ROUNDINGS) * S::epsilon())
 }
 
 impl<M: MechanicalSystem> Simulation<'_, M, Verner98<M::Scalar>> {
@@ -274,7 +269,8 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
         self
     }
 
-    /// Gives up with an error after this many steps. There is no limit by default.
+    /// Gives up with an error after this many steps, rejected ones included. The default method has a limit of its own, a
+    /// hundred million; others have none.
     pub fn max_steps(self, limit: u64) -> Self {
         Simulation { max_steps: Some(limit), ..self }
     }

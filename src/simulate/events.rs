@@ -4,7 +4,7 @@ use std::boxed::Box;
 use std::string::String;
 use std::vec::Vec;
 
-use crate::event::{Direction, Occurrence, Reaction, Watch};
+use crate::event::{Direction, Occurrence, Reaction, Watch, is_at_once};
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, OdeSystem};
@@ -31,15 +31,26 @@ type Found<M> = Event<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 /// What to do at an event.
 type React<'a, M> = Box<dyn FnMut(&M, &Found<M>) -> Reaction<<M as OdeSystem>::State> + 'a>;
 
-/// An event with what to do at it, if there is one.
-type Next<M> = Result<Option<(Found<M>, Reaction<<M as OdeSystem>::State>)>, Cause<<M as OdeSystem>::Scalar>>;
-
 /// A function whose zeros are looked for.
 pub(super) struct Watcher<'a, M: MechanicalSystem> {
     pub(super) name: String,
     pub(super) direction: Direction,
     pub(super) value: Value<'a, M>,
     pub(super) react: React<'a, M>,
+}
+
+/// An event, and what is to be done about it.
+type Answered<M> = (Found<M>, Reaction<<M as OdeSystem>::State>);
+
+/// The next of them, if there is one.
+type Next<M> = Result<Option<Answered<M>>, Cause<<M as OdeSystem>::Scalar>>;
+
+impl<M: MechanicalSystem> Watcher<'_, M> {
+    fn answer(&mut self, system: &M, time: M::Scalar, state: M::State) -> Answered<M> {
+        let event = Event { name: self.name.clone(), time, state };
+        let reaction = (self.react)(system, &event);
+        (event, reaction)
+    }
 }
 
 /// All watchers, each with its memory and the event that it found next.
@@ -63,7 +74,29 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
     /// The next event in the last step, with what to do; of those at the same time the one given first.
     pub(super) fn next(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Next<M> {
         self.look(system, stepper)?;
-        let since = |time: M::Scalar| (time - stepper.last_time()).abs();
+        let Some((index, _)) = self.earliest(stepper.last_time()) else { return Ok(None) };
+        let Some(Occurrence { time, state, .. }) = self.pending[index].take() else { return Ok(None) };
+        Ok(Some(self.watchers[index].answer(system, time, state)))
+    }
+
+    /// The next event that cannot be told from `time`, taken to find the state as it was replaced by then, if it was.
+    pub(super) fn next_at_once(
+        &mut self,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+        time: M::Scalar,
+        replaced: Option<M::State>,
+    ) -> Next<M> {
+        let (from, to) = (stepper.last_time(), stepper.time());
+        let earliest = self.earliest(from).filter(|(_, other)| is_at_once(time, *other, from, to));
+        let Some((index, _)) = earliest else { return Ok(None) };
+        let Some(Occurrence { state, .. }) = self.pending[index].take() else { return Ok(None) };
+        Ok(Some(self.watchers[index].answer(system, time, replaced.unwrap_or(state))))
+    }
+
+    /// The earliest of the pending events and its time.
+    fn earliest(&self, from: M::Scalar) -> Option<(usize, M::Scalar)> {
+        let since = |time: M::Scalar| (time - from).abs();
         let mut earliest: Option<(usize, M::Scalar)> = None;
         for (index, pending) in self.pending.iter().enumerate() {
             let Some(pending) = pending else { continue };
@@ -71,12 +104,7 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
                 earliest = Some((index, pending.time));
             }
         }
-        let Some((index, _)) = earliest else { return Ok(None) };
-        let watcher = &mut self.watchers[index];
-        let Some(Occurrence { time, state, .. }) = self.pending[index].take() else { return Ok(None) };
-        let event = Event { name: watcher.name.clone(), time, state };
-        let reaction = (watcher.react)(system, &event);
-        Ok(Some((event, reaction)))
+        earliest
     }
 
     /// Looks for the next event of each watcher that has none pending.

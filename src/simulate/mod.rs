@@ -35,20 +35,8 @@
 //!
 //! # Methods
 //!
-//! | method | for systems | order | symplectic | cost of a step | take it for |
-//! |---|---|---|---|---|---|
-//! | [`Verner98`], the default | any | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy, from 1e-4 to rounding |
-//! | [`RungeKutta4`] | any | 4 | no | 4 evaluations | fixed frame rates, forces with jumps |
-//! | [`SymplecticEuler`] | separable | 1 | yes | 1 acceleration | the cheapest frame that stays alive |
-//! | [`StormerVerlet`] | separable | 2 | yes | 1 acceleration | long runs at moderate accuracy |
-//! | [`BlanesMoan4`] | separable | 4 | yes | 6 accelerations | long runs, accurately |
-//! | [`ImplicitMidpoint`], [`GaussLegendre4`], [`GaussLegendre6`] | with momenta | 2, 4, 6 | yes | iterations of 1, 2, 3 evaluations | long runs with any mass matrix; stiff springs |
-//! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta kept to rounding, forces included |
-//! | [`PlainGaussLegendre`] | any | 2, 4, 6 | no | as above | stiff systems without momenta |
-//!
-//! Separable systems have a constant mass matrix and accelerations that do not depend on velocities; declarations with
-//! `emit { momentum_rates }` know their momenta, and with `emit { jacobian }` implicit methods converge at any stiffness.
-//! Code for microcontrollers and inner loops goes without heap through [`integrate`](crate::integrate::integrate).
+//! [`integrate`](crate::integrate) lists them, with what each is for; the default is [`Verner98`]. Code for microcontrollers
+//! and inner loops goes without heap through [`integrate()`](crate::integrate::integrate).
 
 mod builder;
 mod csv;
@@ -67,10 +55,7 @@ mod table;
 mod trajectory;
 
 #[cfg(doc)]
-use crate::integrate::{
-    BlanesMoan4, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre, RungeKutta4,
-    StormerVerlet, SymplecticEuler, Variational, Verner98,
-};
+use crate::integrate::Verner98;
 use crate::scalar::Scalar;
 use crate::system::MechanicalSystem;
 

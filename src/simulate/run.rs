@@ -68,7 +68,8 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
     /// Steps to the end, keeping what is asked for.
     fn follow(&mut self, record: &mut Record<'a, M>) -> Result<Ending, Cause<M::Scalar>> {
         while self.stepper.time() != self.end {
-            if self.stepper.work().steps >= self.max_steps {
+            let work = self.stepper.work();
+            if work.steps + work.rejections >= self.max_steps {
                 return Err(Cause::TooManySteps { limit: self.max_steps });
             }
             self.stepper.step(self.system, self.end)?;
@@ -91,6 +92,7 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
             if let Reaction::Continue = reaction {
                 continue;
             }
+            let reaction = self.react_at_once(record, time, reaction)?;
             record.keep(&mut self.stepper, time, &state);
             let Reaction::Replace(state) = reaction else { return Ok(ControlFlow::Break(())) };
             self.stepper.restart(self.system, time, &state)?;
@@ -101,6 +103,26 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
         let (time, state) = (self.stepper.time(), *self.stepper.state());
         record.keep(&mut self.stepper, time, &state);
         Ok(ControlFlow::Continue(()))
+    }
+
+    /// Lets the other events at the same time follow, each from the state that the last one left. To stop prevails.
+    fn react_at_once(
+        &mut self,
+        record: &mut Record<'a, M>,
+        time: M::Scalar,
+        first: Reaction<M::State>,
+    ) -> Result<Reaction<M::State>, Cause<M::Scalar>> {
+        let mut answer = first;
+        loop {
+            let state = if let Reaction::Replace(state) = answer { Some(state) } else { None };
+            let next = self.watchers.next_at_once(self.system, &mut self.stepper, time, state)?;
+            let Some((event, reaction)) = next else { return Ok(answer) };
+            record.event(event);
+            answer = match (reaction, answer) {
+                (Reaction::Continue, earlier) | (_, earlier @ Reaction::Stop) => earlier,
+                (later, _) => later,
+            };
+        }
     }
 
     /// Reports progress; whether to go on.

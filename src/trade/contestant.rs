@@ -39,10 +39,12 @@ pub(super) fn length<M: OdeSystem>() -> usize {
     M::State::ZERO.as_ref().len()
 }
 
-/// Runs of a system from the time zero.
+/// Runs of a system from the time zero; `restrict` and `expand` lead from and to the states of the whole system.
 pub(super) fn run<'a, M, K>(
     system: &'a M,
     method: impl Fn(M::Scalar) -> K + 'a,
+    restrict: impl Fn(&[f64]) -> M::State + 'a,
+    expand: impl Fn(&M::State) -> Vec<f64> + 'a,
 ) -> impl Fn(f64, &[f64], f64) -> Result<Run, String> + 'a
 where
     M: OdeSystem,
@@ -50,18 +52,30 @@ where
     K: Method<M>,
 {
     move |setting, start, end| {
-        let mut y = M::State::ZERO;
-        for (component, start) in y.as_mut().iter_mut().zip(start) {
-            *component = M::Scalar::from_f64(*start);
-        }
-        let end = M::Scalar::from_f64(end);
+        let (y, end) = (restrict(start), M::Scalar::from_f64(end));
         let method = method(M::Scalar::from_f64(setting));
         let mut stepper =
             method.start(system, M::Scalar::ZERO, &y, end).map_err(|cause| format!("{cause}"))?;
         while stepper.time() != end {
             stepper.step(system, end).map_err(|cause| format!("{cause}"))?;
         }
-        let state = stepper.state().as_ref().iter().map(|component| (*component).into()).collect();
-        Ok(Run { state, work: stepper.work() })
+        Ok(Run { state: expand(stepper.state()), work: stepper.work() })
     }
+}
+
+/// The state with these components, in the numbers of the system.
+pub(super) fn rounded<M: OdeSystem>(components: &[f64]) -> M::State {
+    let mut y = M::State::ZERO;
+    for (y, component) in y.as_mut().iter_mut().zip(components) {
+        *y = M::Scalar::from_f64(*component);
+    }
+    y
+}
+
+/// The components of a state.
+pub(super) fn components<M: OdeSystem>(y: &M::State) -> Vec<f64>
+where
+    M::Scalar: Into<f64>,
+{
+    y.as_ref().iter().map(|component| (*component).into()).collect()
 }

@@ -12,22 +12,27 @@ const SIZE: (u32, u32) = (860, 420);
 /// Errors above this say only that the motion was lost.
 const LOST: f64 = 10.0;
 
-/// Time against error: methods on the first system, and below variants in the method that reaches the least error.
+/// Time against error: methods on the first system as it is and in canonical variables, and below variants in the
+/// method that reaches the least error.
 pub(super) fn diagram(report: &Report) -> Figure {
-    let is_first = |row: &Row| report.rows.first().is_some_and(|first| is_same_system(row, first));
-    let methods = curves(report, is_first, |row| row.method.clone());
+    let first = report.rows.first();
+    let is_first =
+        |row: &Row| first.is_some_and(|first| row.scalar == first.scalar && row.variant == first.variant);
+    let is_canonical = |row: &Row| {
+        let kind = first.and_then(|first| row.variant.strip_prefix(&first.variant)?.strip_prefix(", "));
+        kind.is_some() && first.is_some_and(|first| row.scalar == first.scalar)
+    };
     let best =
         report.measured().min_by(|(_, a), (_, b)| a.error.total_cmp(&b.error)).map(|(row, _)| &row.method);
     let variants =
         curves(report, |row| Some(&row.method) == best, |row| format!("{}, {}", row.variant, row.scalar));
-    let name = best.map_or("", String::as_str);
-    let panels = vec![panel("time in µs", methods), panel(&format!("time in µs, {name}"), variants)];
+    let mut panels = vec![panel("time in µs", curves(report, is_first, |row| row.method.clone()))];
+    let canonical = curves(report, is_canonical, |row| row.method.clone());
+    if !canonical.is_empty() {
+        panels.push(panel("time in µs, canonical", canonical));
+    }
+    panels.push(panel(&format!("time in µs, {}", best.map_or("", String::as_str)), variants));
     Figure { panels, columns: 1, size: SIZE }
-}
-
-fn is_same_system(row: &Row, first: &Row) -> bool {
-    row.scalar == first.scalar
-        && (row.variant == first.variant || row.variant.starts_with(&format!("{},", first.variant)))
 }
 
 /// Curves of the rows that are wanted, one for each name.

@@ -19,6 +19,8 @@ const LONG_ENOUGH: f64 = 0.01;
 const REPEATS: usize = 20;
 /// An error this many times the least one is above rounding: finer steps only round more.
 const RISEN: f64 = 8.0;
+/// But one error may be the least by luck.
+const OFTEN: u32 = 4;
 
 /// Runs with all settings, until one takes longer than `longest` or finer ones do not help.
 pub(super) fn climb(
@@ -29,7 +31,7 @@ pub(super) fn climb(
     longest: f64,
 ) -> Vec<Row> {
     let mut rows = Vec::new();
-    let mut least = f64::INFINITY;
+    let (mut least, mut risen) = (f64::INFINITY, 0);
     for setting in settings(contestant.knob, end) {
         let began = Instant::now();
         let outcome = measure(contestant, setting, start, end, reference);
@@ -38,7 +40,8 @@ pub(super) fn climb(
         let is_last = outcome.as_ref().is_ok_and(|found| {
             least = least.min(found.error);
             let has_risen = contestant.knob == Knob::Step && found.error > RISEN * least;
-            found.seconds > longest || has_risen && least < f64::from(f32::EPSILON)
+            risen = if has_risen && least < f64::from(f32::EPSILON) { risen + 1 } else { 0 };
+            found.seconds > longest || risen >= OFTEN
         });
         rows.push(Row {
             method: contestant.method.clone(),

@@ -30,11 +30,11 @@ use std::boxed::Box;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use self::contestant::{Contestant, Knob};
+use self::contestant::{Contestant, Knob, Runner};
 use self::ladder::climb;
 use crate::integrate::{
     BlanesMoan4, GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4,
-    StormerVerlet, SymplecticEuler, Verner98,
+    StormerVerlet, SymplecticEuler, Variational, Verner98,
 };
 use crate::scalar::Scalar;
 use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem};
@@ -129,6 +129,30 @@ impl<'a> Trade<'a> {
         self.by_step(&name, system, |step| GaussLegendre::<_, 1> { step })
             .by_step(&name, system, |step| GaussLegendre::<_, 2> { step })
             .by_step(&name, system, |step| GaussLegendre::<_, 3> { step })
+            .by_step(&name, system, |step| Variational { step })
+    }
+
+    /// A [reduced type](crate::system!#reduced-types) of the same declaration, with steps by tolerance and without.
+    ///
+    /// It starts at what `restrict` leaves of the start, and is judged by what `expand` makes of its end: so the error that
+    /// the reduction itself makes is in the account.
+    #[must_use]
+    pub fn reduced<M>(
+        mut self,
+        name: &str,
+        system: &'a M,
+        restrict: impl Fn(&[f64]) -> M::State + Copy + 'a,
+        expand: impl Fn(&M::State) -> Vec<f64> + Copy + 'a,
+    ) -> Self
+    where
+        M: OdeSystem,
+        M::Scalar: Into<f64>,
+    {
+        let by_tolerance = contestant::run(system, Verner98::tolerance, restrict, expand);
+        self.push::<M>("Verner 9(8)", name, Knob::Tolerance, Box::new(by_tolerance));
+        let by_step = contestant::run(system, |step| RungeKutta4 { step }, restrict, expand);
+        self.push::<M>("Runge–Kutta 4", name, Knob::Step, Box::new(by_step));
+        self
     }
 
     /// A system in the methods for separable ones.
@@ -187,14 +211,16 @@ impl<'a> Trade<'a> {
         K: Method<M>,
     {
         assert_eq!(contestant::length::<M>(), self.start.len(), "{name} has a state of another length");
-        self.contestants.push(Contestant {
-            method: method(M::Scalar::ONE).name().to_string(),
-            scalar: core::any::type_name::<M::Scalar>(),
-            variant: name.to_string(),
-            knob,
-            run: Box::new(contestant::run(system, method)),
-        });
+        let title = method(M::Scalar::ONE).name();
+        let run = contestant::run(system, method, contestant::rounded::<M>, contestant::components::<M>);
+        self.push::<M>(title, name, knob, Box::new(run));
         self
+    }
+
+    fn push<M: OdeSystem>(&mut self, method: &str, variant: &str, knob: Knob, run: Box<Runner<'a>>) {
+        let (method, variant) = (method.to_string(), variant.to_string());
+        let scalar = core::any::type_name::<M::Scalar>();
+        self.contestants.push(Contestant { method, scalar, variant, knob, run });
     }
 
     /// Runs them all, one after the other.

@@ -5,20 +5,7 @@ use lagrange::integrate::{Cause, RungeKutta4, Verner98, integrate};
 use lagrange::system::OdeSystem;
 
 use super::references::{Numbers, state};
-use super::systems::Pendulum;
-
-lagrange::system! {
-    /// Two equal point masses on massless rods, with absolute angles.
-    #[derive(Clone, Debug)]
-    struct DoublePendulum;
-
-    param m = 1.0, l = 1.0, g = 9.81;
-    coord theta1, theta2;
-    let (x1, y1) = (l * sin(theta1), -l * cos(theta1));
-    let (x2, y2) = (x1 + l * sin(theta2), y1 - l * cos(theta2));
-    kinetic = 1/2 * m * (dot(x1)^2 + dot(y1)^2) + 1/2 * m * (dot(x2)^2 + dot(y2)^2);
-    potential = m * g * (y1 + y2);
-}
+use super::systems::{DoublePendulum, Pendulum, Top};
 
 lagrange::system! {
     /// A planet around a fixed sun, in polar coordinates.
@@ -28,17 +15,6 @@ lagrange::system! {
     coord r, phi;
     kinetic = 1/2 * (dot(r)^2 + (r * dot(phi))^2);
     potential = -1 / r;
-}
-
-lagrange::system! {
-    /// A symmetric top with a fixed point, in Euler's angles.
-    #[derive(Clone, Debug)]
-    struct Top;
-
-    param i1 = 1.0, i3 = 0.5, mgl = 1.0;
-    coord phi, theta, psi;
-    kinetic = 1/2 * i1 * (dot(theta)^2 + (dot(phi) * sin(theta))^2) + 1/2 * i3 * (dot(psi) + dot(phi) * cos(theta))^2;
-    potential = mgl * cos(theta);
 }
 
 lagrange::system! {

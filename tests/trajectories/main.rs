@@ -7,6 +7,7 @@ mod adaptive;
 mod canonical;
 mod comet;
 mod drift;
+mod ends;
 mod phase;
 #[path = "../references/mod.rs"]
 mod references;

@@ -305,7 +305,7 @@ pub(super) const HELD_VALUE: &str = "the value of a coordinate that is frozen or
 pub(super) const HELD_VALUE_HELP: &str =
     "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
 pub(super) const TYPE_NAME_HELP: &str =
-    "each declared type `Name` comes with its state `NameState`: choose a name that is neither";
+    "each declared type `Name` comes with `NameState` and `NameColumns`: choose a name that is none of them";
 
 pub(super) fn reduced_twice(name: &str) -> String {
     format!("`{name}` is named twice in this reduction")

@@ -81,8 +81,10 @@ impl Elaborator<'_> {
         };
         let new = &syntax.name;
         let clashes = |&(name, _): &(&str, Span)| {
-            let is_state = |name: &str, of: &str| name.strip_suffix("State") == Some(of);
-            name == new.text || is_state(name, &new.text) || is_state(&new.text, name)
+            let belongs = |name: &str, to: &str| {
+                ["State", "Columns"].iter().any(|suffix| name.strip_suffix(suffix) == Some(to))
+            };
+            name == new.text || belongs(name, &new.text) || belongs(&new.text, name)
         };
         let types = std::iter::once(full).chain(earlier).chain(parameter);
         if let Some((_, span)) = types.into_iter().find(clashes) {

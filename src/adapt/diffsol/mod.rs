@@ -4,8 +4,7 @@
 //! methods. Backward differentiation damps such a motion instead of following it: its steps are as long as the slow motion
 //! allows. It needs the heap and, for `nalgebra`, Rust 1.89.
 //!
-//! The Runge–Kutta methods of that crate are left out: on ẏ = −10⁶ (y − cos t) − sin t with a tolerance of 10⁻⁷,
-//! `tr_bdf2` was off by 4·10⁻³ after two seconds.
+//! That crate's Runge–Kutta methods are not offered here; use it directly for them.
 //!
 //! Source: Byrne, Hindmarsh, "A polyalgorithm for the numerical solution of ordinary differential equations", *ACM
 //! Transactions on Mathematical Software* 1 (1975) 71–96.
@@ -59,7 +58,7 @@ impl Stiff {
 /// # Example
 ///
 /// ```
-/// use lagrange::adapt::diffsol::{Stiff, integrate};
+/// use lagrange::adapt::diffsol::{Stiff, integrate_stiff};
 ///
 /// lagrange::system! {
 ///     /// A pendulum on a stiff, damped spring.
@@ -72,12 +71,12 @@ impl Stiff {
 /// }
 ///
 /// let mut steps = 0;
-/// let end = integrate(&Elastic::default(), 0.0, [1.0, 1.0, 0.0, 0.0], 10.0, &Stiff::tolerance(1e-8), |_, _| steps += 1)?;
+/// let end = integrate_stiff(&Elastic::default(), 0.0, [1.0, 1.0, 0.0, 0.0], 10.0, &Stiff::tolerance(1e-8), |_, _| steps += 1)?;
 /// // The rod hardly stretches, and much fewer steps are taken than the spring oscillates in that time.
 /// assert!((end[0] - 1.0).abs() < 1e-4 && steps < 5_000);
 /// # Ok::<(), lagrange::integrate::IntegrationError<f64, [f64; 4]>>(())
 /// ```
-pub fn integrate<M>(
+pub fn integrate_stiff<M>(
     system: &M,
     t0: f64,
     y0: M::State,

@@ -1,6 +1,6 @@
 use core::cell::Cell;
 
-use super::{Stiff, integrate};
+use super::{Stiff, integrate_stiff};
 use crate::integrate::Cause;
 use crate::system::OdeSystem;
 
@@ -49,7 +49,7 @@ const ENDLESS: Oscillator = Oscillator { until: f64::INFINITY };
 fn steps_are_longer_than_stability_of_explicit_methods_allows() {
     let method = Stiff::tolerance(1e-7);
     let mut steps = 0_u32;
-    let end = integrate(&Relaxation::default(), 0.0, [1.0], 2.0, &method, |_, _| steps += 1);
+    let end = integrate_stiff(&Relaxation::default(), 0.0, [1.0], 2.0, &method, |_, _| steps += 1);
     let [y] = end.expect("nothing is singular");
     assert!((y - 2.0_f64.cos()).abs() < 1e-6, "{y}");
     assert!(f64::from(steps) < 2.0 * RATE / 100.0, "{steps} steps");
@@ -59,7 +59,8 @@ fn steps_are_longer_than_stability_of_explicit_methods_allows() {
 fn a_known_jacobian_saves_evaluations() {
     let run = |knows_jacobian| {
         let system = Relaxation { knows_jacobian, ..Relaxation::default() };
-        integrate(&system, 0.0, [1.0], 2.0, &Stiff::tolerance(1e-7), |_, _| {}).expect("nothing is singular");
+        integrate_stiff(&system, 0.0, [1.0], 2.0, &Stiff::tolerance(1e-7), |_, _| {})
+            .expect("nothing is singular");
         (system.evaluations.get(), system.jacobians.get())
     };
     let ((with, jacobians), (without, _)) = (run(true), run(false));
@@ -70,7 +71,7 @@ fn a_known_jacobian_saves_evaluations() {
 fn time_may_run_backwards() {
     let method = Stiff::tolerance(1e-8);
     let mut last = 5.0;
-    let end = integrate(&ENDLESS, 5.0, [5.0_f64.cos(), -5.0_f64.sin()], -1.0, &method, |t, _| {
+    let end = integrate_stiff(&ENDLESS, 5.0, [5.0_f64.cos(), -5.0_f64.sin()], -1.0, &method, |t, _| {
         assert!(t <= last);
         last = t;
     });
@@ -82,7 +83,7 @@ fn time_may_run_backwards() {
 #[test]
 fn where_the_system_ends_the_last_good_state_is_told() {
     let method = Stiff::tolerance(1e-8);
-    let error = integrate(&Oscillator { until: 1.0 }, 0.0, [1.0, 0.0], 2.0, &method, |_, y| {
+    let error = integrate_stiff(&Oscillator { until: 1.0 }, 0.0, [1.0, 0.0], 2.0, &method, |_, y| {
         assert!(y[0].is_finite() && y[1].is_finite());
     });
     let error = error.expect_err("the system is undefined after one second");
@@ -92,23 +93,24 @@ fn where_the_system_ends_the_last_good_state_is_told() {
 
 #[test]
 fn a_run_of_no_length_returns_the_start() {
-    let end = integrate(&ENDLESS, 3.0, [1.0, 2.0], 3.0, &Stiff::tolerance(1e-8), |_, _| {});
+    let end = integrate_stiff(&ENDLESS, 3.0, [1.0, 2.0], 3.0, &Stiff::tolerance(1e-8), |_, _| {});
     assert_eq!(end, Ok([1.0, 2.0]));
 }
 
 #[test]
 fn no_more_steps_are_taken_than_allowed() {
     let method = Stiff { max_steps: 5, ..Stiff::tolerance(1e-8) };
-    let error =
-        integrate(&ENDLESS, 0.0, [1.0, 0.0], 100.0, &method, |_, _| {}).expect_err("five steps are few");
+    let error = integrate_stiff(&ENDLESS, 0.0, [1.0, 0.0], 100.0, &method, |_, _| {})
+        .expect_err("five steps are few");
     assert_eq!(error.cause, Cause::TooManySteps { limit: 5 });
     assert!(error.time > 0.0 && error.time < 100.0);
 }
 
 #[test]
 fn settings_and_starts_without_sense_are_refused() {
-    let run =
-        |tolerance, start| integrate(&ENDLESS, 0.0, start, 1.0, &Stiff::tolerance(tolerance), |_, _| {});
+    let run = |tolerance, start| {
+        integrate_stiff(&ENDLESS, 0.0, start, 1.0, &Stiff::tolerance(tolerance), |_, _| {})
+    };
     assert!(matches!(run(0.0, [1.0, 0.0]).map_err(|error| error.cause), Err(Cause::Setting(_))));
     assert!(matches!(run(f64::NAN, [1.0, 0.0]).map_err(|error| error.cause), Err(Cause::Setting(_))));
     assert_eq!(run(1e-8, [f64::INFINITY, 0.0]).map_err(|error| error.cause), Err(Cause::NotFinite));

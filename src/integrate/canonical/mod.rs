@@ -115,7 +115,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         };
         work.jacobians += 1;
         if !finite(jacobian.as_ref()) {
-            return Err(Cause::NotFinite);
+            // The rates may be smooth enough for fixed points where their slopes are not defined.
+            return Ok(Pencil { constant: mass, derivatives: None });
         }
         let (jacobian, n) = (Matrix::<M::Scalar, M::State>(jacobian), mass.rows());
         let by_q = mass.times(&Matrix::of(|i, j| h * h * jacobian[(n + i, j)]));

@@ -24,7 +24,7 @@ pub(in crate::integrate) fn velocities<M: CanonicalSystem + ?Sized>(
     let mut unknowns = [guess];
     let mut uncounted = Work::default();
     let mut equations = Momenta { system, t, q, p, h, mass, factors: factors(mass)? };
-    newton::solve(&mut equations, &mut unknowns, newton::rounding(), &mut uncounted)?;
+    newton::solve(&mut equations, &mut unknowns, Scalar::epsilon(), &mut uncounted)?;
     work.evaluations += uncounted.evaluations;
     Ok(unknowns[0])
 }

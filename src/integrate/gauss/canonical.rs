@@ -46,7 +46,7 @@ where
         let tableau = Tableau::<Number<M>, K>::coefficients();
         Canonical {
             tableau,
-            rounding: newton::rounding(),
+            rounding: Scalar::epsilon(),
             end: weights(&tableau.c, Number::<M>::ZERO, Number::<M>::ONE),
             prediction: Prediction::new(tableau.c, tableau.c),
             reached: Reached::NOTHING,

@@ -39,7 +39,7 @@ where
         let tableau = Tableau::<Number<M>, K>::coefficients();
         Plain {
             tableau,
-            rounding: newton::rounding(),
+            rounding: Scalar::epsilon(),
             prediction: Prediction::new(tableau.c, tableau.c),
             stages: ([State::<M>::ZERO; K], Number::<M>::ONE),
         }
@@ -136,7 +136,8 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         };
         work.jacobians += 1;
         if !finite(jacobian.as_ref()) {
-            return Err(Cause::NotFinite);
+            // The rates may be smooth enough for fixed points where their slopes are not defined.
+            return Ok(Pencil { constant: Matrix::identity(), derivatives: None });
         }
         let jacobian = Matrix::<M::Scalar, M::State>(jacobian);
         let linear = Matrix::of(|i, j| step.h * jacobian[(i, j)]);

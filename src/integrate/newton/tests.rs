@@ -1,6 +1,6 @@
 //! The iteration on equations whose solutions are known.
 
-use super::{Equations, rounding, solve};
+use super::{Equations, solve};
 use crate::integrate::error::Cause;
 use crate::integrate::method::Work;
 
@@ -29,7 +29,7 @@ fn roots(slopes: [f64; 3]) -> Result<([f64; 3], Work), Cause<f64>> {
     let mut work = Work::default();
     let mut unknowns = [[1.5, 2e8, 4e-12]];
     let mut equations = Roots { targets: [2.0, 9e16, 1e-23], slopes };
-    solve(&mut equations, &mut unknowns, rounding(), &mut work)?;
+    solve(&mut equations, &mut unknowns, crate::scalar::Scalar::epsilon(), &mut work)?;
     Ok((unknowns[0], work))
 }
 
@@ -58,6 +58,6 @@ fn what_is_not_a_number_is_reported() {
 
 #[test]
 fn rounding_is_that_of_the_number_type() {
-    assert_eq!(rounding::<f64>(), f64::EPSILON);
-    assert_eq!(rounding::<f32>(), f32::EPSILON);
+    assert_eq!(<f64 as crate::scalar::Scalar>::epsilon(), f64::EPSILON);
+    assert_eq!(<f32 as crate::scalar::Scalar>::epsilon(), f32::EPSILON);
 }

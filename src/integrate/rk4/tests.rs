@@ -4,7 +4,7 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::{RungeKutta4, rk4_step};
-use crate::integrate::{Cause, IntegrationError, integrate};
+use crate::integrate::{Cause, IntegrationError, Method, Stepper, integrate};
 use crate::scalar::Scalar;
 use crate::system::OdeSystem;
 
@@ -193,4 +193,25 @@ fn steps_without_length_are_refused() {
 fn systems_behind_a_pointer_to_a_trait_are_taken() {
     let system: &dyn OdeSystem<Scalar = f64, State = [f64; 2]> = &Oscillator;
     assert_eq!(rk4_step(system, 0.0, &[1.0, 0.0], 0.1), rk4_step(&Oscillator, 0.0, &[1.0, 0.0], 0.1));
+}
+
+#[test]
+fn late_times_take_as_many_steps_as_early_ones() {
+    for start in [0.0_f32, 3e5, 1e6] {
+        let mut steps = 0;
+        let rate = Integral(|_: f32| 1.0);
+        let method = RungeKutta4 { step: 0.01 };
+        let [end] = integrate(&rate, start, [0.0], start + 5.0, &method, |_, _| steps += 1).expect("finite");
+        assert!((end - 5.0).abs() < 1e-5 && (500..=502).contains(&steps), "{start}: {end} in {steps}");
+    }
+}
+
+#[test]
+fn steps_turn_round_for_a_limit_behind() {
+    let mut stepper = RungeKutta4 { step: 0.1 }.start(&Oscillator, 0.0, &[1.0, 0.0], 1.0).expect("starts");
+    for limit in [1.0, 1.0, 0.0, 0.0] {
+        stepper.step(&Oscillator, limit).expect("finite");
+    }
+    assert_eq!(stepper.time(), 0.0, "two steps there and two back");
+    assert!((stepper.state()[0] - 1.0).abs() < 1e-6);
 }

@@ -94,7 +94,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
     fn new() -> Self {
         let half = Number::<M>::from_f64(0.5);
         Discrete {
-            rounding: newton::rounding(),
+            rounding: Scalar::epsilon(),
             prediction: Prediction::new([Number::<M>::ZERO, half], [Number::<M>::ZERO, Number::<M>::ONE]),
             excess: [Vector::<M>::ZERO; 2],
             reached: Reached::NOTHING,

@@ -13,6 +13,8 @@ const MEMORY: f64 = 0.02;
 const SAFETY: f64 = 0.8;
 /// No step is shorter than the one before by more than this factor,
 const MOST_SHRINKING: f64 = 0.2;
+/// a step after a rejection is shorter at least by this,
+const LEAST_SHRINKING: f64 = 0.9;
 /// and none is longer by more than this.
 const MOST_GROWTH: f64 = 6.0;
 /// How much shorter the next attempt is when a step led to NaN or infinity.
@@ -36,7 +38,6 @@ impl<S: Scalar> Control<S> {
     pub(super) fn accept(&mut self, taken: S, error: S) {
         let power = S::from_f64(1.0 / POWER - 0.75 * MEMORY);
         let memory = S::from_f64(MEMORY);
-        // NaN where both are zero.
         let wanted = S::from_f64(SAFETY) * self.error.powf(memory) / error.powf(power);
         let most = if self.was_rejected { S::ONE } else { S::from_f64(MOST_GROWTH) };
         let growth = if wanted < most { wanted.max(S::from_f64(MOST_SHRINKING)) } else { most };
@@ -49,8 +50,11 @@ impl<S: Scalar> Control<S> {
     /// A step of length `taken` had an error above one or, if not finite, led to NaN or infinity.
     pub(super) fn reject(&mut self, taken: S, error: S) {
         let wanted = S::from_f64(SAFETY) / error.powf(S::from_f64(1.0 / POWER));
-        let shrinking =
-            if error.is_finite() { wanted.max(S::from_f64(MOST_SHRINKING)) } else { S::from_f64(RETREAT) };
+        let shrinking = if error.is_finite() {
+            wanted.max(S::from_f64(MOST_SHRINKING)).min(S::from_f64(LEAST_SHRINKING))
+        } else {
+            S::from_f64(RETREAT)
+        };
         self.step = taken * shrinking;
         self.was_rejected = true;
     }

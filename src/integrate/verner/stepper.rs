@@ -14,12 +14,18 @@ use crate::integrate::compensated::Compensated;
 use crate::integrate::error::Cause;
 use crate::integrate::fixed::check_finite;
 use crate::integrate::method::{Stepper, Work};
-use crate::integrate::stability::{EVALUATIONS, combined, distance, largest_eigenvalue};
+use crate::integrate::stability::{EVALUATIONS, combined, distance, largest_eigenvalue, length};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
 
+/// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
+const FINEST: f64 = 4096.0;
 /// Steps longer than this part of the longest stable one are limited by it.
 const NEAR: f64 = 0.7;
+/// An eigenvalue is fast beside a motion whose rates are smaller than the state times it by this,
+const FAST: f64 = 100.0;
+/// and that motion goes on if it changes the state by at least this part of it in a step.
+const SLOWEST: f64 = 1e-9;
 /// Where the rate at the end of a step, which begins the next one, has its place.
 const END: usize = 16;
 
@@ -90,7 +96,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let t = self.clock.time();
         let mut clock = self.clock.with_step(if limit < t { -length } else { length });
         let h = clock.advance(limit);
-        if clock.time() == t && t != limit {
+        if t + M::Scalar::from_f64(FINEST) * length == t && t != limit {
             return Err(Cause::StepUnderflow { step: length });
         }
         Ok(Attempt { h, clock })
@@ -145,8 +151,9 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let ends = self.stages(system, &y, h);
         let state = self.advanced(h);
         let error = self.settings.norm(h, &ERROR.weighted(&self.rates), &y, state.value());
-        if !(error <= M::Scalar::ONE && check_finite(clock.time(), state.value()).is_ok()) {
-            self.control.reject(h.abs(), error);
+        let is_finite = check_finite(clock.time(), state.value()).is_ok();
+        if !(error <= M::Scalar::ONE && is_finite) {
+            self.control.reject(h.abs(), if is_finite { error } else { M::Scalar::NAN });
             self.work.rejections += 1;
             return Ok(false);
         }
@@ -178,7 +185,12 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.work.evaluations += EVALUATIONS;
         self.stiffness = Stiffness::default();
         let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
-        if h.abs() > M::Scalar::from_f64(NEAR) * limit { Err(Cause::Stiff { limit }) } else { Ok(()) }
+        let is_at_limit = h.abs() > M::Scalar::from_f64(NEAR) * limit;
+        let (size, speed) = (length(&ends[0]), length(&self.rates[14]));
+        // A motion that is slower than its tolerance, or has ended, may take the steps that stability leaves.
+        let goes_on = speed * h.abs() > M::Scalar::from_f64(SLOWEST) * size;
+        let is_fast = eigenvalue * size > M::Scalar::from_f64(FAST) * speed;
+        if is_at_limit && goes_on && is_fast { Err(Cause::Stiff { limit }) } else { Ok(()) }
     }
 
     /// The state after a step of length `h` whose stages are known.
