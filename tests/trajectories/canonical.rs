@@ -129,21 +129,19 @@ fn a_fast_top_sleeps() {
 /// It is quadratic in coordinates and momenta.
 #[test]
 fn angular_momentum_in_cartesian_coordinates_is_kept() {
-    let (swing, start, step) = (Swing::default(), [1.2, 0.0, 0.2, 0.7], 0.02);
-    let momentum = |y: &[f64; 4]| y[0] * y[3] - y[1] * y[2];
-    let change = |method: &dyn Fn(&mut dyn FnMut(&[f64; 4]))| {
+    const STEP: f64 = 0.02;
+    fn change(method: &impl Method<Swing>) -> f64 {
+        let (start, end) = ([1.2, 0.0, 0.2, 0.7], f64::from(2 * MILLION) * STEP);
+        let momentum = |y: &[f64; 4]| y[0] * y[3] - y[1] * y[2];
         let mut largest = 0.0_f64;
-        method(&mut |y| largest = largest.max((momentum(y) / momentum(&start) - 1.0).abs()));
-        println!("angular momentum {largest:e}");
+        integrate(&Swing::default(), 0.0, start, end, method, |_, y| {
+            largest = largest.max((momentum(y) / momentum(&start) - 1.0).abs());
+        })
+        .expect("converges");
+        println!("{}: angular momentum {largest:e}", method.name());
         largest
-    };
-    let end = f64::from(2 * MILLION) * step;
-    let gauss = change(&|watch| {
-        integrate(&swing, 0.0, start, end, &GaussLegendre4 { step }, |_, y| watch(y)).expect("converges");
-    });
-    let variational = change(&|watch| {
-        integrate(&swing, 0.0, start, end, &Variational { step }, |_, y| watch(y)).expect("converges");
-    });
+    }
+    let (gauss, variational) = (change(&GaussLegendre4 { step: STEP }), change(&Variational { step: STEP }));
     assert!(gauss < 1e-13 && variational < 1e-13, "{gauss:e} {variational:e}");
 }
 

@@ -6,6 +6,7 @@
 
 use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
 use crate::integrate::method::Work;
+use crate::integrate::stability::combined;
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
 
@@ -97,11 +98,11 @@ fn sixth_order<M: MechanicalSystem + ?Sized>(
     let h = to.0 - from.0;
     let ((q0, v0), (q1, v1)) = (split::<M>(from.1), split::<M>(to.1));
     let (a0, a1) = (system.acceleration(from.0, &q0, &v0), system.acceleration(to.0, &q1, &v1));
-    let change = combined(&q1, &q0, |end, start| end - start);
+    let change = combined(&q1, -M::Scalar::ONE, &q0);
     let motion = Motion { change, velocities: [v0, v1], accelerations: [a0, a1] };
     let moved = |s| {
         let (change, velocities) = quintic(Place { h, s }, &motion);
-        (combined(&q0, &change, |start, change| start + change), velocities)
+        (combined(&q0, M::Scalar::ONE, &change), velocities)
     };
     let [first, second] = thirds().map(|s| {
         let (q, v) = moved(s);
@@ -114,14 +115,6 @@ fn sixth_order<M: MechanicalSystem + ?Sized>(
 /// One and two thirds.
 fn thirds<S: Scalar>() -> [S; 2] {
     [1.0, 2.0].map(|number| S::from_f64(number) / S::from_f64(3.0))
-}
-
-fn combined<S: Scalar, Y: StateVector<S>>(one: &Y, other: &Y, with: impl Fn(S, S) -> S) -> Y {
-    let mut result = *one;
-    for (result, other) in result.as_mut().iter_mut().zip(other.as_ref()) {
-        *result = with(*result, *other);
-    }
-    result
 }
 
 /// Values from those at the ends and from their rates at zero, one, two and three thirds of the step.

@@ -1,9 +1,10 @@
 //! The state within a step.
 
-use super::stage::{RATES, weighted};
-use super::tableau::{
-    ADVANCE, BEND, STAGE_17, STAGE_18, STAGE_19, STAGE_20, STAGE_21, STAGE_22, STAGE_23, STAGE_24, STAGE_25,
+use super::interpolant::{
+    BEND, STAGE_17, STAGE_18, STAGE_19, STAGE_20, STAGE_21, STAGE_22, STAGE_23, STAGE_24, STAGE_25,
 };
+use super::stage::{RATES, weighted};
+use super::tableau::ADVANCE;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
 

@@ -10,6 +10,7 @@
 
 mod control;
 mod dense;
+mod interpolant;
 mod stage;
 mod stepper;
 mod stiffness;

@@ -3,6 +3,7 @@
 use std::vec::Vec;
 
 use super::Verner98;
+use super::interpolant;
 use super::stage::Stage;
 use super::tableau as table;
 use crate::integrate::{Cause, Method, Stepper, integrate};
@@ -165,15 +166,15 @@ fn weights_of_a_stage_add_up_to_its_node() {
         off(&table::STAGE_13),
         off(&table::STAGE_14),
         off(&table::STAGE_15),
-        off(&table::STAGE_17),
-        off(&table::STAGE_18),
-        off(&table::STAGE_19),
-        off(&table::STAGE_20),
-        off(&table::STAGE_21),
-        off(&table::STAGE_22),
-        off(&table::STAGE_23),
-        off(&table::STAGE_24),
-        off(&table::STAGE_25),
+        off(&interpolant::STAGE_17),
+        off(&interpolant::STAGE_18),
+        off(&interpolant::STAGE_19),
+        off(&interpolant::STAGE_20),
+        off(&interpolant::STAGE_21),
+        off(&interpolant::STAGE_22),
+        off(&interpolant::STAGE_23),
+        off(&interpolant::STAGE_24),
+        off(&interpolant::STAGE_25),
         off(&table::ADVANCE),
     ];
     assert!(stages.iter().all(|off| *off < 2e-14), "{stages:?}");
