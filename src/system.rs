@@ -5,6 +5,8 @@
 
 use core::fmt::Debug;
 
+use crate::event::{Answer, DeclaredEvent, Reaction};
+use crate::integrate::Cause;
 use crate::scalar::Scalar;
 
 /// A vector whose length is part of its type, such as `[S; K]`.
@@ -76,7 +78,56 @@ pub trait OdeSystem {
     fn jacobian(&self, _t: Self::Scalar, _y: &Self::State) -> Option<StateMatrix<Self>> {
         None
     }
+
+    /// Whether states must satisfy something beside the equations, to which [`correct`](Self::correct) brings them.
+    const IS_CONSTRAINED: bool = false;
+
+    /// Brings a state onto the constraints; methods ask for this after every accepted step.
+    ///
+    /// # Errors
+    /// If that is not possible; the state is then what it was.
+    #[inline]
+    fn correct(&self, _t: Self::Scalar, _y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+        Ok(())
+    }
+
+    /// The events of the declaration, at most [`MOST_DECLARED`](crate::event::MOST_DECLARED). Runs look for them without
+    /// being asked.
+    const EVENTS: &'static [DeclaredEvent] = &[];
+
+    /// The values of the functions of all declared events, to be written to as many `values`.
+    #[inline]
+    fn event_values(&self, _t: Self::Scalar, _y: &Self::State, _values: &mut [Self::Scalar]) {}
+
+    /// What the declared event of this index does to the state `y` at which it happened.
+    ///
+    /// # Errors
+    /// If the motion cannot go on.
+    #[inline]
+    fn react(&self, _event: usize, _t: Self::Scalar, _y: &Self::State) -> Reacted<Self>
+    where
+        Self: Sized,
+    {
+        Ok(Answer::new(Reaction::Continue))
+    }
+
+    /// The system as a motion from this state starts: contacts closed and friction sticking where that fits the state.
+    /// `None` if it is the same.
+    ///
+    /// # Errors
+    /// If no motion can start there.
+    #[inline]
+    fn begin(&self, _t: Self::Scalar, _y: &Self::State) -> Result<Option<Self>, Cause<Self::Scalar>>
+    where
+        Self: Sized,
+    {
+        Ok(None)
+    }
 }
+
+/// What a declared event of the system M does.
+pub type Reacted<M> =
+    Result<Answer<M, <M as OdeSystem>::Scalar, <M as OdeSystem>::State>, Cause<<M as OdeSystem>::Scalar>>;
 
 /// A system described by generalised coordinates q and their velocities v = q̇.
 ///

@@ -10,11 +10,13 @@
 //! places, evenly spread over a step, at which it is looked at; one that is exactly zero at the end of a run is not known to
 //! cross it. Events at the same time follow each other in the order in which they were given.
 
+mod declared;
 mod direction;
 mod locate;
 mod run;
 mod watch;
 
+pub use self::declared::{Answer, DeclaredEvent, MOST_DECLARED};
 pub use self::direction::Direction;
 pub use self::run::{Reaction, integrate_with_events};
 pub(crate) use self::watch::is_at_once;

@@ -3,6 +3,7 @@
 use core::error::Error;
 use core::fmt::{Debug, Display, Formatter};
 
+use crate::constraint::Violation;
 use crate::system::OdeSystem;
 
 /// What came of an integration of the system M.
@@ -54,6 +55,10 @@ pub enum Cause<S> {
         /// Which event, counted from zero in the order given.
         event: usize,
     },
+    /// A state violates a constraint, and cannot be brought onto it.
+    Violated(Violation<S>),
+    /// No motion goes on from here, in words: no contact forces or friction fit the state.
+    Stuck(&'static str),
     /// A method of another crate failed, in words.
     Adapted(&'static str),
     /// So many events follow each other at the same time that they are taken for infinitely many, as the bounces of a ball
@@ -74,7 +79,8 @@ pub enum Cause<S> {
 impl<S: Debug> Display for Cause<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         match self {
-            Cause::Setting(what) | Cause::Adapted(what) => f.write_str(what),
+            Cause::Setting(what) | Cause::Stuck(what) | Cause::Adapted(what) => f.write_str(what),
+            Cause::Violated(violation) => write!(f, "{violation}"),
             Cause::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
             Cause::StepUnderflow { step } => {
                 write!(
