@@ -1,6 +1,7 @@
 //! Programs and expressions as text in other languages. No algebra happens here.
 
 mod constrained;
+mod contacts;
 mod diagnostics;
 mod docs;
 mod item;
@@ -19,6 +20,7 @@ mod state;
 mod system;
 mod traits;
 
+mod events;
 pub mod graphviz;
 pub mod latex;
 pub mod rust_body;

@@ -63,6 +63,7 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
         constrained: skeleton_of_constraints(n, m),
         canonical: Vec::new(),
         are_holonomic: vec![true; m],
+        terms: quote!(::core::unreachable!()),
         hidden: TokenStream::new(),
         constants: [equations_latex(""), parameter_names(&shape)].into_iter().collect(),
         names: argument_names(|wish| names.fresh(wish)),

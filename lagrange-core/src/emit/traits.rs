@@ -4,9 +4,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
+use super::contacts::contact_impl;
+use super::events::event_members;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
-use super::shape::{Shape, length};
+use super::shape::{Shape, length, local};
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -18,7 +20,8 @@ pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         false => leapfrog_impl(shape, parts),
     });
     let constrained = constrained_impl(shape, parts);
-    quote!(#ode #mechanical #energy #separable #canonical #constrained)
+    let contact = contact_impl(shape, parts);
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact)
 }
 
 /// Whether there is a method of this name.
@@ -42,19 +45,7 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
         }
     });
-    let constrained = (!parts.constrained.is_empty()).then(|| {
-        quote! {
-            const IS_CONSTRAINED: ::core::primitive::bool = true;
-            #[inline]
-            fn correct(
-                &self,
-                #time: #scalar,
-                #state: &mut [#scalar; #twice],
-            ) -> ::core::result::Result<(), #krate::integrate::Cause<#scalar>> {
-                #krate::constraint::correct(self, #time, #state)
-            }
-        }
-    });
+    let (constrained, events) = (correct_members(shape, parts), event_members(shape, parts));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -66,6 +57,36 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
             #jacobian
             #constrained
+            #events
+        }
+    }
+}
+
+/// The members of `OdeSystem` that bring a state back onto what holds it.
+fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
+    let ArgumentNames { time, state, .. } = &parts.names;
+    let is_projected = !parts.constrained.is_empty() && !shape.is_stabilised;
+    let modules = [(is_projected, "constraint"), (!shape.touching.is_empty(), "contact")];
+    let calls = modules.into_iter().filter(|(is_held, _)| *is_held);
+    let calls = calls.map(|(_, module)| {
+        let module = local(module);
+        quote!(#krate::#module::correct(self, #time, #state)?;)
+    });
+    let calls = calls.collect::<Vec<_>>();
+    if calls.is_empty() {
+        return TokenStream::new();
+    }
+    quote! {
+        const IS_CONSTRAINED: ::core::primitive::bool = true;
+        #[inline]
+        fn correct(
+            &self,
+            #time: #scalar,
+            #state: &mut [#scalar; #twice],
+        ) -> ::core::result::Result<(), #krate::integrate::Cause<#scalar>> {
+            #(#calls)*
+            ::core::result::Result::Ok(())
         }
     }
 }
