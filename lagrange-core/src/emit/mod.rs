@@ -1,5 +1,6 @@
 //! Programs and expressions as text in other languages. No algebra happens here.
 
+mod constrained;
 mod diagnostics;
 mod docs;
 mod item;
@@ -9,6 +10,7 @@ mod messages;
 mod method;
 mod naming;
 mod numerals;
+mod product;
 mod reduced;
 mod shape;
 mod size;

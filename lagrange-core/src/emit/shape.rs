@@ -16,6 +16,7 @@ pub(super) struct Shape<'a> {
     /// Parameters and inputs in declaration order, parameters first.
     pub(super) fields: Vec<&'a Name>,
     pub(super) coordinates: Vec<&'a Name>,
+    pub(super) constraints: Vec<&'a Name>,
     /// Declared outputs with their number of components; one for a scalar.
     pub(super) outputs: Vec<(&'a Name, usize)>,
     /// The user's documentation of fields, coordinates and outputs.
@@ -29,6 +30,7 @@ impl<'a> Shape<'a> {
             krate,
             fields: Vec::new(),
             coordinates: Vec::new(),
+            constraints: Vec::new(),
             outputs: Vec::new(),
             docs: documentation(declaration),
         };
@@ -38,6 +40,7 @@ impl<'a> Shape<'a> {
                 StatementKind::Parameters(list) => shape.fields.extend(list.iter().map(|d| &d.name)),
                 StatementKind::Inputs(list) => inputs.extend(list.iter().map(|d| &d.name)),
                 StatementKind::Coordinates(names) => shape.coordinates.extend(names),
+                StatementKind::Constraint(name, _) => shape.constraints.push(name),
                 StatementKind::Output(name, value) => {
                     shape.outputs.push((name, components.get(value).copied().unwrap_or(1)));
                 }

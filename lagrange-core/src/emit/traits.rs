@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
 use super::shape::{Shape, length};
@@ -12,8 +13,12 @@ pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (ode, mechanical) = (ode_impl(shape, parts), mechanical_impl(shape, parts));
     let energy = has(parts, "energy").then(|| energy_impl(shape, parts));
     let canonical = has(parts, "momentum_rates").then(|| canonical_impl(shape, parts));
-    let separable = parts.is_separable.then(|| separable_impl(shape));
-    quote!(#ode #mechanical #energy #separable #canonical)
+    let separable = parts.is_separable.then(|| match parts.constrained.is_empty() {
+        true => separable_impl(shape),
+        false => leapfrog_impl(shape, parts),
+    });
+    let constrained = constrained_impl(shape, parts);
+    quote!(#ode #mechanical #energy #separable #canonical #constrained)
 }
 
 /// Whether there is a method of this name.
@@ -37,6 +42,19 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
         }
     });
+    let constrained = (!parts.constrained.is_empty()).then(|| {
+        quote! {
+            const IS_CONSTRAINED: ::core::primitive::bool = true;
+            #[inline]
+            fn correct(
+                &self,
+                #time: #scalar,
+                #state: &mut [#scalar; #twice],
+            ) -> ::core::result::Result<(), #krate::integrate::Cause<#scalar>> {
+                #krate::constraint::correct(self, #time, #state)
+            }
+        }
+    });
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -47,6 +65,7 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
                 self.rhs(#time, #state)
             }
             #jacobian
+            #constrained
         }
     }
 }
@@ -98,6 +117,7 @@ fn canonical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let arguments = mass_matrix.next().map_or(Arguments::State, |method| method.arguments);
     let vectors = arguments.vectors(&parts.names);
     let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
+    let constrained = canonical_constraints(shape, parts, &parameters);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::CanonicalSystem for #name #generics {
@@ -113,6 +133,7 @@ fn canonical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             fn mass_matrix(#parameters) -> [[#scalar; #n]; #n] {
                 self.mass_matrix(#time, #(#vectors),*)
             }
+            #constrained
         }
     }
 }

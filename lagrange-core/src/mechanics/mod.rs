@@ -20,6 +20,7 @@ mod loads;
 mod messages;
 mod model;
 mod operand;
+mod pivot;
 mod reduce;
 mod reductions;
 mod roads;
@@ -30,6 +31,7 @@ mod structure;
 mod sweep;
 
 pub use algebra::Sums;
+pub use constraints::ConstraintEquations;
 pub use elaborate::elaborate;
 pub use equations::Equations;
 pub use model::{
