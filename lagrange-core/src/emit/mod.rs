@@ -4,6 +4,7 @@ mod constrained;
 mod contacts;
 mod diagnostics;
 mod docs;
+mod events;
 mod item;
 mod jacobian;
 mod layout;
@@ -20,7 +21,6 @@ mod state;
 mod system;
 mod traits;
 
-mod events;
 pub mod graphviz;
 pub mod latex;
 pub mod rust_body;
