@@ -36,7 +36,7 @@ mod error;
 mod fixed;
 mod gauss;
 mod interpolation;
-mod linear;
+pub(crate) mod linear;
 mod method;
 mod newton;
 mod prediction;
