@@ -108,6 +108,8 @@ impl<L: Mechanism<N>, const N: usize> CanonicalSystem for Held<L, N> {
         self.0.mass(q)
     }
 
+    const SAYS_CONSTRAINTS: bool = true;
+
     fn free_momentum_rates(&self, _t: f64, q: &[f64; N], v: &[f64; N]) -> [f64; N] {
         self.0.rates(q, v)
     }
@@ -126,6 +128,8 @@ impl<L: Mechanism<N>, const N: usize> EnergyFunction for Held<L, N> {
 
 /// For those whose mass matrix is constant.
 impl<L: Mechanism<N>, const N: usize> LeapfrogSystem for Held<L, N> {
+    const IS_HELD: bool = true;
+
     fn position_correction(&self, t: f64, q: &[f64; N], later: f64, to: &[f64; N]) -> [f64; N] {
         let residuals = self.0.constraints(later, to, &[0.0; N]).positions;
         let values = self.0.constraints(t, q, &[0.0; N]);

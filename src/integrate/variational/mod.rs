@@ -131,7 +131,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         work: &mut Work,
     ) -> Result<M::State, Cause<Number<M>>> {
         let derivatives = self.reached.derivatives(step, &mean(&ends), work)?;
-        if M::IS_CONSTRAINED {
+        if M::SAYS_CONSTRAINTS {
             return self.solve_held(step, derivatives, &ends, work);
         }
         let Some(linearised) = Linearised::new(&derivatives) else {
@@ -205,7 +205,7 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
         let (ends, h) = self.ends;
-        if M::IS_CONSTRAINED {
+        if M::SAYS_CONSTRAINTS {
             return Ok(join::<M>(&split::<M>(variables).0, &self.reached.held()));
         }
         self.reached.finish(system, (t, variables), ends[1], h, work)
