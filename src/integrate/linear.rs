@@ -2,6 +2,8 @@
 //!
 //! Gaussian elimination with partial pivoting, without scaling. A matrix that is singular or not finite has no factors. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §3.4.
 
+pub(super) mod ranked;
+
 use core::ops::{Index, IndexMut};
 
 use crate::scalar::Scalar;

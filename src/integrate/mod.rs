@@ -28,6 +28,8 @@ mod canonical;
 mod canonical_systems;
 mod clock;
 mod compensated;
+#[cfg(test)]
+mod constrained_systems;
 mod error;
 mod fixed;
 mod gauss;
