@@ -11,6 +11,7 @@ mod contracted;
 mod cost;
 mod elaborate;
 mod equations;
+mod events;
 mod expression;
 mod form;
 mod gauss;
@@ -20,12 +21,14 @@ mod loads;
 mod messages;
 mod model;
 mod operand;
+mod reactions;
 mod reduce;
 mod reductions;
 mod roads;
 mod scope;
 mod solve;
 mod squares;
+mod stabilisation;
 mod structure;
 mod sweep;
 
@@ -33,7 +36,8 @@ pub use algebra::Sums;
 pub use elaborate::elaborate;
 pub use equations::Equations;
 pub use model::{
-    Constraint, Coordinate, Energies, Held, Load, Model, Output, Parameter, Product, Reduced, Reduction,
+    Action, Assignment, Constraint, Coordinate, Energies, Event, Held, Load, Model, Output, Parameter,
+    Product, Reaction, ReactionKind, Reduced, Reduction,
 };
 pub use reductions::METHODS_OF_REDUCED;
 pub use roads::{Road, RoadChoice, SingularMassMatrix};
