@@ -21,9 +21,11 @@ mod loads;
 mod messages;
 mod model;
 mod operand;
+mod pivot;
 mod reactions;
 mod reduce;
 mod reductions;
+mod responses;
 mod roads;
 mod scope;
 mod solve;
@@ -33,6 +35,7 @@ mod structure;
 mod sweep;
 
 pub use algebra::Sums;
+pub use constraints::ConstraintEquations;
 pub use elaborate::elaborate;
 pub use equations::Equations;
 pub use model::{
@@ -40,5 +43,6 @@ pub use model::{
     Product, Reaction, ReactionKind, Reduced, Reduction,
 };
 pub use reductions::METHODS_OF_REDUCED;
+pub use responses::{Affine, ReactionEquations};
 pub use roads::{Road, RoadChoice, SingularMassMatrix};
 pub use structure::{Conserved, MassStructure, Structure};

@@ -82,7 +82,7 @@ impl NumericSystem {
             inputs: model.inputs.iter().map(|p| default(p.default)).collect(),
             size: model.coordinates.len(),
             accelerations: lowered(&equations.accelerations),
-            multipliers: lowered(&equations.multipliers),
+            multipliers: lowered(&equations.constraints.multipliers),
             products: products.collect(),
             outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
         }
