@@ -8,8 +8,13 @@
 //! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., §VII.2; Eich-Soellner, Führer,
 //! *Numerical Methods in Multibody Dynamics*, §5.3.
 
+mod least_norm;
+mod orthogonal;
 mod violation;
 
+pub use self::least_norm::{
+    RedundantMotion, least_norm, rank_tolerance, redundant_correction, redundant_motion,
+};
 pub use self::violation::Violation;
 
 use crate::system::{MechanicalSystem, StateVector};

@@ -5,6 +5,8 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
+use super::constrained::projections;
+use super::contacts::mode_fields;
 use super::method::{ArgumentNames, Method};
 use super::shape::{Shape, doc, identifier, length, local};
 use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
@@ -17,6 +19,16 @@ pub(super) struct Parts {
     /// The body of `Default::default`, if all defaults are known.
     pub(super) default: Option<TokenStream>,
     pub(super) methods: Vec<Method>,
+    /// Methods of `ConstrainedSystem`; none without constraints.
+    pub(super) constrained: Vec<Method>,
+    /// Methods of `CanonicalSystem` that only constrained systems have of their own.
+    pub(super) canonical: Vec<Method>,
+    /// Of each constraint, whether it holds positions.
+    pub(super) are_holonomic: Vec<bool>,
+    /// The body of `ContactSystem::terms`.
+    pub(super) terms: TokenStream,
+    /// Methods that only others call.
+    pub(super) hidden: TokenStream,
     /// Associated constants.
     pub(super) constants: TokenStream,
     pub(super) names: ArgumentNames,
@@ -99,7 +111,8 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             pub scalar: ::core::marker::PhantomData<#scalar>,
         }
     });
-    let body = match shape.fields.is_empty() && marker.is_none() {
+    let fields = [fields, mode_fields(shape)].into_iter().collect::<TokenStream>();
+    let body = match fields.is_empty() && marker.is_none() {
         true => quote!(;),
         false => quote!({ #fields #marker }),
     };
@@ -148,11 +161,15 @@ fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
     let methods = parts.methods.iter().map(|method| method.tokens(shape, &parts.names));
     let (constants, rhs) = (&parts.constants, rhs(shape, &parts.names));
+    let hidden = &parts.hidden;
+    let projections = projections(shape, parts);
     quote! {
         impl #bounds #name #generics {
             #constants
             #(#methods)*
             #rhs
+            #projections
+            #hidden
         }
     }
 }
@@ -191,6 +208,7 @@ fn default_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 
 /// Distinct names for the arguments; the user's names come first.
 pub(super) fn argument_names(mut allocate: impl FnMut(&str) -> Ident) -> ArgumentNames {
+    let residuals = allocate("residuals");
     let mut either = |short: &str, long: &str| {
         let name = allocate(short);
         if name == short { name } else { allocate(long) }
@@ -201,5 +219,6 @@ pub(super) fn argument_names(mut allocate: impl FnMut(&str) -> Ident) -> Argumen
         velocities: either("v", "velocities"),
         accelerations: either("a", "accelerations"),
         state: either("y", "state"),
+        residuals,
     }
 }

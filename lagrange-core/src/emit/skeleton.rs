@@ -13,7 +13,7 @@ use super::rust_body::Names;
 use super::shape::{Shape, identifier, local};
 use super::system::{equations_latex, user_names};
 use crate::mechanics::Product;
-use crate::syntax::ast::{Declaration, StatementKind};
+use crate::syntax::ast::Declaration;
 
 /// The items of a system that could not be derived: the same types and methods, so that the code that uses
 /// them causes no errors of its own. They are never run, since the mistakes are errors.
@@ -27,7 +27,7 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
     let shape = Shape::new(declaration, krate);
     let n = shape.coordinates.len();
     let mut methods = vec![placeholder(local("acceleration"), Arguments::State, Returns::Vector(n))];
-    let m = declaration.statements.iter().filter(|s| matches!(s.kind, StatementKind::Constraint(..))).count();
+    let m = shape.constraints.len();
     if m > 0 {
         methods.push(placeholder(local("multipliers"), Arguments::State, Returns::Vector(m)));
     }
@@ -60,6 +60,11 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
         docs: Vec::new(),
         default: (!is_derived).then(|| quote!(::core::unreachable!())),
         methods,
+        constrained: skeleton_of_constraints(n, m),
+        canonical: Vec::new(),
+        are_holonomic: vec![true; m],
+        terms: quote!(::core::unreachable!()),
+        hidden: TokenStream::new(),
         constants: [equations_latex(""), parameter_names(&shape)].into_iter().collect(),
         names: argument_names(|wish| names.fresh(wish)),
         functions: BTreeSet::new(),
@@ -67,6 +72,14 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
         has_rounded_constants: false,
     };
     items(&shape, &parts)
+}
+
+fn skeleton_of_constraints(n: usize, m: usize) -> Vec<Method> {
+    if m == 0 {
+        return Vec::new();
+    }
+    let residuals = placeholder(local("position_residuals"), Arguments::Positions, Returns::Vector(m));
+    vec![residuals, placeholder(local("correction"), Arguments::Residuals, Returns::Vector(n))]
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {

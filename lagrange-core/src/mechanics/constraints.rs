@@ -7,13 +7,17 @@
 
 use super::elaborate::Elaborator;
 use super::form::QuadraticForm;
+use super::jacobian::Forms;
 use super::messages;
 use super::model::{Constraint, Model};
 use super::operand::Operand;
+use super::roads::Road;
 use super::scope::Kind;
+use super::solve::Elimination;
 use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
+use crate::number::Number;
 use crate::symbol::Role;
 use crate::syntax::ast::{AstId, Name};
 
@@ -96,12 +100,95 @@ impl Elaborator<'_> {
     }
 }
 
-/// Adds −λ (A a + b) for every constraint.
-pub(super) fn join_multipliers(model: &mut Model, form: &mut QuadraticForm) {
+/// What follows from the constraints of a model.
+#[derive(Clone, Default, Debug)]
+pub struct ConstraintEquations {
+    /// The multipliers λ in M q̈ = f + Aᵀλ as functions of t, q, v.
+    pub multipliers: Vec<ExprId>,
+    /// A in rows: what each constraint demands of the velocities is A v + …
+    pub jacobian: Vec<Vec<ExprId>>,
+    /// b in A q̈ + b = 0
+    pub drifts: Vec<ExprId>,
+    /// Aᵀλ
+    pub forces: Vec<ExprId>,
+    /// δ with M δ = Aᵀμ and A δ = −r, where the symbol of each multiplier stands for the residual r of its constraint.
+    pub correction: Vec<ExprId>,
+    /// By how much rounding grows because constraints are nearly dependent; infinite where they are. `None` where that cannot be.
+    pub condition: Option<ExprId>,
+    /// Whether a constraint follows from the others wherever they hold.
+    pub is_redundant: bool,
+}
+
+impl ConstraintEquations {
+    /// From the multipliers with their condition, found along a road from these forms.
+    pub(super) fn new(
+        model: &mut Model,
+        forms: &Forms,
+        road: Road,
+        (multipliers, condition): (Vec<ExprId>, Option<ExprId>),
+    ) -> ConstraintEquations {
+        if model.constraints.is_empty() {
+            return ConstraintEquations::default();
+        }
+        let jacobian = constraint_jacobian(model, &forms.pushed);
+        // Forces of contacts change the multipliers, which then are asked for at run time.
+        let acting = if model.reactions.is_empty() { multipliers.clone() } else { model.multipliers() };
+        let forces = constraint_forces(model, &jacobian, &acting);
+        let drifts = drifts(model);
+        let elimination = elimination(model, forms, road);
+        let correction = elimination.as_ref().map(|elimination| correction(model, elimination));
+        let is_redundant = elimination.is_some_and(|elimination| elimination.is_redundant());
+        let correction = correction.unwrap_or_default();
+        ConstraintEquations { multipliers, jacobian, drifts, forces, correction, condition, is_redundant }
+    }
+}
+
+/// The elimination of all unknowns that the road takes.
+pub(super) fn elimination(model: &mut Model, forms: &Forms, road: Road) -> Option<Elimination> {
+    let unknowns = model.unknowns();
+    let graph = &mut model.graph;
+    match road {
+        Road::Recursive => Elimination::recursive(graph, forms.form.clone(), &unknowns),
+        _ => Elimination::dense(graph, forms.pushed.clone(), &unknowns),
+    }
+}
+
+/// What brings the constraints back from the residuals that their multipliers' symbols stand for.
+fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
+    let (unknowns, residuals) = (model.unknowns(), model.multipliers());
+    let count = model.coordinates.len();
+    let graph = &mut model.graph;
+    let mut linear = vec![graph.number(0); count];
+    linear.extend(residuals.into_iter().map(|residual| graph.negate(residual)));
+    let mut values = elimination.solve_again(graph, &linear, &unknowns);
+    values.truncate(count);
+    values
+}
+
+/// b in A a + b = 0. With a rate κ of stabilisation this is c̈ + 2 κ ċ + κ² c = 0, and ċ + κ c = 0 for constraints on
+/// velocities (Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1–16).
+fn drifts(model: &mut Model) -> Vec<ExprId> {
     let mut rates = Rates::new(AccelerationTerms::Dropped);
     let graph = &mut model.graph;
-    for constraint in &model.constraints {
+    let drift = |constraint: &Constraint| {
         let drift = rates.of(graph, constraint.velocity);
+        let Some(rate) = model.stabilisation else { return drift };
+        let slow = graph.multiply(rate, constraint.velocity);
+        if !constraint.is_holonomic {
+            return graph.add(drift, slow);
+        }
+        let slower = graph.multiply(rate, constraint.value);
+        let square = graph.multiply(rate, slower);
+        graph.sum(Number::ZERO, [(drift, Number::ONE), (slow, Number::TWO), (square, Number::ONE)])
+    };
+    model.constraints.iter().map(drift).collect()
+}
+
+/// Adds −λ (A a + b) for every constraint.
+pub(super) fn join_multipliers(model: &mut Model, form: &mut QuadraticForm) {
+    let drifts = drifts(model);
+    let graph = &mut model.graph;
+    for (constraint, drift) in model.constraints.iter().zip(drifts) {
         let opposite = graph.negate(drift);
         form.add_linear(graph, constraint.multiplier, opposite);
         let (coefficient, velocity) = graph.split_coefficient(constraint.velocity);
@@ -111,7 +198,7 @@ pub(super) fn join_multipliers(model: &mut Model, form: &mut QuadraticForm) {
 }
 
 /// A in rows: ∂ċ/∂v of each constraint, from the form that was pushed down to the velocities.
-pub(super) fn constraint_jacobian(model: &mut Model, pushed: &QuadraticForm) -> Vec<Vec<ExprId>> {
+fn constraint_jacobian(model: &mut Model, pushed: &QuadraticForm) -> Vec<Vec<ExprId>> {
     let velocities = model.velocities();
     let graph = &mut model.graph;
     let mut entry = |velocity, multiplier| {
@@ -123,11 +210,7 @@ pub(super) fn constraint_jacobian(model: &mut Model, pushed: &QuadraticForm) -> 
 }
 
 /// Aᵀλ
-pub(super) fn constraint_forces(
-    model: &mut Model,
-    jacobian: &[Vec<ExprId>],
-    multipliers: &[ExprId],
-) -> Vec<ExprId> {
+fn constraint_forces(model: &mut Model, jacobian: &[Vec<ExprId>], multipliers: &[ExprId]) -> Vec<ExprId> {
     let (count, graph) = (model.coordinates.len(), &mut model.graph);
     let force = |i: usize| {
         let terms =

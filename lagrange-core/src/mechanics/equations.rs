@@ -1,12 +1,13 @@
 //! What is derived from a model.
 
-use super::constraints::{constraint_forces, constraint_jacobian, join_multipliers};
+use super::constraints::{ConstraintEquations, join_multipliers};
 use super::contracted::contracted;
 use super::cost::cost;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
 use super::jacobian::{Derivatives, Forms};
 use super::model::{Energies, Model, Product};
+use super::responses::{ReactionEquations, reaction_forces};
 use super::roads::{Road, RoadChoice, Roads, SingularMassMatrix};
 use super::solve::{Solution, push_down, solve_dense};
 use super::structure::{Structure, vanishing};
@@ -29,12 +30,10 @@ const MULTIPLYING_BUDGET: usize = 60;
 pub struct Equations {
     /// q̈ as functions of t, q, v.
     pub accelerations: Vec<ExprId>,
-    /// The multipliers of the constraints as functions of t, q, v.
-    pub multipliers: Vec<ExprId>,
-    /// A in M q̈ = f + Aᵀλ, in rows: what each constraint demands of the velocities is A v + …
-    pub constraint_jacobian: Vec<Vec<ExprId>>,
-    /// Aᵀλ
-    pub constraint_forces: Vec<ExprId>,
+    /// What belongs to the constraints; without any it is empty.
+    pub constraints: ConstraintEquations,
+    /// What belongs to contacts and friction, whose forces the accelerations above leave out.
+    pub reactions: ReactionEquations,
     /// How they are computed.
     pub road: Road,
     /// Whether the road over squares was open: whatever is quadratic in the velocities is a sum of squares of rates.
@@ -49,8 +48,10 @@ pub struct Equations {
     pub bias: Option<Vec<ExprId>>,
     /// ∂L/∂v
     pub momenta: Option<Vec<ExprId>>,
-    /// ∂L/∂q + Q, by which the momenta change
+    /// ∂L/∂q + Q + Aᵀλ, by which the momenta change
     pub momentum_rates: Option<Vec<ExprId>>,
+    /// ∂L/∂q + Q
+    pub free_momentum_rates: Option<Vec<ExprId>>,
     /// v·∂L/∂v − L
     pub energy: Option<ExprId>,
     /// The generalised forces that must be added for given accelerations.
@@ -81,18 +82,18 @@ impl Equations {
         };
         let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
         let forcing = forcing(&mut model.graph, &pushed, &velocities);
-        let constraint_jacobian = constraint_jacobian(model, &pushed);
         let products = model.products.clone();
         let wants = |product: Product| products.contains(&product);
         let differentiated = wants(Product::Jacobian) || wants(Product::ParameterJacobian);
-        let forms = differentiated.then(|| Forms { form: form.clone(), pushed: pushed.clone() });
+        let forms = Forms { form: form.clone(), pushed: pushed.clone() };
         let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
+        let multipliers = solution.values.split_off(velocities.len());
+        let reactions = ReactionEquations::new(model, &forms, road, &multipliers);
+        let constraints = ConstraintEquations::new(model, &forms, road, (multipliers, solution.condition));
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
-        let derivatives = forms.map(|forms| {
-            let accelerations = (&solution.values[..velocities.len()], road);
-            Derivatives::new(model, &split, forms, accelerations)
-        });
+        let derivatives =
+            differentiated.then(|| Derivatives::new(model, &split, forms, (&solution.values, road)));
         let differentiate = |model: &mut Model, product: Product, variables: Vec<ExprId>| {
             Some(derivatives.as_ref().filter(|_| wants(product))?.by(model, &variables))
         };
@@ -101,12 +102,10 @@ impl Equations {
         let constants =
             model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol).collect();
         let parameter_jacobian = differentiate(model, Product::ParameterJacobian, constants);
-        let multipliers = solution.values.split_off(velocities.len());
-        let constraint_forces = constraint_forces(model, &constraint_jacobian, &multipliers);
+        let rates = wants(Product::MomentumRates).then(|| free_momentum_rates(model));
+        let touching = reaction_forces(model, &reactions);
         let mut equations = Equations {
             accelerations: solution.values,
-            multipliers,
-            constraint_jacobian,
             road,
             is_sum_of_squares: !split.has_other_inertia,
             costs,
@@ -116,8 +115,10 @@ impl Equations {
                 .then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
             momenta: wants(Product::Momenta)
                 .then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
-            momentum_rates: wants(Product::MomentumRates).then(|| momentum_rates(model, &constraint_forces)),
-            constraint_forces,
+            momentum_rates: rates.as_ref().map(|rates| sums(model, rates, &[&constraints.forces, &touching])),
+            free_momentum_rates: rates.as_ref().map(|rates| sums(model, rates, &[&touching])),
+            constraints,
+            reactions,
             energy: wants(Product::Energy).then(|| energy_function(model)),
             inverse_dynamics: wants(Product::InverseDynamics)
                 .then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
@@ -132,19 +133,26 @@ impl Equations {
         Ok(equations)
     }
 
-    /// Whether the mass matrix is constant during the motion and no acceleration depends on a velocity. It is judged
-    /// by what the expressions mention: a velocity that cancels unseen still counts.
-    pub fn is_separable(&self, graph: &Graph) -> bool {
-        let moving = Dependencies::VELOCITY;
-        let depends = |&acceleration: &ExprId| graph.dependencies(acceleration).intersects(moving);
-        self.structure.mass.is_constant && !self.accelerations.iter().any(depends)
+    /// Whether the mass matrix is constant during the motion and nothing but constraint forces depends on a velocity. It is
+    /// judged by what the expressions mention: a velocity that cancels unseen still counts.
+    pub fn is_separable(&self, model: &Model) -> bool {
+        let depends = |&value: &ExprId| model.graph.dependencies(value).intersects(Dependencies::VELOCITY);
+        let free = if model.constraints.is_empty() { &self.accelerations } else { &self.forcing };
+        let is_held = model.constraints.iter().all(|constraint| constraint.is_holonomic);
+        let is_free = model.reactions.is_empty();
+        self.structure.mass.is_constant && is_held && is_free && !free.iter().any(depends)
     }
 
     /// Writes what is emitted beside the accelerations with as little to cancel as is found.
     fn contract(&mut self, model: &mut Model) {
         let mut places = self.mass_matrix.iter_mut().flatten().chain(&mut self.forcing).collect::<Vec<_>>();
-        let optional =
-            [&mut self.bias, &mut self.momenta, &mut self.momentum_rates, &mut self.inverse_dynamics];
+        let optional = [
+            &mut self.bias,
+            &mut self.momenta,
+            &mut self.momentum_rates,
+            &mut self.free_momentum_rates,
+            &mut self.inverse_dynamics,
+        ];
         places.extend(optional.into_iter().flatten().flatten());
         places.extend(&mut self.energy);
         if let Energies::Separate { kinetic, potential } = &mut model.energies {
@@ -228,21 +236,28 @@ pub(super) fn residual(
     velocities.iter().map(|&v| pushed.linear(&mut model.graph, v)).collect()
 }
 
-/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate.
-fn momentum_rates(model: &mut Model, constraint_forces: &[ExprId]) -> Vec<ExprId> {
+/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act.
+fn free_momentum_rates(model: &mut Model) -> Vec<ExprId> {
     let (positions, velocities) = (model.positions(), model.velocities());
     let graph = &mut model.graph;
     let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
     let slopes = gradient(graph, model.lagrangian, &positions);
     let forces = adjoint(graph, &loads, &velocities);
     let resistances = gradient(graph, model.dissipation, &velocities);
-    let losses = resistances.into_iter().zip(constraint_forces);
-    let rates =
-        slopes.into_iter().zip(forces).zip(losses).map(|((slope, force), (resistance, &reaction))| {
-            let gains = [slope, force, reaction].map(|gain| (gain, Number::ONE));
-            graph.sum(Number::ZERO, gains.into_iter().chain([(resistance, Number::MINUS_ONE)]))
-        });
+    let rates = slopes.into_iter().zip(forces).zip(resistances).map(|((slope, force), resistance)| {
+        let terms = [(slope, Number::ONE), (force, Number::ONE), (resistance, Number::MINUS_ONE)];
+        graph.sum(Number::ZERO, terms)
+    });
     rates.collect()
+}
+
+/// Each of `values` and what is added to it, if anything is.
+fn sums(model: &mut Model, values: &[ExprId], added: &[&[ExprId]]) -> Vec<ExprId> {
+    let sum = |(i, &value): (usize, &ExprId)| {
+        let terms = added.iter().filter_map(|list| list.get(i).copied()).chain([value]).collect::<Vec<_>>();
+        model.graph.total(terms)
+    };
+    values.iter().enumerate().map(sum).collect()
 }
 
 /// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7).

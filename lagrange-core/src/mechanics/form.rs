@@ -98,6 +98,13 @@ impl QuadraticForm {
         total(graph, self.pairs.get(&(i.min(j), i.max(j))).cloned())
     }
 
+    /// Wᵢⱼ for all other j that share a term with i.
+    pub(super) fn couplings(&self, graph: &mut Graph, i: ExprId) -> Vec<ExprId> {
+        let near =
+            self.neighbours.get(&i).into_iter().flatten().filter(|&&j| j != i).copied().collect::<Vec<_>>();
+        near.into_iter().map(|j| self.coefficient(graph, i, j)).collect()
+    }
+
     /// cᵢ
     pub(super) fn linear(&self, graph: &mut Graph, i: ExprId) -> ExprId {
         total(graph, self.linear.get(&i).cloned())

@@ -1,11 +1,12 @@
 //! Elimination: from the quadratic form to mass matrix, forcing and accelerations.
 
 use super::form::QuadraticForm;
+use super::pivot::{Eliminated, Rest, eliminate, eliminate_pair, freed};
 use super::sweep::{Multiples, Step, Sweep};
 use crate::collections::HashMap;
-use crate::expr::{Dependencies, ExprId, Graph};
+use crate::expr::{Dependencies, ExprId, Function, Graph};
+use crate::functions;
 use crate::number::Number;
-use crate::simplify;
 
 /// Pushes everything down to the generalised velocities.
 pub(super) fn push_down(graph: &mut Graph, mut form: QuadraticForm, velocities: &[ExprId]) -> QuadraticForm {
@@ -16,16 +17,6 @@ pub(super) fn push_down(graph: &mut Graph, mut form: QuadraticForm, velocities: 
     form
 }
 
-/// One eliminated velocity: a = free − Σ factor·x over the remaining variables.
-struct Eliminated {
-    velocity: ExprId,
-    free: ExprId,
-    factors: Vec<(ExprId, ExprId)>,
-    pivot: ExprId,
-    /// Minus the right-hand side that is left when this velocity is eliminated.
-    bias: ExprId,
-}
-
 /// The stationary point of a form, and names for what was computed on the way.
 #[derive(Clone, Debug)]
 pub(super) struct Solution {
@@ -33,6 +24,8 @@ pub(super) struct Solution {
     pub(super) values: Vec<ExprId>,
     /// Names for pivots, factors and biases.
     pub(super) labels: Vec<(ExprId, String)>,
+    /// How much of the constraints the others leave, as [`Elimination::condition`] says; `None` if they are always independent.
+    pub(super) condition: Option<ExprId>,
 }
 
 /// Solves a form that has been pushed down; `None` if the equations are structurally singular.
@@ -74,6 +67,10 @@ pub(super) struct Elimination {
     moves: Vec<Move>,
     /// How the variables that remained at an elimination are made of velocities, if they were not themselves.
     sweep: Option<Sweep>,
+    /// Multipliers of constraints that follow from others wherever they hold.
+    redundant: Vec<ExprId>,
+    /// By how much a multiplier's square, or the row of a constraint, is larger than what is divided by.
+    ratios: Vec<ExprId>,
 }
 
 impl Elimination {
@@ -89,8 +86,8 @@ impl Elimination {
         let (mut multipliers, mut velocities) = separated(graph, unknowns);
         let mut elimination = Elimination::default();
         elimination.eliminate_massless(graph, &mut form, &mut velocities, &mut multipliers)?;
-        elimination.eliminate_all(graph, &mut form, velocities)?;
-        elimination.eliminate_all(graph, &mut form, multipliers)?;
+        elimination.eliminate_all(graph, &mut form, velocities, &mut multipliers)?;
+        elimination.eliminate_multipliers(graph, &mut form, multipliers)?;
         Some(elimination)
     }
 
@@ -120,7 +117,7 @@ impl Elimination {
         if elimination.eliminated.len() < velocities.len() {
             return None;
         }
-        elimination.eliminate_all(graph, &mut form, multipliers)?;
+        elimination.eliminate_multipliers(graph, &mut form, multipliers)?;
         Some(elimination)
     }
 
@@ -136,17 +133,60 @@ impl Elimination {
             let partner = |&id: &ExprId| form.has_pair(velocities[position], id) && !form.has_square(id);
             let Some(multiplier) = multipliers.iter().position(partner) else { break };
             let (velocity, multiplier) = (velocities.remove(position), multipliers.remove(multiplier));
-            self.push_pair(eliminate_pair(graph, form, velocity, multiplier)?);
+            self.push_held(graph, form, velocity, multiplier)?;
         }
         Some(())
     }
 
-    /// Eliminates these unknowns; rows with the fewest neighbours go first.
+    /// Eliminates a velocity without inertia with the multiplier of a constraint that determines it.
+    fn push_held(
+        &mut self,
+        graph: &mut Graph,
+        form: &mut QuadraticForm,
+        velocity: ExprId,
+        multiplier: ExprId,
+    ) -> Option<()> {
+        let row = form.couplings(graph, multiplier);
+        let pair = eliminate_pair(graph, form, velocity, multiplier)?;
+        let parts = row.into_iter().map(|weight| functions::apply(graph, Function::Abs, &[weight]));
+        let parts = parts.collect::<Vec<_>>();
+        let size = graph.total(parts);
+        self.ratios.push(ratio(graph, size, pair[0].pivot));
+        self.push_pair(pair);
+        Some(())
+    }
+
+    /// Eliminates the multipliers, whose squares −A M⁻¹ Aᵀ are complete. A constraint without any left follows from others.
+    fn eliminate_multipliers(
+        &mut self,
+        graph: &mut Graph,
+        form: &mut QuadraticForm,
+        multipliers: Vec<ExprId>,
+    ) -> Option<()> {
+        let squares = multipliers.iter().map(|&id| (id, form.coefficient(graph, id, id)));
+        let squares = squares.collect::<HashMap<_, _>>();
+        let (first, mut remaining) = (self.eliminated.len(), multipliers);
+        for &id in &remaining {
+            form.drop_vanished_square(graph, id);
+        }
+        let is_empty = |form: &QuadraticForm, id: ExprId| !form.has_square(id) && form.degree(id) == 0;
+        self.redundant = remaining.extract_if(.., |&mut id| is_empty(form, id)).collect();
+        self.eliminate_all(graph, form, remaining, &mut Vec::new())?;
+        for step in &self.eliminated[first..] {
+            let Some(&square) = squares.get(&step.velocity) else { continue };
+            self.ratios.push(ratio(graph, square, step.pivot));
+        }
+        Some(())
+    }
+
+    /// Eliminates these unknowns; rows with the fewest neighbours go first. What has no square of its own goes with another, or
+    /// with one of `partners`, which is taken out of them.
     fn eliminate_all(
         &mut self,
         graph: &mut Graph,
         form: &mut QuadraticForm,
         mut remaining: Vec<ExprId>,
+        partners: &mut Vec<ExprId>,
     ) -> Option<()> {
         while !remaining.is_empty() {
             let candidates = remaining.iter().enumerate().filter(|(_, v)| form.has_square(**v));
@@ -156,8 +196,13 @@ impl Elimination {
                 Some((position, _)) => self.push(eliminate(graph, form, remaining.remove(position))?),
                 None => {
                     let first = remaining.remove(0);
-                    let position = remaining.iter().position(|&v| form.has_pair(first, v))?;
-                    self.push_pair(eliminate_pair(graph, form, first, remaining.remove(position))?);
+                    let is_near = |&id: &ExprId| form.has_pair(first, id);
+                    if let Some(position) = remaining.iter().position(is_near) {
+                        self.push_pair(eliminate_pair(graph, form, first, remaining.remove(position))?);
+                    } else {
+                        let position = partners.iter().position(|id| is_near(id) && !form.has_square(*id))?;
+                        self.push_held(graph, form, first, partners.remove(position))?;
+                    }
                 }
             }
         }
@@ -178,7 +223,22 @@ impl Elimination {
     pub(super) fn solution(&self, graph: &mut Graph, unknowns: &[ExprId]) -> Solution {
         let free = self.eliminated.iter().map(|step| step.free).collect::<Vec<_>>();
         let values = self.substitute_back(graph, &free, unknowns);
-        Solution { values, labels: labels(graph, &self.eliminated, unknowns) }
+        let condition = self.condition(graph);
+        Solution { values, labels: labels(graph, &self.eliminated, unknowns), condition }
+    }
+
+    /// The largest of the factors by which rounding grows where constraints are nearly dependent; infinite where they are. `None`
+    /// if it is one everywhere.
+    fn condition(&self, graph: &mut Graph) -> Option<ExprId> {
+        let mut ratios =
+            self.ratios.iter().copied().filter(|&ratio| !graph.is_one(ratio)).collect::<Vec<_>>();
+        ratios.dedup();
+        ratios.into_iter().reduce(|a, b| functions::apply(graph, Function::Max, &[a, b]))
+    }
+
+    /// Whether a constraint follows from others wherever they hold.
+    pub(super) fn is_redundant(&self) -> bool {
+        !self.redundant.is_empty()
     }
 
     /// The stationary point of the form with another linear part, given by its coefficients at the unknowns: without
@@ -216,7 +276,8 @@ impl Elimination {
     }
 
     fn substitute_back(&self, graph: &mut Graph, free: &[ExprId], unknowns: &[ExprId]) -> Vec<ExprId> {
-        let mut known: HashMap<ExprId, ExprId> = HashMap::default();
+        let zero = graph.number(0);
+        let mut known = self.redundant.iter().map(|&id| (id, zero)).collect::<HashMap<_, _>>();
         for (step, &free) in self.eliminated.iter().zip(free).rev() {
             let mut terms = vec![(free, Number::ONE)];
             for &(j, factor) in &step.factors {
@@ -230,111 +291,11 @@ impl Elimination {
     }
 }
 
-/// −value/pivot
-fn freed(graph: &mut Graph, step: &Eliminated, value: ExprId) -> ExprId {
-    let inverse = graph.reciprocal(step.pivot);
-    let quotient = graph.multiply(value, inverse);
-    graph.negate(quotient)
-}
-
-/// A linear part while velocities are eliminated.
-#[derive(Default)]
-struct Rest(HashMap<ExprId, Vec<ExprId>>);
-
-impl Rest {
-    fn add(&mut self, variable: ExprId, value: ExprId) {
-        self.0.get_or_insert_with(variable, Vec::new).push(value);
-    }
-
-    fn take(&mut self, graph: &mut Graph, variable: ExprId) -> ExprId {
-        graph.total(self.0.remove(&variable).unwrap_or_default())
-    }
-
-    fn subtract(&mut self, graph: &mut Graph, factors: &[(ExprId, ExprId)], value: ExprId) {
-        for &(j, factor) in factors {
-            let product = graph.multiply(factor, value);
-            self.add(j, graph.negate(product));
-        }
-    }
-
-    fn substitute(&mut self, graph: &mut Graph, step: &Step) {
-        match step {
-            Step::Replace(id, parts) => {
-                let value = self.take(graph, *id);
-                for &(part, slope) in parts {
-                    self.add(part, graph.multiply(slope, value));
-                }
-            }
-            Step::Collapse(target, multiples) => {
-                for &(id, slope) in multiples {
-                    let value = self.take(graph, id);
-                    self.add(*target, graph.multiply(slope, value));
-                }
-            }
-        }
-    }
-}
-
-fn eliminate(graph: &mut Graph, form: &mut QuadraticForm, velocity: ExprId) -> Option<Eliminated> {
-    let row = form.take(graph, velocity);
-    if graph.is_zero(row.own) {
-        return None;
-    }
-    let inverse = graph.reciprocal(row.own);
-    let mut factors = Vec::with_capacity(row.pairs.len());
-    for &(j, weight) in &row.pairs {
-        factors.push((j, graph.multiply(weight, inverse)));
-    }
-    for (n, &(j, factor)) in factors.iter().enumerate() {
-        let linear = graph.multiply(factor, row.linear);
-        let opposite = graph.negate(linear);
-        form.add_linear(graph, j, opposite);
-        for &(k, weight) in &row.pairs[n..] {
-            let fill = graph.multiply(factor, weight);
-            let opposite = graph.negate(fill);
-            form.add_pair(graph, j, k, opposite);
-        }
-    }
-    let free = match row.pairs.is_empty() {
-        true => simplify::quotient(graph, row.linear, row.own),
-        // What is divided by the pivot is shared with other rows.
-        false => graph.multiply(row.linear, inverse),
-    };
-    Some(Eliminated { velocity, free: graph.negate(free), factors, pivot: row.own, bias: row.linear })
-}
-
-/// Eliminates two velocities without squares, whose product is their only term: of a form like ẋ·ẏ, which is no
-/// kinetic energy but may stand in a Lagrangian. Each acceleration follows from the row of the other.
-fn eliminate_pair(
-    graph: &mut Graph,
-    form: &mut QuadraticForm,
-    first: ExprId,
-    second: ExprId,
-) -> Option<[Eliminated; 2]> {
-    let mut row = form.take(graph, first);
-    let position = row.pairs.iter().position(|(j, _)| *j == second)?;
-    let (_, coupling) = row.pairs.remove(position);
-    let other = form.take(graph, second);
-    let inverse = graph.reciprocal(coupling);
-    let steps = [(first, &other), (second, &row)].map(|(velocity, row)| {
-        let factors = row.pairs.iter().map(|&(j, weight)| (j, graph.multiply(weight, inverse))).collect();
-        let free = graph.multiply(row.linear, inverse);
-        Eliminated { velocity, free: graph.negate(free), factors, pivot: coupling, bias: row.linear }
-    });
-    for (row, step) in [(&row, &steps[0]), (&other, &steps[1])] {
-        for &(k, weight) in &row.pairs {
-            let linear = graph.multiply(weight, step.free);
-            form.add_linear(graph, k, linear);
-        }
-    }
-    for &(j, weight) in &row.pairs {
-        for &(k, factor) in &steps[0].factors {
-            let fill = graph.multiply(weight, factor);
-            let fill = if j == k { graph.scale(-&Number::TWO, fill) } else { graph.negate(fill) };
-            form.add_pair(graph, j, k, fill);
-        }
-    }
-    Some(steps)
+/// |whole/part|
+fn ratio(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprId {
+    let inverse = graph.reciprocal(part);
+    let ratio = graph.multiply(whole, inverse);
+    functions::apply(graph, Function::Abs, &[ratio])
 }
 
 fn labels(graph: &mut Graph, eliminated: &[Eliminated], velocities: &[ExprId]) -> Vec<(ExprId, String)> {

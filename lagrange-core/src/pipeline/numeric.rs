@@ -82,7 +82,7 @@ impl NumericSystem {
             inputs: model.inputs.iter().map(|p| default(p.default)).collect(),
             size: model.coordinates.len(),
             accelerations: lowered(&equations.accelerations),
-            multipliers: lowered(&equations.multipliers),
+            multipliers: lowered(&equations.constraints.multipliers),
             products: products.collect(),
             outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
         }
@@ -113,7 +113,7 @@ impl NumericSystem {
             Role::Velocity(i) => entry(at.v, i),
             Role::Acceleration(i) => entry(at.a, i),
             Role::Multiplier(i) => entry(at.multipliers, i),
-            Role::Placeholder(_) => f64::NAN,
+            Role::Reaction(_) | Role::Placeholder(_) => f64::NAN,
         })
     }
 

@@ -84,6 +84,8 @@ impl StatementKind {
             | StatementKind::Constants(list) => list.iter().map(|definition| &definition.name).collect(),
             StatementKind::Coordinates(names) | StatementKind::LetTuple(names, _) => names.iter().collect(),
             StatementKind::Let(name, _) | StatementKind::Constraint(name, _) => vec![name],
+            StatementKind::Event(event) => vec![&event.name],
+            StatementKind::Friction(friction) => vec![&friction.name],
             _ => Vec::new(),
         }
     }
@@ -149,8 +151,12 @@ pub struct Statement {
 impl StatementKind {
     /// Whether it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
-        use StatementKind::{Constraint, Coordinates, Inputs, Output, Parameters, Reduce};
-        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Constraint(..) | Output(..) | Reduce(_))
+        use StatementKind::{Constraint, Coordinates, Event, Friction, Inputs, Output, Parameters, Reduce};
+        match self {
+            Parameters(_) | Inputs(_) | Coordinates(_) | Constraint(..) | Event(_) | Friction(_) => true,
+            Output(..) | Reduce(_) => true,
+            _ => false,
+        }
     }
 }
 
@@ -195,12 +201,81 @@ pub enum StatementKind {
     },
     /// `constraint name = e;`
     Constraint(Name, AstId),
+    /// `stabilise = e;`
+    Stabilise(AstId),
+    /// `event name = e, falling => stop;`
+    Event(Event),
+    /// `friction name = e, e;`
+    Friction(Friction),
     /// `output name = e;`
     Output(Name, AstId),
     /// `emit { a, no b }`
     Emit(Vec<EmitItem>),
     /// `reduce Name { freeze x = e; small theta; }`
     Reduce(Reduction),
+}
+
+/// A zero to be found during a motion, and what happens there.
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// Its name.
+    pub name: Name,
+    /// What is zero.
+    pub value: AstId,
+    /// Which zeros count.
+    pub direction: Direction,
+    /// Where that is said.
+    pub direction_span: Span,
+    /// What happens.
+    pub action: Action,
+}
+
+/// How a function passes zero as time goes on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Direction {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// Either.
+    Crossing,
+}
+
+/// What happens at an event.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// `stop`: the motion ends.
+    Stop,
+    /// `record`: it goes on.
+    Record,
+    /// `impact(e)`: bodies touch; the coefficient of restitution.
+    Impact(AstId),
+    /// `{ dot(x) = e; y = e; }`: the state changes.
+    Assign(Vec<Assignment>),
+}
+
+/// One `target = value;` of an event.
+#[derive(Clone, Copy, Debug)]
+pub struct Assignment {
+    /// What changes: should be `x` or `dot(x)` of a coordinate.
+    pub target: AstId,
+    /// To what.
+    pub value: AstId,
+}
+
+/// Dry friction.
+#[derive(Clone, Debug)]
+pub struct Friction {
+    /// Its name.
+    pub name: Name,
+    /// The slip velocity.
+    pub slip: AstId,
+    /// The magnitude of the force while it slips.
+    pub kinetic: AstId,
+    /// The largest magnitude of the force while it sticks, if that is not the same.
+    pub fixed: Option<AstId>,
+    /// The range of slip velocities over which the force changes its sign, if it is smooth.
+    pub width: Option<AstId>,
 }
 
 /// A second type with fewer or simpler motions.
