@@ -10,11 +10,14 @@
 
 mod least_norm;
 mod orthogonal;
+mod values;
 mod violation;
 
 pub use self::least_norm::{
     RedundantMotion, least_norm, rank_tolerance, redundant_correction, redundant_motion,
 };
+pub use self::values::ConstraintValues;
+pub(crate) use self::values::inner;
 pub use self::violation::Violation;
 
 use crate::system::{MechanicalSystem, StateVector};

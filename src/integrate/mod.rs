@@ -28,11 +28,13 @@ mod canonical;
 mod canonical_systems;
 mod clock;
 mod compensated;
+#[cfg(test)]
+mod constrained_systems;
 mod error;
 mod fixed;
 mod gauss;
 mod interpolation;
-mod linear;
+pub(crate) mod linear;
 mod method;
 mod newton;
 mod prediction;

@@ -134,8 +134,16 @@ impl Writer<'_> {
         let krate = self.shape.krate;
         let (body, _) = self.lowered(&roots, Arguments::State, |results| {
             let (known, vectors) = results.split_at((n + m) * n);
-            let (matrices, (forcing, drifts)) = (matrix_arguments(known, n, m), vectors.split_at(n));
-            quote!(#krate::constraint::redundant_motion(#matrices, &[#(#forcing),*], &[#(#drifts),*]))
+            let [mass_matrix, jacobian] = matrices(known, n, m);
+            let (forcing, drifts) = vectors.split_at(n);
+            quote! {
+                #krate::constraint::redundant_motion(
+                    &#mass_matrix,
+                    &[#(#forcing),*],
+                    &#jacobian,
+                    &[#(#drifts),*],
+                )
+            }
         });
         let (scalar, n, m) = (self.shape.scalar(), length(n), length(m));
         let ArgumentNames { time, positions, velocities, .. } = &self.names;
@@ -160,8 +168,8 @@ impl Writer<'_> {
         let (krate, residuals) = (self.shape.krate, self.names.residuals.clone());
         let roots = self.matrices();
         let (body, _) = self.lowered(&roots, Arguments::State, |results| {
-            let matrices = matrix_arguments(results, n, m);
-            quote!(#krate::constraint::redundant_correction(#matrices, #residuals))
+            let [mass_matrix, jacobian] = matrices(results, n, m);
+            quote!(#krate::constraint::redundant_correction(&#mass_matrix, &#jacobian, #residuals))
         });
         let (scalar, n, m) = (self.shape.scalar(), length(n), length(m));
         let ArgumentNames { time, positions, velocities, .. } = &self.names;
@@ -187,12 +195,10 @@ impl Writer<'_> {
     }
 }
 
-/// M and A as arguments.
-fn matrix_arguments(entries: &[TokenStream], n: usize, m: usize) -> TokenStream {
+/// M and A of their entries.
+fn matrices(entries: &[TokenStream], n: usize, m: usize) -> [TokenStream; 2] {
     let (mass_matrix, jacobian) = entries.split_at(n * n);
-    let mass_matrix = Returns::Matrix(n, n).collect(mass_matrix);
-    let jacobian = Returns::Matrix(m, n).collect(jacobian);
-    quote!(&#mass_matrix, &#jacobian)
+    [Returns::Matrix(n, n).collect(mass_matrix), Returns::Matrix(m, n).collect(jacobian)]
 }
 
 /// The methods by which users get back onto the constraints.

@@ -72,8 +72,11 @@ pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
     let ArgumentNames { time, state, .. } = &parts.names;
     let events = names.iter().map(|(name, direction)| {
-        let (name, direction) = (&name.text, direction_tokens(shape, *direction));
-        quote!(#krate::event::DeclaredEvent { name: #name, direction: #direction })
+        let name = &name.text;
+        match direction.map(|direction| direction_tokens(shape, direction)) {
+            Some(direction) => quote!(#krate::event::DeclaredEvent::new(#name, #direction)),
+            None => quote!(#krate::event::DeclaredEvent::switch(#name)),
+        }
     });
     let (values, event) = (local("values"), local("event"));
     let functions = (!shape.events.is_empty()).then(|| {

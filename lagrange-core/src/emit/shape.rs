@@ -74,15 +74,14 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// Names and directions of all events: as declared, then those by which friction changes its mode.
-    pub(super) fn event_names(&self) -> Vec<(&'a Name, Direction)> {
+    /// Names and directions of all events, as declared and then those of friction. Those that switch modes have no direction.
+    pub(super) fn event_names(&self) -> Vec<(&'a Name, Option<Direction>)> {
         let declared = self.events.iter().map(|event| match event.action {
-            // What is watched is positive while the mode lasts.
-            Action::Impact(_) => (&event.name, Direction::Falling),
-            _ => (&event.name, event.direction),
+            Action::Impact(_) => (&event.name, None),
+            _ => (&event.name, Some(event.direction)),
         });
         let friction = self.touching.iter().filter(|(_, touch)| *touch == Touch::Friction);
-        declared.chain(friction.map(|(name, _)| (*name, Direction::Falling))).collect()
+        declared.chain(friction.map(|(name, _)| (*name, None))).collect()
     }
 
     /// For each reaction the index of the event by which it changes its mode, if it has one.

@@ -156,7 +156,7 @@ impl Elimination {
         Some(())
     }
 
-    /// Eliminates the multipliers, whose squares −A M⁻¹ Aᵀ are complete. A constraint without any left follows from others.
+    /// Eliminates the multipliers, whose squares −A M⁻¹ Aᵀ are complete. A constraint of which nothing is left follows from others.
     fn eliminate_multipliers(
         &mut self,
         graph: &mut Graph,
@@ -165,13 +165,8 @@ impl Elimination {
     ) -> Option<()> {
         let squares = multipliers.iter().map(|&id| (id, form.coefficient(graph, id, id)));
         let squares = squares.collect::<HashMap<_, _>>();
-        let (first, mut remaining) = (self.eliminated.len(), multipliers);
-        for &id in &remaining {
-            form.drop_vanished_square(graph, id);
-        }
-        let is_empty = |form: &QuadraticForm, id: ExprId| !form.has_square(id) && form.degree(id) == 0;
-        self.redundant = remaining.extract_if(.., |&mut id| is_empty(form, id)).collect();
-        self.eliminate_all(graph, form, remaining, &mut Vec::new())?;
+        let first = self.eliminated.len();
+        self.eliminate_all(graph, form, multipliers, &mut Vec::new())?;
         for step in &self.eliminated[first..] {
             let Some(&square) = squares.get(&step.velocity) else { continue };
             self.ratios.push(ratio(graph, square, step.pivot));
@@ -196,6 +191,10 @@ impl Elimination {
                 Some((position, _)) => self.push(eliminate(graph, form, remaining.remove(position))?),
                 None => {
                     let first = remaining.remove(0);
+                    if is_multiplier(graph, first) && form.degree(first) == 0 {
+                        self.redundant.push(first);
+                        continue;
+                    }
                     let is_near = |&id: &ExprId| form.has_pair(first, id);
                     if let Some(position) = remaining.iter().position(is_near) {
                         self.push_pair(eliminate_pair(graph, form, first, remaining.remove(position))?);

@@ -1,0 +1,50 @@
+//! What methods for these systems have in common, as checks.
+
+use crate::integrate::canonical_systems::checks::{distance, reached};
+use crate::integrate::{Method, Verner98, integrate};
+use crate::system::{CanonicalSystem, OdeSystem, split};
+
+/// Halving steps divides the error by two to the order of the method, within a tenth of the order.
+pub(crate) fn check_order<M, K>(system: &M, start: M::State, end: f64, steps: u32, method: impl Fn(f64) -> K)
+where
+    M: OdeSystem<Scalar = f64>,
+    K: Method<M>,
+{
+    let reference = reached(system, 0.0, start, end, &Verner98::tolerance(1e-13));
+    let error = |steps| {
+        let end = reached(system, 0.0, start, end, &method(end / f64::from(steps)));
+        distance(end.as_ref(), reference.as_ref())
+    };
+    let (coarse, fine, order) = (error(steps), error(2 * steps), method(1.0).order());
+    let observed = (coarse / fine).log2();
+    assert!((observed - f64::from(order)).abs() < 0.1, "{observed}: {coarse:e}, {fine:e}");
+}
+
+/// The largest residuals of constraints on the way: of positions and of velocities.
+pub(crate) fn residuals<M, K>(system: &M, start: M::State, end: f64, method: &K) -> [f64; 2]
+where
+    M: CanonicalSystem<Scalar = f64>,
+    K: Method<M>,
+{
+    let mut largest = [0.0_f64; 2];
+    let size = |residuals: &M::Coordinates| residuals.as_ref().iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    integrate(system, 0.0, start, end, method, |t, y| {
+        let (q, v) = split::<M>(y);
+        let values = system.constraint_values(t, &q, &v);
+        largest = [largest[0].max(size(&values.positions)), largest[1].max(size(&values.velocities))];
+    })
+    .expect("converges");
+    largest
+}
+
+/// How far a step back is from undoing what was done.
+pub(crate) fn defect_of_symmetry<M, K>(system: &M, start: M::State, end: f64, method: &K) -> f64
+where
+    M: OdeSystem<Scalar = f64>,
+    K: Method<M>,
+{
+    let there = reached(system, 0.0, start, end, method);
+    assert!(distance(there.as_ref(), start.as_ref()) > 0.1);
+    let back = reached(system, end, there, 0.0, method);
+    distance(back.as_ref(), start.as_ref())
+}
