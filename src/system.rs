@@ -92,6 +92,16 @@ pub trait OdeSystem {
         Ok(())
     }
 
+    /// Brings a state from which a motion starts, or goes on after it was replaced, onto the constraints if it nearly satisfies
+    /// them; methods ask for this before their first step from there.
+    ///
+    /// # Errors
+    /// If it does not satisfy them; the state is then what it was.
+    #[inline]
+    fn admit(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+        self.correct(t, y)
+    }
+
     /// The events of the declaration, at most [`MOST_DECLARED`](crate::event::MOST_DECLARED). Runs look for them without
     /// being asked.
     const EVENTS: &'static [DeclaredEvent] = &[];
