@@ -28,6 +28,9 @@ mod canonical;
 mod canonical_systems;
 mod clock;
 mod compensated;
+#[cfg(test)]
+mod constrained;
+mod corrected;
 mod error;
 mod fixed;
 mod gauss;

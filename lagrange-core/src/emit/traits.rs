@@ -53,6 +53,14 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             ) -> ::core::result::Result<(), #krate::integrate::Cause<#scalar>> {
                 #krate::constraint::correct(self, #time, #state)
             }
+            #[inline]
+            fn admit(
+                &self,
+                #time: #scalar,
+                #state: &mut [#scalar; #twice],
+            ) -> ::core::result::Result<(), #krate::integrate::Cause<#scalar>> {
+                #krate::constraint::admit(self, #time, #state)
+            }
         }
     });
     quote! {
