@@ -97,6 +97,7 @@ impl<'a> Shape<'a> {
         let mut first = |name: &Name| seen.insert(name.text.clone(), ()).is_none();
         self.fields.retain(|name| first(name));
         self.coordinates.retain(|name| first(name));
+        self.touching.retain(|(name, _)| first(name));
         self.outputs.retain(|(name, _)| first(name));
     }
 

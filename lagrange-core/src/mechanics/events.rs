@@ -1,5 +1,8 @@
 //! `event` statements: zeros to be found during a motion, and what happens there.
 
+#[cfg(test)]
+mod tests;
+
 use super::elaborate::Elaborator;
 use super::messages::events as messages;
 use super::model::{Action, Assignment, Event};

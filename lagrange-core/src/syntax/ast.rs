@@ -3,12 +3,15 @@
 //! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth are
 //! built, walked and dropped without recursion. Children have smaller ids than their parents.
 
+mod events;
+
 use proc_macro2::{Span, TokenStream};
 
 use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
 use crate::number::Number;
+pub use events::{Action, Assignment, Direction, Event, Friction};
 
 /// A whole `system!` declaration.
 #[derive(Clone, Debug)]
@@ -77,7 +80,7 @@ impl Declaration {
 
 impl StatementKind {
     /// The names that expressions behind the statement may mention.
-    fn declared_names(&self) -> Vec<&Name> {
+    pub(super) fn declared_names(&self) -> Vec<&Name> {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
@@ -152,11 +155,8 @@ impl StatementKind {
     /// Whether it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
         use StatementKind::{Constraint, Coordinates, Event, Friction, Inputs, Output, Parameters, Reduce};
-        match self {
-            Parameters(_) | Inputs(_) | Coordinates(_) | Constraint(..) | Event(_) | Friction(_) => true,
-            Output(..) | Reduce(_) => true,
-            _ => false,
-        }
+        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Constraint(..) | Event(_))
+            || matches!(self, Friction(_) | Output(..) | Reduce(_))
     }
 }
 
@@ -213,69 +213,6 @@ pub enum StatementKind {
     Emit(Vec<EmitItem>),
     /// `reduce Name { freeze x = e; small theta; }`
     Reduce(Reduction),
-}
-
-/// A zero to be found during a motion, and what happens there.
-#[derive(Clone, Debug)]
-pub struct Event {
-    /// Its name.
-    pub name: Name,
-    /// What is zero.
-    pub value: AstId,
-    /// Which zeros count.
-    pub direction: Direction,
-    /// Where that is said.
-    pub direction_span: Span,
-    /// What happens.
-    pub action: Action,
-}
-
-/// How a function passes zero as time goes on.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Direction {
-    /// From negative to positive.
-    Rising,
-    /// From positive to negative.
-    Falling,
-    /// Either.
-    Crossing,
-}
-
-/// What happens at an event.
-#[derive(Clone, Debug)]
-pub enum Action {
-    /// `stop`: the motion ends.
-    Stop,
-    /// `record`: it goes on.
-    Record,
-    /// `impact(e)`: bodies touch; the coefficient of restitution.
-    Impact(AstId),
-    /// `{ dot(x) = e; y = e; }`: the state changes.
-    Assign(Vec<Assignment>),
-}
-
-/// One `target = value;` of an event.
-#[derive(Clone, Copy, Debug)]
-pub struct Assignment {
-    /// What changes: should be `x` or `dot(x)` of a coordinate.
-    pub target: AstId,
-    /// To what.
-    pub value: AstId,
-}
-
-/// Dry friction.
-#[derive(Clone, Debug)]
-pub struct Friction {
-    /// Its name.
-    pub name: Name,
-    /// The slip velocity.
-    pub slip: AstId,
-    /// The magnitude of the force while it slips.
-    pub kinetic: AstId,
-    /// The largest magnitude of the force while it sticks, if that is not the same.
-    pub fixed: Option<AstId>,
-    /// The range of slip velocities over which the force changes its sign, if it is smooth.
-    pub width: Option<AstId>,
 }
 
 /// A second type with fewer or simpler motions.

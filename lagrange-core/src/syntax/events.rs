@@ -97,10 +97,14 @@ impl Parser<'_> {
             return Err(self.fail_with_help(here, message, help));
         }
         cursor.skip_one();
-        match word.as_str() {
-            "stop" => Ok(Action::Stop),
-            "record" => Ok(Action::Record),
-            _ => Ok(Action::Impact(self.restitution(cursor)?)),
+        let action = match word.as_str() {
+            "stop" => Action::Stop,
+            "record" => Action::Record,
+            _ => Action::Impact(self.restitution(cursor)?),
+        };
+        match cursor.at_statement_end() {
+            true => Ok(action),
+            false => Err(self.fail(cursor.here(), messages::expected("`;`", cursor.peek()))),
         }
     }
 

@@ -118,7 +118,7 @@ pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
 
 pub(super) const EVENT_HELP: &str = "write `event name = e, falling => stop;`";
 pub(super) const DIRECTION: &str = "`rising`, `falling` or `crossing`";
-pub(super) const DIRECTION_HELP: &str = "an event counts zeros where its function is `rising`, `falling` or either, `crossing`: `event name = e, falling => stop;`";
+pub(super) const DIRECTION_HELP: &str = "say whether zeros count where the function is `rising`, `falling` or either, `crossing`: `event name = e, falling => stop;`";
 pub(super) const ACTION: &str = "`stop`, `record`, `impact(e)` or `{`";
 pub(super) const ACTION_HELP: &str =
     "behind `=>` stands what happens: `stop`, `record`, `impact(e)` or `{ dot(x) = e; y = e; }`";
@@ -139,7 +139,7 @@ pub(super) fn event_without_action(name: &str) -> String {
 
 // Friction.
 
-pub(super) const FRICTION_HELP: &str = "write `friction name = slip_velocity, limit;`, or `…, kinetic: limit, static: limit;`, or `…, limit, smooth: width;`";
+pub(super) const FRICTION_HELP: &str = "write `friction name = slip, limit;`, `… = slip, kinetic: a, static: b;` or `… = slip, limit, smooth: width;`";
 pub(super) const ONE_LIMIT_HELP: &str =
     "write `kinetic: e, static: f`, or a single limit without a label for both";
 
@@ -163,7 +163,7 @@ pub(super) fn lonely_limit(given: &str, missing: &str) -> String {
 }
 
 pub(super) const SMOOTH_WITH_STATIC: &str = "smooth friction never sticks, so it has no static limit";
-pub(super) const SMOOTH_HELP: &str = "write `friction name = slip_velocity, limit, smooth: width;`";
+pub(super) const SMOOTH_HELP: &str = "write `friction name = slip, limit, smooth: width;`";
 
 // Reduced types.
 

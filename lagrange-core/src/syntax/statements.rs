@@ -22,7 +22,12 @@ impl Parser<'_> {
                 error.help(messages::ATTRIBUTE_ON_STATEMENT_HELP);
             }
             match kind {
-                Some(kind) => statements.push(Statement { kind, origin: cursor.since(start), docs }),
+                Some(kind) => {
+                    for name in kind.declared_names() {
+                        self.declared_names.insert(name.text.clone(), ());
+                    }
+                    statements.push(Statement { kind, origin: cursor.since(start), docs });
+                }
                 None => self.leave_out(cursor, start),
             }
         }
