@@ -92,6 +92,16 @@ pub trait OdeSystem {
         Ok(())
     }
 
+    /// Brings a state from which a motion starts, or goes on after it was replaced, onto the constraints if it nearly satisfies
+    /// them; methods ask for this before their first step from there.
+    ///
+    /// # Errors
+    /// If it does not satisfy them; the state is then what it was.
+    #[inline]
+    fn admit(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+        self.correct(t, y)
+    }
+
     /// The events of the declaration, at most [`MOST_DECLARED`](crate::event::MOST_DECLARED). Runs look for them without
     /// being asked.
     const EVENTS: &'static [DeclaredEvent] = &[];
@@ -219,6 +229,9 @@ pub trait SeparableSystem: MechanicalSystem {}
     note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix"
 )]
 pub trait LeapfrogSystem: MechanicalSystem {
+    /// Whether constraints hold it, and the corrections below are known.
+    const IS_HELD: bool = false;
+
     /// The change δ of coordinates by constraint forces at `q` that takes the residuals at the coordinates `to` of the time
     /// `later` away to first order: M δ = A(t, q)ᵀμ and A(t, q) δ = −c(later, to).
     #[inline]
@@ -286,8 +299,11 @@ pub trait CanonicalSystem: MechanicalSystem {
         self.momentum_rates(t, q, v)
     }
 
-    /// The constraints that act, always in the same order. A system that [is constrained](OdeSystem::IS_CONSTRAINED) must say
-    /// them: methods that enforce constraints themselves know of no others.
+    /// Whether [`constraint_values`](Self::constraint_values) says all that holds the system. Methods that enforce constraints
+    /// by themselves do so then; elsewhere states are corrected after steps.
+    const SAYS_CONSTRAINTS: bool = false;
+
+    /// The constraints that act, always in the same order.
     #[inline]
     fn constraint_values(
         &self,

@@ -101,13 +101,15 @@ pub fn redundant_motion<S: Scalar, const N: usize, const D: usize>(
 /// The smallest change δ of the coordinates, measured by the mass matrix, with A δ = −`residuals` for the constraints that are
 /// independent; the others are left alone, since what they still miss is of second order unless they contradict the first.
 ///
-/// NaN if what is given is not finite or δ is not determined.
+/// NaN if what is given is not finite, if δ is not determined, or if a constraint without a gradient has a residual.
 pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
     mass: &[[S; N]; N],
     jacobian: &[[S; N]; D],
     residuals: &[S; D],
 ) -> [S; N] {
-    let equations = Equations::new(mass, jacobian).filter(|_| finite(&[*residuals]));
+    let is_lost = |(row, residual): (&[S; N], &S)| *residual != S::ZERO && row.iter().all(|x| *x == S::ZERO);
+    let are_possible = finite(&[*residuals]) && !jacobian.iter().zip(residuals).any(is_lost);
+    let equations = Equations::new(mass, jacobian).filter(|_| are_possible);
     let change = equations.and_then(|equations| {
         let (change, _) = equations.solve(&[S::ZERO; N], residuals)?;
         Some(equations.in_coordinates(&change))

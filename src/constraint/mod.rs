@@ -10,12 +10,21 @@
 
 mod least_norm;
 mod orthogonal;
+mod projection;
+mod regular;
+mod residuals;
+#[cfg(test)]
+pub(crate) mod systems;
+mod unprojected;
 mod values;
 mod violation;
 
 pub use self::least_norm::{
     RedundantMotion, least_norm, rank_tolerance, redundant_correction, redundant_motion,
 };
+pub use self::projection::{admit, consistent_velocity, correct, project};
+pub use self::regular::{are_finite, are_regular, weighed};
+pub use self::unprojected::Unprojected;
 pub use self::values::ConstraintValues;
 pub(crate) use self::values::inner;
 pub use self::violation::Violation;

@@ -26,6 +26,8 @@ mod react;
 mod settle;
 mod start;
 mod switch;
+#[cfg(test)]
+mod tests;
 
 pub use self::balance::reactions;
 pub use self::correct::correct;

@@ -303,7 +303,10 @@ pub(super) fn canonical_constraints(
         let system = quote!(#krate::constraint::ConstrainedSystem);
         quote!(let #residuals = #system::position_residuals(self, #time, #positions);)
     });
+    // Contacts and friction hold states, too.
+    let is_all = shape.touching.is_empty();
     quote! {
+        const SAYS_CONSTRAINTS: ::core::primitive::bool = #is_all;
         #(#methods)*
         #[inline]
         fn constraint_values(#parameters) -> #krate::constraint::ConstraintValues<#scalar, [#scalar; #n]> {
@@ -327,6 +330,7 @@ pub(super) fn leapfrog_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::LeapfrogSystem for #name #generics {
+            const IS_HELD: ::core::primitive::bool = true;
             #[inline]
             fn position_correction(
                 &self,

@@ -1,6 +1,8 @@
 //! What methods for these systems have in common, as checks.
 
-use crate::integrate::canonical_systems::checks::{distance, reached};
+use std::vec::Vec;
+
+use crate::integrate::canonical_systems::checks::{canonical, derivative, distance, reached};
 use crate::integrate::{Method, Verner98, integrate};
 use crate::system::{CanonicalSystem, OdeSystem, split};
 
@@ -47,4 +49,40 @@ where
     assert!(distance(there.as_ref(), start.as_ref()) > 0.1);
     let back = reached(system, end, there, 0.0, method);
     distance(back.as_ref(), start.as_ref())
+}
+
+/// By how much one step changes the symplectic form of coordinates and momenta, for changes of the K numbers that `chart` makes
+/// states on the constraints of.
+pub(crate) fn defect_of_symplecticity<M, K, const N: usize>(
+    system: &M,
+    chart: impl Fn([f64; N]) -> M::State,
+    at: [f64; N],
+    step: f64,
+    method: &K,
+) -> f64
+where
+    M: CanonicalSystem<Scalar = f64>,
+    K: Method<M>,
+{
+    let moved = |place: usize, by: f64| {
+        let mut numbers = at;
+        numbers[place] += by;
+        chart(numbers)
+    };
+    let before = |place| derivative(|by| canonical(system, 0.0, &moved(place, by)));
+    let after = |place| {
+        derivative(|by| canonical(system, step, &reached(system, 0.0, moved(place, by), step, method)))
+    };
+    let (before, after): (Vec<_>, Vec<_>) = (0..N).map(|place| (before(place), after(place))).unzip();
+    let form = |a: &[f64], b: &[f64]| -> f64 {
+        let half = a.len() / 2;
+        (0..half).map(|i| a[i] * b[half + i] - a[half + i] * b[i]).sum()
+    };
+    let mut defect = 0.0_f64;
+    for i in 0..N {
+        for j in 0..i {
+            defect = defect.max((form(&after[i], &after[j]) - form(&before[i], &before[j])).abs());
+        }
+    }
+    defect
 }

@@ -108,6 +108,8 @@ impl<L: Mechanism<N>, const N: usize> CanonicalSystem for Held<L, N> {
         self.0.mass(q)
     }
 
+    const SAYS_CONSTRAINTS: bool = true;
+
     fn free_momentum_rates(&self, _t: f64, q: &[f64; N], v: &[f64; N]) -> [f64; N] {
         self.0.rates(q, v)
     }
@@ -126,6 +128,8 @@ impl<L: Mechanism<N>, const N: usize> EnergyFunction for Held<L, N> {
 
 /// For those whose mass matrix is constant.
 impl<L: Mechanism<N>, const N: usize> LeapfrogSystem for Held<L, N> {
+    const IS_HELD: bool = true;
+
     fn position_correction(&self, t: f64, q: &[f64; N], later: f64, to: &[f64; N]) -> [f64; N] {
         let residuals = self.0.constraints(later, to, &[0.0; N]).positions;
         let values = self.0.constraints(t, q, &[0.0; N]);
@@ -185,6 +189,13 @@ impl Mechanism<2> for PlanePendulum {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SphericalPendulum {
     pub(super) is_said_twice: bool,
+}
+
+/// The state of a point on the unit sphere of two angles and their rates.
+pub(super) fn on_sphere([polar, azimuth, rate, turn]: [f64; 4]) -> [f64; 6] {
+    let ((sp, cp), (sa, ca)) = (polar.sin_cos(), azimuth.sin_cos());
+    let velocity = [cp * ca * rate - sp * sa * turn, cp * sa * rate + sp * ca * turn, sp * rate];
+    [sp * ca, sp * sa, -cp, velocity[0], velocity[1], velocity[2]]
 }
 
 impl Mechanism<3> for SphericalPendulum {
@@ -378,5 +389,41 @@ impl Mechanism<2> for DrivenSlide {
 
     fn bend(&self, t: f64, _q: &[f64; 2], _v: &[f64; 2]) -> [f64; 2] {
         [t.sin(), 0.0]
+    }
+}
+
+/// A unit mass in a trough z = x²/2, dragged sideways as ẏ = z ẋ + 0.3 cos t.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dragged;
+
+impl Mechanism<3> for Dragged {
+    type State = [f64; 6];
+
+    fn mass(&self, _q: &[f64; 3]) -> [[f64; 3]; 3] {
+        unit()
+    }
+
+    fn rates(&self, _q: &[f64; 3], _v: &[f64; 3]) -> [f64; 3] {
+        [0.0, 0.0, -G]
+    }
+
+    fn potential(&self, [_, _, z]: &[f64; 3]) -> f64 {
+        G * z
+    }
+
+    fn constraints(
+        &self,
+        t: f64,
+        &[x, _, z]: &[f64; 3],
+        [u, v, w]: &[f64; 3],
+    ) -> ConstraintValues<f64, [f64; 3]> {
+        let mut values = ConstraintValues::NONE;
+        values.push_holonomic(z - 0.5 * x * x, w - x * u, &[-x, 0.0, 1.0]);
+        values.push_nonholonomic(v - z * u - 0.3 * t.cos(), &[-z, 1.0, 0.0]);
+        values
+    }
+
+    fn bend(&self, t: f64, _q: &[f64; 3], [u, _, w]: &[f64; 3]) -> [f64; 3] {
+        [-u * u, 0.3 * t.sin() - w * u, 0.0]
     }
 }

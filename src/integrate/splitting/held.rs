@@ -40,12 +40,6 @@ pub(super) fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     start: &M::Coordinates,
     work: &mut Work,
 ) -> Result<Tried<M>, Cause<M::Scalar>> {
-    const {
-        assert!(
-            DRIFTS == 1 || !M::IS_CONSTRAINED,
-            "several drifts a step leave the constraints: take StormerVerlet or Variational"
-        );
-    }
     let (number, one) = (M::Scalar::from_f64, M::Scalar::ONE);
     let mut gain = combined(&M::Coordinates::ZERO, number(composition.first) * h, start);
     let mut impulse = Impulse { system, t, q, h, sum: M::Coordinates::ZERO, last: M::Coordinates::ZERO };

@@ -98,7 +98,7 @@ where
             }
         };
         work.evaluations += DRIFTS as u64;
-        let (trial, gain) = if M::IS_CONSTRAINED {
+        let (trial, gain) = if M::IS_HELD {
             held::composed(system, &self.composition, t, (&q, &v), h, &start, work)?
         } else {
             composed(system, &self.composition, t, (&q, &v), h, &start)

@@ -46,6 +46,12 @@ type Vector<M> = <M as MechanicalSystem>::Coordinates;
 /// the coordinates is conserved. Momenta of cyclic coordinates are kept to rounding, since momenta are carried on and not
 /// computed from velocities. The energy of a conservative system oscillates and does not drift. Symmetric in time.
 ///
+/// Constraints hold at the ends of all steps to rounding, positions and velocities alike, without projection: constraint forces
+/// are part of the principle. Holonomic ones, moving or not, leave the method symplectic on what they admit, and momenta of
+/// symmetries that they share are kept; nonholonomic ones enter by the discrete Lagrange–d'Alembert principle, symmetric in time
+/// and of order four as well. A mass matrix may be singular where constraints make up for it, and of constraints that
+/// say the same one counts. A step then iterates over multipliers, too, some two iterations more.
+///
 /// An iteration evaluates momenta and their rates three times; a step takes four to seven with the Jacobian that
 /// `emit { jacobian }` provides, and hardly more without if it is short. On a double pendulum it costs as much as 23 to 30
 /// evaluations of the right-hand side. Steps must resolve vibrations, h ω < √8, with a Jacobian, too; for stiff springs take
@@ -125,7 +131,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         work: &mut Work,
     ) -> Result<M::State, Cause<Number<M>>> {
         let derivatives = self.reached.derivatives(step, &mean(&ends), work)?;
-        if M::IS_CONSTRAINED {
+        if M::SAYS_CONSTRAINTS {
             return self.solve_held(step, derivatives, &ends, work);
         }
         let Some(linearised) = Linearised::new(&derivatives) else {
@@ -199,7 +205,7 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
         let (ends, h) = self.ends;
-        if M::IS_CONSTRAINED {
+        if M::SAYS_CONSTRAINTS {
             return Ok(join::<M>(&split::<M>(variables).0, &self.reached.held()));
         }
         self.reached.finish(system, (t, variables), ends[1], h, work)

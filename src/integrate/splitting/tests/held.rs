@@ -2,8 +2,12 @@
 
 use super::run;
 use crate::integrate::canonical_systems::checks::distance;
-use crate::integrate::constrained_systems::checks::{check_order, defect_of_symmetry, residuals};
-use crate::integrate::constrained_systems::{Held, PlanePendulum, SphericalPendulum, TurningWire, TwoRods};
+use crate::integrate::constrained_systems::checks::{
+    check_order, defect_of_symmetry, defect_of_symplecticity, residuals,
+};
+use crate::integrate::constrained_systems::{
+    Held, PlanePendulum, SphericalPendulum, TurningWire, TwoRods, on_sphere,
+};
 use crate::integrate::{Method, Stepper, StormerVerlet, SymplecticEuler};
 
 const PENDULUM: [f64; 4] = [0.6, -0.8, 1.6, 1.2];
@@ -54,6 +58,16 @@ fn a_step_back_undoes_a_step() {
         defect_of_symmetry(&Held(TurningWire { rate: 1.5 }), WIRE, 1.5, &verlet(0.01)),
     ] {
         assert!(defect < 1e-12, "{defect:e}");
+    }
+}
+
+#[test]
+fn steps_are_symplectic_on_the_constraints() {
+    for defect in [
+        defect_of_symplecticity(&SPHERE, on_sphere, [0.4, 0.7, 1.1, 0.5], 0.05, &verlet(0.05)),
+        defect_of_symplecticity(&SPHERE, on_sphere, [0.4, 0.7, 1.1, 0.5], 0.05, &euler(0.05)),
+    ] {
+        assert!(defect < 1e-9, "{defect:e}");
     }
 }
 

@@ -2,9 +2,11 @@
 
 use super::Variational;
 use crate::integrate::canonical_systems::checks::{distance, reached};
-use crate::integrate::constrained_systems::checks::{check_order, defect_of_symmetry, residuals};
+use crate::integrate::constrained_systems::checks::{
+    check_order, defect_of_symmetry, defect_of_symplecticity, residuals,
+};
 use crate::integrate::constrained_systems::{
-    DrivenSlide, Held, PlanePendulum, Sleigh, SphericalPendulum, TurningWire, TwoRods,
+    Dragged, DrivenSlide, Held, PlanePendulum, Sleigh, SphericalPendulum, TurningWire, TwoRods, on_sphere,
 };
 use crate::integrate::{Method, Stepper};
 
@@ -39,6 +41,7 @@ fn the_order_is_four_under_constraints_that_move() {
 #[test]
 fn the_order_is_four_under_constraints_on_velocities() {
     check_order(&Held(Sleigh { slope: 2.0 }), sleigh(), 2.0, 50, method);
+    check_order(&Held(Dragged), [1.0, 0.0, 0.5, 0.4, 0.5, 0.4], 2.0, 50, method);
 }
 
 #[test]
@@ -55,6 +58,7 @@ fn constraints_hold_to_rounding() {
         residuals(&Held(SPHERE), SPHERICAL, 10.0, &method(0.02)),
         residuals(&Held(TwoRods), RODS, 10.0, &method(0.02)),
         residuals(&Held(Sleigh { slope: 2.0 }), sleigh(), 10.0, &method(0.02)),
+        residuals(&Held(Dragged), [1.0, 0.0, 0.5, 0.4, 0.5, 0.4], 10.0, &method(0.02)),
         residuals(&Held(DrivenSlide), [0.3, 0.0, 0.2, 1.0], 10.0, &method(0.02)),
     ];
     for [positions, velocities] in all {
@@ -72,6 +76,12 @@ fn a_step_back_undoes_a_step() {
     ] {
         assert!(defect < 1e-12, "{defect:e}");
     }
+}
+
+#[test]
+fn steps_are_symplectic_on_the_constraints() {
+    let defect = defect_of_symplecticity(&Held(SPHERE), on_sphere, [0.4, 0.7, 1.1, 0.5], 0.1, &method(0.1));
+    assert!(defect < 1e-9, "{defect:e}");
 }
 
 #[test]

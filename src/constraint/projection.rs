@@ -1,0 +1,250 @@
+//! The way back onto the constraints.
+//!
+//! Newton's method with the gradients of the constraints where it stands: each correction is the smallest change by mass that
+//! takes the residuals away to first order, so that what is left is quadratic in it. Where a correction overshoots, it is halved
+//! until the next one, by the same gradients, would be smaller. Constraints are linear in velocities: one correction does there.
+//! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the module above.
+
+use super::residuals::{beyond, of_velocities, size, worst};
+use super::{ConstrainedSystem, Violation};
+use crate::integrate::Cause;
+use crate::scalar::Scalar;
+use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
+
+type Number<M> = <M as OdeSystem>::Scalar;
+type Vector<M> = <M as MechanicalSystem>::Coordinates;
+type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
+type Projected<M, T> = Result<T, Violation<Number<M>>>;
+
+/// More corrections than this are no use.
+const MOST: u32 = 20;
+/// The root of a rounding, times this, is the part of the coordinates below which the square of a correction is left alone.
+const NEGLIGIBLE: f64 = 1e-2;
+/// The part of velocities up to which rounding of a correction is lost in theirs.
+const SLIGHT: f64 = 1e-3;
+/// Starts are admitted if constraints miss by no more than this part of their scales.
+const ADMITTED: f64 = 1e-6;
+
+/// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix measures distances:
+/// first positions, then velocities.
+///
+/// Near the constraints each correction squares the error; one or two do within a motion, and far away more are made, up to 20,
+/// and shortened where they overshoot. Constraints that depend on each other are satisfied together or not at all: what is left
+/// of a residual must be a small part, √ε (1.5·10⁻⁸ for `f64`), of its scale.
+///
+/// The scale of a residual is what it would be if every coordinate were off by its size: Σⱼ |Aᵢⱼ| sⱼ. The size sⱼ of a coordinate
+/// is its magnitude, but at least the largest magnitude of all coordinates, and that counts as 10⁻⁶ if it is less and as one if it
+/// is more: so a coordinate at zero has a size, too, and one that is far away does not lend it to the others. Sizes of velocities are made of velocities in the same way.
+///
+/// # Errors
+/// If the constraints cannot be satisfied, from here or at all, with the constraint that was violated most in proportion to its
+/// scale; positions and velocities are then what they were.
+pub fn project<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &mut M::Coordinates,
+    v: &mut M::Coordinates,
+) -> Result<(), Violation<M::Scalar>> {
+    let (positions, velocities) = nearest(system, t, (q, v))?;
+    if beyond(M::Scalar::epsilon().sqrt(), system, t, (&positions, &velocities)).is_some() {
+        return Err(worst(system, t, (q, v)));
+    }
+    (*q, *v) = (positions, velocities);
+    Ok(())
+}
+
+/// The nearest velocities that satisfy the constraints at these positions, which are taken as they are.
+///
+/// # Errors
+/// If there are none, with the constraint that is violated most in proportion to its scale, as in [`project`].
+pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+    v: &M::Coordinates,
+) -> Result<M::Coordinates, Violation<M::Scalar>> {
+    let tolerance = M::Scalar::epsilon().sqrt();
+    let found = nearest_velocities(system, t, q, v);
+    let velocities = found.filter(|found| of_velocities(system, t, (q, found)).part <= tolerance);
+    velocities.ok_or_else(|| of_velocities(system, t, (q, v)).violation)
+}
+
+/// Brings a state of a motion back onto the constraints, as [`project`] but without looking at what is left: the corrections say
+/// that it is small. This is what [`OdeSystem::correct`] of emitted types does.
+///
+/// # Errors
+/// [`Cause::Violated`]; the state is then what it was.
+#[inline]
+pub fn correct<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    y: &mut M::State,
+) -> Result<(), Cause<M::Scalar>> {
+    let (q, v) = split::<M>(y);
+    let (q, v) = nearest(system, t, (&q, &v)).map_err(Cause::Violated)?;
+    *y = join::<M>(&q, &v);
+    Ok(())
+}
+
+/// Brings a state from which a motion is to start onto the constraints if it nearly satisfies them: if every residual is at most
+/// 10⁻⁶ of its scale, as [`project`] measures it. This is what [`OdeSystem::admit`] of emitted types does.
+///
+/// # Errors
+/// [`Cause::Violated`] with the constraint that is violated most in proportion to its scale; the state is then what it was.
+pub fn admit<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    y: &mut M::State,
+) -> Result<(), Cause<M::Scalar>> {
+    let (mut q, mut v) = split::<M>(y);
+    if let Some(violation) = beyond(M::Scalar::from_f64(ADMITTED), system, t, (&q, &v)) {
+        return Err(Cause::Violated(violation));
+    }
+    project(system, t, &mut q, &mut v).map_err(Cause::Violated)?;
+    *y = join::<M>(&q, &v);
+    Ok(())
+}
+
+/// Positions and velocities that corrections lead to.
+#[inline]
+fn nearest<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    (q, v): (&M::Coordinates, &M::Coordinates),
+) -> Projected<M, (Vector<M>, Vector<M>)> {
+    let found = nearest_positions(system, t, q, v).and_then(|positions| {
+        let velocities = nearest_velocities(system, t, &positions, v)?;
+        Some((positions, velocities))
+    });
+    found.ok_or_else(|| worst(system, t, (q, v)))
+}
+
+/// Positions that corrections lead to, if they converge.
+#[inline]
+fn nearest_positions<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+    v: &M::Coordinates,
+) -> Option<M::Coordinates> {
+    let residuals = system.position_residuals(t, q);
+    if are_zero(residuals.as_ref()) {
+        return Some(*q);
+    }
+    let change = system.correction(t, q, v, &residuals);
+    let step = Step { from: *q, change, length: length::<Number<M>>(change.as_ref())? };
+    if step.length <= negligible(q.as_ref()) {
+        Some(step.end(M::Scalar::ONE))
+    } else {
+        newton(system, t, v, step)
+    }
+}
+
+/// Newton's method from its first step on.
+#[cold]
+fn newton<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    v: &M::Coordinates,
+    first: Step<Number<M>, Vector<M>>,
+) -> Option<M::Coordinates> {
+    let mut step = first;
+    let negligible = negligible(step.from.as_ref());
+    for _ in 1..MOST {
+        let (to, residuals, next) = shortened(system, t, v, &step)?;
+        if next.length <= negligible {
+            return Some(next.end(M::Scalar::ONE));
+        }
+        let change = system.correction(t, &to, v, &residuals);
+        step = Step { from: to, change, length: length::<Number<M>>(change.as_ref())? };
+        if step.length <= negligible {
+            return Some(step.end(M::Scalar::ONE));
+        }
+    }
+    None
+}
+
+/// Where a step leads if it is shortened until the next one by the same gradients is smaller, the residuals there, and that step.
+fn shortened<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    v: &M::Coordinates,
+    step: &Step<Number<M>, Vector<M>>,
+) -> Option<(Vector<M>, Residuals<M>, Step<Number<M>, Vector<M>>)> {
+    let mut part = M::Scalar::ONE;
+    for _ in 0..MOST {
+        let to = step.end(part);
+        let residuals = system.position_residuals(t, &to);
+        let change = system.correction(t, &step.from, v, &residuals);
+        let demanded = (M::Scalar::ONE - part / M::Scalar::from_f64(4.0)) * step.length;
+        if let Some(length) = length(change.as_ref()).filter(|length| *length <= demanded) {
+            return Some((to, residuals, Step { from: to, change, length }));
+        }
+        part = part / M::Scalar::from_f64(2.0);
+    }
+    None
+}
+
+/// A correction and from where.
+struct Step<S, Q> {
+    from: Q,
+    change: Q,
+    length: S,
+}
+
+impl<S: Scalar, Q: StateVector<S>> Step<S, Q> {
+    /// Where this part of it leads.
+    #[inline]
+    fn end(&self, part: S) -> Q {
+        let mut end = self.from;
+        for (end, change) in end.as_mut().iter_mut().zip(self.change.as_ref()) {
+            *end = change.multiply_add(part, *end);
+        }
+        end
+    }
+}
+
+/// Velocities that corrections lead to, if they converge. The second one removes what rounding left of a large first one.
+#[inline]
+fn nearest_velocities<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+    v: &M::Coordinates,
+) -> Option<M::Coordinates> {
+    let mut to = *v;
+    for _ in 0..MOST {
+        let residuals = system.velocity_residuals(t, q, &to);
+        if are_zero(residuals.as_ref()) {
+            return Some(to);
+        }
+        let change = system.correction(t, q, &to, &residuals);
+        let size = length::<Number<M>>(change.as_ref())?;
+        to = Step { from: to, change, length: size }.end(M::Scalar::ONE);
+        if size <= M::Scalar::from_f64(SLIGHT) * length(to.as_ref())? {
+            return Some(to);
+        }
+    }
+    None
+}
+
+#[inline]
+fn are_zero<S: Scalar>(residuals: &[S]) -> bool {
+    residuals.iter().all(|residual| *residual == S::ZERO)
+}
+
+/// The largest magnitude, if all are finite.
+#[inline]
+fn length<S: Scalar>(x: &[S]) -> Option<S> {
+    let largest = x.iter().fold(S::ZERO, |most, x| most.max(x.abs()));
+    largest.is_finite().then_some(largest)
+}
+
+/// Corrections up to this leave nothing behind but rounding.
+#[inline]
+fn negligible<S: Scalar>(q: &[S]) -> S {
+    S::from_f64(NEGLIGIBLE) * S::epsilon().sqrt() * size(q)
+}
+
+#[cfg(test)]
+mod tests;
