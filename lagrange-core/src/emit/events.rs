@@ -82,7 +82,7 @@ pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let functions = (!shape.events.is_empty()).then(|| {
         let call = call(shape, parts, "event_functions");
         quote! {
-            for (value, found) in #values.iter_mut().zip(#call) {
+            for (value, found) in ::core::iter::Iterator::zip(#values.iter_mut(), #call) {
                 *value = found;
             }
         }
