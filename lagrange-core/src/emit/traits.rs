@@ -8,7 +8,7 @@ use super::contacts::contact_impl;
 use super::events::event_members;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
-use super::shape::{Shape, length, local};
+use super::shape::{Shape, length};
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
