@@ -130,9 +130,9 @@ fn reactions(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         Some(quote!(#index => #answer,))
     });
     let events = shape.events_of_reactions();
-    let touching = events.iter().enumerate().filter_map(|(k, event)| {
-        let (k, event) = (length(k), length((*event)?));
-        Some(quote!(#event => #krate::contact::react(self, #k, #time, #state),))
+    let touching = events.iter().flatten().map(|event| {
+        let event = length(*event);
+        quote!(#event => #krate::contact::react(self, #event, #time, #state),)
     });
     declared.chain(touching).collect()
 }
