@@ -16,6 +16,7 @@ mod residuals;
 #[cfg(test)]
 pub(crate) mod systems;
 mod unprojected;
+mod values;
 mod violation;
 
 pub use self::least_norm::{
@@ -24,6 +25,8 @@ pub use self::least_norm::{
 pub use self::projection::{admit, consistent_velocity, correct, project};
 pub use self::regular::{are_finite, are_regular, weighed};
 pub use self::unprojected::Unprojected;
+pub use self::values::ConstraintValues;
+pub(crate) use self::values::inner;
 pub use self::violation::Violation;
 
 use crate::system::{MechanicalSystem, StateVector};

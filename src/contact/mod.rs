@@ -18,6 +18,23 @@
 //! small system for r is solved at run time.
 //! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5.
 
+mod balance;
+mod correct;
+mod impact;
+mod least_norm;
+mod react;
+mod settle;
+mod start;
+mod switch;
+#[cfg(test)]
+mod tests;
+
+pub use self::balance::reactions;
+pub use self::correct::correct;
+pub use self::react::react;
+pub use self::start::begin;
+pub use self::switch::{event_values, switch_values};
+
 use crate::scalar::Scalar;
 use crate::system::MechanicalSystem;
 
@@ -53,6 +70,9 @@ pub enum Mode {
     Contact(Contact),
     /// Of dry friction.
     Friction(Friction),
+    /// Of friction that is a smooth function of the slip velocity, r = −tanh(slip/width)·limit: its kinetic limit holds the
+    /// hyperbolic tangent. It never changes its mode and has no event.
+    Smooth,
 }
 
 /// What an emitted type with contacts or friction knows about its reactions at one state: N coordinates, K reactions in the
@@ -105,7 +125,7 @@ pub trait ContactSystem<const N: usize, const K: usize>:
         v: &[Self::Scalar; N],
     ) -> Terms<Self::Scalar, N, K>;
 
-    /// The declared event by which reaction `k` changes its mode.
+    /// The declared event by which reaction `k` changes its mode; not asked of smooth friction, which has none.
     fn event_of(&self, k: usize) -> usize;
 }
 
@@ -145,12 +165,17 @@ pub enum Happening<S> {
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// Accelerations under these reactions.
     pub fn acceleration(&self, reactions: &[S; K]) -> [S; N] {
-        let mut acceleration = self.free;
+        self.added(&self.free, reactions)
+    }
+
+    /// A vector and the responses to these reactions.
+    fn added(&self, to: &[S; N], reactions: &[S; K]) -> [S; N] {
+        let mut sum = *to;
         for (response, &reaction) in self.responses.iter().zip(reactions) {
-            for (sum, &part) in acceleration.iter_mut().zip(response) {
-                *sum = *sum + part * reaction;
+            for (sum, &part) in sum.iter_mut().zip(response) {
+                *sum = part.multiply_add(reaction, *sum);
             }
         }
-        acceleration
+        sum
     }
 }

@@ -11,6 +11,22 @@ pub struct DeclaredEvent {
     pub name: &'static str,
     /// Which zeros count.
     pub direction: Direction,
+    /// Whether it belongs to a contact or to dry friction. Its function then is positive, but for rounding, while the present
+    /// mode lasts, and falling through zero is what ends the mode: a body that touches at the start and is pushed below the
+    /// ground has hit it.
+    pub is_switch: bool,
+}
+
+impl DeclaredEvent {
+    /// An event whose zeros in this direction count.
+    pub const fn new(name: &'static str, direction: Direction) -> Self {
+        DeclaredEvent { name, direction, is_switch: false }
+    }
+
+    /// The event by which a contact or dry friction switches its mode.
+    pub const fn switch(name: &'static str) -> Self {
+        DeclaredEvent { name, direction: Direction::Falling, is_switch: true }
+    }
 }
 
 /// The largest number of events that a system can declare.

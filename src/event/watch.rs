@@ -1,5 +1,6 @@
 //! Looking for zeros within steps.
 
+use super::declared::DeclaredEvent;
 use super::direction::Direction;
 use super::locate::{ACCURACY, MOST_ROUNDS, locate};
 use crate::integrate::{Cause, Stepper};
@@ -30,8 +31,18 @@ pub struct Occurrence<S, Y> {
 #[derive(Clone, Copy, Debug)]
 struct Detector<S> {
     direction: Direction,
+    /// Whether the function counts as positive from where it was started or restarted: that of a contact or friction.
+    is_switch: bool,
     /// The last value that was not zero; zero if there was none.
     value: S,
+}
+
+impl<S: Scalar> Detector<S> {
+    /// Remembers the value at a start.
+    fn begin(&mut self, value: S) {
+        let is_rounding = self.is_switch && value <= S::ZERO;
+        self.value = if is_rounding { S::epsilon() * S::epsilon() } else { value };
+    }
 }
 
 /// Memory of K functions from step to step.
@@ -49,11 +60,21 @@ pub struct Watch<S, const K: usize> {
 impl<S: Scalar, const K: usize> Watch<S, K> {
     /// Starts at time `t`, where the functions have these values.
     pub fn new(directions: [Direction; K], t: S, values: [S; K]) -> Self {
-        let mut detectors = directions.map(|direction| Detector { direction, value: S::ZERO });
+        let mut detectors =
+            directions.map(|direction| Detector { direction, is_switch: false, value: S::ZERO });
         for (detector, value) in detectors.iter_mut().zip(values) {
             detector.value = value;
         }
         Watch { detectors, reached: t, is_replaced: false, repetitions: 0 }
+    }
+
+    /// The same with functions that [switch](crate::event::DeclaredEvent::is_switch) the first modes of a system.
+    pub(crate) fn with_switches(mut self, declared: &[DeclaredEvent]) -> Self {
+        for (detector, event) in self.detectors.iter_mut().zip(declared) {
+            detector.is_switch = event.is_switch;
+            detector.begin(detector.value);
+        }
+        self
     }
 
     /// The next event in the stepper's last step, after those that were returned before.
@@ -81,7 +102,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         let (from, to) = (stepper.last_time(), stepper.time());
         if core::mem::take(&mut self.is_replaced) {
             let shortly = from + S::from_f64(SHORTLY) * (to - from);
-            self.learn(values(shortly, &stepper.interpolate(system, shortly)))?;
+            self.learn_shortly(values(shortly, &stepper.interpolate(system, shortly)))?;
             self.check_repetitions()?;
         }
         let is_past = |t: S, reached: S| if to < from { t >= reached } else { t <= reached };
@@ -164,6 +185,16 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         Ok(())
     }
 
+    /// Remembers the signs of these values, found right after a start.
+    fn learn_shortly(&mut self, values: [S; K]) -> Result<(), Cause<S>> {
+        check(values)?;
+        for (detector, value) in self.detectors.iter_mut().zip(values) {
+            let is_known = value == S::ZERO || (detector.is_switch && value < S::ZERO);
+            detector.value = if is_known { detector.value } else { value };
+        }
+        Ok(())
+    }
+
     /// Goes on from time `t`, where the method was restarted from another state in which the functions have these values.
     ///
     /// The signs that count from now on are those shortly after: a ball that was turned round on the ground is above it.
@@ -172,7 +203,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         let is_same = self.repetitions > 0 && distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
         self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
         for (detector, value) in self.detectors.iter_mut().zip(values) {
-            detector.value = value;
+            detector.begin(value);
         }
         (self.reached, self.is_replaced) = (t, true);
     }

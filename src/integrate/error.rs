@@ -52,7 +52,7 @@ pub enum Cause<S> {
     SingularMassMatrix,
     /// An event function is NaN or infinite.
     EventNotFinite {
-        /// Which event, counted from zero in the order given.
+        /// Which event, counted from zero: those of the declaration, then those given, in their order.
         event: usize,
     },
     /// A state violates a constraint, and cannot be brought onto it.
@@ -69,11 +69,24 @@ pub enum Cause<S> {
     },
     /// The zero of an event function could not be located.
     EventNotLocated {
-        /// Which event, counted from zero in the order given.
+        /// Which event, counted from zero: those of the declaration, then those given, in their order.
         event: usize,
         /// How many bisections were made.
         bisections: u32,
     },
+}
+
+impl<S> Cause<S> {
+    /// The same, with events counted from this many others on.
+    pub(crate) fn of_event_after(self, others: usize) -> Self {
+        match self {
+            Cause::EventNotFinite { event } => Cause::EventNotFinite { event: others + event },
+            Cause::EventNotLocated { event, bisections } => {
+                Cause::EventNotLocated { event: others + event, bisections }
+            }
+            other => other,
+        }
+    }
 }
 
 impl<S: Debug> Display for Cause<S> {

@@ -133,3 +133,112 @@ fn coordinates_without_inertia_follow_from_their_constraints() {
     crate::assert_close(held, 2.0 * wanted);
     crate::assert_close(driven, held);
 }
+
+lagrange::system! {
+    /// A point mass on a rod whose length is kept.
+    #[derive(Clone, Debug)]
+    struct Rod;
+
+    param m = 2.0, l = 1.0, g = 9.81;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    potential = m * g * y;
+    constraint length = (x^2 + y^2 - l^2) / 2;
+    emit { momentum_rates }
+}
+
+lagrange::system! {
+    /// Three points that move as one, which two of the constraints would do.
+    #[derive(Clone, Debug)]
+    struct Together;
+
+    param m = 1.5, pull = 3.0;
+    coord x, y, z;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2 + dot(z)^2);
+    force x = pull;
+    constraint first = x - y;
+    constraint second = y - z;
+    constraint third = x - z;
+}
+
+lagrange::system! {
+    /// The same as the rod, drawn back by stabilisation.
+    struct Stabilised;
+
+    param m = 2.0, l = 1.0, g = 9.81, rate = 20.0;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    potential = m * g * y;
+    constraint length = (x^2 + y^2 - l^2) / 2;
+    stabilise = rate;
+}
+
+#[test]
+fn projection_takes_the_shortest_way_onto_the_constraint() {
+    let rod = Rod::default();
+    let (mut q, mut v) = ([0.9, -1.2], [1.0, 0.5]);
+    rod.project(0.0, &mut q, &mut v).expect("a rod can be brought to its length");
+    // Equal masses: straight towards the centre, and without the radial part of the velocity.
+    crate::assert_close(q[0], 0.6);
+    crate::assert_close(q[1], -0.8);
+    let along = 1.0 * 0.8 + 0.5 * 0.6;
+    crate::assert_close(v[0], along * 0.8);
+    crate::assert_close(v[1], along * 0.6);
+    let same = rod.consistent_velocity(0.0, &q, &[1.0, 0.5]).expect("there is one");
+    crate::assert_close(same[0], v[0]);
+}
+
+#[test]
+fn a_state_that_cannot_be_projected_stays_what_it_was() {
+    let rod = Rod { l: f64::NAN, ..Rod::default() };
+    let (mut q, mut v) = ([0.9, -1.2], [1.0, 0.5]);
+    let violation = rod.project(0.0, &mut q, &mut v).expect_err("no length at all");
+    assert_eq!((q, v), ([0.9, -1.2], [1.0, 0.5]));
+    assert_eq!(violation.constraint, "length");
+}
+
+#[test]
+fn forces_of_redundant_constraints_are_shared_evenly() {
+    let together = Together::default();
+    let (q, v) = ([0.3; 3], [0.1; 3]);
+    for found in together.acceleration(0.0, &q, &v) {
+        crate::assert_close(found, 3.0 / 4.5);
+    }
+    // Of all λ with m a = f + Aᵀλ the shortest is normal to those that move nothing, (1, 1, −1).
+    let [first, second, third] = together.multipliers(0.0, &q, &v);
+    crate::assert_close(first + third, 1.0 - 3.0);
+    crate::assert_close(second - first, 1.0);
+    assert!((first + second - third).abs() < 1e-14);
+}
+
+#[test]
+fn where_the_motion_is_undefined_nothing_is_plausible() {
+    let rod = Rod::default();
+    assert!(rod.acceleration(0.0, &[0.0, 0.0], &[1.0, 0.0]).iter().all(|a| a.is_nan()));
+    assert!(rod.multipliers(0.0, &[0.0, 0.0], &[1.0, 0.0])[0].is_nan());
+}
+
+#[test]
+fn stabilised_residuals_decay_at_the_given_rate() {
+    let system = Stabilised::default();
+    let (q, v) = ([0.6, -0.81], [0.8, 0.7]);
+    let a = system.acceleration(0.0, &q, &v);
+    let [c] = system.constraints(0.0, &q, &v);
+    let [rate] = system.constraint_velocity(0.0, &q, &v);
+    let second = v[0] * v[0] + v[1] * v[1] + q[0] * a[0] + q[1] * a[1];
+    assert!((second + 40.0 * rate + 400.0 * c).abs() < 1e-12);
+    assert!(!<Stabilised as lagrange::system::OdeSystem>::IS_CONSTRAINED);
+    assert!(<Rod as lagrange::system::OdeSystem>::IS_CONSTRAINED);
+}
+
+#[test]
+fn momenta_of_free_motion_leave_constraint_forces_out() {
+    use lagrange::system::CanonicalSystem;
+    let rod = Rod::default();
+    let (q, v) = ([0.6, -0.8], [0.8, 0.6]);
+    assert_eq!(rod.free_momentum_rates(0.0, &q, &v), [0.0, -2.0 * 9.81]);
+    let [length] = rod.multipliers(0.0, &q, &v);
+    let all = rod.momentum_rates(0.0, &q, &v);
+    crate::assert_close(all[0], 0.6 * length);
+    crate::assert_close(all[1], -2.0 * 9.81 - 0.8 * length);
+}

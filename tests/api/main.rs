@@ -3,6 +3,7 @@
 mod accuracy;
 mod columns;
 mod constraints;
+mod contacts;
 mod declarations;
 mod fixed_steps;
 mod methods;

@@ -22,17 +22,25 @@ const MULTIPLIERS: [&str; 2] = [
 impl Writer<'_> {
     /// `acceleration` and `multipliers`, and the methods of `ConstrainedSystem`; the operations of the first.
     pub(super) fn write_constrained(&mut self, docs: &[&str]) -> OperationCounts {
-        self.write_correction();
-        self.write_position_residuals();
-        self.write_free_momentum_rates();
+        self.write_hooks();
         if self.is_guarded() {
-            self.write_redundant();
+            self.write_redundant_motion();
         }
         let (accelerations, multipliers) =
             (self.equations.accelerations.clone(), self.equations.constraints.multipliers.clone());
         let counts = self.write_guarded("acceleration", docs, &accelerations, "acceleration");
         self.write_guarded("multipliers", &MULTIPLIERS, &multipliers, "multipliers");
         counts
+    }
+
+    /// The methods of `ConstrainedSystem` that need bodies of their own.
+    pub(super) fn write_hooks(&mut self) {
+        self.write_correction();
+        self.write_position_residuals();
+        self.write_free_momentum_rates();
+        if self.is_guarded() {
+            self.write_redundant_correction();
+        }
     }
 
     /// What `CanonicalSystem::free_momentum_rates` does.
@@ -118,59 +126,79 @@ impl Writer<'_> {
     }
 
     /// The whole system of M a = f + Aᵀλ and A a + b = 0, solved at run time.
-    fn write_redundant(&mut self) {
+    fn write_redundant_motion(&mut self) {
         let (n, m) = (self.model.coordinates.len(), self.model.constraints.len());
         let equations = self.equations;
-        let constraints = &equations.constraints;
-        let (mass_matrix, jacobian) = (equations.mass_matrix.concat(), constraints.jacobian.concat());
-        let motion = [&mass_matrix[..], &jacobian, &equations.forcing, &constraints.drifts].concat();
-        let matrices = |results: &[TokenStream]| {
-            let (mass_matrix, jacobian) = results.split_at(n * n);
-            let mass_matrix = Returns::Matrix(n, n).collect(mass_matrix);
-            let jacobian = Returns::Matrix(m, n).collect(jacobian);
-            quote!(&#mass_matrix, &#jacobian)
-        };
-        let (krate, residuals) = (self.shape.krate, self.names.residuals.clone());
-        let (motion, _) = self.lowered(&motion, Arguments::State, |results| {
+        let vectors = [&equations.forcing[..], &equations.constraints.drifts].concat();
+        let roots = [self.matrices(), vectors].concat();
+        let krate = self.shape.krate;
+        let (body, _) = self.lowered(&roots, Arguments::State, |results| {
             let (known, vectors) = results.split_at((n + m) * n);
-            let (matrices, (forcing, drifts)) = (matrices(known), vectors.split_at(n));
-            quote!(#krate::constraint::redundant_motion(#matrices, &[#(#forcing),*], &[#(#drifts),*]))
+            let [mass_matrix, jacobian] = matrices(known, n, m);
+            let (forcing, drifts) = vectors.split_at(n);
+            quote! {
+                #krate::constraint::redundant_motion(
+                    &#mass_matrix,
+                    &[#(#forcing),*],
+                    &#jacobian,
+                    &[#(#drifts),*],
+                )
+            }
         });
-        let correction = [&mass_matrix[..], &jacobian].concat();
-        let (correction, _) = self.lowered(&correction, Arguments::State, |results| {
-            let matrices = matrices(results);
-            quote!(#krate::constraint::redundant_correction(#matrices, #residuals))
+        let (scalar, n, m) = (self.shape.scalar(), length(n), length(m));
+        let ArgumentNames { time, positions, velocities, .. } = &self.names;
+        self.hidden.extend(quote! {
+            /// Accelerations and the least multipliers where constraints depend on each other.
+            #[cold]
+            #[inline(never)]
+            fn redundant_motion(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #n],
+                #velocities: &[#scalar; #n],
+            ) -> #krate::constraint::RedundantMotion<#scalar, #n, #m> {
+                #body
+            }
         });
-        self.hidden = redundant_methods(self.shape, &self.names, &motion, &correction);
+    }
+
+    /// The correction, found in the same way.
+    fn write_redundant_correction(&mut self) {
+        let (n, m) = (self.model.coordinates.len(), self.model.constraints.len());
+        let (krate, residuals) = (self.shape.krate, self.names.residuals.clone());
+        let roots = self.matrices();
+        let (body, _) = self.lowered(&roots, Arguments::State, |results| {
+            let [mass_matrix, jacobian] = matrices(results, n, m);
+            quote!(#krate::constraint::redundant_correction(&#mass_matrix, &#jacobian, #residuals))
+        });
+        let (scalar, n, m) = (self.shape.scalar(), length(n), length(m));
+        let ArgumentNames { time, positions, velocities, .. } = &self.names;
+        self.hidden.extend(quote! {
+            /// The correction where constraints depend on each other.
+            #[cold]
+            #[inline(never)]
+            fn redundant_correction(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #n],
+                #velocities: &[#scalar; #n],
+                #residuals: &[#scalar; #m],
+            ) -> [#scalar; #n] {
+                #body
+            }
+        });
+    }
+
+    /// The entries of M, then those of A.
+    fn matrices(&self) -> Vec<ExprId> {
+        [self.equations.mass_matrix.concat(), self.equations.constraints.jacobian.concat()].concat()
     }
 }
 
-/// What is done where constraints depend on each other.
-fn redundant_methods(
-    shape: &Shape<'_>,
-    names: &ArgumentNames,
-    motion: &TokenStream,
-    correction: &TokenStream,
-) -> TokenStream {
-    let (krate, scalar) = (shape.krate, shape.scalar());
-    let (n, m) = (length(shape.coordinates.len()), length(shape.constraints.len()));
-    let ArgumentNames { time, positions, velocities, residuals, .. } = names;
-    let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
-    quote! {
-        /// Accelerations and the least multipliers where constraints depend on each other.
-        #[cold]
-        #[inline(never)]
-        fn redundant_motion(#parameters) -> #krate::constraint::RedundantMotion<#scalar, #n, #m> {
-            #motion
-        }
-
-        /// The correction where constraints depend on each other.
-        #[cold]
-        #[inline(never)]
-        fn redundant_correction(#parameters, #residuals: &[#scalar; #m]) -> [#scalar; #n] {
-            #correction
-        }
-    }
+/// M and A of their entries.
+fn matrices(entries: &[TokenStream], n: usize, m: usize) -> [TokenStream; 2] {
+    let (mass_matrix, jacobian) = entries.split_at(n * n);
+    [Returns::Matrix(n, n).collect(mass_matrix), Returns::Matrix(m, n).collect(jacobian)]
 }
 
 /// The methods by which users get back onto the constraints.
@@ -275,7 +303,10 @@ pub(super) fn canonical_constraints(
         let system = quote!(#krate::constraint::ConstrainedSystem);
         quote!(let #residuals = #system::position_residuals(self, #time, #positions);)
     });
+    // Contacts and friction hold states, too.
+    let is_all = shape.touching.is_empty();
     quote! {
+        const SAYS_CONSTRAINTS: ::core::primitive::bool = #is_all;
         #(#methods)*
         #[inline]
         fn constraint_values(#parameters) -> #krate::constraint::ConstraintValues<#scalar, [#scalar; #n]> {
@@ -299,6 +330,7 @@ pub(super) fn leapfrog_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::LeapfrogSystem for #name #generics {
+            const IS_HELD: ::core::primitive::bool = true;
             #[inline]
             fn position_correction(
                 &self,

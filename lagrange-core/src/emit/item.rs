@@ -6,6 +6,7 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
 use super::constrained::projections;
+use super::contacts::mode_fields;
 use super::method::{ArgumentNames, Method};
 use super::shape::{Shape, doc, identifier, length, local};
 use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
@@ -24,6 +25,8 @@ pub(super) struct Parts {
     pub(super) canonical: Vec<Method>,
     /// Of each constraint, whether it holds positions.
     pub(super) are_holonomic: Vec<bool>,
+    /// The body of `ContactSystem::terms`.
+    pub(super) terms: TokenStream,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
     /// Associated constants.
@@ -108,7 +111,8 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             pub scalar: ::core::marker::PhantomData<#scalar>,
         }
     });
-    let body = match shape.fields.is_empty() && marker.is_none() {
+    let fields = [fields, mode_fields(shape)].into_iter().collect::<TokenStream>();
+    let body = match fields.is_empty() && marker.is_none() {
         true => quote!(;),
         false => quote!({ #fields #marker }),
     };

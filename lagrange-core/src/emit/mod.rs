@@ -1,8 +1,10 @@
 //! Programs and expressions as text in other languages. No algebra happens here.
 
 mod constrained;
+mod contacts;
 mod diagnostics;
 mod docs;
+mod events;
 mod item;
 mod jacobian;
 mod layout;

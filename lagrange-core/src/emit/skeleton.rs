@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::item::{Parts, argument_names, items};
 use super::jacobian::parameter_names;
@@ -13,7 +13,7 @@ use super::rust_body::Names;
 use super::shape::{Shape, identifier, local};
 use super::system::{equations_latex, user_names};
 use crate::mechanics::Product;
-use crate::syntax::ast::Declaration;
+use crate::syntax::ast::{Action, Declaration};
 
 /// The items of a system that could not be derived: the same types and methods, so that the code that uses
 /// them causes no errors of its own. They are never run, since the mistakes are errors.
@@ -30,6 +30,10 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
     let m = shape.constraints.len();
     if m > 0 {
         methods.push(placeholder(local("multipliers"), Arguments::State, Returns::Vector(m)));
+    }
+    let touching = shape.touching.len();
+    if touching > 0 {
+        methods.push(placeholder(local("reactions"), Arguments::State, Returns::Vector(touching)));
     }
     let is_written =
         |product: &Product| *product != Product::Latex && (m > 0 || !product.is_of_constraints());
@@ -56,6 +60,8 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
     }
     let mut names = Names::new(user_names(&shape).iter().map(String::as_str));
     let is_derived = declaration.derives.iter().any(|name| name.text == "Default");
+    let names = argument_names(|wish| names.fresh(wish));
+    let hidden = skeleton_of_events(&shape);
     let parts = Parts {
         docs: Vec::new(),
         default: (!is_derived).then(|| quote!(::core::unreachable!())),
@@ -63,9 +69,10 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
         constrained: skeleton_of_constraints(n, m),
         canonical: Vec::new(),
         are_holonomic: vec![true; m],
-        hidden: TokenStream::new(),
+        terms: quote!(::core::unreachable!()),
+        hidden: hidden.iter().map(|method| method.of_trait(&shape, &names)).collect(),
         constants: [equations_latex(""), parameter_names(&shape)].into_iter().collect(),
-        names: argument_names(|wish| names.fresh(wish)),
+        names,
         functions: BTreeSet::new(),
         is_separable: true,
         has_rounded_constants: false,
@@ -79,6 +86,21 @@ fn skeleton_of_constraints(n: usize, m: usize) -> Vec<Method> {
     }
     let residuals = placeholder(local("position_residuals"), Arguments::Positions, Returns::Vector(m));
     vec![residuals, placeholder(local("correction"), Arguments::Residuals, Returns::Vector(n))]
+}
+
+fn skeleton_of_events(shape: &Shape<'_>) -> Vec<Method> {
+    if shape.events.is_empty() {
+        return Vec::new();
+    }
+    let functions = Returns::Vector(shape.events.len());
+    let mut methods = vec![placeholder(local("event_functions"), Arguments::State, functions)];
+    for (i, event) in shape.events.iter().enumerate() {
+        if let Action::Assign(_) = event.action {
+            let state = Returns::Vector(2 * shape.coordinates.len());
+            methods.push(placeholder(format_ident!("after_event_{i}"), Arguments::State, state));
+        }
+    }
+    methods
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {

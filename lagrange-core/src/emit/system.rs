@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::contacts::{Touch, default_modes};
 use super::docs;
 use super::item::{Parts, argument_names, items};
 use super::jacobian::parameter_names;
@@ -66,6 +67,8 @@ pub(super) struct Writer<'a> {
     pub(super) constrained: Vec<Method>,
     /// Methods of `CanonicalSystem` that only constrained systems have of their own.
     pub(super) canonical: Vec<Method>,
+    /// The body of `ContactSystem::terms`.
+    pub(super) terms: TokenStream,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
     /// Operations of `acceleration`.
@@ -97,6 +100,7 @@ impl<'a> Writer<'a> {
             methods: Vec::new(),
             constrained: Vec::new(),
             canonical: Vec::new(),
+            terms: TokenStream::new(),
             hidden: TokenStream::new(),
             counts: OperationCounts::default(),
             size: Size::default(),
@@ -119,7 +123,15 @@ impl<'a> Writer<'a> {
         let is_separable = self.equations.is_separable(self.model);
         let are_holonomic = self.model.constraints.iter().map(|constraint| constraint.is_holonomic).collect();
         let Writer {
-            methods, constrained, canonical, hidden, names, functions, has_rounded_constants, ..
+            methods,
+            constrained,
+            canonical,
+            terms,
+            hidden,
+            names,
+            functions,
+            has_rounded_constants,
+            ..
         } = self;
         Ok(Parts {
             docs,
@@ -128,6 +140,7 @@ impl<'a> Writer<'a> {
             constrained,
             canonical,
             are_holonomic,
+            terms,
             hidden,
             constants,
             names,
@@ -141,11 +154,12 @@ impl<'a> Writer<'a> {
         let n = Returns::Vector(self.model.coordinates.len());
         let accelerations = self.equations.accelerations.clone();
         let docs = ["Accelerations in the order of the coordinates."];
-        if self.model.constraints.is_empty() {
-            self.counts = self.add("acceleration", &docs, Arguments::State, n, &accelerations);
-        } else {
-            self.counts = self.write_constrained(&docs);
-        }
+        self.counts = match (self.model.constraints.is_empty(), self.model.reactions.is_empty()) {
+            (true, true) => self.add("acceleration", &docs, Arguments::State, n, &accelerations),
+            (false, true) => self.write_constrained(&docs),
+            (_, false) => self.write_touching(&docs),
+        };
+        self.write_events();
         for product in self.model.products.clone() {
             let fields = self.shape.fields.len();
             if let Some(Plan { docs, arguments, returns, roots }) =
@@ -253,7 +267,9 @@ impl<'a> Writer<'a> {
             _ => quote!(self.multipliers(#time, #positions, #velocities)),
         };
         let multipliers = vector(multipliers, self.model.constraints.len(), Role::Multiplier);
-        quote!(#fields #q #v #a #multipliers)
+        let reactions = quote!(self.reactions(#time, #positions, #velocities));
+        let reactions = vector(reactions, self.model.reactions.len(), Role::Reaction);
+        quote!(#fields #q #v #a #multipliers #reactions)
     }
 
     /// An array of the names of those roles that are used, if any is.
@@ -285,9 +301,10 @@ impl<'a> Writer<'a> {
             Ok(body) => {
                 self.functions.extend(&body.functions);
                 let (names, statements) = (self.shape.fields.iter().map(|n| identifier(n)), body.statements);
+                let modes = default_modes(self.shape);
                 let (values, marker) = (body.outputs, self.shape.needs_marker());
                 let marker = marker.then(|| quote!(scalar: ::core::marker::PhantomData));
-                Some(quote!(#statements Self { #(#names: #values,)* #marker }))
+                Some(quote!(#statements Self { #(#names: #values,)* #modes #marker }))
             }
             Err(error) => {
                 self.unrepresentable.extend(error.constants);
@@ -326,7 +343,8 @@ pub(super) fn field_bindings(
     if bound.is_empty() {
         return TokenStream::new();
     }
-    let rest = (bound.len() < shape.fields.len()).then(|| quote!(..));
+    let has_modes = shape.touching.iter().any(|(_, touch)| *touch != Touch::Smooth);
+    let rest = (has_modes || bound.len() < shape.fields.len()).then(|| quote!(..));
     quote!(let Self { #(#bound,)* #rest } = *self;)
 }
 

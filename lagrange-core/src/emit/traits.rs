@@ -4,9 +4,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
+use super::contacts::contact_impl;
+use super::events::event_members;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
-use super::shape::{Shape, length};
+use super::shape::{Shape, length, local};
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -18,7 +20,8 @@ pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         false => leapfrog_impl(shape, parts),
     });
     let constrained = constrained_impl(shape, parts);
-    quote!(#ode #mechanical #energy #separable #canonical #constrained)
+    let contact = contact_impl(shape, parts);
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact)
 }
 
 /// Whether there is a method of this name.
@@ -42,27 +45,7 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
         }
     });
-    let constrained = (!parts.constrained.is_empty()).then(|| {
-        quote! {
-            const IS_CONSTRAINED: ::core::primitive::bool = true;
-            #[inline]
-            fn correct(
-                &self,
-                #time: #scalar,
-                #state: &mut [#scalar; #twice],
-            ) -> ::core::result::Result<(), #krate::integrate::Cause<#scalar>> {
-                #krate::constraint::correct(self, #time, #state)
-            }
-            #[inline]
-            fn admit(
-                &self,
-                #time: #scalar,
-                #state: &mut [#scalar; #twice],
-            ) -> ::core::result::Result<(), #krate::integrate::Cause<#scalar>> {
-                #krate::constraint::admit(self, #time, #state)
-            }
-        }
-    });
+    let (constrained, events) = (correct_members(shape, parts), event_members(shape, parts));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -74,8 +57,49 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
             #jacobian
             #constrained
+            #events
         }
     }
+}
+
+/// The members of `OdeSystem` that bring a state back onto what holds it.
+fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
+    let ArgumentNames { time, state, .. } = &parts.names;
+    let (is_held, is_touching) = (!parts.constrained.is_empty(), !shape.touching.is_empty());
+    let call = |module: &str, name: &str| {
+        let (module, name) = (local(module), local(name));
+        quote!(#krate::#module::#name(self, #time, #state)?;)
+    };
+    let contact = is_touching.then(|| call("contact", "correct"));
+    let parameters = quote!(&self, #time: #scalar, #state: &mut [#scalar; #twice]);
+    let returns = quote!(::core::result::Result<(), #krate::integrate::Cause<#scalar>>);
+    let is_projected = is_held && !shape.is_stabilised;
+    let correct = (is_projected || is_touching).then(|| {
+        let constraint = is_projected.then(|| call("constraint", "correct"));
+        quote! {
+            const IS_CONSTRAINED: ::core::primitive::bool = true;
+            #[inline]
+            fn correct(#parameters) -> #returns {
+                #constraint
+                #contact
+                ::core::result::Result::Ok(())
+            }
+        }
+    });
+    // A start must satisfy constraints however they are kept later.
+    let admit = is_held.then(|| {
+        let constraint = call("constraint", "admit");
+        quote! {
+            #[inline]
+            fn admit(#parameters) -> #returns {
+                #constraint
+                #contact
+                ::core::result::Result::Ok(())
+            }
+        }
+    });
+    quote!(#correct #admit)
 }
 
 fn mechanical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {

@@ -18,6 +18,9 @@ impl Elaborator<'_> {
         self.check_products();
         self.check_constraint_count();
         self.check_reduced_constraints();
+        self.check_stabilisation();
+        self.check_event_count();
+        self.check_reduced_events();
         if self.evaluator.report.has_errors() {
             return None;
         }
@@ -76,12 +79,10 @@ impl Elaborator<'_> {
                 error.help(messages::LAGRANGIAN_HELP);
             }
         }
-        for term in &self.potential {
-            if self.evaluator.graph.dependencies(term.value).intersects(Dependencies::VELOCITY) {
-                let (place, _) = self.evaluator.blame(term.syntax, Dependencies::VELOCITY);
-                let message = messages::velocity_in("the potential energy");
-                self.evaluator.report.error(place, message).help(messages::POTENTIAL_HELP);
-            }
+        for (syntax, value) in self.potential.iter().map(|term| (term.syntax, term.value)).collect::<Vec<_>>()
+        {
+            let kinds = &[Dependencies::VELOCITY];
+            self.forbid(kinds, (syntax, value), "the potential energy", messages::POTENTIAL_HELP);
         }
     }
 
@@ -201,6 +202,9 @@ impl Elaborator<'_> {
             dissipation,
             loads: self.loads,
             constraints: self.constraints.into_iter().map(|(constraint, _)| constraint).collect(),
+            stabilisation: self.stabilisation.map(|(rate, _)| rate),
+            events: self.events.into_iter().map(|(event, _)| event).collect(),
+            reactions: self.reactions.into_iter().map(|(reaction, _)| reaction).collect(),
             outputs: self.outputs,
             rates,
             labels,

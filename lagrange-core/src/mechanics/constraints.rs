@@ -6,6 +6,7 @@
 //! Source: Udwadia, Kalaba, *Analytical Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
 
 use super::elaborate::Elaborator;
+use super::elimination::Elimination;
 use super::form::QuadraticForm;
 use super::jacobian::Forms;
 use super::messages;
@@ -13,10 +14,10 @@ use super::model::{Constraint, Model};
 use super::operand::Operand;
 use super::roads::Road;
 use super::scope::Kind;
-use super::solve::Elimination;
 use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
+use crate::number::Number;
 use crate::symbol::Role;
 use crate::syntax::ast::{AstId, Name};
 
@@ -130,18 +131,25 @@ impl ConstraintEquations {
             return ConstraintEquations::default();
         }
         let jacobian = constraint_jacobian(model, &forms.pushed);
-        let forces = constraint_forces(model, &jacobian, &multipliers);
+        // Forces of contacts change the multipliers, which then are asked for at run time.
+        let acting = if model.reactions.is_empty() { multipliers.clone() } else { model.multipliers() };
+        let forces = constraint_forces(model, &jacobian, &acting);
         let drifts = drifts(model);
-        let unknowns = model.unknowns();
-        let graph = &mut model.graph;
-        let elimination = match road {
-            Road::Recursive => Elimination::recursive(graph, forms.form.clone(), &unknowns),
-            _ => Elimination::dense(graph, forms.pushed.clone(), &unknowns),
-        };
+        let elimination = elimination(model, forms, road);
         let correction = elimination.as_ref().map(|elimination| correction(model, elimination));
         let is_redundant = elimination.is_some_and(|elimination| elimination.is_redundant());
         let correction = correction.unwrap_or_default();
         ConstraintEquations { multipliers, jacobian, drifts, forces, correction, condition, is_redundant }
+    }
+}
+
+/// The elimination of all unknowns that the road takes.
+pub(super) fn elimination(model: &mut Model, forms: &Forms, road: Road) -> Option<Elimination> {
+    let unknowns = model.unknowns();
+    let graph = &mut model.graph;
+    match road {
+        Road::Recursive => Elimination::recursive(graph, forms.form.clone(), &unknowns),
+        _ => Elimination::dense(graph, forms.pushed.clone(), &unknowns),
     }
 }
 
@@ -157,10 +165,23 @@ fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
     values
 }
 
+/// b in A a + b = 0. With a rate κ of stabilisation this is c̈ + 2 κ ċ + κ² c = 0, and ċ + κ c = 0 for constraints on
+/// velocities (Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1–16).
 fn drifts(model: &mut Model) -> Vec<ExprId> {
     let mut rates = Rates::new(AccelerationTerms::Dropped);
     let graph = &mut model.graph;
-    model.constraints.iter().map(|constraint| rates.of(graph, constraint.velocity)).collect()
+    let drift = |constraint: &Constraint| {
+        let drift = rates.of(graph, constraint.velocity);
+        let Some(rate) = model.stabilisation else { return drift };
+        let slow = graph.multiply(rate, constraint.velocity);
+        if !constraint.is_holonomic {
+            return graph.add(drift, slow);
+        }
+        let slower = graph.multiply(rate, constraint.value);
+        let square = graph.multiply(rate, slower);
+        graph.sum(Number::ZERO, [(drift, Number::ONE), (slow, Number::TWO), (square, Number::ONE)])
+    };
+    model.constraints.iter().map(drift).collect()
 }
 
 /// Adds −λ (A a + b) for every constraint.

@@ -7,6 +7,7 @@ use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
 use super::jacobian::{Derivatives, Forms};
 use super::model::{Energies, Model, Product};
+use super::responses::{ReactionEquations, reaction_forces};
 use super::roads::{Road, RoadChoice, Roads, SingularMassMatrix};
 use super::solve::{Solution, push_down, solve_dense};
 use super::structure::{Structure, vanishing};
@@ -31,6 +32,8 @@ pub struct Equations {
     pub accelerations: Vec<ExprId>,
     /// What belongs to the constraints; without any it is empty.
     pub constraints: ConstraintEquations,
+    /// What belongs to contacts and friction, whose forces the accelerations above leave out.
+    pub reactions: ReactionEquations,
     /// How they are computed.
     pub road: Road,
     /// Whether the road over squares was open: whatever is quadratic in the velocities is a sum of squares of rates.
@@ -85,6 +88,7 @@ impl Equations {
         let forms = Forms { form: form.clone(), pushed: pushed.clone() };
         let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
         let multipliers = solution.values.split_off(velocities.len());
+        let reactions = ReactionEquations::new(model, &forms, road, &multipliers);
         let constraints = ConstraintEquations::new(model, &forms, road, (multipliers, solution.condition));
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
@@ -99,6 +103,7 @@ impl Equations {
             model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol).collect();
         let parameter_jacobian = differentiate(model, Product::ParameterJacobian, constants);
         let rates = wants(Product::MomentumRates).then(|| free_momentum_rates(model));
+        let touching = reaction_forces(model, &reactions);
         let mut equations = Equations {
             accelerations: solution.values,
             road,
@@ -110,9 +115,10 @@ impl Equations {
                 .then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
             momenta: wants(Product::Momenta)
                 .then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
-            momentum_rates: rates.as_ref().map(|rates| sums(model, rates, &constraints.forces)),
-            free_momentum_rates: rates,
+            momentum_rates: rates.as_ref().map(|rates| sums(model, rates, &[&constraints.forces, &touching])),
+            free_momentum_rates: rates.as_ref().map(|rates| sums(model, rates, &[&touching])),
             constraints,
+            reactions,
             energy: wants(Product::Energy).then(|| energy_function(model)),
             inverse_dynamics: wants(Product::InverseDynamics)
                 .then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
@@ -133,7 +139,8 @@ impl Equations {
         let depends = |&value: &ExprId| model.graph.dependencies(value).intersects(Dependencies::VELOCITY);
         let free = if model.constraints.is_empty() { &self.accelerations } else { &self.forcing };
         let is_held = model.constraints.iter().all(|constraint| constraint.is_holonomic);
-        self.structure.mass.is_constant && is_held && !free.iter().any(depends)
+        let is_free = model.reactions.is_empty();
+        self.structure.mass.is_constant && is_held && is_free && !free.iter().any(depends)
     }
 
     /// Writes what is emitted beside the accelerations with as little to cancel as is found.
@@ -245,10 +252,12 @@ fn free_momentum_rates(model: &mut Model) -> Vec<ExprId> {
 }
 
 /// Each of `values` and what is added to it, if anything is.
-fn sums(model: &mut Model, values: &[ExprId], added: &[ExprId]) -> Vec<ExprId> {
-    let zero = model.graph.number(0);
-    let added = added.iter().copied().chain(std::iter::repeat(zero));
-    values.iter().zip(added).map(|(&value, more)| model.graph.add(value, more)).collect()
+fn sums(model: &mut Model, values: &[ExprId], added: &[&[ExprId]]) -> Vec<ExprId> {
+    let sum = |(i, &value): (usize, &ExprId)| {
+        let terms = added.iter().filter_map(|list| list.get(i).copied()).chain([value]).collect::<Vec<_>>();
+        model.graph.total(terms)
+    };
+    values.iter().enumerate().map(sum).collect()
 }
 
 /// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7).

@@ -1,13 +1,16 @@
 //! What is said about mistakes in the meaning of a declaration.
 
 use super::model::Product;
+use crate::expr::Dependencies;
+
+pub(super) mod events;
 
 pub(super) fn declared_twice(name: &str) -> String {
     format!("the name `{name}` is declared twice")
 }
 
 pub(super) fn first_declared(name: &str, kind: &str) -> String {
-    let article = if kind.starts_with(['i', 'o']) { "an" } else { "a" };
+    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
     format!("`{name}` is declared here already, as {article} {kind}")
 }
 
@@ -42,14 +45,14 @@ pub(super) const FUNCTIONS_ARE_LISTED: &str =
     "the documentation of `lagrange::system!` lists the functions; others can be composed of them with `let`";
 
 pub(super) fn not_a_function(name: &str, kind: &str) -> String {
-    let article = if kind.starts_with(['i', 'o']) { "an" } else { "a" };
+    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
     format!("`{name}` is {article} {kind}, not a function")
 }
 
 pub(super) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
 
-pub(super) fn output_as_value(name: &str) -> String {
-    format!("output `{name}` cannot be used in an expression")
+pub(super) fn has_no_value(kind: &str, name: &str) -> String {
+    format!("{kind} `{name}` cannot be used in an expression")
 }
 
 pub(super) const NAME_IT_WITH_LET: &str = "give the expression a name with `let` and use that in both places";
@@ -125,26 +128,29 @@ pub(super) fn rate_of_input(name: &str) -> String {
     format!("the rate of input `{name}` is unknown")
 }
 
-pub(super) fn rate_of_multiplier(name: &str) -> String {
-    format!("the rate of the multiplier `{name}` is unknown")
+pub(super) fn rate_of_force(name: &str) -> String {
+    format!("the rate of the force `{name}` is unknown")
 }
 
 pub(super) const RATE_OF_INPUT_HELP: &str =
     "an input may change at any time; make its rate another `input`, or the quantity a `coord`";
 
-pub(super) fn velocity_in(place: &str) -> String {
-    format!("{place} must not depend on velocities")
-}
-
-pub(super) fn acceleration_in(place: &str) -> String {
-    format!("{place} must not depend on accelerations or multipliers")
+/// `name` is that of the culprit, if it has one.
+pub(super) fn must_not_depend(place: &str, kind: Dependencies, name: &str) -> String {
+    let culprit = match kind {
+        Dependencies::VELOCITY => "velocities".to_owned(),
+        Dependencies::MULTIPLIER => format!("the multiplier `{name}`"),
+        Dependencies::REACTION => format!("the force `{name}`"),
+        _ => "accelerations".to_owned(),
+    };
+    format!("{place} must not depend on {culprit}")
 }
 
 pub(super) const PLACE_HELP: &str = "places and angles are functions of the coordinates and of time";
 pub(super) const POTENTIAL_HELP: &str =
     "put terms with velocities into `kinetic`, `lagrangian` or `dissipation`";
 pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str =
-    "only an `output` may use `ddot`, or the name of a constraint for its multiplier";
+    "only an `output` may use `ddot`, or the name of a constraint, contact or friction for its force";
 
 pub(super) fn input_in_kinetic(name: &str) -> String {
     format!("the rate of input `{name}` is needed here but unknown: it multiplies a velocity")
@@ -302,7 +308,7 @@ pub(super) const REDUCTION_HELP: &str = "`freeze` and `small` take coordinates: 
 pub(super) const ALL_FROZEN: &str = "every coordinate is frozen, so that nothing is left to move";
 pub(super) const ALL_FROZEN_HELP: &str = "leave at least one coordinate free, or make it `small`";
 pub(super) const HELD_VALUE: &str = "the value of a coordinate that is frozen or small";
-pub(super) const HELD_VALUE_HELP: &str =
+pub(super) const CONSTANT_IN_MOTION_HELP: &str =
     "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
 pub(super) const TYPE_NAME_HELP: &str =
     "each declared type `Name` comes with `NameState` and `NameColumns`: choose a name that is none of them";

@@ -5,17 +5,17 @@
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §11.5.
 
 use super::constraints::elimination;
+use super::elimination::Elimination;
 use super::jacobian::Forms;
 use super::model::{Model, ReactionKind};
 use super::roads::Road;
-use super::solve::Elimination;
 use crate::calculus::{AccelerationTerms, Rates, gradient, substitute_all};
 use crate::expr::{ExprId, Graph};
 use crate::functions;
 use crate::number::Number;
 
 /// A quantity that is affine in the reactions.
-#[derive(Clone, Default, Debug)]
+#[derive(Clone, Debug)]
 pub struct Affine {
     /// Its value without any.
     pub free: ExprId,
@@ -105,7 +105,9 @@ impl Limits<'_> {
         let zero = model.graph.number(0);
         match reaction.kind {
             ReactionKind::Contact { .. } => (self.affine(model, zero), self.affine(model, zero)),
-            ReactionKind::Friction { kinetic, fixed } => (self.affine(model, kinetic), self.affine(model, fixed)),
+            ReactionKind::Friction { kinetic, fixed } => {
+                (self.affine(model, kinetic), self.affine(model, fixed))
+            }
             ReactionKind::Smooth { limit, width } => {
                 let share = share(&mut model.graph, reaction.velocity, width);
                 let limit = model.graph.multiply(limit, share);
@@ -147,7 +149,11 @@ pub(super) fn reaction_forces(model: &mut Model, equations: &ReactionEquations) 
     let symbols = model.reactions.iter().map(|reaction| reaction.symbol).collect::<Vec<_>>();
     let (count, graph) = (model.coordinates.len(), &mut model.graph);
     let force = |i: usize| {
-        let terms = equations.rows.iter().zip(&symbols).map(|(row, &symbol)| (graph.multiply(row[i], symbol), Number::ONE));
+        let terms = equations
+            .rows
+            .iter()
+            .zip(&symbols)
+            .map(|(row, &symbol)| (graph.multiply(row[i], symbol), Number::ONE));
         let terms = terms.collect::<Vec<_>>();
         graph.sum(Number::ZERO, terms)
     };

@@ -137,7 +137,8 @@ fn somewhere(role: Role) -> f64 {
         Role::Velocity(i) => (4, i),
         Role::Acceleration(i) => (5, i),
         Role::Multiplier(i) => (6, i),
-        Role::Placeholder(i) => (7, i),
+        Role::Reaction(i) => (7, i),
+        Role::Placeholder(i) => (8, i),
     };
     0.5 + (f64::from(7 * index + kind + 1) * GOLDEN_RATIO).fract()
 }

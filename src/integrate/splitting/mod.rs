@@ -11,9 +11,12 @@
 //! the forces depend on time. Each kick and drift also keeps momenta that belong to linear symmetries, such as the
 //! angular momentum in Cartesian coordinates. A last kick shares its acceleration with the first one of the next step.
 //!
+//! A single drift between kicks also ends on constraints of positions; several would leave them in between.
+//!
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §II.5 and §VI.3.
 
 mod blanes_moan;
+mod held;
 mod symplectic_euler;
 mod verlet;
 
@@ -23,7 +26,7 @@ use crate::integrate::interpolation::{Motion, Place, quintic};
 use crate::integrate::method::Work;
 use crate::integrate::stability::{self, Watch};
 use crate::scalar::Scalar;
-use crate::system::{SeparableSystem, StateVector, join, split};
+use crate::system::{LeapfrogSystem, StateVector, join, split};
 
 pub use self::blanes_moan::BlanesMoan4;
 pub use self::symplectic_euler::SymplecticEuler;
@@ -79,8 +82,10 @@ impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> 
 
 impl<M, const DRIFTS: usize> Formula<M> for Splitting<M::Scalar, M::Coordinates, DRIFTS>
 where
-    M: SeparableSystem + ?Sized,
+    M: LeapfrogSystem + ?Sized,
 {
+    const KEEPS_CONSTRAINTS: bool = M::IS_HELD;
+
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
         self.known = None;
         *y
@@ -104,7 +109,11 @@ where
             }
         };
         work.evaluations += DRIFTS as u64;
-        let (trial, gain) = composed(system, &self.composition, t, (&q, &v), h, &start);
+        let (trial, gain) = if M::IS_HELD {
+            held::composed(system, &self.composition, t, (&q, &v), h, &start, work)?
+        } else {
+            composed(system, &self.composition, t, (&q, &v), h, &start)
+        };
         self.trial = trial;
         self.check(system, t, (&q, &v), work)?;
         Ok(join::<M>(&trial.change, &gain))
@@ -147,7 +156,7 @@ where
 /// The step by this composition from `q` and `v` at time `t`, where the acceleration is `start`, and the change of
 /// the velocities.
 #[inline]
-fn composed<M: SeparableSystem + ?Sized, const DRIFTS: usize>(
+fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     system: &M,
     composition: &Composition<DRIFTS>,
     t: M::Scalar,
@@ -174,7 +183,7 @@ impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> 
     #[inline]
     fn check<M>(&mut self, system: &M, t: S, (q, v): (&Q, &Q), work: &mut Work) -> Result<(), Cause<S>>
     where
-        M: SeparableSystem<Scalar = S, Coordinates = Q> + ?Sized,
+        M: LeapfrogSystem<Scalar = S, Coordinates = Q> + ?Sized,
     {
         let ([start, end], h) = (&self.trial.accelerations, self.trial.h);
         let stable = S::from_f64(self.composition.stable);
