@@ -8,7 +8,7 @@ use super::contacts::contact_impl;
 use super::events::event_members;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
-use super::shape::{Shape, length, local};
+use super::shape::{Shape, length};
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -67,34 +67,30 @@ fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
     let ArgumentNames { time, state, .. } = &parts.names;
     let (is_held, is_touching) = (!parts.constrained.is_empty(), !shape.touching.is_empty());
-    let call = |module: &str, name: &str| {
-        let (module, name) = (local(module), local(name));
-        quote!(#krate::#module::#name(self, #time, #state)?;)
-    };
-    let contact = is_touching.then(|| call("contact", "correct"));
-    let parameters = quote!(&self, #time: #scalar, #state: &mut [#scalar; #twice]);
-    let returns = quote!(::core::result::Result<(), #krate::integrate::Cause<#scalar>>);
-    let is_projected = is_held && !shape.is_stabilised;
-    let correct = (is_projected || is_touching).then(|| {
-        let constraint = is_projected.then(|| call("constraint", "correct"));
+    let is_corrected = is_touching || (is_held && !shape.is_stabilised);
+    let touching = is_touching.then(|| quote!(#krate::contact::correct(self, #time, #state)?;));
+    let outcome = quote!(::core::result::Result<(), #krate::integrate::Cause<#scalar>>);
+    let correct = is_corrected.then(|| {
+        let projected = (is_held && !shape.is_stabilised)
+            .then(|| quote!(#krate::constraint::correct(self, #time, #state)?;));
         quote! {
             const IS_CONSTRAINED: ::core::primitive::bool = true;
             #[inline]
-            fn correct(#parameters) -> #returns {
-                #constraint
-                #contact
+            fn correct(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+                #projected
+                #touching
                 ::core::result::Result::Ok(())
             }
         }
     });
-    // A start must satisfy constraints however they are kept later.
-    let admit = is_held.then(|| {
-        let constraint = call("constraint", "admit");
+    // A start must satisfy the constraints however they are kept from there on.
+    let admit = (is_held || is_touching).then(|| {
+        let admitted = is_held.then(|| quote!(#krate::constraint::admit(self, #time, #state)?;));
         quote! {
             #[inline]
-            fn admit(#parameters) -> #returns {
-                #constraint
-                #contact
+            fn admit(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+                #admitted
+                #touching
                 ::core::result::Result::Ok(())
             }
         }
