@@ -60,16 +60,17 @@ where
     for _ in 0..MOST_ROUNDS {
         let terms = system.terms(t, &closed, v);
         let before = closed;
-        if widest(&terms, &closed, is_closed).is_some() {
+        if widest(&terms, q, is_closed).is_some() {
             change(&terms, &mut closed, terms.gaps, is_closed);
         }
-        if is_same(&before, &closed) {
+        if is_same(&before, &closed, q) {
             *q = closed;
             return Ok(());
         }
     }
-    let k = widest(&system.terms(t, q, v), q, is_closed).unwrap_or_default();
-    Err(violated(M::REACTIONS[k], system.terms(t, q, v).gaps[k]))
+    let terms = system.terms(t, q, v);
+    let k = widest(&terms, q, is_closed).unwrap_or_default();
+    Err(violated(M::REACTIONS[k], terms.gaps[k]))
 }
 
 /// A gap is not what it must be.
@@ -77,23 +78,24 @@ pub(super) fn violated<S>(name: &'static str, gap: S) -> Cause<S> {
     Cause::Violated(Violation { constraint: name, residual: gap, is_of_velocities: false })
 }
 
-/// Whether two vectors differ by no more than rounding. A vector that is not a number differs from every other.
-fn is_same<S: Scalar, const N: usize>(one: &[S; N], other: &[S; N]) -> bool {
+/// Whether two vectors differ by no more than the rounding of a third. One that is not a number differs from every other.
+fn is_same<S: Scalar, const N: usize>(one: &[S; N], other: &[S; N], scale: &[S; N]) -> bool {
     let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
-    one.iter().zip(other).all(|(a, b)| a == b || (*a - *b).abs() <= rounding * a.abs())
+    let differences = one.iter().zip(other).zip(scale);
+    differences.into_iter().all(|((a, b), scale)| a == b || (*a - *b).abs() <= rounding * scale.abs())
 }
 
-/// The widest of these gaps that is not closed but for rounding; one that is not a number is not.
+/// The widest of these gaps that is not closed but for the rounding of these coordinates; one that is not a number is not.
 fn widest<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
-    q: &[S; N],
+    scale: &[S; N],
     is_closed: [bool; K],
 ) -> Option<usize> {
     let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
     let mut widest: Option<usize> = None;
     for k in (0..K).filter(|k| is_closed[*k]) {
         let gap = terms.gaps[k].abs();
-        let is_closed = gap == S::ZERO || gap <= rounding * terms.size_of(k, q);
+        let is_closed = gap == S::ZERO || gap <= rounding * terms.size_of(k, scale);
         if !is_closed && widest.is_none_or(|other| gap > terms.gaps[other].abs()) {
             widest = Some(k);
         }

@@ -1,7 +1,9 @@
 //! What happens where a mode ends.
 
+use core::array;
+
 use super::balance::{Balance, Rule, reactions};
-use super::correct::{close, halt};
+use super::correct::{close, correct, halt};
 use super::impact::Collision;
 use super::start::{Position, holds};
 use super::{Contact, ContactSystem, Friction, Happening, Impact, Mode, Terms};
@@ -31,7 +33,9 @@ where
     let Some(k) = (0..K).find(|k| modes[*k] != Mode::Smooth && system.event_of(*k) == event) else {
         return Ok(Answer::new(Reaction::Continue));
     };
-    let (q, v) = split::<M>(y);
+    let mut held = *y;
+    correct(system, t, &mut held)?;
+    let (q, v) = split::<M>(&held);
     let moment = Moment { system, t, q, v };
     match modes[k] {
         Mode::Contact(Contact::Open) => moment.hit(k),
@@ -87,12 +91,13 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         Ok(self.answer(settled, &collision.velocities, happening))
     }
 
-    /// A contact that touches and does not approach: it closes if it is pressed, and else nothing happens.
+    /// A contact that touches and does not approach: it closes if it is pressed. Else nothing happens, but that the body is put
+    /// onto the side on which it was.
     fn graze(&self, terms: &Terms<M::Scalar, N, K>, position: &Position<K>) -> Reacted<M> {
         let modes = self.system.modes();
         let settled = terms.settle(&modes, position, None)?;
         if settled == modes {
-            return Ok(Answer::new(Reaction::Continue));
+            return Ok(Answer::new(Reaction::Replace(join::<M>(&self.q, &self.v))));
         }
         let none = Impact { impulse: M::Scalar::ZERO, energy_loss: M::Scalar::ZERO };
         let mut v = self.v;
@@ -120,7 +125,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
             let settled = after.settle(&modes, &position, None)?;
             let soon = self.first_at_rest(terms, &restitutions, &after, &settled);
             let Some((j, time)) = soon.filter(|(j, _)| touching[*j]) else {
-                halt(&after, &mut collision.velocities, settled.map(holds));
+                let is_held = array::from_fn(|j| holds(settled[j]) || collision.is_still[j]);
+                halt(&after, &mut collision.velocities, is_held);
                 return Ok((collision, rest, settled));
             };
             (rest[j], restitutions[j]) = (time, M::Scalar::ZERO);

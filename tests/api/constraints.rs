@@ -152,10 +152,10 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     struct Together;
 
-    param m = 1.5, force = 3.0;
+    param m = 1.5, pull = 3.0;
     coord x, y, z;
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2 + dot(z)^2);
-    force x = force;
+    force x = pull;
     constraint first = x - y;
     constraint second = y - z;
     constraint third = x - z;

@@ -6,6 +6,7 @@
 //! Source: Udwadia, Kalaba, *Analytical Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
 
 use super::elaborate::Elaborator;
+use super::elimination::Elimination;
 use super::form::QuadraticForm;
 use super::jacobian::Forms;
 use super::messages;
@@ -13,7 +14,6 @@ use super::model::{Constraint, Model};
 use super::operand::Operand;
 use super::roads::Road;
 use super::scope::Kind;
-use super::solve::Elimination;
 use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};

@@ -80,7 +80,7 @@ impl QuadraticForm {
 
     /// The number of other variables that share a term with this one.
     pub(super) fn degree(&self, i: ExprId) -> usize {
-        self.neighbours.get(&i).map_or(0, |near| near.iter().filter(|&&j| j != i).count())
+        self.near(i).count()
     }
 
     /// Whether xᵢ² occurs.
@@ -98,11 +98,14 @@ impl QuadraticForm {
         total(graph, self.pairs.get(&(i.min(j), i.max(j))).cloned())
     }
 
-    /// Wᵢⱼ for all other j that share a term with i.
+    /// The other variables that share a term with i.
+    pub(super) fn near(&self, i: ExprId) -> impl Iterator<Item = ExprId> {
+        self.neighbours.get(&i).into_iter().flatten().copied().filter(move |&j| j != i)
+    }
+
+    /// Wᵢⱼ for all of these.
     pub(super) fn couplings(&self, graph: &mut Graph, i: ExprId) -> Vec<ExprId> {
-        let near =
-            self.neighbours.get(&i).into_iter().flatten().filter(|&&j| j != i).copied().collect::<Vec<_>>();
-        near.into_iter().map(|j| self.coefficient(graph, i, j)).collect()
+        self.near(i).map(|j| self.coefficient(graph, i, j)).collect()
     }
 
     /// cᵢ

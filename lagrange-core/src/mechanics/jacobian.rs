@@ -6,12 +6,12 @@
 //! variables (Carpentier and Mansard, *Analytical Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3).
 
 use super::cost::cost;
+use super::elimination::Elimination;
 use super::equations::residual;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms};
 use super::model::Model;
 use super::roads::Road;
-use super::solve::Elimination;
 use crate::calculus::{AccelerationTerms, jacobian, substitute_all};
 use crate::expr::{ExprId, Graph};
 use crate::syntax::ast::Accuracy;

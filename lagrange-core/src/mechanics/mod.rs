@@ -10,6 +10,7 @@ mod constraints;
 mod contracted;
 mod cost;
 mod elaborate;
+mod elimination;
 mod equations;
 mod events;
 mod expression;

@@ -5,10 +5,10 @@
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §11.5.
 
 use super::constraints::elimination;
+use super::elimination::Elimination;
 use super::jacobian::Forms;
 use super::model::{Model, ReactionKind};
 use super::roads::Road;
-use super::solve::Elimination;
 use crate::calculus::{AccelerationTerms, Rates, gradient, substitute_all};
 use crate::expr::{ExprId, Graph};
 use crate::functions;

@@ -34,13 +34,12 @@ fn a_ball_comes_to_rest_where_its_bounces_accumulate() {
         panic!("{events:?}")
     };
     assert!((at - REST).abs() < 1e-11, "{at}");
-    assert!(events.len() < 120 && trajectory.work().steps < 2_000, "{:?}", trajectory.work());
+    assert!((80..120).contains(&events.len()) && trajectory.work().steps < 2_000, "{:?}", trajectory.work());
     assert_eq!(trajectory.last(), [0.0, 0.0]);
     assert_eq!(trajectory.system_at_end().map(|ball| ball.modes), Some([CLOSED]));
     let forces = trajectory.column("N").expect("observed");
     assert_eq!(forces[0], 0.0);
     assert!((forces[forces.len() - 1] - 2.0 * 9.81).abs() < 1e-14);
-    assert!(trajectory.column("y").is_none(), "columns have the names of coordinates only");
 }
 
 #[test]
@@ -57,7 +56,8 @@ fn every_loss_of_a_bouncing_ball_is_told() {
         })
         .collect();
     assert!((losses.iter().sum::<f64>() - 2.0 * 9.81).abs() < 1e-11);
-    assert!(losses.windows(2).all(|pair| pair[1] < pair[0]));
+    let (_, thrown_back) = losses.split_last().expect("it falls");
+    assert!(thrown_back.windows(2).all(|pair| (pair[1] - 0.64 * pair[0]).abs() < 1e-4 * pair[0]));
 }
 
 #[test]
@@ -203,10 +203,11 @@ fn balls_a_hair_apart_pass_the_motion_on() {
 /// A rod that falls broadside onto two supports rattles and comes to rest on both, each with half of its weight.
 #[test]
 fn a_rod_comes_to_rest_on_two_supports() {
-    let rod = Rod { m: 3.0, length: 2.0, g: 9.81, e: 0.6, supports: [0.0; 2], modes: [OPEN; 2] };
+    let rod = Rod::new(9.81, 0.6);
     for angle in [0.0, 0.1] {
         let start = [0.5, angle, 0.0, 0.0];
-        let trajectory = rod.simulate(start).until(8.0).tolerance(1e-10).run().expect("comes to rest");
+        let simulation = rod.simulate(start).until(8.0).tolerance(1e-10).max_steps(3_000);
+        let trajectory = simulation.run().expect("comes to rest");
         let end = trajectory.system_at_end().expect("switched");
         assert_eq!(end.modes, [CLOSED; 2], "from {angle}");
         let (q, v) = split::<Rod>(&trajectory.last());

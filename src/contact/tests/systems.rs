@@ -223,31 +223,37 @@ impl Cradle {
 
 contact_system!(Cradle, 3 coordinates ["a", "b", "c"], 2 reactions ["left", "right"]);
 
-/// A slender rod that falls broadside: the height of its centre and its angle. Its left end may meet a peg, both its ends a floor.
+/// A slender rod that falls broadside onto two supports: the height of its centre and its angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rod {
     pub(super) m: f64,
     pub(super) length: f64,
     pub(super) g: f64,
     pub(super) e: f64,
-    /// Heights of what is under the left and the right end.
+    /// Where it may be supported, from −1 at its left end to 1 at its right end, and the heights of what is there.
+    pub(super) places: [f64; 2],
     pub(super) supports: [f64; 2],
     pub(super) modes: [Mode; 2],
 }
 
 impl Rod {
+    /// 3 kg and 2 m long above a floor.
+    pub(super) const fn new(g: f64, e: f64) -> Self {
+        Rod { m: 3.0, length: 2.0, g, e, places: [-1.0, 1.0], supports: [0.0; 2], modes: [OPEN; 2] }
+    }
+
     fn written(&self, _t: f64, q: &[f64; 2], v: &[f64; 2]) -> Terms<f64, 2, 2> {
-        let half = 0.5 * self.length;
+        let arms = self.places.map(|place| 0.5 * self.length * place);
         let inertia = self.m * self.length * self.length / 12.0;
         let (sin, cos) = q[1].sin_cos();
-        let rows = [[1.0, -half * cos], [1.0, half * cos]];
+        let rows = arms.map(|arm| [1.0, arm * cos]);
         Terms {
             free: [-self.g, 0.0],
             responses: rows.map(|[y, angle]| [y / self.m, angle / inertia]),
             rows,
-            gaps: [q[0] - half * sin - self.supports[0], q[0] + half * sin - self.supports[1]],
+            gaps: core::array::from_fn(|k| q[0] + arms[k] * sin - self.supports[k]),
             rates: rows.map(|[y, angle]| y * v[0] + angle * v[1]),
-            drifts: [half * sin * v[1] * v[1], -half * sin * v[1] * v[1]],
+            drifts: arms.map(|arm| -arm * sin * v[1] * v[1]),
             restitutions: [self.e; 2],
             ..nothing()
         }
