@@ -27,15 +27,16 @@ pub struct RedundantMotion<S, const N: usize, const D: usize> {
     pub rank: usize,
 }
 
-/// The part of a constraint's gradient below which what other constraints leave of it is taken for nothing: ε^(3/8), which is
-/// 1.3·10⁻⁶ for `f64`.
+/// The part of a constraint's gradient below which what other constraints leave of it is taken for nothing: ε^(5/16), which is
+/// 1.3·10⁻⁵ for `f64`.
 ///
-/// Gradients are measured with the roots of the masses as units and scaled to length one. Stages of a method lie beside the
-/// constraints by their own errors, where constraints that depend on each other on the motion differ by as much; a tolerance near
-/// rounding would take these differences for constraints.
+/// Gradients are measured with the roots of the masses as units and scaled to length one. Where a part σ of one is left, positions
+/// are found to ε/σ, and velocities and accelerations to ε/σ²: worse than nothing long before σ is as small as rounding. Moreover,
+/// stages of a method lie beside the constraints by their own errors, where constraints that depend on each other on the motion
+/// differ by as much; a tolerance near rounding would take these differences for constraints.
 pub fn rank_tolerance<S: Scalar>() -> S {
-    let eighth = S::epsilon().sqrt().sqrt().sqrt();
-    eighth * eighth * eighth
+    let root = S::epsilon().sqrt().sqrt();
+    root * root.sqrt().sqrt()
 }
 
 /// The vector x with the smallest sum of squares among those for which that of `matrix` x − `right` is smallest. The matrix is

@@ -112,12 +112,16 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMN
     }
 }
 
-/// The column, from the k-th on, of which most is left from row k on, and how much.
+/// A column is taken before others of which as much is left but for this part, so that rounding does not choose between equals: the
+/// rank must not flicker near where it changes.
+const PRECEDENCE: f64 = 0.125;
+
+/// The column, from the k-th on, of which most is left from row k on or nearly so, and how much.
 fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], k: usize) -> (usize, S) {
     let mut most = (k, S::ZERO);
     for (index, column) in columns.iter().enumerate().skip(k) {
         let length = length(&column[k..]);
-        if length > most.1 {
+        if length - S::from_f64(PRECEDENCE) * length > most.1 {
             most = (index, length);
         }
     }

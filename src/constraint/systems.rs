@@ -311,3 +311,43 @@ impl Mechanism<6, 6> for Parallelogram {
         drift
     }
 }
+
+/// A spherical pendulum of the length one in Cartesian coordinates; its angular momentum about the vertical is constant.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spherical;
+
+impl Spherical {
+    pub(crate) fn angular_momentum(y: &[f64; 6]) -> f64 {
+        y[0] * y[4] - y[1] * y[3]
+    }
+}
+
+impl Mechanism<3, 1> for Spherical {
+    type State = [f64; 6];
+
+    const NAMES: &'static [&'static str] = &["rod"];
+
+    fn masses(&self) -> [f64; 3] {
+        [1.0; 3]
+    }
+
+    fn potential(&self, [_, _, z]: &[f64; 3]) -> f64 {
+        9.81 * z
+    }
+
+    fn forces(&self, _q: &[f64; 3]) -> [f64; 3] {
+        [0.0, 0.0, -9.81]
+    }
+
+    fn positions(&self, _t: f64, [x, y, z]: &[f64; 3]) -> [f64; 1] {
+        [x * x + y * y + z * z - 1.0]
+    }
+
+    fn jacobian(&self, _t: f64, q: &[f64; 3]) -> [[f64; 3]; 1] {
+        [q.map(|x| 2.0 * x)]
+    }
+
+    fn drift(&self, _t: f64, _q: &[f64; 3], [u, v, w]: &[f64; 3]) -> [f64; 1] {
+        [2.0 * (u * u + v * v + w * w)]
+    }
+}

@@ -31,7 +31,10 @@ mod canonical_systems;
 mod clock;
 mod compensated;
 #[cfg(test)]
+mod constrained;
+#[cfg(test)]
 mod constrained_systems;
+mod corrected;
 mod error;
 mod fixed;
 mod gauss;

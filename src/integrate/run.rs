@@ -57,7 +57,7 @@ where
     }
     let failed = |cause: Cause<M::Scalar>, time, state| IntegrationError { cause, time, state };
     let mut stepper = method.start(system, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
-    observe(t0, &y0);
+    observe(t0, stepper.state());
     while stepper.time() != t_end {
         stepper.step(system, t_end).map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         observe(stepper.time(), stepper.state());

@@ -88,6 +88,17 @@ fn assignments_see_the_state_before_all_of_them() {
     assert_eq!(end.reaction, Reaction::Stop);
 }
 
+/// The friction of the crate is its second reaction and its fifth event.
+#[test]
+fn the_event_of_a_reaction_switches_that_reaction() {
+    let sliding = Crate { floor: Contact::Closed, rub: Friction::SlipsForwards, ..Crate::default() };
+    let answer = sliding.react(4, 0.0, &[0.0, 0.0, sliding.belt, 0.0]).expect("it reacts");
+    assert_eq!(
+        answer.system.map(|system| (system.floor, system.rub)),
+        Some((Contact::Closed, Friction::Sticks))
+    );
+}
+
 /// M a = f + Aᵀλ + Dᵀr, A a = 0 and the law of friction: whatever the way by which they were found.
 #[test]
 fn friction_that_depends_on_the_normal_force_balances_all_equations() {

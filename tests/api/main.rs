@@ -5,6 +5,7 @@ mod columns;
 mod constraints;
 mod contacts;
 mod declarations;
+mod events;
 mod fixed_steps;
 mod methods;
 mod products;

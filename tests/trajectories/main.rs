@@ -8,6 +8,7 @@ mod canonical;
 mod comet;
 mod drift;
 mod ends;
+mod held;
 mod phase;
 #[path = "../references/mod.rs"]
 mod references;

@@ -58,7 +58,7 @@ impl Writer<'_> {
             let #values = #system::terms(self, #time, #positions, #velocities);
             let #reactions = #krate::contact::reactions(&#values, &#system::modes(self));
         };
-        let otherwise = quote!(#evaluated #values.acceleration(&#reactions));
+        let otherwise = quote!(#evaluated #krate::contact::Terms::acceleration(&#values, &#reactions));
         let counts = self.write_acceleration(docs, &otherwise);
         let forces = quote!(#evaluated #reactions);
         self.push_method(

@@ -82,7 +82,7 @@ pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let functions = (!shape.events.is_empty()).then(|| {
         let call = call(shape, parts, "event_functions");
         quote! {
-            for (value, found) in #values.iter_mut().zip(#call) {
+            for (value, found) in ::core::iter::Iterator::zip(#values.iter_mut(), #call) {
                 *value = found;
             }
         }
@@ -130,9 +130,9 @@ fn reactions(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         Some(quote!(#index => #answer,))
     });
     let events = shape.events_of_reactions();
-    let touching = events.iter().enumerate().filter_map(|(k, event)| {
-        let (k, event) = (length(k), length((*event)?));
-        Some(quote!(#event => #krate::contact::react(self, #k, #time, #state),))
+    let touching = events.iter().flatten().map(|event| {
+        let event = length(*event);
+        quote!(#event => #krate::contact::react(self, #event, #time, #state),)
     });
     declared.chain(touching).collect()
 }

@@ -79,8 +79,9 @@ pub(super) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {
 
 /// Lets names keep the letters that they have in formulas.
 pub(super) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
-    let names =
-        shape.fields.iter().chain(&shape.coordinates).chain(shape.outputs.iter().map(|(name, _)| name));
+    let touching = shape.touching.iter().map(|(name, _)| name);
+    let outputs = shape.outputs.iter().map(|(name, _)| name);
+    let names = shape.fields.iter().chain(&shape.coordinates).chain(touching).chain(outputs);
     let is_snake_case = |name: &str| !name.contains(char::is_uppercase) && !name.contains("__");
     let exception =
         quote!(#[allow(non_snake_case, reason = "symbols keep the letters they have in formulas")]);
@@ -117,7 +118,8 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         false => quote!({ #fields #marker }),
     };
     let names = name_exception(shape);
-    let unused = shape.fields.iter().any(|name| name.text.starts_with('_'));
+    let touching = shape.touching.iter().map(|(name, _)| name);
+    let unused = shape.fields.iter().chain(touching).any(|name| name.text.starts_with('_'));
     let unused = unused.then(|| {
         quote!(#[allow(clippy::pub_underscore_fields, reason = "the user marked the parameter as unused")])
     });

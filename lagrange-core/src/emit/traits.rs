@@ -8,7 +8,7 @@ use super::contacts::contact_impl;
 use super::events::event_members;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
-use super::shape::{Shape, length, local};
+use super::shape::{Shape, length};
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -67,25 +67,26 @@ fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
     let ArgumentNames { time, state, .. } = &parts.names;
     let is_projected = !parts.constrained.is_empty() && !shape.is_stabilised;
-    let modules = [(is_projected, "constraint"), (!shape.touching.is_empty(), "contact")];
-    let calls = modules.into_iter().filter(|(is_held, _)| *is_held);
-    let calls = calls.map(|(_, module)| {
-        let module = local(module);
-        quote!(#krate::#module::correct(self, #time, #state)?;)
-    });
-    let calls = calls.collect::<Vec<_>>();
-    if calls.is_empty() {
+    let is_touching = !shape.touching.is_empty();
+    if !is_projected && !is_touching {
         return TokenStream::new();
     }
+    let touching = is_touching.then(|| quote!(#krate::contact::correct(self, #time, #state)?;));
+    let projected = is_projected.then(|| quote!(#krate::constraint::correct(self, #time, #state)?;));
+    let admitted = is_projected.then(|| quote!(#krate::constraint::admit(self, #time, #state)?;));
+    let outcome = quote!(::core::result::Result<(), #krate::integrate::Cause<#scalar>>);
     quote! {
         const IS_CONSTRAINED: ::core::primitive::bool = true;
         #[inline]
-        fn correct(
-            &self,
-            #time: #scalar,
-            #state: &mut [#scalar; #twice],
-        ) -> ::core::result::Result<(), #krate::integrate::Cause<#scalar>> {
-            #(#calls)*
+        fn correct(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+            #projected
+            #touching
+            ::core::result::Result::Ok(())
+        }
+        #[inline]
+        fn admit(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+            #admitted
+            #touching
             ::core::result::Result::Ok(())
         }
     }

@@ -87,10 +87,17 @@ impl Elimination {
         let mut elimination = Elimination::default();
         elimination.eliminate_massless(graph, &mut form, &mut velocities, &mut multipliers)?;
         let mut partners = multipliers;
+        // A multiplier may still share terms with velocities that its constraint does not hold.
+        let held = partners.iter().map(|&id| (id, form.near(id).collect::<Vec<_>>()));
+        let held = held.collect::<HashMap<_, _>>();
         while !velocities.is_empty() {
             elimination.eliminate_next(graph, &mut form, &mut velocities, &mut partners)?;
             if order == Multipliers::Early {
-                elimination.eliminate_complete(graph, &mut form, &mut partners)?;
+                let is_free = |id: &ExprId| !velocities.contains(id);
+                let is_complete = |_: &Graph, _: &QuadraticForm, id: ExprId| {
+                    held.get(&id).is_some_and(|held| held.iter().all(is_free))
+                };
+                elimination.eliminate_complete(graph, &mut form, &mut partners, is_complete)?;
             }
         }
         elimination.eliminate_all(graph, &mut form, partners)?;
@@ -113,7 +120,10 @@ impl Elimination {
             if let Some(velocity) = sweep.next_leaf() {
                 let step = eliminate(graph, &mut form, velocity)?;
                 elimination.push(graph, step);
-                elimination.eliminate_complete(graph, &mut form, &mut multipliers)?;
+                let is_complete = |graph: &Graph, form: &QuadraticForm, id: ExprId| {
+                    form.near(id).all(|j| is_multiplier(graph, j))
+                };
+                elimination.eliminate_complete(graph, &mut form, &mut multipliers, is_complete)?;
             } else if let Some(step) = sweep.next_step() {
                 form.apply(graph, &step);
                 elimination.moves.push(Move::Substitute(step));
@@ -165,18 +175,17 @@ impl Elimination {
         Some(())
     }
 
-    /// Eliminates the multipliers that share terms with other multipliers only: what the velocities add to their squares is
-    /// complete.
+    /// Eliminates the multipliers to whose squares the velocities have added all that they can.
     fn eliminate_complete(
         &mut self,
         graph: &mut Graph,
         form: &mut QuadraticForm,
         multipliers: &mut Vec<ExprId>,
+        is_complete: impl Fn(&Graph, &QuadraticForm, ExprId) -> bool,
     ) -> Option<()> {
         loop {
-            let is_complete =
-                |id: ExprId| form.has_square(id) && form.near(id).all(|j| is_multiplier(graph, j));
-            let complete = multipliers.iter().enumerate().filter(|(_, id)| is_complete(**id));
+            let is_ready = |id: ExprId| form.has_square(id) && is_complete(graph, form, id);
+            let complete = multipliers.iter().enumerate().filter(|(_, id)| is_ready(**id));
             let Some((position, &id)) = complete.min_by_key(|(_, id)| form.degree(**id)) else {
                 return Some(());
             };

@@ -16,13 +16,14 @@ const MOST_EVENTS: usize = 32;
 
 impl Elaborator<'_> {
     pub(super) fn event(&mut self, event: &ast::Event) {
-        let action = match &event.action {
-            ast::Action::Stop => Some(Action::Stop),
-            ast::Action::Record => Some(Action::Record),
+        let (value, action) = match &event.action {
             ast::Action::Impact(restitution) => return self.contact(event, *restitution),
-            ast::Action::Assign(assignments) => self.assignments(&event.name, assignments),
+            ast::Action::Stop => (self.event_function(event), Some(Action::Stop)),
+            ast::Action::Record => (self.event_function(event), Some(Action::Record)),
+            ast::Action::Assign(assignments) => {
+                (self.event_function(event), self.assignments(&event.name, assignments))
+            }
         };
-        let value = self.event_function(event);
         self.declare(&event.name, Kind::Event, None);
         if let (Some(value), Some(action)) = (value, action) {
             self.add_event(event, value, action);

@@ -115,6 +115,24 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         self.next.0
     }
 
+    /// The state at the end of the step that is being taken was brought onto constraints, and so are the variables. Momenta change
+    /// by what the velocities and the coordinates make of them, so that those that do not are kept to the last digit.
+    pub(super) fn follow(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        (from, to): (&M::State, &M::State),
+        variables: &mut M::State,
+    ) {
+        let ((q, v), (q_to, v_to)) = (split::<M>(from), split::<M>(to));
+        let (_, mut p) = split::<M>(variables);
+        let mut change = system.momenta(t, &q_to, &v_to);
+        add(&mut change, -M::Scalar::ONE, &system.momenta(t, &q, &v));
+        add(&mut p, M::Scalar::ONE, &change);
+        self.next.0 = v_to;
+        *variables = join::<M>(&q_to, &p);
+    }
+
     /// Goes on from the end of the step of the length `h`.
     pub(super) fn accept(&mut self, h: M::Scalar) {
         let (velocities, mass) = self.next;

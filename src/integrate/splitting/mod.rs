@@ -49,6 +49,8 @@ pub struct Splitting<S, Q, const DRIFTS: usize> {
     composition: Composition<DRIFTS>,
     /// When the last accepted step ended, if the acceleration there still holds.
     known: Option<S>,
+    /// Whether the state was moved onto constraints there.
+    was_moved: bool,
     /// What the last increment was made of.
     trial: Trial<S, Q>,
     /// That of the last accepted step.
@@ -67,7 +69,14 @@ struct Trial<S, Q> {
 impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> {
     pub(super) fn new(composition: Composition<DRIFTS>) -> Self {
         let nothing = Trial { h: S::ZERO, change: Q::ZERO, accelerations: [Q::ZERO; 2] };
-        Splitting { composition, known: None, trial: nothing, taken: nothing, watch: Watch::default() }
+        Splitting {
+            composition,
+            known: None,
+            was_moved: false,
+            trial: nothing,
+            taken: nothing,
+            watch: Watch::default(),
+        }
     }
 }
 
@@ -108,9 +117,21 @@ where
         Ok(join::<M>(&trial.change, &gain))
     }
 
+    fn follow(
+        &mut self,
+        _system: &M,
+        _t: M::Scalar,
+        (_, to): (&M::State, &M::State),
+        variables: &mut M::State,
+    ) {
+        *variables = *to;
+        self.was_moved = true;
+    }
+
     #[inline]
     fn accept(&mut self, t: M::Scalar) {
-        self.known = Some(t);
+        // The last acceleration belongs to where the step led by itself.
+        self.known = if core::mem::take(&mut self.was_moved) { None } else { Some(t) };
         self.taken = self.trial;
     }
 

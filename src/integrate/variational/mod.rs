@@ -211,6 +211,10 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
         self.reached.finish(system, (t, variables), ends[1], h, work)
     }
 
+    fn follow(&mut self, system: &M, t: M::Scalar, ends: (&M::State, &M::State), variables: &mut M::State) {
+        self.reached.follow(system, t, ends, variables);
+    }
+
     fn accept(&mut self, _t: M::Scalar) {
         let (ends, h) = self.ends;
         let start = self.reached.velocities;

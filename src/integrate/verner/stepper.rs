@@ -11,8 +11,8 @@ use super::tableau::{
 };
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
+use crate::integrate::corrected::{admitted, check_finite, corrected};
 use crate::integrate::error::Cause;
-use crate::integrate::fixed::check_finite;
 use crate::integrate::method::{Stepper, Work};
 use crate::integrate::stability::{EVALUATIONS, combined, distance, largest_eigenvalue, length};
 use crate::scalar::Scalar;
@@ -56,6 +56,16 @@ enum Known {
     End,
     /// And those that the interpolant needs.
     All,
+}
+
+/// What came of an attempt.
+enum Verdict<S> {
+    /// The step was taken.
+    Taken,
+    /// Its error was too large.
+    Inaccurate,
+    /// It led where the system is not defined, or where constraints cannot be satisfied.
+    Lost(Cause<S>),
 }
 
 /// The length of a step and the clock after it.
@@ -140,22 +150,24 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.last = Span { t, y: *self.state.value(), h: M::Scalar::ZERO };
     }
 
-    /// Tries a step towards `limit` and says whether its error was small enough.
+    /// Tries a step towards `limit`.
     fn attempt(
         &mut self,
         system: &M,
         Attempt { h, clock }: Attempt<M::Scalar>,
         limit: M::Scalar,
-    ) -> Result<bool, Cause<M::Scalar>> {
+    ) -> Result<Verdict<M::Scalar>, Cause<M::Scalar>> {
         let y = *self.state.value();
         let ends = self.stages(system, &y, h);
-        let state = self.advanced(h);
+        let mut state = self.advanced(h);
         let error = self.settings.norm(h, &ERROR.weighted(&self.rates), &y, state.value());
         let is_finite = check_finite(clock.time(), state.value()).is_ok();
         if !(error <= M::Scalar::ONE && is_finite) {
-            self.control.reject(h.abs(), if is_finite { error } else { M::Scalar::NAN });
-            self.work.rejections += 1;
-            return Ok(false);
+            return Ok(self.reject(h, if is_finite { error } else { M::Scalar::NAN }));
+        }
+        if let Err(cause) = correct(system, clock.time(), &mut state) {
+            self.reject(h, M::Scalar::NAN);
+            return Ok(Verdict::Lost(cause));
         }
         if self.settings.refuses_stiff && self.stiffness.is_due(self.work.steps) {
             let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
@@ -167,7 +179,17 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.control.accept(h.abs(), error);
         self.last = Span { t: self.clock.time(), y, h };
         (self.clock, self.state, self.known) = (clock, state, Known::Stages);
-        Ok(true)
+        Ok(Verdict::Taken)
+    }
+
+    /// Throws a step of the length `h` away that had this error.
+    fn reject(&mut self, h: M::Scalar, error: M::Scalar) -> Verdict<M::Scalar> {
+        self.control.reject(h.abs(), error);
+        self.work.rejections += 1;
+        match check_finite(h, &self.rates[15]) {
+            Ok(()) => Verdict::Inaccurate,
+            Err(cause) => Verdict::Lost(cause),
+        }
     }
 
     /// Refuses to go on if steps of the length `h` are at the limit of stability; `ends` are two states that differ in
@@ -217,16 +239,17 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>> {
         self.rates[0] = self.end_rate(system);
         self.forget_last();
-        let mut is_finite = true;
+        let mut lost = None;
         loop {
             if self.work.steps + self.work.rejections >= self.settings.max_steps {
                 return Err(Cause::TooManySteps { limit: self.settings.max_steps });
             }
-            let attempt = self.next(limit).map_err(|lost| if is_finite { lost } else { Cause::NotFinite })?;
-            if self.attempt(system, attempt, limit)? {
-                return Ok(());
-            }
-            is_finite = check_finite(attempt.h, &self.rates[15]).is_ok();
+            let attempt = self.next(limit).map_err(|underflow| lost.unwrap_or(underflow))?;
+            lost = match self.attempt(system, attempt, limit)? {
+                Verdict::Taken => return Ok(()),
+                Verdict::Inaccurate => None,
+                Verdict::Lost(cause) => Some(cause),
+            };
         }
     }
 
@@ -247,11 +270,11 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
             self.known = Known::All;
             self.work.evaluations += 9;
         }
-        interpolate(&self.last, (t - self.last.t) / self.last.h, &self.rates)
+        corrected(system, t, interpolate(&self.last, (t - self.last.t) / self.last.h, &self.rates))
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
-        check_finite(t, y)?;
+        let y = &admitted(system, t, y)?;
         let rate = system.rhs(t, y);
         self.work.evaluations += 1;
         check_finite(t, &rate)?;
@@ -271,4 +294,21 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
     fn work(&self) -> Work {
         self.work
     }
+}
+
+/// Brings the end of a step onto the constraints.
+#[inline]
+fn correct<M: OdeSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    state: &mut Compensated<M::State>,
+) -> Result<(), Cause<M::Scalar>> {
+    if !M::IS_CONSTRAINED {
+        return Ok(());
+    }
+    let mut y = *state.value();
+    system.correct(t, &mut y)?;
+    check_finite(t, &y)?;
+    state.replace(y);
+    Ok(())
 }

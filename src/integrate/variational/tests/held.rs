@@ -8,7 +8,7 @@ use crate::integrate::constrained_systems::checks::{
 use crate::integrate::constrained_systems::{
     Dragged, DrivenSlide, Held, PlanePendulum, Sleigh, SphericalPendulum, TurningWire, TwoRods, on_sphere,
 };
-use crate::integrate::{Method, Stepper};
+use crate::integrate::{Cause, Method, Stepper, integrate};
 
 const PENDULUM: [f64; 4] = [0.6, -0.8, 1.6, 1.2];
 const SPHERICAL: [f64; 6] = [0.6, 0.0, -0.8, 0.4, 1.5, 0.3];
@@ -107,4 +107,20 @@ fn few_iterations_take_a_step() {
     }
     let work = stepper.work();
     assert!(work.iterations <= 8 * work.steps, "{work:?}");
+}
+
+#[test]
+fn what_hangs_at_rest_stays_there() {
+    let rest = [0.0, -1.0, 0.0, -2.0, 0.0, 0.0, 0.0, 0.0];
+    let end = reached(&Held(TwoRods), 0.0, rest, 10.0, &method(0.1));
+    assert!(distance(&end, &rest) < 1e-15, "{end:?}");
+}
+
+#[test]
+fn steps_that_lose_their_way_leave_the_last_state() {
+    let fast = PENDULUM.map(|entry| if entry.abs() > 1.0 { 50.0 * entry } else { entry });
+    let error =
+        integrate(&Held(PlanePendulum), 0.0, fast, 1.0, &method(0.5), |_, _| {}).expect_err("refused");
+    assert!(matches!(error.cause, Cause::NotConverged { .. } | Cause::NotFinite), "{error}");
+    assert_eq!((error.time, error.state), (0.0, fast));
 }
