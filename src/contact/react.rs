@@ -12,31 +12,32 @@ use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::system::{Reacted, join, split};
 
-/// What the event of reaction `k` does to the state at which it happened: an impact, a contact that opens, friction that comes to
-/// hold or gives way.
+/// What the declared event of this index, which belongs to a reaction, does to the state at which it happened: an impact, a
+/// contact that opens, friction that comes to hold or gives way. Nothing if it belongs to none.
 ///
 /// Bounces whose series would end within 10⁻⁹ of the time that has passed, or whose height is lost in the rounding of the
 /// gap, are taken together: the contact closes, and the time at which the series ends is told.
 ///
 /// # Errors
 /// If no impulses, or no forces after it, fit.
-///
-/// # Panics
-/// If there is no such reaction.
 pub fn react<M, const N: usize, const K: usize>(
     system: &M,
-    k: usize,
+    event: usize,
     t: M::Scalar,
     y: &M::State,
 ) -> Reacted<M>
 where
     M: ContactSystem<N, K>,
 {
+    let modes = system.modes();
+    let Some(k) = (0..K).find(|k| modes[*k] != Mode::Smooth && system.event_of(*k) == event) else {
+        return Ok(Answer::new(Reaction::Continue));
+    };
     let mut held = *y;
     correct(system, t, &mut held)?;
     let (q, v) = split::<M>(&held);
     let moment = Moment { system, t, q, v };
-    match system.modes()[k] {
+    match modes[k] {
         Mode::Contact(Contact::Open) => moment.hit(k),
         Mode::Contact(Contact::Closed) => moment.end(k, Rule::Absent),
         Mode::Friction(Friction::Sticks) => moment.give_way(k),
