@@ -19,17 +19,16 @@ def declaration():
     for k in range(WINDOWS + 1):
         lines += [
             f"coord crank{k};" if k == 0 else f"coord coupler{k}, crank{k};",
-            f"let (x{k}, y{k}) = ({k} * l + l * cos(crank{k}), l * sin(crank{k}));",
+            f"let y{k} = l * sin(crank{k});",
             f"kinetic = 1/6 * m * l^2 * dot(crank{k})^2;",
             f"potential = m * g * y{k} / 2;",
         ]
         if k == 0:
             continue
-        joint = f"x{k - 1}", f"y{k - 1}"
         lines += [
-            f"let (cx{k}, cy{k}) = ({joint[0]} + l/2 * cos(coupler{k}), {joint[1]} + l/2 * sin(coupler{k}));",
-            f"kinetic = 1/2 * m * (dot(cx{k})^2 + dot(cy{k})^2) + 1/24 * m * l^2 * dot(coupler{k})^2;",
-            f"potential = m * g * cy{k};",
+            f"let (u{k}, w{k}) = (l * cos(crank{k - 1}) + l/2 * cos(coupler{k}), y{k - 1} + l/2 * sin(coupler{k}));",
+            f"kinetic = 1/2 * m * (dot(u{k})^2 + dot(w{k})^2) + 1/24 * m * l^2 * dot(coupler{k})^2;",
+            f"potential = m * g * w{k};",
             f"constraint closed_x{k} = l * (cos(crank{k - 1}) + cos(coupler{k}) - cos(crank{k}) - 1);",
             f"constraint closed_y{k} = l * (sin(crank{k - 1}) + sin(coupler{k}) - sin(crank{k}));",
         ]
