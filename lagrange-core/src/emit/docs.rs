@@ -197,7 +197,8 @@ pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: Oper
         Accuracy::Strict => lines.push(STRICT.to_owned()),
         Accuracy::Standard => {}
     }
-    lines.push(format!("- Cost of `acceleration`: {}.", counts_text(counts)));
+    let when = if model.reactions.is_empty() { "" } else { " while no contact or friction acts" };
+    lines.push(format!("- Cost of `acceleration`{when}: {}.", counts_text(counts)));
     lines
 }
 
