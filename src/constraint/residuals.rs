@@ -6,6 +6,8 @@ use crate::system::StateVector;
 
 /// The largest coordinate counts as no smaller than this.
 const SMALLEST: f64 = 1e-6;
+/// So many roundings of the largest scale are no violation: where a gradient vanishes, its scale is rounding itself.
+const ROUNDINGS: f64 = 16.0;
 
 /// The constraint that is violated most in proportion to its scale.
 pub(super) struct Worst<S> {
@@ -70,8 +72,10 @@ impl<S: Scalar> Worst<S> {
             },
             part: S::ZERO,
         };
+        let rounding =
+            S::from_f64(ROUNDINGS) * S::epsilon() * scales.iter().fold(S::ZERO, |most, s| most.max(*s));
         for ((&constraint, &residual), &scale) in names.iter().zip(residuals).zip(scales) {
-            let part = proportion(residual, scale);
+            let part = if residual.abs() <= rounding { S::ZERO } else { proportion(residual, scale) };
             if part > worst.part {
                 worst = Worst { violation: Violation { constraint, residual, is_of_velocities }, part };
             }
@@ -87,7 +91,7 @@ fn proportion<S: Scalar>(residual: S, scale: S) -> S {
 }
 
 /// What coordinates or velocities are measured by: their magnitudes, but at least [`size`].
-fn sizes<S: Scalar, Q: StateVector<S>>(x: &Q) -> Q {
+pub(crate) fn sizes<S: Scalar, Q: StateVector<S>>(x: &Q) -> Q {
     let least = size(x.as_ref());
     let mut sizes = *x;
     for entry in sizes.as_mut() {
