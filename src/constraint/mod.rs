@@ -24,6 +24,7 @@ pub use self::least_norm::{
 };
 pub use self::projection::{admit, consistent_velocity, correct, project};
 pub use self::regular::{are_finite, are_regular, weighed};
+pub(crate) use self::residuals::sizes;
 pub use self::unprojected::Unprojected;
 pub use self::values::ConstraintValues;
 pub(crate) use self::values::inner;

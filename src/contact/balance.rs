@@ -9,7 +9,7 @@
 
 use core::array;
 
-use super::least_norm::{dot, solve};
+use super::least_norm::{dot, nearest, solve};
 use super::{Contact, Friction, Mode, Terms};
 use crate::scalar::Scalar;
 
@@ -39,6 +39,8 @@ pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
     sizes: [S; K],
     /// One if limits hold what is there without reactions; zero for impulses, to which finite forces do not contribute.
     presence: S,
+    /// Whether rates that cannot be held together are an error; else they are held as nearly as they can be.
+    is_exact: bool,
 }
 
 impl Rule {
@@ -72,7 +74,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         let offset = |k: usize| dot(&terms.rows[k], &terms.free) + terms.drifts[k];
         let size = |k: usize| terms.size_of(k, &terms.free) + terms.drifts[k].abs();
         let (offsets, sizes) = (array::from_fn(offset), array::from_fn(size));
-        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ONE }
+        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ONE, is_exact: true }
     }
 
     /// Of impulses and what is to be zero or positive after an impact: rate⁺ + e rate⁻.
@@ -82,12 +84,14 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             rate => rate,
         });
         let size = offsets.iter().fold(S::ZERO, |size, offset: &S| size.max(offset.abs()));
-        Balance { terms, matrix: terms.matrix(), offsets, sizes: [size; K], presence: S::ZERO }
+        let sizes = [size; K];
+        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: true }
     }
 
-    /// Of changes of the state that take away these values.
+    /// Of changes of the state that take away these values. Those of a state that is at rest but for rounding need not fit together.
     pub(super) fn of_values(terms: &'a Terms<S, N, K>, values: [S; K]) -> Self {
-        Balance { terms, matrix: terms.matrix(), offsets: values, sizes: values, presence: S::ZERO }
+        let (offsets, sizes) = (values, values);
+        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: false }
     }
 
     /// What rate k is under these reactions.
@@ -171,7 +175,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             _ => -(factor(k) * self.presence * self.terms.kinetic[k] * units[k]),
         };
         let matrix: [[S; K]; K] = array::from_fn(|k| array::from_fn(|j| entry(k, j)));
-        let reactions = solve(&matrix, &array::from_fn(right));
+        let right = array::from_fn(right);
+        let reactions = if self.is_exact { solve(&matrix, &right) } else { nearest(&matrix, &right) };
         array::from_fn(|k| reactions[k] / units[k])
     }
 }

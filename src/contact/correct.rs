@@ -1,9 +1,11 @@
 //! Back onto closed contacts: gaps to zero, and the velocities that contacts and sticking friction hold.
 
+use core::array;
+
 use super::balance::{Balance, Rule};
 use super::start::holds;
 use super::{Contact, ContactSystem, Mode, Terms};
-use crate::constraint::Violation;
+use crate::constraint::{Violation, sizes};
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::system::{join, split};
@@ -12,6 +14,8 @@ use crate::system::{join, split};
 const MOST_ROUNDS: u32 = 12;
 /// A gap is closed if it is smaller than this many roundings of the terms that make it.
 const ROUNDINGS: f64 = 64.0;
+/// Bodies that touch without pressing are put so many roundings apart.
+const SLIT: f64 = 4.0;
 
 /// Brings a state onto the closed contacts and sticking friction: gaps to zero by the smallest change of the coordinates that the
 /// mechanism allows, measured by the mass matrix, and then their rates and slip velocities by the smallest change of the
@@ -68,6 +72,11 @@ where
             return Ok(());
         }
     }
+    // Gaps that are coordinates have no terms beside which they could be small: what counts is then the size of the coordinates.
+    if widest(&system.terms(t, &closed, v), &sizes(q), is_closed).is_none() {
+        *q = closed;
+        return Ok(());
+    }
     let terms = system.terms(t, q, v);
     let k = widest(&terms, q, is_closed).unwrap_or_default();
     Err(violated(M::REACTIONS[k], terms.gaps[k]))
@@ -110,6 +119,19 @@ pub(super) fn halt<S: Scalar, const N: usize, const K: usize>(
     is_held: [bool; K],
 ) {
     change(terms, v, terms.rates, is_held);
+}
+
+/// Opens a gap by a few roundings if it is negative by no more than rounding, so that it is not found closed again at once.
+pub(super) fn part<S: Scalar, const N: usize, const K: usize>(
+    terms: &Terms<S, N, K>,
+    q: &mut [S; N],
+    k: usize,
+) {
+    if terms.gaps[k] < S::ZERO {
+        let mut values = [S::ZERO; K];
+        values[k] = terms.gaps[k] - S::from_f64(SLIT) * S::epsilon() * terms.size_of(k, q);
+        change(terms, q, values, array::from_fn(|j| j == k));
+    }
 }
 
 /// Adds responses so that these values are taken away where they are held.

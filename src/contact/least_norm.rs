@@ -15,13 +15,17 @@ const MOST_SWEEPS: u32 = 40;
 
 /// The shortest x with A x = b, or NaN if there is none. Rows and columns are taken to be scaled, so that A has entries of about one.
 pub(super) fn solve<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
-    let negligible = negligible::<S>();
+    let x = nearest(a, b);
+    if residual(a, b, &x) <= size(a, b, &x) * negligible::<S>().sqrt() { x } else { [S::NAN; K] }
+}
+
+/// The shortest x for which A x is nearest to b. Rows and columns are taken to be scaled, so that A has entries of about one.
+pub(super) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
     let factors = Factors::<S, [S; K]>::new(Matrix(*a));
-    if let Some(factors) = factors.filter(|factors| factors.smallest_pivot() > negligible) {
-        return factors.solve(b);
+    match factors.filter(|factors| factors.smallest_pivot() > negligible()) {
+        Some(factors) => factors.solve(b),
+        None => shortest(a, b),
     }
-    let x = shortest(a, b);
-    if residual(a, b, &x) <= size(a, b, &x) * negligible.sqrt() { x } else { [S::NAN; K] }
 }
 
 /// What is rounding beside one: a little below the three quarters of all digits.

@@ -3,7 +3,7 @@
 use core::array;
 
 use super::balance::{Balance, Rule, reactions};
-use super::correct::{close, correct, halt};
+use super::correct::{close, correct, halt, part};
 use super::impact::Collision;
 use super::start::{Position, holds};
 use super::{Contact, ContactSystem, Friction, Happening, Impact, Mode, Terms};
@@ -81,7 +81,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
             }
         }
         if position.is_still[k] || terms.rates[k] >= M::Scalar::ZERO {
-            return self.graze(&terms, &position);
+            return self.graze(k, &terms, &position);
         }
         let (collision, rest, settled) = self.collide(&terms, position)?;
         let impact = Impact { impulse: collision.impulses[k], energy_loss: collision.energy_loss };
@@ -94,11 +94,13 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
 
     /// A contact that touches and does not approach: it closes if it is pressed. Else nothing happens, but that the body is put
     /// onto the side on which it was.
-    fn graze(&self, terms: &Terms<M::Scalar, N, K>, position: &Position<K>) -> Reacted<M> {
+    fn graze(&self, k: usize, terms: &Terms<M::Scalar, N, K>, position: &Position<K>) -> Reacted<M> {
         let modes = self.system.modes();
         let settled = terms.settle(&modes, position, None)?;
         if settled == modes {
-            return Ok(Answer::new(Reaction::Replace(join::<M>(&self.q, &self.v))));
+            let mut q = self.q;
+            part(terms, &mut q, k);
+            return Ok(Answer::new(Reaction::Replace(join::<M>(&q, &self.v))));
         }
         let none = Impact { impulse: M::Scalar::ZERO, energy_loss: M::Scalar::ZERO };
         let mut v = self.v;

@@ -7,11 +7,13 @@ use super::correct::violated;
 use super::settle::Choice;
 use super::switch::nothing;
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
+use crate::constraint::sizes;
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::system::split;
 
-/// Gaps and rates are zero if they are smaller than this many roundings of the terms that make them.
+/// Gaps and rates are zero if they are smaller than this many roundings of what they would be if each coordinate were off by its
+/// size, as constraints are measured: a gap that is a coordinate has no other terms beside which it could be small.
 const ROUNDINGS: f64 = 4096.0;
 
 /// The system as a motion from this state starts: contacts that touch and press are closed, friction at rest sticks if it can
@@ -60,13 +62,18 @@ impl<const K: usize> Position<K> {
     ) -> Self {
         let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
         let share = |k: usize| if holds(modes[k]) { S::epsilon().sqrt() } else { rounding };
-        let near: [S; K] =
-            array::from_fn(|k| share(k) * terms.size_of(k, q) + rounding * terms.speed_of(k, v) * t.abs());
+        let (lengths, speeds) = (sizes(q), sizes(v));
+        let near: [S; K] = array::from_fn(|k| {
+            let size = terms.size_of(k, &lengths) + terms.speed_of(k, v) * t.abs();
+            share(k) * terms.size_of(k, q) + rounding * size
+        });
+        let slow: [S; K] =
+            array::from_fn(|k| share(k) * terms.speed_of(k, v) + rounding * terms.size_of(k, &speeds));
         let is_contact = |k: usize| matches!(modes[k], Mode::Contact(_));
         Position {
             is_touching: array::from_fn(|k| is_contact(k) && terms.gaps[k].abs() <= near[k]),
             is_beyond: array::from_fn(|k| is_contact(k) && terms.gaps[k] < -near[k]),
-            is_still: array::from_fn(|k| terms.rates[k].abs() <= share(k) * terms.speed_of(k, v)),
+            is_still: array::from_fn(|k| terms.rates[k].abs() <= slow[k]),
         }
     }
 }

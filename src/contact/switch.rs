@@ -2,8 +2,12 @@
 
 use super::balance::{Balance, reactions};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
+use crate::constraint::sizes;
 use crate::scalar::Scalar;
 use crate::system::split;
+
+/// A slip velocity that is held at zero is no more than this many roundings of what makes it.
+const ROUNDINGS: f64 = 64.0;
 
 /// Friction whose limit is smaller than this is none.
 pub(super) fn nothing<S: Scalar>() -> S {
@@ -36,6 +40,9 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
 
 /// Writes [`switch_values`] of the state to the places of the declared events that belong to reactions.
 ///
+/// Slip velocities count as positive down to what rounding makes of zero: friction may be at its limit where other contacts
+/// hold its slip velocity, as that of a block pushed against a wall, and would come to its end in every step.
+///
 /// # Panics
 /// If `values` has no place for one of them.
 pub fn event_values<M, const N: usize, const K: usize>(
@@ -48,8 +55,21 @@ pub fn event_values<M, const N: usize, const K: usize>(
 {
     let (q, v) = split::<M>(y);
     let modes = system.modes();
-    let found = switch_values(&system.terms(t, &q, &v), &modes);
+    let terms = system.terms(t, &q, &v);
+    let found = switch_values(&terms, &modes);
     for k in (0..K).filter(|k| modes[*k] != Mode::Smooth) {
-        values[system.event_of(k)] = found[k];
+        let is_slipping =
+            matches!(modes[k], Mode::Friction(Friction::SlipsForwards | Friction::SlipsBackwards));
+        let noise = if is_slipping { terms.slip_noise(k, t, &v) } else { M::Scalar::ZERO };
+        values[system.event_of(k)] = found[k] + noise;
+    }
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// What rounding may make of slip velocity k where it is held at zero: of the velocities, and of accelerations in the time that
+    /// has passed.
+    fn slip_noise(&self, k: usize, t: S, v: &[S; N]) -> S {
+        let accelerations = self.size_of(k, &self.free) + self.drifts[k].abs();
+        S::from_f64(ROUNDINGS) * S::epsilon() * (self.size_of(k, &sizes(v)) + accelerations * t.abs())
     }
 }
