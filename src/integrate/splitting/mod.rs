@@ -84,6 +84,8 @@ impl<M, const DRIFTS: usize> Formula<M> for Splitting<M::Scalar, M::Coordinates,
 where
     M: LeapfrogSystem + ?Sized,
 {
+    const KEEPS_CONSTRAINTS: bool = M::IS_HELD;
+
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
         self.known = None;
         *y

@@ -176,6 +176,8 @@ impl<M: CanonicalSystem + ?Sized> Clone for Discrete<M> {
 }
 
 impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
+    const KEEPS_CONSTRAINTS: bool = M::SAYS_CONSTRAINTS;
+
     fn variables(&mut self, system: &M, t: M::Scalar, y: &M::State) -> M::State {
         self.prediction.forget();
         self.multipliers = [Vector::<M>::ZERO; 2];
