@@ -3,7 +3,7 @@
 use lagrange::Simulate;
 use lagrange::contact::{Contact, Friction, Happening};
 use lagrange::event::Direction;
-use lagrange::integrate::{RungeKutta4, integrate};
+use lagrange::integrate::{GaussLegendre4, Method, RungeKutta4, Variational, Verner98, integrate};
 use lagrange::simulate::Ending;
 
 lagrange::system! {
@@ -130,4 +130,43 @@ fn given_events_see_the_system_as_it_is_then() {
         .run()
         .expect("runs");
     assert_eq!(modes, [Contact::Open, Contact::Closed]);
+}
+
+lagrange::system! {
+    /// A block that falls onto a rough table and slides to rest, with momenta.
+    #[derive(Clone, Debug)]
+    struct Sliding;
+
+    param m = 2.0, g = 9.81, mu = 0.25;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    potential = m * g * y;
+    event table = y - 5, falling => impact(0);
+    friction rub = dot(x), mu * table;
+    emit { momentum_rates }
+}
+
+/// Methods that integrate momenta feel contacts and friction as well, or refuse.
+fn comes_to_rest(method: impl Method<Sliding>) {
+    let sliding = Sliding::default();
+    let simulation = sliding.simulate([0.0, 6.0, 3.0, 0.0]).until(3.0).method(method);
+    let trajectory = simulation.run().expect("runs");
+    let found: Vec<_> = trajectory.events().iter().map(|event| event.name.as_str()).collect();
+    assert_eq!(found, ["table", "rub"], "{}", trajectory.method());
+    let [_, y, u, v] = trajectory.last();
+    assert!((y - 5.0).abs() < 1e-9 && u.abs() < 1e-9 && v.abs() < 1e-9, "{:?}", trajectory.last());
+    // The impact takes μ of what it stops, friction the rest: u = 3 − μ (√(2 g) + g t).
+    let fall = (2.0_f64 / 9.81).sqrt();
+    let stop = fall + (3.0 - 0.25 * (2.0_f64 * 9.81).sqrt()) / (0.25 * 9.81);
+    assert!((trajectory.events()[1].time - stop).abs() < 1e-10, "{}", trajectory.events()[1].time);
+}
+
+#[test]
+fn every_family_of_methods_feels_contacts() {
+    let step = 1e-2;
+    comes_to_rest(Verner98::tolerance(1e-10));
+    comes_to_rest(RungeKutta4 { step });
+    comes_to_rest(GaussLegendre4 { step });
+    comes_to_rest(GaussLegendre4 { step }.plain());
+    comes_to_rest(Variational { step });
 }
