@@ -10,6 +10,7 @@ mod drift;
 mod ends;
 mod held;
 mod phase;
+mod projected;
 #[path = "../references/mod.rs"]
 mod references;
 mod stiff;
