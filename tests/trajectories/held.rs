@@ -1,6 +1,8 @@
 //! Constraints over a million steps of methods that enforce them without projection.
 
-use lagrange::integrate::{Method, StormerVerlet, SymplecticEuler, Variational, integrate};
+use lagrange::integrate::{
+    GaussLegendre4, GaussLegendre6, Method, StormerVerlet, SymplecticEuler, Variational, integrate,
+};
 use lagrange::system::{CanonicalSystem, EnergyFunction, OdeSystem, split};
 
 use crate::drift::{Line, assert_bounded, line};
@@ -145,6 +147,40 @@ fn two_rods_keep_their_lengths_and_their_energy() {
     };
     watched(&rods, RODS, 0.01, &Variational { step: 0.01 }, residuals).check(1e-5, 4e-15, 4e-14);
     watched(&rods, RODS, 0.005, &StormerVerlet { step: 0.005 }, residuals).check(2e-2, 4e-15, 4e-14);
+}
+
+/// These are put back after each step.
+#[test]
+fn gauss_methods_stay_on_constraints_by_projection() {
+    let (rods, end) = (TwoRods::default(), 1000.0);
+    let energy = |y: &[f64; 8]| {
+        let (q, v) = split::<TwoRods>(y);
+        rods.energy(0.0, &q, &v)
+    };
+    let check = |method: &dyn Fn(&mut dyn FnMut(f64, &[f64; 8])), bound: f64| {
+        let (mut residual, mut error) = (0.0_f64, 0.0_f64);
+        method(&mut |t, y| {
+            let (q, v) = split::<TwoRods>(y);
+            residual = residual.max(largest(rods.constraints(t, &q, &v)));
+            residual = residual.max(largest(rods.constraint_velocity(t, &q, &v)));
+            error = error.max((energy(y) - energy(&RODS)).abs());
+        });
+        println!("residual {residual:e}, energy {error:e}");
+        assert!(residual < 1e-12 && error < bound, "{residual:e} {error:e}");
+    };
+    let step = 0.01;
+    check(
+        &|see| {
+            integrate(&rods, 0.0, RODS, end, &GaussLegendre4 { step }, see).expect("converges");
+        },
+        1e-4,
+    );
+    check(
+        &|see| {
+            integrate(&rods, 0.0, RODS, end, &GaussLegendre6 { step }, see).expect("converges");
+        },
+        1e-8,
+    );
 }
 
 #[test]

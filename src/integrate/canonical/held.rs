@@ -33,7 +33,7 @@ pub(in crate::integrate) fn held_velocities<M: CanonicalSystem + ?Sized>(
     mass: &Matrix<M::Scalar, M::Coordinates>,
     h: M::Scalar,
     work: &mut Work,
-) -> Result<(M::Coordinates, M::Coordinates), Cause<M::Scalar>> {
+) -> Result<[M::Coordinates; 2], Cause<M::Scalar>> {
     let values = system.constraint_values(t, q, &guess);
     let (mut unknowns, mut uncounted) = ([join::<M>(&guess, &M::Coordinates::ZERO)], Work::default());
     let saddle = Saddle::new(mass, &values)?;
@@ -41,7 +41,7 @@ pub(in crate::integrate) fn held_velocities<M: CanonicalSystem + ?Sized>(
     let mut equations = Held { system, t, q, p, guess, mass, values, saddle, terms, reaction };
     newton::solve(&mut equations, &mut unknowns, Scalar::epsilon(), &mut uncounted)?;
     work.evaluations += uncounted.evaluations;
-    Ok((split::<M>(&unknowns[0]).0, equations.reaction))
+    Ok([split::<M>(&unknowns[0]).0, equations.reaction])
 }
 
 /// The equations for v and μ.
@@ -142,7 +142,7 @@ pub(in crate::integrate) fn stiffness<S: Scalar, Q: StateVector<S>>(
     values: &ConstraintValues<S, Q>,
 ) -> S {
     let largest = |rows: &[Q]| {
-        let entries = rows.iter().flat_map(|row| row.as_ref());
+        let entries = rows.iter().flat_map(Q::as_ref);
         entries.fold(S::ZERO, |largest, entry| largest.max(entry.abs()))
     };
     let (mass, gradient) = (largest(mass.0.as_ref()), largest(values.jacobian.as_ref()));

@@ -105,7 +105,7 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         work: &mut Work,
     ) -> Result<M::Coordinates, Cause<M::Scalar>> {
         let mass = Matrix(system.mass_matrix(t, q, &guess));
-        let (v, reaction) = held_velocities(system, t, (q, p), guess, &mass, h, work)?;
+        let [v, reaction] = held_velocities(system, t, (q, p), guess, &mass, h, work)?;
         self.next = (v, mass);
         Ok(reaction)
     }

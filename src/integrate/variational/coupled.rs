@@ -111,11 +111,15 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
     }
 }
 
+/// Factors of the equations without constraints, and the weight ρ of what was added to them.
+type Stiffened<M> =
+    (Linearised<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>, <M as OdeSystem>::Scalar);
+
 /// The factors of the equations without constraints, with stiffness in the place of inertia that is missing.
 fn linearised<M: CanonicalSystem + ?Sized>(
     pencil: &Derivatives<M>,
     middle: &Values<M>,
-) -> Result<(Linearised<M::Scalar, M::Coordinates>, M::Scalar), Cause<M::Scalar>> {
+) -> Result<Stiffened<M>, Cause<M::Scalar>> {
     if let Some(linearised) = Linearised::new(pencil) {
         return Ok((linearised, M::Scalar::ZERO));
     }
