@@ -32,14 +32,6 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
         self.0.jacobian(t, y)
     }
 
-    const IS_CONSTRAINED: bool = M::IS_CONSTRAINED;
-
-    /// Leaves the state as it is.
-    #[inline]
-    fn correct(&self, _t: M::Scalar, _y: &mut M::State) -> Result<(), Cause<M::Scalar>> {
-        Ok(())
-    }
-
     #[inline]
     fn admit(&self, t: M::Scalar, y: &mut M::State) -> Result<(), Cause<M::Scalar>> {
         self.0.admit(t, y)

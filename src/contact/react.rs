@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 use crate::system::{Reacted, join, split};
 
 /// What the declared event of this index, which belongs to a reaction, does to the state at which it happened: an impact, a
-/// contact that opens, friction that comes to hold or gives way. For the event of no reaction, nothing.
+/// contact that opens, friction that comes to hold or gives way. Nothing if it belongs to none.
 ///
 /// Bounces whose series would end within 10⁻⁹ of the time that has passed, or whose height is lost in the rounding of the
 /// gap, are taken together: the contact closes, and the time at which the series ends is told.
@@ -41,7 +41,8 @@ where
         Mode::Contact(Contact::Open) => moment.hit(k),
         Mode::Contact(Contact::Closed) => moment.end(k, Rule::Absent),
         Mode::Friction(Friction::Sticks) => moment.give_way(k),
-        Mode::Friction(_) | Mode::Smooth => moment.stop(k),
+        Mode::Friction(_) => moment.stop(k),
+        Mode::Smooth => Ok(Answer::new(Reaction::Continue)),
     }
 }
 

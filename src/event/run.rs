@@ -7,7 +7,7 @@ use super::lookout::{Declarations, Lookout, is_forwards};
 use super::watch::{Occurrence, Watch, is_at_once};
 use crate::integrate::{Cause, IntegrationError, Method, Outcome, Stepper};
 use crate::scalar::Scalar;
-use crate::system::OdeSystem;
+use crate::system::{OdeSystem, Reacted};
 
 /// What to do at an event.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -156,10 +156,14 @@ struct Events<M: OdeSystem, V, R, const E: usize> {
 type Turn<M> = (<M as OdeSystem>::Scalar, <M as OdeSystem>::State, Course<M>);
 
 /// An event of the declaration, or else a given one.
+#[derive(Clone, Copy)]
 enum Kind {
     Declared,
     Given,
 }
+
+/// Which event comes next, and when.
+type Next<M> = Result<Option<(Kind, <M as OdeSystem>::Scalar)>, Cause<<M as OdeSystem>::Scalar>>;
 
 impl<M, V, R, const E: usize> Events<M, V, R, E>
 where
@@ -177,7 +181,7 @@ where
                 state: *stepper.state(),
             })?;
             let Some((kind, time)) = found else { return Ok(None) };
-            let Some(event) = self.take(&kind) else { return Ok(None) };
+            let Some(event) = self.take(kind) else { return Ok(None) };
             let state = event.state;
             let course = self.follow(system, stepper, (kind, event));
             let course = course.map_err(|cause| IntegrationError { cause, time, state })?;
@@ -207,7 +211,7 @@ where
             let Some((kind, _)) = next.filter(|(_, time)| is_at_once(event.time, *time, from, to)) else {
                 return Ok(course);
             };
-            let Some(next) = self.take(&kind) else { return Ok(course) };
+            let Some(next) = self.take(kind) else { return Ok(course) };
             if let Kind::Declared = kind
                 && M::EVENTS[next.event].is_switch
             {
@@ -220,12 +224,7 @@ where
         }
     }
 
-    fn answer(
-        &mut self,
-        system: &M,
-        kind: Kind,
-        event: &Occurrence<M::Scalar, M::State>,
-    ) -> Result<Answer<M, M::Scalar, M::State>, Cause<M::Scalar>> {
+    fn answer(&mut self, system: &M, kind: Kind, event: &Occurrence<M::Scalar, M::State>) -> Reacted<M> {
         match kind {
             Kind::Declared => system.react(event.event, event.time, &event.state),
             Kind::Given => Ok(Answer::new((self.given.react)(event))),
@@ -233,11 +232,7 @@ where
     }
 
     /// The next event in the last step: which it is, and when.
-    fn look(
-        &mut self,
-        system: &M,
-        stepper: &mut impl Stepper<M>,
-    ) -> Result<Option<(Kind, M::Scalar)>, Cause<M::Scalar>> {
+    fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Next<M> {
         let from = stepper.last_time();
         let declared = self.declared.look(system, stepper)?;
         let given = self.given.lookout.look(system, stepper, &mut self.given.values);
@@ -251,7 +246,7 @@ where
         })
     }
 
-    fn take(&mut self, kind: &Kind) -> Option<Occurrence<M::Scalar, M::State>> {
+    fn take(&mut self, kind: Kind) -> Option<Occurrence<M::Scalar, M::State>> {
         match kind {
             Kind::Declared => self.declared.take(),
             Kind::Given => self.given.lookout.take(),

@@ -1,5 +1,7 @@
 //! Events on systems whose events are known in closed form.
 
+mod declared;
+
 use std::vec::Vec;
 
 use super::{Direction, Occurrence, Reaction, Watch, integrate_with_events};

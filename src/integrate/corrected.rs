@@ -21,10 +21,8 @@ pub(super) fn admitted<M: OdeSystem + ?Sized>(
 ) -> Result<M::State, Cause<M::Scalar>> {
     check_finite(t, y)?;
     let mut admitted = *y;
-    if M::IS_CONSTRAINED {
-        system.admit(t, &mut admitted)?;
-        check_finite(t, &admitted)?;
-    }
+    system.admit(t, &mut admitted)?;
+    check_finite(t, &admitted)?;
     Ok(admitted)
 }
 

@@ -10,7 +10,7 @@ use crate::event::{
 };
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
-use crate::system::{MechanicalSystem, OdeSystem};
+use crate::system::{MechanicalSystem, OdeSystem, Reacted};
 
 /// Something that happened during a run.
 #[derive(Clone, PartialEq, Debug)]
@@ -51,7 +51,7 @@ pub(super) struct Happened<M: MechanicalSystem> {
     pub(super) time: M::Scalar,
     /// The state then, before any reaction.
     pub(super) state: M::State,
-    pub(super) answer: Result<Answer<M, M::Scalar, M::State>, Cause<M::Scalar>>,
+    pub(super) answer: Reacted<M>,
 }
 
 /// The next of them, if there is one.
@@ -75,6 +75,9 @@ enum Whose {
     Declared,
     Given(usize),
 }
+
+/// Which event is ahead, and when.
+type Ahead<M> = Result<Option<(Whose, <M as OdeSystem>::Scalar)>, Cause<<M as OdeSystem>::Scalar>>;
 
 impl<'a, M: MechanicalSystem> Watchers<'a, M> {
     /// Starts to watch at a time and state.
@@ -147,11 +150,7 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
     }
 
     /// The earliest of the next events, and its time.
-    fn look(
-        &mut self,
-        system: &M,
-        stepper: &mut impl Stepper<M>,
-    ) -> Result<Option<(Whose, M::Scalar)>, Cause<M::Scalar>> {
+    fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Ahead<M> {
         let from = stepper.last_time();
         let since = |time: M::Scalar| (time - from).abs();
         let mut earliest = self.declared.look(system, stepper)?.map(|time| (Whose::Declared, time));

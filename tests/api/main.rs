@@ -7,6 +7,7 @@ mod contacts;
 mod declarations;
 mod events;
 mod fixed_steps;
+mod hybrid;
 mod methods;
 mod products;
 mod reduced;

@@ -52,20 +52,18 @@ impl Writer<'_> {
         self.terms = self.touching_terms();
         let krate = self.shape.krate;
         let ArgumentNames { time, positions, velocities, .. } = &self.names;
-        let (values, reactions) = (local("terms"), local("reactions"));
         let system = quote!(#krate::contact::ContactSystem);
-        let evaluated = quote! {
-            let #values = #system::terms(self, #time, #positions, #velocities);
-            let #reactions = #krate::contact::reactions(&#values, &#system::modes(self));
-        };
-        let otherwise = quote!(#evaluated #krate::contact::Terms::acceleration(&#values, &#reactions));
+        let (terms, modes) = (local("terms"), quote!(&#system::modes(self)));
+        let evaluated = quote!(let #terms = #system::terms(self, #time, #positions, #velocities););
+        let forces = quote!(#krate::contact::reactions(&#terms, #modes));
+        let otherwise = quote!(#evaluated #terms.acceleration(&#forces));
         let counts = self.write_acceleration(docs, &otherwise);
-        let forces = quote!(#evaluated #reactions);
+        let body = quote!(#evaluated #forces);
         self.push_method(
             "reactions",
             &REACTIONS,
             self.model.reactions.len(),
-            forces,
+            body,
             OperationCounts::default(),
         );
         let multipliers = self.equations.reactions.multipliers.clone();

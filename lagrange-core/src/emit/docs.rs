@@ -65,14 +65,16 @@ pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
     lines(latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS)).join("\n")
 }
 
-/// f + Aᵀλ, with the name of a constraint for its multiplier.
+/// f + Aᵀλ + Dᵀr, with the names of constraints, contacts and friction for their forces.
 fn right_sides(model: &mut Model, equations: &Equations) -> Vec<ExprId> {
-    let multipliers = model.multipliers();
+    let reactions = model.reactions.iter().map(|reaction| reaction.symbol);
+    let symbols = model.multipliers().into_iter().chain(reactions).collect::<Vec<_>>();
     let graph = &mut model.graph;
     let mut sides = equations.forcing.clone();
-    for (row, multiplier) in equations.constraints.jacobian.iter().zip(multipliers) {
+    let rows = equations.constraints.jacobian.iter().chain(&equations.reactions.rows);
+    for (row, symbol) in rows.zip(symbols) {
         for (side, &slope) in sides.iter_mut().zip(row) {
-            let force = graph.multiply(slope, multiplier);
+            let force = graph.multiply(slope, symbol);
             *side = graph.add(*side, force);
         }
     }
@@ -184,6 +186,9 @@ pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: Oper
     if !model.constraints.is_empty() {
         lines.push(multiplier_order(model));
     }
+    if !model.reactions.is_empty() {
+        lines.push(reaction_order(model));
+    }
     if equations.constraints.is_redundant {
         lines.push(REDUNDANT.to_owned());
     }
@@ -197,8 +202,13 @@ pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: Oper
 }
 
 fn multiplier_order(model: &Model) -> String {
-    let names = model.constraints.iter().map(|constraint| constraint.name.clone()).collect::<Vec<_>>();
-    format!("- Multipliers, forces that the equations name like their constraints: `[{}]`.", names.join(", "))
+    let names = model.constraints.iter().map(|constraint| constraint.name.as_str()).collect::<Vec<_>>();
+    format!("- Multipliers, which the equations name like their constraints: `[{}]`.", names.join(", "))
+}
+
+fn reaction_order(model: &Model) -> String {
+    let names = model.reactions.iter().map(|reaction| reaction.name.as_str()).collect::<Vec<_>>();
+    format!("- Forces of contacts and friction, zero where they do not act: `[{}]`.", names.join(", "))
 }
 
 fn state_order(model: &Model) -> String {

@@ -15,6 +15,17 @@ use super::system::{equations_latex, user_names};
 use crate::mechanics::Product;
 use crate::syntax::ast::{Action, Declaration};
 
+/// Members that do not come from products; an output of such a name is a mistake.
+const TAKEN: [&str; 7] = [
+    "rhs",
+    "EQUATIONS_LATEX",
+    "PARAMETERS",
+    "project",
+    "consistent_velocity",
+    "reactions",
+    "event_functions",
+];
+
 /// The items of a system that could not be derived: the same types and methods, so that the code that uses
 /// them causes no errors of its own. They are never run, since the mistakes are errors.
 pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
@@ -53,8 +64,7 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
     }
     for &(name, count) in &shape.outputs {
         let returns = if count == 1 { Returns::Scalar } else { Returns::Vector(count) };
-        let is_taken = ["rhs", "EQUATIONS_LATEX", "PARAMETERS"].contains(&name.text.as_str());
-        if !is_taken && methods.iter().all(|method| method.name != name.text) {
+        if !TAKEN.contains(&name.text.as_str()) && methods.iter().all(|method| method.name != name.text) {
             methods.push(placeholder(identifier(name), Arguments::State, returns));
         }
     }

@@ -66,30 +66,36 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
     let ArgumentNames { time, state, .. } = &parts.names;
-    let is_projected = !parts.constrained.is_empty() && !shape.is_stabilised;
-    let is_touching = !shape.touching.is_empty();
-    if !is_projected && !is_touching {
-        return TokenStream::new();
-    }
+    let (is_held, is_touching) = (!parts.constrained.is_empty(), !shape.touching.is_empty());
+    let is_corrected = is_touching || (is_held && !shape.is_stabilised);
     let touching = is_touching.then(|| quote!(#krate::contact::correct(self, #time, #state)?;));
-    let projected = is_projected.then(|| quote!(#krate::constraint::correct(self, #time, #state)?;));
-    let admitted = is_projected.then(|| quote!(#krate::constraint::admit(self, #time, #state)?;));
     let outcome = quote!(::core::result::Result<(), #krate::integrate::Cause<#scalar>>);
-    quote! {
-        const IS_CONSTRAINED: ::core::primitive::bool = true;
-        #[inline]
-        fn correct(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
-            #projected
-            #touching
-            ::core::result::Result::Ok(())
+    let correct = is_corrected.then(|| {
+        let projected = (is_held && !shape.is_stabilised)
+            .then(|| quote!(#krate::constraint::correct(self, #time, #state)?;));
+        quote! {
+            const IS_CONSTRAINED: ::core::primitive::bool = true;
+            #[inline]
+            fn correct(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+                #projected
+                #touching
+                ::core::result::Result::Ok(())
+            }
         }
-        #[inline]
-        fn admit(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
-            #admitted
-            #touching
-            ::core::result::Result::Ok(())
+    });
+    // A start must satisfy the constraints however they are kept from there on.
+    let admit = (is_held || is_touching).then(|| {
+        let admitted = is_held.then(|| quote!(#krate::constraint::admit(self, #time, #state)?;));
+        quote! {
+            #[inline]
+            fn admit(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+                #admitted
+                #touching
+                ::core::result::Result::Ok(())
+            }
         }
-    }
+    });
+    quote!(#correct #admit)
 }
 
 fn mechanical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {

@@ -16,6 +16,7 @@ impl Elaborator<'_> {
         self.check_reductions();
         self.check_energies();
         self.check_products();
+        self.check_output_names();
         self.check_constraint_count();
         self.check_reduced_constraints();
         self.check_stabilisation();
@@ -96,19 +97,60 @@ impl Elaborator<'_> {
                 self.evaluator.report.error(span, message).help(help);
             }
         }
-        self.check_canonical_products();
+        self.check_needed_products();
+        self.check_derivatives();
     }
 
-    /// What takes momenta and their rates must get from one to the other.
-    fn check_canonical_products(&mut self) {
-        if !self.products().contains(&Product::MomentumRates) {
-            return;
-        }
+    /// Some methods are called by others.
+    fn check_needed_products(&mut self) {
+        let is_canonical = self.products().contains(&Product::MomentumRates);
+        let is_constrained = !self.constraints.is_empty();
         for &(product, wanted, span) in &self.wanted {
-            if !wanted && matches!(product, Product::Momenta | Product::MassMatrix) {
+            let reason = match product {
+                Product::Momenta | Product::MassMatrix if is_canonical => messages::NEEDED_BY_MOMENTUM_RATES,
+                Product::ConstraintVelocity | Product::ConstraintJacobian if is_constrained => {
+                    messages::NEEDED_BY_PROJECTION
+                }
+                _ => continue,
+            };
+            if !wanted {
+                let error = self.evaluator.report.error(span, messages::needed_product(product.name()));
+                error.help(messages::needed_product_help(product.name(), reason));
+            }
+        }
+    }
+
+    /// Accelerations jump where contacts and friction change what they do.
+    fn check_derivatives(&mut self) {
+        let Some((reaction, declared)) = self.reactions.first() else { return };
+        for &(product, wanted, span) in &self.wanted {
+            if wanted && matches!(product, Product::Jacobian | Product::ParameterJacobian) {
+                let message = messages::derivative_of_jumps(product.name());
                 let error =
-                    self.evaluator.report.error(span, messages::needed_by_momentum_rates(product.name()));
-                error.help(messages::needed_by_momentum_rates_help(product.name()));
+                    self.evaluator.report.error(span, message).help(messages::DERIVATIVE_OF_JUMPS_HELP);
+                error.related(Origin::from(*declared), messages::acts_here(&reaction.name));
+            }
+        }
+    }
+
+    /// Names of methods that systems with constraints, contacts or events have beside those of all systems.
+    fn check_output_names(&mut self) {
+        let groups: [(bool, &[&str]); 3] = [
+            (
+                self.constraints.is_empty(),
+                &["project", "consistent_velocity", "redundant_motion", "redundant_correction"],
+            ),
+            (self.reactions.is_empty(), &["reactions"]),
+            (self.events.is_empty(), &["event_functions"]),
+        ];
+        let taken = groups.into_iter().filter(|(is_absent, _)| !is_absent).flat_map(|(_, names)| names);
+        let taken = taken.collect::<Vec<_>>();
+        for statement in &self.declaration.statements {
+            if let StatementKind::Output(name, _) = &statement.kind
+                && taken.iter().any(|taken| **taken == name.text)
+            {
+                let error = self.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+                error.help(messages::OTHER_NAME_HELP);
             }
         }
     }

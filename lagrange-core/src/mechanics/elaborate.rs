@@ -20,22 +20,8 @@ use crate::syntax::ast::{
 };
 
 /// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 14] = [
-    "acceleration",
-    "rhs",
-    "multipliers",
-    "project",
-    "consistent_velocity",
-    "redundant_motion",
-    "redundant_correction",
-    "reactions",
-    "reaction_terms",
-    "constraints",
-    "constraint_velocity",
-    "constraint_jacobian",
-    "EQUATIONS_LATEX",
-    "PARAMETERS",
-];
+const GENERATED_METHODS: [&str; 6] =
+    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS"];
 /// Products that later versions will emit.
 const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
 

@@ -206,7 +206,7 @@ pub(super) fn coordinates_are(names: &[&str], usage: &str) -> String {
 }
 
 pub(super) fn reserved_output(name: &str) -> String {
-    format!("an output cannot be called `{name}`, since every system has something of that name")
+    format!("an output cannot be called `{name}`, since the system has something of that name")
 }
 
 pub(super) const OTHER_NAME_HELP: &str = "choose another name";
@@ -242,12 +242,25 @@ pub(super) fn needs_constraints(name: &str) -> String {
 
 pub(super) const CONSTRAINT_HELP: &str = "write `constraint name = e;` for e = 0";
 
-pub(super) fn needed_by_momentum_rates(name: &str) -> String {
-    format!("`{name}` cannot be left out beside `momentum_rates`")
+pub(super) fn needed_product(name: &str) -> String {
+    format!("`{name}` cannot be left out here")
 }
 
-pub(super) fn needed_by_momentum_rates_help(name: &str) -> String {
-    format!("remove `no {name}`: methods that use `momentum_rates` find velocities by it")
+pub(super) fn needed_product_help(name: &str, reason: &str) -> String {
+    format!("remove `no {name}`: {reason}")
+}
+
+pub(super) const NEEDED_BY_MOMENTUM_RATES: &str = "methods that use `momentum_rates` find velocities by it";
+pub(super) const NEEDED_BY_PROJECTION: &str = "states are brought back onto the constraints by it";
+
+pub(super) fn derivative_of_jumps(name: &str) -> String {
+    format!("`{name}` does not exist for a system with contacts or dry friction: its accelerations jump")
+}
+
+pub(super) const DERIVATIVE_OF_JUMPS_HELP: &str = "leave it out; implicit methods iterate without it";
+
+pub(super) fn acts_here(name: &str) -> String {
+    format!("`{name}` acts or does not act, by its mode")
 }
 
 pub(super) fn tuple_size(names: usize, found: &str) -> String {
