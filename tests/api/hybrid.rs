@@ -170,3 +170,59 @@ fn every_family_of_methods_feels_contacts() {
     comes_to_rest(GaussLegendre4 { step }.plain());
     comes_to_rest(Variational { step });
 }
+
+lagrange::system! {
+    /// A ball above a shelf, in single precision.
+    #[scalar(f32)]
+    struct Light;
+
+    param g = 9.81, e = 0.8;
+    coord y;
+    kinetic = 1/2 * dot(y)^2;
+    potential = g * y;
+    event shelf = y - 5, falling => impact(e);
+}
+
+lagrange::system! {
+    /// A ball above a shelf.
+    struct Heavy;
+
+    param g = 9.81, e = 0.8;
+    coord y;
+    kinetic = 1/2 * dot(y)^2;
+    potential = g * y;
+    event shelf = y - 5, falling => impact(e);
+}
+
+/// When a ball that falls by 1 m has come to rest: √(2/g) (1 + e)/(1 − e).
+fn rest(e: f64) -> f64 {
+    (2.0 / 9.81_f64).sqrt() * (1.0 + e) / (1.0 - e)
+}
+
+#[test]
+fn balls_come_to_rest_wherever_the_floor_is_and_however_they_bounce() {
+    for e in [0.1, 0.5, 0.8, 0.95, 0.99] {
+        let ball = Heavy { e, ..Heavy::default() };
+        let end = rest(e) + 1.0;
+        let trajectory =
+            ball.simulate([6.0, 0.0]).until(end).tolerance(1e-12).ends_only().run().expect("runs");
+        let Some(Happening::Closed { at, .. }) = trajectory.events().last().map(|event| event.happening)
+        else {
+            panic!("{:?} for {e}", trajectory.events().last())
+        };
+        // Heights are rounded to 10⁻¹⁵, which small speeds turn into longer times, and later bounces carry on.
+        assert!((at - rest(e)).abs() < 2e-9 / (1.0 - e), "{at} for {e}");
+        assert_eq!(trajectory.last(), [5.0, 0.0]);
+    }
+}
+
+#[test]
+fn a_ball_in_single_precision_comes_to_rest() {
+    let light = Light::default();
+    let trajectory = light.simulate([6.0, 0.0]).until(6.0).run().expect("runs");
+    let Some(Happening::Closed { at, .. }) = trajectory.events().last().map(|event| event.happening) else {
+        panic!("{:?}", trajectory.events().last())
+    };
+    assert!((f64::from(at) - rest(0.8)).abs() < 1e-3, "{at}");
+    assert_eq!(trajectory.last(), [5.0, 0.0]);
+}
