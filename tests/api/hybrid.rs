@@ -226,3 +226,34 @@ fn a_ball_in_single_precision_comes_to_rest() {
     assert!((f64::from(at) - rest(0.8)).abs() < 1e-3, "{at}");
     assert_eq!(trajectory.last(), [5.0, 0.0]);
 }
+
+lagrange::system! {
+    /// A block that slides on a rough floor towards a wall.
+    struct Walled;
+
+    param m = 2.0, g = 9.81, mu = 0.25, e = 0.5;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    potential = m * g * y;
+    event floor = y, falling => impact(0);
+    event wall = 1 - x, falling => impact(e);
+    friction rub = dot(x), mu * floor;
+}
+
+#[test]
+fn a_block_that_lies_is_thrown_back_by_a_wall() {
+    let walled = Walled::default();
+    let trajectory = walled.simulate([0.0, 0.0, 3.0, 0.0]).until(3.0).tolerance(1e-12).run().expect("runs");
+    let names: Vec<_> = trajectory.events().iter().map(|event| event.name.as_str()).collect();
+    assert_eq!(names, ["wall", "rub"]);
+    let slowing = 0.25 * 9.81;
+    let hit = (9.0_f64 - 2.0 * slowing).sqrt();
+    let [x, y, u, v] = trajectory.last();
+    assert!((x - (1.0 - 0.25 * hit * hit / (2.0 * slowing))).abs() < 1e-11, "{x}");
+    assert!(y == 0.0 && u.abs() < 1e-15 && v.abs() < 1e-15);
+    let Happening::Impact(impact) = trajectory.events()[0].happening else { panic!("no impact") };
+    assert!((impact.impulse - 2.0 * 1.5 * hit).abs() < 1e-11);
+    assert!((impact.energy_loss - 0.75 * hit * hit).abs() < 1e-11);
+    let end = trajectory.system_at_end().expect("switched");
+    assert_eq!((end.floor, end.wall, end.rub), (Contact::Closed, Contact::Open, Friction::Sticks));
+}
