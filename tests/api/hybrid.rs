@@ -3,7 +3,7 @@
 use lagrange::Simulate;
 use lagrange::contact::{Contact, Friction, Happening};
 use lagrange::event::Direction;
-use lagrange::integrate::{RungeKutta4, integrate};
+use lagrange::integrate::{GaussLegendre4, Method, RungeKutta4, Variational, Verner98, integrate};
 use lagrange::simulate::Ending;
 
 lagrange::system! {
@@ -130,4 +130,130 @@ fn given_events_see_the_system_as_it_is_then() {
         .run()
         .expect("runs");
     assert_eq!(modes, [Contact::Open, Contact::Closed]);
+}
+
+lagrange::system! {
+    /// A block that falls onto a rough table and slides to rest, with momenta.
+    #[derive(Clone, Debug)]
+    struct Sliding;
+
+    param m = 2.0, g = 9.81, mu = 0.25;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    potential = m * g * y;
+    event table = y - 5, falling => impact(0);
+    friction rub = dot(x), mu * table;
+    emit { momentum_rates }
+}
+
+/// Methods that integrate momenta feel contacts and friction as well, or refuse.
+fn comes_to_rest(method: impl Method<Sliding>) {
+    let sliding = Sliding::default();
+    let simulation = sliding.simulate([0.0, 6.0, 3.0, 0.0]).until(3.0).method(method);
+    let trajectory = simulation.run().expect("runs");
+    let found: Vec<_> = trajectory.events().iter().map(|event| event.name.as_str()).collect();
+    assert_eq!(found, ["table", "rub"], "{}", trajectory.method());
+    let [_, y, u, v] = trajectory.last();
+    assert!((y - 5.0).abs() < 1e-9 && u.abs() < 1e-9 && v.abs() < 1e-9, "{:?}", trajectory.last());
+    // The impact takes μ of what it stops, friction the rest: u = 3 − μ (√(2 g) + g t).
+    let fall = (2.0_f64 / 9.81).sqrt();
+    let stop = fall + (3.0 - 0.25 * (2.0_f64 * 9.81).sqrt()) / (0.25 * 9.81);
+    assert!((trajectory.events()[1].time - stop).abs() < 1e-10, "{}", trajectory.events()[1].time);
+}
+
+#[test]
+fn every_family_of_methods_feels_contacts() {
+    let step = 1e-2;
+    comes_to_rest(Verner98::tolerance(1e-10));
+    comes_to_rest(RungeKutta4 { step });
+    comes_to_rest(GaussLegendre4 { step });
+    comes_to_rest(GaussLegendre4 { step }.plain());
+    comes_to_rest(Variational { step });
+}
+
+lagrange::system! {
+    /// A ball above a shelf, in single precision.
+    #[scalar(f32)]
+    struct Light;
+
+    param g = 9.81, e = 0.8;
+    coord y;
+    kinetic = 1/2 * dot(y)^2;
+    potential = g * y;
+    event shelf = y - 5, falling => impact(e);
+}
+
+lagrange::system! {
+    /// A ball above a shelf.
+    struct Heavy;
+
+    param g = 9.81, e = 0.8;
+    coord y;
+    kinetic = 1/2 * dot(y)^2;
+    potential = g * y;
+    event shelf = y - 5, falling => impact(e);
+}
+
+/// When a ball that falls by 1 m has come to rest: √(2/g) (1 + e)/(1 − e).
+fn rest(e: f64) -> f64 {
+    (2.0 / 9.81_f64).sqrt() * (1.0 + e) / (1.0 - e)
+}
+
+#[test]
+fn balls_come_to_rest_wherever_the_floor_is_and_however_they_bounce() {
+    for e in [0.1, 0.5, 0.8, 0.95, 0.99] {
+        let ball = Heavy { e, ..Heavy::default() };
+        let end = rest(e) + 1.0;
+        let trajectory =
+            ball.simulate([6.0, 0.0]).until(end).tolerance(1e-12).ends_only().run().expect("runs");
+        let Some(Happening::Closed { at, .. }) = trajectory.events().last().map(|event| event.happening)
+        else {
+            panic!("{:?} for {e}", trajectory.events().last())
+        };
+        // Heights are rounded to 10⁻¹⁵, which small speeds turn into longer times, and later bounces carry on.
+        assert!((at - rest(e)).abs() < 2e-9 / (1.0 - e), "{at} for {e}");
+        assert_eq!(trajectory.last(), [5.0, 0.0]);
+    }
+}
+
+#[test]
+fn a_ball_in_single_precision_comes_to_rest() {
+    let light = Light::default();
+    let trajectory = light.simulate([6.0, 0.0]).until(6.0).run().expect("runs");
+    let Some(Happening::Closed { at, .. }) = trajectory.events().last().map(|event| event.happening) else {
+        panic!("{:?}", trajectory.events().last())
+    };
+    assert!((f64::from(at) - rest(0.8)).abs() < 1e-3, "{at}");
+    assert_eq!(trajectory.last(), [5.0, 0.0]);
+}
+
+lagrange::system! {
+    /// A block that slides on a rough floor towards a wall.
+    struct Walled;
+
+    param m = 2.0, g = 9.81, mu = 0.25, e = 0.5;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    potential = m * g * y;
+    event floor = y, falling => impact(0);
+    event wall = 1 - x, falling => impact(e);
+    friction rub = dot(x), mu * floor;
+}
+
+#[test]
+fn a_block_that_lies_is_thrown_back_by_a_wall() {
+    let walled = Walled::default();
+    let trajectory = walled.simulate([0.0, 0.0, 3.0, 0.0]).until(3.0).tolerance(1e-12).run().expect("runs");
+    let names: Vec<_> = trajectory.events().iter().map(|event| event.name.as_str()).collect();
+    assert_eq!(names, ["wall", "rub"]);
+    let slowing = 0.25 * 9.81;
+    let hit = (9.0_f64 - 2.0 * slowing).sqrt();
+    let [x, y, u, v] = trajectory.last();
+    assert!((x - (1.0 - 0.25 * hit * hit / (2.0 * slowing))).abs() < 1e-11, "{x}");
+    assert!(y == 0.0 && u.abs() < 1e-15 && v.abs() < 1e-15);
+    let Happening::Impact(impact) = trajectory.events()[0].happening else { panic!("no impact") };
+    assert!((impact.impulse - 2.0 * 1.5 * hit).abs() < 1e-11);
+    assert!((impact.energy_loss - 0.75 * hit * hit).abs() < 1e-11);
+    let end = trajectory.system_at_end().expect("switched");
+    assert_eq!((end.floor, end.wall, end.rub), (Contact::Closed, Contact::Open, Friction::Sticks));
 }
