@@ -1,7 +1,8 @@
 //! Emitted right-hand sides of constrained systems beside those by hand, in turns: rows of a Markdown table.
 //!
-//! By hand means what a good engineer would write: mass matrix, forces and constraints in closed form, each sine and cosine once,
-//! and an LDLᵀ factorisation of the whole system for accelerations and multipliers on the stack, its loops unrolled,
+//! By hand means what a good engineer would write: mass matrix, forces and constraints in closed form, each sine
+//! and cosine once, and an LDLᵀ factorisation of the whole system for accelerations and multipliers on the stack,
+//! its loops unrolled,
 //!
 //! ```text
 //! ⎡ M  Aᵀ ⎤ ⎡  a ⎤   ⎡  f ⎤
