@@ -22,6 +22,13 @@ const MOST: u32 = 20;
 const NEGLIGIBLE: f64 = 1e-2;
 /// The part of velocities up to which rounding of a correction is lost in theirs.
 const SLIGHT: f64 = 1e-3;
+/// Velocities may not change by a larger part of them within a motion,
+const LEAP: f64 = 0.1;
+/// unless the change is slower than this part of the coordinates in a unit of time.
+const SLOW: f64 = 1e-4;
+/// What is wrong then.
+const UNDETERMINED: &str =
+    "constraints depend on each other here, and do not determine how the motion goes on";
 /// Starts are admitted if constraints miss by no more than this part of their scales.
 const ADMITTED: f64 = 1e-6;
 
@@ -76,7 +83,8 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
 /// that it is small. This is what [`OdeSystem::correct`] of emitted types does.
 ///
 /// # Errors
-/// [`Cause::Violated`]; the state is then what it was.
+/// [`Cause::Violated`] if corrections do not converge, [`Cause::Stuck`] if they would make another motion of it; the state is then
+/// what it was.
 #[inline]
 pub fn correct<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -88,8 +96,21 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
         let (q, v) = split::<M>(y);
         return Err(Cause::Violated(worst(system, t, (&q, &v))));
     }
+    let (_, before) = split::<M>(y);
+    if leaps(&before, &v, &q) {
+        return Err(Cause::Stuck(UNDETERMINED));
+    }
     *y = join::<M>(&q, &v);
     Ok(())
+}
+
+/// Whether velocities change so much that what follows is another motion. Errors of a step do not do that, but the smallest
+/// residual does where constraints are on the point of depending on each other.
+#[inline]
+fn leaps<S: Scalar, Q: StateVector<S>>(before: &Q, after: &Q, q: &Q) -> bool {
+    let changes = before.as_ref().iter().zip(after.as_ref()).map(|(before, after)| (*after - *before).abs());
+    let change = changes.fold(S::ZERO, S::max);
+    change > S::from_f64(LEAP) * length(before.as_ref()) && change > S::from_f64(SLOW) * size(q.as_ref())
 }
 
 /// Brings a state from which a motion is to start onto the constraints if it nearly satisfies them: if every residual is at most
