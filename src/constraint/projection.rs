@@ -16,6 +16,7 @@ use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
 type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
 type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
+type StepOf<M> = Step<Number<M>, Vector<M>>;
 
 /// More corrections than this are no use.
 const MOST: u32 = 20;
@@ -190,7 +191,7 @@ fn newton<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     v: &M::Coordinates,
-    first: Step<Number<M>, Vector<M>>,
+    first: StepOf<M>,
 ) -> Option<M::Coordinates> {
     let mut step = first;
     let negligible = negligible(step.from.as_ref());
@@ -212,8 +213,8 @@ fn shortened<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     v: &M::Coordinates,
-    step: &Step<Number<M>, Vector<M>>,
-) -> Option<(Vector<M>, Residuals<M>, Step<Number<M>, Vector<M>>)> {
+    step: &StepOf<M>,
+) -> Option<(Vector<M>, Residuals<M>, StepOf<M>)> {
     let mut part = M::Scalar::ONE;
     for _ in 0..MOST {
         let to = step.end(part);
