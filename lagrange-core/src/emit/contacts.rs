@@ -56,7 +56,7 @@ impl Writer<'_> {
         let (terms, modes) = (local("terms"), quote!(&#system::modes(self)));
         let evaluated = quote!(let #terms = #system::terms(self, #time, #positions, #velocities););
         let forces = quote!(#krate::contact::reactions(&#terms, #modes));
-        let otherwise = quote!(#evaluated #terms.acceleration(&#forces));
+        let otherwise = quote!(#evaluated #krate::contact::Terms::acceleration(&#terms, &#forces));
         let counts = self.write_acceleration(docs, &otherwise);
         let body = quote!(#evaluated #forces);
         self.push_method(
