@@ -5,7 +5,9 @@
 //! until the next one, by the same gradients, would be smaller. Constraints are linear in velocities: one correction does there.
 //! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the module above.
 
-use super::residuals::{beyond, of_velocities, size, worst};
+use super::residuals::{
+    beyond, largest, of_positions_together, of_velocities, of_velocities_together, size, worst,
+};
 use super::{ConstrainedSystem, Violation};
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
@@ -14,6 +16,7 @@ use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
 type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
 type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
+type StepOf<M> = Step<Number<M>, Vector<M>>;
 
 /// More corrections than this are no use.
 const MOST: u32 = 20;
@@ -21,6 +24,12 @@ const MOST: u32 = 20;
 const NEGLIGIBLE: f64 = 1e-2;
 /// The part of velocities up to which rounding of a correction is lost in theirs.
 const SLIGHT: f64 = 1e-3;
+/// Corrections that are so many times larger than residuals, as parts of their scales, are
+const MAGNIFIED: f64 = 1e3;
+/// not made if these parts are smaller than this times the root of a rounding.
+const NEXT_TO_NOTHING: f64 = 0.1;
+/// Corrections of velocities by a smaller part of them are not looked at for that.
+const LARGE: f64 = 1e-6;
 /// Velocities may not change by a larger part of them within a motion,
 const LEAP: f64 = 0.1;
 /// unless the change is slower than this part of the coordinates in a unit of time.
@@ -109,7 +118,7 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
 fn leaps<S: Scalar, Q: StateVector<S>>(before: &Q, after: &Q, q: &Q) -> bool {
     let changes = before.as_ref().iter().zip(after.as_ref()).map(|(before, after)| (*after - *before).abs());
     let change = changes.fold(S::ZERO, S::max);
-    change > S::from_f64(LEAP) * length(before.as_ref()) && change > S::from_f64(SLOW) * size(q.as_ref())
+    change > S::from_f64(LEAP) * largest(before.as_ref()) && change > S::from_f64(SLOW) * size(q.as_ref())
 }
 
 /// Brings a state from which a motion is to start onto the constraints if it nearly satisfies them: if every residual is at most
@@ -160,7 +169,20 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
         *q = step.end(M::Scalar::ONE);
         return true;
     }
+    let part = || of_positions_together(system, t, q);
+    if is_magnified(step.length, size(q.as_ref()), part) {
+        return true;
+    }
     newton(system, t, v, step).map(|found| *q = found).is_some()
+}
+
+/// Whether a correction is out of proportion to what it is to remove, which is next to nothing: constraints are on the point of
+/// depending on each other, and what is left is better left alone.
+#[inline]
+fn is_magnified<S: Scalar>(length: S, size: S, part: impl FnOnce() -> S) -> bool {
+    let part = part();
+    part <= S::from_f64(NEXT_TO_NOTHING) * S::epsilon().sqrt()
+        && length > S::from_f64(MAGNIFIED) * part * size
 }
 
 /// Newton's method from its first step on.
@@ -169,7 +191,7 @@ fn newton<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     v: &M::Coordinates,
-    first: Step<Number<M>, Vector<M>>,
+    first: StepOf<M>,
 ) -> Option<M::Coordinates> {
     let mut step = first;
     let negligible = negligible(step.from.as_ref());
@@ -191,8 +213,8 @@ fn shortened<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     v: &M::Coordinates,
-    step: &Step<Number<M>, Vector<M>>,
-) -> Option<(Vector<M>, Residuals<M>, Step<Number<M>, Vector<M>>)> {
+    step: &StepOf<M>,
+) -> Option<(Vector<M>, Residuals<M>, StepOf<M>)> {
     let mut part = M::Scalar::ONE;
     for _ in 0..MOST {
         let to = step.end(part);
@@ -217,7 +239,7 @@ struct Step<S, Q> {
 impl<S: Scalar, Q: StateVector<S>> Step<S, Q> {
     #[inline]
     fn new(from: Q, change: Q) -> Self {
-        Step { from, change, length: length(change.as_ref()) }
+        Step { from, change, length: largest(change.as_ref()) }
     }
 
     /// Where this part of it leads.
@@ -245,8 +267,13 @@ fn bring_velocities<M: ConstrainedSystem + ?Sized>(
             return true;
         }
         let step = Step::new(*v, system.correction(t, q, v, &residuals));
+        let part = || of_velocities_together(system, t, (q, v));
+        let is_large = step.length > M::Scalar::from_f64(LARGE) * largest(v.as_ref());
+        if is_large && is_magnified(step.length, largest(v.as_ref()), part) {
+            return true;
+        }
         *v = step.end(M::Scalar::ONE);
-        if step.length <= M::Scalar::from_f64(SLIGHT) * length(v.as_ref()) {
+        if step.length <= M::Scalar::from_f64(SLIGHT) * largest(v.as_ref()) {
             return step.length.is_finite();
         }
     }
@@ -256,12 +283,6 @@ fn bring_velocities<M: ConstrainedSystem + ?Sized>(
 #[inline]
 fn are_zero<S: Scalar>(residuals: &[S]) -> bool {
     residuals.iter().all(|residual| *residual == S::ZERO)
-}
-
-/// The largest magnitude; not a number if one is not.
-#[inline]
-fn length<S: Scalar>(x: &[S]) -> S {
-    x.iter().fold(S::ZERO, |most, x| most.max(x.abs()))
 }
 
 /// Corrections up to this leave nothing behind but rounding.

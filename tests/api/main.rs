@@ -10,6 +10,7 @@ mod fixed_steps;
 mod hybrid;
 mod methods;
 mod products;
+mod projection;
 mod reduced;
 mod scalars;
 mod shadowing;
