@@ -43,7 +43,7 @@
 //! Engineering 1 (1972), 1–16.
 
 mod least_norm;
-mod orthogonal;
+pub(crate) mod orthogonal;
 mod projection;
 mod regular;
 mod residuals;
