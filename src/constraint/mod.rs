@@ -30,7 +30,7 @@
 //! accurate, and steps of fixed length do not resolve it. (`tests/trajectories/projected.rs` prints the table.)
 //!
 //! A projection takes about as long as three evaluations of the accelerations. On the rod, a four-bar linkage and Andrews' squeezer
-//! it makes a step of `RungeKutta4` longer by factors of 1.5, 1.9 and 1.7, one of `Verner98` by 1 %, 18 % and 16 %
+//! it makes a step of `RungeKutta4` longer by factors of 1.5, 1.9 and 1.7, one of `Verner98` by 2 %, 18 % and 17 %
 //! (`cargo bench --bench projection`).
 //!
 //! Projection leaves the order of a method as it is, but not what makes it symplectic: energies and the momenta of symmetries are
