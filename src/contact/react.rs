@@ -183,8 +183,12 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         halt(&terms, &mut self.v, is_held);
         let terms = self.terms(&self.v);
         let settled = terms.settle(&modes, &position, None)?;
-        let is_stuck = settled[k] == Mode::Friction(Friction::Sticks);
-        let happening = if is_stuck { Happening::Stuck } else { Happening::Slipped };
+        let happening = match (modes[k], settled[k]) {
+            (_, Mode::Friction(Friction::Sticks)) => Happening::Stuck,
+            // What slips without friction and what slips with it pass into each other smoothly.
+            (Mode::Friction(Friction::Slips), _) | (_, Mode::Friction(Friction::Slips)) => Happening::Zero,
+            _ => Happening::Slipped,
+        };
         Ok(self.answer(settled, &self.v, happening))
     }
 

@@ -257,3 +257,30 @@ fn a_block_that_lies_is_thrown_back_by_a_wall() {
     let end = trajectory.system_at_end().expect("switched");
     assert_eq!((end.floor, end.wall, end.rub), (Contact::Closed, Contact::Open, Friction::Sticks));
 }
+
+lagrange::system! {
+    /// A block on a surface that is smooth up to x = 1 and ever rougher from there.
+    struct Rougher;
+
+    param m = 2.0, c = 3.0, pull = 0.0;
+    coord x;
+    kinetic = 1/2 * m * dot(x)^2;
+    force x = pull * t;
+    friction rough = dot(x), if x < 1 { 0 } else { c * (x - 1) };
+}
+
+#[test]
+fn friction_that_begins_on_the_way_is_met_and_is_no_event() {
+    let rougher = Rougher::default();
+    let trajectory = rougher.simulate([0.0, 2.0]).until(4.0).tolerance(1e-12).run().expect("runs");
+    let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
+    assert_eq!((event.name.as_str(), event.happening), ("rough", Happening::Stuck));
+    // A quarter of a swing about x = 1 with ω = √(c/m).
+    let omega = (3.0_f64 / 2.0).sqrt();
+    assert!((trajectory.last()[0] - (1.0 + 2.0 / omega)).abs() < 1e-10);
+    assert!((event.time - (0.5 + 0.5 * std::f64::consts::PI / omega)).abs() < 1e-9, "{}", event.time);
+    // What rests where it is smooth is moved by any force.
+    let pulled = Rougher { pull: 1.0, ..rougher };
+    let trajectory = pulled.simulate([0.0, 0.0]).until(1.5).tolerance(1e-12).run().expect("runs");
+    assert!((trajectory.last()[0] - 1.5_f64.powi(3) / 12.0).abs() < 1e-12);
+}
