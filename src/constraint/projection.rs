@@ -170,7 +170,7 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
         return true;
     }
     let part = || of_positions_together(system, t, q);
-    if is_magnified(step.length, size(q.as_ref()), part) {
+    if is_magnified(step.length, largest(q.as_ref()), part) {
         return true;
     }
     newton(system, t, v, step).map(|found| *q = found).is_some()
