@@ -230,7 +230,7 @@ fn no_impact_creates_energy() {
             assert!((told - lost).abs() < 1e-12, "{told} for {lost}");
             assert!(lost > -1e-12, "{lost} at {angle}, μ = {mu}, {slip}");
             let rate = v[1] - f64::cos(angle) * v[2];
-            assert!(rate >= 0.0 && rate < 1.0 + 1e-12);
+            assert!((0.0..1.0 + 1e-12).contains(&rate));
             reduced += i32::from(rate < 1.0 - 1e-9);
         }
     }
