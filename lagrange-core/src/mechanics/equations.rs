@@ -71,37 +71,19 @@ impl Equations {
     pub fn derive(model: &mut Model, choice: RoadChoice) -> Result<Equations, SingularMassMatrix> {
         let split = SplitLagrangian::new(model);
         let velocities = model.velocities();
-        let mut form = gauss_form(model, &split, AccelerationTerms::Dropped, Terms::All);
-        join_multipliers(model, &mut form);
-        let unknowns = model.unknowns();
-        let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
-        separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
-        let pushed = match model.accuracy {
-            Accuracy::Strict => contracted(&mut model.graph, pushed, &unknowns),
-            _ => cheaper_coefficients(&mut model.graph, pushed, &unknowns),
-        };
-        let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
-        let forcing = forcing(&mut model.graph, &pushed, &velocities);
-        let products = model.products.clone();
-        let wants = |product: Product| products.contains(&product);
-        let differentiated = wants(Product::Jacobian) || wants(Product::ParameterJacobian);
-        let forms = Forms { form: form.clone(), pushed: pushed.clone() };
+        let forms = forms(model, &split);
+        let mass_matrix = mass_matrix(&mut model.graph, &forms.pushed, &velocities);
+        let forcing = forcing(&mut model.graph, &forms.pushed, &velocities);
+        let (form, pushed) = (forms.form.clone(), forms.pushed.clone());
         let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
         let multipliers = solution.values.split_off(velocities.len());
         let reactions = ReactionEquations::new(model, &forms, road, &multipliers);
         let constraints = ConstraintEquations::new(model, &forms, road, (multipliers, solution.condition));
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
-        let derivatives =
-            differentiated.then(|| Derivatives::new(model, &split, forms, (&solution.values, road)));
-        let differentiate = |model: &mut Model, product: Product, variables: Vec<ExprId>| {
-            Some(derivatives.as_ref().filter(|_| wants(product))?.by(model, &variables))
-        };
-        let state = [model.positions(), model.velocities()].concat();
-        let jacobian = differentiate(model, Product::Jacobian, state);
-        let constants =
-            model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol).collect();
-        let parameter_jacobian = differentiate(model, Product::ParameterJacobian, constants);
+        let (jacobian, parameter_jacobian) = jacobians(model, &split, forms, (&solution.values, road));
+        let products = model.products.clone();
+        let wants = |product: Product| products.contains(&product);
         let rates = wants(Product::MomentumRates).then(|| free_momentum_rates(model));
         let touching = reaction_forces(model, &reactions);
         let mut equations = Equations {
@@ -163,6 +145,40 @@ impl Equations {
         let contracted = simplify::contract_all(&mut model.graph, &mut Angles::default(), &exprs);
         places.into_iter().zip(contracted).for_each(|(place, expr)| *place = expr);
     }
+}
+
+/// The quadratic form with its multipliers, and what it becomes over velocities alone, simplified as the level of accuracy asks.
+fn forms(model: &mut Model, split: &SplitLagrangian) -> Forms {
+    let (velocities, unknowns) = (model.velocities(), model.unknowns());
+    let mut form = gauss_form(model, split, AccelerationTerms::Dropped, Terms::All);
+    join_multipliers(model, &mut form);
+    let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
+    separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
+    let pushed = match model.accuracy {
+        Accuracy::Strict => contracted(&mut model.graph, pushed, &unknowns),
+        _ => cheaper_coefficients(&mut model.graph, pushed, &unknowns),
+    };
+    Forms { form, pushed }
+}
+
+/// The derivatives of accelerations that are wanted, by the state and by parameters and inputs.
+fn jacobians(
+    model: &mut Model,
+    split: &SplitLagrangian,
+    forms: Forms,
+    solution: (&[ExprId], Road),
+) -> (Option<Vec<Vec<ExprId>>>, Option<Vec<Vec<ExprId>>>) {
+    let [by_state, by_parameters] =
+        [Product::Jacobian, Product::ParameterJacobian].map(|product| model.products.contains(&product));
+    if !by_state && !by_parameters {
+        return (None, None);
+    }
+    let derivatives = Derivatives::new(model, split, forms, solution);
+    let state = [model.positions(), model.velocities()].concat();
+    let constants = model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol);
+    let constants = constants.collect::<Vec<_>>();
+    let jacobian = by_state.then(|| derivatives.by(model, &state));
+    (jacobian, by_parameters.then(|| derivatives.by(model, &constants)))
 }
 
 /// Removes couplings that vanish without showing it, as between polar coordinates that were written down by
