@@ -24,6 +24,9 @@ const LARGEST_MULTIPLIED_OUT: usize = 300;
 /// Monomials up to which coefficients are multiplied out.
 const MULTIPLYING_BUDGET: usize = 60;
 
+/// A matrix in rows.
+type Rows = Vec<Vec<ExprId>>;
+
 /// The equations of motion and what else a model was asked for. Products that are not wanted are `None` and
 /// have not been derived; the two sides of M q̈ = f come with the accelerations.
 #[derive(Clone, Debug)]
@@ -41,7 +44,7 @@ pub struct Equations {
     /// The counted cost of each road, as far as it was tried: dense, recursive, squares.
     pub costs: [Option<f64>; 3],
     /// M, in rows.
-    pub mass_matrix: Vec<Vec<ExprId>>,
+    pub mass_matrix: Rows,
     /// f in M q̈ = f
     pub forcing: Vec<ExprId>,
     /// d/dt ∂L/∂v − ∂L/∂q at zero acceleration, without loads and dissipation.
@@ -57,9 +60,9 @@ pub struct Equations {
     /// The generalised forces that must be added for given accelerations.
     pub inverse_dynamics: Option<Vec<ExprId>>,
     /// ∂a/∂q and ∂a/∂v, in rows
-    pub jacobian: Option<Vec<Vec<ExprId>>>,
+    pub jacobian: Option<Rows>,
     /// The derivatives of the accelerations by parameters, then by inputs, in rows.
-    pub parameter_jacobian: Option<Vec<Vec<ExprId>>>,
+    pub parameter_jacobian: Option<Rows>,
     /// What was found out about the system.
     pub structure: Structure,
     /// Names for intermediate results, in the order of preference.
@@ -167,7 +170,7 @@ fn jacobians(
     split: &SplitLagrangian,
     forms: Forms,
     solution: (&[ExprId], Road),
-) -> (Option<Vec<Vec<ExprId>>>, Option<Vec<Vec<ExprId>>>) {
+) -> (Option<Rows>, Option<Rows>) {
     let [by_state, by_parameters] =
         [Product::Jacobian, Product::ParameterJacobian].map(|product| model.products.contains(&product));
     if !by_state && !by_parameters {
