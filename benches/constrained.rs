@@ -1,7 +1,8 @@
 //! Emitted right-hand sides of constrained systems beside those by hand, in turns: rows of a Markdown table.
 //!
-//! By hand means what a good engineer would write: mass matrix, forces and constraints in closed form, each sine and cosine once,
-//! and an LDLᵀ factorisation of the whole system for accelerations and multipliers on the stack, its loops unrolled,
+//! By hand means what a good engineer would write: mass matrix, forces and constraints in closed form, each sine
+//! and cosine once, and an LDLᵀ factorisation of the whole system for accelerations and multipliers on the stack,
+//! its loops unrolled,
 //!
 //! ```text
 //! ⎡ M  Aᵀ ⎤ ⎡  a ⎤   ⎡  f ⎤
@@ -19,9 +20,9 @@ mod timing;
 
 use std::hint::black_box;
 
-use four_bar::FourBar;
+use four_bar::{FourBar, FourBarState};
 use handwritten::solve_in_place;
-use squeezer::Squeezer;
+use squeezer::{Squeezer, SqueezerState};
 use timing::in_turns;
 
 /// Accelerations from the system above: N coordinates, K unknowns in all, the upper triangle of the matrix.
@@ -130,8 +131,10 @@ fn assert_same<const N: usize>(emitted: &[f64; N], by_hand: &[f64; N]) {
 fn main() {
     println!("| system | emitted, ns | by hand, ns | ratio |\n|---|---|---|---|");
     let linkage = black_box(FourBar::default());
-    let (q, v) = ([0.3, 1.1, 2.0], [3.0, -0.7, 0.9]);
-    assert_same(&linkage.acceleration(0.0, &q, &v), &four_bar_by_hand(&linkage, &q, &v));
+    for state in [four_bar::START, [0.3, 1.1, 2.0, 3.0, -0.7, 0.9]].map(FourBarState::from) {
+        let (q, v) = (state.coordinates(), state.velocities());
+        assert_same(&linkage.acceleration(0.0, &q, &v), &four_bar_by_hand(&linkage, &q, &v));
+    }
     let times = in_turns(
         |q, v| black_box(&linkage).acceleration(0.0, q, v),
         |q, v| four_bar_by_hand(black_box(&linkage), q, v),
@@ -139,9 +142,11 @@ fn main() {
     println!("| four-bar linkage | {times} |");
 
     let squeezer = black_box(Squeezer::default());
-    let q = [-0.05, 0.02, 0.45, 0.22, 0.49, -0.23, 1.24];
-    let v = [1.0, -0.8, 0.3, 0.2, -0.4, 0.5, 0.7];
-    assert_same(&squeezer.acceleration(0.0, &q, &v), &squeezer_by_hand(&squeezer, &q, &v));
+    let moving = [-0.05, 0.02, 0.45, 0.22, 0.49, -0.23, 1.24, 1.0, -0.8, 0.3, 0.2, -0.4, 0.5, 0.7];
+    for state in [squeezer::START, moving].map(SqueezerState::from) {
+        let (q, v) = (state.coordinates(), state.velocities());
+        assert_same(&squeezer.acceleration(0.0, &q, &v), &squeezer_by_hand(&squeezer, &q, &v));
+    }
     let times = in_turns(
         |q, v| black_box(&squeezer).acceleration(0.0, q, v),
         |q, v| squeezer_by_hand(black_box(&squeezer), q, v),

@@ -1,17 +1,19 @@
 //! A coin that rolls on a table without slipping.
 //!
-//! Coordinates are the point of contact x, y, the heading φ of the track, the tilt θ of the axis from the vertical, and the
-//! coin's own turns ψ. Rolling is two constraints on velocities, of which no function of the coordinates is what is left, so
-//! that the coin reaches any place in any direction; their multipliers are the friction of the table.
+//! Coordinates are the point of contact x, y, the heading φ of the track, the tilt θ of the axis from the vertical,
+//! and the coin's own turns ψ. Rolling is two constraints on velocities, of which no function of the coordinates is
+//! what is left, so that the coin reaches any place in any direction; their multipliers are the friction of the
+//! table.
 //!
-//! Two motions are known. Leaning by a constant tilt the coin runs in a circle if its turns ψ̇ fit the rate n of the heading,
+//! Two motions are known. Leaning by a constant tilt the coin runs in a circle if its turns ψ̇ fit the rate n of
+//! the heading,
 //!
 //! ```text
 //! A n² sin θ cos θ − (C + m r²) n sin θ ω₃ = m g r cos θ,    ω₃ = ψ̇ + n cos θ
 //! ```
 //!
-//! (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*). Any other start wobbles; the reference for one of them comes from
-//! Newton's and Euler's equations in 40-digit arithmetic.
+//! (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*). Any other start wobbles; the reference for one of them
+//! comes from Newton's and Euler's equations in 40-digit arithmetic.
 //!
 //! Look for the place after a full circle, which is the start, and for the energy, which rolling does not use up.
 
@@ -44,11 +46,11 @@ lagrange::system! {
 const TILT: f64 = 1.2;
 /// The wobbling coin at t = 10 s: coordinates and the rates of heading, tilt and turns.
 const WOBBLED: [f64; 8] = [
-    3.920_410_792_797_404_2,
+    3.920_410_792_797_404,
     1.493_740_698_031_011,
     7.053_596_825_713_759,
     1.181_923_221_783_248_5,
-    -41.011_738_907_882_506,
+    -41.011_738_907_882_51,
     0.657_138_727_535_314_5,
     0.123_802_420_144_527_16,
     -4.074_443_161_865_263,

@@ -1,8 +1,8 @@
 //! A cuboid slides after a cylinder that rolls, down the same slope, and catches up with it.
 //!
-//! Both have the mass m. The cuboid slides without friction and starts a distance d above the cylinder, which rolls without
-//! slipping, its friction slowing it down. That both stay on the slope and that the cylinder rolls are constraints, whose multipliers are the forces
-//! of a free-body diagram:
+//! Both have the mass m. The cuboid slides without friction and starts a distance d above the cylinder, which rolls
+//! without slipping, its friction slowing it down. That both stay on the slope and that the cylinder rolls are
+//! constraints, whose multipliers are the forces of a free-body diagram:
 //!
 //! ```text
 //! N = m g cos α  (both bodies),    H = m g sin α/3,    a = 2/3 g sin α  and  g sin α,    t = sqrt(6 d/(g sin α)).

@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 
 /// The factors Q and R of a matrix whose columns are `columns`, in the order in which they were taken.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Factors<S, const ROWS: usize, const COLUMNS: usize> {
+pub(crate) struct Factors<S, const ROWS: usize, const COLUMNS: usize> {
     /// Of the column taken k-th, R above row k and, if k is below the rank, the reflection u with I − u uᵀ from there on.
     columns: [[S; ROWS]; COLUMNS],
     /// The diagonal of R.
@@ -21,7 +21,7 @@ pub(super) struct Factors<S, const ROWS: usize, const COLUMNS: usize> {
 impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMNS> {
     /// The factors of finite columns. Columns of which no more is left than the part `tolerance` of the largest one depend on
     /// those before.
-    pub(super) fn new(mut columns: [[S; ROWS]; COLUMNS], tolerance: S) -> Self {
+    pub(crate) fn new(mut columns: [[S; ROWS]; COLUMNS], tolerance: S) -> Self {
         let mut diagonal = [S::ZERO; COLUMNS];
         let mut order = core::array::from_fn(|k| k);
         let mut rank = 0;
@@ -87,7 +87,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMN
     }
 
     /// The shortest x whose products with the independent columns are those entries of `products`.
-    pub(super) fn shortest(&self, products: &[S; COLUMNS]) -> [S; ROWS] {
+    pub(crate) fn shortest(&self, products: &[S; COLUMNS]) -> [S; ROWS] {
         let mut inner = [S::ZERO; ROWS];
         for k in 0..self.rank {
             let known = (0..k).fold(S::ZERO, |sum, i| self.columns[k][i].multiply_add(inner[i], sum));

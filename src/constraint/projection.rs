@@ -5,7 +5,9 @@
 //! until the next one, by the same gradients, would be smaller. Constraints are linear in velocities: one correction does there.
 //! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the module above.
 
-use super::residuals::{beyond, of_velocities, size, worst};
+use super::residuals::{
+    beyond, largest, of_positions_together, of_velocities, of_velocities_together, size, worst,
+};
 use super::{ConstrainedSystem, Violation};
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
@@ -14,7 +16,7 @@ use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
 type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
 type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
-type Projected<M, T> = Result<T, Violation<Number<M>>>;
+type StepOf<M> = Step<Number<M>, Vector<M>>;
 
 /// More corrections than this are no use.
 const MOST: u32 = 20;
@@ -22,6 +24,19 @@ const MOST: u32 = 20;
 const NEGLIGIBLE: f64 = 1e-2;
 /// The part of velocities up to which rounding of a correction is lost in theirs.
 const SLIGHT: f64 = 1e-3;
+/// Corrections that are so many times larger than residuals, as parts of their scales, are
+const MAGNIFIED: f64 = 1e3;
+/// not made if these parts are smaller than this times the root of a rounding.
+const NEXT_TO_NOTHING: f64 = 0.1;
+/// Corrections of velocities by a smaller part of them are not looked at for that.
+const LARGE: f64 = 1e-6;
+/// Velocities may not change by a larger part of them within a motion,
+const LEAP: f64 = 0.1;
+/// unless the change is slower than this part of the coordinates in a unit of time.
+const SLOW: f64 = 1e-4;
+/// What is wrong then.
+const UNDETERMINED: &str =
+    "constraints depend on each other here, and do not determine how the motion goes on";
 /// Starts are admitted if constraints miss by no more than this part of their scales.
 const ADMITTED: f64 = 1e-6;
 
@@ -34,7 +49,8 @@ const ADMITTED: f64 = 1e-6;
 ///
 /// The scale of a residual is what it would be if every coordinate were off by its size: Σⱼ |Aᵢⱼ| sⱼ. The size sⱼ of a coordinate
 /// is its magnitude, but at least the largest magnitude of all coordinates, and that counts as 10⁻⁶ if it is less and as one if it
-/// is more: so a coordinate at zero has a size, too, and one that is far away does not lend it to the others. Sizes of velocities are made of velocities in the same way.
+/// is more: so a coordinate at zero has a size, too, and one that is far away does not lend it to the others. Sizes of velocities
+/// are made of velocities in the same way.
 ///
 /// # Errors
 /// If the constraints cannot be satisfied, from here or at all, with the constraint that was violated most in proportion to its
@@ -45,8 +61,10 @@ pub fn project<M: ConstrainedSystem + ?Sized>(
     q: &mut M::Coordinates,
     v: &mut M::Coordinates,
 ) -> Result<(), Violation<M::Scalar>> {
-    let (positions, velocities) = nearest(system, t, (q, v))?;
-    if beyond(M::Scalar::epsilon().sqrt(), system, t, (&positions, &velocities)).is_some() {
+    let (mut positions, mut velocities) = (*q, *v);
+    let is_found = bring(system, t, &mut positions, &mut velocities)
+        && beyond(M::Scalar::epsilon().sqrt(), system, t, (&positions, &velocities)).is_none();
+    if !is_found {
         return Err(worst(system, t, (q, v)));
     }
     (*q, *v) = (positions, velocities);
@@ -63,27 +81,44 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
     q: &M::Coordinates,
     v: &M::Coordinates,
 ) -> Result<M::Coordinates, Violation<M::Scalar>> {
-    let tolerance = M::Scalar::epsilon().sqrt();
-    let found = nearest_velocities(system, t, q, v);
-    let velocities = found.filter(|found| of_velocities(system, t, (q, found)).part <= tolerance);
-    velocities.ok_or_else(|| of_velocities(system, t, (q, v)).violation)
+    let mut found = *v;
+    let is_found = bring_velocities(system, t, q, &mut found)
+        && of_velocities(system, t, (q, &found)).part <= M::Scalar::epsilon().sqrt();
+    if is_found { Ok(found) } else { Err(of_velocities(system, t, (q, v)).violation) }
 }
 
 /// Brings a state of a motion back onto the constraints, as [`project`] but without looking at what is left: the corrections say
 /// that it is small. This is what [`OdeSystem::correct`] of emitted types does.
 ///
 /// # Errors
-/// [`Cause::Violated`]; the state is then what it was.
+/// [`Cause::Violated`] if corrections do not converge, [`Cause::Stuck`] if they would make another motion of it; the state is then
+/// what it was.
 #[inline]
 pub fn correct<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     y: &mut M::State,
 ) -> Result<(), Cause<M::Scalar>> {
-    let (q, v) = split::<M>(y);
-    let (q, v) = nearest(system, t, (&q, &v)).map_err(Cause::Violated)?;
+    let (mut q, mut v) = split::<M>(y);
+    if !bring(system, t, &mut q, &mut v) {
+        let (q, v) = split::<M>(y);
+        return Err(Cause::Violated(worst(system, t, (&q, &v))));
+    }
+    let (_, before) = split::<M>(y);
+    if leaps(&before, &v, &q) {
+        return Err(Cause::Stuck(UNDETERMINED));
+    }
     *y = join::<M>(&q, &v);
     Ok(())
+}
+
+/// Whether velocities change so much that what follows is another motion. Errors of a step do not do that, but the smallest
+/// residual does where constraints are on the point of depending on each other.
+#[inline]
+fn leaps<S: Scalar, Q: StateVector<S>>(before: &Q, after: &Q, q: &Q) -> bool {
+    let changes = before.as_ref().iter().zip(after.as_ref()).map(|(before, after)| (*after - *before).abs());
+    let change = changes.fold(S::ZERO, S::max);
+    change > S::from_f64(LEAP) * largest(before.as_ref()) && change > S::from_f64(SLOW) * size(q.as_ref())
 }
 
 /// Brings a state from which a motion is to start onto the constraints if it nearly satisfies them: if every residual is at most
@@ -105,39 +140,49 @@ pub fn admit<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// Positions and velocities that corrections lead to.
+/// Brings positions and velocities onto the constraints; whether that succeeded. They are spoilt if not.
 #[inline]
-fn nearest<M: ConstrainedSystem + ?Sized>(
+fn bring<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
-    (q, v): (&M::Coordinates, &M::Coordinates),
-) -> Projected<M, (Vector<M>, Vector<M>)> {
-    let found = nearest_positions(system, t, q, v).and_then(|positions| {
-        let velocities = nearest_velocities(system, t, &positions, v)?;
-        Some((positions, velocities))
-    });
-    found.ok_or_else(|| worst(system, t, (q, v)))
+    q: &mut M::Coordinates,
+    v: &mut M::Coordinates,
+) -> bool {
+    bring_positions(system, t, q, v) && bring_velocities(system, t, q, v)
 }
 
-/// Positions that corrections lead to, if they converge.
+/// Brings positions onto the constraints, if corrections converge.
 #[inline]
-fn nearest_positions<M: ConstrainedSystem + ?Sized>(
+fn bring_positions<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
-    q: &M::Coordinates,
+    q: &mut M::Coordinates,
     v: &M::Coordinates,
-) -> Option<M::Coordinates> {
+) -> bool {
     let residuals = system.position_residuals(t, q);
     if are_zero(residuals.as_ref()) {
-        return Some(*q);
+        return true;
     }
-    let change = system.correction(t, q, v, &residuals);
-    let step = Step { from: *q, change, length: length::<Number<M>>(change.as_ref())? };
+    let step = Step::new(*q, system.correction(t, q, v, &residuals));
+    // What is not a number is larger than anything, too.
     if step.length <= negligible(q.as_ref()) {
-        Some(step.end(M::Scalar::ONE))
-    } else {
-        newton(system, t, v, step)
+        *q = step.end(M::Scalar::ONE);
+        return true;
     }
+    let part = || of_positions_together(system, t, q);
+    if is_magnified(step.length, largest(q.as_ref()), part) {
+        return true;
+    }
+    newton(system, t, v, step).map(|found| *q = found).is_some()
+}
+
+/// Whether a correction is out of proportion to what it is to remove, which is next to nothing: constraints are on the point of
+/// depending on each other, and what is left is better left alone.
+#[inline]
+fn is_magnified<S: Scalar>(length: S, size: S, part: impl FnOnce() -> S) -> bool {
+    let part = part();
+    part <= S::from_f64(NEXT_TO_NOTHING) * S::epsilon().sqrt()
+        && length > S::from_f64(MAGNIFIED) * part * size
 }
 
 /// Newton's method from its first step on.
@@ -146,7 +191,7 @@ fn newton<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     v: &M::Coordinates,
-    first: Step<Number<M>, Vector<M>>,
+    first: StepOf<M>,
 ) -> Option<M::Coordinates> {
     let mut step = first;
     let negligible = negligible(step.from.as_ref());
@@ -155,8 +200,7 @@ fn newton<M: ConstrainedSystem + ?Sized>(
         if next.length <= negligible {
             return Some(next.end(M::Scalar::ONE));
         }
-        let change = system.correction(t, &to, v, &residuals);
-        step = Step { from: to, change, length: length::<Number<M>>(change.as_ref())? };
+        step = Step::new(to, system.correction(t, &to, v, &residuals));
         if step.length <= negligible {
             return Some(step.end(M::Scalar::ONE));
         }
@@ -169,16 +213,16 @@ fn shortened<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     v: &M::Coordinates,
-    step: &Step<Number<M>, Vector<M>>,
-) -> Option<(Vector<M>, Residuals<M>, Step<Number<M>, Vector<M>>)> {
+    step: &StepOf<M>,
+) -> Option<(Vector<M>, Residuals<M>, StepOf<M>)> {
     let mut part = M::Scalar::ONE;
     for _ in 0..MOST {
         let to = step.end(part);
         let residuals = system.position_residuals(t, &to);
-        let change = system.correction(t, &step.from, v, &residuals);
+        let next = Step::new(to, system.correction(t, &step.from, v, &residuals));
         let demanded = (M::Scalar::ONE - part / M::Scalar::from_f64(4.0)) * step.length;
-        if let Some(length) = length(change.as_ref()).filter(|length| *length <= demanded) {
-            return Some((to, residuals, Step { from: to, change, length }));
+        if next.length <= demanded && next.length.is_finite() {
+            return Some((to, residuals, next));
         }
         part = part / M::Scalar::from_f64(2.0);
     }
@@ -193,6 +237,11 @@ struct Step<S, Q> {
 }
 
 impl<S: Scalar, Q: StateVector<S>> Step<S, Q> {
+    #[inline]
+    fn new(from: Q, change: Q) -> Self {
+        Step { from, change, length: largest(change.as_ref()) }
+    }
+
     /// Where this part of it leads.
     #[inline]
     fn end(&self, part: S) -> Q {
@@ -204,40 +253,36 @@ impl<S: Scalar, Q: StateVector<S>> Step<S, Q> {
     }
 }
 
-/// Velocities that corrections lead to, if they converge. The second one removes what rounding left of a large first one.
+/// Brings velocities onto the constraints, if corrections converge. A second one removes what rounding left of a large first one.
 #[inline]
-fn nearest_velocities<M: ConstrainedSystem + ?Sized>(
+fn bring_velocities<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     q: &M::Coordinates,
-    v: &M::Coordinates,
-) -> Option<M::Coordinates> {
-    let mut to = *v;
+    v: &mut M::Coordinates,
+) -> bool {
     for _ in 0..MOST {
-        let residuals = system.velocity_residuals(t, q, &to);
+        let residuals = system.velocity_residuals(t, q, v);
         if are_zero(residuals.as_ref()) {
-            return Some(to);
+            return true;
         }
-        let change = system.correction(t, q, &to, &residuals);
-        let size = length::<Number<M>>(change.as_ref())?;
-        to = Step { from: to, change, length: size }.end(M::Scalar::ONE);
-        if size <= M::Scalar::from_f64(SLIGHT) * length(to.as_ref())? {
-            return Some(to);
+        let step = Step::new(*v, system.correction(t, q, v, &residuals));
+        let part = || of_velocities_together(system, t, (q, v));
+        let is_large = step.length > M::Scalar::from_f64(LARGE) * largest(v.as_ref());
+        if is_large && is_magnified(step.length, largest(v.as_ref()), part) {
+            return true;
+        }
+        *v = step.end(M::Scalar::ONE);
+        if step.length <= M::Scalar::from_f64(SLIGHT) * largest(v.as_ref()) {
+            return step.length.is_finite();
         }
     }
-    None
+    false
 }
 
 #[inline]
 fn are_zero<S: Scalar>(residuals: &[S]) -> bool {
     residuals.iter().all(|residual| *residual == S::ZERO)
-}
-
-/// The largest magnitude, if all are finite.
-#[inline]
-fn length<S: Scalar>(x: &[S]) -> Option<S> {
-    let largest = x.iter().fold(S::ZERO, |most, x| most.max(x.abs()));
-    largest.is_finite().then_some(largest)
 }
 
 /// Corrections up to this leave nothing behind but rounding.

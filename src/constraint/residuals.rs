@@ -38,6 +38,35 @@ pub(super) fn of_velocities<M: ConstrainedSystem + ?Sized>(
     Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), true)
 }
 
+/// The largest residual of positions as a part of the largest scale: near configurations in which constraints depend on each
+/// other their own scales may vanish.
+#[cold]
+pub(super) fn of_positions_together<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+) -> M::Scalar {
+    let scales = system.residual_scales(t, q, &sizes(q));
+    largest(system.position_residuals(t, q).as_ref()) / largest(scales.as_ref())
+}
+
+/// The same of velocities.
+#[cold]
+pub(super) fn of_velocities_together<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    (q, v): (&M::Coordinates, &M::Coordinates),
+) -> M::Scalar {
+    let scales = system.residual_scales(t, q, &sizes(v));
+    largest(system.velocity_residuals(t, q, v).as_ref()) / largest(scales.as_ref())
+}
+
+/// The largest magnitude; not a number if one is not.
+#[inline]
+pub(super) fn largest<S: Scalar>(x: &[S]) -> S {
+    x.iter().fold(S::ZERO, |most, x| most.max(x.abs()))
+}
+
 /// What positions, or else velocities, violate most, if it is by more than this part of its scale.
 pub(super) fn beyond<M: ConstrainedSystem + ?Sized>(
     part: M::Scalar,

@@ -79,12 +79,11 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
 
     /// Of impulses and what is to be zero or positive after an impact: rate⁺ + e rate⁻.
     pub(super) fn of_impulses(terms: &'a Terms<S, N, K>, restitutions: &[S; K]) -> Self {
-        let offsets = array::from_fn(|k| match terms.rates[k] {
+        let offsets: [S; K] = array::from_fn(|k| match terms.rates[k] {
             rate if rate < S::ZERO => rate + restitutions[k] * rate,
             rate => rate,
         });
-        let size = offsets.iter().fold(S::ZERO, |size, offset: &S| size.max(offset.abs()));
-        let sizes = [size; K];
+        let sizes = array::from_fn(|k| offsets[k].abs());
         Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: true }
     }
 
@@ -92,6 +91,11 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     pub(super) fn of_values(terms: &'a Terms<S, N, K>, values: [S; K]) -> Self {
         let (offsets, sizes) = (values, values);
         Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: false }
+    }
+
+    /// Whether rates without reactions, and what reactions change, are numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        self.matrix.iter().chain([&self.offsets]).flatten().all(|entry| entry.is_finite())
     }
 
     /// What rate k is under these reactions.
@@ -139,7 +143,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             let mut is_consistent = true;
             for k in 0..K {
                 let is_limited = matches!(rules[k], Rule::Forwards | Rule::Backwards | Rule::Smooth);
-                if is_limited && self.kinetic(k, &reactions) * signs[k] < S::ZERO {
+                let is_negative = self.kinetic(k, &reactions) * signs[k] < S::ZERO;
+                if is_limited && is_negative && !self.is_beyond(k, rules, &reactions) {
                     signs[k] = -signs[k];
                     is_consistent = false;
                 }
@@ -149,6 +154,13 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             }
         }
         [S::NAN; K]
+    }
+
+    /// Whether the limit of friction k is that of a contact which pulls. Such states lie beyond the event by which the contact opens;
+    /// methods look at them on their way there, and want what continues the motion smoothly.
+    fn is_beyond(&self, k: usize, rules: &[Rule; K], reactions: &[S; K]) -> bool {
+        let slopes = &self.terms.kinetic_slopes[k];
+        (0..K).any(|j| rules[j] == Rule::Holds && slopes[j] > S::ZERO && reactions[j] < S::ZERO)
     }
 
     /// The reactions under these rules if the limits have these signs.

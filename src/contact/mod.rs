@@ -16,6 +16,25 @@
 //! constraints hold), so that a = a₀ + Σ w_k r_k, and velocity rows d_k give the rates d_k·a + drift_k of gap velocities and slip
 //! velocities. Limits may depend on reactions and multipliers, and so are affine in r. What is emitted are these [`Terms`]; the
 //! small system for r is solved at run time.
+//!
+//! # What is assumed
+//!
+//! - **Modes are chosen together.** Where a mode ends, all contacts that touch and all friction at rest are settled anew: contacts
+//!   press or part, friction holds or slips the way it is driven. If strong friction leaves no choice that fits (the paradox of
+//!   Painlevé), the run ends with [`Cause::Stuck`](crate::integrate::Cause::Stuck).
+//! - **Contacts that touch are hit together**, at one instant. Two equal balls that touch and are hit elastically by a third leave
+//!   with 2/3 of its speed, and it returns with 1/3; a hair's breadth apart, they are hit one after the other, and the last one
+//!   leaves with all of it, as in Newton's cradle. An impact in several contacts is told by the event of the first, with
+//!   the impulse there and the energy that was lost in all.
+//! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law between impulses. Restitution
+//!   is reduced where it would create energy.
+//! - **Infinitely many bounces** are taken together once the rest of them would last no longer than 10⁻⁹ of the time: the contact
+//!   closes, and [`Happening::Closed`] tells when the last bounce ends.
+//! - **Forces that the motion does not determine**, as those of a table on four legs, are the shortest that fit.
+//! - **Friction without a limit**, as in a contact that is open, just [slips](Friction::Slips).
+//! - **Time runs forwards**: what was before an impact or before something came to rest does not follow from what is after it.
+//! - Smooth friction has no modes. A steep one makes the motion stiff.
+//!
 //! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5.
 
 mod balance;
@@ -52,7 +71,7 @@ pub enum Contact {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum Friction {
     /// Slips in the direction that the present slip velocity has, without friction where it is zero. Runs replace it by another
-    /// mode at their start.
+    /// mode at their start, unless there is no friction because its limit is zero.
     #[default]
     Slips,
     /// Slips with positive slip velocity: the force is negative.
@@ -134,7 +153,8 @@ pub trait ContactSystem<const N: usize, const K: usize>:
 pub struct Impact<S> {
     /// The impulse in the contact, in N s for SI units; never negative.
     pub impulse: S,
-    /// The kinetic energy that was lost.
+    /// The kinetic energy that was lost, in all contacts that were hit at once and by friction; with moving surfaces, as seen from
+    /// them. Never negative but for rounding, unless a coefficient of restitution exceeds one.
     pub energy_loss: S,
 }
 

@@ -15,7 +15,7 @@ use crate::system::{Reacted, join, split};
 /// What the declared event of this index, which belongs to a reaction, does to the state at which it happened: an impact, a
 /// contact that opens, friction that comes to hold or gives way. Nothing if it belongs to none.
 ///
-/// Bounces whose series would end within 10⁻⁹ of the time that has passed, or whose height is lost in the rounding of the
+/// Bounces whose series would end within 10⁻⁹ of the time that has passed, or whose height is near the rounding of the
 /// gap, are taken together: the contact closes, and the time at which the series ends is told.
 ///
 /// # Errors
@@ -48,8 +48,8 @@ where
 
 /// A part of the time that has passed: what bounces take less than is not resolved.
 const SHORT: f64 = 1e-9;
-/// Heights of hops are lost that are smaller than this many roundings of the terms of the gap,
-const ROUNDINGS: f64 = 4.0;
+/// Hops are not resolved that are lower than this many roundings of the terms of the gap: how long they take would be rounding,
+const ROUNDINGS: f64 = 256.0;
 /// and times that are smaller than so many of the time.
 const TIMES: f64 = 64.0;
 
@@ -185,8 +185,12 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         halt(&terms, &mut self.v, is_held);
         let terms = self.terms(&self.v);
         let settled = terms.settle(&modes, &position, None)?;
-        let is_stuck = settled[k] == Mode::Friction(Friction::Sticks);
-        let happening = if is_stuck { Happening::Stuck } else { Happening::Slipped };
+        let happening = match (modes[k], settled[k]) {
+            (_, Mode::Friction(Friction::Sticks)) => Happening::Stuck,
+            // What slips without friction and what slips with it pass into each other smoothly.
+            (Mode::Friction(Friction::Slips), _) | (_, Mode::Friction(Friction::Slips)) => Happening::Zero,
+            _ => Happening::Slipped,
+        };
         Ok(self.answer(settled, &self.v, happening))
     }
 

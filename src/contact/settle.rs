@@ -36,7 +36,7 @@ pub(super) struct Settled<S, const K: usize> {
 /// More combinations are not tried.
 const MOST_COMBINATIONS: u64 = 20_000;
 /// Rounding errors of a sum are this many times those of its largest terms.
-const ROUNDINGS: f64 = 256.0;
+const ROUNDINGS: f64 = 16.0;
 
 impl Choice {
     fn rules(self) -> &'static [Rule] {

@@ -94,7 +94,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// to its end, so that it is none of them.
     ///
     /// # Errors
-    /// If there are none.
+    /// If there are none, or if something is not finite.
     pub(super) fn settle(
         &self,
         modes: &[Mode; K],
@@ -115,6 +115,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             };
         }
         let balance = Balance::of_forces(self);
+        if !balance.is_finite() {
+            return Err(Cause::NotFinite);
+        }
         let settled = balance
             .settle(&choices)
             .ok_or(Cause::Stuck("no forces in contacts and friction fit the state"))?;

@@ -1,5 +1,7 @@
 //! When modes switch.
 
+use core::array;
+
 use super::balance::{Balance, reactions};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
@@ -14,28 +16,35 @@ pub(super) fn nothing<S: Scalar>() -> S {
     S::epsilon() * S::epsilon()
 }
 
+/// Forces may miss their bounds by this many roundings of the terms that make them: more than what counts as none when modes are
+/// chosen, so that a body exactly at a bound does not go back and forth.
+const ROUNDINGS: f64 = 64.0;
+
 /// A function for each reaction that is positive while its mode may last and falls through zero where it ends: the gap of an open
 /// contact, the force of a closed one, the slip velocity in the direction of slipping, and what is left to the static
-/// limit while friction sticks.
+/// limit while friction sticks. Forces fall through zero a few roundings later than they do.
 pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
 ) -> [S; K] {
     let reactions = reactions(terms, modes);
     let balance = Balance::of_forces(terms);
-    let mut values = [S::ONE; K];
-    for k in 0..K {
-        values[k] = match modes[k] {
-            Mode::Contact(Contact::Open) => terms.gaps[k],
-            Mode::Contact(Contact::Closed) => reactions[k],
-            Mode::Friction(Friction::SlipsForwards) => terms.rates[k],
-            Mode::Friction(Friction::SlipsBackwards) => -terms.rates[k],
-            Mode::Friction(Friction::Sticks) => balance.fixed(k, &reactions) - reactions[k].abs(),
-            Mode::Friction(Friction::Slips) => nothing::<S>() - balance.fixed(k, &reactions),
-            Mode::Smooth => S::ONE,
-        };
-    }
-    values
+    let rounding = |k: usize| match balance.response(k) {
+        response if response > S::ZERO => {
+            S::from_f64(ROUNDINGS) * S::epsilon() * balance.size(k, &reactions) / response
+        }
+        _ => S::ZERO,
+    };
+    let value = |k: usize| match modes[k] {
+        Mode::Contact(Contact::Open) => terms.gaps[k],
+        Mode::Contact(Contact::Closed) => reactions[k] + rounding(k),
+        Mode::Friction(Friction::SlipsForwards) => terms.rates[k],
+        Mode::Friction(Friction::SlipsBackwards) => -terms.rates[k],
+        Mode::Friction(Friction::Sticks) => balance.fixed(k, &reactions) + rounding(k) - reactions[k].abs(),
+        Mode::Friction(Friction::Slips) => nothing::<S>() - balance.fixed(k, &reactions),
+        Mode::Smooth => S::ONE,
+    };
+    array::from_fn(value)
 }
 
 /// Writes [`switch_values`] of the state to the places of the declared events that belong to reactions.

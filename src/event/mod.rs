@@ -20,12 +20,15 @@ mod lookout;
 mod run;
 mod watch;
 
+#[cfg(feature = "std")]
 pub(crate) use self::course::Course;
 pub use self::declared::{Answer, DeclaredEvent, MOST_DECLARED};
 pub use self::direction::Direction;
+#[cfg(feature = "std")]
 pub(crate) use self::lookout::{Declarations, Lookout, is_forwards};
 pub(crate) use self::run::integrate_declared;
 pub use self::run::{Reaction, integrate_with_events};
+#[cfg(feature = "std")]
 pub(crate) use self::watch::is_at_once;
 pub use self::watch::{Occurrence, Watch};
 

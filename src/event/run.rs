@@ -125,8 +125,8 @@ where
     let mut switched = begun.map_err(|cause| failed(cause, t0, y0))?;
     let current = switched.as_ref().unwrap_or(system);
     let mut stepper = method.start(current, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
-    let mut events = Events { declared: Declarations::new(current, t0, &y0), given };
-    observe(t0, &y0);
+    let mut events = Events { declared: Declarations::new(current, t0, stepper.state()), given };
+    observe(t0, stepper.state());
     while stepper.time() != t_end {
         let current = switched.as_ref().unwrap_or(system);
         stepper.step(current, t_end).map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
@@ -140,8 +140,8 @@ where
         switched = next.or(switched);
         let current = switched.as_ref().unwrap_or(system);
         stepper.restart(current, time, &other).map_err(|cause| failed(cause, time, state))?;
-        events.restart(current, time, &other);
-        observe(time, &other);
+        events.restart(current, time, stepper.state());
+        observe(time, stepper.state());
     }
     Ok((t_end, *stepper.state()))
 }

@@ -24,6 +24,10 @@
 //! [`LeapfrogSystem`](crate::system::LeapfrogSystem): [`StormerVerlet`] and [`SymplecticEuler`] keep to its constraints by
 //! themselves, as [`Variational`] does to any. The implicit methods for any mass matrix want momenta and their rates,
 //! `emit { momentum_rates }`, and iterate by Newton's method with `emit { jacobian }`.
+//!
+//! If a system has [constraints](mod@crate::constraint), a start must nearly satisfy these and is moved onto them, and the end of
+//! every step is brought back unless the method ends there by itself; so are states within a step. A step that cannot be corrected
+//! is an error with the last good state; an adaptive method tries shorter ones first.
 
 mod canonical;
 #[cfg(test)]

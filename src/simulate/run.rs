@@ -22,7 +22,8 @@ where
     M: MechanicalSystem,
     K: Method<M>,
 {
-    let Simulation { system, start, end, method, .. } = simulation;
+    let Simulation { system, end, method, .. } = simulation;
+    let start = admitted(system, simulation.start);
     let dense = simulation.is_dense.then(|| Dense::new(method.order()));
     let begun = is_forwards::<M>(start.0, end).and_then(|()| system.begin(start.0, &start.1));
     let (switched, begun) = begun.map_or_else(|cause| (None, Err(cause)), |switched| (switched, Ok(())));
@@ -42,6 +43,15 @@ where
     match result {
         Ok(_) => Ok(trajectory),
         Err(cause) => Err(SimulationError { cause, trajectory: Box::new(trajectory) }),
+    }
+}
+
+/// The start as methods take it: on the constraints if it nearly satisfies them. What is wrong with it methods say.
+fn admitted<M: MechanicalSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scalar, M::State) {
+    let mut admitted = y;
+    match system.admit(t, &mut admitted) {
+        Ok(()) => (t, admitted),
+        Err(_) => (t, y),
     }
 }
 

@@ -228,7 +228,7 @@ fn a_bead_on_a_turning_wire_oscillates_for_ever() {
         &|see| {
             integrate(&wire, 0.0, start, end, &StormerVerlet { step: 0.001 }, see).expect("converges");
         },
-        1e-3,
+        2e-3,
     );
 }
 

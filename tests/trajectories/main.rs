@@ -15,6 +15,7 @@ mod mechanisms;
 #[path = "../mechanisms/n_four_bar.rs"]
 mod n_four_bar;
 mod phase;
+mod projected;
 #[path = "../references/mod.rs"]
 mod references;
 mod stiff;

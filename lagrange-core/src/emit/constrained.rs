@@ -11,8 +11,8 @@ use super::system::Writer;
 use crate::expr::ExprId;
 use crate::program::OperationCounts;
 
-/// With more unknowns than this a matrix of them is too large for the stack, and dependent constraints are not made good.
-const LARGEST_REDUNDANT: usize = 64;
+/// With more coordinates than this a matrix of them is too large for the stack, and dependent constraints are not made good.
+const LARGEST_REDUNDANT: usize = 100;
 
 const MULTIPLIERS: [&str; 2] = [
     "Multipliers λ of the constraints in the order of their declaration: M q̈ = f + Aᵀλ. That of a",
@@ -97,7 +97,7 @@ impl Writer<'_> {
     }
 
     fn is_guarded(&self) -> bool {
-        self.model.coordinates.len() + self.model.constraints.len() <= LARGEST_REDUNDANT
+        self.model.coordinates.len() <= LARGEST_REDUNDANT
     }
 
     /// What `ConstrainedSystem::correction` does.

@@ -193,8 +193,30 @@ pub(super) fn contact_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n, k) = (shape.krate, length(shape.coordinates.len()), length(shape.touching.len()));
     let ArgumentNames { time, positions, velocities, .. } = &parts.names;
-    let (terms, other) = (&parts.terms, local("modes"));
+    let (terms, modes, event_of) = (&parts.terms, mode_members(shape), event_of(shape));
     let names = shape.touching.iter().map(|(name, _)| &name.text);
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::contact::ContactSystem<#n, #k> for #name #generics {
+            const REACTIONS: [&'static ::core::primitive::str; #k] = [#(#names),*];
+            #modes
+            #[inline]
+            fn terms(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #n],
+                #velocities: &[#scalar; #n],
+            ) -> #krate::contact::Terms<#scalar, #n, #k> {
+                #terms
+            }
+            #event_of
+        }
+    }
+}
+
+/// How modes are read from the fields, and a copy with others.
+fn mode_members(shape: &Shape<'_>) -> TokenStream {
+    let (krate, other, k) = (shape.krate, local("modes"), length(shape.touching.len()));
     let modes = shape.touching.iter().map(|(name, touch)| {
         let field = identifier(name);
         match touch.type_name() {
@@ -213,38 +235,31 @@ pub(super) fn contact_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         })
     });
     let marker = shape.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData,));
+    quote! {
+        #[inline]
+        fn modes(&self) -> [#krate::contact::Mode; #k] {
+            [#(#modes),*]
+        }
+        #[inline]
+        fn in_modes(&self, #other: [#krate::contact::Mode; #k]) -> Self {
+            Self { #(#fields: self.#fields,)* #(#switched)* #marker }
+        }
+    }
+}
+
+/// Which event switches the mode of a reaction.
+fn event_of(shape: &Shape<'_>) -> TokenStream {
     let events = shape.events_of_reactions();
     let events = events.iter().enumerate().filter_map(|(k, event)| {
         let (k, event) = (length(k), length((*event)?));
         Some(quote!(#k => #event,))
     });
     quote! {
-        #[automatically_derived]
-        impl #bounds #krate::contact::ContactSystem<#n, #k> for #name #generics {
-            const REACTIONS: [&'static ::core::primitive::str; #k] = [#(#names),*];
-            #[inline]
-            fn modes(&self) -> [#krate::contact::Mode; #k] {
-                [#(#modes),*]
-            }
-            #[inline]
-            fn in_modes(&self, #other: [#krate::contact::Mode; #k]) -> Self {
-                Self { #(#fields: self.#fields,)* #(#switched)* #marker }
-            }
-            #[inline]
-            fn terms(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #n],
-                #velocities: &[#scalar; #n],
-            ) -> #krate::contact::Terms<#scalar, #n, #k> {
-                #terms
-            }
-            #[inline]
-            fn event_of(&self, k: ::core::primitive::usize) -> ::core::primitive::usize {
-                match k {
-                    #(#events)*
-                    _ => ::core::primitive::usize::MAX,
-                }
+        #[inline]
+        fn event_of(&self, k: ::core::primitive::usize) -> ::core::primitive::usize {
+            match k {
+                #(#events)*
+                _ => ::core::primitive::usize::MAX,
             }
         }
     }

@@ -24,6 +24,9 @@ const LARGEST_MULTIPLIED_OUT: usize = 300;
 /// Monomials up to which coefficients are multiplied out.
 const MULTIPLYING_BUDGET: usize = 60;
 
+/// A matrix in rows.
+type Rows = Vec<Vec<ExprId>>;
+
 /// The equations of motion and what else a model was asked for. Products that are not wanted are `None` and
 /// have not been derived; the two sides of M q̈ = f come with the accelerations.
 #[derive(Clone, Debug)]
@@ -41,7 +44,7 @@ pub struct Equations {
     /// The counted cost of each road, as far as it was tried: dense, recursive, squares.
     pub costs: [Option<f64>; 3],
     /// M, in rows.
-    pub mass_matrix: Vec<Vec<ExprId>>,
+    pub mass_matrix: Rows,
     /// f in M q̈ = f
     pub forcing: Vec<ExprId>,
     /// d/dt ∂L/∂v − ∂L/∂q at zero acceleration, without loads and dissipation.
@@ -57,9 +60,9 @@ pub struct Equations {
     /// The generalised forces that must be added for given accelerations.
     pub inverse_dynamics: Option<Vec<ExprId>>,
     /// ∂a/∂q and ∂a/∂v, in rows
-    pub jacobian: Option<Vec<Vec<ExprId>>>,
+    pub jacobian: Option<Rows>,
     /// The derivatives of the accelerations by parameters, then by inputs, in rows.
-    pub parameter_jacobian: Option<Vec<Vec<ExprId>>>,
+    pub parameter_jacobian: Option<Rows>,
     /// What was found out about the system.
     pub structure: Structure,
     /// Names for intermediate results, in the order of preference.
@@ -71,37 +74,19 @@ impl Equations {
     pub fn derive(model: &mut Model, choice: RoadChoice) -> Result<Equations, SingularMassMatrix> {
         let split = SplitLagrangian::new(model);
         let velocities = model.velocities();
-        let mut form = gauss_form(model, &split, AccelerationTerms::Dropped, Terms::All);
-        join_multipliers(model, &mut form);
-        let unknowns = model.unknowns();
-        let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
-        separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
-        let pushed = match model.accuracy {
-            Accuracy::Strict => contracted(&mut model.graph, pushed, &unknowns),
-            _ => cheaper_coefficients(&mut model.graph, pushed, &unknowns),
-        };
-        let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
-        let forcing = forcing(&mut model.graph, &pushed, &velocities);
-        let products = model.products.clone();
-        let wants = |product: Product| products.contains(&product);
-        let differentiated = wants(Product::Jacobian) || wants(Product::ParameterJacobian);
-        let forms = Forms { form: form.clone(), pushed: pushed.clone() };
+        let forms = forms(model, &split);
+        let mass_matrix = mass_matrix(&mut model.graph, &forms.pushed, &velocities);
+        let forcing = forcing(&mut model.graph, &forms.pushed, &velocities);
+        let (form, pushed) = (forms.form.clone(), forms.pushed.clone());
         let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
         let multipliers = solution.values.split_off(velocities.len());
         let reactions = ReactionEquations::new(model, &forms, road, &multipliers);
         let constraints = ConstraintEquations::new(model, &forms, road, (multipliers, solution.condition));
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
-        let derivatives =
-            differentiated.then(|| Derivatives::new(model, &split, forms, (&solution.values, road)));
-        let differentiate = |model: &mut Model, product: Product, variables: Vec<ExprId>| {
-            Some(derivatives.as_ref().filter(|_| wants(product))?.by(model, &variables))
-        };
-        let state = [model.positions(), model.velocities()].concat();
-        let jacobian = differentiate(model, Product::Jacobian, state);
-        let constants =
-            model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol).collect();
-        let parameter_jacobian = differentiate(model, Product::ParameterJacobian, constants);
+        let (jacobian, parameter_jacobian) = jacobians(model, &split, forms, (&solution.values, road));
+        let products = model.products.clone();
+        let wants = |product: Product| products.contains(&product);
         let rates = wants(Product::MomentumRates).then(|| free_momentum_rates(model));
         let touching = reaction_forces(model, &reactions);
         let mut equations = Equations {
@@ -163,6 +148,40 @@ impl Equations {
         let contracted = simplify::contract_all(&mut model.graph, &mut Angles::default(), &exprs);
         places.into_iter().zip(contracted).for_each(|(place, expr)| *place = expr);
     }
+}
+
+/// The quadratic form with its multipliers, and what it becomes over velocities alone, simplified as the level of accuracy asks.
+fn forms(model: &mut Model, split: &SplitLagrangian) -> Forms {
+    let (velocities, unknowns) = (model.velocities(), model.unknowns());
+    let mut form = gauss_form(model, split, AccelerationTerms::Dropped, Terms::All);
+    join_multipliers(model, &mut form);
+    let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
+    separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
+    let pushed = match model.accuracy {
+        Accuracy::Strict => contracted(&mut model.graph, pushed, &unknowns),
+        _ => cheaper_coefficients(&mut model.graph, pushed, &unknowns),
+    };
+    Forms { form, pushed }
+}
+
+/// The derivatives of accelerations that are wanted, by the state and by parameters and inputs.
+fn jacobians(
+    model: &mut Model,
+    split: &SplitLagrangian,
+    forms: Forms,
+    solution: (&[ExprId], Road),
+) -> (Option<Rows>, Option<Rows>) {
+    let [by_state, by_parameters] =
+        [Product::Jacobian, Product::ParameterJacobian].map(|product| model.products.contains(&product));
+    if !by_state && !by_parameters {
+        return (None, None);
+    }
+    let derivatives = Derivatives::new(model, split, forms, solution);
+    let state = [model.positions(), model.velocities()].concat();
+    let constants = model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol);
+    let constants = constants.collect::<Vec<_>>();
+    let jacobian = by_state.then(|| derivatives.by(model, &state));
+    (jacobian, by_parameters.then(|| derivatives.by(model, &constants)))
 }
 
 /// Removes couplings that vanish without showing it, as between polar coordinates that were written down by

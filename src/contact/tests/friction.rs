@@ -3,7 +3,7 @@
 use std::vec::Vec;
 
 use super::systems::{BACKWARDS, Block, CLOSED, FORWARDS, FREE, OPEN, STICKS, Slider};
-use crate::contact::{Happening, Mode, begin};
+use crate::contact::{ContactSystem, Happening, Mode, begin, reactions, switch_values};
 use crate::integrate::RungeKutta4;
 use crate::simulate::Simulate;
 
@@ -144,7 +144,12 @@ fn a_contact_that_opens_frees_its_friction() {
     // m v = ∫ t dt − 0.25 ∫ (19.62 − 4 t) dt up to the opening.
     let impulse = |t: f64| 0.5 * t * t - 0.25 * (19.62 * t - 2.0 * t * t);
     let push = impulse(4.905) - impulse(gives_way) + 0.5 * (36.0 - 4.905 * 4.905);
-    assert!((trajectory.last()[2] - 0.5 * push).abs() < 1e-11);
+    assert!(
+        (trajectory.last()[2] - 0.5 * push).abs() < 1e-11,
+        "{:?} {}",
+        trajectory.events(),
+        trajectory.last()[2] - 0.5 * push
+    );
 }
 
 /// Bounces rub as much as lying does: over any number of them friction takes μ times the momentum that the floor gave.
@@ -155,4 +160,41 @@ fn a_bouncing_block_is_slowed_like_a_sliding_one() {
     let trajectory = bouncing.simulate(start).until(1.5).tolerance(1e-12).run().expect("runs");
     assert_eq!(trajectory.system_at_end().map(|slider| slider.modes), Some([CLOSED, FORWARDS]));
     assert!((trajectory.last()[2] - (5.0 - 0.25 * 9.81 * 1.5)).abs() < 1e-8, "{:?}", trajectory.last());
+}
+
+/// A drive that is exactly as large as static friction, but for rounding, moves nothing and makes nothing go back and forth.
+#[test]
+fn a_block_exactly_at_its_limit_stays() {
+    for weight in [-8.0, -8.0 * (1.0 + 1e-15), -8.0 * (1.0 - 1e-15)] {
+        let block = Block { weight, kinetic: 8.0, ..INCLINE };
+        let trajectory = block.simulate([0.3, 0.0]).until(5.0).tolerance(1e-12).run().expect("stays");
+        assert_eq!(trajectory.events().len(), 0, "{weight}");
+        let [x, v] = trajectory.last();
+        assert!((x - 0.3).abs() < 1e-13 && v.abs() < 1e-13, "{x} {v}");
+    }
+}
+
+/// A limit that grows from nothing, as where a rough stretch begins, takes hold of what moves and of what rests.
+#[test]
+fn friction_whose_limit_begins_later_is_met() {
+    let slider = Slider { lift: -4.0, g: 0.0, ..SLIDER };
+    // Pressed with 4 t from the start on: m v falls by μ 4 t.
+    let simulation = slider.simulate([0.0, 0.0, 1.0, 0.0]).until(3.0).tolerance(1e-12).max_steps(2_000);
+    let trajectory = simulation.run().expect("runs");
+    let stop = trajectory.events().last().expect("it stops");
+    assert_eq!((stop.name.as_str(), stop.happening), ("rubbing", Happening::Stuck));
+    assert!((stop.time - 2.0).abs() < 1e-9, "{}", stop.time);
+    assert_eq!(trajectory.system_at_end().map(|slider| slider.modes), Some([CLOSED, STICKS]));
+}
+
+/// Smooth friction is no event; its force is against the slip whatever the sign of the limit.
+#[test]
+fn smooth_friction_acts_by_its_size() {
+    for (slip, kinetic) in [(0.3, 0.2), (0.3, -0.2), (-0.3, -0.2), (-0.3, 0.2)] {
+        let smooth = Block { kinetic, modes: [Mode::Smooth], ..INCLINE };
+        let terms = smooth.terms(0.0, &[0.0], &[slip]);
+        let [force] = reactions(&terms, &smooth.modes);
+        assert!((force + 0.2 * f64::signum(slip)).abs() < 1e-16, "{force} at {slip}, {kinetic}");
+        assert_eq!(switch_values(&terms, &smooth.modes), [1.0]);
+    }
 }

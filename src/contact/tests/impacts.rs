@@ -1,6 +1,6 @@
 //! Impacts whose outcome is known.
 
-use super::systems::{Ball, CLOSED, Corner, Cradle, FREE, OPEN, Rod, STICKS, Slider};
+use super::systems::{Ball, CLOSED, Corner, Cradle, FREE, OPEN, Rod, STICKS, Slider, Stick};
 use crate::contact::{Contact, ContactSystem, Happening, Impact, Mode, begin, reactions};
 use crate::event::{Answer, Reaction};
 use crate::integrate::Cause;
@@ -213,4 +213,38 @@ fn modes_at_the_start_fit_the_state() {
     assert_eq!(modes(closed, [0.0, 1.0]), [OPEN]);
     assert_eq!(modes(closed, [0.0, -1.0]), [OPEN], "the impact comes first");
     assert_eq!(modes(Ball { g: -1.0, ..closed }, [0.0, 0.0]), [OPEN]);
+}
+
+/// Newton's law of restitution would create energy in some impacts with friction; no impact here does, and the loss that is told
+/// is what the motion has lost.
+#[test]
+fn no_impact_creates_energy() {
+    let mut reduced = 0;
+    for (angle, mu) in [(0.4, 0.1), (0.8, 0.5), (1.1, 0.6), (1.2, 1.0), (1.4, 0.3)] {
+        for slip in [-3.0, -0.5, 0.0, 0.5, 3.0] {
+            let stick = Stick { m: 1.0, length: 2.0, g: 0.0, e: 1.0, mu, modes: [OPEN, FREE] };
+            let (sin, before) = (f64::sin(angle), [slip, -1.0, 0.0]);
+            let (y, _, happening) = after(&stick, 0, 1.0, [0.0, sin, angle, slip, -1.0, 0.0]);
+            let (v, told) = ([y[3], y[4], y[5]], impact(happening).energy_loss);
+            let lost = stick.kinetic_energy(before) - stick.kinetic_energy(v);
+            assert!((told - lost).abs() < 1e-12, "{told} for {lost}");
+            assert!(lost > -1e-12, "{lost} at {angle}, μ = {mu}, {slip}");
+            let rate = v[1] - f64::cos(angle) * v[2];
+            assert!((0.0..1.0 + 1e-12).contains(&rate));
+            reduced += i32::from(rate < 1.0 - 1e-9);
+        }
+    }
+    assert!(reduced > 0, "some of them are the paradox");
+}
+
+/// Painlevé's paradox: a rough rod that is dragged can have no forces under which its end neither leaves nor enters the floor.
+#[test]
+fn where_no_forces_fit_the_motion_is_refused() {
+    let stick = Stick { m: 1.0, length: 2.0, g: 9.81, e: 0.0, mu: 3.0, modes: [OPEN, FREE] };
+    let angle: f64 = 1.0;
+    let refused = begin(&stick, 0.0, &[0.0, angle.sin(), angle, 2.0, 0.0, 0.0]);
+    let other = begin(&stick, 0.0, &[0.0, angle.sin(), angle, -2.0, 0.0, 0.0]);
+    let causes = [refused.err(), other.err()];
+    assert!(causes.iter().any(|cause| matches!(cause, Some(Cause::Stuck(_)))), "{causes:?}");
+    assert!(causes.iter().any(Option::is_none), "{causes:?}");
 }

@@ -285,3 +285,43 @@ impl Corner {
 }
 
 contact_system!(Corner, 2 coordinates ["x", "y"], 3 reactions ["wall", "floor", "carpet"]);
+
+/// A slender rod whose left end touches a rough floor: position and height of its centre, and its angle. Its reactions are the
+/// contact of the end and the friction there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stick {
+    pub(super) m: f64,
+    pub(super) length: f64,
+    pub(super) g: f64,
+    pub(super) e: f64,
+    pub(super) mu: f64,
+    pub(super) modes: [Mode; 2],
+}
+
+impl Stick {
+    fn written(&self, _t: f64, q: &[f64; 3], v: &[f64; 3]) -> Terms<f64, 3, 2> {
+        let half = 0.5 * self.length;
+        let inertia = self.m * self.length * self.length / 12.0;
+        let (sin, cos) = q[2].sin_cos();
+        let rows = [[0.0, 1.0, -half * cos], [1.0, 0.0, half * sin]];
+        Terms {
+            free: [0.0, -self.g, 0.0],
+            responses: rows.map(|[x, y, angle]| [x / self.m, y / self.m, angle / inertia]),
+            rows,
+            gaps: [q[1] - half * sin, 0.0],
+            rates: rows.map(|[x, y, angle]| x * v[0] + y * v[1] + angle * v[2]),
+            drifts: [half * sin * v[2] * v[2], half * cos * v[2] * v[2]],
+            restitutions: [self.e, 0.0],
+            kinetic_slopes: [[0.0; 2], [self.mu, 0.0]],
+            static_slopes: [[0.0; 2], [self.mu, 0.0]],
+            ..nothing()
+        }
+    }
+
+    pub(super) fn kinetic_energy(&self, v: [f64; 3]) -> f64 {
+        let inertia = self.m * self.length * self.length / 12.0;
+        0.5 * (self.m * (v[0] * v[0] + v[1] * v[1]) + inertia * v[2] * v[2])
+    }
+}
+
+contact_system!(Stick, 3 coordinates ["x", "y", "angle"], 2 reactions ["floor", "rubbing"]);

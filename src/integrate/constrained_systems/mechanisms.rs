@@ -288,3 +288,52 @@ impl Mechanism<3> for Dragged {
         [-u * u, 0.3 * t.sin() - w * u, 0.0]
     }
 }
+
+/// A unit bar with unit moment of inertia on three parallel cranks of unit length, of which two would do: constraints depend on
+/// each other wherever they hold, and only there.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::integrate) struct ThreeCranks;
+
+impl ThreeCranks {
+    /// Each crank as a vector, with the point of the bar that it carries seen from the first, and across.
+    fn cranks([x, y, angle]: &[f64; 3]) -> [[f64; 6]; 3] {
+        let (s, c) = angle.sin_cos();
+        [0.0, 1.0, 2.0].map(|along| {
+            let (px, py) = (along * c, along * s);
+            [x + px - along, y + py, px, py, -py, px]
+        })
+    }
+}
+
+impl Mechanism<3> for ThreeCranks {
+    type State = [f64; 6];
+
+    fn mass(&self, _q: &[f64; 3]) -> [[f64; 3]; 3] {
+        unit()
+    }
+
+    fn rates(&self, _q: &[f64; 3], _v: &[f64; 3]) -> [f64; 3] {
+        [0.0, -G, 0.0]
+    }
+
+    fn potential(&self, [_, y, _]: &[f64; 3]) -> f64 {
+        G * y
+    }
+
+    fn constraints(&self, _t: f64, q: &[f64; 3], v: &[f64; 3]) -> ConstraintValues<f64, [f64; 3]> {
+        let mut values = ConstraintValues::NONE;
+        for [x, y, _, _, ax, ay] in Self::cranks(q) {
+            let row = [x, y, x * ax + y * ay];
+            let rate = row[0] * v[0] + row[1] * v[1] + row[2] * v[2];
+            values.push_holonomic(0.5 * (x * x + y * y - 1.0), rate, &row);
+        }
+        values
+    }
+
+    fn bend(&self, _t: f64, q: &[f64; 3], [u, v, w]: &[f64; 3]) -> [f64; 3] {
+        Self::cranks(q).map(|[x, y, px, py, ax, ay]| {
+            let (along, up) = (u + ax * w, v + ay * w);
+            along * along + up * up - (x * px + y * py) * w * w
+        })
+    }
+}

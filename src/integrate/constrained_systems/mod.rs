@@ -11,7 +11,8 @@ use crate::system::{
 };
 
 pub(super) use self::mechanisms::{
-    Dragged, DrivenSlide, PlanePendulum, Sleigh, SphericalPendulum, TurningWire, TwoRods, on_sphere,
+    Dragged, DrivenSlide, PlanePendulum, Sleigh, SphericalPendulum, ThreeCranks, TurningWire, TwoRods,
+    on_sphere,
 };
 
 /// A Lagrangian ½ vᵀ M(q) v − V(q) under constraints.

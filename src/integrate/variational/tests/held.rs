@@ -6,7 +6,8 @@ use crate::integrate::constrained_systems::checks::{
     check_order, defect_of_symmetry, defect_of_symplecticity, residuals,
 };
 use crate::integrate::constrained_systems::{
-    Dragged, DrivenSlide, Held, PlanePendulum, Sleigh, SphericalPendulum, TurningWire, TwoRods, on_sphere,
+    Dragged, DrivenSlide, Held, PlanePendulum, Sleigh, SphericalPendulum, ThreeCranks, TurningWire, TwoRods,
+    on_sphere,
 };
 use crate::integrate::{Cause, Method, Stepper, integrate};
 
@@ -123,4 +124,14 @@ fn steps_that_lose_their_way_leave_the_last_state() {
         integrate(&Held(PlanePendulum), 0.0, fast, 1.0, &method(0.5), |_, _| {}).expect_err("refused");
     assert!(matches!(error.cause, Cause::NotConverged { .. } | Cause::NotFinite), "{error}");
     assert_eq!((error.time, error.state), (0.0, fast));
+}
+
+/// Every crank turns as a pendulum; where it lies along the bar, all constraints are one.
+#[test]
+fn dependent_constraints_and_dead_points_do_not_matter() {
+    let end = reached(&Held(ThreeCranks), 0.0, [0.0, -1.0, 0.0, 7.0, 0.0, 0.0], 4.0, &method(0.02));
+    let pendulum = reached(&Held(PlanePendulum), 0.0, [0.0, -1.0, 7.0, 0.0], 4.0, &method(0.02));
+    let found = [end[0], end[1], end[3], end[4]];
+    assert!(distance(&found, &pendulum) < 1e-12, "{end:?} {pendulum:?}");
+    assert!(end[2].abs() < 1e-13 && end[5].abs() < 1e-13, "{end:?}");
 }

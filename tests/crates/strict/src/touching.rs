@@ -21,7 +21,7 @@ lagrange::system! {
     friction rub = dot(x) - belt, kinetic: mu * ground, static: 1.2 * mu * ground;
     friction brush = dot(y), mu * abs(x), smooth: 1e-3;
     output load = (ground, rail, brush);
-    emit { jacobian, momentum_rates, latex }
+    emit { momentum_rates, latex }
 }
 
 lagrange::system! {
