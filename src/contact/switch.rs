@@ -8,9 +8,6 @@ use crate::constraint::sizes;
 use crate::scalar::Scalar;
 use crate::system::split;
 
-/// A slip velocity that is held at zero is no more than this many roundings of what makes it.
-const ROUNDINGS: f64 = 64.0;
-
 /// Friction whose limit is smaller than this is none.
 pub(super) fn nothing<S: Scalar>() -> S {
     S::epsilon() * S::epsilon()
