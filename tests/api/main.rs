@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod columns;
+mod constrained_references;
 mod constraints;
 mod contacts;
 mod declarations;
