@@ -102,6 +102,15 @@ pub trait OdeSystem {
         self.correct(t, y)
     }
 
+    /// Brings a state that an event put in the place of another onto the constraints, from however far.
+    ///
+    /// # Errors
+    /// If that is not possible; the state is then what it was.
+    #[inline]
+    fn restore(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+        self.correct(t, y)
+    }
+
     /// The events of the declaration, at most [`MOST_DECLARED`](crate::event::MOST_DECLARED). Runs look for them without
     /// being asked.
     const EVENTS: &'static [DeclaredEvent] = &[];

@@ -56,7 +56,7 @@ mod violation;
 pub use self::least_norm::{
     RedundantMotion, least_norm, rank_tolerance, redundant_correction, redundant_motion,
 };
-pub use self::projection::{admit, consistent_velocity, correct, project};
+pub use self::projection::{admit, consistent_velocity, correct, project, restore};
 pub use self::regular::{are_finite, are_regular, weighed};
 pub(crate) use self::residuals::sizes;
 pub use self::unprojected::Unprojected;

@@ -112,6 +112,22 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
+/// Brings a state that was put in the place of another onto the constraints, as [`project`]. This is what
+/// [`OdeSystem::restore`] of emitted types does.
+///
+/// # Errors
+/// [`Cause::Violated`]; the state is then what it was.
+pub fn restore<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    y: &mut M::State,
+) -> Result<(), Cause<M::Scalar>> {
+    let (mut q, mut v) = split::<M>(y);
+    project(system, t, &mut q, &mut v).map_err(Cause::Violated)?;
+    *y = join::<M>(&q, &v);
+    Ok(())
+}
+
 /// Whether velocities change so much that what follows is another motion. Errors of a step do not do that, but the smallest
 /// residual does where constraints are on the point of depending on each other.
 #[inline]

@@ -37,6 +37,11 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
         self.0.admit(t, y)
     }
 
+    #[inline]
+    fn restore(&self, t: M::Scalar, y: &mut M::State) -> Result<(), Cause<M::Scalar>> {
+        self.0.restore(t, y)
+    }
+
     const EVENTS: &'static [DeclaredEvent] = M::EVENTS;
 
     #[inline]

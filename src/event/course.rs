@@ -55,9 +55,7 @@ impl<M: OdeSystem> Course<M> {
                 Some(next) => Some(next),
                 None => system.begin(t, &state)?,
             };
-            if M::IS_CONSTRAINED {
-                next.as_ref().unwrap_or(system).correct(t, &mut state)?;
-            }
+            next.as_ref().unwrap_or(system).restore(t, &mut state)?;
             Ok((state, next))
         })
     }

@@ -242,3 +242,87 @@ fn momenta_of_free_motion_leave_constraint_forces_out() {
     crate::assert_close(all[0], 0.6 * length);
     crate::assert_close(all[1], -2.0 * 9.81 - 0.8 * length);
 }
+
+lagrange::system! {
+    /// Two coordinates that share one inertia, until the constraint tells them apart.
+    struct Shared;
+
+    param m = 2.0;
+    coord x, y, z;
+    input pull;
+    kinetic = 1/2 * m * (dot(x) + dot(y))^2 + 1/2 * dot(z)^2;
+    force x = pull;
+    constraint lever = x - 1/2 * y;
+}
+
+lagrange::system! {
+    /// A rod whose length is demanded twice, in different words.
+    #[derive(Clone, Debug)]
+    struct Doubled;
+
+    param m = 1.0, g = 9.81;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    potential = m * g * y;
+    constraint square = (x^2 + y^2 - 1) / 2;
+    constraint length = hypot(x, y) - 1;
+    emit { jacobian, momentum_rates }
+}
+
+lagrange::system! {
+    /// A pendulum that a stop at x = 0.3 sends back with half of its speed.
+    struct Struck;
+
+    param m = 1.0, g = 9.81;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    potential = m * g * y;
+    constraint rod = (x^2 + y^2 - 1) / 2;
+    event hit = x - 0.3, rising => { dot(x) = -dot(x) / 2; dot(y) = -dot(y) / 2; }
+}
+
+#[test]
+fn mass_matrices_that_constraints_make_up_for_are_accepted() {
+    let shared = Shared { m: 2.0, pull: 3.0 };
+    // With y = 2x: T = m (3ẋ)²/2, so that 9 m a = pull; z is free.
+    let [x, y, z] = shared.acceleration(0.0, &[0.0; 3], &[0.0; 3]);
+    crate::assert_close(x, 3.0 / 18.0);
+    crate::assert_close(y, 6.0 / 18.0);
+    assert_eq!(z, 0.0);
+}
+
+#[test]
+fn every_method_takes_constraints_that_repeat_each_other() {
+    use lagrange::Simulate;
+    use lagrange::integrate::{GaussLegendre4, RungeKutta4, Variational};
+    let (doubled, start) = (Doubled::default(), [0.6, -0.8, 0.0, 0.0]);
+    let expected = doubled.simulate(start).until(1.0).tolerance(1e-12).run().expect("a motion").last();
+    let runs = [
+        doubled.simulate(start).until(1.0).method(GaussLegendre4 { step: 1e-2 }).run(),
+        doubled.simulate(start).until(1.0).method(Variational { step: 1e-2 }).run(),
+        doubled.simulate(start).until(1.0).method(RungeKutta4 { step: 1e-2 }).run(),
+    ];
+    for run in runs {
+        let found = run.expect("a motion").last();
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-5, "{found} for {expected}");
+        }
+    }
+}
+
+#[test]
+fn states_that_events_assign_are_put_onto_the_constraints() {
+    use lagrange::Simulate;
+    let struck = Struck { m: 1.0, g: 9.81 };
+    let run = struck.simulate([-0.8, -0.6, 0.0, 0.0]).until(3.0).tolerance(1e-12).energy().run();
+    let trajectory = run.expect("a pendulum swings back");
+    let hits = trajectory.events().len();
+    assert!(hits > 1, "{hits}");
+    // Each hit leaves a quarter of the kinetic energy.
+    let kinetic = |y: [f64; 4]| 0.5 * (y[2] * y[2] + y[3] * y[3]);
+    let before = trajectory.events()[0].state;
+    let height = -(1.0_f64 - 0.09).sqrt();
+    let later = 9.81 * height + kinetic(before) / 4.0;
+    let last = trajectory.events()[1].state;
+    assert!((9.81 * last[1] + kinetic(last) - later).abs() < 1e-9);
+}

@@ -150,7 +150,7 @@ lagrange::system! {
 #[test]
 fn a_start_is_not_refused_because_a_gradient_is_rounding() {
     let start = [0.0, 0.0, std::f64::consts::PI, 1.0, 0.0, 1.0];
-    let run = Parallelogram::default().simulate(start).until(1.0).tolerance(1e-10).run().expect("starts");
+    let run = Parallelogram.simulate(start).until(1.0).tolerance(1e-10).run().expect("starts");
     let [p, q, ..] = run.last();
     assert!((p - 1.0).abs() < 1e-6 && q.abs() < 1e-6, "{:?}", run.last());
 }

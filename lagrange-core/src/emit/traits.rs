@@ -8,7 +8,7 @@ use super::contacts::contact_impl;
 use super::events::event_members;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
-use super::shape::{Shape, length};
+use super::shape::{Shape, length, local};
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -83,19 +83,23 @@ fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
         }
     });
-    // A start must satisfy the constraints however they are kept from there on.
-    let admit = (is_held || is_touching).then(|| {
-        let admitted = is_held.then(|| quote!(#krate::constraint::admit(self, #time, #state)?;));
-        quote! {
-            #[inline]
-            fn admit(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
-                #admitted
-                #touching
-                ::core::result::Result::Ok(())
+    // Starts, and states that events put in the place of others, must satisfy the constraints however they are kept from there on.
+    let others = (is_held || is_touching).then(|| {
+        let members = ["admit", "restore"].map(|name| {
+            let name = local(name);
+            let held = is_held.then(|| quote!(#krate::constraint::#name(self, #time, #state)?;));
+            quote! {
+                #[inline]
+                fn #name(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+                    #held
+                    #touching
+                    ::core::result::Result::Ok(())
+                }
             }
-        }
+        });
+        members.into_iter().collect::<TokenStream>()
     });
-    quote!(#correct #admit)
+    quote!(#correct #others)
 }
 
 fn mechanical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {

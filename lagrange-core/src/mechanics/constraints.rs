@@ -109,7 +109,8 @@ pub struct ConstraintEquations {
     pub jacobian: Vec<Vec<ExprId>>,
     /// b in A q̈ + b = 0
     pub drifts: Vec<ExprId>,
-    /// Aᵀλ
+    /// Aᵀλ, in which symbols stand for the multipliers: what is found for them at run time is more than the expressions above where
+    /// constraints depend on each other or contacts act.
     pub forces: Vec<ExprId>,
     /// δ with M δ = Aᵀμ and A δ = −r, where the symbol of each multiplier stands for the residual r of its constraint.
     pub correction: Vec<ExprId>,
@@ -131,8 +132,7 @@ impl ConstraintEquations {
             return ConstraintEquations::default();
         }
         let jacobian = constraint_jacobian(model, &forms.pushed);
-        // Forces of contacts change the multipliers, which then are asked for at run time.
-        let acting = if model.reactions.is_empty() { multipliers.clone() } else { model.multipliers() };
+        let acting = model.multipliers();
         let forces = constraint_forces(model, &jacobian, &acting);
         let drifts = drifts(model);
         let elimination = elimination(model, forms, road);

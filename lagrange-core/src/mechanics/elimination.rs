@@ -238,8 +238,15 @@ impl Elimination {
             self.push_pair(eliminate_pair(graph, form, first, remaining.remove(position))?);
             return Some(());
         }
-        let position = partners.iter().position(|id| is_near(id) && !form.has_square(*id))?;
-        self.push_held(graph, form, first, partners.remove(position))
+        let partner = partners.remove(partners.iter().position(is_near)?);
+        if !form.has_square(partner) {
+            return self.push_held(graph, form, first, partner);
+        }
+        // What holds the velocity, which lost its square on the way, gives it another.
+        remaining.push(first);
+        let step = eliminate(graph, form, partner)?;
+        self.push(graph, step);
+        Some(())
     }
 
     fn push_pair(&mut self, pair: [Eliminated; 2]) {

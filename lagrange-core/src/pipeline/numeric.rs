@@ -139,7 +139,8 @@ impl NumericSystem {
     /// other for a matrix. Of Jacobians only the rows of the accelerations. `None` if it was not derived.
     pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.products.iter().find(|(known, _)| *known == product)?;
-        Some(self.run(program, Instant { t, q, v, a: &[], multipliers: &[] }))
+        let multipliers = self.multipliers(t, q, v);
+        Some(self.run(program, Instant { t, q, v, a: &[], multipliers: &multipliers }))
     }
 
     /// The generalised forces that must act beside the declared ones to produce accelerations. `None` if
