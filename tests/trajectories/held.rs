@@ -149,6 +149,9 @@ fn two_rods_keep_their_lengths_and_their_energy() {
     watched(&rods, RODS, 0.005, &StormerVerlet { step: 0.005 }, residuals).check(2e-2, 4e-15, 4e-14);
 }
 
+/// What is done at every step.
+type Observe<'a, const N: usize> = &'a mut dyn FnMut(f64, &[f64; N]);
+
 /// These are put back after each step.
 #[test]
 fn gauss_methods_stay_on_constraints_by_projection() {
@@ -157,7 +160,7 @@ fn gauss_methods_stay_on_constraints_by_projection() {
         let (q, v) = split::<TwoRods>(y);
         rods.energy(0.0, &q, &v)
     };
-    let check = |method: &dyn Fn(&mut dyn FnMut(f64, &[f64; 8])), bound: f64| {
+    let check = |method: &dyn Fn(Observe<'_, 8>), bound: f64| {
         let (mut residual, mut error) = (0.0_f64, 0.0_f64);
         method(&mut |t, y| {
             let (q, v) = split::<TwoRods>(y);
@@ -206,7 +209,7 @@ fn a_bead_on_a_turning_wire_oscillates_for_ever() {
     let wire = Wire::default();
     let frequency = (wire.k - wire.rate * wire.rate).sqrt();
     let (start, end) = ([0.5, 0.0, 0.0, 0.5 * wire.rate], 1000.0);
-    let check = |method: &dyn Fn(&mut dyn FnMut(f64, &[f64; 4])), bound: f64| {
+    let check = |method: &dyn Fn(Observe<'_, 4>), bound: f64| {
         let (mut error, mut residual) = (0.0_f64, 0.0_f64);
         method(&mut |t, y| {
             let (q, v) = ([y[0], y[1]], [y[2], y[3]]);
