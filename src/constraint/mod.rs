@@ -56,13 +56,14 @@ mod violation;
 pub use self::least_norm::{
     RedundantMotion, least_norm, rank_tolerance, redundant_correction, redundant_motion,
 };
+pub(crate) use self::projection::UNDETERMINED;
 pub use self::projection::{admit, consistent_velocity, correct, project, restore};
 pub use self::regular::{are_finite, are_regular, weighed};
 pub(crate) use self::residuals::sizes;
 pub use self::unprojected::Unprojected;
 pub use self::values::ConstraintValues;
 pub(crate) use self::values::inner;
-pub use self::violation::Violation;
+pub use self::violation::{Violated, Violation};
 
 use crate::system::{MechanicalSystem, StateVector};
 

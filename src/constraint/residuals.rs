@@ -1,6 +1,6 @@
 //! How large residuals are.
 
-use super::{ConstrainedSystem, Violation};
+use super::{ConstrainedSystem, Violated, Violation};
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
@@ -24,7 +24,7 @@ pub(super) fn of_positions<M: ConstrainedSystem + ?Sized>(
 ) -> Worst<M::Scalar> {
     let residuals = system.position_residuals(t, q);
     let scales = system.residual_scales(t, q, &sizes(q));
-    Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), false)
+    Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), Violated::Positions)
 }
 
 /// What the velocities violate most.
@@ -35,7 +35,7 @@ pub(super) fn of_velocities<M: ConstrainedSystem + ?Sized>(
 ) -> Worst<M::Scalar> {
     let residuals = system.velocity_residuals(t, q, v);
     let scales = system.residual_scales(t, q, &sizes(v));
-    Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), true)
+    Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), Violated::Velocities)
 }
 
 /// The largest residual of positions as a part of the largest scale: near configurations in which constraints depend on each
@@ -92,12 +92,12 @@ pub(super) fn worst<M: ConstrainedSystem + ?Sized>(
 }
 
 impl<S: Scalar> Worst<S> {
-    fn new(names: &'static [&'static str], residuals: &[S], scales: &[S], is_of_velocities: bool) -> Self {
+    fn new(names: &'static [&'static str], residuals: &[S], scales: &[S], of: Violated) -> Self {
         let mut worst = Worst {
             violation: Violation {
                 constraint: names.first().copied().unwrap_or_default(),
                 residual: S::ZERO,
-                is_of_velocities,
+                of,
             },
             part: S::ZERO,
         };
@@ -106,7 +106,7 @@ impl<S: Scalar> Worst<S> {
         for ((&constraint, &residual), &scale) in names.iter().zip(residuals).zip(scales) {
             let part = if residual.abs() <= rounding { S::ZERO } else { proportion(residual, scale) };
             if part > worst.part {
-                worst = Worst { violation: Violation { constraint, residual, is_of_velocities }, part };
+                worst = Worst { violation: Violation { constraint, residual, of }, part };
             }
         }
         worst

@@ -5,7 +5,7 @@ use core::array;
 use super::balance::{Balance, Rule};
 use super::start::holds;
 use super::{Contact, ContactSystem, Mode, Terms};
-use crate::constraint::{Violation, sizes};
+use crate::constraint::{Violated, Violation, sizes};
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::system::{join, split};
@@ -84,7 +84,7 @@ where
 
 /// A gap is not what it must be.
 pub(super) fn violated<S>(name: &'static str, gap: S) -> Cause<S> {
-    Cause::Violated(Violation { constraint: name, residual: gap, is_of_velocities: false })
+    Cause::Violated(Violation { constraint: name, residual: gap, of: Violated::Gap })
 }
 
 /// Whether two vectors differ by no more than the rounding of a third. One that is not a number differs from every other.

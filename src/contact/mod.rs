@@ -169,7 +169,7 @@ pub enum Happening<S> {
     Impact(Impact<S>),
     /// A contact closed: after a plastic impact, or after infinitely many that accumulate at `at`.
     Closed {
-        /// When the contact is at rest; later than the event by what the last bounces take.
+        /// When the contact is at rest; later than the event by what the last bounces take, and so perhaps after the end of the run.
         at: S,
         /// The impact by which it closed.
         impact: Impact<S>,

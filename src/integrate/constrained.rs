@@ -7,7 +7,7 @@ use super::{
     integrate,
 };
 use crate::constraint::systems::{Bead, Parallelogram, Pendulum, Skate, Spherical, System};
-use crate::constraint::{Unprojected, Violation};
+use crate::constraint::{Unprojected, Violated, Violation};
 use crate::event::{Direction, Reaction, integrate_with_events};
 use crate::system::OdeSystem;
 
@@ -240,7 +240,10 @@ fn starts_off_the_constraints_are_refused_by_name() {
             let (time, state) = (stepper.time(), *stepper.state());
             let jump = stepper.restart(&PENDULUM, time, &[0.6, -0.8, 1.8, 0.6]);
             let Err(Cause::Violated(violation)) = jump else { panic!("{jump:?}") };
-            assert!(violation.is_of_velocities && (violation.residual - 1.2).abs() < 1e-14, "{violation}");
+            assert!(
+                violation.of == Violated::Velocities && (violation.residual - 1.2).abs() < 1e-14,
+                "{violation}"
+            );
             assert_eq!((stepper.time(), *stepper.state()), (time, state));
         }
     }
@@ -261,7 +264,7 @@ impl OdeSystem for Cliff {
     }
 
     fn correct(&self, _t: f64, [y]: &mut [f64; 1]) -> Result<(), Cause<f64>> {
-        let violation = Violation { constraint: "cliff", residual: *y - 1.0, is_of_velocities: false };
+        let violation = Violation { constraint: "cliff", residual: *y - 1.0, of: Violated::Positions };
         if *y <= 1.0 { Ok(()) } else { Err(Cause::Violated(violation)) }
     }
 }

@@ -326,3 +326,33 @@ fn states_that_events_assign_are_put_onto_the_constraints() {
     let last = trajectory.events()[1].state;
     assert!((9.81 * last[1] + kinetic(last) - later).abs() < 1e-9);
 }
+
+/// Two of its cranks may turn the same way or opposite ways from where they lie in a line.
+#[test]
+fn a_motion_that_constraints_do_not_determine_is_refused_in_finite_work() {
+    use lagrange::Simulate;
+    use lagrange::integrate::Cause;
+    use std::f64::consts::PI;
+    let (turning, tolerance) = ([0.0, 0.0, PI, 2.0, 0.0, 2.0], 1e-12);
+    let run =
+        ChangePoint::default().simulate(turning).until(30.0).tolerance(tolerance).max_steps(20_000).run();
+    match run {
+        // It may pass the line again and again,
+        Ok(trajectory) => assert!((trajectory.p()[trajectory.len() - 1] - 60.0).abs() < 1e-6),
+        // or stop there, but not crawl.
+        Err(error) => assert!(matches!(error.cause, Cause::Stuck(_)), "{error}"),
+    }
+}
+
+lagrange::system! {
+    /// A parallelogram of bars.
+    struct ChangePoint;
+
+    param m = 1.0, a = 1.0, b = 2.0;
+    coord p, q, r;
+    let (x1, y1) = (a * cos(p), a * sin(p));
+    let (x2, y2) = (x1 + b * cos(q), y1 + b * sin(q));
+    kinetic = 1/2 * m * (dot(x1)^2 + dot(y1)^2) + 1/2 * m * (dot(x2)^2 + dot(y2)^2) + 1/20 * m * dot(q)^2;
+    constraint closed_x = x2 + a * cos(r) - b;
+    constraint closed_y = y2 + a * sin(r);
+}

@@ -1,7 +1,7 @@
 //! Motions of declared systems stay on their constraints, from starts that satisfy them.
 
 use lagrange::Simulate;
-use lagrange::constraint::{Unprojected, Violation};
+use lagrange::constraint::{Unprojected, Violated, Violation};
 use lagrange::integrate::{Cause, RungeKutta4, Verner98, integrate};
 
 lagrange::system! {
@@ -72,9 +72,9 @@ fn a_start_off_the_constraints_is_refused_by_name_with_what_is_left_of_them() {
         assert_eq!(again.cause, failed.cause);
         failed.cause
     };
-    let wanted = Violation { constraint: "length", residual: 0.36 - 0.25, is_of_velocities: false };
+    let wanted = Violation { constraint: "length", residual: 0.36 - 0.25, of: Violated::Positions };
     assert_eq!(refused([0.0, -0.6, 1.0, 0.0]), Cause::Violated(wanted));
-    let wanted = Violation { constraint: "motor", residual: -1.0, is_of_velocities: true };
+    let wanted = Violation { constraint: "motor", residual: -1.0, of: Violated::Velocities };
     assert_eq!(refused([0.0, -0.5, 0.0, 0.0]), Cause::Violated(wanted));
     assert_eq!(
         wanted.to_string(),

@@ -2,7 +2,7 @@
 
 use super::{admit, consistent_velocity, correct, project};
 use crate::constraint::systems::{Bead, Mechanism, Parallelogram, Pendulum, Skate, System};
-use crate::constraint::{ConstrainedSystem, Violation};
+use crate::constraint::{ConstrainedSystem, Violated, Violation};
 use crate::integrate::Cause;
 use crate::system::split;
 
@@ -51,10 +51,8 @@ fn moving_constraints_demand_velocities() {
     let bead = System::<_, 2, 1>(Bead { rate: 2.0 });
     let mut y = [3.0 * 0.8_f64.cos(), 3.0 * 0.8_f64.sin(), 0.0, 0.0];
     let refused = admit(&bead, 0.4, &mut y);
-    let Err(Cause::Violated(Violation { constraint, residual, is_of_velocities })) = refused else {
-        panic!("{refused:?}")
-    };
-    assert_eq!((constraint, is_of_velocities), ("wire", true));
+    let Err(Cause::Violated(Violation { constraint, residual, of })) = refused else { panic!("{refused:?}") };
+    assert_eq!((constraint, of), ("wire", Violated::Velocities));
     assert!((residual - 6.0).abs() < 1e-14, "{residual}");
     let (q, v) = split::<System<Bead, 2, 1>>(&y);
     let v = consistent_velocity(&bead, 0.4, &q, &v).expect("the bead follows the wire");
@@ -75,7 +73,7 @@ fn starts_are_mended_if_they_are_near_and_refused_with_the_constraint_if_not() {
         } else {
             assert_eq!(y, start);
             let [residual] = PENDULUM.position_residuals(0.0, &[start[0], start[1]]);
-            let wanted = Violation { constraint: "rod", residual, is_of_velocities: false };
+            let wanted = Violation { constraint: "rod", residual, of: Violated::Positions };
             assert_eq!(admitted, Err(Cause::Violated(wanted)));
         }
     }
@@ -165,7 +163,7 @@ impl Mechanism<1, 2> for Torn {
 fn constraints_that_contradict_each_other_are_told_by_name() {
     let (mut q, mut v) = ([0.5], [0.0]);
     let violation = project(&System::<_, 1, 2>(Torn), 0.0, &mut q, &mut v).expect_err("torn");
-    assert_eq!(violation, Violation { constraint: "there", residual: -5.0, is_of_velocities: false });
+    assert_eq!(violation, Violation { constraint: "there", residual: -5.0, of: Violated::Positions });
     assert_eq!(q, [0.5]);
 }
 

@@ -9,6 +9,7 @@ use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
 };
+use crate::constraint::UNDETERMINED;
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected};
@@ -20,6 +21,8 @@ use crate::system::{OdeSystem, StateVector};
 
 /// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
 const FINEST: f64 = 4096.0;
+/// So many steps, each next to nothing beside time, say that constraints which are about to depend on each other keep the motion.
+const MOST_CRAWLING: u32 = 1000;
 /// Steps longer than this part of the longest stable one are limited by it.
 const NEAR: f64 = 0.7;
 /// An eigenvalue is fast beside a motion whose rates are smaller than the state times it by this,
@@ -44,6 +47,8 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
     rates: [M::State; RATES],
     /// How many of the rates of the last step are there.
     known: Known,
+    /// How many steps in a row were next to nothing beside time.
+    crawled: u32,
     work: Work,
 }
 
@@ -94,10 +99,19 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             last: Span { t, y: *y, h: M::Scalar::ZERO },
             rates: [M::State::ZERO; RATES],
             known: Known::End,
+            crawled: 0,
             work: Work::default(),
         };
         stepper.restart(system, t, y)?;
         Ok(stepper)
+    }
+
+    /// Counts steps below ε^(3/4) of time under constraints. Nothing moves that fast; what asks for such steps is noise, which
+    /// constraints magnify where they are about to depend on each other.
+    fn look_for_crawling(&mut self, h: M::Scalar) {
+        let root = M::Scalar::epsilon().sqrt();
+        let is_crawling = M::IS_CONSTRAINED && h.abs() < root * root.sqrt() * self.clock.time().abs();
+        self.crawled = if is_crawling { self.crawled + 1 } else { 0 };
     }
 
     /// The next step to try, or that it is lost in rounding.
@@ -237,6 +251,9 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
     }
 
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>> {
+        if self.crawled >= MOST_CRAWLING {
+            return Err(Cause::Stuck(UNDETERMINED));
+        }
         self.rates[0] = self.end_rate(system);
         self.forget_last();
         let mut lost = None;
@@ -246,7 +263,10 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
             }
             let attempt = self.next(limit).map_err(|underflow| lost.unwrap_or(underflow))?;
             lost = match self.attempt(system, attempt, limit)? {
-                Verdict::Taken => return Ok(()),
+                Verdict::Taken => {
+                    self.look_for_crawling(attempt.h);
+                    return Ok(());
+                }
                 Verdict::Inaccurate => None,
                 Verdict::Lost(cause) => Some(cause),
             };
