@@ -158,7 +158,7 @@ fn absolute_forcing<const N: usize>(
 
 /// Solves A x = b by LDLᵀ, reading the upper triangle of A and overwriting both; for up to 24 unknowns.
 #[inline(always)]
-fn solve_in_place<const N: usize>(a: &mut [[f64; N]; N], b: &mut [f64; N]) {
+pub(crate) fn solve_in_place<const N: usize>(a: &mut [[f64; N]; N], b: &mut [f64; N]) {
     const { assert!(N <= 24) }
     // A literal pivot makes every trip count of its step a constant: the loops unroll, which at n = 10 takes
     // a quarter off the time of the whole chain.

@@ -35,6 +35,8 @@
 //! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
+//! | [`mod@constraint`] | residuals of constraints, and projection onto them |
+//! | [`mod@contact`] | contacts that open and close, impacts, dry friction |
 //! | `adapt`, `trade` (features) | other crates' methods; methods measured against each other |
 //! | [`Scalar`] | numbers that emitted code can compute with |
 //!
@@ -53,6 +55,8 @@ extern crate std;
 
 #[cfg(any(feature = "differential-equations", feature = "diffsol"))]
 pub mod adapt;
+pub mod constraint;
+pub mod contact;
 pub mod event;
 pub mod integrate;
 #[cfg(feature = "plot")]

@@ -5,6 +5,9 @@
 
 use core::fmt::Debug;
 
+use crate::constraint::ConstraintValues;
+use crate::event::{Answer, DeclaredEvent, Reaction};
+use crate::integrate::Cause;
 use crate::scalar::Scalar;
 
 /// A vector whose length is part of its type, such as `[S; K]`.
@@ -76,7 +79,75 @@ pub trait OdeSystem {
     fn jacobian(&self, _t: Self::Scalar, _y: &Self::State) -> Option<StateMatrix<Self>> {
         None
     }
+
+    /// Whether states must satisfy something beside the equations, to which [`correct`](Self::correct) brings them.
+    const IS_CONSTRAINED: bool = false;
+
+    /// Brings a state onto the constraints; methods ask for this after every accepted step.
+    ///
+    /// # Errors
+    /// If that is not possible; the state is then what it was.
+    #[inline]
+    fn correct(&self, _t: Self::Scalar, _y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+        Ok(())
+    }
+
+    /// Brings a state from which a motion starts, or goes on after it was replaced, onto the constraints if it nearly satisfies
+    /// them; methods ask for this before their first step from there.
+    ///
+    /// # Errors
+    /// If it does not satisfy them; the state is then what it was.
+    #[inline]
+    fn admit(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+        self.correct(t, y)
+    }
+
+    /// Brings a state that an event put in the place of another onto the constraints, from however far.
+    ///
+    /// # Errors
+    /// If that is not possible; the state is then what it was.
+    #[inline]
+    fn restore(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+        self.correct(t, y)
+    }
+
+    /// The events of the declaration, at most [`MOST_DECLARED`](crate::event::MOST_DECLARED). Runs look for them without
+    /// being asked.
+    const EVENTS: &'static [DeclaredEvent] = &[];
+
+    /// The values of the functions of all declared events, to be written to as many `values`.
+    #[inline]
+    fn event_values(&self, _t: Self::Scalar, _y: &Self::State, _values: &mut [Self::Scalar]) {}
+
+    /// What the declared event of this index does to the state `y` at which it happened.
+    ///
+    /// # Errors
+    /// If the motion cannot go on.
+    #[inline]
+    fn react(&self, _event: usize, _t: Self::Scalar, _y: &Self::State) -> Reacted<Self>
+    where
+        Self: Sized,
+    {
+        Ok(Answer::new(Reaction::Continue))
+    }
+
+    /// The system as a motion from this state starts: contacts closed and friction sticking where that fits the state.
+    /// `None` if it is the same.
+    ///
+    /// # Errors
+    /// If no motion can start there.
+    #[inline]
+    fn begin(&self, _t: Self::Scalar, _y: &Self::State) -> Result<Option<Self>, Cause<Self::Scalar>>
+    where
+        Self: Sized,
+    {
+        Ok(None)
+    }
 }
+
+/// What a declared event of the system M does.
+pub type Reacted<M> =
+    Result<Answer<M, <M as OdeSystem>::Scalar, <M as OdeSystem>::State>, Cause<<M as OdeSystem>::Scalar>>;
 
 /// A system described by generalised coordinates q and their velocities v = q̇.
 ///
@@ -149,11 +220,53 @@ pub trait EnergyFunction: MechanicalSystem {
 /// This makes the Hamiltonian a sum of a function of momenta and one of coordinates, which explicit symplectic
 /// methods ask for. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VI.3.
 #[diagnostic::on_unimplemented(
-    message = "the accelerations of `{Self}` depend on velocities, or its mass matrix is not constant",
-    note = "symplectic Euler, Störmer–Verlet and their compositions take separable systems only",
+    message = "the accelerations of `{Self}` depend on velocities or constraints, or its mass matrix is not constant",
+    note = "compositions of kicks and drifts take separable systems without constraints only",
+    note = "`StormerVerlet` takes constraints on positions, too",
     note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix"
 )]
 pub trait SeparableSystem: MechanicalSystem {}
+
+/// A system that is [separable](SeparableSystem), or would be without its constraints, all of which hold positions.
+///
+/// All separable systems are. Emitted types with constraints implement it if their mass matrix is constant and no force but
+/// those of the constraints depends on velocities. Explicit steps then end on the constraints by corrections in the space of
+/// constraint forces. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3.
+#[diagnostic::on_unimplemented(
+    message = "the accelerations of `{Self}` depend on velocities, or its mass matrix is not constant",
+    note = "symplectic Euler and Störmer–Verlet take separable systems only; constraints on positions may restrain them",
+    note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix"
+)]
+pub trait LeapfrogSystem: MechanicalSystem {
+    /// Whether constraints hold it, and the corrections below are known.
+    const IS_HELD: bool = false;
+
+    /// The change δ of coordinates by constraint forces at `q` that takes the residuals at the coordinates `to` of the time
+    /// `later` away to first order: M δ = A(t, q)ᵀμ and A(t, q) δ = −c(later, to).
+    #[inline]
+    fn position_correction(
+        &self,
+        _t: Self::Scalar,
+        _q: &Self::Coordinates,
+        _later: Self::Scalar,
+        _to: &Self::Coordinates,
+    ) -> Self::Coordinates {
+        Self::Coordinates::ZERO
+    }
+
+    /// The change δ of velocities by constraint forces that leaves no residual: M δ = Aᵀμ and A δ = −ċ(t, q, v).
+    #[inline]
+    fn velocity_correction(
+        &self,
+        _t: Self::Scalar,
+        _q: &Self::Coordinates,
+        _v: &Self::Coordinates,
+    ) -> Self::Coordinates {
+        Self::Coordinates::ZERO
+    }
+}
+
+impl<M: SeparableSystem + ?Sized> LeapfrogSystem for M {}
 
 /// A mechanical system that knows its momenta p = ∂L/∂v and how fast they change, ṗ = ∂L/∂q + Q.
 ///
@@ -182,6 +295,33 @@ pub trait CanonicalSystem: MechanicalSystem {
         q: &Self::Coordinates,
         v: &Self::Coordinates,
     ) -> CoordinateMatrix<Self>;
+
+    /// The rates of the momenta without the forces Aᵀλ of constraints. A method that finds these forces itself does not mind
+    /// combinations of the rows of A, so that the rates with them will do.
+    #[inline]
+    fn free_momentum_rates(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Coordinates,
+    ) -> Self::Coordinates {
+        self.momentum_rates(t, q, v)
+    }
+
+    /// Whether [`constraint_values`](Self::constraint_values) says all that holds the system. Methods that enforce constraints
+    /// by themselves do so then; elsewhere states are corrected after steps.
+    const SAYS_CONSTRAINTS: bool = false;
+
+    /// The constraints that act, always in the same order.
+    #[inline]
+    fn constraint_values(
+        &self,
+        _t: Self::Scalar,
+        _q: &Self::Coordinates,
+        _v: &Self::Coordinates,
+    ) -> ConstraintValues<Self::Scalar, Self::Coordinates> {
+        ConstraintValues::NONE
+    }
 }
 
 /// Coordinates and velocities of a state.

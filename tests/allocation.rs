@@ -7,7 +7,7 @@ use std::cell::Cell;
 
 use lagrange::integrate::{
     BlanesMoan4, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, Stepper,
-    StormerVerlet, SymplecticEuler, Variational, Verner98,
+    StormerVerlet, SymplecticEuler, Variational, Verner98, integrate,
 };
 
 lagrange::system! {
@@ -20,6 +20,18 @@ lagrange::system! {
     kinetic = 1/2 * dot(theta)^2;
     potential = -g * cos(theta);
     emit { jacobian, momentum_rates }
+}
+
+lagrange::system! {
+    /// A block that bounces to rest on a rough floor.
+    struct Block;
+
+    param g = 9.81, mu = 0.3;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    potential = g * y;
+    event floor = y, falling => impact(1/2);
+    friction rub = dot(x), mu * floor;
 }
 
 thread_local! {
@@ -79,4 +91,19 @@ fn no_method_asks_for_memory() {
     assert_eq!(requests(&GaussLegendre6 { step }), 0);
     assert_eq!(requests(&GaussLegendre4 { step }.plain()), 0);
     assert_eq!(requests(&Variational { step }), 0);
+}
+
+#[test]
+fn contacts_and_friction_ask_for_no_memory() {
+    let (before, mut jumps, mut last) = (REQUESTS.get(), 0, -1.0);
+    let observe = |t, _: &[f64; 4]| {
+        jumps += u32::from(t == last);
+        last = t;
+    };
+    let method = Verner98::tolerance(1e-9);
+    let end = integrate(&Block::default(), 0.0, [0.0, 1.0, 2.0, 0.0], 3.0, &method, observe);
+    assert_eq!(REQUESTS.get() - before, 0);
+    let [_, y, u, v] = end.expect("comes to rest");
+    assert!(y.abs() < 1e-12 && u == 0.0 && v == 0.0, "at rest");
+    assert!(jumps > 10, "{jumps}");
 }

@@ -261,7 +261,7 @@ QUARTER = "1.5707963267948966192313216916397514420985846996876"
 
 # name, states' names, start, end times, closed form or equations
 CASES = [
-    ("pendulum", names("theta"), [QUARTER, "0"], ["10", "2000"], pendulum),
+    ("pendulum", names("theta"), [QUARTER, "0"], ["10", "100", "2000"], pendulum),
     ("double_pendulum", names("theta1", "theta2"), ["2", "1.5", "0", "0"], ["10"], double_pendulum),
     ("double_pendulum_horizontal", names("theta1", "theta2"), [QUARTER, QUARTER, "0", "0"], ["1", "5", "10"], double_pendulum),
     ("kepler", names("r", "phi"), ["0.4", "0", "0", "5"], ["100", HUNDRED_PERIODS], kepler),

@@ -21,6 +21,10 @@ pub enum Role {
     Velocity(u32),
     /// The second rate of the coordinate with the same index.
     Acceleration(u32),
+    /// The multiplier of the constraint with the same index.
+    Multiplier(u32),
+    /// The force of the contact or of the friction with the same index.
+    Reaction(u32),
     /// A place holder inside one computation; never part of a result.
     Placeholder(u32),
 }

@@ -3,20 +3,32 @@
 //! A [`Watch`] looks at several functions within each step, on the state that the method itself gives there, and returns
 //! their zeros one by one in the order of time. What happens then is up to the loop: go on, stop, or restart the method
 //! from another state, as after an impact. [`integrate_with_events`] is such a loop without heap; the front door
-//! `simulate` has another.
+//! `simulate` has another. Both, and [`integrate()`](crate::integrate::integrate), look for the events that the declaration of a
+//! system states without being asked, together with those that are given, and keep the system that contacts and friction switch.
 //!
 //! A function that is exactly zero at the start fires only once it has left zero and crossed it again; one that touches
 //! zero without changing its sign never does. Zeros are seen if the function has different signs at two of the nine
 //! places, evenly spread over a step, at which it is looked at; one that is exactly zero at the end of a run is not known to
-//! cross it. Events at the same time follow each other in the order in which they were given.
+//! cross it. Functions of contacts and friction are another matter: they are positive while a mode lasts, so that a body that
+//! touches at the start and goes down hits the ground at once. Events at the same time follow each other in the order in which they were given, declared ones first.
 
+mod course;
+mod declared;
 mod direction;
 mod locate;
+mod lookout;
 mod run;
 mod watch;
 
+#[cfg(feature = "std")]
+pub(crate) use self::course::Course;
+pub use self::declared::{Answer, DeclaredEvent, MOST_DECLARED};
 pub use self::direction::Direction;
+#[cfg(feature = "std")]
+pub(crate) use self::lookout::{Declarations, Lookout, is_forwards};
+pub(crate) use self::run::integrate_declared;
 pub use self::run::{Reaction, integrate_with_events};
+#[cfg(feature = "std")]
 pub(crate) use self::watch::is_at_once;
 pub use self::watch::{Occurrence, Watch};
 

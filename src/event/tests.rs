@@ -1,5 +1,7 @@
 //! Events on systems whose events are known in closed form.
 
+mod declared;
+
 use std::vec::Vec;
 
 use super::{Direction, Occurrence, Reaction, Watch, integrate_with_events};
@@ -170,6 +172,20 @@ fn a_loop_of_ones_own_watches_step_by_step() {
         }
     }
     assert!(times.len() == 1 && (times[0] - 0.5 * PI).abs() < 1e-12, "{times:?}");
+}
+
+#[test]
+fn a_loop_of_ones_own_asks_what_happens_at_the_same_time() {
+    let values = |t: f64, _: &[f64; 2]| [t - 0.5, t - 0.5, t - 0.6];
+    let mut stepper = RungeKutta4 { step: 1.0 }.start(&Oscillator, 0.0, &COSINE, 1.0).expect("starts");
+    let mut watch = Watch::new([Direction::Rising; 3], 0.0, values(0.0, &COSINE));
+    stepper.step(&Oscillator, 1.0).expect("finite");
+    let first = watch.next(&Oscillator, &mut stepper, values).expect("located").expect("one");
+    let mut at_once = || watch.next_at_once(first.time, &Oscillator, &mut stepper, values).expect("located");
+    assert_eq!((first.event, at_once().map(|event| event.event)), (0, Some(1)));
+    assert_eq!(at_once(), None);
+    let last = watch.next(&Oscillator, &mut stepper, values).expect("located").expect("it was not lost");
+    assert_eq!(last.event, 2);
 }
 
 /// ÿ = −10

@@ -1,7 +1,8 @@
 //! Looking for zeros within steps.
 
+use super::declared::DeclaredEvent;
 use super::direction::Direction;
-use super::locate::{ACCURACY, MOST_ROUNDS, locate};
+use super::locate::{ACCURACY, MOST_ROUNDS, Sample, locate};
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
 use crate::system::OdeSystem;
@@ -10,6 +11,8 @@ use crate::system::OdeSystem;
 const PARTS: u32 = 8;
 /// The part of a step after which the state has left what it was replaced by.
 const SHORTLY: f64 = 1e-10;
+/// A step is halved so often in search of a hop that is shorter.
+const MOST_HALVINGS: u32 = 60;
 /// Times that differ by fewer roundings than this are taken for the same,
 const ROUNDINGS: f64 = 64.0;
 /// and so many events at the same time for infinitely many.
@@ -30,8 +33,27 @@ pub struct Occurrence<S, Y> {
 #[derive(Clone, Copy, Debug)]
 struct Detector<S> {
     direction: Direction,
+    /// Whether the function counts as positive from where it was started or restarted: that of a contact or friction.
+    is_switch: bool,
     /// The last value that was not zero; zero if there was none.
     value: S,
+    /// Whether the function counts as positive without having been found so since the last start.
+    is_armed: bool,
+}
+
+impl<S: Scalar> Detector<S> {
+    /// Remembers the value at a start.
+    fn begin(&mut self, value: S) {
+        self.is_armed = self.is_switch && value.is_finite();
+        self.value = if self.is_armed { S::ONE } else { value };
+    }
+
+    /// Remembers the sign of a value; zero has none.
+    fn learn(&mut self, value: S) {
+        if value != S::ZERO {
+            (self.value, self.is_armed) = (value, false);
+        }
+    }
 }
 
 /// Memory of K functions from step to step.
@@ -40,6 +62,8 @@ pub struct Watch<S, const K: usize> {
     detectors: [Detector<S>; K],
     /// Up to where the last step was looked at.
     reached: S,
+    /// Where the functions were started, or last restarted.
+    started: S,
     /// Whether the state was replaced there.
     is_replaced: bool,
     /// How often it was, each time no later than rounding can tell.
@@ -49,11 +73,25 @@ pub struct Watch<S, const K: usize> {
 impl<S: Scalar, const K: usize> Watch<S, K> {
     /// Starts at time `t`, where the functions have these values.
     pub fn new(directions: [Direction; K], t: S, values: [S; K]) -> Self {
-        let mut detectors = directions.map(|direction| Detector { direction, value: S::ZERO });
+        let mut detectors = directions.map(|direction| Detector {
+            direction,
+            is_switch: false,
+            value: S::ZERO,
+            is_armed: false,
+        });
         for (detector, value) in detectors.iter_mut().zip(values) {
             detector.value = value;
         }
-        Watch { detectors, reached: t, is_replaced: false, repetitions: 0 }
+        Watch { detectors, reached: t, started: t, is_replaced: false, repetitions: 0 }
+    }
+
+    /// The same with functions that [switch](crate::event::DeclaredEvent::is_switch) the first modes of a system.
+    pub(crate) fn with_switches(mut self, declared: &[DeclaredEvent]) -> Self {
+        for (detector, event) in self.detectors.iter_mut().zip(declared) {
+            detector.is_switch = event.is_switch;
+            detector.begin(detector.value);
+        }
+        self
     }
 
     /// The next event in the stepper's last step, after those that were returned before.
@@ -81,7 +119,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         let (from, to) = (stepper.last_time(), stepper.time());
         if core::mem::take(&mut self.is_replaced) {
             let shortly = from + S::from_f64(SHORTLY) * (to - from);
-            self.learn(values(shortly, &stepper.interpolate(system, shortly)))?;
+            self.learn_shortly(values(shortly, &stepper.interpolate(system, shortly)))?;
             self.check_repetitions()?;
         }
         let is_past = |t: S, reached: S| if to < from { t >= reached } else { t <= reached };
@@ -96,7 +134,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
             let earliest =
                 self.earliest(t, found, accuracy(from, to), |t| values(t, &stepper.interpolate(system, t)))?;
             if let Some((event, time)) = earliest {
-                self.detectors[event].value = found[event];
+                self.detectors[event].learn(found[event]);
                 self.reached = time;
                 return Ok(Some(Occurrence { event, time, state: stepper.interpolate(system, time) }));
             }
@@ -143,8 +181,13 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
             if !detector.direction.counts(detector.value, found[event]) {
                 continue;
             }
-            let bracket = ((self.reached, detector.value), (t, found[event]));
-            let time = locate(bracket.0, bracket.1, accuracy, |t| values(t)[event])
+            let end = (t, found[event]);
+            let bracket = match detector.is_armed {
+                true => self.hop(end, |t| values(t)[event]),
+                false => Some(((self.reached, detector.value), end)),
+            };
+            let time = bracket
+                .and_then(|(before, after)| locate(before, after, accuracy, |t| values(t)[event]))
                 .ok_or(Cause::EventNotLocated { event, bisections: MOST_ROUNDS })?;
             let is_earlier =
                 earliest.is_none_or(|(_, other)| (time - self.reached).abs() < (other - self.reached).abs());
@@ -155,26 +198,59 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         Ok(earliest)
     }
 
-    /// Remembers the signs of these values; zero has none.
+    /// Remembers the signs of these values.
     fn learn(&mut self, values: [S; K]) -> Result<(), Cause<S>> {
         check(values)?;
         for (detector, value) in self.detectors.iter_mut().zip(values) {
-            detector.value = if value == S::ZERO { detector.value } else { value };
+            detector.learn(value);
         }
         Ok(())
+    }
+
+    /// Remembers the signs of these values, found right after the state was replaced. Switches wait for a value that is not
+    /// rounding.
+    fn learn_shortly(&mut self, values: [S; K]) -> Result<(), Cause<S>> {
+        check(values)?;
+        for (detector, value) in self.detectors.iter_mut().zip(values) {
+            if !detector.is_armed {
+                detector.learn(value);
+            }
+        }
+        Ok(())
+    }
+
+    /// Between the start and `t`, where a function that counted as positive at the start is not: the latest place at which it was
+    /// found positive and the place after it, halving the time from the start. If it never was, it passed zero at the start.
+    fn hop(
+        &self,
+        (mut t, mut found): Sample<S>,
+        mut value: impl FnMut(S) -> S,
+    ) -> Option<(Sample<S>, Sample<S>)> {
+        for _ in 0..MOST_HALVINGS {
+            let middle = self.started + S::from_f64(0.5) * (t - self.started);
+            if middle == self.started || middle == t {
+                break;
+            }
+            let at = value(middle);
+            if at > S::ZERO {
+                return Some(((middle, at), (t, found)));
+            }
+            (t, found) = (middle, at);
+        }
+        found.is_finite().then_some(((t, S::ONE), (t, found)))
     }
 
     /// Goes on from time `t`, where the method was restarted from another state in which the functions have these values.
     ///
     /// The signs that count from now on are those shortly after: a ball that was turned round on the ground is above it.
     pub fn restart(&mut self, t: S, values: [S; K]) {
-        let distance = (t - self.reached).abs();
+        let distance = (t - self.started).abs();
         let is_same = self.repetitions > 0 && distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
         self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
         for (detector, value) in self.detectors.iter_mut().zip(values) {
-            detector.value = value;
+            detector.begin(value);
         }
-        (self.reached, self.is_replaced) = (t, true);
+        (self.reached, self.started, self.is_replaced) = (t, t, true);
     }
 
     fn check_repetitions(&self) -> Result<(), Cause<S>> {

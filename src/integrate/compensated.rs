@@ -31,6 +31,12 @@ impl<Y> Compensated<Y> {
         &self.value
     }
 
+    /// Puts another value in the place of the sum, and keeps what did not fit into it.
+    #[inline]
+    pub(super) fn replace(&mut self, value: Y) {
+        self.value = value;
+    }
+
     /// Adds an increment, component by component.
     #[inline]
     pub(super) fn add<S: Scalar>(&mut self, increment: &Y)

@@ -3,6 +3,7 @@
 use core::error::Error;
 use core::fmt::{Debug, Display, Formatter};
 
+use crate::constraint::Violation;
 use crate::system::OdeSystem;
 
 /// What came of an integration of the system M.
@@ -51,9 +52,13 @@ pub enum Cause<S> {
     SingularMassMatrix,
     /// An event function is NaN or infinite.
     EventNotFinite {
-        /// Which event, counted from zero in the order given.
+        /// Which event, counted from zero: those of the declaration, then those given, in their order.
         event: usize,
     },
+    /// A state violates a constraint, and cannot be brought onto it.
+    Violated(Violation<S>),
+    /// No motion goes on from here, in words: no contact forces or friction fit the state.
+    Stuck(&'static str),
     /// A method of another crate failed, in words.
     Adapted(&'static str),
     /// So many events follow each other at the same time that they are taken for infinitely many, as the bounces of a ball
@@ -64,17 +69,31 @@ pub enum Cause<S> {
     },
     /// The zero of an event function could not be located.
     EventNotLocated {
-        /// Which event, counted from zero in the order given.
+        /// Which event, counted from zero: those of the declaration, then those given, in their order.
         event: usize,
         /// How many bisections were made.
         bisections: u32,
     },
 }
 
+impl<S> Cause<S> {
+    /// The same, with events counted from this many others on.
+    pub(crate) fn of_event_after(self, others: usize) -> Self {
+        match self {
+            Cause::EventNotFinite { event } => Cause::EventNotFinite { event: others + event },
+            Cause::EventNotLocated { event, bisections } => {
+                Cause::EventNotLocated { event: others + event, bisections }
+            }
+            other => other,
+        }
+    }
+}
+
 impl<S: Debug> Display for Cause<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         match self {
-            Cause::Setting(what) | Cause::Adapted(what) => f.write_str(what),
+            Cause::Setting(what) | Cause::Stuck(what) | Cause::Adapted(what) => f.write_str(what),
+            Cause::Violated(violation) => write!(f, "{violation}"),
             Cause::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
             Cause::StepUnderflow { step } => {
                 write!(

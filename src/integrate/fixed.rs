@@ -2,16 +2,20 @@
 
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
+use crate::integrate::corrected::{admitted, check_finite, corrected, is_same};
 use crate::integrate::error::Cause;
 use crate::integrate::method::{Stepper, Work};
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StateVector};
+use crate::system::OdeSystem;
 
 /// A formula that advances the state by a step of given length.
 ///
 /// What it advances may be other variables than the state, such as coordinates and momenta: they are summed with
 /// compensation, so that what the formula conserves is conserved to rounding.
 pub trait Formula<M: OdeSystem + ?Sized> {
+    /// Whether steps end on the constraints of the system by themselves, so that states need no correction.
+    const KEEPS_CONSTRAINTS: bool = false;
+
     /// The variables of the state `y`, from which the integration starts or goes on: nothing that was found before
     /// holds any more.
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
@@ -45,6 +49,18 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>>;
 
+    /// The state at time `t` to which the last increment led was brought onto constraints, `from` there `to` here: so are the
+    /// variables.
+    fn follow(
+        &mut self,
+        _system: &M,
+        _t: M::Scalar,
+        (_from, to): (&M::State, &M::State),
+        variables: &mut M::State,
+    ) {
+        *variables = *to;
+    }
+
     /// The step of the last increment was taken and ended at time `t`, which may differ from the sum of its
     /// start and its length by rounding. What was found at its end may be kept for the next one.
     fn accept(&mut self, _t: M::Scalar) {}
@@ -75,7 +91,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
     /// Starts at `y` at time `t`, with steps of the length `h` towards `end`.
     ///
     /// # Errors
-    /// If `h` is not positive and finite, or something else is not finite.
+    /// If `h` is not positive and finite, or something else is not finite, or if the state violates constraints.
     pub fn start(
         mut formula: F,
         h: M::Scalar,
@@ -87,11 +103,11 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         if !(h > M::Scalar::ZERO && h.is_finite()) {
             return Err(Cause::Setting("the length of steps must be positive and finite"));
         }
-        check_finite(t, y)?;
         check_finite(end, y)?;
-        let variables = Compensated::new(formula.variables(system, t, y));
+        let state = admitted(system, t, y)?;
+        let variables = Compensated::new(formula.variables(system, t, &state));
         let clock = Clock::new(t, if end < t { -h } else { h });
-        Ok(FixedStepper { formula, clock, variables, state: *y, last: (t, *y), work: Work::default() })
+        Ok(FixedStepper { formula, clock, variables, state, last: (t, state), work: Work::default() })
     }
 }
 
@@ -126,15 +142,16 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
         if t == to {
             return self.state;
         }
-        self.formula.interpolate(system, (from, &self.last.1), (to, &self.state), t, &mut self.work)
+        let y = self.formula.interpolate(system, (from, &self.last.1), (to, &self.state), t, &mut self.work);
+        corrected(system, t, y)
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
-        check_finite(t, y)?;
+        let y = admitted(system, t, y)?;
         self.clock = self.clock.at(t);
-        self.variables = Compensated::new(self.formula.variables(system, t, y));
-        self.state = *y;
-        self.last = (t, *y);
+        self.variables = Compensated::new(self.formula.variables(system, t, &y));
+        self.state = y;
+        self.last = (t, y);
         Ok(())
     }
 
@@ -149,21 +166,33 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         let increment = self.formula.increment(system, t, self.variables.value(), h, &mut self.work)?;
         let mut variables = self.variables;
         variables.add(&increment);
-        let state = self.formula.state(system, self.clock.time(), variables.value(), &mut self.work)?;
+        let mut state = self.formula.state(system, self.clock.time(), variables.value(), &mut self.work)?;
         check_finite(self.clock.time(), &state)?;
+        if M::IS_CONSTRAINED && !F::KEEPS_CONSTRAINTS {
+            self.correct(system, &mut state, &mut variables)?;
+        }
         self.last = (t, core::mem::replace(&mut self.state, state));
         self.variables = variables;
         self.formula.accept(self.clock.time());
         self.work.steps += 1;
         Ok(())
     }
-}
 
-/// Whether time and state can be gone on from.
-#[inline]
-pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<(), Cause<S>> {
-    if t.is_finite() && y.as_ref().iter().all(|component| component.is_finite()) {
-        return Ok(());
+    /// Brings the state at the end of a step and its variables onto the constraints.
+    fn correct(
+        &mut self,
+        system: &M,
+        state: &mut M::State,
+        variables: &mut Compensated<M::State>,
+    ) -> Result<(), Cause<M::Scalar>> {
+        let (t, from) = (self.clock.time(), *state);
+        system.correct(t, state)?;
+        if is_same(&from, state) {
+            return Ok(());
+        }
+        let mut followed = *variables.value();
+        self.formula.follow(system, t, (&from, state), &mut followed);
+        variables.replace(followed);
+        check_finite(t, variables.value())
     }
-    Err(Cause::NotFinite)
 }

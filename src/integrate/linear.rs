@@ -2,6 +2,8 @@
 //!
 //! Gaussian elimination with partial pivoting, without scaling. A matrix that is singular or not finite has no factors. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §3.4.
 
+pub(super) mod ranked;
+
 use core::ops::{Index, IndexMut};
 
 use crate::scalar::Scalar;
@@ -9,7 +11,7 @@ use crate::system::StateVector;
 
 /// A square matrix in rows.
 #[derive(Debug)]
-pub(super) struct Matrix<S: Scalar, Y: StateVector<S>>(pub(super) Y::Square);
+pub(crate) struct Matrix<S: Scalar, Y: StateVector<S>>(pub(crate) Y::Square);
 
 impl<S: Scalar, Y: StateVector<S>> Clone for Matrix<S, Y> {
     fn clone(&self) -> Self {
@@ -36,17 +38,17 @@ impl<S: Scalar, Y: StateVector<S>> IndexMut<(usize, usize)> for Matrix<S, Y> {
 }
 
 impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
-    pub(super) const ZERO: Self = Matrix(Y::ZERO_SQUARE);
+    pub(crate) const ZERO: Self = Matrix(Y::ZERO_SQUARE);
 
     /// The number of rows.
     #[inline(always)]
-    pub(super) fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.0.as_ref().len()
     }
 
     /// The matrix whose entry in a row and column is `entry` of them.
     #[inline]
-    pub(super) fn of(entry: impl Fn(usize, usize) -> S) -> Self {
+    pub(crate) fn of(entry: impl Fn(usize, usize) -> S) -> Self {
         let mut matrix = Self::ZERO;
         for row in 0..matrix.rows() {
             for column in 0..matrix.rows() {
@@ -57,20 +59,20 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
     }
 
     /// The matrix of ones on the diagonal.
-    pub(super) fn identity() -> Self {
+    pub(crate) fn identity() -> Self {
         Self::of(|row, column| if row == column { S::ONE } else { S::ZERO })
     }
 
     /// The product with another matrix.
     #[inline]
-    pub(super) fn times(&self, other: &Self) -> Self {
+    pub(crate) fn times(&self, other: &Self) -> Self {
         let rows = 0..self.rows();
         Self::of(|i, j| rows.clone().fold(S::ZERO, |sum, k| self[(i, k)].multiply_add(other[(k, j)], sum)))
     }
 
     /// The product with a vector.
     #[inline]
-    pub(super) fn apply(&self, x: &Y) -> Y {
+    pub(crate) fn apply(&self, x: &Y) -> Y {
         let mut product = Y::ZERO;
         for (entry, row) in product.as_mut().iter_mut().zip(self.0.as_ref()) {
             *entry = row.as_ref().iter().zip(x.as_ref()).fold(S::ZERO, |sum, (m, x)| m.multiply_add(*x, sum));
@@ -85,7 +87,7 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
 
 /// The factors L and U of a real matrix with rows exchanged.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Factors<S: Scalar, Y: StateVector<S>> {
+pub(crate) struct Factors<S: Scalar, Y: StateVector<S>> {
     /// L without its diagonal of ones below, U above; the reciprocals of pivots on the diagonal.
     factors: Matrix<S, Y>,
     /// With which row each was exchanged.
@@ -95,7 +97,7 @@ pub(super) struct Factors<S: Scalar, Y: StateVector<S>> {
 impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
     /// The factors of a matrix, unless it is singular or not finite.
     #[inline]
-    pub(super) fn new(mut matrix: Matrix<S, Y>) -> Option<Self> {
+    pub(crate) fn new(mut matrix: Matrix<S, Y>) -> Option<Self> {
         let mut exchanged = Y::ZERO_INDICES;
         for (k, exchanged) in exchanged.as_mut().iter_mut().enumerate() {
             *exchanged = largest(k..matrix.rows(), |row| matrix[(row, k)].abs());
@@ -110,9 +112,15 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
         Some(Factors { factors: matrix, exchanged })
     }
 
+    /// The size of the smallest pivot.
+    pub(crate) fn smallest_pivot(&self) -> S {
+        let reciprocals = (0..self.factors.rows()).map(|row| self.factors[(row, row)].abs());
+        S::ONE / reciprocals.fold(S::ZERO, S::max)
+    }
+
     /// The solution for a right-hand side.
     #[inline]
-    pub(super) fn solve(&self, right: &Y) -> Y {
+    pub(crate) fn solve(&self, right: &Y) -> Y {
         let mut solution = *right;
         let (x, factors) = (solution.as_mut(), &self.factors);
         for (row, other) in self.exchanged.as_ref().iter().enumerate() {

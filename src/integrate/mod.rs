@@ -11,28 +11,39 @@
 //! |---|---|---|---|---|---|
 //! | [`Verner98`], the default of the front door | any that is not stiff | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy, from 1e-4 to rounding |
 //! | [`RungeKutta4`] | any that is not stiff | 4 | no | 4 evaluations | fixed frame rates, forces with jumps |
-//! | [`SymplecticEuler`] | separable | 1 | yes | 1 acceleration | the cheapest frame that stays alive |
-//! | [`StormerVerlet`] | separable | 2 | yes | 1 acceleration | long runs at moderate accuracy |
+//! | [`SymplecticEuler`] | separable, or held by constraints on positions | 1 | yes | 1 acceleration | the cheapest frame that stays alive |
+//! | [`StormerVerlet`] | separable, or held by constraints on positions | 2 | yes | 1 acceleration | long runs at moderate accuracy |
 //! | [`BlanesMoan4`] | separable | 4 | yes | 6 accelerations | long runs, accurately |
 //! | [`ImplicitMidpoint`], [`GaussLegendre4`], [`GaussLegendre6`] | with momenta | 2, 4, 6 | yes | iterations of 1, 2, 3 evaluations | long runs with any mass matrix; stiff springs |
-//! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta kept to rounding, forces included |
+//! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta kept to rounding, forces included; constraints enforced |
 //! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and forces without velocities | as above | stiff systems without momenta |
 //!
 //! A separable system is one whose [declaration](crate::system!) shows a constant mass matrix and accelerations without
 //! velocities; emitted types say so themselves ([`SeparableSystem`](crate::system::SeparableSystem)), and the compiler
-//! refuses the others. The implicit methods for any mass matrix want momenta and their rates,
+//! refuses the others. One that constraints on positions hold, and that would be separable without them, is a
+//! [`LeapfrogSystem`](crate::system::LeapfrogSystem): [`StormerVerlet`] and [`SymplecticEuler`] keep to its constraints by
+//! themselves, as [`Variational`] does to any. The implicit methods for any mass matrix want momenta and their rates,
 //! `emit { momentum_rates }`, and iterate by Newton's method with `emit { jacobian }`.
+//!
+//! If a system has [constraints](mod@crate::constraint), a start must nearly satisfy these and is moved onto them, and the end of
+//! every step is brought back unless the method ends there by itself; so are states within a step. A step that cannot be corrected
+//! is an error with the last good state; an adaptive method tries shorter ones first.
 
 mod canonical;
 #[cfg(test)]
 mod canonical_systems;
 mod clock;
 mod compensated;
+#[cfg(test)]
+mod constrained;
+#[cfg(test)]
+mod constrained_systems;
+mod corrected;
 mod error;
 mod fixed;
 mod gauss;
 mod interpolation;
-mod linear;
+pub(crate) mod linear;
 mod method;
 mod newton;
 mod prediction;

@@ -107,6 +107,10 @@ impl<S: Scalar, Y: StateVector<S>> Progress<S, Y> {
                 settled = false;
                 falls |= *now < S::from_f64(FALL) * *smallest;
             }
+            // Zero is a pause of what depends on others in turns, and says nothing about how fast it settles.
+            if *now == S::ZERO {
+                continue;
+            }
             if *last < infinity() && *now < *last * *rate {
                 *rate = *now / *last;
             }

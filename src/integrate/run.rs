@@ -1,12 +1,14 @@
 //! From a start to an end without keeping anything.
 
+use crate::event::integrate_declared;
 use crate::integrate::error::{Cause, IntegrationError, Outcome};
 use crate::integrate::method::{Method, Stepper};
 use crate::system::OdeSystem;
 
 /// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
 ///
-/// `observe` is called with time and state at the start and after every step. This is the loop for microcontrollers
+/// `observe` is called with time and state at the start and after every step; where an event of the declaration replaced the
+/// state, before and after it. This is the loop for microcontrollers
 /// and inner loops: no heap, nothing kept.
 ///
 /// # Errors
@@ -47,12 +49,15 @@ pub fn integrate<M, K>(
     mut observe: impl FnMut(M::Scalar, &M::State),
 ) -> Outcome<M, M::State>
 where
-    M: OdeSystem + ?Sized,
+    M: OdeSystem,
     K: Method<M>,
 {
+    if !M::EVENTS.is_empty() {
+        return integrate_declared(system, (t0, y0), t_end, method, observe);
+    }
     let failed = |cause: Cause<M::Scalar>, time, state| IntegrationError { cause, time, state };
     let mut stepper = method.start(system, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
-    observe(t0, &y0);
+    observe(t0, stepper.state());
     while stepper.time() != t_end {
         stepper.step(system, t_end).map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         observe(stepper.time(), stepper.state());

@@ -236,7 +236,9 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
     /// Records each zero of a function of time and state that is passed in this direction, under this name in
     /// [`Trajectory::events`].
     ///
-    /// Zeros are found as [`crate::event`] says: within a step, to 10⁻¹³ of it.
+    /// Zeros are found as [`crate::event`] says: within a step, to 10⁻¹³ of it. Functions are given the system as it is then:
+    /// with the contacts closed and the friction sticking that are so. Events that the declaration states are recorded without
+    /// being asked for.
     pub fn event(
         self,
         name: &str,

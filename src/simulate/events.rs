@@ -1,13 +1,16 @@
 //! Events of a run: any number of functions, each with a name and a reaction.
 
 use std::boxed::Box;
-use std::string::String;
+use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::event::{Direction, Occurrence, Reaction, Watch, is_at_once};
+use crate::contact::Happening;
+use crate::event::{
+    Answer, Course, Declarations, Direction, Lookout, Occurrence, Reaction, Watch, is_at_once,
+};
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
-use crate::system::{MechanicalSystem, OdeSystem};
+use crate::system::{MechanicalSystem, OdeSystem, Reacted};
 
 /// Something that happened during a run.
 #[derive(Clone, PartialEq, Debug)]
@@ -19,6 +22,8 @@ pub struct Event<S, Y> {
     pub time: S,
     /// The state then, before any reaction.
     pub state: Y,
+    /// What it was: more than a zero if it is the event of a contact or of dry friction.
+    pub happening: Happening<S>,
 }
 
 /// A function of time and state.
@@ -39,100 +44,139 @@ pub(super) struct Watcher<'a, M: MechanicalSystem> {
     pub(super) react: React<'a, M>,
 }
 
-/// An event, and what is to be done about it.
-type Answered<M> = (Found<M>, Reaction<<M as OdeSystem>::State>);
+/// A zero of a function, and what comes of it.
+pub(super) struct Happened<M: MechanicalSystem> {
+    /// The event that it is, unless it turned out to be none.
+    pub(super) event: Option<Found<M>>,
+    pub(super) time: M::Scalar,
+    /// The state then, before any reaction.
+    pub(super) state: M::State,
+    pub(super) answer: Reacted<M>,
+}
 
 /// The next of them, if there is one.
-type Next<M> = Result<Option<Answered<M>>, Cause<<M as OdeSystem>::Scalar>>;
+type Next<M> = Result<Option<Happened<M>>, Cause<<M as OdeSystem>::Scalar>>;
 
-impl<M: MechanicalSystem> Watcher<'_, M> {
-    fn answer(&mut self, system: &M, time: M::Scalar, state: M::State) -> Answered<M> {
-        let event = Event { name: self.name.clone(), time, state };
-        let reaction = (self.react)(system, &event);
-        (event, reaction)
-    }
+/// A watcher with its memory.
+struct Lookouts<'a, M: MechanicalSystem> {
+    watcher: Watcher<'a, M>,
+    lookout: Lookout<M::Scalar, M::State, 1>,
 }
 
-/// All watchers, each with its memory and the event that it found next.
+/// All events: those of the declaration, and those that watchers look for.
 pub(super) struct Watchers<'a, M: MechanicalSystem> {
-    watchers: Vec<Watcher<'a, M>>,
-    watches: Vec<Watch<M::Scalar, 1>>,
-    pending: Vec<Option<Occurrence<M::Scalar, M::State>>>,
+    declared: Declarations<M>,
+    given: Vec<Lookouts<'a, M>>,
 }
+
+/// Whose event it is: that of the declaration, or of the watcher of this index.
+#[derive(Clone, Copy)]
+enum Whose {
+    Declared,
+    Given(usize),
+}
+
+/// Which event is ahead, and when.
+type Ahead<M> = Result<Option<(Whose, <M as OdeSystem>::Scalar)>, Cause<<M as OdeSystem>::Scalar>>;
 
 impl<'a, M: MechanicalSystem> Watchers<'a, M> {
     /// Starts to watch at a time and state.
-    pub(super) fn new(mut watchers: Vec<Watcher<'a, M>>, system: &M, (t, y): (M::Scalar, &M::State)) -> Self {
-        let start = |watcher: &mut Watcher<'a, M>| {
-            Watch::new([watcher.direction], t, [(watcher.value)(system, t, y)])
+    pub(super) fn new(watchers: Vec<Watcher<'a, M>>, system: &M, (t, y): (M::Scalar, &M::State)) -> Self {
+        let start = |mut watcher: Watcher<'a, M>| {
+            let watch = Watch::new([watcher.direction], t, [(watcher.value)(system, t, y)]);
+            Lookouts { watcher, lookout: Lookout::new(watch) }
         };
-        let watches: Vec<_> = watchers.iter_mut().map(start).collect();
-        let pending = watches.iter().map(|_| None).collect();
-        Watchers { watchers, watches, pending }
+        Watchers {
+            declared: Declarations::new(system, t, y),
+            given: watchers.into_iter().map(start).collect(),
+        }
     }
 
-    /// The next event in the last step, with what to do; of those at the same time the one given first.
+    /// The next event in the last step, with what comes of it; of those at the same time the one given first, and declared ones
+    /// before all others.
     pub(super) fn next(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Next<M> {
-        self.look(system, stepper)?;
-        let Some((index, _)) = self.earliest(stepper.last_time()) else { return Ok(None) };
-        let Some(Occurrence { time, state, .. }) = self.pending[index].take() else { return Ok(None) };
-        Ok(Some(self.watchers[index].answer(system, time, state)))
+        let Some((whose, _)) = self.look(system, stepper)? else { return Ok(None) };
+        let Some(event) = self.take(whose) else { return Ok(None) };
+        Ok(Some(self.answer(system, whose, event)))
     }
 
-    /// The next event that cannot be told from `time`, taken to find the state as it was replaced by then, if it was.
+    /// The next event that cannot be told from `time`, taken to find the state as it was replaced by then, if it was. What
+    /// contacts and friction do is not among them: they have been settled, or are once the motion goes on.
     pub(super) fn next_at_once(
         &mut self,
         system: &M,
+        course: &Course<M>,
         stepper: &mut impl Stepper<M>,
         time: M::Scalar,
-        replaced: Option<M::State>,
     ) -> Next<M> {
         let (from, to) = (stepper.last_time(), stepper.time());
-        let earliest = self.earliest(from).filter(|(_, other)| is_at_once(time, *other, from, to));
-        let Some((index, _)) = earliest else { return Ok(None) };
-        let Some(Occurrence { state, .. }) = self.pending[index].take() else { return Ok(None) };
-        Ok(Some(self.watchers[index].answer(system, time, replaced.unwrap_or(state))))
+        loop {
+            let next = self.look(system, stepper)?;
+            let next = next.filter(|(_, other)| is_at_once(time, *other, from, to));
+            let Some((whose, _)) = next else { return Ok(None) };
+            let Some(event) = self.take(whose) else { return Ok(None) };
+            if matches!(whose, Whose::Declared) && M::EVENTS[event.event].is_switch {
+                continue;
+            }
+            let state = course.state().unwrap_or(event.state);
+            let event = Occurrence { time, state, ..event };
+            return Ok(Some(self.answer(course.system.as_ref().unwrap_or(system), whose, event)));
+        }
     }
 
-    /// The earliest of the pending events and its time.
-    fn earliest(&self, from: M::Scalar) -> Option<(usize, M::Scalar)> {
+    fn answer(
+        &mut self,
+        system: &M,
+        whose: Whose,
+        Occurrence { event, time, state }: Occurrence<M::Scalar, M::State>,
+    ) -> Happened<M> {
+        let found = |name, happening| Event { name, time, state, happening };
+        match whose {
+            Whose::Declared => {
+                let (answer, declared) = (system.react(event, time, &state), &M::EVENTS[event]);
+                let happening = answer.as_ref().map_or(Happening::Zero, |answer| answer.happening);
+                // A contact may touch without an impact and without closing.
+                let is_none = declared.is_switch && happening == Happening::Zero;
+                let event = (!is_none).then(|| found(declared.name.to_string(), happening));
+                Happened { event, time, state, answer }
+            }
+            Whose::Given(index) => {
+                let watcher = &mut self.given[index].watcher;
+                let event = found(watcher.name.clone(), Happening::Zero);
+                let answer = Ok(Answer::new((watcher.react)(system, &event)));
+                Happened { event: Some(event), time, state, answer }
+            }
+        }
+    }
+
+    /// The earliest of the next events, and its time.
+    fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Ahead<M> {
+        let from = stepper.last_time();
         let since = |time: M::Scalar| (time - from).abs();
-        let mut earliest: Option<(usize, M::Scalar)> = None;
-        for (index, pending) in self.pending.iter().enumerate() {
-            let Some(pending) = pending else { continue };
-            if earliest.is_none_or(|(_, time)| since(pending.time) < since(time)) {
-                earliest = Some((index, pending.time));
+        let mut earliest = self.declared.look(system, stepper)?.map(|time| (Whose::Declared, time));
+        for (index, Lookouts { watcher, lookout }) in self.given.iter_mut().enumerate() {
+            let found = lookout.look(system, stepper, |t, y| [(watcher.value)(system, t, y)]);
+            let found = found.map_err(|cause| cause.of_event_after(M::EVENTS.len() + index))?;
+            let Some(time) = found else { continue };
+            if earliest.is_none_or(|(_, other)| since(time) < since(other)) {
+                earliest = Some((Whose::Given(index), time));
             }
         }
-        earliest
+        Ok(earliest)
     }
 
-    /// Looks for the next event of each watcher that has none pending.
-    fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Result<(), Cause<M::Scalar>> {
-        let memory = self.watches.iter_mut().zip(&mut self.pending);
-        for (index, (watcher, (watch, pending))) in self.watchers.iter_mut().zip(memory).enumerate() {
-            if pending.is_none() {
-                let found = watch.next(system, stepper, |t, y| [(watcher.value)(system, t, y)]);
-                *pending = found.map_err(|cause| with_index(cause, index))?;
-            }
+    fn take(&mut self, whose: Whose) -> Option<Occurrence<M::Scalar, M::State>> {
+        match whose {
+            Whose::Declared => self.declared.take(),
+            Whose::Given(index) => self.given[index].lookout.take(),
         }
-        Ok(())
     }
 
     /// Goes on from another state.
     pub(super) fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
-        self.pending.fill(None);
-        for (watcher, watch) in self.watchers.iter_mut().zip(&mut self.watches) {
-            watch.restart(t, [(watcher.value)(system, t, y)]);
+        self.declared.restart(system, t, y);
+        for Lookouts { watcher, lookout } in &mut self.given {
+            lookout.restart(t, [(watcher.value)(system, t, y)]);
         }
-    }
-}
-
-/// The cause, about the event of this index.
-fn with_index<S: Scalar>(cause: Cause<S>, event: usize) -> Cause<S> {
-    match cause {
-        Cause::EventNotFinite { .. } => Cause::EventNotFinite { event },
-        Cause::EventNotLocated { bisections, .. } => Cause::EventNotLocated { event, bisections },
-        other => other,
     }
 }

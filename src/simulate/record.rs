@@ -1,6 +1,7 @@
 //! What is kept of a run while it goes on.
 
 use std::string::String;
+use std::sync::Arc;
 use std::vec::Vec;
 
 use crate::integrate::{Cause, Stepper, Work};
@@ -14,7 +15,9 @@ use crate::system::MechanicalSystem;
 
 /// What is kept of a run while it goes on.
 pub(super) struct Record<'a, M: MechanicalSystem> {
-    system: &'a M,
+    given: &'a M,
+    /// The system as it is at present, if contacts or friction switched it.
+    switched: Option<M>,
     table: Table<M::Scalar>,
     observers: Vec<Observer<'a, M>>,
     /// Room for the columns of one sample.
@@ -35,15 +38,16 @@ enum Samples<S> {
 }
 
 impl<'a, M: MechanicalSystem> Record<'a, M> {
-    /// Starts with the initial state as the first sample.
+    /// Starts with the initial state as the first sample; the system may be another one there than that which was given.
     pub(super) fn new(
-        system: &'a M,
+        (given, switched): (&'a M, Option<M>),
         observers: Vec<Observer<'a, M>>,
         dense: Option<Dense<M::Scalar, M::State>>,
         start: (M::Scalar, M::State),
     ) -> Self {
         let mut record = Record {
-            system,
+            given,
+            switched,
             table: Table::new(names(&observers)),
             observers,
             row: Vec::new(),
@@ -56,6 +60,16 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
         };
         record.sample(start.0, &start.1);
         record
+    }
+
+    /// The system as it is at present.
+    pub(super) fn system(&self) -> &M {
+        self.switched.as_ref().unwrap_or(self.given)
+    }
+
+    /// Goes on with this system, if it is another one.
+    pub(super) fn switch(&mut self, system: Option<M>) {
+        self.switched = system.or(self.switched.take());
     }
 
     /// The names of the columns.
@@ -83,7 +97,7 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
             Samples::EveryStep => self.sample(to, state),
             Samples::Grid(mut grid) => {
                 while let Some(time) = grid.up_to(to) {
-                    let state = if time == to { *state } else { stepper.interpolate(self.system, time) };
+                    let state = if time == to { *state } else { stepper.interpolate(self.system(), time) };
                     self.sample(time, &state);
                 }
                 self.samples = Samples::Grid(grid);
@@ -91,7 +105,8 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
             Samples::None => {}
         }
         if let Some(dense) = &mut self.dense {
-            dense.push((stepper.last_time(), to), |t| stepper.interpolate(self.system, t));
+            let system = self.switched.as_ref().unwrap_or(self.given);
+            dense.push((stepper.last_time(), to), |t| stepper.interpolate(system, t));
         }
         self.last = (to, *state);
     }
@@ -112,8 +127,9 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
     fn sample(&mut self, time: M::Scalar, state: &M::State) {
         self.row.clear();
         self.row.extend_from_slice(state.as_ref());
+        let system = self.switched.as_ref().unwrap_or(self.given);
         for observer in &mut self.observers {
-            (observer.extend)(self.system, time, state, &mut self.row);
+            (observer.extend)(system, time, state, &mut self.row);
         }
         self.table.push(time, &self.row);
     }
@@ -124,8 +140,9 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
         if time != self.first.0 && self.table.times().last() != Some(&time) {
             self.sample(time, &state);
         }
-        let Record { table, dense, events, first, last, work, .. } = self;
-        Trajectory { columns: table.into(), dense, events, work, ending, first, last, method }
+        let Record { table, dense, events, first, last, work, switched, .. } = self;
+        let system = switched.map(Arc::new);
+        Trajectory { columns: table.into(), dense, events, work, ending, first, last, method, system }
     }
 }
 

@@ -4,12 +4,12 @@ use std::boxed::Box;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
-use crate::event::Reaction;
+use crate::event::{Course, is_forwards};
 use crate::integrate::{Cause, Method, Stepper};
 use crate::simulate::builder::Simulation;
 use crate::simulate::dense::Dense;
 use crate::simulate::error::SimulationError;
-use crate::simulate::events::Watchers;
+use crate::simulate::events::{Happened, Watchers};
 use crate::simulate::progress::{Progress, Reporter};
 use crate::simulate::record::Record;
 use crate::simulate::table::TIME;
@@ -22,15 +22,18 @@ where
     M: MechanicalSystem,
     K: Method<M>,
 {
-    let Simulation { system, start, end, method, .. } = simulation;
+    let Simulation { system, end, method, .. } = simulation;
+    let start = admitted(system, simulation.start);
     let dense = simulation.is_dense.then(|| Dense::new(method.order()));
-    let mut record = Record::new(system, simulation.observers, dense, start);
+    let begun = is_forwards::<M>(start.0, end).and_then(|()| system.begin(start.0, &start.1));
+    let (switched, begun) = begun.map_or_else(|cause| (None, Err(cause)), |switched| (switched, Ok(())));
+    let mut record = Record::new((system, switched), simulation.observers, dense, start);
     let prepared = check_names(&record).and_then(|()| record.choose(simulation.sampling, end));
-    let result = prepared.and_then(|()| {
-        let stepper = method.start(system, start.0, &start.1, end)?;
-        let watchers = Watchers::new(simulation.watchers, system, (start.0, &start.1));
+    let result = prepared.and(begun).and_then(|()| {
+        let stepper = method.start(record.system(), start.0, &start.1, end)?;
+        let watchers = Watchers::new(simulation.watchers, record.system(), (start.0, &start.1));
         let max_steps = simulation.max_steps.unwrap_or(u64::MAX);
-        let mut run = Run { system, stepper, watchers, end, max_steps, reporter: simulation.reporter };
+        let mut run = Run { stepper, watchers, end, max_steps, reporter: simulation.reporter };
         let result = run.follow(&mut record);
         record.work = run.stepper.work();
         result
@@ -40,6 +43,15 @@ where
     match result {
         Ok(_) => Ok(trajectory),
         Err(cause) => Err(SimulationError { cause, trajectory: Box::new(trajectory) }),
+    }
+}
+
+/// The start as methods take it: on the constraints if it nearly satisfies them. What is wrong with it methods say.
+fn admitted<M: MechanicalSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scalar, M::State) {
+    let mut admitted = y;
+    match system.admit(t, &mut admitted) {
+        Ok(()) => (t, admitted),
+        Err(_) => (t, y),
     }
 }
 
@@ -54,9 +66,8 @@ fn check_names<M: MechanicalSystem>(record: &Record<'_, M>) -> Result<(), Cause<
     Ok(())
 }
 
-/// A run in progress.
+/// A run in progress. The record knows the system as it is at present.
 struct Run<'a, M: MechanicalSystem, T> {
-    system: &'a M,
     stepper: T,
     watchers: Watchers<'a, M>,
     end: M::Scalar,
@@ -72,7 +83,7 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
             if work.steps + work.rejections >= self.max_steps {
                 return Err(Cause::TooManySteps { limit: self.max_steps });
             }
-            self.stepper.step(self.system, self.end)?;
+            self.stepper.step(record.system(), self.end)?;
             if self.react(record)?.is_break() {
                 return Ok(Ending::Stopped);
             }
@@ -86,17 +97,22 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
 
     /// Keeps the last step, up to the event that ends it if there is one; whether that ends the run.
     fn react(&mut self, record: &mut Record<'a, M>) -> Result<ControlFlow<()>, Cause<M::Scalar>> {
-        while let Some((event, reaction)) = self.watchers.next(self.system, &mut self.stepper)? {
-            let (time, state) = (event.time, event.state);
-            record.event(event);
-            if let Reaction::Continue = reaction {
+        loop {
+            let next = self.watchers.next(record.system(), &mut self.stepper);
+            let Some(first) = next? else { break };
+            let (time, state) = (first.time, first.state);
+            let course = self.happen(record, first);
+            if course.as_ref().is_ok_and(Course::goes_on) {
                 continue;
             }
-            let reaction = self.react_at_once(record, time, reaction)?;
             record.keep(&mut self.stepper, time, &state);
-            let Reaction::Replace(state) = reaction else { return Ok(ControlFlow::Break(())) };
-            self.stepper.restart(self.system, time, &state)?;
-            self.watchers.restart(self.system, time, &state);
+            let Some(resumed) = course?.resume(record.system(), time) else {
+                return Ok(ControlFlow::Break(()));
+            };
+            let (state, switched) = resumed?;
+            record.switch(switched);
+            self.stepper.restart(record.system(), time, &state)?;
+            self.watchers.restart(record.system(), time, &state);
             record.jump(&state);
             return Ok(ControlFlow::Continue(()));
         }
@@ -105,24 +121,27 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Lets the other events at the same time follow, each from the state that the last one left. To stop prevails.
-    fn react_at_once(
+    /// What comes of an event and of the others at the same time, which follow each other, each from the state that the last one
+    /// left.
+    fn happen(
         &mut self,
         record: &mut Record<'a, M>,
-        time: M::Scalar,
-        first: Reaction<M::State>,
-    ) -> Result<Reaction<M::State>, Cause<M::Scalar>> {
-        let mut answer = first;
-        loop {
-            let state = if let Reaction::Replace(state) = answer { Some(state) } else { None };
-            let next = self.watchers.next_at_once(self.system, &mut self.stepper, time, state)?;
-            let Some((event, reaction)) = next else { return Ok(answer) };
-            record.event(event);
-            answer = match (reaction, answer) {
-                (Reaction::Continue, earlier) | (_, earlier @ Reaction::Stop) => earlier,
-                (later, _) => later,
-            };
+        first: Happened<M>,
+    ) -> Result<Course<M>, Cause<M::Scalar>> {
+        let time = first.time;
+        let mut course = Course::new();
+        let mut next = Some(first);
+        while let Some(Happened { event, state, answer, .. }) = next {
+            if let Some(event) = event {
+                record.event(event);
+            }
+            course.add(answer?, state);
+            if course.goes_on() {
+                break;
+            }
+            next = self.watchers.next_at_once(record.system(), &course, &mut self.stepper, time)?;
         }
+        Ok(course)
     }
 
     /// Reports progress; whether to go on.

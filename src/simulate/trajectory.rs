@@ -3,6 +3,7 @@
 use std::fmt::{Debug, Display, Formatter};
 use std::ops::Deref;
 use std::string::String;
+use std::sync::Arc;
 use std::vec::Vec;
 
 use crate::integrate::Work;
@@ -28,6 +29,8 @@ pub struct Trajectory<M: MechanicalSystem> {
     pub(super) first: (M::Scalar, M::State),
     pub(super) last: (M::Scalar, M::State),
     pub(super) method: &'static str,
+    /// The system as it was in the end, if it was switched. Shared, so that trajectories can be cloned whatever it is.
+    pub(super) system: Option<Arc<M>>,
 }
 
 /// How a run ended.
@@ -105,6 +108,12 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.last.1
     }
 
+    /// The system as it was where the run ended, if contacts or friction switched it on the way; `None` if it still was the one
+    /// that was given. A run that is to be continued starts from it and from [`last`](Trajectory::last).
+    pub fn system_at_end(&self) -> Option<&M> {
+        self.system.as_deref()
+    }
+
     /// The time at which the run ended.
     pub fn end_time(&self) -> M::Scalar {
         self.last.0
@@ -126,7 +135,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
         dense.at(t).ok_or(outside)
     }
 
-    /// What happened, in the order of the run.
+    /// What happened, in the order of the run: events of the declaration, and those that were asked for.
     pub fn events(&self) -> &[Event<M::Scalar, M::State>] {
         &self.events
     }
@@ -161,6 +170,7 @@ impl<M: MechanicalSystem> Clone for Trajectory<M> {
             columns: self.table().clone().into(),
             dense: self.dense.clone(),
             events: self.events.clone(),
+            system: self.system.clone(),
             ..*self
         }
     }

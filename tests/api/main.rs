@@ -2,11 +2,18 @@
 
 mod accuracy;
 mod columns;
+mod constrained_references;
+mod constraints;
+mod contacts;
 mod declarations;
+mod events;
 mod fixed_steps;
+mod hybrid;
 mod methods;
 mod products;
+mod projection;
 mod reduced;
+mod resting;
 mod scalars;
 mod shadowing;
 mod simulation;

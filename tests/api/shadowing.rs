@@ -34,6 +34,12 @@ trait Add {}
 trait OdeSystem {}
 trait MechanicalSystem {}
 trait EnergyFunction {}
+trait ConstrainedSystem {}
+trait ContactSystem {}
+struct Contact;
+struct Friction;
+struct Terms;
+struct Mode;
 
 /// Methods that plain numbers and every system have, too.
 trait Shadow: Sized {
@@ -68,6 +74,24 @@ trait Shadow: Sized {
         0
     }
     fn into(self) -> u8 {
+        0
+    }
+    fn zip(self, _: u8) -> u8 {
+        0
+    }
+    fn terms(&self) -> u8 {
+        0
+    }
+    fn modes(&self) -> u8 {
+        0
+    }
+    fn reactions(&self) -> u8 {
+        0
+    }
+    fn multipliers(&self) -> u8 {
+        0
+    }
+    fn event_values(&self) -> u8 {
         0
     }
 }
@@ -126,6 +150,36 @@ macro_rules! system {
     kinetic = 1/2 * unused * dot(theta)^2;
 }
 
+::lagrange::system! {
+    #[derive(::core::clone::Clone)]
+    pub struct Touching;
+
+    param values = 1.0, terms = 0.5, modes = 1.0, state = 9.81, event_functions = 0.1, G = 2.0;
+    coord x, y, z, L;
+    kinetic = 1/2 * values * (dot(x)^2 + dot(y)^2 + dot(z)^2 + dot(L)^2);
+    potential = values * state * y;
+    constraint reactions = z - x;
+    constraint multipliers = G * dot(L) - dot(x);
+    event react = y, falling => impact(terms);
+    event begin = x - modes, rising => { dot(x) = -event_functions * dot(x); z = x; }
+    event correct = z - G, crossing => stop;
+    friction friction = dot(x), event_functions * react;
+    friction mode = dot(x), event_functions * react, smooth: terms;
+    output events = (react, friction, mode);
+    output both = reactions + multipliers;
+}
+
+::lagrange::system! {
+    pub struct AnyTouching<S>;
+
+    param G = 9.81;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = G * x;
+    event T = x, falling => impact(0);
+    event U = x - G, rising => { x = 0; }
+}
+
 #[test]
 fn names_of_the_surroundings_are_not_taken_for_others() {
     let pendulum = <Pendulum as ::core::default::Default>::default();
@@ -137,4 +191,9 @@ fn names_of_the_surroundings_are_not_taken_for_others() {
         Any::acceleration(&any, 0.0, &[0.5], &[0.0])[0],
         9.81 / 2.0 * ::core::primitive::f64::sin(0.5),
     );
+    let touching = <Touching as ::core::default::Default>::default();
+    let a = Touching::acceleration(&touching, 0.0, &[0.5, 1.0, 0.5, 0.0], &[0.0; 4]);
+    crate::assert_close(a[1], -9.81);
+    let any = AnyTouching::<::core::primitive::f64> { G: 9.81, T: ::core::default::Default::default() };
+    crate::assert_close(AnyTouching::acceleration(&any, 0.0, &[0.5], &[0.0])[0], -9.81);
 }

@@ -1,6 +1,6 @@
-//! Reference trajectories of 30 digits, which `tools/references.py` computes.
+//! Reference trajectories of 30 digits, which `tools/references.py` and `tools/mechanisms.py` compute.
 
-const STATES: &str = include_str!("states.csv");
+const TABLES: [&str; 2] = [include_str!("states.csv"), include_str!("mechanisms.csv")];
 
 /// What the decimals of a declaration stand for in a reference.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -21,7 +21,7 @@ pub(crate) fn state<const N: usize>(case: &str, numbers: Numbers, time: f64) -> 
         Numbers::Decimal => "decimal",
         Numbers::Binary => "binary",
     };
-    let values = STATES.lines().skip(1).filter_map(|line| {
+    let values = TABLES.into_iter().flat_map(|table| table.lines().skip(1)).filter_map(|line| {
         let mut columns = line.split(',');
         let here = columns.next() == Some(case)
             && columns.next() == Some(numbers)

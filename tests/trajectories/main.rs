@@ -8,7 +8,14 @@ mod canonical;
 mod comet;
 mod drift;
 mod ends;
+#[path = "../mechanisms/four_bar.rs"]
+mod four_bar;
+mod held;
+mod mechanisms;
+#[path = "../mechanisms/n_four_bar.rs"]
+mod n_four_bar;
 mod phase;
+mod projected;
 #[path = "../references/mod.rs"]
 mod references;
 mod stiff;

@@ -75,6 +75,7 @@ fn check(root: &Path) -> ExitCode {
 fn steps(root: &Path) -> Vec<Step> {
     let mut steps = vec![
         Step::new("formatting", "fmt --all --check"),
+        // All targets: benchmarks, too, are compiled as far as lints go.
         Step::new("lints", "clippy --workspace --all-targets --all-features -- -D warnings"),
         // The same random cases every time; `cargo test` by itself draws new ones.
         Step::new("tests and doctests", "test --workspace --all-features").with("PROPTEST_RNG_SEED", "20"),
@@ -84,7 +85,6 @@ fn steps(root: &Path) -> Vec<Step> {
             .with("RUSTDOCFLAGS", "-D warnings"),
         Step::new("no_std", "build --package lagrange --no-default-features"),
         Step::new("a user without std", "build --package no_std"),
-        Step::new("benchmarks compile", "bench --workspace --no-run"),
     ];
     if fuses_products() {
         // Beside the other build, which it would undo.

@@ -1,27 +1,40 @@
-//! How expressions depend on the velocities: not at all, affinely, or otherwise.
+//! How expressions depend on the velocities, or on symbols of another kind: not at all, affinely, or otherwise.
 
 use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
 
-/// Dependence on the velocities.
+/// Dependence on the velocities or on symbols of another kind.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Degree {
-    /// Does not mention a velocity.
+    /// Does not mention one.
     Free,
-    /// A sum of velocities with velocity-free coefficients, plus something velocity-free.
+    /// A sum of them with coefficients free of them, plus something free of them.
     Affine,
     /// Anything else.
     Nonlinear,
 }
 
 /// The degrees of expressions, each found once.
-#[derive(Default, Debug)]
+#[derive(Debug)]
 pub struct Degrees {
+    kinds: Dependencies,
     known: HashMap<ExprId, Degree>,
 }
 
+/// Degrees in the velocities.
+impl Default for Degrees {
+    fn default() -> Degrees {
+        Degrees::in_terms_of(Dependencies::VELOCITY)
+    }
+}
+
 impl Degrees {
+    /// Degrees in the symbols of these kinds.
+    pub fn in_terms_of(kinds: Dependencies) -> Degrees {
+        Degrees { kinds, known: HashMap::default() }
+    }
+
     /// Finds the degree of everything `roots` are made of.
     pub fn classify(&mut self, graph: &Graph, roots: &[ExprId]) {
         for id in graph.reachable_until(roots, |id| self.known.contains(&id)) {
@@ -32,9 +45,9 @@ impl Degrees {
         }
     }
 
-    /// The degree of an expression that has been classified; velocity-free ones need not have been.
+    /// The degree of an expression that has been classified; free ones need not have been.
     pub fn of(&self, graph: &Graph, id: ExprId) -> Degree {
-        if !graph.dependencies(id).intersects(Dependencies::VELOCITY) {
+        if !graph.dependencies(id).intersects(self.kinds) {
             return Degree::Free;
         }
         self.known.get(&id).copied().unwrap_or(Degree::Nonlinear)
@@ -43,7 +56,7 @@ impl Degrees {
     fn derive(&self, graph: &Graph, id: ExprId) -> Degree {
         let of = |child: &ExprId| self.of(graph, *child);
         match graph.node(id) {
-            _ if !graph.dependencies(id).intersects(Dependencies::VELOCITY) => Degree::Free,
+            _ if !graph.dependencies(id).intersects(self.kinds) => Degree::Free,
             Node::Symbol(_) => Degree::Affine,
             Node::Sum { terms, .. } => terms.iter().map(|(term, _)| of(term)).max().unwrap_or(Degree::Free),
             Node::Product(factors) => {

@@ -1,5 +1,9 @@
 //! The documentation of an emitted system: its equations and what was found out about it.
 
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::shape::doc;
 use super::{latex, text};
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
@@ -30,6 +34,8 @@ const FAST: [&str; 2] = [
 ];
 const STRICT: &str = "- Accuracy: `strict`. Of equal ways the one that cancels least.";
 const SEPARABLE: &str = "- Separable: explicit symplectic methods take it.";
+const LEAPFROG: &str = "- Leapfrog methods take it and keep it on the constraints.";
+const REDUNDANT: &str = "- Constraints follow from others: of the multipliers the smallest ones are taken.";
 const NO_SQUARES: &str = "the kinetic energy is no sum of squares";
 const TOO_LONG: &str =
     "M q̈ = f, too long to be written out; `mass_matrix` and `forcing` compute the two sides.";
@@ -37,14 +43,15 @@ const TOO_LONG: &str =
 /// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
 /// short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
-    let all = equations.mass_matrix.iter().flatten().chain(&equations.forcing).copied().collect::<Vec<_>>();
+    let right = right_sides(model, equations);
+    let all = equations.mass_matrix.iter().flatten().chain(&right).copied().collect::<Vec<_>>();
     if model.coordinates.len() > MOST_COORDINATES || model.graph.reachable(&all).len() > LARGEST_SYSTEM {
         return None;
     }
-    let forcing = readable(&mut model.graph, &equations.forcing);
+    let right = readable(&mut model.graph, &right);
     // The right sides are the longer ones: if they cannot be read, the left ones need not be tried.
-    readable_lines(text::definitions(&model.graph, &forcing, LONGEST_EQUATIONS))?;
-    let sides = sides(model, equations, &forcing);
+    readable_lines(text::definitions(&model.graph, &right, LONGEST_EQUATIONS))?;
+    let sides = sides(model, equations, &right);
     let lines = readable_lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS))?;
     Some(lines.iter().flat_map(|line| wrapped(line)).collect())
 }
@@ -52,16 +59,37 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
 /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
 /// short.
 pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
-    let forcing = readable(&mut model.graph, &equations.forcing);
-    let sides = sides(model, equations, &forcing);
+    let right = right_sides(model, equations);
+    let right = readable(&mut model.graph, &right);
+    let sides = sides(model, equations, &right);
     lines(latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS)).join("\n")
 }
 
-/// The left and the right side of each row of M q̈ = f.
-fn sides(model: &mut Model, equations: &Equations, forcing: &[ExprId]) -> Vec<ExprId> {
+/// f + Aᵀλ + Dᵀr, with the names of constraints, contacts and friction for their forces.
+fn right_sides(model: &mut Model, equations: &Equations) -> Vec<ExprId> {
+    let reactions = model.reactions.iter().map(|reaction| reaction.symbol);
+    let symbols = model.multipliers().into_iter().chain(reactions).collect::<Vec<_>>();
+    let graph = &mut model.graph;
+    let mut sides = equations.forcing.clone();
+    let rows = equations.constraints.jacobian.iter().chain(&equations.reactions.rows);
+    for (row, symbol) in rows.zip(symbols) {
+        for (side, &slope) in sides.iter_mut().zip(row) {
+            let force = graph.multiply(slope, symbol);
+            *side = graph.add(*side, force);
+        }
+    }
+    sides
+}
+
+/// The left and the right side of each row of M q̈ = f + Aᵀλ, then of each constraint.
+fn sides(model: &mut Model, equations: &Equations, right: &[ExprId]) -> Vec<ExprId> {
     let mass = readable(&mut model.graph, &equations.mass_matrix.concat());
-    let rows = mass.chunks(forcing.len().max(1)).zip(forcing);
-    rows.flat_map(|(row, &right)| [left_side(model, row), right]).collect()
+    let rows = mass.chunks(right.len().max(1)).zip(right);
+    let mut sides = rows.flat_map(|(row, &right)| [left_side(model, row), right]).collect::<Vec<_>>();
+    let constraints = model.constraints.iter().map(|constraint| constraint.value).collect::<Vec<_>>();
+    let zero = model.graph.number(0);
+    sides.extend(readable(&mut model.graph, &constraints).into_iter().flat_map(|value| [value, zero]));
+    sides
 }
 
 /// The lines, unless there are too many characters or abbreviations.
@@ -151,17 +179,37 @@ pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: Oper
     lines.extend([String::new(), "# State and structure".to_owned(), String::new()]);
     lines.push(format!("- State: `[{}]`.", state_order(model)));
     lines.extend(structure_lines(model, &equations.structure));
-    if equations.is_separable(&model.graph) {
-        lines.push(SEPARABLE.to_owned());
+    if equations.is_separable(model) {
+        lines.push(if model.constraints.is_empty() { SEPARABLE } else { LEAPFROG }.to_owned());
     }
     lines.push(format!("- Accelerations: {}.", road_text(equations)));
+    if !model.constraints.is_empty() {
+        lines.push(multiplier_order(model));
+    }
+    if !model.reactions.is_empty() {
+        lines.push(reaction_order(model));
+    }
+    if equations.constraints.is_redundant {
+        lines.push(REDUNDANT.to_owned());
+    }
     match model.accuracy {
         Accuracy::Fast => lines.extend(FAST.map(str::to_owned)),
         Accuracy::Strict => lines.push(STRICT.to_owned()),
         Accuracy::Standard => {}
     }
-    lines.push(format!("- Cost of `acceleration`: {}.", counts_text(counts)));
+    let when = if model.reactions.is_empty() { "" } else { " while no contact or friction acts" };
+    lines.push(format!("- Cost of `acceleration`{when}: {}.", counts_text(counts)));
     lines
+}
+
+fn multiplier_order(model: &Model) -> String {
+    let names = model.constraints.iter().map(|constraint| constraint.name.as_str()).collect::<Vec<_>>();
+    format!("- Multipliers, which the equations name like their constraints: `[{}]`.", names.join(", "))
+}
+
+fn reaction_order(model: &Model) -> String {
+    let names = model.reactions.iter().map(|reaction| reaction.name.as_str()).collect::<Vec<_>>();
+    format!("- Forces of contacts and friction, zero where they do not act: `[{}]`.", names.join(", "))
 }
 
 fn state_order(model: &Model) -> String {
@@ -206,6 +254,15 @@ fn mass_text(structure: &Structure, join: impl Fn(&[usize]) -> String) -> String
     format!("{shape}, {dependence}")
 }
 
+/// The documentation of a method that takes so many operations.
+pub(super) fn with_counts(docs: TokenStream, counts: OperationCounts) -> TokenStream {
+    if counts == OperationCounts::default() {
+        return docs;
+    }
+    let (blank, cost) = (doc(""), doc(&format!("Takes {}.", counts_text(counts))));
+    quote!(#docs #blank #cost)
+}
+
 /// Operation counts in Markdown.
 pub(super) fn counts_text(counts: OperationCounts) -> String {
     counts.to_string().replace("sin_cos", "`sin_cos`")
@@ -213,7 +270,7 @@ pub(super) fn counts_text(counts: OperationCounts) -> String {
 
 /// Which road leads to the accelerations, and why: the counted cost of each that was tried.
 fn road_text(equations: &Equations) -> String {
-    if equations.structure.mass.is_diagonal() {
+    if equations.structure.mass.is_diagonal() && equations.constraints.jacobian.is_empty() {
         return "each equation divided by its entry of the mass matrix".to_owned();
     }
     let costs = Road::ALL.into_iter().zip(equations.costs);

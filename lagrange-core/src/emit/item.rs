@@ -5,6 +5,8 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
+use super::constrained::projections;
+use super::contacts::mode_fields;
 use super::method::{ArgumentNames, Method};
 use super::shape::{Shape, doc, identifier, length, local};
 use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
@@ -17,6 +19,16 @@ pub(super) struct Parts {
     /// The body of `Default::default`, if all defaults are known.
     pub(super) default: Option<TokenStream>,
     pub(super) methods: Vec<Method>,
+    /// Methods of `ConstrainedSystem`; none without constraints.
+    pub(super) constrained: Vec<Method>,
+    /// Methods of `CanonicalSystem` that only constrained systems have of their own.
+    pub(super) canonical: Vec<Method>,
+    /// Of each constraint, whether it holds positions.
+    pub(super) are_holonomic: Vec<bool>,
+    /// The body of `ContactSystem::terms`.
+    pub(super) terms: TokenStream,
+    /// Methods that only others call.
+    pub(super) hidden: TokenStream,
     /// Associated constants.
     pub(super) constants: TokenStream,
     pub(super) names: ArgumentNames,
@@ -67,8 +79,9 @@ pub(super) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {
 
 /// Lets names keep the letters that they have in formulas.
 pub(super) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
-    let names =
-        shape.fields.iter().chain(&shape.coordinates).chain(shape.outputs.iter().map(|(name, _)| name));
+    let touching = shape.touching.iter().map(|(name, _)| name);
+    let outputs = shape.outputs.iter().map(|(name, _)| name);
+    let names = shape.fields.iter().chain(&shape.coordinates).chain(touching).chain(outputs);
     let is_snake_case = |name: &str| !name.contains(char::is_uppercase) && !name.contains("__");
     let exception =
         quote!(#[allow(non_snake_case, reason = "symbols keep the letters they have in formulas")]);
@@ -99,12 +112,14 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             pub scalar: ::core::marker::PhantomData<#scalar>,
         }
     });
-    let body = match shape.fields.is_empty() && marker.is_none() {
+    let fields = [fields, mode_fields(shape)].into_iter().collect::<TokenStream>();
+    let body = match fields.is_empty() && marker.is_none() {
         true => quote!(;),
         false => quote!({ #fields #marker }),
     };
     let names = name_exception(shape);
-    let unused = shape.fields.iter().any(|name| name.text.starts_with('_'));
+    let touching = shape.touching.iter().map(|(name, _)| name);
+    let unused = shape.fields.iter().chain(touching).any(|name| name.text.starts_with('_'));
     let unused = unused.then(|| {
         quote!(#[allow(clippy::pub_underscore_fields, reason = "the user marked the parameter as unused")])
     });
@@ -148,11 +163,15 @@ fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
     let methods = parts.methods.iter().map(|method| method.tokens(shape, &parts.names));
     let (constants, rhs) = (&parts.constants, rhs(shape, &parts.names));
+    let hidden = &parts.hidden;
+    let projections = projections(shape, parts);
     quote! {
         impl #bounds #name #generics {
             #constants
             #(#methods)*
             #rhs
+            #projections
+            #hidden
         }
     }
 }
@@ -191,6 +210,7 @@ fn default_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 
 /// Distinct names for the arguments; the user's names come first.
 pub(super) fn argument_names(mut allocate: impl FnMut(&str) -> Ident) -> ArgumentNames {
+    let residuals = allocate("residuals");
     let mut either = |short: &str, long: &str| {
         let name = allocate(short);
         if name == short { name } else { allocate(long) }
@@ -201,5 +221,6 @@ pub(super) fn argument_names(mut allocate: impl FnMut(&str) -> Ident) -> Argumen
         velocities: either("v", "velocities"),
         accelerations: either("a", "accelerations"),
         state: either("y", "state"),
+        residuals,
     }
 }

@@ -162,7 +162,9 @@ impl<'v, 'n> View<'v, 'n> {
             Some(Role::Coordinate(index)) => (5, index),
             Some(Role::Velocity(index)) => (7, index),
             Some(Role::Acceleration(index)) => (8, index),
-            Some(Role::Placeholder(index)) => (9, index),
+            Some(Role::Multiplier(index)) => (9, index),
+            Some(Role::Reaction(index)) => (10, index),
+            Some(Role::Placeholder(index)) => (11, index),
             None => (self.class_of_composite(id), u32::MAX),
         };
         (class, index, id)

@@ -16,6 +16,8 @@ pub(super) enum Arguments {
     Motion,
     /// `t, y`
     Whole,
+    /// `t, q, v, residuals`
+    Residuals,
 }
 
 /// What a method returns.
@@ -35,6 +37,7 @@ pub(super) struct ArgumentNames {
     pub(super) velocities: Ident,
     pub(super) accelerations: Ident,
     pub(super) state: Ident,
+    pub(super) residuals: Ident,
 }
 
 /// One method, ready to be written.
@@ -49,31 +52,49 @@ pub(super) struct Method {
 impl Arguments {
     /// Those that are vectors.
     pub(super) fn vectors(self, names: &ArgumentNames) -> Vec<&Ident> {
-        let ArgumentNames { positions, velocities, accelerations, state, .. } = names;
+        let ArgumentNames { positions, velocities, accelerations, state, residuals, .. } = names;
         match self {
             Arguments::Positions => vec![positions],
             Arguments::State => vec![positions, velocities],
             Arguments::Motion => vec![positions, velocities, accelerations],
             Arguments::Whole => vec![state],
+            Arguments::Residuals => vec![positions, velocities, residuals],
         }
     }
 }
 
 impl Method {
     pub(super) fn tokens(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
-        let Method { name, docs, body, .. } = self;
-        let scalar = shape.scalar();
-        let n = match self.arguments {
-            Arguments::Whole => length(2 * shape.coordinates.len()),
-            _ => length(shape.coordinates.len()),
-        };
-        let (time, vectors) = (&names.time, self.arguments.vectors(names));
-        let returns = self.returns.tokens(&scalar);
+        let (docs, function) = (&self.docs, self.function(shape, names));
         quote! {
             #docs
             #[must_use]
             #[inline]
-            pub fn #name(&self, #time: #scalar, #(#vectors: &[#scalar; #n]),*) -> #returns {
+            pub #function
+        }
+    }
+
+    /// As a method of a trait.
+    pub(super) fn of_trait(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
+        let function = self.function(shape, names);
+        quote!(#[inline] #function)
+    }
+
+    fn function(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
+        let Method { name, body, .. } = self;
+        let (scalar, time) = (shape.scalar(), &names.time);
+        let length = |vector: &Ident| match vector {
+            _ if *vector == names.state => length(2 * shape.coordinates.len()),
+            _ if *vector == names.residuals => length(shape.constraints.len()),
+            _ => length(shape.coordinates.len()),
+        };
+        let vectors = self.arguments.vectors(names).into_iter().map(|vector| {
+            let length = length(vector);
+            quote!(#vector: &[#scalar; #length])
+        });
+        let returns = self.returns.tokens(&scalar);
+        quote! {
+            fn #name(&self, #time: #scalar, #(#vectors),*) -> #returns {
                 #body
             }
         }

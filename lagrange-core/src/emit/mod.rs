@@ -1,7 +1,10 @@
 //! Programs and expressions as text in other languages. No algebra happens here.
 
+mod constrained;
+mod contacts;
 mod diagnostics;
 mod docs;
+mod events;
 mod item;
 mod jacobian;
 mod layout;
@@ -9,6 +12,7 @@ mod messages;
 mod method;
 mod naming;
 mod numerals;
+mod product;
 mod reduced;
 mod shape;
 mod size;

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::contacts::Touch;
 use super::item::{rounded_exception, split_attributes};
 use super::rust_body::{Names, body};
 use super::shape::{Shape, doc, identifier, local};
@@ -93,11 +94,12 @@ fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> Tok
     }
 }
 
-/// Parameters and inputs are the same.
+/// Parameters, inputs and what contacts and friction do are the same.
 fn system_conversion(from: &Shape<'_>, to: &Shape<'_>) -> TokenStream {
     let (source, target, generics, bounds) = (from.name(), to.name(), to.generics(), to.bounds());
     let system = local("system");
-    let fields = to.fields.iter().map(|name| identifier(name)).collect::<Vec<_>>();
+    let with_mode = to.touching.iter().filter(|(_, touch)| *touch != Touch::Smooth).map(|(name, _)| name);
+    let fields = to.fields.iter().chain(with_mode).map(|name| identifier(name)).collect::<Vec<_>>();
     let marker = to.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData));
     quote! {
         #[automatically_derived]

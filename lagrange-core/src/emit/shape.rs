@@ -3,9 +3,10 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::contacts::Touch;
 use super::rust_body::Scalar;
 use crate::collections::HashMap;
-use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
+use crate::syntax::ast::{Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression};
 use crate::syntax::ast::{Name, ScalarType, Statement, StatementKind};
 
 /// Names and types of one system.
@@ -16,6 +17,12 @@ pub(super) struct Shape<'a> {
     /// Parameters and inputs in declaration order, parameters first.
     pub(super) fields: Vec<&'a Name>,
     pub(super) coordinates: Vec<&'a Name>,
+    pub(super) constraints: Vec<&'a Name>,
+    pub(super) events: Vec<&'a Event>,
+    /// Whether constraints are stabilised instead of projected onto.
+    pub(super) is_stabilised: bool,
+    /// Contacts and friction.
+    pub(super) touching: Vec<(&'a Name, Touch)>,
     /// Declared outputs with their number of components; one for a scalar.
     pub(super) outputs: Vec<(&'a Name, usize)>,
     /// The user's documentation of fields, coordinates and outputs.
@@ -29,6 +36,10 @@ impl<'a> Shape<'a> {
             krate,
             fields: Vec::new(),
             coordinates: Vec::new(),
+            constraints: Vec::new(),
+            events: Vec::new(),
+            is_stabilised: false,
+            touching: Vec::new(),
             outputs: Vec::new(),
             docs: documentation(declaration),
         };
@@ -38,6 +49,13 @@ impl<'a> Shape<'a> {
                 StatementKind::Parameters(list) => shape.fields.extend(list.iter().map(|d| &d.name)),
                 StatementKind::Inputs(list) => inputs.extend(list.iter().map(|d| &d.name)),
                 StatementKind::Coordinates(names) => shape.coordinates.extend(names),
+                StatementKind::Constraint(name, _) => shape.constraints.push(name),
+                StatementKind::Event(event) => shape.add_event(event),
+                StatementKind::Stabilise(_) => shape.is_stabilised = true,
+                StatementKind::Friction(friction) => {
+                    let touch = if friction.width.is_some() { Touch::Smooth } else { Touch::Friction };
+                    shape.touching.push((&friction.name, touch));
+                }
                 StatementKind::Output(name, value) => {
                     shape.outputs.push((name, components.get(value).copied().unwrap_or(1)));
                 }
@@ -49,12 +67,37 @@ impl<'a> Shape<'a> {
         shape
     }
 
+    fn add_event(&mut self, event: &'a Event) {
+        self.events.push(event);
+        if let Action::Impact(_) = event.action {
+            self.touching.push((&event.name, Touch::Contact));
+        }
+    }
+
+    /// Names and directions of all events, as declared and then those of friction. Those that switch modes have no direction.
+    pub(super) fn event_names(&self) -> Vec<(&'a Name, Option<Direction>)> {
+        let declared = self.events.iter().map(|event| match event.action {
+            Action::Impact(_) => (&event.name, None),
+            _ => (&event.name, Some(event.direction)),
+        });
+        let friction = self.touching.iter().filter(|(_, touch)| *touch == Touch::Friction);
+        declared.chain(friction.map(|(name, _)| (*name, None))).collect()
+    }
+
+    /// For each reaction the index of the event by which it changes its mode, if it has one.
+    pub(super) fn events_of_reactions(&self) -> Vec<Option<usize>> {
+        let names = self.event_names();
+        let event = |(name, _): &(&Name, Touch)| names.iter().position(|(other, _)| other.text == name.text);
+        self.touching.iter().map(event).collect()
+    }
+
     /// Names declared twice are reported elsewhere; two fields of one name would be reported again.
     fn drop_repeated_names(&mut self) {
         let mut seen = HashMap::default();
         let mut first = |name: &Name| seen.insert(name.text.clone(), ()).is_none();
         self.fields.retain(|name| first(name));
         self.coordinates.retain(|name| first(name));
+        self.touching.retain(|(name, _)| first(name));
         self.outputs.retain(|(name, _)| first(name));
     }
 
@@ -205,7 +248,7 @@ fn documentation<'a>(declaration: &'a Declaration) -> HashMap<&'a str, &'a Token
                 list.iter().for_each(|definition| insert(&definition.name));
             }
             StatementKind::Coordinates(names) => names.iter().for_each(insert),
-            StatementKind::Output(name, _) => insert(name),
+            StatementKind::Constraint(name, _) | StatementKind::Output(name, _) => insert(name),
             _ => {}
         }
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::item::{Parts, argument_names, items};
 use super::jacobian::parameter_names;
@@ -13,7 +13,18 @@ use super::rust_body::Names;
 use super::shape::{Shape, identifier, local};
 use super::system::{equations_latex, user_names};
 use crate::mechanics::Product;
-use crate::syntax::ast::Declaration;
+use crate::syntax::ast::{Action, Declaration};
+
+/// Members that do not come from products; an output of such a name is a mistake.
+const TAKEN: [&str; 7] = [
+    "rhs",
+    "EQUATIONS_LATEX",
+    "PARAMETERS",
+    "project",
+    "consistent_velocity",
+    "reactions",
+    "event_functions",
+];
 
 /// The items of a system that could not be derived: the same types and methods, so that the code that uses
 /// them causes no errors of its own. They are never run, since the mistakes are errors.
@@ -27,13 +38,25 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
     let shape = Shape::new(declaration, krate);
     let n = shape.coordinates.len();
     let mut methods = vec![placeholder(local("acceleration"), Arguments::State, Returns::Vector(n))];
-    for product in Product::ALL.into_iter().filter(|product| *product != Product::Latex) {
+    let m = shape.constraints.len();
+    if m > 0 {
+        methods.push(placeholder(local("multipliers"), Arguments::State, Returns::Vector(m)));
+    }
+    let touching = shape.touching.len();
+    if touching > 0 {
+        methods.push(placeholder(local("reactions"), Arguments::State, Returns::Vector(touching)));
+    }
+    let is_written =
+        |product: &Product| *product != Product::Latex && (m > 0 || !product.is_of_constraints());
+    for product in Product::ALL.into_iter().filter(is_written) {
         let (arguments, returns) = match product {
             Product::MassMatrix => (Arguments::Positions, Returns::Matrix(n, n)),
             Product::PotentialEnergy => (Arguments::Positions, Returns::Scalar),
             Product::KineticEnergy | Product::Energy => (Arguments::State, Returns::Scalar),
             Product::Jacobian => (Arguments::Whole, Returns::Matrix(2 * n, 2 * n)),
             Product::ParameterJacobian => (Arguments::Whole, Returns::Matrix(2 * n, shape.fields.len())),
+            Product::Constraints | Product::ConstraintVelocity => (Arguments::State, Returns::Vector(m)),
+            Product::ConstraintJacobian => (Arguments::Positions, Returns::Matrix(m, n)),
             Product::InverseDynamics => (Arguments::Motion, Returns::Vector(n)),
             _ => (Arguments::State, Returns::Vector(n)),
         };
@@ -41,24 +64,53 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
     }
     for &(name, count) in &shape.outputs {
         let returns = if count == 1 { Returns::Scalar } else { Returns::Vector(count) };
-        let is_taken = ["rhs", "EQUATIONS_LATEX", "PARAMETERS"].contains(&name.text.as_str());
-        if !is_taken && methods.iter().all(|method| method.name != name.text) {
+        if !TAKEN.contains(&name.text.as_str()) && methods.iter().all(|method| method.name != name.text) {
             methods.push(placeholder(identifier(name), Arguments::State, returns));
         }
     }
     let mut names = Names::new(user_names(&shape).iter().map(String::as_str));
     let is_derived = declaration.derives.iter().any(|name| name.text == "Default");
+    let names = argument_names(|wish| names.fresh(wish));
+    let hidden = skeleton_of_events(&shape);
     let parts = Parts {
         docs: Vec::new(),
         default: (!is_derived).then(|| quote!(::core::unreachable!())),
         methods,
+        constrained: skeleton_of_constraints(n, m),
+        canonical: Vec::new(),
+        are_holonomic: vec![true; m],
+        terms: quote!(::core::unreachable!()),
+        hidden: hidden.iter().map(|method| method.of_trait(&shape, &names)).collect(),
         constants: [equations_latex(""), parameter_names(&shape)].into_iter().collect(),
-        names: argument_names(|wish| names.fresh(wish)),
+        names,
         functions: BTreeSet::new(),
         is_separable: true,
         has_rounded_constants: false,
     };
     items(&shape, &parts)
+}
+
+fn skeleton_of_constraints(n: usize, m: usize) -> Vec<Method> {
+    if m == 0 {
+        return Vec::new();
+    }
+    let residuals = placeholder(local("position_residuals"), Arguments::Positions, Returns::Vector(m));
+    vec![residuals, placeholder(local("correction"), Arguments::Residuals, Returns::Vector(n))]
+}
+
+fn skeleton_of_events(shape: &Shape<'_>) -> Vec<Method> {
+    if shape.events.is_empty() {
+        return Vec::new();
+    }
+    let functions = Returns::Vector(shape.events.len());
+    let mut methods = vec![placeholder(local("event_functions"), Arguments::State, functions)];
+    for (i, event) in shape.events.iter().enumerate() {
+        if let Action::Assign(_) = event.action {
+            let state = Returns::Vector(2 * shape.coordinates.len());
+            methods.push(placeholder(format_ident!("after_event_{i}"), Arguments::State, state));
+        }
+    }
+    methods
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {

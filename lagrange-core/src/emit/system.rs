@@ -5,15 +5,17 @@ use std::collections::BTreeSet;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::contacts::{Touch, default_modes};
 use super::docs;
 use super::item::{Parts, argument_names, items};
-use super::jacobian::{JACOBIAN, PARAMETER_JACOBIAN, by_fields, by_state, parameter_names};
+use super::jacobian::parameter_names;
 use super::method::{ArgumentNames, Arguments, Method, Returns};
+use super::product::{Plan, plan};
 use super::rust_body::{Names, Scalar, body};
 use super::shape::{Shape, doc, identifier, local};
 use super::size::Size;
 use crate::expr::ExprId;
-use crate::mechanics::{Energies, Equations, Model, Product};
+use crate::mechanics::{Equations, Model, Product};
 use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
 use crate::symbol::Role;
 use crate::syntax::ast::Declaration;
@@ -53,14 +55,22 @@ pub fn system(
     Ok(Emitted { items: items(&shape, &parts), size })
 }
 
-struct Writer<'a> {
-    shape: &'a Shape<'a>,
-    model: &'a mut Model,
-    equations: &'a Equations,
+pub(super) struct Writer<'a> {
+    pub(super) shape: &'a Shape<'a>,
+    pub(super) model: &'a mut Model,
+    pub(super) equations: &'a Equations,
     labels: Labels,
     scalar: Scalar,
-    names: ArgumentNames,
-    methods: Vec<Method>,
+    pub(super) names: ArgumentNames,
+    pub(super) methods: Vec<Method>,
+    /// Methods of `ConstrainedSystem`.
+    pub(super) constrained: Vec<Method>,
+    /// Methods of `CanonicalSystem` that only constrained systems have of their own.
+    pub(super) canonical: Vec<Method>,
+    /// The body of `ContactSystem::terms`.
+    pub(super) terms: TokenStream,
+    /// Methods that only others call.
+    pub(super) hidden: TokenStream,
     /// Operations of `acceleration`.
     counts: OperationCounts,
     /// All methods so far.
@@ -88,6 +98,10 @@ impl<'a> Writer<'a> {
             scalar: shape.computed_with(),
             names: argument_names(|wish| arguments.fresh(wish)),
             methods: Vec::new(),
+            constrained: Vec::new(),
+            canonical: Vec::new(),
+            terms: TokenStream::new(),
+            hidden: TokenStream::new(),
             counts: OperationCounts::default(),
             size: Size::default(),
             functions: BTreeSet::new(),
@@ -106,18 +120,53 @@ impl<'a> Writer<'a> {
         if !self.unrepresentable.is_empty() {
             return Err(Refusal::Constants(self.unrepresentable.into_iter().collect()));
         }
-        let is_separable = self.equations.is_separable(&self.model.graph);
-        let Writer { methods, names, functions, has_rounded_constants, .. } = self;
-        Ok(Parts { docs, default, methods, constants, names, functions, is_separable, has_rounded_constants })
+        let is_separable = self.equations.is_separable(self.model);
+        let are_holonomic = self.model.constraints.iter().map(|constraint| constraint.is_holonomic).collect();
+        let Writer {
+            methods,
+            constrained,
+            canonical,
+            terms,
+            hidden,
+            names,
+            functions,
+            has_rounded_constants,
+            ..
+        } = self;
+        Ok(Parts {
+            docs,
+            default,
+            methods,
+            constrained,
+            canonical,
+            are_holonomic,
+            terms,
+            hidden,
+            constants,
+            names,
+            functions,
+            is_separable,
+            has_rounded_constants,
+        })
     }
 
     fn write_methods(&mut self) {
         let n = Returns::Vector(self.model.coordinates.len());
         let accelerations = self.equations.accelerations.clone();
         let docs = ["Accelerations in the order of the coordinates."];
-        self.counts = self.add("acceleration", &docs, Arguments::State, n, &accelerations);
+        self.counts = match (self.model.constraints.is_empty(), self.model.reactions.is_empty()) {
+            (true, true) => self.add("acceleration", &docs, Arguments::State, n, &accelerations),
+            (false, true) => self.write_constrained(&docs),
+            (_, false) => self.write_touching(&docs),
+        };
+        self.write_events();
         for product in self.model.products.clone() {
-            self.write_product(product, n);
+            let fields = self.shape.fields.len();
+            if let Some(Plan { docs, arguments, returns, roots }) =
+                plan(product, self.model, self.equations, fields)
+            {
+                self.add(product.name(), docs, arguments, returns, &roots);
+            }
         }
         for output in self.model.outputs.clone() {
             let returns = match output.components.len() {
@@ -130,52 +179,6 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn write_product(&mut self, product: Product, vector: Returns) {
-        let name = product.name();
-        let equations = self.equations;
-        let or_none = |list: &Option<Vec<ExprId>>| list.clone().unwrap_or_default();
-        let (docs, arguments, returns, roots): (&[&str], _, _, _) = match product {
-            Product::MassMatrix => {
-                let matrix = equations.mass_matrix.clone();
-                let moving = equations.structure.mass.depends_on_velocities;
-                let arguments = if moving { Arguments::State } else { Arguments::Positions };
-                (&MASS_MATRIX, arguments, Returns::Matrix(matrix.len(), matrix.len()), matrix.concat())
-            }
-            Product::Forcing => (&FORCING, Arguments::State, vector, equations.forcing.clone()),
-            Product::Bias => (&BIAS, Arguments::State, vector, or_none(&equations.bias)),
-            Product::Momenta => (&MOMENTA, Arguments::State, vector, or_none(&equations.momenta)),
-            Product::MomentumRates => {
-                (&MOMENTUM_RATES, Arguments::State, vector, or_none(&equations.momentum_rates))
-            }
-            Product::Energy => {
-                (&ENERGY, Arguments::State, Returns::Scalar, equations.energy.into_iter().collect())
-            }
-            Product::InverseDynamics => {
-                (&INVERSE, Arguments::Motion, vector, or_none(&equations.inverse_dynamics))
-            }
-            Product::Jacobian => {
-                let rows = equations.jacobian.as_deref().unwrap_or_default();
-                let (returns, entries) = by_state(&mut self.model.graph, rows);
-                (&JACOBIAN, Arguments::Whole, returns, entries)
-            }
-            Product::ParameterJacobian => {
-                let rows = equations.parameter_jacobian.as_deref().unwrap_or_default();
-                let count = self.shape.fields.len();
-                let (returns, entries) = by_fields(&mut self.model.graph, rows, count);
-                (&PARAMETER_JACOBIAN, Arguments::Whole, returns, entries)
-            }
-            Product::KineticEnergy | Product::PotentialEnergy => {
-                let Energies::Separate { kinetic, potential } = self.model.energies else { return };
-                match product {
-                    Product::KineticEnergy => (&KINETIC, Arguments::State, Returns::Scalar, vec![kinetic]),
-                    _ => (&POTENTIAL, Arguments::Positions, Returns::Scalar, vec![potential]),
-                }
-            }
-            Product::Latex => return,
-        };
-        self.add(name, docs, arguments, returns, &roots);
-    }
-
     /// Lowers and writes one method, unless those before it are too large already.
     fn add(
         &mut self,
@@ -185,25 +188,39 @@ impl<'a> Writer<'a> {
         returns: Returns,
         roots: &[ExprId],
     ) -> OperationCounts {
-        if self.size.is_hopeless() {
-            return OperationCounts::default();
-        }
-        let program = optimise(&lower(&self.model.graph, roots, &self.labels), self.model.accuracy);
-        let counts = OperationCounts::of(&program);
-        self.size.add(counts, roots.len());
-        let body = self.body(&program, arguments, returns);
+        let (body, counts) = self.lowered(roots, arguments, |results| returns.collect(results));
         let output = self.shape.outputs.iter().find(|(output, _)| output.text == name);
         let (name, docs) = match output {
             Some((output, _)) => (identifier(output), self.shape.docs(output, &docs.concat())),
             None => (format_ident!("{name}"), docs.iter().map(|line| doc(line)).collect()),
         };
-        let (blank, cost) = (doc(""), doc(&format!("Takes {}.", docs::counts_text(counts))));
-        let docs = if counts == OperationCounts::default() { docs } else { quote!(#docs #blank #cost) };
+        let docs = docs::with_counts(docs, counts);
         self.methods.push(Method { name, docs, arguments, returns, body });
         counts
     }
 
-    fn body(&mut self, program: &Program, arguments: Arguments, returns: Returns) -> TokenStream {
+    /// A body that computes `roots` and makes its result of them, unless those before it are too large already.
+    pub(super) fn lowered(
+        &mut self,
+        roots: &[ExprId],
+        arguments: Arguments,
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> (TokenStream, OperationCounts) {
+        if self.size.is_hopeless() {
+            return (TokenStream::new(), OperationCounts::default());
+        }
+        let program = optimise(&lower(&self.model.graph, roots, &self.labels), self.model.accuracy);
+        let counts = OperationCounts::of(&program);
+        self.size.add(counts, roots.len());
+        (self.body(&program, arguments, collect), counts)
+    }
+
+    fn body(
+        &mut self,
+        program: &Program,
+        arguments: Arguments,
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> TokenStream {
         let symbols = self.model.graph.symbols();
         let reserved = arguments.vectors(&self.names).iter().map(ToString::to_string).collect::<Vec<_>>();
         let mut names = Names::new(reserved.iter().map(String::as_str));
@@ -212,7 +229,7 @@ impl<'a> Writer<'a> {
             Ok(body) => {
                 self.functions.extend(&body.functions);
                 let bindings = self.bindings(&body.used, &mut names, arguments);
-                let (statements, result) = (&body.statements, returns.collect(&body.outputs));
+                let (statements, result) = (&body.statements, collect(&body.outputs));
                 quote!(#bindings #statements #result)
             }
             Err(error) => {
@@ -224,7 +241,7 @@ impl<'a> Writer<'a> {
 
     /// Parameters, coordinates and rates under the names that the body uses.
     fn bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
-        let ArgumentNames { time, positions, velocities, accelerations, state } = &self.names;
+        let ArgumentNames { time, positions, velocities, accelerations, state, residuals } = &self.names;
         let fields = field_bindings(self.shape, self.model, used, names);
         if arguments == Arguments::Whole {
             let indices = 0..self.model.coordinates.len() as u32;
@@ -233,19 +250,26 @@ impl<'a> Writer<'a> {
             let entries = pattern.map(|pattern| quote!(let #pattern = *#state;));
             return quote!(#fields #entries);
         }
-        let mut vector = |source: TokenStream, role: fn(u32) -> Role| {
-            let roles = (0..self.model.coordinates.len() as u32).map(role);
-            let pattern = self.pattern(roles, used, names);
+        let count = self.model.coordinates.len();
+        let mut vector = |source: TokenStream, count: usize, role: fn(u32) -> Role| {
+            let pattern = self.pattern((0..count as u32).map(role), used, names);
             pattern.map(|pattern| quote!(let #pattern = #source;))
         };
-        let q = vector(quote!(*#positions), Role::Coordinate);
-        let v = vector(quote!(*#velocities), Role::Velocity);
+        let q = vector(quote!(*#positions), count, Role::Coordinate);
+        let v = vector(quote!(*#velocities), count, Role::Velocity);
         let accelerations = match arguments {
             Arguments::Motion => quote!(*#accelerations),
             _ => quote!(self.acceleration(#time, #positions, #velocities)),
         };
-        let a = vector(accelerations, Role::Acceleration);
-        quote!(#fields #q #v #a)
+        let a = vector(accelerations, count, Role::Acceleration);
+        let multipliers = match arguments {
+            Arguments::Residuals => quote!(*#residuals),
+            _ => quote!(self.multipliers(#time, #positions, #velocities)),
+        };
+        let multipliers = vector(multipliers, self.model.constraints.len(), Role::Multiplier);
+        let reactions = quote!(self.reactions(#time, #positions, #velocities));
+        let reactions = vector(reactions, self.model.reactions.len(), Role::Reaction);
+        quote!(#fields #q #v #a #multipliers #reactions)
     }
 
     /// An array of the names of those roles that are used, if any is.
@@ -277,9 +301,10 @@ impl<'a> Writer<'a> {
             Ok(body) => {
                 self.functions.extend(&body.functions);
                 let (names, statements) = (self.shape.fields.iter().map(|n| identifier(n)), body.statements);
+                let modes = default_modes(self.shape);
                 let (values, marker) = (body.outputs, self.shape.needs_marker());
                 let marker = marker.then(|| quote!(scalar: ::core::marker::PhantomData));
-                Some(quote!(#statements Self { #(#names: #values,)* #marker }))
+                Some(quote!(#statements Self { #(#names: #values,)* #modes #marker }))
             }
             Err(error) => {
                 self.unrepresentable.extend(error.constants);
@@ -318,7 +343,8 @@ pub(super) fn field_bindings(
     if bound.is_empty() {
         return TokenStream::new();
     }
-    let rest = (bound.len() < shape.fields.len()).then(|| quote!(..));
+    let has_modes = shape.touching.iter().any(|(_, touch)| *touch != Touch::Smooth);
+    let rest = (has_modes || bound.len() < shape.fields.len()).then(|| quote!(..));
     quote!(let Self { #(#bound,)* #rest } = *self;)
 }
 
@@ -330,22 +356,6 @@ pub(super) fn equations_latex(equations: &str) -> TokenStream {
         pub const EQUATIONS_LATEX: &'static ::core::primitive::str = #equations;
     }
 }
-
-const MASS_MATRIX: [&str; 1] = ["Mass matrix M, in rows."];
-const FORCING: [&str; 1] = ["Right-hand side f of M q̈ = f."];
-const BIAS: [&str; 2] = [
-    "Bias c of M q̈ + c = Q: Coriolis, centrifugal and potential terms,",
-    "without applied forces and dissipation.",
-];
-const MOMENTA: [&str; 1] = ["Generalised momenta ∂L/∂v."];
-const MOMENTUM_RATES: [&str; 1] = ["Rates ∂L/∂q + Q of the momenta."];
-const KINETIC: [&str; 1] = ["Kinetic energy T."];
-const POTENTIAL: [&str; 1] = ["Potential energy V."];
-const ENERGY: [&str; 1] = ["Energy function v·∂L/∂v − L."];
-const INVERSE: [&str; 2] = [
-    "Inverse dynamics: the generalised forces that must act, in addition to the declared ones,",
-    "to produce given accelerations.",
-];
 
 /// Names of the user that stand in the methods' bodies beside the arguments.
 pub(super) fn user_names(shape: &Shape<'_>) -> Vec<String> {

@@ -3,17 +3,25 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
+use super::contacts::contact_impl;
+use super::events::event_members;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
-use super::shape::{Shape, length};
+use super::shape::{Shape, length, local};
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (ode, mechanical) = (ode_impl(shape, parts), mechanical_impl(shape, parts));
     let energy = has(parts, "energy").then(|| energy_impl(shape, parts));
     let canonical = has(parts, "momentum_rates").then(|| canonical_impl(shape, parts));
-    let separable = parts.is_separable.then(|| separable_impl(shape));
-    quote!(#ode #mechanical #energy #separable #canonical)
+    let separable = parts.is_separable.then(|| match parts.constrained.is_empty() {
+        true => separable_impl(shape),
+        false => leapfrog_impl(shape, parts),
+    });
+    let constrained = constrained_impl(shape, parts);
+    let contact = contact_impl(shape, parts);
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact)
 }
 
 /// Whether there is a method of this name.
@@ -37,6 +45,7 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
         }
     });
+    let (constrained, events) = (correct_members(shape, parts), event_members(shape, parts));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -47,8 +56,50 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
                 self.rhs(#time, #state)
             }
             #jacobian
+            #constrained
+            #events
         }
     }
+}
+
+/// The members of `OdeSystem` that bring a state back onto what holds it.
+fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
+    let ArgumentNames { time, state, .. } = &parts.names;
+    let (is_held, is_touching) = (!parts.constrained.is_empty(), !shape.touching.is_empty());
+    let is_corrected = is_touching || (is_held && !shape.is_stabilised);
+    let touching = is_touching.then(|| quote!(#krate::contact::correct(self, #time, #state)?;));
+    let outcome = quote!(::core::result::Result<(), #krate::integrate::Cause<#scalar>>);
+    let correct = is_corrected.then(|| {
+        let projected = (is_held && !shape.is_stabilised)
+            .then(|| quote!(#krate::constraint::correct(self, #time, #state)?;));
+        quote! {
+            const IS_CONSTRAINED: ::core::primitive::bool = true;
+            #[inline]
+            fn correct(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+                #projected
+                #touching
+                ::core::result::Result::Ok(())
+            }
+        }
+    });
+    // Starts, and states that events put in the place of others, must satisfy the constraints however they are kept from there on.
+    let others = (is_held || is_touching).then(|| {
+        let members = ["admit", "restore"].map(|name| {
+            let name = local(name);
+            let held = is_held.then(|| quote!(#krate::constraint::#name(self, #time, #state)?;));
+            quote! {
+                #[inline]
+                fn #name(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+                    #held
+                    #touching
+                    ::core::result::Result::Ok(())
+                }
+            }
+        });
+        members.into_iter().collect::<TokenStream>()
+    });
+    quote!(#correct #others)
 }
 
 fn mechanical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -98,6 +149,7 @@ fn canonical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let arguments = mass_matrix.next().map_or(Arguments::State, |method| method.arguments);
     let vectors = arguments.vectors(&parts.names);
     let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
+    let constrained = canonical_constraints(shape, parts, &parameters);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::CanonicalSystem for #name #generics {
@@ -113,6 +165,7 @@ fn canonical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             fn mass_matrix(#parameters) -> [[#scalar; #n]; #n] {
                 self.mass_matrix(#time, #(#vectors),*)
             }
+            #constrained
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::symbol::Role;
 
 /// The kinds of symbols an expression mentions.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Dependencies(u8);
+pub struct Dependencies(u16);
 
 impl Dependencies {
     /// Depends on nothing.
@@ -25,6 +25,10 @@ impl Dependencies {
     pub const VELOCITY: Dependencies = Dependencies(16);
     /// Depends on an acceleration.
     pub const ACCELERATION: Dependencies = Dependencies(32);
+    /// Depends on a multiplier.
+    pub const MULTIPLIER: Dependencies = Dependencies(128);
+    /// Depends on the force of a contact or of friction.
+    pub const REACTION: Dependencies = Dependencies(256);
     /// Contains a place holder of an unfinished computation.
     pub const PLACEHOLDER: Dependencies = Dependencies(64);
 
@@ -46,6 +50,8 @@ impl Dependencies {
             Role::Coordinate(_) => Dependencies::COORDINATE,
             Role::Velocity(_) => Dependencies::VELOCITY,
             Role::Acceleration(_) => Dependencies::ACCELERATION,
+            Role::Multiplier(_) => Dependencies::MULTIPLIER,
+            Role::Reaction(_) => Dependencies::REACTION,
             Role::Placeholder(_) => Dependencies::PLACEHOLDER,
         }
     }

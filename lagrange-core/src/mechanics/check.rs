@@ -16,6 +16,12 @@ impl Elaborator<'_> {
         self.check_reductions();
         self.check_energies();
         self.check_products();
+        self.check_output_names();
+        self.check_constraint_count();
+        self.check_reduced_constraints();
+        self.check_stabilisation();
+        self.check_event_count();
+        self.check_reduced_events();
         if self.evaluator.report.has_errors() {
             return None;
         }
@@ -74,41 +80,84 @@ impl Elaborator<'_> {
                 error.help(messages::LAGRANGIAN_HELP);
             }
         }
-        for term in &self.potential {
-            if self.evaluator.graph.dependencies(term.value).intersects(Dependencies::VELOCITY) {
-                let (place, _) = self.evaluator.blame(term.syntax, Dependencies::VELOCITY);
-                let message = messages::velocity_in("the potential energy");
-                self.evaluator.report.error(place, message).help(messages::POTENTIAL_HELP);
-            }
+        for (syntax, value) in self.potential.iter().map(|term| (term.syntax, term.value)).collect::<Vec<_>>()
+        {
+            let kinds = &[Dependencies::VELOCITY];
+            self.forbid(kinds, (syntax, value), "the potential energy", messages::POTENTIAL_HELP);
         }
     }
 
     fn check_products(&mut self) {
         for &(product, wanted, span) in &self.wanted {
             if wanted && self.is_undefined(product) {
-                let message = messages::needs_separate_energies(product.name());
-                self.evaluator.report.error(span, message).help(messages::LAGRANGIAN_HELP);
+                let (message, help) = match product.is_of_constraints() {
+                    true => (messages::needs_constraints(product.name()), messages::CONSTRAINT_HELP),
+                    false => (messages::needs_separate_energies(product.name()), messages::LAGRANGIAN_HELP),
+                };
+                self.evaluator.report.error(span, message).help(help);
             }
         }
-        self.check_canonical_products();
+        self.check_needed_products();
+        self.check_derivatives();
     }
 
-    /// What takes momenta and their rates must get from one to the other.
-    fn check_canonical_products(&mut self) {
-        if !self.products().contains(&Product::MomentumRates) {
-            return;
-        }
+    /// Some methods are called by others.
+    fn check_needed_products(&mut self) {
+        let is_canonical = self.products().contains(&Product::MomentumRates);
+        let is_constrained = !self.constraints.is_empty();
         for &(product, wanted, span) in &self.wanted {
-            if !wanted && matches!(product, Product::Momenta | Product::MassMatrix) {
+            let reason = match product {
+                Product::Momenta | Product::MassMatrix if is_canonical => messages::NEEDED_BY_MOMENTUM_RATES,
+                Product::ConstraintVelocity | Product::ConstraintJacobian if is_constrained => {
+                    messages::NEEDED_BY_PROJECTION
+                }
+                _ => continue,
+            };
+            if !wanted {
+                let error = self.evaluator.report.error(span, messages::needed_product(product.name()));
+                error.help(messages::needed_product_help(product.name(), reason));
+            }
+        }
+    }
+
+    /// Accelerations jump where contacts and friction change what they do.
+    fn check_derivatives(&mut self) {
+        let Some((reaction, declared)) = self.reactions.first() else { return };
+        for &(product, wanted, span) in &self.wanted {
+            if wanted && matches!(product, Product::Jacobian | Product::ParameterJacobian) {
+                let message = messages::derivative_of_jumps(product.name());
                 let error =
-                    self.evaluator.report.error(span, messages::needed_by_momentum_rates(product.name()));
-                error.help(messages::needed_by_momentum_rates_help(product.name()));
+                    self.evaluator.report.error(span, message).help(messages::DERIVATIVE_OF_JUMPS_HELP);
+                error.related(Origin::from(*declared), messages::acts_here(&reaction.name));
+            }
+        }
+    }
+
+    /// Names of methods that systems with constraints, contacts or events have beside those of all systems.
+    fn check_output_names(&mut self) {
+        let groups: [(bool, &[&str]); 3] = [
+            (
+                self.constraints.is_empty(),
+                &["project", "consistent_velocity", "redundant_motion", "redundant_correction"],
+            ),
+            (self.reactions.is_empty(), &["reactions"]),
+            (self.events.is_empty(), &["event_functions"]),
+        ];
+        let taken = groups.into_iter().filter(|(is_absent, _)| !is_absent).flat_map(|(_, names)| names);
+        let taken = taken.collect::<Vec<_>>();
+        for statement in &self.declaration.statements {
+            if let StatementKind::Output(name, _) = &statement.kind
+                && taken.iter().any(|taken| **taken == name.text)
+            {
+                let error = self.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+                error.help(messages::OTHER_NAME_HELP);
             }
         }
     }
 
     fn is_undefined(&self, product: Product) -> bool {
-        !self.lagrangian.is_empty() && matches!(product, Product::KineticEnergy | Product::PotentialEnergy)
+        let is_energy = matches!(product, Product::KineticEnergy | Product::PotentialEnergy);
+        !self.lagrangian.is_empty() && is_energy || self.constraints.is_empty() && product.is_of_constraints()
     }
 
     fn products(&self) -> Vec<Product> {
@@ -147,7 +196,8 @@ impl Elaborator<'_> {
         let mut needs_input_rate = false;
         for ((coordinate, span), momentum) in self.coordinates.iter().zip(momenta) {
             let dependencies = self.evaluator.graph.dependencies(momentum);
-            if !dependencies.intersects(Dependencies::VELOCITY) {
+            let is_determined = dependencies.intersects(Dependencies::VELOCITY);
+            if !is_determined && !self.is_constrained(coordinate.velocity) {
                 let error = self.evaluator.report.error(*span, messages::no_inertia(&coordinate.name));
                 error.help(messages::NO_INERTIA_HELP);
             }
@@ -193,6 +243,10 @@ impl Elaborator<'_> {
             lagrangian,
             dissipation,
             loads: self.loads,
+            constraints: self.constraints.into_iter().map(|(constraint, _)| constraint).collect(),
+            stabilisation: self.stabilisation.map(|(rate, _)| rate),
+            events: self.events.into_iter().map(|(event, _)| event).collect(),
+            reactions: self.reactions.into_iter().map(|(reaction, _)| reaction).collect(),
             outputs: self.outputs,
             rates,
             labels,

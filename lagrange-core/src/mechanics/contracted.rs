@@ -60,7 +60,7 @@ pub(super) fn solve_contracted(
         system.eliminate(i);
         labels.push((pivot, format!("pivot_{i}")));
     }
-    Some(Solution { accelerations: system.accelerations(), labels })
+    Some(Solution { values: system.accelerations(), labels, condition: None })
 }
 
 /// One equation: Σ entry · acceleration + linear = 0.

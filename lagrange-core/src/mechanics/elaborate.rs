@@ -4,7 +4,9 @@ use proc_macro2::Span;
 
 use super::expression::Evaluator;
 use super::messages;
-use super::model::{Coordinate, Load, Model, Output, Parameter, Product, Reduction};
+use super::model::{
+    Constraint, Coordinate, Event, Load, Model, Output, Parameter, Product, Reaction, Reduction,
+};
 use super::operand::Operand;
 use super::reduce::reduce;
 use super::scope::Kind;
@@ -22,6 +24,10 @@ const GENERATED_METHODS: [&str; 6] =
     ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS"];
 /// Products that later versions will emit.
 const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
+
+/// What only the equations of motion determine.
+pub(super) const UNKNOWNS: &[Dependencies] =
+    &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
 pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model> {
@@ -54,6 +60,14 @@ pub(super) struct Elaborator<'a> {
     pub(super) lagrangian: Vec<Term>,
     pub(super) dissipation: Vec<Term>,
     pub(super) loads: Vec<Load>,
+    /// Constraints, with where their names stand.
+    pub(super) constraints: Vec<(Constraint, Span)>,
+    /// The rate of stabilisation, with where it is given.
+    pub(super) stabilisation: Option<(ExprId, Span)>,
+    /// Events, with where their names stand.
+    pub(super) events: Vec<(Event, Span)>,
+    /// Contacts and friction, with where their names stand.
+    pub(super) reactions: Vec<(Reaction, Span)>,
     pub(super) outputs: Vec<Output>,
     pub(super) labels: Vec<(ExprId, String)>,
     /// Entries of `emit`, with where they stand.
@@ -74,6 +88,10 @@ impl<'a> Elaborator<'a> {
             lagrangian: Vec::new(),
             dissipation: Vec::new(),
             loads: Vec::new(),
+            constraints: Vec::new(),
+            stabilisation: None,
+            events: Vec::new(),
+            reactions: Vec::new(),
             outputs: Vec::new(),
             labels: Vec::new(),
             wanted: Vec::new(),
@@ -109,6 +127,10 @@ impl<'a> Elaborator<'a> {
             StatementKind::ForceOn(coordinate, value) => self.force_on(coordinate, *value),
             StatementKind::ForceAt { force, point } => self.force_at(*force, *point),
             StatementKind::Torque { moment, angle } => self.torque(*moment, *angle, keyword),
+            StatementKind::Constraint(name, value) => self.constraint(name, *value),
+            StatementKind::Stabilise(rate) => self.stabilise(*rate, keyword),
+            StatementKind::Event(event) => self.event(event),
+            StatementKind::Friction(friction) => self.friction(friction),
             StatementKind::Output(name, value) => self.output(name, *value),
             StatementKind::Emit(items) => items.iter().for_each(|item| self.emit(item)),
             StatementKind::Reduce(reduction) => self.reduction(reduction),
@@ -222,12 +244,22 @@ impl<'a> Elaborator<'a> {
     }
 
     pub(super) fn forbid_accelerations(&mut self, syntax: AstId, value: ExprId, what: &str) -> Option<()> {
-        if !self.evaluator.graph.dependencies(value).intersects(Dependencies::ACCELERATION) {
-            return Some(());
-        }
-        let (place, _) = self.evaluator.blame(syntax, Dependencies::ACCELERATION);
-        let error = self.evaluator.report.error(place, messages::acceleration_in(what));
-        error.help(messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS);
+        let help = messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS;
+        self.forbid(UNKNOWNS, (syntax, value), what, help)
+    }
+
+    /// Reports if an expression depends on one of these kinds.
+    pub(super) fn forbid(
+        &mut self,
+        kinds: &[Dependencies],
+        (syntax, value): (AstId, ExprId),
+        what: &str,
+        help: &str,
+    ) -> Option<()> {
+        let dependencies = self.evaluator.graph.dependencies(value);
+        let Some(&kind) = kinds.iter().find(|&&kind| dependencies.intersects(kind)) else { return Some(()) };
+        let (place, name) = self.evaluator.blame(syntax, kind);
+        self.evaluator.report.error(place, messages::must_not_depend(what, kind, &name)).help(help);
         None
     }
 
@@ -241,10 +273,18 @@ impl<'a> Elaborator<'a> {
         self.declare(name, Kind::Output, None);
         let Some(value) = value else { return };
         let graph = &self.evaluator.graph;
-        let uses = |&c: &ExprId| graph.dependencies(c).intersects(Dependencies::ACCELERATION);
-        let uses_accelerations = value.components().iter().any(uses);
+        let uses = |kind| value.components().iter().any(|&c| graph.dependencies(c).intersects(kind));
+        let uses_accelerations = uses(Dependencies::ACCELERATION);
+        let uses_multipliers = uses(Dependencies::MULTIPLIER);
+        let uses_reactions = uses(Dependencies::REACTION);
         let components = value.components().to_vec();
-        self.outputs.push(Output { name: name.text.clone(), components, uses_accelerations });
+        self.outputs.push(Output {
+            name: name.text.clone(),
+            components,
+            uses_accelerations,
+            uses_multipliers,
+            uses_reactions,
+        });
     }
 
     fn emit(&mut self, item: &EmitItem) {

@@ -1,11 +1,13 @@
 //! What is derived from a model.
 
+use super::constraints::{ConstraintEquations, join_multipliers};
 use super::contracted::contracted;
 use super::cost::cost;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
 use super::jacobian::{Derivatives, Forms};
 use super::model::{Energies, Model, Product};
+use super::responses::{ReactionEquations, reaction_forces};
 use super::roads::{Road, RoadChoice, Roads, SingularMassMatrix};
 use super::solve::{Solution, push_down, solve_dense};
 use super::structure::{Structure, vanishing};
@@ -22,12 +24,19 @@ const LARGEST_MULTIPLIED_OUT: usize = 300;
 /// Monomials up to which coefficients are multiplied out.
 const MULTIPLYING_BUDGET: usize = 60;
 
+/// A matrix in rows.
+type Rows = Vec<Vec<ExprId>>;
+
 /// The equations of motion and what else a model was asked for. Products that are not wanted are `None` and
 /// have not been derived; the two sides of M q̈ = f come with the accelerations.
 #[derive(Clone, Debug)]
 pub struct Equations {
     /// q̈ as functions of t, q, v.
     pub accelerations: Vec<ExprId>,
+    /// What belongs to the constraints; without any it is empty.
+    pub constraints: ConstraintEquations,
+    /// What belongs to contacts and friction, whose forces the accelerations above leave out.
+    pub reactions: ReactionEquations,
     /// How they are computed.
     pub road: Road,
     /// Whether the road over squares was open: whatever is quadratic in the velocities is a sum of squares of rates.
@@ -35,23 +44,25 @@ pub struct Equations {
     /// The counted cost of each road, as far as it was tried: dense, recursive, squares.
     pub costs: [Option<f64>; 3],
     /// M, in rows.
-    pub mass_matrix: Vec<Vec<ExprId>>,
+    pub mass_matrix: Rows,
     /// f in M q̈ = f
     pub forcing: Vec<ExprId>,
     /// d/dt ∂L/∂v − ∂L/∂q at zero acceleration, without loads and dissipation.
     pub bias: Option<Vec<ExprId>>,
     /// ∂L/∂v
     pub momenta: Option<Vec<ExprId>>,
-    /// ∂L/∂q + Q, by which the momenta change
+    /// ∂L/∂q + Q + Aᵀλ, by which the momenta change
     pub momentum_rates: Option<Vec<ExprId>>,
+    /// ∂L/∂q + Q
+    pub free_momentum_rates: Option<Vec<ExprId>>,
     /// v·∂L/∂v − L
     pub energy: Option<ExprId>,
     /// The generalised forces that must be added for given accelerations.
     pub inverse_dynamics: Option<Vec<ExprId>>,
     /// ∂a/∂q and ∂a/∂v, in rows
-    pub jacobian: Option<Vec<Vec<ExprId>>>,
+    pub jacobian: Option<Rows>,
     /// The derivatives of the accelerations by parameters, then by inputs, in rows.
-    pub parameter_jacobian: Option<Vec<Vec<ExprId>>>,
+    pub parameter_jacobian: Option<Rows>,
     /// What was found out about the system.
     pub structure: Structure,
     /// Names for intermediate results, in the order of preference.
@@ -63,36 +74,23 @@ impl Equations {
     pub fn derive(model: &mut Model, choice: RoadChoice) -> Result<Equations, SingularMassMatrix> {
         let split = SplitLagrangian::new(model);
         let velocities = model.velocities();
-        let form = gauss_form(model, &split, AccelerationTerms::Dropped, Terms::All);
-        let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
-        separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
-        let pushed = match model.accuracy {
-            Accuracy::Strict => contracted(&mut model.graph, pushed, &velocities),
-            _ => cheaper_coefficients(&mut model.graph, pushed, &velocities),
-        };
-        let mass_matrix = mass_matrix(&mut model.graph, &pushed, &velocities);
-        let forcing = forcing(&mut model.graph, &pushed, &velocities);
-        let products = model.products.clone();
-        let wants = |product: Product| products.contains(&product);
-        let differentiated = wants(Product::Jacobian) || wants(Product::ParameterJacobian);
-        let forms = differentiated.then(|| Forms { form: form.clone(), pushed: pushed.clone() });
-        let (solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
+        let forms = forms(model, &split);
+        let mass_matrix = mass_matrix(&mut model.graph, &forms.pushed, &velocities);
+        let forcing = forcing(&mut model.graph, &forms.pushed, &velocities);
+        let (form, pushed) = (forms.form.clone(), forms.pushed.clone());
+        let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
+        let multipliers = solution.values.split_off(velocities.len());
+        let reactions = ReactionEquations::new(model, &forms, road, &multipliers);
+        let constraints = ConstraintEquations::new(model, &forms, road, (multipliers, solution.condition));
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
-        let derivatives = forms.map(|forms| {
-            let accelerations = (&solution.accelerations[..], road);
-            Derivatives::new(model, &split, forms, accelerations)
-        });
-        let differentiate = |model: &mut Model, product: Product, variables: Vec<ExprId>| {
-            Some(derivatives.as_ref().filter(|_| wants(product))?.by(model, &variables))
-        };
-        let state = [model.positions(), model.velocities()].concat();
-        let jacobian = differentiate(model, Product::Jacobian, state);
-        let constants =
-            model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol).collect();
-        let parameter_jacobian = differentiate(model, Product::ParameterJacobian, constants);
+        let (jacobian, parameter_jacobian) = jacobians(model, &split, forms, (&solution.values, road));
+        let products = model.products.clone();
+        let wants = |product: Product| products.contains(&product);
+        let rates = wants(Product::MomentumRates).then(|| free_momentum_rates(model));
+        let touching = reaction_forces(model, &reactions);
         let mut equations = Equations {
-            accelerations: solution.accelerations,
+            accelerations: solution.values,
             road,
             is_sum_of_squares: !split.has_other_inertia,
             costs,
@@ -102,7 +100,10 @@ impl Equations {
                 .then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
             momenta: wants(Product::Momenta)
                 .then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
-            momentum_rates: wants(Product::MomentumRates).then(|| momentum_rates(model)),
+            momentum_rates: rates.as_ref().map(|rates| sums(model, rates, &[&constraints.forces, &touching])),
+            free_momentum_rates: rates.as_ref().map(|rates| sums(model, rates, &[&touching])),
+            constraints,
+            reactions,
             energy: wants(Product::Energy).then(|| energy_function(model)),
             inverse_dynamics: wants(Product::InverseDynamics)
                 .then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
@@ -117,19 +118,26 @@ impl Equations {
         Ok(equations)
     }
 
-    /// Whether the mass matrix is constant during the motion and no acceleration depends on a velocity. It is judged
-    /// by what the expressions mention: a velocity that cancels unseen still counts.
-    pub fn is_separable(&self, graph: &Graph) -> bool {
-        let moving = Dependencies::VELOCITY;
-        let depends = |&acceleration: &ExprId| graph.dependencies(acceleration).intersects(moving);
-        self.structure.mass.is_constant && !self.accelerations.iter().any(depends)
+    /// Whether the mass matrix is constant during the motion and nothing but constraint forces depends on a velocity. It is
+    /// judged by what the expressions mention: a velocity that cancels unseen still counts.
+    pub fn is_separable(&self, model: &Model) -> bool {
+        let depends = |&value: &ExprId| model.graph.dependencies(value).intersects(Dependencies::VELOCITY);
+        let free = if model.constraints.is_empty() { &self.accelerations } else { &self.forcing };
+        let is_held = model.constraints.iter().all(|constraint| constraint.is_holonomic);
+        let is_free = model.reactions.is_empty();
+        self.structure.mass.is_constant && is_held && is_free && !free.iter().any(depends)
     }
 
     /// Writes what is emitted beside the accelerations with as little to cancel as is found.
     fn contract(&mut self, model: &mut Model) {
         let mut places = self.mass_matrix.iter_mut().flatten().chain(&mut self.forcing).collect::<Vec<_>>();
-        let optional =
-            [&mut self.bias, &mut self.momenta, &mut self.momentum_rates, &mut self.inverse_dynamics];
+        let optional = [
+            &mut self.bias,
+            &mut self.momenta,
+            &mut self.momentum_rates,
+            &mut self.free_momentum_rates,
+            &mut self.inverse_dynamics,
+        ];
         places.extend(optional.into_iter().flatten().flatten());
         places.extend(&mut self.energy);
         if let Energies::Separate { kinetic, potential } = &mut model.energies {
@@ -140,6 +148,40 @@ impl Equations {
         let contracted = simplify::contract_all(&mut model.graph, &mut Angles::default(), &exprs);
         places.into_iter().zip(contracted).for_each(|(place, expr)| *place = expr);
     }
+}
+
+/// The quadratic form with its multipliers, and what it becomes over velocities alone, simplified as the level of accuracy asks.
+fn forms(model: &mut Model, split: &SplitLagrangian) -> Forms {
+    let (velocities, unknowns) = (model.velocities(), model.unknowns());
+    let mut form = gauss_form(model, split, AccelerationTerms::Dropped, Terms::All);
+    join_multipliers(model, &mut form);
+    let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
+    separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
+    let pushed = match model.accuracy {
+        Accuracy::Strict => contracted(&mut model.graph, pushed, &unknowns),
+        _ => cheaper_coefficients(&mut model.graph, pushed, &unknowns),
+    };
+    Forms { form, pushed }
+}
+
+/// The derivatives of accelerations that are wanted, by the state and by parameters and inputs.
+fn jacobians(
+    model: &mut Model,
+    split: &SplitLagrangian,
+    forms: Forms,
+    solution: (&[ExprId], Road),
+) -> (Option<Rows>, Option<Rows>) {
+    let [by_state, by_parameters] =
+        [Product::Jacobian, Product::ParameterJacobian].map(|product| model.products.contains(&product));
+    if !by_state && !by_parameters {
+        return (None, None);
+    }
+    let derivatives = Derivatives::new(model, split, forms, solution);
+    let state = [model.positions(), model.velocities()].concat();
+    let constants = model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol);
+    let constants = constants.collect::<Vec<_>>();
+    let jacobian = by_state.then(|| derivatives.by(model, &state));
+    (jacobian, by_parameters.then(|| derivatives.by(model, &constants)))
 }
 
 /// Removes couplings that vanish without showing it, as between polar coordinates that were written down by
@@ -156,11 +198,11 @@ fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities:
 /// The form as it is or, for a small system, with its coefficients multiplied out, whichever leads to the
 /// accelerations at less cost. What a coordinate does to itself often cancels when multiplied out, but sharing
 /// beats that from a few coordinates on.
-fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, velocities: &[ExprId]) -> QuadraticForm {
-    let Some(expanded) = multiplied_out(graph, &pushed, velocities) else { return pushed };
+fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, unknowns: &[ExprId]) -> QuadraticForm {
+    let Some(expanded) = multiplied_out(graph, &pushed, unknowns) else { return pushed };
     let costs = [&pushed, &expanded].map(|form| {
-        let solution = solve_dense(graph, form.clone(), velocities)?;
-        Some(cost(graph, &solution.accelerations))
+        let solution = solve_dense(graph, form.clone(), unknowns)?;
+        Some(cost(graph, &solution.values))
     });
     match costs {
         [Some(as_it_is), Some(multiplied_out)] if multiplied_out < as_it_is => expanded,
@@ -168,15 +210,14 @@ fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, velocities: &[
     }
 }
 
-fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Option<QuadraticForm> {
-    if velocities.len() > MOST_MULTIPLIED_OUT {
+fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, unknowns: &[ExprId]) -> Option<QuadraticForm> {
+    if unknowns.len() > MOST_MULTIPLIED_OUT {
         return None;
     }
-    let pairs =
-        velocities.iter().enumerate().flat_map(|(n, &i)| velocities[n..].iter().map(move |&j| (i, j)));
+    let pairs = unknowns.iter().enumerate().flat_map(|(n, &i)| unknowns[n..].iter().map(move |&j| (i, j)));
     let pairs = pairs.collect::<Vec<_>>();
     let mut coefficients = pairs.iter().map(|&(i, j)| pushed.coefficient(graph, i, j)).collect::<Vec<_>>();
-    coefficients.extend(velocities.iter().map(|&v| pushed.linear(graph, v)).collect::<Vec<_>>());
+    coefficients.extend(unknowns.iter().map(|&id| pushed.linear(graph, id)).collect::<Vec<_>>());
     if graph.reachable(&coefficients).len() > LARGEST_MULTIPLIED_OUT {
         return None;
     }
@@ -184,7 +225,7 @@ fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprI
     let (quadratic, linear) = expanded.split_at(pairs.len());
     let mut form = QuadraticForm::default();
     pairs.iter().zip(quadratic).for_each(|(&(i, j), &value)| form.add_pair(graph, i, j, value));
-    velocities.iter().zip(linear).for_each(|(&v, &value)| form.add_linear(graph, v, value));
+    unknowns.iter().zip(linear).for_each(|(&id, &value)| form.add_linear(graph, id, value));
     Some(form)
 }
 
@@ -214,8 +255,8 @@ pub(super) fn residual(
     velocities.iter().map(|&v| pushed.linear(&mut model.graph, v)).collect()
 }
 
-/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate.
-fn momentum_rates(model: &mut Model) -> Vec<ExprId> {
+/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act.
+fn free_momentum_rates(model: &mut Model) -> Vec<ExprId> {
     let (positions, velocities) = (model.positions(), model.velocities());
     let graph = &mut model.graph;
     let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
@@ -227,6 +268,15 @@ fn momentum_rates(model: &mut Model) -> Vec<ExprId> {
         graph.sum(Number::ZERO, terms)
     });
     rates.collect()
+}
+
+/// Each of `values` and what is added to it, if anything is.
+fn sums(model: &mut Model, values: &[ExprId], added: &[&[ExprId]]) -> Vec<ExprId> {
+    let sum = |(i, &value): (usize, &ExprId)| {
+        let terms = added.iter().filter_map(|list| list.get(i).copied()).chain([value]).collect::<Vec<_>>();
+        model.graph.total(terms)
+    };
+    values.iter().enumerate().map(sum).collect()
 }
 
 /// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7).
@@ -264,7 +314,7 @@ fn weighted_by_degree(graph: &mut Graph, sum: ExprId) -> Option<Vec<(ExprId, Num
 
 /// Names of the user, then of matrix entries and of what the solution computes on the way.
 fn labels(model: &Model, mass_matrix: &[Vec<ExprId>], solution: &Solution) -> Vec<(ExprId, String)> {
-    let accelerations = solution.accelerations.iter().zip(&model.coordinates);
+    let accelerations = solution.values.iter().zip(&model.coordinates);
     let accelerations = accelerations.map(|(id, coordinate)| (*id, format!("{}_ddot", coordinate.name)));
     let derived = matrix_labels(mass_matrix).into_iter().chain(accelerations);
     let derived = derived.chain(solution.labels.iter().cloned());

@@ -137,11 +137,12 @@ impl<'a> Evaluator<'a> {
             _ => {}
         }
         if let Some(entry) = self.scope.resolve(name) {
-            if entry.kind == Kind::Output {
-                self.report.error(origin, messages::output_as_value(name)).help(messages::NAME_IT_WITH_LET);
-                return None;
+            if entry.kind.has_value() {
+                return entry.value.clone();
             }
-            return entry.value.clone();
+            let message = messages::has_no_value(entry.kind.describe(), name);
+            self.report.error(origin, message).help(messages::NAME_IT_WITH_LET);
+            return None;
         }
         if super::kinematics::is_function(name) {
             self.report.error(origin, messages::function_as_value(name));
@@ -163,7 +164,7 @@ impl<'a> Evaluator<'a> {
                 return messages::write_call(&format!("{function}({coordinate})"));
             }
         }
-        match self.scope.nearest(name, |kind| kind != Kind::Output) {
+        match self.scope.nearest(name, Kind::has_value) {
             Some(nearest) => messages::did_you_mean(nearest),
             None => messages::DECLARE_FIRST.to_owned(),
         }
@@ -267,6 +268,12 @@ impl<'a> Evaluator<'a> {
     /// d/dt of an operand; remembers which velocity is the rate of what.
     pub(super) fn rate(&mut self, value: &Operand, origin: AstId) -> Option<Operand> {
         for &component in value.components() {
+            let forces = Dependencies::MULTIPLIER | Dependencies::REACTION;
+            if self.graph.dependencies(component).intersects(forces) {
+                let (place, name) = self.blame(origin, forces);
+                self.report.error(place, messages::rate_of_force(&name));
+                return None;
+            }
             if self.graph.dependencies(component).intersects(Dependencies::INPUT) {
                 let (place, name) = self.blame(origin, Dependencies::INPUT);
                 self.report.error(place, messages::rate_of_input(&name)).help(messages::RATE_OF_INPUT_HELP);

@@ -80,7 +80,7 @@ impl QuadraticForm {
 
     /// The number of other variables that share a term with this one.
     pub(super) fn degree(&self, i: ExprId) -> usize {
-        self.neighbours.get(&i).map_or(0, |near| near.iter().filter(|&&j| j != i).count())
+        self.near(i).count()
     }
 
     /// Whether xᵢ² occurs.
@@ -96,6 +96,16 @@ impl QuadraticForm {
     /// Wᵢⱼ
     pub(super) fn coefficient(&self, graph: &mut Graph, i: ExprId, j: ExprId) -> ExprId {
         total(graph, self.pairs.get(&(i.min(j), i.max(j))).cloned())
+    }
+
+    /// The other variables that share a term with i.
+    pub(super) fn near(&self, i: ExprId) -> impl Iterator<Item = ExprId> {
+        self.neighbours.get(&i).into_iter().flatten().copied().filter(move |&j| j != i)
+    }
+
+    /// Wᵢⱼ for all of these.
+    pub(super) fn couplings(&self, graph: &mut Graph, i: ExprId) -> Vec<ExprId> {
+        self.near(i).map(|j| self.coefficient(graph, i, j)).collect()
     }
 
     /// cᵢ

@@ -6,12 +6,12 @@
 //! variables (Carpentier and Mansard, *Analytical Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3).
 
 use super::cost::cost;
+use super::elimination::Elimination;
 use super::equations::residual;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms};
 use super::model::Model;
 use super::roads::Road;
-use super::solve::Elimination;
 use crate::calculus::{AccelerationTerms, jacobian, substitute_all};
 use crate::expr::{ExprId, Graph};
 use crate::syntax::ast::Accuracy;
@@ -39,7 +39,7 @@ pub(super) struct Derivatives {
 
 impl Derivatives {
     /// Prepares what is to be tried. Under `strict` that is the first way, since nothing cancels in it that does not
-    /// cancel in the accelerations.
+    /// cancel in the accelerations, and under constraints, since r holds no multipliers.
     pub(super) fn new(
         model: &mut Model,
         split: &SplitLagrangian,
@@ -47,14 +47,15 @@ impl Derivatives {
         (accelerations, road): (&[ExprId], Road),
     ) -> Derivatives {
         let velocities = model.velocities();
-        let (count, is_strict) = (velocities.len(), model.accuracy == Accuracy::Strict);
+        let count = velocities.len();
+        let is_only_explicit = model.accuracy == Accuracy::Strict || !model.constraints.is_empty();
         let is_factorised = road == Road::Dense && forms.pushed.is_mostly_full(count);
         let (is_small, mut eliminations) = (count <= LARGEST_TRIAL, Vec::new());
         // Where the factorised matrix is the best road to the accelerations, recursion is no better for their slopes.
-        if is_small && road != Road::Dense && !is_strict {
+        if is_small && road != Road::Dense && !is_only_explicit {
             eliminations.extend(Elimination::recursive(&mut model.graph, forms.form, &velocities));
         }
-        if (is_small || is_factorised) && !is_strict {
+        if (is_small || is_factorised) && !is_only_explicit {
             eliminations.extend(Elimination::dense(&mut model.graph, forms.pushed, &velocities));
         }
         let is_explicit = is_small || !is_factorised || eliminations.is_empty();
@@ -86,7 +87,7 @@ impl Derivatives {
         variables: &[ExprId],
     ) -> Vec<Vec<ExprId>> {
         let velocities = model.velocities();
-        let accelerations = elimination.solution(&mut model.graph, &velocities).accelerations;
+        let accelerations = elimination.solution(&mut model.graph, &velocities).values;
         let slopes = jacobian(&mut model.graph, &self.residual, variables);
         let symbols = model.coordinates.iter().map(|coordinate| coordinate.acceleration);
         let values = symbols.zip(accelerations).collect();

@@ -78,12 +78,9 @@ impl Elaborator<'_> {
 
     /// The rate of a point or angle, which must be a function of coordinates and time.
     fn velocity_of(&mut self, syntax: AstId, value: &Operand, what: &str) -> Option<Operand> {
-        let moving = Dependencies::VELOCITY | Dependencies::ACCELERATION;
-        let graph = &self.evaluator.graph;
-        if value.components().iter().any(|&c| graph.dependencies(c).intersects(moving)) {
-            let (place, _) = self.evaluator.blame(syntax, moving);
-            self.evaluator.report.error(place, messages::velocity_in(what)).help(messages::PLACE_HELP);
-            return None;
+        for &component in value.components() {
+            let moving = &[Dependencies::VELOCITY, Dependencies::ACCELERATION];
+            self.forbid(moving, (syntax, component), what, messages::PLACE_HELP)?;
         }
         self.evaluator.rate(value, syntax)
     }

@@ -1,13 +1,16 @@
 //! What is said about mistakes in the meaning of a declaration.
 
 use super::model::Product;
+use crate::expr::Dependencies;
+
+pub(super) mod events;
 
 pub(super) fn declared_twice(name: &str) -> String {
     format!("the name `{name}` is declared twice")
 }
 
 pub(super) fn first_declared(name: &str, kind: &str) -> String {
-    let article = if kind.starts_with(['i', 'o']) { "an" } else { "a" };
+    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
     format!("`{name}` is declared here already, as {article} {kind}")
 }
 
@@ -42,14 +45,14 @@ pub(super) const FUNCTIONS_ARE_LISTED: &str =
     "the documentation of `lagrange::system!` lists the functions; others can be composed of them with `let`";
 
 pub(super) fn not_a_function(name: &str, kind: &str) -> String {
-    let article = if kind.starts_with(['i', 'o']) { "an" } else { "a" };
+    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
     format!("`{name}` is {article} {kind}, not a function")
 }
 
 pub(super) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
 
-pub(super) fn output_as_value(name: &str) -> String {
-    format!("output `{name}` cannot be used in an expression")
+pub(super) fn has_no_value(kind: &str, name: &str) -> String {
+    format!("{kind} `{name}` cannot be used in an expression")
 }
 
 pub(super) const NAME_IT_WITH_LET: &str = "give the expression a name with `let` and use that in both places";
@@ -125,21 +128,29 @@ pub(super) fn rate_of_input(name: &str) -> String {
     format!("the rate of input `{name}` is unknown")
 }
 
+pub(super) fn rate_of_force(name: &str) -> String {
+    format!("the rate of the force `{name}` is unknown")
+}
+
 pub(super) const RATE_OF_INPUT_HELP: &str =
     "an input may change at any time; make its rate another `input`, or the quantity a `coord`";
 
-pub(super) fn velocity_in(place: &str) -> String {
-    format!("{place} must not depend on velocities")
-}
-
-pub(super) fn acceleration_in(place: &str) -> String {
-    format!("{place} must not depend on accelerations")
+/// `name` is that of the culprit, if it has one.
+pub(super) fn must_not_depend(place: &str, kind: Dependencies, name: &str) -> String {
+    let culprit = match kind {
+        Dependencies::VELOCITY => "velocities".to_owned(),
+        Dependencies::MULTIPLIER => format!("the multiplier `{name}`"),
+        Dependencies::REACTION => format!("the force `{name}`"),
+        _ => "accelerations".to_owned(),
+    };
+    format!("{place} must not depend on {culprit}")
 }
 
 pub(super) const PLACE_HELP: &str = "places and angles are functions of the coordinates and of time";
 pub(super) const POTENTIAL_HELP: &str =
     "put terms with velocities into `kinetic`, `lagrangian` or `dissipation`";
-pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str = "only an `output` may use `ddot`";
+pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str =
+    "only an `output` may use `ddot`, or the name of a constraint, contact or friction for its force";
 
 pub(super) fn input_in_kinetic(name: &str) -> String {
     format!("the rate of input `{name}` is needed here but unknown: it multiplies a velocity")
@@ -195,7 +206,7 @@ pub(super) fn coordinates_are(names: &[&str], usage: &str) -> String {
 }
 
 pub(super) fn reserved_output(name: &str) -> String {
-    format!("an output cannot be called `{name}`, since every system has something of that name")
+    format!("an output cannot be called `{name}`, since the system has something of that name")
 }
 
 pub(super) const OTHER_NAME_HELP: &str = "choose another name";
@@ -225,12 +236,31 @@ pub(super) fn needs_separate_energies(name: &str) -> String {
     format!("`{name}` is not defined for a system given by its `lagrangian`")
 }
 
-pub(super) fn needed_by_momentum_rates(name: &str) -> String {
-    format!("`{name}` cannot be left out beside `momentum_rates`")
+pub(super) fn needs_constraints(name: &str) -> String {
+    format!("`{name}` is not defined for a system without constraints")
 }
 
-pub(super) fn needed_by_momentum_rates_help(name: &str) -> String {
-    format!("remove `no {name}`: methods that use `momentum_rates` find velocities by it")
+pub(super) const CONSTRAINT_HELP: &str = "write `constraint name = e;` for e = 0";
+
+pub(super) fn needed_product(name: &str) -> String {
+    format!("`{name}` cannot be left out here")
+}
+
+pub(super) fn needed_product_help(name: &str, reason: &str) -> String {
+    format!("remove `no {name}`: {reason}")
+}
+
+pub(super) const NEEDED_BY_MOMENTUM_RATES: &str = "methods that use `momentum_rates` find velocities by it";
+pub(super) const NEEDED_BY_PROJECTION: &str = "states are brought back onto the constraints by it";
+
+pub(super) fn derivative_of_jumps(name: &str) -> String {
+    format!("`{name}` does not exist for a system with contacts or dry friction: its accelerations jump")
+}
+
+pub(super) const DERIVATIVE_OF_JUMPS_HELP: &str = "leave it out; implicit methods iterate without it";
+
+pub(super) fn acts_here(name: &str) -> String {
+    format!("`{name}` acts or does not act, by its mode")
 }
 
 pub(super) fn tuple_size(names: usize, found: &str) -> String {
@@ -249,13 +279,49 @@ pub(super) const SINGULAR_MASS_MATRIX: &str =
 pub(super) const SINGULAR_HELP: &str =
     "add the kinetic energy that is missing, or describe the motion with fewer coordinates";
 
+// Constraints.
+
+pub(super) fn constrains_nothing(name: &str) -> String {
+    format!("the constraint `{name}` holds no coordinate")
+}
+
+pub(super) const CONSTRAINS_NOTHING_HELP: &str =
+    "write what is to be zero as a function of coordinates or velocities";
+
+pub(super) fn nonlinear_constraint(name: &str) -> String {
+    format!("the constraint `{name}` is not linear in the velocities")
+}
+
+pub(super) const NONLINEAR_CONSTRAINT_HELP: &str =
+    "constraints are functions of coordinates and time, or sums of velocities times such functions";
+
+pub(super) fn repeated_constraint(name: &str, other: &str) -> String {
+    format!(
+        "the constraint `{name}` demands the same as `{other}`, so that nothing determines its multiplier"
+    )
+}
+
+pub(super) const REPEATED_CONSTRAINT_HELP: &str = "remove one of them";
+pub(super) const OTHER_CONSTRAINT_IS_HERE: &str = "the other one is here";
+
+pub(super) fn too_many_constraints(constraints: usize, coordinates: usize) -> String {
+    let plural = if coordinates == 1 { "" } else { "s" };
+    format!("{constraints} constraints are more than {coordinates} coordinate{plural} can fulfil")
+}
+
+pub(super) const TOO_MANY_CONSTRAINTS_HELP: &str =
+    "remove those that follow from the others, or add coordinates";
+
+pub(super) const REDUCED_CONSTRAINTS: &str = "a system with constraints cannot be reduced yet";
+pub(super) const CONSTRAINT_IS_HERE: &str = "a constraint is here";
+
 // Reduced types.
 
 pub(super) const REDUCTION_HELP: &str = "`freeze` and `small` take coordinates: `freeze x = 0; small theta;`";
 pub(super) const ALL_FROZEN: &str = "every coordinate is frozen, so that nothing is left to move";
 pub(super) const ALL_FROZEN_HELP: &str = "leave at least one coordinate free, or make it `small`";
 pub(super) const HELD_VALUE: &str = "the value of a coordinate that is frozen or small";
-pub(super) const HELD_VALUE_HELP: &str =
+pub(super) const CONSTANT_IN_MOTION_HELP: &str =
     "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
 pub(super) const TYPE_NAME_HELP: &str =
     "each declared type `Name` comes with `NameState` and `NameColumns`: choose a name that is none of them";

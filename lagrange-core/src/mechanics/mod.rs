@@ -6,10 +6,13 @@
 mod algebra;
 mod chains;
 mod check;
+mod constraints;
 mod contracted;
 mod cost;
 mod elaborate;
+mod elimination;
 mod equations;
+mod events;
 mod expression;
 mod form;
 mod gauss;
@@ -19,19 +22,28 @@ mod loads;
 mod messages;
 mod model;
 mod operand;
+mod pivot;
+mod reactions;
 mod reduce;
 mod reductions;
+mod responses;
 mod roads;
 mod scope;
 mod solve;
 mod squares;
+mod stabilisation;
 mod structure;
 mod sweep;
 
 pub use algebra::Sums;
+pub use constraints::ConstraintEquations;
 pub use elaborate::elaborate;
 pub use equations::Equations;
-pub use model::{Coordinate, Energies, Held, Load, Model, Output, Parameter, Product, Reduced, Reduction};
+pub use model::{
+    Action, Assignment, Constraint, Coordinate, Energies, Event, Held, Load, Model, Output, Parameter,
+    Product, Reaction, ReactionKind, Reduced, Reduction,
+};
 pub use reductions::METHODS_OF_REDUCED;
+pub use responses::{Affine, ReactionEquations};
 pub use roads::{Road, RoadChoice, SingularMassMatrix};
 pub use structure::{Conserved, MassStructure, Structure};

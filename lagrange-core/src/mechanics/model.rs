@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 
 use crate::expr::{ExprId, Graph};
-use crate::syntax::ast::{Accuracy, Name};
+use crate::syntax::ast::{Accuracy, Direction, Name};
 
 /// What a declaration says, as expressions of one graph.
 #[derive(Clone, Debug)]
@@ -24,6 +24,14 @@ pub struct Model {
     pub dissipation: ExprId,
     /// Applied forces and torques.
     pub loads: Vec<Load>,
+    /// What coordinates and velocities must satisfy, in declaration order.
+    pub constraints: Vec<Constraint>,
+    /// The rate κ at which constraints are stabilised: c̈ + 2 κ ċ + κ² c = 0; constant in motion.
+    pub stabilisation: Option<ExprId>,
+    /// Declared events.
+    pub events: Vec<Event>,
+    /// Contacts and friction, in declaration order.
+    pub reactions: Vec<Reaction>,
     /// Declared outputs.
     pub outputs: Vec<Output>,
     /// Velocities that are known to be rates, with what they are rates of: `(u, x)` with u = dx/dt.
@@ -116,6 +124,21 @@ pub struct Load {
     pub force: ExprId,
 }
 
+/// A constraint.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Its name.
+    pub name: String,
+    /// What is zero: a function of t and q, or one that is affine in v.
+    pub value: ExprId,
+    /// What is zero for the velocities: the rate of `value` or, if that holds velocities, `value` itself.
+    pub velocity: ExprId,
+    /// Whether `value` is a function of t and q.
+    pub is_holonomic: bool,
+    /// The symbol of its multiplier.
+    pub multiplier: ExprId,
+}
+
 /// A declared output.
 #[derive(Clone, Debug)]
 pub struct Output {
@@ -125,6 +148,92 @@ pub struct Output {
     pub components: Vec<ExprId>,
     /// Whether it needs the accelerations.
     pub uses_accelerations: bool,
+    /// Whether it needs the multipliers.
+    pub uses_multipliers: bool,
+    /// Whether it needs the forces of contacts or of friction.
+    pub uses_reactions: bool,
+}
+
+/// A zero to be found during a motion, and what happens there.
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// Its name.
+    pub name: String,
+    /// What is zero: a function of t, q and v, accelerations and multipliers.
+    pub value: ExprId,
+    /// Which zeros count.
+    pub direction: Direction,
+    /// What happens.
+    pub action: Action,
+}
+
+/// What happens at an event.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// The motion ends.
+    Stop,
+    /// It goes on.
+    Record,
+    /// Bodies touch: the contact with this index among [`Model::reactions`].
+    Impact(u32),
+    /// Entries of the state take other values, all at once.
+    Assign(Vec<Assignment>),
+}
+
+/// An entry of the state and its value after an event.
+#[derive(Clone, Copy, Debug)]
+pub struct Assignment {
+    /// Its index in [q…, v…].
+    pub index: usize,
+    /// A function of t, q and v before the event.
+    pub value: ExprId,
+}
+
+/// A contact or dry friction, with a force along the gradient of a velocity.
+#[derive(Clone, Debug)]
+pub struct Reaction {
+    /// Its name.
+    pub name: String,
+    /// The symbol of its force.
+    pub symbol: ExprId,
+    /// The rate of the gap or the slip velocity, affine in q̇.
+    pub velocity: ExprId,
+    /// What its force obeys.
+    pub kind: ReactionKind,
+}
+
+/// What the force of a contact or of friction obeys.
+#[derive(Clone, Copy, Debug)]
+pub enum ReactionKind {
+    /// A unilateral contact.
+    Contact {
+        /// A function of t and q, positive where bodies are apart.
+        gap: ExprId,
+        /// The coefficient of restitution, a function of t, q and v.
+        restitution: ExprId,
+    },
+    /// Dry friction that sticks and slips. Limits are functions of t, q and v, affine in multipliers and in the forces of
+    /// reactions declared before.
+    Friction {
+        /// The magnitude of the force while it slips.
+        kinetic: ExprId,
+        /// The largest magnitude of the force while it sticks.
+        fixed: ExprId,
+    },
+    /// Friction that only slips: the force is −limit · tanh(velocity / width).
+    Smooth {
+        /// The magnitude of the force far from velocity zero, a limit like those above.
+        limit: ExprId,
+        /// A velocity, constant in motion.
+        width: ExprId,
+    },
+}
+
+impl ReactionKind {
+    /// Whether it has a mode, which events switch.
+    pub fn has_mode(self) -> bool {
+        !matches!(self, ReactionKind::Smooth { .. })
+    }
 }
 
 /// Something that can be emitted beside accelerations and outputs.
@@ -148,6 +257,14 @@ pub enum Product {
     Energy,
     /// `inverse_dynamics`
     InverseDynamics,
+    /// `constraints`; like the next three only for systems with constraints
+    Constraints,
+    /// `constraint_velocity`
+    ConstraintVelocity,
+    /// `constraint_jacobian`
+    ConstraintJacobian,
+    /// `constraint_forces`
+    ConstraintForces,
     /// `jacobian`; only on demand
     Jacobian,
     /// `parameter_jacobian`; only with `jacobian` or on demand
@@ -158,7 +275,7 @@ pub enum Product {
 
 impl Product {
     /// Every product, in the order in which they are emitted.
-    pub const ALL: [Product; 12] = [
+    pub const ALL: [Product; 16] = [
         Product::MassMatrix,
         Product::Forcing,
         Product::Bias,
@@ -168,6 +285,10 @@ impl Product {
         Product::PotentialEnergy,
         Product::Energy,
         Product::InverseDynamics,
+        Product::Constraints,
+        Product::ConstraintVelocity,
+        Product::ConstraintJacobian,
+        Product::ConstraintForces,
         Product::Jacobian,
         Product::ParameterJacobian,
         Product::Latex,
@@ -185,10 +306,20 @@ impl Product {
             Product::PotentialEnergy => "potential_energy",
             Product::Energy => "energy",
             Product::InverseDynamics => "inverse_dynamics",
+            Product::Constraints => "constraints",
+            Product::ConstraintVelocity => "constraint_velocity",
+            Product::ConstraintJacobian => "constraint_jacobian",
+            Product::ConstraintForces => "constraint_forces",
             Product::Jacobian => "jacobian",
             Product::ParameterJacobian => "parameter_jacobian",
             Product::Latex => "latex",
         }
+    }
+
+    /// Whether only systems with constraints have it.
+    pub fn is_of_constraints(self) -> bool {
+        use Product::{ConstraintForces, ConstraintJacobian, ConstraintVelocity, Constraints};
+        matches!(self, Constraints | ConstraintVelocity | ConstraintJacobian | ConstraintForces)
     }
 
     /// Whether it is emitted without being asked for.
@@ -208,6 +339,18 @@ impl Model {
     /// The generalised velocities in state order.
     pub fn velocities(&self) -> Vec<ExprId> {
         self.coordinates.iter().map(|coordinate| coordinate.velocity).collect()
+    }
+
+    /// What the equations of motion determine: rates of the velocities, and multipliers.
+    pub fn unknowns(&self) -> Vec<ExprId> {
+        let mut unknowns = self.velocities();
+        unknowns.extend(self.multipliers());
+        unknowns
+    }
+
+    /// The multipliers in the order of the constraints.
+    pub fn multipliers(&self) -> Vec<ExprId> {
+        self.constraints.iter().map(|constraint| constraint.multiplier).collect()
     }
 
     /// The generalised coordinates in state order.

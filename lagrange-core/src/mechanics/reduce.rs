@@ -93,6 +93,11 @@ impl<'a> Reducer<'a> {
             lagrangian,
             dissipation,
             loads,
+            // These are refused beside a reduction.
+            constraints: Vec::new(),
+            stabilisation: None,
+            events: Vec::new(),
+            reactions: Vec::new(),
             outputs,
             rates,
             labels,

@@ -11,7 +11,9 @@ use crate::syntax::ast::{self, AstId, ReductionItem, ReductionKind, ScalarType, 
 /// Methods of reduced types beside those of every system; no output may take their names.
 pub const METHODS_OF_REDUCED: [&str; 2] = ["expand", "deviation"];
 /// What a value must not depend on, the most telling first.
-const CHANGING: [Dependencies; 5] = [
+const CHANGING: [Dependencies; 7] = [
+    Dependencies::MULTIPLIER,
+    Dependencies::REACTION,
     Dependencies::ACCELERATION,
     Dependencies::VELOCITY,
     Dependencies::COORDINATE,
@@ -45,7 +47,7 @@ impl Elaborator<'_> {
         self.evaluator.scope.resolve(&name.text);
         let coordinate = self.coordinates.iter().position(|(known, _)| known.name == name.text);
         let value = match item.value {
-            Some(syntax) => self.held_value(syntax),
+            Some(syntax) => self.constant_in_motion(syntax, messages::HELD_VALUE),
             None => Some(self.evaluator.graph.number(0)),
         };
         if coordinate.is_none() {
@@ -55,14 +57,16 @@ impl Elaborator<'_> {
     }
 
     /// A value that does not change during the motion.
-    fn held_value(&mut self, syntax: AstId) -> Option<ExprId> {
+    pub(super) fn constant_in_motion(&mut self, syntax: AstId, what: &str) -> Option<ExprId> {
         self.evaluator.evaluate(syntax)?;
-        let value = self.evaluator.scalar(syntax, messages::HELD_VALUE)?;
+        let value = self.evaluator.scalar(syntax, what)?;
         for kind in CHANGING {
             if self.evaluator.graph.dependencies(value).intersects(kind) {
                 let (place, _) = self.evaluator.blame(syntax, kind);
-                let error = self.evaluator.report.error(place, messages::not_constant(messages::HELD_VALUE));
-                error.help(messages::HELD_VALUE_HELP);
+                self.evaluator
+                    .report
+                    .error(place, messages::not_constant(what))
+                    .help(messages::CONSTANT_IN_MOTION_HELP);
                 return None;
             }
         }

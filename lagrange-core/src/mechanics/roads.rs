@@ -81,7 +81,7 @@ pub(super) struct Roads<'a> {
 impl Roads<'_> {
     pub(super) fn solve(mut self, choice: RoadChoice) -> Result<Solved, SingularMassMatrix> {
         let choice = match choice {
-            RoadChoice::Always(Road::Squares) | RoadChoice::Squares(_) if self.split.has_other_inertia => {
+            RoadChoice::Always(Road::Squares) | RoadChoice::Squares(_) if !self.has_squares_only() => {
                 RoadChoice::Always(Road::Dense)
             }
             RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
@@ -101,7 +101,7 @@ impl Roads<'_> {
                 _ => self.take(road)?,
             };
             let Some(solution) = solution else { continue };
-            let cost = cost(&self.model.graph, &solution.accelerations);
+            let cost = cost(&self.model.graph, &solution.values);
             costs[n] = Some(cost);
             if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
                 best = Some((solution, road, cost));
@@ -137,21 +137,26 @@ impl Roads<'_> {
 
     /// The solution along one road, if it leads anywhere.
     fn take(&mut self, road: Road) -> Result<Option<Solution>, SingularMassMatrix> {
-        let velocities = self.model.velocities();
+        let unknowns = self.model.unknowns();
         match road {
-            Road::Dense => Ok(self.factorised(&velocities)),
-            Road::Recursive => Ok(solve_recursive(&mut self.model.graph, self.form.clone(), &velocities)),
-            Road::Squares if self.split.has_other_inertia => Ok(None),
+            Road::Dense => Ok(self.factorised(&unknowns)),
+            Road::Recursive => Ok(solve_recursive(&mut self.model.graph, self.form.clone(), &unknowns)),
+            Road::Squares if !self.has_squares_only() => Ok(None),
             Road::Squares if self.model.accuracy == Accuracy::Strict => self.squares(&[Sums::Contracted]),
             Road::Squares => self.squares(&[Sums::Contracted, Sums::Collected]),
         }
     }
 
-    fn factorised(&mut self, velocities: &[ExprId]) -> Option<Solution> {
+    /// Whether there is nothing but squares of rates; multipliers stand in products.
+    fn has_squares_only(&self) -> bool {
+        !self.split.has_other_inertia && self.model.constraints.is_empty()
+    }
+
+    fn factorised(&mut self, unknowns: &[ExprId]) -> Option<Solution> {
         let graph = &mut self.model.graph;
-        let is_strict = self.model.accuracy == Accuracy::Strict;
-        let contracted = is_strict.then(|| solve_contracted(graph, &self.pushed, velocities)).flatten();
-        contracted.or_else(|| solve_dense(graph, self.pushed.clone(), velocities))
+        let is_strict = self.model.accuracy == Accuracy::Strict && self.model.constraints.is_empty();
+        let contracted = is_strict.then(|| solve_contracted(graph, &self.pushed, unknowns)).flatten();
+        contracted.or_else(|| solve_dense(graph, self.pushed.clone(), unknowns))
     }
 
     /// The cheapest solution by way of squares, with sums simplified in each of these ways; the first of equals.
@@ -164,7 +169,7 @@ impl Roads<'_> {
             let graph = &mut self.model.graph;
             match solve_squares(graph, self.split, loads.clone(), &velocities, sums) {
                 Ok(solution) => {
-                    let cost = cost(graph, &solution.accelerations);
+                    let cost = cost(graph, &solution.values);
                     if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                         best = Some((cost, solution));
                     }

@@ -17,6 +17,12 @@ pub(super) enum Kind {
     Constant,
     Coordinate,
     Abbreviation,
+    Constraint,
+    /// An event without a force.
+    Event,
+    /// An event that is an impact; its name is that of the force of the contact, too.
+    Contact,
+    Friction,
     Output,
 }
 
@@ -29,13 +35,21 @@ impl Kind {
             Kind::Constant => "constant",
             Kind::Coordinate => "coordinate",
             Kind::Abbreviation => "`let`",
+            Kind::Constraint => "constraint",
+            Kind::Event | Kind::Contact => "event",
+            Kind::Friction => "friction",
             Kind::Output => "output",
         }
     }
 
+    /// Whether expressions may mention a name of this kind.
+    pub(super) fn has_value(self) -> bool {
+        !matches!(self, Kind::Event | Kind::Output)
+    }
+
     /// Whether a name of this kind that nobody mentions is likely a mistake.
     fn should_be_used(self) -> bool {
-        !matches!(self, Kind::Coordinate | Kind::Output)
+        matches!(self, Kind::Parameter | Kind::Input | Kind::Constant | Kind::Abbreviation)
     }
 }
 
@@ -43,7 +57,7 @@ impl Kind {
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     pub(super) kind: Kind,
-    /// `None` if the declaration was faulty and has been reported, and for outputs.
+    /// `None` if the declaration was faulty and has been reported, and for what has no value.
     pub(super) value: Option<Operand>,
     pub(super) span: Span,
     used: bool,

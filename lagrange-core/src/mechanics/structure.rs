@@ -1,7 +1,7 @@
 //! What can be said of a system from its equations: the shape of the mass matrix, cyclic coordinates,
 //! conserved quantities.
 
-use super::model::Model;
+use super::model::{Action, Model};
 use crate::calculus::{adjoint, evaluate, gradient};
 use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Graph};
@@ -136,23 +136,57 @@ fn somewhere(role: Role) -> f64 {
         Role::Coordinate(i) => (3, i),
         Role::Velocity(i) => (4, i),
         Role::Acceleration(i) => (5, i),
-        Role::Placeholder(i) => (6, i),
+        Role::Multiplier(i) => (6, i),
+        Role::Reaction(i) => (7, i),
+        Role::Placeholder(i) => (8, i),
     };
     0.5 + (f64::from(7 * index + kind + 1) * GOLDEN_RATIO).fract()
 }
 
 fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
+    if model.events.iter().any(|event| matches!(event.action, Action::Assign(_))) {
+        return Vec::new();
+    }
     let velocities = model.velocities();
     let seeds = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
     let forces = adjoint(&mut model.graph, &seeds, &velocities);
     let resistances = gradient(&mut model.graph, model.dissipation, &velocities);
+    let held = held_velocities(model);
     let is_free = |i: usize| model.graph.is_zero(forces[i]) && model.graph.is_zero(resistances[i]);
-    let mut conserved =
-        cyclic.iter().filter(|&&i| is_free(i)).map(|&i| Conserved::Momentum(i)).collect::<Vec<_>>();
+    let mut conserved = cyclic
+        .iter()
+        .filter(|&&i| is_free(i) && !held.contains(&velocities[i]))
+        .map(|&i| Conserved::Momentum(i))
+        .collect::<Vec<_>>();
     let changing = Dependencies::TIME | Dependencies::INPUT;
     let is_steady = !model.graph.dependencies(model.lagrangian).intersects(changing);
-    if is_steady && (0..velocities.len()).all(is_free) {
+    let is_unforced = (0..velocities.len()).all(is_free) && model.reactions.is_empty();
+    if is_steady && is_unforced && constraints_do_no_work(model) {
         conserved.push(Conserved::Energy);
     }
     conserved
+}
+
+/// The velocities that forces of constraints, contacts and friction change.
+fn held_velocities(model: &Model) -> HashMap<ExprId, ()> {
+    let constrained = model.constraints.iter().map(|constraint| constraint.velocity);
+    let touched = model.reactions.iter().map(|reaction| reaction.velocity);
+    let reached = model.graph.reachable(&constrained.chain(touched).collect::<Vec<_>>());
+    reached.into_iter().map(|id| (id, ())).collect()
+}
+
+/// Whether the power of multipliers, λᵀA v, is zero: whether what constraints demand of velocities is linear in them, A v = 0.
+fn constraints_do_no_work(model: &mut Model) -> bool {
+    let velocities = model.velocities();
+    let demands = model.constraints.iter().map(|constraint| constraint.velocity).collect::<Vec<_>>();
+    let drifts = demands.into_iter().map(|demand| {
+        let row = gradient(&mut model.graph, demand, &velocities);
+        let products = row.iter().zip(&velocities).map(|(&a, &v)| model.graph.multiply(a, v));
+        let products = products.collect::<Vec<_>>();
+        let linear = model.graph.total(products);
+        let opposite = model.graph.negate(linear);
+        model.graph.add(demand, opposite)
+    });
+    let drifts = drifts.collect::<Vec<_>>();
+    vanishing(&mut model.graph, &drifts).into_iter().all(|vanishes| vanishes)
 }

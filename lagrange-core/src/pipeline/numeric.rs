@@ -19,6 +19,7 @@ pub struct NumericSystem {
     inputs: Vec<f64>,
     size: usize,
     accelerations: Program,
+    multipliers: Program,
     products: Vec<(Product, Program)>,
     outputs: Vec<(String, Program)>,
 }
@@ -30,6 +31,7 @@ struct Instant<'a> {
     q: &'a [f64],
     v: &'a [f64],
     a: &'a [f64],
+    multipliers: &'a [f64],
 }
 
 impl NumericSystem {
@@ -80,6 +82,7 @@ impl NumericSystem {
             inputs: model.inputs.iter().map(|p| default(p.default)).collect(),
             size: model.coordinates.len(),
             accelerations: lowered(&equations.accelerations),
+            multipliers: lowered(&equations.constraints.multipliers),
             products: products.collect(),
             outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
         }
@@ -109,13 +112,19 @@ impl NumericSystem {
             Role::Coordinate(i) => entry(at.q, i),
             Role::Velocity(i) => entry(at.v, i),
             Role::Acceleration(i) => entry(at.a, i),
-            Role::Placeholder(_) => f64::NAN,
+            Role::Multiplier(i) => entry(at.multipliers, i),
+            Role::Reaction(_) | Role::Placeholder(_) => f64::NAN,
         })
     }
 
     /// q̈
     pub fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
-        self.run(&self.accelerations, Instant { t, q, v, a: &[] })
+        self.run(&self.accelerations, Instant { t, q, v, a: &[], multipliers: &[] })
+    }
+
+    /// The multipliers in the order of the constraints.
+    pub fn multipliers(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+        self.run(&self.multipliers, Instant { t, q, v, a: &[], multipliers: &[] })
     }
 
     /// ẏ = [v, q̈] for y = [q, v].
@@ -130,20 +139,21 @@ impl NumericSystem {
     /// other for a matrix. Of Jacobians only the rows of the accelerations. `None` if it was not derived.
     pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.products.iter().find(|(known, _)| *known == product)?;
-        Some(self.run(program, Instant { t, q, v, a: &[] }))
+        let multipliers = self.multipliers(t, q, v);
+        Some(self.run(program, Instant { t, q, v, a: &[], multipliers: &multipliers }))
     }
 
     /// The generalised forces that must act beside the declared ones to produce accelerations. `None` if
     /// they were not derived.
     pub fn inverse_dynamics(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.products.iter().find(|(known, _)| *known == Product::InverseDynamics)?;
-        Some(self.run(program, Instant { t, q, v, a }))
+        Some(self.run(program, Instant { t, q, v, a, multipliers: &[] }))
     }
 
     /// The components of a declared output; `None` if there is none of that name.
     pub fn output(&self, name: &str, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.outputs.iter().find(|(known, _)| known == name)?;
-        let a = self.acceleration(t, q, v);
-        Some(self.run(program, Instant { t, q, v, a: &a }))
+        let (a, multipliers) = (self.acceleration(t, q, v), self.multipliers(t, q, v));
+        Some(self.run(program, Instant { t, q, v, a: &a, multipliers: &multipliers }))
     }
 }

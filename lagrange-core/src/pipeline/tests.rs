@@ -37,6 +37,24 @@ fn a_turn_about_the_vertical_is_cyclic_however_it_is_written() {
 }
 
 #[test]
+fn nothing_is_called_conserved_that_constraints_contacts_or_events_change() {
+    let conserved = |statements: &str| {
+        let text = format!("coord x, y, z; kinetic = 1/2 * (dot(x)^2 + dot(y)^2 + dot(z)^2); {statements}");
+        derived(&text).equations.structure.conserved
+    };
+    let [x, y, z] = [0, 1, 2].map(Conserved::Momentum);
+    assert_eq!(conserved(""), [x, y, z, Conserved::Energy]);
+    assert_eq!(conserved("constraint rod = x^2 + y^2 - 1;"), [z, Conserved::Energy]);
+    assert_eq!(conserved("constraint skate = dot(x) * sin(z) - dot(y) * cos(z);"), [z, Conserved::Energy]);
+    assert_eq!(conserved("constraint wire = y - x * sin(t);"), [z]);
+    assert_eq!(conserved("constraint belt = dot(x) - 2;"), [y, z]);
+    assert_eq!(conserved("event floor = y, falling => impact(1/2);"), [x, z]);
+    assert_eq!(conserved("friction rub = dot(x) - dot(y), 3;"), [z]);
+    assert_eq!(conserved("event gate = x - 1, rising => { dot(y) = 0; }"), []);
+    assert_eq!(conserved("event gate = x - 1, rising => record;"), [x, y, z, Conserved::Energy]);
+}
+
+#[test]
 fn equations_read_like_those_of_a_textbook() {
     let mut derived = derived(SPRING_PENDULUM);
     let documentation = derived.documentation().join("\n");

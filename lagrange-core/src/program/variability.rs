@@ -28,7 +28,7 @@ impl Variability {
             Role::Input(_) => Variability::Input,
             Role::Time | Role::Coordinate(_) | Role::Placeholder(_) => Variability::Position,
             Role::Velocity(_) => Variability::Velocity,
-            Role::Acceleration(_) => Variability::Acceleration,
+            Role::Acceleration(_) | Role::Multiplier(_) | Role::Reaction(_) => Variability::Acceleration,
         }
     }
 

@@ -78,7 +78,9 @@ fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
             Role::Coordinate(index) => (4.0, index),
             Role::Velocity(index) => (5.0, index),
             Role::Acceleration(index) => (6.0, index),
-            Role::Placeholder(index) => (7.0, index),
+            Role::Multiplier(index) => (7.0, index),
+            Role::Reaction(index) => (8.0, index),
+            Role::Placeholder(index) => (9.0, index),
         };
         // Multiples of the golden ratio modulo one keep apart, whatever the number of symbols.
         let golden = (f64::from(index) + 0.171 * kind) * 0.618_033_988_749_895;

@@ -3,12 +3,15 @@
 //! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth are
 //! built, walked and dropped without recursion. Children have smaller ids than their parents.
 
+mod events;
+
 use proc_macro2::{Span, TokenStream};
 
 use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
 use crate::number::Number;
+pub use events::{Action, Assignment, Direction, Event, Friction};
 
 /// A whole `system!` declaration.
 #[derive(Clone, Debug)]
@@ -77,13 +80,15 @@ impl Declaration {
 
 impl StatementKind {
     /// The names that expressions behind the statement may mention.
-    fn declared_names(&self) -> Vec<&Name> {
+    pub(super) fn declared_names(&self) -> Vec<&Name> {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
             | StatementKind::Constants(list) => list.iter().map(|definition| &definition.name).collect(),
             StatementKind::Coordinates(names) | StatementKind::LetTuple(names, _) => names.iter().collect(),
-            StatementKind::Let(name, _) => vec![name],
+            StatementKind::Let(name, _) | StatementKind::Constraint(name, _) => vec![name],
+            StatementKind::Event(event) => vec![&event.name],
+            StatementKind::Friction(friction) => vec![&friction.name],
             _ => Vec::new(),
         }
     }
@@ -149,8 +154,9 @@ pub struct Statement {
 impl StatementKind {
     /// Whether it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
-        use StatementKind::{Coordinates, Inputs, Output, Parameters, Reduce};
-        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Output(..) | Reduce(_))
+        use StatementKind::{Constraint, Coordinates, Event, Friction, Inputs, Output, Parameters, Reduce};
+        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Constraint(..) | Event(_))
+            || matches!(self, Friction(_) | Output(..) | Reduce(_))
     }
 }
 
@@ -193,6 +199,14 @@ pub enum StatementKind {
         /// The angle it turns.
         angle: AstId,
     },
+    /// `constraint name = e;`
+    Constraint(Name, AstId),
+    /// `stabilise = e;`
+    Stabilise(AstId),
+    /// `event name = e, falling => stop;`
+    Event(Event),
+    /// `friction name = e, e;`
+    Friction(Friction),
     /// `output name = e;`
     Output(Name, AstId),
     /// `emit { a, no b }`

@@ -163,7 +163,10 @@ impl Cursor {
 
     /// The keyword that begins a statement here, if the next token is one.
     pub(super) fn statement_keyword(&self) -> Option<String> {
-        self.ident().map(Ident::to_string).filter(|word| keywords::begins_statement(word))
+        let is_named = matches!(self.peek_past(1), Some(TokenTree::Ident(_))) && self.equals_past(2);
+        self.ident().map(Ident::to_string).filter(|word| {
+            keywords::begins_statement(word) || is_named && keywords::begins_named_statement(word)
+        })
     }
 
     /// Whether a statement begins here, judged by its keyword and the token behind that.

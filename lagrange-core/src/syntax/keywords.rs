@@ -13,13 +13,20 @@ pub(super) const STATEMENTS: &[&str] = &[
     "dissipation",
     "force",
     "torque",
+    "constraint",
+    "stabilise",
+    "event",
+    "friction",
     "output",
     "emit",
     "reduce",
 ];
 
+/// Words that begin a statement only before a name and `=`, and are free as names elsewhere.
+const SOFT_STATEMENTS: &[&str] = &["friction"];
+
 /// Words set aside for statements that do not exist yet.
-pub(super) const FUTURE_STATEMENTS: &[&str] = &["constraint", "event", "body", "gravity"];
+pub(super) const FUTURE_STATEMENTS: &[&str] = &["body", "gravity"];
 
 /// Functions of the language, also those that are only written behind a dot.
 const FUNCTIONS: &[&str] = &[
@@ -63,9 +70,15 @@ const RUST: &[&str] = &[
     "where", "while", "yield",
 ];
 
-/// Whether a word begins a statement, now or in future.
+/// Whether a word begins a statement wherever it stands, now or in future.
 pub(super) fn begins_statement(word: &str) -> bool {
-    STATEMENTS.contains(&word) || FUTURE_STATEMENTS.contains(&word)
+    let is_known = STATEMENTS.contains(&word) || FUTURE_STATEMENTS.contains(&word);
+    is_known && !begins_named_statement(word)
+}
+
+/// Whether a word begins a statement before a name and `=`, but not elsewhere.
+pub(super) fn begins_named_statement(word: &str) -> bool {
+    SOFT_STATEMENTS.contains(&word)
 }
 
 /// Whether a word is a keyword of Rust.

@@ -102,7 +102,7 @@ pub(super) const REPEATED_ATTRIBUTE_HELP: &str = "leave one of them out";
 
 pub(super) const STATEMENT: &str = "a statement";
 pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes have no meaning here";
-pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord`, `output` and `reduce`; other comments begin with `//`";
+pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord`, `constraint`, `event`, `friction`, `output` and `reduce`; other comments begin with `//`";
 pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
 pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
 pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";
@@ -113,6 +113,59 @@ pub(super) const FORCE_HELP: &str =
     "write `force x = e;` for a coordinate or `force (fx, fy) at (px, py);` for a point";
 pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
 pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
+
+// Events.
+
+pub(super) const EVENT_HELP: &str = "write `event name = e, falling => stop;`";
+pub(super) const DIRECTION: &str = "`rising`, `falling` or `crossing`";
+pub(super) const DIRECTION_HELP: &str = "say whether zeros count where the function is `rising`, `falling` or either, `crossing`: `event name = e, falling => stop;`";
+pub(super) const ACTION: &str = "`stop`, `record`, `impact(e)` or `{`";
+pub(super) const ACTION_HELP: &str =
+    "behind `=>` stands what happens: `stop`, `record`, `impact(e)` or `{ dot(x) = e; y = e; }`";
+pub(super) const RESTITUTION: &str = "an impact needs a coefficient of restitution";
+pub(super) const RESTITUTION_HELP: &str =
+    "write `impact(e)`: `impact(0)` for bodies that stay together, `impact(1)` if no energy is lost";
+pub(super) const NOTHING_ASSIGNED: &str = "nothing changes between these braces";
+pub(super) const NOTHING_ASSIGNED_HELP: &str =
+    "write `{ dot(x) = -dot(x); }`, or `record` for an event that changes nothing";
+
+pub(super) fn event_without_direction(name: &str) -> String {
+    format!("the event {} does not say which zeros count", quoted(name))
+}
+
+pub(super) fn event_without_action(name: &str) -> String {
+    format!("the event {} has no action", quoted(name))
+}
+
+// Friction.
+
+pub(super) const FRICTION_HELP: &str = "write `friction name = slip, limit;`, `… = slip, kinetic: a, static: b;` or `… = slip, limit, smooth: width;`";
+pub(super) const ONE_LIMIT_HELP: &str =
+    "write `kinetic: e, static: f`, or a single limit without a label for both";
+
+pub(super) fn friction_without_limit(name: &str) -> String {
+    format!("the friction {} has no limit", quoted(name))
+}
+
+pub(super) fn unknown_label(label: &str) -> String {
+    format!("{} says nothing about friction", quoted(label))
+}
+
+pub(super) fn repeated_label(label: &str) -> String {
+    format!("`{label}` is given twice")
+}
+
+pub(super) const SECOND_LIMIT: &str = "this friction is given two limits without labels";
+pub(super) const UNLABELLED_LIMIT: &str = "a limit without a label beside one with a label";
+
+pub(super) fn lonely_limit(given: &str, missing: &str) -> String {
+    format!("`{given}` without `{missing}`")
+}
+
+pub(super) const SMOOTH_WITH_STATIC: &str = "smooth friction never sticks, so it has no static limit";
+pub(super) const SMOOTH_HELP: &str = "write `friction name = slip, limit, smooth: width;`";
+
+// Reduced types.
 
 pub(super) const REDUCTION_HELP: &str = "write `reduce Name { freeze x = 0; small theta; }`";
 pub(super) const NOTHING_REDUCED: &str = "nothing is frozen or small here";
@@ -133,8 +186,6 @@ pub(super) fn future_statement(keyword: &str) -> String {
 /// What can be done as long as there are no statements of that kind.
 pub(super) fn future_statement_help(keyword: &str) -> &'static str {
     match keyword {
-        "constraint" => "choose coordinates that fulfil it by themselves",
-        "event" => "watch an `output` while the motion is integrated",
         "body" => "write its energies in `kinetic` and `potential` statements",
         "gravity" => "write `potential = gravitational_energy(m, g, h);` for each mass",
         _ => "leave it out",

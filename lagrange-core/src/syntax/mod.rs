@@ -14,11 +14,17 @@
 //!             | "force" NAME "=" sum ";"
 //!             | "force" sum "at" sum ";"
 //!             | "torque" sum "on" sum ";"
-//!             | "output" NAME "=" sum ";"
+//!             | ( "constraint" | "output" ) NAME "=" sum ";"
+//!             | "stabilise" "=" sum ";"
+//!             | "event" NAME "=" sum "," ( "rising" | "falling" | "crossing" ) "=>" action
+//!             | "friction" NAME "=" sum "," limits ";"
 //!             | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
 //!             | "reduce" NAME "{" { reduction } "}" [ ";" ]
 //! reduction   = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
 //!             | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
+//! action      = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
+//!             | "{" { sum "=" sum ";" } "}" [ ";" ]
+//! limits      = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
 //! sum         = product { ( "+" | "-" ) product }
 //! product     = signed { ( "*" | "/" ) signed }
 //! signed      = { "-" } power
@@ -34,7 +40,9 @@ mod attributes;
 mod conditionals;
 mod cursor;
 mod definitions;
+mod events;
 mod expressions;
+mod friction;
 mod header;
 mod keywords;
 mod literals;

@@ -47,7 +47,7 @@ impl Parser<'_> {
     /// A name in an expression. Which names exist is not known here, but keywords never do.
     fn used_name(&mut self, word: &Ident) -> Parsed<Name> {
         let name = self.plain(word)?;
-        if self.unreadable_words.contains(&name.text) {
+        if self.unreadable_words.contains(&name.text) && !self.is_known(&name.text) {
             // Where it was declared, it has been reported.
             return Err(Reported);
         }
@@ -62,6 +62,12 @@ impl Parser<'_> {
             return Err(self.fail(name.span, messages::UNDERSCORE_AS_NAME));
         }
         Ok(name)
+    }
+
+    /// Whether a name has a meaning, whatever could not be read.
+    fn is_known(&self, name: &str) -> bool {
+        let is_built_in = keywords::is_function(name) || keywords::built_in(name).is_some();
+        is_built_in || self.declared_names.contains(&name.to_owned())
     }
 
     fn name_or_call(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<Operand> {

@@ -19,6 +19,8 @@ pub(super) struct Parser<'r> {
     pub(super) skipped: bool,
     /// Words in what was left out of the syntax tree.
     pub(super) unreadable_words: HashMap<String, ()>,
+    /// Names that were declared where the text could be read.
+    pub(super) declared_names: HashMap<String, ()>,
     depth: u32,
 }
 
@@ -30,8 +32,14 @@ pub(super) type Parsed<T> = Result<T, Reported>;
 
 impl<'r> Parser<'r> {
     pub(super) fn new(report: &'r mut Report) -> Parser<'r> {
-        let (expressions, unreadable_words) = (Expressions::default(), HashMap::default());
-        Parser { report, expressions, skipped: false, unreadable_words, depth: 0 }
+        Parser {
+            report,
+            expressions: Expressions::default(),
+            skipped: false,
+            unreadable_words: HashMap::default(),
+            declared_names: HashMap::default(),
+            depth: 0,
+        }
     }
 
     /// Reports a mistake.

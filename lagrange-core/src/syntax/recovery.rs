@@ -43,7 +43,7 @@ impl Parser<'_> {
         };
         let error = self.report.error(cursor.skip_one(), messages::future_statement(&keyword));
         error.help(messages::future_statement_help(&keyword));
-        // Only the braces of a body end it; those of an `if` or of an event do not.
+        // Only the braces of a body end it; those of an `if` do not.
         while keyword == "body" && !cursor.at_end() && !cursor.at(';') && !cursor.at_statement() {
             let last = cursor.group(Delimiter::Brace).is_some();
             cursor.skip_one();

@@ -1,6 +1,6 @@
 //! Statements, one by one.
 
-use super::ast::{AstId, Statement, StatementKind};
+use super::ast::{Action, AstId, Statement, StatementKind};
 use super::cursor::Cursor;
 use super::messages;
 use super::parser::{Parsed, Parser};
@@ -22,7 +22,12 @@ impl Parser<'_> {
                 error.help(messages::ATTRIBUTE_ON_STATEMENT_HELP);
             }
             match kind {
-                Some(kind) => statements.push(Statement { kind, origin: cursor.since(start), docs }),
+                Some(kind) => {
+                    for name in kind.declared_names() {
+                        self.declared_names.insert(name.text.clone(), ());
+                    }
+                    statements.push(Statement { kind, origin: cursor.since(start), docs });
+                }
                 None => self.leave_out(cursor, start),
             }
         }
@@ -39,7 +44,7 @@ impl Parser<'_> {
         if kind.is_err() {
             self.skip_statement(cursor);
         }
-        let complete = self.skipped || matches!(kind, Ok(StatementKind::Emit(_) | StatementKind::Reduce(_)));
+        let complete = self.skipped || kind.as_ref().is_ok_and(ends_in_braces);
         if cursor.eat(';').is_none() && !complete {
             self.missing_semicolon(cursor);
         }
@@ -62,6 +67,12 @@ impl Parser<'_> {
             "dissipation" => Ok(StatementKind::Dissipation(self.assigned(cursor)?)),
             "force" => self.force(cursor),
             "torque" => self.torque(cursor),
+            "constraint" => {
+                Ok(StatementKind::Constraint(self.declared_name(cursor)?, self.assigned(cursor)?))
+            }
+            "stabilise" => Ok(StatementKind::Stabilise(self.assigned(cursor)?)),
+            "event" => Ok(StatementKind::Event(self.event(cursor)?)),
+            "friction" => Ok(StatementKind::Friction(self.friction(cursor)?)),
             "output" => Ok(StatementKind::Output(self.declared_name(cursor)?, self.assigned(cursor)?)),
             "emit" => Ok(StatementKind::Emit(self.emit(cursor)?)),
             "reduce" => Ok(StatementKind::Reduce(self.reduction(cursor)?)),
@@ -123,5 +134,14 @@ impl Parser<'_> {
             return Err(self.fail_with_help(cursor.here(), message, help));
         }
         Err(self.no_operator(cursor, &wanted))
+    }
+}
+
+/// Whether a statement needs no semicolon.
+fn ends_in_braces(kind: &StatementKind) -> bool {
+    match kind {
+        StatementKind::Emit(_) | StatementKind::Reduce(_) => true,
+        StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),
+        _ => false,
     }
 }

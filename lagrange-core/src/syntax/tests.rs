@@ -6,8 +6,8 @@ mod statements;
 mod systems;
 
 use super::ast::{
-    AstId, BinaryOperator, Declaration, Definition, EmitItem, Expression, Expressions, Name, Reduction,
-    ReductionItem, StatementKind,
+    Action, Assignment, AstId, BinaryOperator, Declaration, Definition, EmitItem, Expression, Expressions,
+    Friction, Name, Reduction, ReductionItem, StatementKind,
 };
 use super::parse_text;
 use crate::diagnostics::Report;
@@ -104,6 +104,26 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::ForceOn(name, value) => format!("force {} {}", name.text, show(value)),
         StatementKind::ForceAt { force, point } => format!("force {} at {}", show(force), show(point)),
         StatementKind::Torque { moment, angle } => format!("torque {} on {}", show(moment), show(angle)),
+        StatementKind::Constraint(name, value) => format!("constraint {} {}", name.text, show(value)),
+        StatementKind::Stabilise(rate) => format!("stabilise {}", show(rate)),
+        StatementKind::Event(event) => {
+            let action = match &event.action {
+                Action::Stop => "stop".to_owned(),
+                Action::Record => "record".to_owned(),
+                Action::Impact(restitution) => format!("impact {}", show(restitution)),
+                Action::Assign(assignments) => {
+                    let assign = |a: &Assignment| format!("({} {})", show(&a.target), show(&a.value));
+                    assignments.iter().map(assign).collect::<Vec<_>>().join(" ")
+                }
+            };
+            format!("event {} {} {:?} {action}", event.name.text, show(&event.value), event.direction)
+        }
+        StatementKind::Friction(Friction { name, slip, kinetic, fixed, width }) => {
+            let mut text = format!("friction {} {} {}", name.text, show(slip), show(kinetic));
+            text.extend(fixed.map(|fixed| format!(" static {}", show(&fixed))));
+            text.extend(width.map(|width| format!(" smooth {}", show(&width))));
+            text
+        }
         StatementKind::Output(name, value) => format!("output {} {}", name.text, show(value)),
         StatementKind::Emit(items) => {
             let item = |item: &EmitItem| match item.wanted {

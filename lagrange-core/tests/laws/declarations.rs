@@ -14,12 +14,14 @@ use quote::quote;
 
 use crate::machines::machines;
 
+/// Where the crate is.
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 /// Names the file that a child process writes.
 const CHILD: &str = "LAGRANGE_LAWS_CHILD";
 /// Longer declarations are not mutated: deriving them takes too long.
 const LONGEST_MUTATED: usize = 1_500;
 /// Words that mean something in many places.
-const WORDS: [&str; 23] = [
+const WORDS: [&str; 30] = [
     " 0 ",
     " - ",
     " 1/2 ",
@@ -39,6 +41,13 @@ const WORDS: [&str; 23] = [
     "if x < 0 { 1 } else { x }",
     ";let x = ",
     ";emit { bias, momentum_rates, latex };",
+    ";constraint c = x;",
+    ";stabilise = 1;",
+    ";event hit = x, falling => impact(1/2);",
+    ";event turn = dot(x), crossing => { dot(x) = -dot(x); x = 0; };",
+    ";friction brake = dot(x), kinetic: 1, static: 2;",
+    ";friction slow = dot(x) + 1, hit, smooth: 1;",
+    " hit ",
     ";reduce A { freeze x = 0; }",
     ";reduce B { small x, theta = m; }",
     "small q1;",
@@ -47,9 +56,10 @@ const WORDS: [&str; 23] = [
 
 /// The declarations that are derived correctly.
 static DECLARATIONS: LazyLock<Vec<String>> = LazyLock::new(|| {
-    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));
-    let entries = fs::read_dir(directory).expect("the directory of declarations");
-    let mut paths = entries.map(|entry| entry.expect("a readable entry").path()).collect::<Vec<_>>();
+    let directories = ["oracle", "constrained"].map(|name| Path::new(ROOT).join("../tests").join(name));
+    let entries = directories.iter().map(|path| fs::read_dir(path).expect("a directory of declarations"));
+    let mut paths =
+        entries.flatten().map(|entry| entry.expect("a readable entry").path()).collect::<Vec<_>>();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "lag"));
     paths.sort();
     paths.iter().map(|path| fs::read_to_string(path).expect("readable text")).collect()

@@ -11,9 +11,11 @@
 //! so that the Jacobian of the system and the mass matrix do. The last term is left out: it changes the number of
 //! iterations alone, and no more than the change of the derivatives within a step does.
 
+mod held;
 mod pencil;
 mod velocities;
 
+use crate::integrate::canonical::held::held_velocities;
 use crate::integrate::error::Cause;
 use crate::integrate::linear::Matrix;
 use crate::integrate::method::Work;
@@ -21,6 +23,7 @@ use crate::integrate::newton::finite;
 use crate::scalar::Scalar;
 use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
 
+pub(super) use self::held::{stiffened, stiffness};
 pub(super) use self::pencil::Pencil;
 pub(super) use self::velocities::{factors, velocities};
 
@@ -88,6 +91,46 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         let v = velocities(system, t, (&q, &p), guess, &mass, h, work)?;
         self.next = (v, mass);
         Ok(join::<M>(&q, &v))
+    }
+
+    /// The force Aᵀμ that constraints add to the momenta at the end of a step, so that they admit the velocities, from a guess
+    /// of these.
+    pub(super) fn hold(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        (q, p): (&M::Coordinates, &M::Coordinates),
+        guess: M::Coordinates,
+        h: M::Scalar,
+        work: &mut Work,
+    ) -> Result<M::Coordinates, Cause<M::Scalar>> {
+        let mass = Matrix(system.mass_matrix(t, q, &guess));
+        let [v, reaction] = held_velocities(system, t, (q, p), guess, &mass, h, work)?;
+        self.next = (v, mass);
+        Ok(reaction)
+    }
+
+    /// The velocities at the end of the step that is being taken, where constraints have been seen to.
+    pub(super) fn held(&self) -> M::Coordinates {
+        self.next.0
+    }
+
+    /// The state at the end of the step that is being taken was brought onto constraints, and so are the variables. Momenta change
+    /// by what the velocities and the coordinates make of them, so that those that do not are kept to the last digit.
+    pub(super) fn follow(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        (from, to): (&M::State, &M::State),
+        variables: &mut M::State,
+    ) {
+        let ((q, v), (q_to, v_to)) = (split::<M>(from), split::<M>(to));
+        let (_, mut p) = split::<M>(variables);
+        let mut change = system.momenta(t, &q_to, &v_to);
+        add(&mut change, -M::Scalar::ONE, &system.momenta(t, &q, &v));
+        add(&mut p, M::Scalar::ONE, &change);
+        self.next.0 = v_to;
+        *variables = join::<M>(&q_to, &p);
     }
 
     /// Goes on from the end of the step of the length `h`.

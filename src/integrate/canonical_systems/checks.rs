@@ -75,7 +75,7 @@ where
 }
 
 /// The derivative at zero.
-fn derivative<Y: StateVector<f64>>(f: impl Fn(f64) -> Y) -> Vec<f64> {
+pub(crate) fn derivative<Y: StateVector<f64>>(f: impl Fn(f64) -> Y) -> Vec<f64> {
     let h = 1e-3;
     let [a, b, c, d] = [f(-2.0 * h), f(-h), f(h), f(2.0 * h)];
     let entry = |y: &Y, i: usize| y.as_ref()[i];

@@ -94,6 +94,10 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         self.reached.finish(system, (t, variables), guess, h, work)
     }
 
+    fn follow(&mut self, system: &M, t: M::Scalar, ends: (&M::State, &M::State), variables: &mut M::State) {
+        self.reached.follow(system, t, ends, variables);
+    }
+
     fn accept(&mut self, _t: M::Scalar) {
         let (stages, h) = self.stages;
         self.prediction.learn(stages, h);

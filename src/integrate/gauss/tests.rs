@@ -9,6 +9,7 @@ use crate::integrate::canonical_systems::checks::{
 use crate::integrate::canonical_systems::{
     DoublePendulum, HeavyTop, Kepler, Lagrangian, ShakenPendulum, SpringPendulum, System, opaque, smooth,
 };
+use crate::integrate::constrained_systems::{Held, PlanePendulum, checks as held};
 use crate::integrate::{Cause, Method, RungeKutta4, Stepper, integrate};
 use crate::system::EnergyFunction;
 
@@ -39,6 +40,15 @@ fn the_order_of_three_stages_is_six() {
     check_order(&smooth(DoublePendulum), PENDULUM, 2.0, 50, method);
     check_order(&smooth(HeavyTop), TOP, 1.0, 50, method);
     check_order(&opaque(Kepler), ORBIT, 2.0, 40, method);
+}
+
+/// Multipliers are functions of the state like any force.
+#[test]
+fn constraint_forces_leave_the_order() {
+    let (start, end) = ([0.6, -0.8, 1.6, 1.2], 2.0);
+    held::check_order(&Held(PlanePendulum), start, end, 400, |step| ImplicitMidpoint { step });
+    held::check_order(&Held(PlanePendulum), start, end, 100, |step| GaussLegendre4 { step });
+    held::check_order(&Held(PlanePendulum), start, end, 40, |step| GaussLegendre6 { step });
 }
 
 #[test]

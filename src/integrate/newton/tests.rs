@@ -51,6 +51,31 @@ fn what_does_not_converge_is_reported() {
     assert!(matches!(roots([-3.0, 6e8, 6e-12]), Err(Cause::NotConverged { .. } | Cause::NotFinite)));
 }
 
+/// x = 1 + y/100, y = x/100, of which each waits for the other.
+struct Turns;
+
+impl Equations<f64, [f64; 2], 1> for Turns {
+    fn residual(&mut self, [[x, y]]: &[[f64; 2]; 1], _work: &mut Work) -> [[f64; 2]; 1] {
+        [[1.0 + 0.01 * y - x, 0.01 * x - y]]
+    }
+
+    fn correction(&self, residual: &[[f64; 2]; 1]) -> [[f64; 2]; 1] {
+        *residual
+    }
+
+    fn magnitude(&self, _unknowns: &[[f64; 2]; 1]) -> [f64; 2] {
+        [1.0; 2]
+    }
+}
+
+#[test]
+fn unknowns_that_change_in_turns_converge() {
+    let mut unknowns = [[1.0, 0.0]];
+    solve(&mut Turns, &mut unknowns, f64::EPSILON, &mut Work::default()).expect("converges");
+    let [[x, y]] = unknowns;
+    assert!((x - 1.0 / 0.9999).abs() < 3e-16 && (y - 0.01 / 0.9999).abs() < 3e-18, "{x} {y}");
+}
+
 #[test]
 fn what_is_not_a_number_is_reported() {
     assert_eq!(roots([f64::NAN, 6e8, 6e-12]).err(), Some(Cause::NotFinite));

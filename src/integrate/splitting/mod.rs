@@ -11,9 +11,12 @@
 //! the forces depend on time. Each kick and drift also keeps momenta that belong to linear symmetries, such as the
 //! angular momentum in Cartesian coordinates. A last kick shares its acceleration with the first one of the next step.
 //!
+//! A single drift between kicks also ends on constraints of positions; several would leave them in between.
+//!
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §II.5 and §VI.3.
 
 mod blanes_moan;
+mod held;
 mod symplectic_euler;
 mod verlet;
 
@@ -23,7 +26,7 @@ use crate::integrate::interpolation::{Motion, Place, quintic};
 use crate::integrate::method::Work;
 use crate::integrate::stability::{self, Watch};
 use crate::scalar::Scalar;
-use crate::system::{SeparableSystem, StateVector, join, split};
+use crate::system::{LeapfrogSystem, StateVector, join, split};
 
 pub use self::blanes_moan::BlanesMoan4;
 pub use self::symplectic_euler::SymplecticEuler;
@@ -46,6 +49,8 @@ pub struct Splitting<S, Q, const DRIFTS: usize> {
     composition: Composition<DRIFTS>,
     /// When the last accepted step ended, if the acceleration there still holds.
     known: Option<S>,
+    /// Whether the state was moved onto constraints there.
+    was_moved: bool,
     /// What the last increment was made of.
     trial: Trial<S, Q>,
     /// That of the last accepted step.
@@ -64,14 +69,23 @@ struct Trial<S, Q> {
 impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> {
     pub(super) fn new(composition: Composition<DRIFTS>) -> Self {
         let nothing = Trial { h: S::ZERO, change: Q::ZERO, accelerations: [Q::ZERO; 2] };
-        Splitting { composition, known: None, trial: nothing, taken: nothing, watch: Watch::default() }
+        Splitting {
+            composition,
+            known: None,
+            was_moved: false,
+            trial: nothing,
+            taken: nothing,
+            watch: Watch::default(),
+        }
     }
 }
 
 impl<M, const DRIFTS: usize> Formula<M> for Splitting<M::Scalar, M::Coordinates, DRIFTS>
 where
-    M: SeparableSystem + ?Sized,
+    M: LeapfrogSystem + ?Sized,
 {
+    const KEEPS_CONSTRAINTS: bool = M::IS_HELD;
+
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
         self.known = None;
         *y
@@ -95,15 +109,31 @@ where
             }
         };
         work.evaluations += DRIFTS as u64;
-        let (trial, gain) = composed(system, &self.composition, t, (&q, &v), h, &start);
+        let (trial, gain) = if M::IS_HELD {
+            held::composed(system, &self.composition, t, (&q, &v), h, &start, work)?
+        } else {
+            composed(system, &self.composition, t, (&q, &v), h, &start)
+        };
         self.trial = trial;
         self.check(system, t, (&q, &v), work)?;
         Ok(join::<M>(&trial.change, &gain))
     }
 
+    fn follow(
+        &mut self,
+        _system: &M,
+        _t: M::Scalar,
+        (_, to): (&M::State, &M::State),
+        variables: &mut M::State,
+    ) {
+        *variables = *to;
+        self.was_moved = true;
+    }
+
     #[inline]
     fn accept(&mut self, t: M::Scalar) {
-        self.known = Some(t);
+        // The last acceleration belongs to where the step led by itself.
+        self.known = if core::mem::take(&mut self.was_moved) { None } else { Some(t) };
         self.taken = self.trial;
     }
 
@@ -126,7 +156,7 @@ where
 /// The step by this composition from `q` and `v` at time `t`, where the acceleration is `start`, and the change of
 /// the velocities.
 #[inline]
-fn composed<M: SeparableSystem + ?Sized, const DRIFTS: usize>(
+fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     system: &M,
     composition: &Composition<DRIFTS>,
     t: M::Scalar,
@@ -153,7 +183,7 @@ impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> 
     #[inline]
     fn check<M>(&mut self, system: &M, t: S, (q, v): (&Q, &Q), work: &mut Work) -> Result<(), Cause<S>>
     where
-        M: SeparableSystem<Scalar = S, Coordinates = Q> + ?Sized,
+        M: LeapfrogSystem<Scalar = S, Coordinates = Q> + ?Sized,
     {
         let ([start, end], h) = (&self.trial.accelerations, self.trial.h);
         let stable = S::from_f64(self.composition.stable);

@@ -6,13 +6,13 @@ use crate::integrate::error::Cause;
 use crate::integrate::fixed::FixedStepper;
 use crate::integrate::method::Method;
 use crate::integrate::splitting::{Composition, Splitting};
-use crate::system::SeparableSystem;
+use crate::system::LeapfrogSystem;
 
 /// The symplectic Euler method in equal steps: velocities first, then coordinates with the new velocities.
 ///
 /// Order one; symplectic, not symmetric. One acceleration a step. The energy oscillates by O(h) without drift, so that
 /// games and sketches stay alive for ever; [`StormerVerlet`](crate::integrate::StormerVerlet) costs the same and has
-/// order two.
+/// order two. Constraints on positions are satisfied as there.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SymplecticEuler<S> {
     /// Length of a step.
@@ -21,7 +21,7 @@ pub struct SymplecticEuler<S> {
 
 const COMPOSITION: Composition<1> = Composition { first: 1.0, rest: [(1.0, 0.0)], stable: 2.0 };
 
-impl<M: SeparableSystem + ?Sized> Method<M> for SymplecticEuler<M::Scalar> {
+impl<M: LeapfrogSystem + ?Sized> Method<M> for SymplecticEuler<M::Scalar> {
     type Stepper = FixedStepper<M, Splitting<M::Scalar, M::Coordinates, 1>>;
 
     fn name(&self) -> &'static str {

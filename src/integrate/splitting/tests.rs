@@ -1,5 +1,6 @@
 //! The methods on hand-written systems.
 
+mod held;
 mod order;
 mod refusals;
 mod structure;

@@ -7,12 +7,15 @@ use crate::integrate::error::Cause;
 use crate::integrate::fixed::FixedStepper;
 use crate::integrate::method::Method;
 use crate::integrate::splitting::{Composition, Splitting};
-use crate::system::SeparableSystem;
+use crate::system::LeapfrogSystem;
 
 /// The Störmer–Verlet method in equal steps: half a kick, a drift, half a kick.
 ///
 /// Order two; symplectic and symmetric. One acceleration a step. The energy oscillates by O(h²) without drift; steps
 /// longer than 2/ω, with the fastest frequency ω, are unstable.
+///
+/// Constraints on positions are satisfied to rounding at the end of each step, and by velocities there (RATTLE), with iterations
+/// in between that take one correction each; momenta of symmetries that the constraints share are kept.
 ///
 /// ```
 /// use lagrange::integrate::{StormerVerlet, integrate};
@@ -42,7 +45,7 @@ pub struct StormerVerlet<S> {
 
 const COMPOSITION: Composition<1> = Composition { first: 0.5, rest: [(1.0, 0.5)], stable: 2.0 };
 
-impl<M: SeparableSystem + ?Sized> Method<M> for StormerVerlet<M::Scalar> {
+impl<M: LeapfrogSystem + ?Sized> Method<M> for StormerVerlet<M::Scalar> {
     type Stepper = FixedStepper<M, Splitting<M::Scalar, M::Coordinates, 1>>;
 
     fn name(&self) -> &'static str {

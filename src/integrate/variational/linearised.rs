@@ -53,23 +53,34 @@ impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
     /// By how much both velocities should change for what is left of the equations.
     #[inline]
     pub(super) fn solve(&self, residual: &[Y; 2]) -> [Y; 2] {
-        let [one, two] = TURNED.map(|row| {
-            let mut sum = Y::ZERO;
-            for (part, residual) in row.iter().zip(residual) {
-                add(&mut sum, S::from_f64(*part), residual);
-            }
-            sum
-        });
-        let mut first = self.first.solve(&one);
+        self.solve_turned(&turned(residual))
+    }
+
+    /// The same for residuals that are [`turned`] already.
+    #[inline]
+    pub(super) fn solve_turned(&self, [one, two]: &[Y; 2]) -> [Y; 2] {
+        let mut first = self.first.solve(one);
         let Some(Rest { second, upper, lower }) = &self.rest else {
-            return [first, self.first.solve(&two)];
+            return [first, self.first.solve(two)];
         };
-        let mut rest = two;
+        let mut rest = *two;
         add(&mut rest, -S::ONE, &lower.apply(&first));
         let last = second.solve(&rest);
         add(&mut first, -S::ONE, &upper.apply(&last));
         [first, last]
     }
+}
+
+/// What is left of the equations, as equations that hold one velocity each where derivatives are not known.
+#[inline]
+pub(super) fn turned<S: Scalar, Y: StateVector<S>>(residual: &[Y; 2]) -> [Y; 2] {
+    TURNED.map(|row| {
+        let mut sum = Y::ZERO;
+        for (part, residual) in row.iter().zip(residual) {
+            add(&mut sum, S::from_f64(*part), residual);
+        }
+        sum
+    })
 }
 
 /// The solutions for the columns of a matrix.

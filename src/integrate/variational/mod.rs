@@ -20,6 +20,8 @@
 //! Sources: Marsden, West, *Discrete mechanics and variational integrators*, Acta Numerica 10 (2001), §1.5, §2.2, §2.6 and
 //! §3.2; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VI.6.
 
+mod coupled;
+mod held;
 mod linearised;
 
 use crate::integrate::canonical::{Derivatives, Reached, Step, add, factors, magnitude};
@@ -29,6 +31,7 @@ use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, Work};
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::Prediction;
+use crate::integrate::variational::held::{HeldEquations, Solved};
 use crate::integrate::variational::linearised::Linearised;
 use crate::scalar::Scalar;
 use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
@@ -42,6 +45,12 @@ type Vector<M> = <M as MechanicalSystem>::Coordinates;
 /// momenta for any mass matrix, and by the discrete theorem of Noether every momentum map of a symmetry that is linear in
 /// the coordinates is conserved. Momenta of cyclic coordinates are kept to rounding, since momenta are carried on and not
 /// computed from velocities. The energy of a conservative system oscillates and does not drift. Symmetric in time.
+///
+/// Constraints hold at the ends of all steps to rounding, positions and velocities alike, without projection: constraint forces
+/// are part of the principle. Holonomic ones, moving or not, leave the method symplectic on what they admit, and momenta of
+/// symmetries that they share are kept; nonholonomic ones enter by the discrete Lagrange–d'Alembert principle, symmetric in time
+/// and of order four as well. A mass matrix may be singular where constraints make up for it, and of constraints that
+/// say the same one counts. A step then iterates over multipliers, too, some two iterations more.
 ///
 /// An iteration evaluates momenta and their rates three times; a step takes four to seven with the Jacobian that
 /// `emit { jacobian }` provides, and hardly more without if it is short. On a double pendulum it costs as much as 23 to 30
@@ -88,6 +97,8 @@ pub struct Discrete<M: CanonicalSystem + ?Sized> {
     reached: Reached<M>,
     /// Velocities of the parabola of the step that is being taken, and its length.
     ends: ([Vector<M>; 2], Number<M>),
+    /// Multipliers of constraints at the start and in the middle of the step that is being taken.
+    multipliers: [Vector<M>; 2],
 }
 
 impl<M: CanonicalSystem + ?Sized> Discrete<M> {
@@ -99,6 +110,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
             excess: [Vector::<M>::ZERO; 2],
             reached: Reached::NOTHING,
             ends: ([Vector::<M>::ZERO; 2], Number::<M>::ONE),
+            multipliers: [Vector::<M>::ZERO; 2],
         }
     }
 
@@ -119,6 +131,9 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         work: &mut Work,
     ) -> Result<M::State, Cause<Number<M>>> {
         let derivatives = self.reached.derivatives(step, &mean(&ends), work)?;
+        if M::SAYS_CONSTRAINTS {
+            return self.solve_held(step, derivatives, &ends, work);
+        }
         let Some(linearised) = Linearised::new(&derivatives) else {
             return Err(factors(&derivatives.constant).err().unwrap_or(Cause::NotFinite));
         };
@@ -129,6 +144,29 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         add(&mut q, step.h, &mean(&ends));
         Ok(join::<M>(&q, &equations.change))
     }
+
+    /// The same under constraints, with which the momenta at the end agree.
+    fn solve_held(
+        &mut self,
+        step: &Step<'_, M>,
+        derivatives: Derivatives<M>,
+        ends: &[Vector<M>; 2],
+        work: &mut Work,
+    ) -> Result<M::State, Cause<Number<M>>> {
+        let equations = HeldEquations::new(step, derivatives, ends)?;
+        let Solved { ends, multipliers, mut change } =
+            equations.solve(ends, &self.multipliers, self.rounding, work)?;
+        let (one, (t, q, v)) = (Number::<M>::ONE, places(step, &ends)[2]);
+        let mut p = step.p;
+        add(&mut p, one, &change);
+        let reaction = self.reached.hold(step.system, t, (&q, &p), v, step.h, work)?;
+        add(&mut change, one, &reaction);
+        self.ends = (ends, step.h);
+        self.multipliers = multipliers;
+        let mut moved = Vector::<M>::ZERO;
+        add(&mut moved, step.h, &mean(&ends));
+        Ok(join::<M>(&moved, &change))
+    }
 }
 
 impl<M: CanonicalSystem + ?Sized> Clone for Discrete<M> {
@@ -138,8 +176,11 @@ impl<M: CanonicalSystem + ?Sized> Clone for Discrete<M> {
 }
 
 impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
+    const KEEPS_CONSTRAINTS: bool = M::SAYS_CONSTRAINTS;
+
     fn variables(&mut self, system: &M, t: M::Scalar, y: &M::State) -> M::State {
         self.prediction.forget();
+        self.multipliers = [Vector::<M>::ZERO; 2];
         self.excess = [Vector::<M>::ZERO; 2];
         self.reached.start(system, t, y)
     }
@@ -166,7 +207,14 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
         work: &mut Work,
     ) -> Result<M::State, Cause<M::Scalar>> {
         let (ends, h) = self.ends;
+        if M::SAYS_CONSTRAINTS {
+            return Ok(join::<M>(&split::<M>(variables).0, &self.reached.held()));
+        }
         self.reached.finish(system, (t, variables), ends[1], h, work)
+    }
+
+    fn follow(&mut self, system: &M, t: M::Scalar, ends: (&M::State, &M::State), variables: &mut M::State) {
+        self.reached.follow(system, t, ends, variables);
     }
 
     fn accept(&mut self, _t: M::Scalar) {
@@ -213,6 +261,45 @@ fn mean<S: Scalar, Y: StateVector<S>>(ends: &[Y; 2]) -> Y {
     mean
 }
 
+/// A time with coordinates and velocities.
+type Instant<M> = (Number<M>, Vector<M>, Vector<M>);
+
+/// The start, the middle and the end of the parabola with these velocities at its ends.
+#[inline]
+fn places<M: CanonicalSystem + ?Sized>(step: &Step<'_, M>, ends: &[Vector<M>; 2]) -> [Instant<M>; 3] {
+    let Step { t, q, h, .. } = *step;
+    let n = M::Scalar::from_f64;
+    let (mut middle, mut last) = (q, q);
+    add(&mut middle, h * n(0.375), &ends[0]);
+    add(&mut middle, h * n(0.125), &ends[1]);
+    add(&mut last, h, &mean(ends));
+    [(t, q, ends[0]), (t + h * n(0.5), middle, mean(ends)), (t + h, last, ends[1])]
+}
+
+/// What is left of the equations with these momenta and rates at the three places, and the change of the momenta.
+#[inline]
+fn balance<M: CanonicalSystem + ?Sized>(
+    step: &Step<'_, M>,
+    momenta: &[Vector<M>; 3],
+    rates: &[Vector<M>; 3],
+) -> ([Vector<M>; 2], Vector<M>) {
+    let (n, h) = (M::Scalar::from_f64, step.h);
+    let sixth = h / n(6.0);
+    let (mut start, mut whole) = (step.p, momenta[0]);
+    for (factor, vector) in [(n(1.0) / n(-3.0), &momenta[0]), (n(2.0) / n(-3.0), &momenta[1])] {
+        add(&mut start, factor, vector);
+    }
+    add(&mut start, sixth, &rates[0]);
+    add(&mut start, sixth, &rates[1]);
+    add(&mut whole, h, &rates[1]);
+    add(&mut whole, -M::Scalar::ONE, &momenta[2]);
+    let mut change = Vector::<M>::ZERO;
+    for (weight, rates) in [1.0, 4.0, 1.0].into_iter().zip(rates) {
+        add(&mut change, n(weight) * sixth, rates);
+    }
+    ([start, whole], change)
+}
+
 /// The equations for the velocities at both ends of a step.
 struct StepEquations<'a, M: CanonicalSystem + ?Sized> {
     step: &'a Step<'a, M>,
@@ -225,31 +312,13 @@ struct StepEquations<'a, M: CanonicalSystem + ?Sized> {
 impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::Coordinates, 2> for StepEquations<'_, M> {
     #[inline]
     fn residual(&mut self, ends: &[M::Coordinates; 2], work: &mut Work) -> [M::Coordinates; 2] {
-        let Step { system, t, q, p, h } = *self.step;
-        let n = M::Scalar::from_f64;
-        let (mut middle, mut last) = (q, q);
-        add(&mut middle, h * n(0.375), &ends[0]);
-        add(&mut middle, h * n(0.125), &ends[1]);
-        add(&mut last, h, &mean(ends));
-        let places = [(t, q, ends[0]), (t + h * n(0.5), middle, mean(ends)), (t + h, last, ends[1])];
+        let (system, places) = (self.step.system, places(self.step, ends));
         let momenta = places.map(|(t, q, v)| system.momenta(t, &q, &v));
         let rates = places.map(|(t, q, v)| system.momentum_rates(t, &q, &v));
         work.evaluations += 3;
-
-        let sixth = h / n(6.0);
-        let (mut start, mut whole) = (p, momenta[0]);
-        for (factor, vector) in [(n(1.0) / n(-3.0), &momenta[0]), (n(2.0) / n(-3.0), &momenta[1])] {
-            add(&mut start, factor, vector);
-        }
-        add(&mut start, sixth, &rates[0]);
-        add(&mut start, sixth, &rates[1]);
-        add(&mut whole, h, &rates[1]);
-        add(&mut whole, -M::Scalar::ONE, &momenta[2]);
-        self.change = Vector::<M>::ZERO;
-        for (weight, rates) in [1.0, 4.0, 1.0].into_iter().zip(&rates) {
-            add(&mut self.change, n(weight) * sixth, rates);
-        }
-        [start, whole]
+        let (residual, change) = balance(self.step, &momenta, &rates);
+        self.change = change;
+        residual
     }
 
     fn correction(&self, residual: &[M::Coordinates; 2]) -> [M::Coordinates; 2] {

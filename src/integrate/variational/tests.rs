@@ -1,5 +1,7 @@
 //! Order and structure of the variational integrator.
 
+mod held;
+
 use super::Variational;
 use crate::integrate::canonical_systems::checks::{
     canonical, check_order, defect_of_symplecticity, distance, reached,

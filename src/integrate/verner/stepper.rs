@@ -9,10 +9,11 @@ use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
 };
+use crate::constraint::UNDETERMINED;
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
+use crate::integrate::corrected::{admitted, check_finite, corrected};
 use crate::integrate::error::Cause;
-use crate::integrate::fixed::check_finite;
 use crate::integrate::method::{Stepper, Work};
 use crate::integrate::stability::{EVALUATIONS, combined, distance, largest_eigenvalue, length};
 use crate::scalar::Scalar;
@@ -20,6 +21,8 @@ use crate::system::{OdeSystem, StateVector};
 
 /// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
 const FINEST: f64 = 4096.0;
+/// So many steps, each next to nothing beside time, say that constraints which are about to depend on each other keep the motion.
+const MOST_CRAWLING: u32 = 1000;
 /// Steps longer than this part of the longest stable one are limited by it.
 const NEAR: f64 = 0.7;
 /// An eigenvalue is fast beside a motion whose rates are smaller than the state times it by this,
@@ -44,6 +47,8 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
     rates: [M::State; RATES],
     /// How many of the rates of the last step are there.
     known: Known,
+    /// How many steps in a row were next to nothing beside time.
+    crawled: u32,
     work: Work,
 }
 
@@ -56,6 +61,16 @@ enum Known {
     End,
     /// And those that the interpolant needs.
     All,
+}
+
+/// What came of an attempt.
+enum Verdict<S> {
+    /// The step was taken.
+    Taken,
+    /// Its error was too large.
+    Inaccurate,
+    /// It led where the system is not defined, or where constraints cannot be satisfied.
+    Lost(Cause<S>),
 }
 
 /// The length of a step and the clock after it.
@@ -84,10 +99,19 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             last: Span { t, y: *y, h: M::Scalar::ZERO },
             rates: [M::State::ZERO; RATES],
             known: Known::End,
+            crawled: 0,
             work: Work::default(),
         };
         stepper.restart(system, t, y)?;
         Ok(stepper)
+    }
+
+    /// Counts steps below ε^(3/4) of time under constraints. Nothing moves that fast; what asks for such steps is noise, which
+    /// constraints magnify where they are about to depend on each other.
+    fn look_for_crawling(&mut self, h: M::Scalar) {
+        let root = M::Scalar::epsilon().sqrt();
+        let is_crawling = M::IS_CONSTRAINED && h.abs() < root * root.sqrt() * self.clock.time().abs();
+        self.crawled = if is_crawling { self.crawled + 1 } else { 0 };
     }
 
     /// The next step to try, or that it is lost in rounding.
@@ -140,22 +164,24 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.last = Span { t, y: *self.state.value(), h: M::Scalar::ZERO };
     }
 
-    /// Tries a step towards `limit` and says whether its error was small enough.
+    /// Tries a step towards `limit`.
     fn attempt(
         &mut self,
         system: &M,
         Attempt { h, clock }: Attempt<M::Scalar>,
         limit: M::Scalar,
-    ) -> Result<bool, Cause<M::Scalar>> {
+    ) -> Result<Verdict<M::Scalar>, Cause<M::Scalar>> {
         let y = *self.state.value();
         let ends = self.stages(system, &y, h);
-        let state = self.advanced(h);
+        let mut state = self.advanced(h);
         let error = self.settings.norm(h, &ERROR.weighted(&self.rates), &y, state.value());
         let is_finite = check_finite(clock.time(), state.value()).is_ok();
         if !(error <= M::Scalar::ONE && is_finite) {
-            self.control.reject(h.abs(), if is_finite { error } else { M::Scalar::NAN });
-            self.work.rejections += 1;
-            return Ok(false);
+            return Ok(self.reject(h, if is_finite { error } else { M::Scalar::NAN }));
+        }
+        if let Err(cause) = correct(system, clock.time(), &mut state) {
+            self.reject(h, M::Scalar::NAN);
+            return Ok(Verdict::Lost(cause));
         }
         if self.settings.refuses_stiff && self.stiffness.is_due(self.work.steps) {
             let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
@@ -167,7 +193,17 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.control.accept(h.abs(), error);
         self.last = Span { t: self.clock.time(), y, h };
         (self.clock, self.state, self.known) = (clock, state, Known::Stages);
-        Ok(true)
+        Ok(Verdict::Taken)
+    }
+
+    /// Throws a step of the length `h` away that had this error.
+    fn reject(&mut self, h: M::Scalar, error: M::Scalar) -> Verdict<M::Scalar> {
+        self.control.reject(h.abs(), error);
+        self.work.rejections += 1;
+        match check_finite(h, &self.rates[15]) {
+            Ok(()) => Verdict::Inaccurate,
+            Err(cause) => Verdict::Lost(cause),
+        }
     }
 
     /// Refuses to go on if steps of the length `h` are at the limit of stability; `ends` are two states that differ in
@@ -215,18 +251,25 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
     }
 
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>> {
+        if self.crawled >= MOST_CRAWLING {
+            return Err(Cause::Stuck(UNDETERMINED));
+        }
         self.rates[0] = self.end_rate(system);
         self.forget_last();
-        let mut is_finite = true;
+        let mut lost = None;
         loop {
             if self.work.steps + self.work.rejections >= self.settings.max_steps {
                 return Err(Cause::TooManySteps { limit: self.settings.max_steps });
             }
-            let attempt = self.next(limit).map_err(|lost| if is_finite { lost } else { Cause::NotFinite })?;
-            if self.attempt(system, attempt, limit)? {
-                return Ok(());
-            }
-            is_finite = check_finite(attempt.h, &self.rates[15]).is_ok();
+            let attempt = self.next(limit).map_err(|underflow| lost.unwrap_or(underflow))?;
+            lost = match self.attempt(system, attempt, limit)? {
+                Verdict::Taken => {
+                    self.look_for_crawling(attempt.h);
+                    return Ok(());
+                }
+                Verdict::Inaccurate => None,
+                Verdict::Lost(cause) => Some(cause),
+            };
         }
     }
 
@@ -247,11 +290,11 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
             self.known = Known::All;
             self.work.evaluations += 9;
         }
-        interpolate(&self.last, (t - self.last.t) / self.last.h, &self.rates)
+        corrected(system, t, interpolate(&self.last, (t - self.last.t) / self.last.h, &self.rates))
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
-        check_finite(t, y)?;
+        let y = &admitted(system, t, y)?;
         let rate = system.rhs(t, y);
         self.work.evaluations += 1;
         check_finite(t, &rate)?;
@@ -271,4 +314,21 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
     fn work(&self) -> Work {
         self.work
     }
+}
+
+/// Brings the end of a step onto the constraints.
+#[inline]
+fn correct<M: OdeSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    state: &mut Compensated<M::State>,
+) -> Result<(), Cause<M::Scalar>> {
+    if !M::IS_CONSTRAINED {
+        return Ok(());
+    }
+    let mut y = *state.value();
+    system.correct(t, &mut y)?;
+    check_finite(t, &y)?;
+    state.replace(y);
+    Ok(())
 }

@@ -64,7 +64,7 @@ pub(super) fn substitute_back(
         let offset = back.composition.offset(back.algebra.graph, velocity);
         back.algebra.graph.subtract(value, offset)
     });
-    Solution { accelerations: accelerations.collect(), labels: back.labels }
+    Solution { values: accelerations.collect(), labels: back.labels, condition: None }
 }
 
 struct Back<'g> {

@@ -84,9 +84,10 @@ fn deep_nesting_of_any_kind_is_harmless() {
 fn shuffled_words() -> impl Strategy<Value = String> {
     let words = [
         "param", "coord", "let", "kinetic", "force", "at", "torque", "on", "emit", "no", "const", "body",
-        "if", "else", "struct", "pub", "#", "[", "]", "(", ")", "{", "}", "<", "=", ">", "+", "-", "*", "/",
-        "^", ".", ",", ";", ":", "!", "&", "|", "x", "sin", "t", "_", "r#x", "1", "2.", "0.5", "1e5", "1f32",
-        "'a", "\"s\"", "//", "///", "\n", " ", "θ", "²",
+        "event", "friction", "=>", "falling", "stop", "impact", "smooth:", "if", "else", "struct", "pub",
+        "#", "[", "]", "(", ")", "{", "}", "<", "=", ">", "+", "-", "*", "/", "^", ".", ",", ";", ":", "!",
+        "&", "|", "x", "sin", "t", "_", "r#x", "1", "2.", "0.5", "1e5", "1f32", "'a", "\"s\"", "//", "///",
+        "\n", " ", "θ", "²",
     ];
     proptest::collection::vec(proptest::sample::select(words.to_vec()), 0..60)
         .prop_map(|words| words.concat())

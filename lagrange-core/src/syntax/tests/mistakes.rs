@@ -192,3 +192,104 @@ error at 3:52: expected `freeze` or `small`, found `3`
     let expected = ["reduce Near (Small y) (Frozen x) (Small z)", "coord x"];
     assert_eq!(statements(&declaration.expect("tokens")), expected);
 }
+
+#[test]
+fn incomplete_events_say_what_is_missing() {
+    let cases = [
+        ("event a;", "error at 1:8: expected `=`, found `;`"),
+        ("event a = x;", "error at 1:12: the event `a` has no action"),
+        ("event a = x,;", "error at 1:13: the event `a` does not say which zeros count"),
+        ("event a = x => stop;", "error at 1:13: the event `a` does not say which zeros count"),
+        ("event a = x falling => stop;", "error at 1:13: the event `a` does not say which zeros count"),
+        ("event a = x, up => stop;", "error at 1:14: expected `rising`, `falling` or `crossing`, found `up`"),
+        ("event a = x, falling;", "error at 1:21: the event `a` has no action"),
+        ("event a = x, falling stop;", "error at 1:22: expected `=>`, found `stop`"),
+        ("event a = x, falling = stop;", "error at 1:22: expected `=>`, found `=`"),
+        ("event a = x, falling =>;", "error at 1:24: the event `a` has no action"),
+        (
+            "event a = x, falling => end;",
+            "error at 1:25: expected `stop`, `record`, `impact(e)` or `{`, found `end`",
+        ),
+        ("event a = x, falling => stop b;", "error at 1:30: expected `;`, found `b`"),
+        ("event a = x, falling => impact;", "error at 1:25: an impact needs a coefficient of restitution"),
+        ("event a = x, falling => impact();", "error at 1:31: an impact needs a coefficient of restitution"),
+        ("event a = x, falling => impact(0, 1);", "error at 1:33: expected an operator or `)`, found `,`"),
+        ("event a = x, falling => {};", "error at 1:25: nothing changes between these braces"),
+        ("event a = x, falling => { x };", "error at 1:29: expected `=`, found nothing more"),
+        ("event a = x, falling => stop", "error at 1:25: missing `;` behind this"),
+    ];
+    for (text, message) in cases {
+        assert_eq!(errors(text), [message], "{text}");
+    }
+}
+
+#[test]
+fn incomplete_friction_says_what_is_missing() {
+    let cases = [
+        ("friction a;", "error at 1:11: expected `=`, found `;`"),
+        ("friction = 1;", "error at 1:10: expected a name, found `=`"),
+        ("friction a = v;", "error at 1:15: the friction `a` has no limit"),
+        ("friction a = v,;", "error at 1:16: the friction `a` has no limit"),
+        ("friction a = v 1;", "error at 1:16: expected an operator or `,`, found `1`"),
+        ("friction a = v, 1, 2;", "error at 1:20: this friction is given two limits without labels"),
+        ("friction a = v, kinetic: 1;", "error at 1:17: `kinetic` without `static`"),
+        ("friction a = v, static: 1;", "error at 1:17: `static` without `kinetic`"),
+        ("friction a = v, 1, static: 2;", "error at 1:17: a limit without a label beside one with a label"),
+        ("friction a = v, 1, kinetic: 2;", "error at 1:17: a limit without a label beside one with a label"),
+        ("friction a = v, smooth: 1;", "error at 1:26: the friction `a` has no limit"),
+        ("friction a = v, 1, smooth: 2, smooth: 3;", "error at 1:31: `smooth` is given twice"),
+        ("friction a = v, mu: 1;", "error at 1:17: `mu` says nothing about friction"),
+        (
+            "friction a = v, kinetic: 1, static: 2, smooth: 3;",
+            "error at 1:29: smooth friction never sticks, so it has no static limit",
+        ),
+    ];
+    for (text, message) in cases {
+        assert_eq!(errors(text), [message], "{text}");
+    }
+}
+
+#[test]
+fn reading_goes_on_behind_an_event() {
+    let text = "
+coord x, y;
+event a = x, fallling => { y = 1; };
+event b = x, falling => { y = ; x 3; dot(x) = y }
+event c = x, rising => stop
+friction d = x +, 1, kinetic 3;
+stabilise 1;
+event e = x, crossing => record;
+";
+    let (declaration, report) = read_wrong(text);
+    let expected = "\
+error at 3:14: expected `rising`, `falling` or `crossing`, found `fallling`
+  help: did you mean `falling`?
+error at 4:31: expected an expression, found `;`
+error at 4:35: expected `=`, found `3`
+error at 4:47: missing `;` behind this
+error at 5:24: missing `;` behind this
+  note at 6:1: the next statement begins here
+error at 6:17: expected an expression, found `,`
+error at 7:11: expected `=`, found `1`
+";
+    assert_eq!(report, expected);
+    let expected = [
+        "coord x y",
+        "event b x Falling (y ?) ((dot x) y)",
+        "event c x Rising stop",
+        "event e x Crossing record",
+    ];
+    assert_eq!(statements(&declaration.expect("tokens")), expected);
+}
+
+#[test]
+fn what_is_left_out_hides_no_mistake_with_names_that_are_known() {
+    let text = "coord x;\nevent a = x;\nlet b = x +;\nlet c = a +;\nevent sin = x;\nlet d = sin(x) +;";
+    let report = [
+        "error at 2:12: the event `a` has no action",
+        "error at 3:12: expected an expression, found `;`",
+        "error at 5:7: `sin` is a function and cannot be declared",
+        "error at 6:17: expected an expression, found `;`",
+    ];
+    assert_eq!(errors(text), report);
+}

@@ -18,6 +18,15 @@ fn every_statement_has_its_form() {
         force (u, w) at (p, q);
         force f at p + q;
         torque -m on theta - x;
+        constraint ring = p^2 + q^2 - 1;
+        stabilise = 10;
+        event floor = y - b, falling => impact(1/2);
+        event wall = x, rising => stop;
+        event tick = sin(t), crossing => record;
+        event kick = x - a, crossing => { dot(x) = -k * dot(x); y = a; }
+        friction brake = dot(x) - w, mu * floor;
+        friction shoe = dot(x), kinetic: mu, static: if x < 0 { a } else { b };
+        friction slide = dot(x), mu, smooth: a;
         output tip = (p, q);
         emit { jacobian, no energy }
         reduce Near { freeze x = 0, y = a; small theta, phi = pi/2; }";
@@ -37,6 +46,15 @@ fn every_statement_has_its_form() {
         "force (vector u w) at (vector p q)",
         "force f at (+ p q)",
         "torque (- m) on (- theta x)",
+        "constraint ring (- (+ (^ p 2) (^ q 2)) 1)",
+        "stabilise 10",
+        "event floor (- y b) Falling impact (/ 1 2)",
+        "event wall x Rising stop",
+        "event tick (sin t) Crossing record",
+        "event kick (- x a) Crossing ((dot x) (* (- k) (dot x))) (y a)",
+        "friction brake (- (dot x) w) (* mu floor)",
+        "friction shoe (dot x) mu static (if (< x 0) a b)",
+        "friction slide (dot x) mu smooth a",
         "output tip (vector p q)",
         "emit jacobian -energy",
         "reduce Near (Frozen x 0) (Frozen y a) (Small theta) (Small phi (/ pi 2))",
@@ -57,6 +75,22 @@ fn separators_may_be_repeated_where_nothing_is_lost() {
 fn words_inside_statements_are_free_as_names() {
     assert_eq!(statements(&read("force at at on; torque on on at;")), ["force at at on", "torque on on at"]);
     assert_eq!(statements(&read("param no, θ = 1;")), ["param no (θ 1)"]);
+    let text = "
+        event stop = x, falling => stop;
+        event impact = rising, rising => { crossing = record; }
+        let friction = smooth;
+        friction friction = friction, friction, smooth: friction;
+        force friction = friction * kick;
+        torque friction on at;";
+    let expected = [
+        "event stop x Falling stop",
+        "event impact rising Rising (crossing record)",
+        "let friction smooth",
+        "friction friction friction friction smooth friction",
+        "force friction (* friction kick)",
+        "torque friction on at",
+    ];
+    assert_eq!(statements(&read(text)), expected);
     let text = "param freeze; coord small; reduce Near { small small = freeze; }";
     assert_eq!(statements(&read(text)), ["param freeze", "coord small", "reduce Near (Small small freeze)"]);
 }
@@ -74,18 +108,14 @@ fn statements_reach_from_keyword_to_semicolon() {
 #[test]
 fn statements_for_later_are_refused_and_skipped() {
     let text = "
-        constraint c = x - y;
-        event hit = if x < 0 { x } else { y }, falling => { dot(x) = -dot(x); };
         gravity = (0, -g);
         body rod { mass: m; coord: 3; }
         body rod { mass: m };
         coord x;";
     let report = [
-        "error at 2:9: `constraint` statements are not available yet",
-        "error at 3:9: `event` statements are not available yet",
-        "error at 4:9: `gravity` statements are not available yet",
-        "error at 5:9: `body` statements are not available yet",
-        "error at 6:9: `body` statements are not available yet",
+        "error at 2:9: `gravity` statements are not available yet",
+        "error at 3:9: `body` statements are not available yet",
+        "error at 4:9: `body` statements are not available yet",
     ];
     assert_eq!(errors(text), report);
     let (declaration, _) = super::read_wrong(text);

@@ -56,6 +56,26 @@ lagrange::system! {
     potential = g * (ya + yb);
 }
 
+lagrange::system! {
+    /// A parcel on a rail that drops onto the ground.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Parcel;
+
+    param g = 9.81, mu = 0.3;
+    coord x, y, z;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2 + dot(z)^2);
+    potential = g * y;
+    constraint rail = z - sin(x);
+    event ground = y, falling => impact(1/2);
+    friction rub = dot(x), mu * ground;
+}
+
+/// The state of a parcel some seconds after it was thrown; `None` if its motion cannot be computed.
+#[must_use]
+pub fn thrown(parcel: &Parcel, state: [f64; 6], seconds: f64) -> Option<[f64; 6]> {
+    integrate(parcel, 0.0, state, seconds, &RungeKutta4 { step: 5e-3 }, |_, _| {}).ok()
+}
+
 /// Where a pendulum at rest at an angle is after a second; `None` if its motion cannot be computed.
 #[must_use]
 pub fn angle_after_a_second(pendulum: &Pendulum, angle: f64) -> Option<f64> {
@@ -72,7 +92,15 @@ pub fn repulsion<S: Scalar>(chain: &Chain<S>, distance: S) -> S {
 
 #[cfg(test)]
 mod tests {
-    use super::{Chain, Pendulum, SmallPendulum, angle_after_a_second, repulsion};
+    use super::{Chain, Parcel, Pendulum, SmallPendulum, angle_after_a_second, repulsion, thrown};
+
+    #[test]
+    fn parcels_come_to_rest_on_the_ground() {
+        let state = thrown(&Parcel::default(), [0.0, 1.0, 0.0, 1.0, 0.0, 1.0], 5.0);
+        let [x, y, z, velocities @ ..] = state.expect("a motion");
+        assert!(x > 0.45 && y == 0.0 && (z - x.sin()).abs() < 1e-15, "{x} {y} {z}");
+        assert_eq!(velocities, [0.0; 3]);
+    }
 
     #[test]
     fn systems_compute_in_both_precisions() {

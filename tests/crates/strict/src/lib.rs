@@ -16,3 +16,4 @@ pub mod letters;
 pub mod precision;
 pub mod products;
 pub mod reduced;
+pub mod touching;

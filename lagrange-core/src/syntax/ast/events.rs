@@ -1,0 +1,68 @@
+//! Events and dry friction, as written.
+
+use proc_macro2::Span;
+
+use super::{AstId, Name};
+
+/// A zero to be found during a motion, and what happens there.
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// Its name.
+    pub name: Name,
+    /// What is zero.
+    pub value: AstId,
+    /// Which zeros count.
+    pub direction: Direction,
+    /// Where that is said.
+    pub direction_span: Span,
+    /// What happens.
+    pub action: Action,
+}
+
+/// How a function passes zero as time goes on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Direction {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// Either.
+    Crossing,
+}
+
+/// What happens at an event.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// `stop`: the motion ends.
+    Stop,
+    /// `record`: it goes on.
+    Record,
+    /// `impact(e)`: bodies touch; the coefficient of restitution.
+    Impact(AstId),
+    /// `{ dot(x) = e; y = e; }`: the state changes.
+    Assign(Vec<Assignment>),
+}
+
+/// One `target = value;` of an event.
+#[derive(Clone, Copy, Debug)]
+pub struct Assignment {
+    /// What changes: should be `x` or `dot(x)` of a coordinate.
+    pub target: AstId,
+    /// To what.
+    pub value: AstId,
+}
+
+/// Dry friction.
+#[derive(Clone, Debug)]
+pub struct Friction {
+    /// Its name.
+    pub name: Name,
+    /// The slip velocity.
+    pub slip: AstId,
+    /// The magnitude of the force while it slips.
+    pub kinetic: AstId,
+    /// The largest magnitude of the force while it sticks, if that is not the same.
+    pub fixed: Option<AstId>,
+    /// The range of slip velocities over which the force changes its sign, if it is smooth.
+    pub width: Option<AstId>,
+}

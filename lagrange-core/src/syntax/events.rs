@@ -1,0 +1,167 @@
+//! Statements that declare events.
+
+use proc_macro2::{Delimiter, Span};
+
+use super::ast::{Action, Assignment, AstId, Direction, Event, Name};
+use super::cursor::{Cursor, group_origin};
+use super::messages;
+use super::parser::{Parsed, Parser, Reported};
+use crate::diagnostics::nearest;
+
+/// The words for directions.
+const DIRECTIONS: [(&str, Direction); 3] =
+    [("rising", Direction::Rising), ("falling", Direction::Falling), ("crossing", Direction::Crossing)];
+/// The words for actions.
+const ACTIONS: [&str; 3] = ["stop", "record", "impact"];
+
+impl Parser<'_> {
+    /// `name = e, falling => action`.
+    pub(super) fn event(&mut self, cursor: &mut Cursor) -> Parsed<Event> {
+        let name = self.declared_name(cursor)?;
+        let value = self.event_function(&name, cursor)?;
+        let (direction, direction_span) = self.direction(&name, cursor)?;
+        if !eat_arrow(cursor) {
+            let message = match cursor.at_statement_end() {
+                true => messages::event_without_action(&name.text),
+                false => messages::expected("`=>`", cursor.peek()),
+            };
+            return Err(self.fail_with_help(cursor.here(), message, messages::ACTION_HELP));
+        }
+        let action = self.action(&name, cursor)?;
+        Ok(Event { name, value, direction, direction_span, action })
+    }
+
+    /// `= e,`.
+    fn event_function(&mut self, name: &Name, cursor: &mut Cursor) -> Parsed<AstId> {
+        if cursor.eat_equals().is_none() {
+            let message = messages::expected("`=`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, messages::EVENT_HELP));
+        }
+        let value = self.expression(cursor)?;
+        if cursor.eat(',').is_some() {
+            return Ok(value);
+        }
+        if cursor.at_statement_end() {
+            let message = messages::event_without_action(&name.text);
+            return Err(self.fail_with_help(cursor.here(), message, messages::EVENT_HELP));
+        }
+        if at_arrow(cursor) || cursor.ident().is_some_and(|word| direction_of(&word.to_string()).is_some()) {
+            return Err(self.no_direction(name, cursor));
+        }
+        Err(self.no_operator(cursor, "`,`"))
+    }
+
+    fn direction(&mut self, name: &Name, cursor: &mut Cursor) -> Parsed<(Direction, Span)> {
+        let Some(word) = cursor.ident().cloned().filter(|_| !cursor.at_statement()) else {
+            return Err(self.no_direction(name, cursor));
+        };
+        let text = word.to_string();
+        if let Some(direction) = direction_of(&text) {
+            cursor.skip_one();
+            return Ok((direction, word.span()));
+        }
+        let message = messages::expected(messages::DIRECTION, cursor.peek());
+        let help = match nearest(&text, DIRECTIONS.map(|(known, _)| known)) {
+            Some(known) => messages::meant(known),
+            None => messages::DIRECTION_HELP.to_owned(),
+        };
+        Err(self.fail_with_help(word.span(), message, help))
+    }
+
+    fn no_direction(&mut self, name: &Name, cursor: &Cursor) -> Reported {
+        let message = messages::event_without_direction(&name.text);
+        self.fail_with_help(cursor.here(), message, messages::DIRECTION_HELP)
+    }
+
+    fn action(&mut self, name: &Name, cursor: &mut Cursor) -> Parsed<Action> {
+        if let Some(group) = cursor.eat_group(Delimiter::Brace) {
+            if group.stream().is_empty() {
+                let error = self.report.error(group_origin(&group), messages::NOTHING_ASSIGNED);
+                error.help(messages::NOTHING_ASSIGNED_HELP);
+            }
+            // A mistake between the braces leaves the end of the statement in place.
+            let assignments = self.inside(&group, Self::assignments).unwrap_or_default();
+            return Ok(Action::Assign(assignments));
+        }
+        let (here, word) = (cursor.here(), cursor.ident().map(ToString::to_string).unwrap_or_default());
+        if cursor.at_statement_end() {
+            let message = messages::event_without_action(&name.text);
+            return Err(self.fail_with_help(here, message, messages::ACTION_HELP));
+        }
+        if !ACTIONS.contains(&word.as_str()) {
+            let message = messages::expected(messages::ACTION, cursor.peek());
+            let help = match nearest(&word, ACTIONS) {
+                Some(known) => messages::meant(known),
+                None => messages::ACTION_HELP.to_owned(),
+            };
+            return Err(self.fail_with_help(here, message, help));
+        }
+        cursor.skip_one();
+        let action = match word.as_str() {
+            "stop" => Action::Stop,
+            "record" => Action::Record,
+            _ => Action::Impact(self.restitution(cursor)?),
+        };
+        match cursor.at_statement_end() {
+            true => Ok(action),
+            false => Err(self.fail(cursor.here(), messages::expected("`;`", cursor.peek()))),
+        }
+    }
+
+    /// `(e)`.
+    fn restitution(&mut self, cursor: &mut Cursor) -> Parsed<AstId> {
+        let group = cursor.eat_group(Delimiter::Parenthesis);
+        let Some(group) = group.filter(|group| !group.stream().is_empty()) else {
+            let before = cursor.before();
+            return Err(self.fail_with_help(before, messages::RESTITUTION, messages::RESTITUTION_HELP));
+        };
+        self.inside(&group, |parser, cursor| {
+            let value = parser.expression(cursor)?;
+            match cursor.at_end() {
+                true => Ok(value),
+                false => Err(parser.no_operator(cursor, "`)`")),
+            }
+        })
+    }
+
+    /// `dot(x) = e; y = e;`
+    fn assignments(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Assignment>> {
+        let mut assignments = Vec::new();
+        while !cursor.at_end() {
+            if cursor.eat(';').is_some() {
+                continue;
+            }
+            self.skipped = false;
+            match self.assignment(cursor) {
+                Ok(assignment) => assignments.push(assignment),
+                Err(_) => self.skip_statement(cursor),
+            }
+            if cursor.eat(';').is_none() && !self.skipped {
+                self.missing_semicolon(cursor);
+            }
+        }
+        Ok(assignments)
+    }
+
+    fn assignment(&mut self, cursor: &mut Cursor) -> Parsed<Assignment> {
+        let target = self.expression(cursor)?;
+        Ok(Assignment { target, value: self.assigned(cursor)? })
+    }
+}
+
+fn direction_of(word: &str) -> Option<Direction> {
+    DIRECTIONS.iter().find(|(known, _)| *known == word).map(|(_, direction)| *direction)
+}
+
+fn at_arrow(cursor: &Cursor) -> bool {
+    cursor.at_pair('=', '>')
+}
+
+fn eat_arrow(cursor: &mut Cursor) -> bool {
+    let found = at_arrow(cursor);
+    if found {
+        cursor.skip_one();
+        cursor.skip_one();
+    }
+    found
+}

@@ -1,0 +1,126 @@
+//! Statements that declare dry friction.
+
+use proc_macro2::TokenTree;
+
+use super::ast::{AstId, Friction, Name};
+use super::cursor::Cursor;
+use super::messages;
+use super::parser::{Parsed, Parser, Reported};
+use crate::diagnostics::{Origin, nearest};
+
+/// What the labels behind the slip velocity can be.
+const LABELS: [&str; 3] = ["kinetic", "static", "smooth"];
+/// What stands for a value without a label.
+const LIMIT: &str = "";
+
+/// A value, its label and where it stands, from the label on.
+type Labelled = (&'static str, AstId, Origin);
+
+impl Parser<'_> {
+    /// `name = slip, limit`, with `kinetic:` and `static:` limits, or with `smooth: width`.
+    pub(super) fn friction(&mut self, cursor: &mut Cursor) -> Parsed<Friction> {
+        let name = self.declared_name(cursor)?;
+        if cursor.eat_equals().is_none() {
+            let message = messages::expected("`=`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, messages::FRICTION_HELP));
+        }
+        let slip = self.expression(cursor)?;
+        if cursor.eat(',').is_none() && !cursor.at_statement_end() {
+            return Err(self.no_operator(cursor, "`,`"));
+        }
+        let values = self.labelled_values(cursor)?;
+        if let (Some(_), Some((.., origin))) = (find(&values, "smooth"), find(&values, "static")) {
+            return Err(self.fail_with_help(*origin, messages::SMOOTH_WITH_STATIC, messages::SMOOTH_HELP));
+        }
+        let (kinetic, fixed) = self.limits(&name, &values, cursor)?;
+        let width = find(&values, "smooth").map(|(_, width, _)| *width);
+        Ok(Friction { name, slip, kinetic, fixed, width })
+    }
+
+    /// What stands behind the slip velocity.
+    fn labelled_values(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Labelled>> {
+        let mut values = Vec::new();
+        while !cursor.at(';') && !cursor.at_end() && !cursor.at_statement() {
+            let value = self.labelled(cursor)?;
+            if find(&values, value.0).is_some() {
+                return Err(self.repeated_value(value.0, value.2));
+            }
+            values.push(value);
+            if cursor.eat(',').is_none() {
+                break;
+            }
+        }
+        Ok(values)
+    }
+
+    /// `e` or `label: e`, up to the next comma or the end of the statement.
+    fn labelled(&mut self, cursor: &mut Cursor) -> Parsed<Labelled> {
+        let start = cursor.position();
+        let label = match is_labelled(cursor) {
+            true => self.label(cursor)?,
+            false => LIMIT,
+        };
+        let value = self.item_value(cursor);
+        Ok((label, value, cursor.since(start)))
+    }
+
+    fn label(&mut self, cursor: &mut Cursor) -> Parsed<&'static str> {
+        let here = cursor.here();
+        let word = cursor.eat_ident().map(|word| word.to_string()).unwrap_or_default();
+        cursor.skip_one();
+        if let Some(label) = LABELS.into_iter().find(|label| *label == word) {
+            return Ok(label);
+        }
+        let help = match nearest(&word, LABELS) {
+            Some(known) => messages::meant(known),
+            None => messages::FRICTION_HELP.to_owned(),
+        };
+        Err(self.fail_with_help(here, messages::unknown_label(&word), help))
+    }
+
+    fn repeated_value(&mut self, label: &str, origin: Origin) -> Reported {
+        let message = match label {
+            LIMIT => messages::SECOND_LIMIT.to_owned(),
+            label => messages::repeated_label(label),
+        };
+        self.fail_with_help(origin, message, messages::FRICTION_HELP)
+    }
+
+    /// The kinetic limit and the static one, if that is not the same.
+    fn limits(
+        &mut self,
+        name: &Name,
+        values: &[Labelled],
+        cursor: &Cursor,
+    ) -> Parsed<(AstId, Option<AstId>)> {
+        let (origin, message, help) = match [LIMIT, "kinetic", "static"].map(|label| find(values, label)) {
+            [Some((_, limit, _)), None, None] => return Ok((*limit, None)),
+            [None, Some((_, kinetic, _)), Some((_, fixed, _))] => return Ok((*kinetic, Some(*fixed))),
+            [None, None, None] => {
+                let message = messages::friction_without_limit(&name.text);
+                (cursor.here(), message, messages::FRICTION_HELP)
+            }
+            [Some((.., origin)), ..] => {
+                (*origin, messages::UNLABELLED_LIMIT.to_owned(), messages::ONE_LIMIT_HELP)
+            }
+            [None, Some((.., origin)), None] => {
+                (*origin, messages::lonely_limit("kinetic", "static"), messages::ONE_LIMIT_HELP)
+            }
+            [None, None, Some((.., origin))] => {
+                (*origin, messages::lonely_limit("static", "kinetic"), messages::ONE_LIMIT_HELP)
+            }
+        };
+        Err(self.fail_with_help(origin, message, help))
+    }
+}
+
+fn find<'a>(values: &'a [Labelled], label: &str) -> Option<&'a Labelled> {
+    values.iter().find(|(known, ..)| *known == label)
+}
+
+/// Whether a word and a colon follow, not the two colons of a path.
+fn is_labelled(cursor: &Cursor) -> bool {
+    let is_colon = matches!(cursor.peek_past(1), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
+    let is_path = matches!(cursor.peek_past(2), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
+    cursor.ident().is_some() && is_colon && !is_path
+}

@@ -1,0 +1,113 @@
+//! Constrained systems, interpreted, against reference values that an independent derivation computed with many digits.
+
+use std::fs;
+use std::path::Path;
+
+use lagrange_core::mechanics::{Road, RoadChoice};
+use lagrange_core::pipeline::{NumericSystem, parse};
+use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
+use serde_json::Value;
+
+const NAMES: [&str; 4] = ["andrews_squeezer", "chaplygin_sleigh", "cylinder_on_slope", "ladder_on_wall"];
+const CHOICES: [RoadChoice; 3] =
+    [RoadChoice::Always(Road::Dense), RoadChoice::Always(Road::Recursive), RoadChoice::Cheapest];
+
+fn numbers(value: &Value) -> Vec<f64> {
+    match value {
+        Value::Array(entries) => entries.iter().flat_map(numbers).collect(),
+        scalar => vec![scalar.as_str().expect("in quotes").parse().expect("a number")],
+    }
+}
+
+fn read(name: &str) -> (String, Value) {
+    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/constrained"));
+    let [text, values] = ["lag", "json"].map(|extension| {
+        fs::read_to_string(directory.join(name).with_extension(extension)).expect("a reference")
+    });
+    (text, serde_json::from_str(&values).expect("valid JSON"))
+}
+
+fn assert_near(found: &[f64], expected: &[f64], what: &str) {
+    let largest = expected.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    assert_eq!(found.len(), expected.len(), "{what}");
+    for (a, b) in found.iter().zip(expected) {
+        assert!((a - b).abs() <= 1e-11 * (1.0 + largest), "{what}: {found:?}, not {expected:?}");
+    }
+}
+
+#[test]
+fn accelerations_and_multipliers_agree_with_the_references_on_every_road() {
+    for name in NAMES {
+        let (text, reference) = read(name);
+        for choice in CHOICES {
+            let derived = parse(&text).and_then(|system| system.derive(choice));
+            let derived = derived.unwrap_or_else(|report| panic!("{name}: {report}"));
+            let system = NumericSystem::new(&derived);
+            for state in reference["states"].as_array().expect("states") {
+                let [t, q, v] = ["t", "q", "v"].map(|key| numbers(&state[key]));
+                let what = format!("{name}, {choice:?}, t = {t:?}");
+                let found = system.acceleration(t[0], &q, &v);
+                assert_near(&found, &numbers(&state["acceleration"]), &what);
+                let found = system.multipliers(t[0], &q, &v);
+                assert_near(&found, &numbers(&state["multipliers"]), &what);
+            }
+        }
+    }
+}
+
+/// `n` rods hung from each other in maximal coordinates: two constraints for each joint.
+fn hanging_rods(n: usize) -> String {
+    let mut text =
+        "param m = 1.0, j = 0.1, l = 1.0, g = 9.81;\nlet (ex0, ey0) = (0 * t, 0 * t);\n".to_owned();
+    for k in 1..=n {
+        let before = k - 1;
+        text.push_str(&format!(
+            "coord x{k}, y{k}, a{k};
+            kinetic = kinetic_energy(m, dot(x{k})) + kinetic_energy(m, dot(y{k})) + kinetic_energy(j, dot(a{k}));
+            potential = m * g * y{k};
+            let (ex{k}, ey{k}) = (x{k} + l/2 * sin(a{k}), y{k} - l/2 * cos(a{k}));
+            constraint jx{k} = x{k} - l/2 * sin(a{k}) - ex{before};
+            constraint jy{k} = y{k} + l/2 * cos(a{k}) - ey{before};\n"
+        ));
+    }
+    text
+}
+
+/// `n` windows of four bars each, by the positions of their joints: neighbours share a bar, whose mass couples them.
+fn windows(n: usize) -> String {
+    let mut text =
+        "param m = 1.0, g = 9.81;\nlet (x0, y0) = (0, 1);\nlet (u0, w0) = (0 * t, 0 * t);\n".to_owned();
+    for k in 1..=n {
+        let before = k - 1;
+        text.push_str(&format!(
+            "coord x{k}, y{k};
+            kinetic = kinetic_energy(m / 3, dot(x{k})) + kinetic_energy(m / 3, dot(y{k}));
+            let (u{k}, w{k}) = (dot(x{k}), dot(y{k}));
+            kinetic = m / 6 * (u{k} * u{before} + w{k} * w{before} + u{k}^2 + w{k}^2);
+            potential = m * g * y{k};
+            constraint crank{k} = hypot(x{k} - {k}, y{k}) - 1;
+            constraint coupler{k} = hypot(x{k} - x{before}, y{k} - y{before}) - 1;\n"
+        ));
+    }
+    // The last joint is free to fall on.
+    text.push_str(&format!("coord s; kinetic = kinetic_energy(m, dot(s - x{n}));"));
+    text
+}
+
+fn operations(text: &str) -> usize {
+    let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
+    let derived = system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
+    let roots = [&derived.equations.accelerations[..], &derived.equations.constraints.multipliers].concat();
+    let program = lower(&derived.model.graph, &roots, &Labels::default());
+    OperationCounts::of(&optimise(&program, derived.model.accuracy)).total()
+}
+
+#[test]
+fn chains_of_constrained_bodies_cost_in_proportion_to_their_length() {
+    for (name, chain) in [("rods", hanging_rods as fn(usize) -> String), ("windows", windows)] {
+        let [one, two, three] = [8, 16, 24].map(|n| operations(&chain(n)));
+        println!("{name}: {one} {two} {three}");
+        let growth = (three - two) as f64 / (two - one) as f64;
+        assert!((growth - 1.0).abs() < 0.1, "{name}: {one}, {two}, {three}");
+    }
+}

@@ -1,0 +1,311 @@
+//! The way back onto the constraints.
+//!
+//! Newton's method with the gradients of the constraints where it stands: each correction is the smallest change by mass that
+//! takes the residuals away to first order, so that what is left is quadratic in it. Where a correction overshoots, it is halved
+//! until the next one, by the same gradients, would be smaller. Constraints are linear in velocities: one correction does there.
+//! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the module above.
+
+use super::residuals::{
+    beyond, largest, of_positions_together, of_velocities, of_velocities_together, size, worst,
+};
+use super::{ConstrainedSystem, Violation};
+use crate::integrate::Cause;
+use crate::scalar::Scalar;
+use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
+
+type Number<M> = <M as OdeSystem>::Scalar;
+type Vector<M> = <M as MechanicalSystem>::Coordinates;
+type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
+type StepOf<M> = Step<Number<M>, Vector<M>>;
+
+/// More corrections than this are no use.
+const MOST: u32 = 20;
+/// The root of a rounding, times this, is the part of the coordinates below which the square of a correction is left alone.
+const NEGLIGIBLE: f64 = 1e-2;
+/// The part of velocities up to which rounding of a correction is lost in theirs.
+const SLIGHT: f64 = 1e-3;
+/// Corrections that are so many times larger than residuals, as parts of their scales, are
+const MAGNIFIED: f64 = 1e3;
+/// not made if these parts are smaller than this times the root of a rounding.
+const NEXT_TO_NOTHING: f64 = 0.1;
+/// Corrections of velocities by a smaller part of them are not looked at for that.
+const LARGE: f64 = 1e-6;
+/// Velocities may not change by a larger part of them within a motion,
+const LEAP: f64 = 0.1;
+/// unless the change is slower than this part of the coordinates in a unit of time.
+const SLOW: f64 = 1e-4;
+/// What is wrong then.
+pub(crate) const UNDETERMINED: &str =
+    "constraints depend on each other here, and do not determine how the motion goes on";
+/// Starts are admitted if constraints miss by no more than this part of their scales.
+const ADMITTED: f64 = 1e-6;
+
+/// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix measures distances:
+/// first positions, then velocities.
+///
+/// Near the constraints each correction squares the error; one or two do within a motion, and far away more are made, up to 20,
+/// and shortened where they overshoot. Constraints that depend on each other are satisfied together or not at all: what is left
+/// of a residual must be a small part, √ε (1.5·10⁻⁸ for `f64`), of its scale.
+///
+/// The scale of a residual is what it would be if every coordinate were off by its size: Σⱼ |Aᵢⱼ| sⱼ. The size sⱼ of a coordinate
+/// is its magnitude, but at least the largest magnitude of all coordinates, and that counts as 10⁻⁶ if it is less and as one if it
+/// is more: so a coordinate at zero has a size, too, and one that is far away does not lend it to the others. Sizes of velocities
+/// are made of velocities in the same way.
+///
+/// # Errors
+/// If the constraints cannot be satisfied, from here or at all, with the constraint that was violated most in proportion to its
+/// scale; positions and velocities are then what they were.
+pub fn project<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &mut M::Coordinates,
+    v: &mut M::Coordinates,
+) -> Result<(), Violation<M::Scalar>> {
+    let (mut positions, mut velocities) = (*q, *v);
+    let is_found = bring(system, t, &mut positions, &mut velocities)
+        && beyond(M::Scalar::epsilon().sqrt(), system, t, (&positions, &velocities)).is_none();
+    if !is_found {
+        return Err(worst(system, t, (q, v)));
+    }
+    (*q, *v) = (positions, velocities);
+    Ok(())
+}
+
+/// The nearest velocities that satisfy the constraints at these positions, which are taken as they are.
+///
+/// # Errors
+/// If there are none, with the constraint that is violated most in proportion to its scale, as in [`project`].
+pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+    v: &M::Coordinates,
+) -> Result<M::Coordinates, Violation<M::Scalar>> {
+    let mut found = *v;
+    let is_found = bring_velocities(system, t, q, &mut found)
+        && of_velocities(system, t, (q, &found)).part <= M::Scalar::epsilon().sqrt();
+    if is_found { Ok(found) } else { Err(of_velocities(system, t, (q, v)).violation) }
+}
+
+/// Brings a state of a motion back onto the constraints, as [`project`] but without looking at what is left: the corrections say
+/// that it is small. This is what [`OdeSystem::correct`] of emitted types does.
+///
+/// # Errors
+/// [`Cause::Violated`] if corrections do not converge, [`Cause::Stuck`] if they would make another motion of it; the state is then
+/// what it was.
+#[inline]
+pub fn correct<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    y: &mut M::State,
+) -> Result<(), Cause<M::Scalar>> {
+    let (mut q, mut v) = split::<M>(y);
+    if !bring(system, t, &mut q, &mut v) {
+        let (q, v) = split::<M>(y);
+        return Err(Cause::Violated(worst(system, t, (&q, &v))));
+    }
+    let (_, before) = split::<M>(y);
+    if leaps(&before, &v, &q) {
+        return Err(Cause::Stuck(UNDETERMINED));
+    }
+    *y = join::<M>(&q, &v);
+    Ok(())
+}
+
+/// Brings a state that was put in the place of another onto the constraints, as [`project`]. This is what
+/// [`OdeSystem::restore`] of emitted types does.
+///
+/// # Errors
+/// [`Cause::Violated`]; the state is then what it was.
+pub fn restore<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    y: &mut M::State,
+) -> Result<(), Cause<M::Scalar>> {
+    let (mut q, mut v) = split::<M>(y);
+    project(system, t, &mut q, &mut v).map_err(Cause::Violated)?;
+    *y = join::<M>(&q, &v);
+    Ok(())
+}
+
+/// Whether velocities change so much that what follows is another motion. Errors of a step do not do that, but the smallest
+/// residual does where constraints are on the point of depending on each other.
+#[inline]
+fn leaps<S: Scalar, Q: StateVector<S>>(before: &Q, after: &Q, q: &Q) -> bool {
+    let changes = before.as_ref().iter().zip(after.as_ref()).map(|(before, after)| (*after - *before).abs());
+    let change = changes.fold(S::ZERO, S::max);
+    change > S::from_f64(LEAP) * largest(before.as_ref()) && change > S::from_f64(SLOW) * size(q.as_ref())
+}
+
+/// Brings a state from which a motion is to start onto the constraints if it nearly satisfies them: if every residual is at most
+/// 10⁻⁶ of its scale, as [`project`] measures it. This is what [`OdeSystem::admit`] of emitted types does.
+///
+/// # Errors
+/// [`Cause::Violated`] with the constraint that is violated most in proportion to its scale; the state is then what it was.
+pub fn admit<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    y: &mut M::State,
+) -> Result<(), Cause<M::Scalar>> {
+    let (mut q, mut v) = split::<M>(y);
+    if let Some(violation) = beyond(M::Scalar::from_f64(ADMITTED), system, t, (&q, &v)) {
+        return Err(Cause::Violated(violation));
+    }
+    project(system, t, &mut q, &mut v).map_err(Cause::Violated)?;
+    *y = join::<M>(&q, &v);
+    Ok(())
+}
+
+/// Brings positions and velocities onto the constraints; whether that succeeded. They are spoilt if not.
+#[inline]
+fn bring<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &mut M::Coordinates,
+    v: &mut M::Coordinates,
+) -> bool {
+    bring_positions(system, t, q, v) && bring_velocities(system, t, q, v)
+}
+
+/// Brings positions onto the constraints, if corrections converge.
+#[inline]
+fn bring_positions<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &mut M::Coordinates,
+    v: &M::Coordinates,
+) -> bool {
+    let residuals = system.position_residuals(t, q);
+    if are_zero(residuals.as_ref()) {
+        return true;
+    }
+    let step = Step::new(*q, system.correction(t, q, v, &residuals));
+    // What is not a number is larger than anything, too.
+    if step.length <= negligible(q.as_ref()) {
+        *q = step.end(M::Scalar::ONE);
+        return true;
+    }
+    let part = || of_positions_together(system, t, q);
+    if is_magnified(step.length, largest(q.as_ref()), part) {
+        return true;
+    }
+    newton(system, t, v, step).map(|found| *q = found).is_some()
+}
+
+/// Whether a correction is out of proportion to what it is to remove, which is next to nothing: constraints are on the point of
+/// depending on each other, and what is left is better left alone.
+#[inline]
+fn is_magnified<S: Scalar>(length: S, size: S, part: impl FnOnce() -> S) -> bool {
+    let part = part();
+    part <= S::from_f64(NEXT_TO_NOTHING) * S::epsilon().sqrt()
+        && length > S::from_f64(MAGNIFIED) * part * size
+}
+
+/// Newton's method from its first step on.
+#[cold]
+fn newton<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    v: &M::Coordinates,
+    first: StepOf<M>,
+) -> Option<M::Coordinates> {
+    let mut step = first;
+    let negligible = negligible(step.from.as_ref());
+    for _ in 1..MOST {
+        let (to, residuals, next) = shortened(system, t, v, &step)?;
+        if next.length <= negligible {
+            return Some(next.end(M::Scalar::ONE));
+        }
+        step = Step::new(to, system.correction(t, &to, v, &residuals));
+        if step.length <= negligible {
+            return Some(step.end(M::Scalar::ONE));
+        }
+    }
+    None
+}
+
+/// Where a step leads if it is shortened until the next one by the same gradients is smaller, the residuals there, and that step.
+fn shortened<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    v: &M::Coordinates,
+    step: &StepOf<M>,
+) -> Option<(Vector<M>, Residuals<M>, StepOf<M>)> {
+    let mut part = M::Scalar::ONE;
+    for _ in 0..MOST {
+        let to = step.end(part);
+        let residuals = system.position_residuals(t, &to);
+        let next = Step::new(to, system.correction(t, &step.from, v, &residuals));
+        let demanded = (M::Scalar::ONE - part / M::Scalar::from_f64(4.0)) * step.length;
+        if next.length <= demanded && next.length.is_finite() {
+            return Some((to, residuals, next));
+        }
+        part = part / M::Scalar::from_f64(2.0);
+    }
+    None
+}
+
+/// A correction and from where.
+struct Step<S, Q> {
+    from: Q,
+    change: Q,
+    length: S,
+}
+
+impl<S: Scalar, Q: StateVector<S>> Step<S, Q> {
+    #[inline]
+    fn new(from: Q, change: Q) -> Self {
+        Step { from, change, length: largest(change.as_ref()) }
+    }
+
+    /// Where this part of it leads.
+    #[inline]
+    fn end(&self, part: S) -> Q {
+        let mut end = self.from;
+        for (end, change) in end.as_mut().iter_mut().zip(self.change.as_ref()) {
+            *end = change.multiply_add(part, *end);
+        }
+        end
+    }
+}
+
+/// Brings velocities onto the constraints, if corrections converge. A second one removes what rounding left of a large first one.
+#[inline]
+fn bring_velocities<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+    v: &mut M::Coordinates,
+) -> bool {
+    for _ in 0..MOST {
+        let residuals = system.velocity_residuals(t, q, v);
+        if are_zero(residuals.as_ref()) {
+            return true;
+        }
+        let step = Step::new(*v, system.correction(t, q, v, &residuals));
+        let part = || of_velocities_together(system, t, (q, v));
+        let is_large = step.length > M::Scalar::from_f64(LARGE) * largest(v.as_ref());
+        if is_large && is_magnified(step.length, largest(v.as_ref()), part) {
+            return true;
+        }
+        *v = step.end(M::Scalar::ONE);
+        if step.length <= M::Scalar::from_f64(SLIGHT) * largest(v.as_ref()) {
+            return step.length.is_finite();
+        }
+    }
+    false
+}
+
+#[inline]
+fn are_zero<S: Scalar>(residuals: &[S]) -> bool {
+    residuals.iter().all(|residual| *residual == S::ZERO)
+}
+
+/// Corrections up to this leave nothing behind but rounding.
+#[inline]
+fn negligible<S: Scalar>(q: &[S]) -> S {
+    S::from_f64(NEGLIGIBLE) * S::epsilon().sqrt() * size(q)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,219 @@
+//! How fast corrections converge, what they leave alone, and what is refused.
+
+use super::{admit, consistent_velocity, correct, project};
+use crate::constraint::systems::{Bead, Mechanism, Parallelogram, Pendulum, Skate, System};
+use crate::constraint::{ConstrainedSystem, Violated, Violation};
+use crate::integrate::Cause;
+use crate::system::split;
+
+const PENDULUM: System<Pendulum, 2, 1> = System(Pendulum);
+
+#[test]
+fn what_a_correction_leaves_is_the_square_of_it() {
+    for offset in [1e-2, 1e-3, 1e-4] {
+        let q = [0.6 * (1.0 + offset), -0.8 * (1.0 + offset)];
+        let residuals = PENDULUM.position_residuals(0.0, &q);
+        let change = PENDULUM.correction(0.0, &q, &[0.0; 2], &residuals);
+        let left = PENDULUM.position_residuals(0.0, &[q[0] + change[0], q[1] + change[1]]);
+        // |δ|² exactly, for a circle.
+        let square = change[0] * change[0] + change[1] * change[1];
+        assert!((left[0] / square - 1.0).abs() < 1e-6, "{left:?} {square}");
+    }
+}
+
+#[test]
+fn positions_and_velocities_end_on_the_constraints_from_near_and_far() {
+    for factor in [1.0, 1.0 + 1e-12, 1.0 + 1e-6, 1.3, 0.1, 50.0, 1e4] {
+        let (mut q, mut v) = ([0.6 * factor, -0.8 * factor], [3.0, 0.7]);
+        project(&PENDULUM, 0.0, &mut q, &mut v).expect("a circle can be reached");
+        assert!(PENDULUM.residual(0.0, &[q[0], q[1], v[0], v[1]]) < 1e-15, "{factor}: {q:?} {v:?}");
+        // The nearest point is along the radius, and the nearest velocity lacks what went along it.
+        assert!((q[0] - 0.6).abs() < 2e-15 && (q[1] + 0.8).abs() < 2e-15, "{factor}: {q:?}");
+        let along = 0.8 * 3.0 + 0.6 * 0.7;
+        assert!((v[0] - 0.8 * along).abs() < 1e-14 && (v[1] - 0.6 * along).abs() < 1e-14, "{factor}: {v:?}");
+    }
+}
+
+#[test]
+fn the_light_moves_and_the_heavy_stays() {
+    let skate = System::<_, 3, 1>(Skate);
+    let q = [1.0, 2.0, 0.5];
+    let found = consistent_velocity(&skate, 0.0, &q, &[3.0, 0.0, 1.0]).expect("a skate can glide");
+    // Along the blade and about it nothing changes.
+    let (sine, cosine) = 0.5_f64.sin_cos();
+    assert!((found[0] * cosine + found[1] * sine - 3.0 * cosine).abs() < 1e-15);
+    assert_eq!(found[2], 1.0);
+    assert!((found[0] * sine - found[1] * cosine).abs() < 1e-15);
+}
+
+#[test]
+fn moving_constraints_demand_velocities() {
+    let bead = System::<_, 2, 1>(Bead { rate: 2.0 });
+    let mut y = [3.0 * 0.8_f64.cos(), 3.0 * 0.8_f64.sin(), 0.0, 0.0];
+    let refused = admit(&bead, 0.4, &mut y);
+    let Err(Cause::Violated(Violation { constraint, residual, of })) = refused else { panic!("{refused:?}") };
+    assert_eq!((constraint, of), ("wire", Violated::Velocities));
+    assert!((residual - 6.0).abs() < 1e-14, "{residual}");
+    let (q, v) = split::<System<Bead, 2, 1>>(&y);
+    let v = consistent_velocity(&bead, 0.4, &q, &v).expect("the bead follows the wire");
+    assert!((v[0] + 6.0 * 0.8_f64.sin()).abs() < 1e-14 && (v[1] - 6.0 * 0.8_f64.cos()).abs() < 1e-14);
+    y = [q[0], q[1], v[0], v[1]];
+    assert_eq!(admit(&bead, 0.4, &mut y), Ok(()));
+}
+
+#[test]
+fn starts_are_mended_if_they_are_near_and_refused_with_the_constraint_if_not() {
+    for (offset, is_near) in [(1e-15, true), (9e-7, true), (2e-6, false), (0.1, false)] {
+        let start = [0.6, -0.8 + offset, 0.8, 0.6];
+        let mut y = start;
+        let admitted = admit(&PENDULUM, 0.0, &mut y);
+        assert_eq!(admitted.is_ok(), is_near, "{offset}: {admitted:?}");
+        if is_near {
+            assert!(PENDULUM.residual(0.0, &y) < 1e-15, "{offset}: {y:?}");
+        } else {
+            assert_eq!(y, start);
+            let [residual] = PENDULUM.position_residuals(0.0, &[start[0], start[1]]);
+            let wanted = Violation { constraint: "rod", residual, of: Violated::Positions };
+            assert_eq!(admitted, Err(Cause::Violated(wanted)));
+        }
+    }
+}
+
+#[test]
+fn a_state_that_cannot_be_corrected_stays_what_it_was() {
+    // At the centre of the circle no direction leads outwards; NaN and infinity lead nowhere.
+    for (q, v) in [
+        ([0.0, 0.0], [1.0, 0.0]),
+        ([f64::NAN, 0.0], [1.0, 0.0]),
+        ([0.6, f64::INFINITY], [1.0, 0.0]),
+        ([0.6, -0.8], [f64::NAN, 0.0]),
+        ([0.7, -0.8], [f64::INFINITY, 0.0]),
+    ] {
+        let bits = |q: [f64; 2], v: [f64; 2]| [q, v].map(|x| x.map(f64::to_bits));
+        let (mut to, mut speed) = (q, v);
+        let violation = project(&PENDULUM, 0.0, &mut to, &mut speed).expect_err("cannot be corrected");
+        assert_eq!(violation.constraint, "rod");
+        assert_eq!(bits(q, v), bits(to, speed));
+        let mut y = [q[0], q[1], v[0], v[1]];
+        assert!(correct(&PENDULUM, 0.0, &mut y).is_err() && admit(&PENDULUM, 0.0, &mut y).is_err());
+        assert_eq!(bits(q, v), bits([y[0], y[1]], [y[2], y[3]]));
+    }
+}
+
+/// c = atan x, from where Newton's method leaps farther and farther away.
+struct Bent;
+
+impl Mechanism<1, 1> for Bent {
+    type State = [f64; 2];
+
+    const NAMES: &'static [&'static str] = &["bent"];
+
+    fn masses(&self) -> [f64; 1] {
+        [1.0]
+    }
+
+    fn positions(&self, _t: f64, [x]: &[f64; 1]) -> [f64; 1] {
+        [x.atan()]
+    }
+
+    fn jacobian(&self, _t: f64, [x]: &[f64; 1]) -> [[f64; 1]; 1] {
+        [[1.0 / (1.0 + x * x)]]
+    }
+
+    fn drift(&self, _t: f64, [x]: &[f64; 1], [v]: &[f64; 1]) -> [f64; 1] {
+        [-2.0 * x * v * v / (1.0 + x * x).powi(2)]
+    }
+}
+
+#[test]
+fn corrections_that_overshoot_are_shortened() {
+    for start in [1.5, -3.0, 20.0] {
+        let (mut q, mut v) = ([start], [0.0]);
+        project(&System::<_, 1, 1>(Bent), 0.0, &mut q, &mut v).expect("shorter steps lead there");
+        assert!(q[0].abs() < 1e-15, "{start}: {q:?}");
+    }
+}
+
+/// One coordinate that must be in two places.
+struct Torn;
+
+impl Mechanism<1, 2> for Torn {
+    type State = [f64; 2];
+
+    const NAMES: &'static [&'static str] = &["here", "there"];
+
+    fn masses(&self) -> [f64; 1] {
+        [1.0]
+    }
+
+    fn positions(&self, _t: f64, [x]: &[f64; 1]) -> [f64; 2] {
+        [*x, 2.0 * x - 6.0]
+    }
+
+    fn jacobian(&self, _t: f64, _q: &[f64; 1]) -> [[f64; 1]; 2] {
+        [[1.0], [2.0]]
+    }
+
+    fn drift(&self, _t: f64, _q: &[f64; 1], _v: &[f64; 1]) -> [f64; 2] {
+        [0.0; 2]
+    }
+}
+
+#[test]
+fn constraints_that_contradict_each_other_are_told_by_name() {
+    let (mut q, mut v) = ([0.5], [0.0]);
+    let violation = project(&System::<_, 1, 2>(Torn), 0.0, &mut q, &mut v).expect_err("torn");
+    assert_eq!(violation, Violation { constraint: "there", residual: -5.0, of: Violated::Positions });
+    assert_eq!(q, [0.5]);
+}
+
+#[test]
+fn a_loop_with_a_crank_too_many_is_closed_at_every_angle() {
+    let loops = System::<_, 6, 6>(Parallelogram);
+    for degrees in (0..360).step_by(15) {
+        // Where all lies in a line, the constraints do not tell to first order how the loop bends.
+        let offset = if degrees % 180 == 0 { 1e-13 } else { 1e-7 };
+        let mut y = Parallelogram::state(f64::from(degrees).to_radians(), 2.0);
+        for (i, component) in y.iter_mut().enumerate() {
+            *component += offset * (i as f64).sin();
+        }
+        admit(&loops, 0.0, &mut y).unwrap_or_else(|cause| panic!("{degrees}: {cause}"));
+        let bound = if degrees % 180 == 0 { 1e-12 } else { 1e-14 };
+        assert!(loops.residual(0.0, &y) < bound, "{degrees}: {}", loops.residual(0.0, &y));
+    }
+}
+
+#[test]
+fn what_is_zero_is_measured_by_the_others() {
+    // The gap at 1e-9 is small beside a coordinate of one, but not beside one of a thousandth.
+    for (x, is_near) in [(1.0, true), (1e6, true), (1e-2, true), (1e-4, false), (0.0, false)] {
+        let mut y = [x, 1e-9, 0.0, 0.0];
+        let admitted = admit(&System::<_, 2, 1>(Ground), 0.0, &mut y);
+        assert_eq!(admitted.is_ok(), is_near, "{x}: {admitted:?}");
+    }
+}
+
+/// A point mass on the ground.
+struct Ground;
+
+impl Mechanism<2, 1> for Ground {
+    type State = [f64; 4];
+
+    const NAMES: &'static [&'static str] = &["ground"];
+
+    fn masses(&self) -> [f64; 2] {
+        [1.0, 1.0]
+    }
+
+    fn positions(&self, _t: f64, [_, y]: &[f64; 2]) -> [f64; 1] {
+        [*y]
+    }
+
+    fn jacobian(&self, _t: f64, _q: &[f64; 2]) -> [[f64; 2]; 1] {
+        [[0.0, 1.0]]
+    }
+
+    fn drift(&self, _t: f64, _q: &[f64; 2], _v: &[f64; 2]) -> [f64; 1] {
+        [0.0]
+    }
+}

@@ -1,0 +1,37 @@
+//! Whether constraints are independent enough for elimination, and how large their residuals may be.
+
+use super::least_norm::rank_tolerance;
+use crate::scalar::Scalar;
+
+/// Whether all values are finite and the growth of rounding errors, `condition`, is such that the straight way to them can be
+/// trusted: below the inverse square of [`rank_tolerance`], since pivots are squares of what is left of a gradient.
+#[inline]
+pub fn are_regular<S: Scalar>(values: &[S], condition: S) -> bool {
+    condition * rank_tolerance::<S>() * rank_tolerance::<S>() < S::ONE && are_finite(values)
+}
+
+/// Whether all values are finite.
+#[inline]
+pub fn are_finite<S: Scalar>(values: &[S]) -> bool {
+    values.iter().all(|value| value.is_finite())
+}
+
+/// Σⱼ |Aᵢⱼ| sⱼ for the rows of a matrix and shares s.
+#[inline]
+pub fn weighed<S: Scalar, const N: usize, const M: usize>(rows: &[[S; N]; M], shares: &[S; N]) -> [S; M] {
+    rows.map(|row| row.iter().zip(shares).fold(S::ZERO, |sum, (entry, &share)| sum + entry.abs() * share))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{are_finite, are_regular};
+
+    #[test]
+    fn what_is_not_known_is_not_regular() {
+        assert!(are_regular(&[1.0, -2.0], 1e6));
+        assert!(!are_regular(&[1.0], 1e13));
+        assert!(!are_regular(&[1.0], f64::NAN));
+        assert!(!are_regular(&[f64::NAN], 1.0));
+        assert!(!are_finite(&[1.0, f64::INFINITY]));
+    }
+}

@@ -1,0 +1,136 @@
+//! How large residuals are.
+
+use super::{ConstrainedSystem, Violated, Violation};
+use crate::scalar::Scalar;
+use crate::system::StateVector;
+
+/// The largest coordinate counts as no smaller than this.
+const SMALLEST: f64 = 1e-6;
+/// So many roundings of the largest scale are no violation: where a gradient vanishes, its scale is rounding itself.
+const ROUNDINGS: f64 = 16.0;
+
+/// The constraint that is violated most in proportion to its scale.
+pub(super) struct Worst<S> {
+    pub(super) violation: Violation<S>,
+    /// That proportion; infinite if the residual is not a number.
+    pub(super) part: S,
+}
+
+/// What the positions violate most.
+pub(super) fn of_positions<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+) -> Worst<M::Scalar> {
+    let residuals = system.position_residuals(t, q);
+    let scales = system.residual_scales(t, q, &sizes(q));
+    Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), Violated::Positions)
+}
+
+/// What the velocities violate most.
+pub(super) fn of_velocities<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    (q, v): (&M::Coordinates, &M::Coordinates),
+) -> Worst<M::Scalar> {
+    let residuals = system.velocity_residuals(t, q, v);
+    let scales = system.residual_scales(t, q, &sizes(v));
+    Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), Violated::Velocities)
+}
+
+/// The largest residual of positions as a part of the largest scale: near configurations in which constraints depend on each
+/// other their own scales may vanish.
+#[cold]
+pub(super) fn of_positions_together<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+) -> M::Scalar {
+    let scales = system.residual_scales(t, q, &sizes(q));
+    largest(system.position_residuals(t, q).as_ref()) / largest(scales.as_ref())
+}
+
+/// The same of velocities.
+#[cold]
+pub(super) fn of_velocities_together<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    (q, v): (&M::Coordinates, &M::Coordinates),
+) -> M::Scalar {
+    let scales = system.residual_scales(t, q, &sizes(v));
+    largest(system.velocity_residuals(t, q, v).as_ref()) / largest(scales.as_ref())
+}
+
+/// The largest magnitude; not a number if one is not.
+#[inline]
+pub(super) fn largest<S: Scalar>(x: &[S]) -> S {
+    x.iter().fold(S::ZERO, |most, x| most.max(x.abs()))
+}
+
+/// What positions, or else velocities, violate most, if it is by more than this part of its scale.
+pub(super) fn beyond<M: ConstrainedSystem + ?Sized>(
+    part: M::Scalar,
+    system: &M,
+    t: M::Scalar,
+    (q, v): (&M::Coordinates, &M::Coordinates),
+) -> Option<Violation<M::Scalar>> {
+    let too_much = |worst: Worst<M::Scalar>| (worst.part > part).then_some(worst.violation);
+    too_much(of_positions(system, t, q)).or_else(|| too_much(of_velocities(system, t, (q, v))))
+}
+
+/// What a state violates most, of positions if those do not satisfy their constraints.
+#[cold]
+pub(super) fn worst<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    (q, v): (&M::Coordinates, &M::Coordinates),
+) -> Violation<M::Scalar> {
+    beyond(M::Scalar::epsilon().sqrt(), system, t, (q, v)).unwrap_or_else(|| {
+        let (positions, velocities) = (of_positions(system, t, q), of_velocities(system, t, (q, v)));
+        if positions.part >= velocities.part { positions.violation } else { velocities.violation }
+    })
+}
+
+impl<S: Scalar> Worst<S> {
+    fn new(names: &'static [&'static str], residuals: &[S], scales: &[S], of: Violated) -> Self {
+        let mut worst = Worst {
+            violation: Violation {
+                constraint: names.first().copied().unwrap_or_default(),
+                residual: S::ZERO,
+                of,
+            },
+            part: S::ZERO,
+        };
+        let rounding =
+            S::from_f64(ROUNDINGS) * S::epsilon() * scales.iter().fold(S::ZERO, |most, s| most.max(*s));
+        for ((&constraint, &residual), &scale) in names.iter().zip(residuals).zip(scales) {
+            let part = if residual.abs() <= rounding { S::ZERO } else { proportion(residual, scale) };
+            if part > worst.part {
+                worst = Worst { violation: Violation { constraint, residual, of }, part };
+            }
+        }
+        worst
+    }
+}
+
+/// The part of its scale that a residual is.
+fn proportion<S: Scalar>(residual: S, scale: S) -> S {
+    let part = if residual == S::ZERO { S::ZERO } else { residual.abs() / scale };
+    if part >= S::ZERO { part } else { S::ONE / S::ZERO }
+}
+
+/// What coordinates or velocities are measured by: their magnitudes, but at least [`size`].
+pub(crate) fn sizes<S: Scalar, Q: StateVector<S>>(x: &Q) -> Q {
+    let least = size(x.as_ref());
+    let mut sizes = *x;
+    for entry in sizes.as_mut() {
+        *entry = entry.abs().max(least);
+    }
+    sizes
+}
+
+/// The largest magnitude, but neither less than [`SMALLEST`] nor more than one.
+#[inline]
+pub(super) fn size<S: Scalar>(x: &[S]) -> S {
+    x.iter().fold(S::from_f64(SMALLEST), |most, x| most.max(x.abs())).min(S::ONE)
+}

@@ -1,0 +1,135 @@
+//! Systems without projection.
+
+use super::ConstrainedSystem;
+use crate::event::{Answer, DeclaredEvent};
+use crate::integrate::Cause;
+use crate::system::{
+    CanonicalSystem, CoordinateMatrix, EnergyFunction, MechanicalSystem, OdeSystem, Reacted, SeparableSystem,
+    StateMatrix,
+};
+
+/// A system whose states methods leave as they find them: what its constraints demand of accelerations is all that holds it.
+///
+/// For measurements of what projection does, and for systems that are stabilised otherwise. Starts are checked and put onto the
+/// constraints all the same; errors of the method then carry the motion away from them.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Unprojected<M>(
+    /// The system.
+    pub M,
+);
+
+impl<M: OdeSystem> OdeSystem for Unprojected<M> {
+    type Scalar = M::Scalar;
+    type State = M::State;
+
+    #[inline]
+    fn rhs(&self, t: M::Scalar, y: &M::State) -> M::State {
+        self.0.rhs(t, y)
+    }
+
+    #[inline]
+    fn jacobian(&self, t: M::Scalar, y: &M::State) -> Option<StateMatrix<M>> {
+        self.0.jacobian(t, y)
+    }
+
+    #[inline]
+    fn admit(&self, t: M::Scalar, y: &mut M::State) -> Result<(), Cause<M::Scalar>> {
+        self.0.admit(t, y)
+    }
+
+    #[inline]
+    fn restore(&self, t: M::Scalar, y: &mut M::State) -> Result<(), Cause<M::Scalar>> {
+        self.0.restore(t, y)
+    }
+
+    const EVENTS: &'static [DeclaredEvent] = M::EVENTS;
+
+    #[inline]
+    fn event_values(&self, t: M::Scalar, y: &M::State, values: &mut [M::Scalar]) {
+        self.0.event_values(t, y, values);
+    }
+
+    fn react(&self, event: usize, t: M::Scalar, y: &M::State) -> Reacted<Self> {
+        let Answer { reaction, system, happening } = self.0.react(event, t, y)?;
+        Ok(Answer { reaction, system: system.map(Unprojected), happening })
+    }
+
+    fn begin(&self, t: M::Scalar, y: &M::State) -> Result<Option<Self>, Cause<M::Scalar>> {
+        Ok(self.0.begin(t, y)?.map(Unprojected))
+    }
+}
+
+impl<M: MechanicalSystem> MechanicalSystem for Unprojected<M> {
+    type Coordinates = M::Coordinates;
+    type Columns<C> = M::Columns<C>;
+
+    const COORDINATES: &'static [&'static str] = M::COORDINATES;
+
+    #[inline]
+    fn acceleration(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Coordinates {
+        self.0.acceleration(t, q, v)
+    }
+}
+
+impl<M: EnergyFunction> EnergyFunction for Unprojected<M> {
+    #[inline]
+    fn energy(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Scalar {
+        self.0.energy(t, q, v)
+    }
+}
+
+impl<M: SeparableSystem> SeparableSystem for Unprojected<M> {}
+
+impl<M: CanonicalSystem> CanonicalSystem for Unprojected<M> {
+    #[inline]
+    fn momenta(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Coordinates {
+        self.0.momenta(t, q, v)
+    }
+
+    #[inline]
+    fn momentum_rates(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Coordinates {
+        self.0.momentum_rates(t, q, v)
+    }
+
+    #[inline]
+    fn mass_matrix(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> CoordinateMatrix<M> {
+        self.0.mass_matrix(t, q, v)
+    }
+}
+
+impl<M: ConstrainedSystem> ConstrainedSystem for Unprojected<M> {
+    type Multipliers = M::Multipliers;
+
+    const CONSTRAINTS: &'static [&'static str] = M::CONSTRAINTS;
+
+    #[inline]
+    fn multipliers(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Multipliers {
+        self.0.multipliers(t, q, v)
+    }
+
+    #[inline]
+    fn position_residuals(&self, t: M::Scalar, q: &M::Coordinates) -> M::Multipliers {
+        self.0.position_residuals(t, q)
+    }
+
+    #[inline]
+    fn velocity_residuals(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Multipliers {
+        self.0.velocity_residuals(t, q, v)
+    }
+
+    #[inline]
+    fn residual_scales(&self, t: M::Scalar, q: &M::Coordinates, by: &M::Coordinates) -> M::Multipliers {
+        self.0.residual_scales(t, q, by)
+    }
+
+    #[inline]
+    fn correction(
+        &self,
+        t: M::Scalar,
+        q: &M::Coordinates,
+        v: &M::Coordinates,
+        residuals: &M::Multipliers,
+    ) -> M::Coordinates {
+        self.0.correction(t, q, v, residuals)
+    }
+}

@@ -1,0 +1,147 @@
+//! Back onto closed contacts: gaps to zero, and the velocities that contacts and sticking friction hold.
+
+use core::array;
+
+use super::balance::{Balance, Rule};
+use super::start::holds;
+use super::{Contact, ContactSystem, Mode, Terms};
+use crate::constraint::{Violated, Violation, sizes};
+use crate::integrate::Cause;
+use crate::scalar::Scalar;
+use crate::system::{join, split};
+
+/// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
+const MOST_ROUNDS: u32 = 12;
+/// A gap is closed if it is smaller than this many roundings of the terms that make it.
+const ROUNDINGS: f64 = 64.0;
+/// Bodies that touch without pressing are put so many roundings apart.
+const SLIT: f64 = 4.0;
+
+/// Brings a state onto the closed contacts and sticking friction: gaps to zero by the smallest change of the coordinates that the
+/// mechanism allows, measured by the mass matrix, and then their rates and slip velocities by the smallest change of the
+/// velocities. Constraints keep holding to first order in the change.
+///
+/// # Errors
+/// If a gap cannot be closed, with its name and what is left of it; the state is then what it was.
+pub fn correct<M, const N: usize, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    y: &mut M::State,
+) -> Result<(), Cause<M::Scalar>>
+where
+    M: ContactSystem<N, K>,
+{
+    let modes = system.modes();
+    let is_held = modes.map(holds);
+    if is_held == [false; K] {
+        return Ok(());
+    }
+    let (mut q, mut v) = split::<M>(y);
+    close(system, t, &mut q, &v, modes.map(|mode| mode == Mode::Contact(Contact::Closed)))?;
+    halt(&system.terms(t, &q, &v), &mut v, is_held);
+    if q.iter().chain(&v).any(|entry| !entry.is_finite()) {
+        return Err(Cause::NotFinite);
+    }
+    *y = join::<M>(&q, &v);
+    Ok(())
+}
+
+/// Brings these gaps to zero.
+pub(super) fn close<M, const N: usize, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    q: &mut [M::Scalar; N],
+    v: &[M::Scalar; N],
+    is_closed: [bool; K],
+) -> Result<(), Cause<M::Scalar>>
+where
+    M: ContactSystem<N, K>,
+{
+    if is_closed == [false; K] {
+        return Ok(());
+    }
+    let mut closed = *q;
+    for _ in 0..MOST_ROUNDS {
+        let terms = system.terms(t, &closed, v);
+        let before = closed;
+        if widest(&terms, q, is_closed).is_some() {
+            change(&terms, &mut closed, terms.gaps, is_closed);
+        }
+        if is_same(&before, &closed, q) {
+            *q = closed;
+            return Ok(());
+        }
+    }
+    // Gaps that are coordinates have no terms beside which they could be small: what counts is then the size of the coordinates.
+    if widest(&system.terms(t, &closed, v), &sizes(q), is_closed).is_none() {
+        *q = closed;
+        return Ok(());
+    }
+    let terms = system.terms(t, q, v);
+    let k = widest(&terms, q, is_closed).unwrap_or_default();
+    Err(violated(M::REACTIONS[k], terms.gaps[k]))
+}
+
+/// A gap is not what it must be.
+pub(super) fn violated<S>(name: &'static str, gap: S) -> Cause<S> {
+    Cause::Violated(Violation { constraint: name, residual: gap, of: Violated::Gap })
+}
+
+/// Whether two vectors differ by no more than the rounding of a third. One that is not a number differs from every other.
+fn is_same<S: Scalar, const N: usize>(one: &[S; N], other: &[S; N], scale: &[S; N]) -> bool {
+    let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
+    let differences = one.iter().zip(other).zip(scale);
+    differences.into_iter().all(|((a, b), scale)| a == b || (*a - *b).abs() <= rounding * scale.abs())
+}
+
+/// The widest of these gaps that is not closed but for the rounding of these coordinates; one that is not a number is not.
+fn widest<S: Scalar, const N: usize, const K: usize>(
+    terms: &Terms<S, N, K>,
+    scale: &[S; N],
+    is_closed: [bool; K],
+) -> Option<usize> {
+    let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
+    let mut widest: Option<usize> = None;
+    for k in (0..K).filter(|k| is_closed[*k]) {
+        let gap = terms.gaps[k].abs();
+        let is_closed = gap == S::ZERO || gap <= rounding * terms.size_of(k, scale);
+        if !is_closed && widest.is_none_or(|other| gap > terms.gaps[other].abs()) {
+            widest = Some(k);
+        }
+    }
+    widest
+}
+
+/// Brings these rates to zero.
+pub(super) fn halt<S: Scalar, const N: usize, const K: usize>(
+    terms: &Terms<S, N, K>,
+    v: &mut [S; N],
+    is_held: [bool; K],
+) {
+    change(terms, v, terms.rates, is_held);
+}
+
+/// Opens a gap by a few roundings if it is negative by no more than rounding, so that it is not found closed again at once.
+pub(super) fn part<S: Scalar, const N: usize, const K: usize>(
+    terms: &Terms<S, N, K>,
+    q: &mut [S; N],
+    k: usize,
+) {
+    if terms.gaps[k] < S::ZERO {
+        let mut values = [S::ZERO; K];
+        values[k] = terms.gaps[k] - S::from_f64(SLIT) * S::epsilon() * terms.size_of(k, q);
+        change(terms, q, values, array::from_fn(|j| j == k));
+    }
+}
+
+/// Adds responses so that these values are taken away where they are held.
+fn change<S: Scalar, const N: usize, const K: usize>(
+    terms: &Terms<S, N, K>,
+    x: &mut [S; N],
+    values: [S; K],
+    is_held: [bool; K],
+) {
+    let rules = is_held.map(|is_held| if is_held { Rule::Holds } else { Rule::Absent });
+    let shares = Balance::of_values(terms, values).reactions(&rules);
+    *x = terms.added(x, &shares);
+}

@@ -1,0 +1,112 @@
+//! Impacts.
+//!
+//! All contacts that touch take part, those that are closed as well: rates of gaps after an impact and impulses satisfy
+//!
+//! ```text
+//! Λ ≥ 0,  ξ = rate⁺ + e rate⁻ ≥ 0,  Λ ξ = 0,     v⁺ = v⁻ + Σ w Λ,
+//! ```
+//!
+//! which for one contact is v⁺ = v⁻ − (1 + e) W (J W)⁻¹ J v⁻. A contact that would have to pull is left out. Friction whose limit
+//! grows with the reactions of contacts acts by the same law as its force: |Λ| ≤ slope of the limit times the impulses, and
+//! against the slip that remains; limits that do not grow with reactions are finite forces and give no impulse.
+//!
+//! With friction, or with several contacts of different restitution, Newton's law of restitution may create energy (the
+//! paradox of Kane and Levinson). Then all coefficients are reduced in proportion until it does not.
+//! Sources: Moreau, "Unilateral contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and Applications*
+//! (1988); Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory and
+//! Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
+
+use core::array;
+
+use super::balance::{Balance, Rule};
+use super::settle::Choice;
+use super::{Mode, Terms};
+use crate::integrate::Cause;
+use crate::scalar::Scalar;
+
+/// The part of restitution is found to so many binary digits where it must be found.
+const MOST_BISECTIONS: u32 = 40;
+/// Energies are equal if they differ by fewer roundings of what is exchanged.
+const ROUNDINGS: f64 = 256.0;
+
+/// What an impact changed.
+pub(super) struct Collision<S, const N: usize, const K: usize> {
+    /// The velocities after it.
+    pub(super) velocities: [S; N],
+    pub(super) impulses: [S; K],
+    /// The kinetic energy that all contacts and friction took, by the mean of their rates before and after.
+    pub(super) energy_loss: S,
+    /// Which rates are zero after it, but for rounding.
+    pub(super) is_still: [bool; K],
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// The impact in the contacts that touch, from the velocities `v`; coefficients of restitution are zero for friction.
+    ///
+    /// # Errors
+    /// If no impulses fit, or if something is not finite.
+    pub(super) fn impact(
+        &self,
+        v: &[S; N],
+        modes: &[Mode; K],
+        is_touching: &[bool; K],
+        restitutions: &[S; K],
+    ) -> Result<Collision<S, N, K>, Cause<S>> {
+        let choices = array::from_fn(|k| match modes[k] {
+            Mode::Contact(_) if is_touching[k] => Choice::Touch,
+            Mode::Friction(_) | Mode::Smooth if self.has_impulses(k) => Choice::Rest,
+            _ => Choice::Only(Rule::Absent),
+        });
+        let collision = self.collide(v, &choices, restitutions)?;
+        let creates = |collision: &Collision<S, N, K>| collision.energy_loss < -self.rounding(collision);
+        if !creates(&collision) || restitutions.iter().any(|e| *e > S::ONE) {
+            return Ok(collision);
+        }
+        // Without restitution nothing is created, so that there is a largest part of it with which nothing is.
+        let part = |part: S| self.collide(v, &choices, &restitutions.map(|e| part * e));
+        let (mut below, mut above) = (S::ZERO, S::ONE);
+        for _ in 0..MOST_BISECTIONS {
+            let middle = S::from_f64(0.5) * (below + above);
+            let is_above = creates(&part(middle)?);
+            *(if is_above { &mut above } else { &mut below }) = middle;
+        }
+        part(below)
+    }
+
+    /// The impact with these coefficients of restitution.
+    fn collide(
+        &self,
+        v: &[S; N],
+        choices: &[Choice; K],
+        restitutions: &[S; K],
+    ) -> Result<Collision<S, N, K>, Cause<S>> {
+        let balance = Balance::of_impulses(self, restitutions);
+        if !balance.is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        let settled = balance.settle(choices);
+        let settled = settled.ok_or(Cause::Stuck("no impulses of contacts and friction fit the impact"))?;
+        let impulses = settled.reactions;
+        let mut energy_loss = S::ZERO;
+        for (k, &impulse) in impulses.iter().enumerate() {
+            let mean = self.rates[k] + S::from_f64(0.5) * balance.change(k, &impulses);
+            energy_loss = energy_loss - impulse * mean;
+        }
+        let is_thrown_back = |k: usize| self.rates[k] * restitutions[k] < S::ZERO;
+        let is_still = array::from_fn(|k| settled.rules[k] == Rule::Holds && !is_thrown_back(k));
+        Ok(Collision { velocities: self.added(v, &impulses), impulses, energy_loss, is_still })
+    }
+
+    /// What is rounding beside the energy that impulses exchange.
+    fn rounding(&self, collision: &Collision<S, N, K>) -> S {
+        let works = collision.impulses.iter().zip(&self.rates);
+        let exchanged = works.fold(S::ZERO, |sum, (impulse, rate)| sum + (*impulse * *rate).abs());
+        S::from_f64(ROUNDINGS) * S::epsilon() * exchanged
+    }
+
+    /// Whether the limits of friction k grow with reactions.
+    fn has_impulses(&self, k: usize) -> bool {
+        let slopes = self.kinetic_slopes[k].iter().chain(&self.static_slopes[k]);
+        slopes.copied().any(|slope| slope != S::ZERO)
+    }
+}

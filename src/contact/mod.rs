@@ -1,0 +1,201 @@
+//! Contacts that open and close, impacts, and dry friction that sticks and slips.
+//!
+//! An event `event floor = gap, falling => impact(e);` declares a unilateral contact, `friction brake = slip, limit;` dry
+//! friction along the velocity `slip`. Each has a *reaction* r: the normal force of the contact, along the gradient of the gap,
+//! or the friction force, along the gradient of the slip velocity. Which reactions act, and by what rule, is its *mode*, a
+//! public field of the emitted type that events switch during a motion:
+//!
+//! | mode | reaction |
+//! |---|---|
+//! | contact open | r = 0 |
+//! | contact closed | the gap stays zero; r ≥ 0, or else it opens |
+//! | friction sticks | the slip velocity stays zero; \|r\| ≤ static limit, or else it slips |
+//! | friction slips forwards, backwards | r = ∓ kinetic limit |
+//!
+//! With all reactions zero the accelerations are a₀. A unit of reaction k adds w_k to them (within the mechanism: its
+//! constraints hold), so that a = a₀ + Σ w_k r_k, and velocity rows d_k give the rates d_k·a + drift_k of gap velocities and slip
+//! velocities. Limits may depend on reactions and multipliers, and so are affine in r. What is emitted are these [`Terms`]; the
+//! small system for r is solved at run time.
+//!
+//! # What is assumed
+//!
+//! - **Modes are chosen together.** Where a mode ends, all contacts that touch and all friction at rest are settled anew: contacts
+//!   press or part, friction holds or slips the way it is driven. If strong friction leaves no choice that fits (the paradox of
+//!   Painlevé), the run ends with [`Cause::Stuck`](crate::integrate::Cause::Stuck).
+//! - **Contacts that touch are hit together**, at one instant. Two equal balls that touch and are hit elastically by a third leave
+//!   with 2/3 of its speed, and it returns with 1/3; a hair's breadth apart, they are hit one after the other, and the last one
+//!   leaves with all of it, as in Newton's cradle. An impact in several contacts is told by the event of the first, with
+//!   the impulse there and the energy that was lost in all.
+//! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law between impulses. Restitution
+//!   is reduced where it would create energy.
+//! - **Infinitely many bounces** are taken together once the rest of them would last no longer than 10⁻⁹ of the time: the contact
+//!   closes, and [`Happening::Closed`] tells when the last bounce ends.
+//! - **Forces that the motion does not determine**, as those of a table on four legs, are the shortest that fit.
+//! - **Friction without a limit**, as in a contact that is open, just [slips](Friction::Slips).
+//! - **Time runs forwards**: what was before an impact or before something came to rest does not follow from what is after it.
+//! - Smooth friction has no modes. A steep one makes the motion stiff.
+//!
+//! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5.
+
+mod balance;
+mod correct;
+mod impact;
+mod least_norm;
+mod react;
+mod settle;
+mod start;
+mod switch;
+#[cfg(test)]
+mod tests;
+
+pub use self::balance::reactions;
+pub use self::correct::correct;
+pub use self::react::react;
+pub use self::start::begin;
+pub use self::switch::{event_values, switch_values};
+
+use crate::scalar::Scalar;
+use crate::system::MechanicalSystem;
+
+/// Whether a unilateral contact is closed.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
+pub enum Contact {
+    /// Bodies are apart: no force.
+    #[default]
+    Open,
+    /// Bodies touch and stay in touch while the force presses them together.
+    Closed,
+}
+
+/// What dry friction does.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
+pub enum Friction {
+    /// Slips in the direction that the present slip velocity has, without friction where it is zero. Runs replace it by another
+    /// mode at their start, unless there is no friction because its limit is zero.
+    #[default]
+    Slips,
+    /// Slips with positive slip velocity: the force is negative.
+    SlipsForwards,
+    /// Slips with negative slip velocity: the force is positive.
+    SlipsBackwards,
+    /// Holds.
+    Sticks,
+}
+
+/// The mode of a reaction.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Mode {
+    /// Of a contact.
+    Contact(Contact),
+    /// Of dry friction.
+    Friction(Friction),
+    /// Of friction that is a smooth function of the slip velocity, r = −tanh(slip/width)·limit: its kinetic limit holds the
+    /// hyperbolic tangent. It never changes its mode and has no event.
+    Smooth,
+}
+
+/// What an emitted type with contacts or friction knows about its reactions at one state: N coordinates, K reactions in the
+/// order of declaration.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Terms<S, const N: usize, const K: usize> {
+    /// Accelerations with all reactions zero.
+    pub free: [S; N],
+    /// In row k the accelerations that a unit of reaction k adds.
+    pub responses: [[S; N]; K],
+    /// In row k the gradient d_k of the rate of gap k, or of slip velocity k, with respect to the velocities.
+    pub rows: [[S; N]; K],
+    /// Gaps, positive where bodies are apart; zero for friction.
+    pub gaps: [S; K],
+    /// Rates of gaps; slip velocities.
+    pub rates: [S; K],
+    /// Rates of `rates` at zero acceleration.
+    pub drifts: [S; K],
+    /// Coefficients of restitution, for contacts.
+    pub restitutions: [S; K],
+    /// Kinetic limits with all reactions zero, for friction.
+    pub kinetic: [S; K],
+    /// In row k how the kinetic limit k grows with each reaction.
+    pub kinetic_slopes: [[S; K]; K],
+    /// Static limits with all reactions zero, for friction.
+    pub fixed: [S; K],
+    /// In row k how the static limit k grows with each reaction.
+    pub static_slopes: [[S; K]; K],
+}
+
+/// A system with K reactions: contacts and dry friction. Emitted types implement it.
+pub trait ContactSystem<const N: usize, const K: usize>:
+    MechanicalSystem<Coordinates = [<Self as crate::system::OdeSystem>::Scalar; N]> + Sized
+{
+    /// Names of the reactions.
+    const REACTIONS: [&'static str; K];
+
+    /// The modes, in the order of declaration.
+    fn modes(&self) -> [Mode; K];
+
+    /// The same system in other modes.
+    #[must_use]
+    fn in_modes(&self, modes: [Mode; K]) -> Self;
+
+    /// What is known about the reactions at a state.
+    fn terms(
+        &self,
+        t: Self::Scalar,
+        q: &[Self::Scalar; N],
+        v: &[Self::Scalar; N],
+    ) -> Terms<Self::Scalar, N, K>;
+
+    /// The declared event by which reaction `k` changes its mode; not asked of smooth friction, which has none.
+    fn event_of(&self, k: usize) -> usize;
+}
+
+/// What an impact did.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Impact<S> {
+    /// The impulse in the contact, in N s for SI units; never negative.
+    pub impulse: S,
+    /// The kinetic energy that was lost, in all contacts that were hit at once and by friction; with moving surfaces, as seen from
+    /// them. Never negative but for rounding, unless a coefficient of restitution exceeds one.
+    pub energy_loss: S,
+}
+
+/// What a declared event was.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+#[non_exhaustive]
+pub enum Happening<S> {
+    /// A zero of a function.
+    #[default]
+    Zero,
+    /// An impact after which the contact opened again.
+    Impact(Impact<S>),
+    /// A contact closed: after a plastic impact, or after infinitely many that accumulate at `at`.
+    Closed {
+        /// When the contact is at rest; later than the event by what the last bounces take, and so perhaps after the end of the run.
+        at: S,
+        /// The impact by which it closed.
+        impact: Impact<S>,
+    },
+    /// The force of a closed contact fell to zero, and it opened.
+    Opened,
+    /// Friction came to hold.
+    Stuck,
+    /// Friction gave way.
+    Slipped,
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// Accelerations under these reactions.
+    pub fn acceleration(&self, reactions: &[S; K]) -> [S; N] {
+        self.added(&self.free, reactions)
+    }
+
+    /// A vector and the responses to these reactions.
+    fn added(&self, to: &[S; N], reactions: &[S; K]) -> [S; N] {
+        let mut sum = *to;
+        for (response, &reaction) in self.responses.iter().zip(reactions) {
+            for (sum, &part) in sum.iter_mut().zip(response) {
+                *sum = part.multiply_add(reaction, *sum);
+            }
+        }
+        sum
+    }
+}

@@ -1,0 +1,125 @@
+//! Which reactions fit together.
+//!
+//! Contacts that touch either press or part, friction that is at rest either holds or slips in the direction that results:
+//!
+//! ```text
+//! r ≥ 0, rate ≥ 0, r·rate = 0;     |r| ≤ limit and rate = 0, or r = −sign(rate) limit.
+//! ```
+//!
+//! One rule is changed at a time, that of the first reaction that contradicts its rule, which ends at the answer if friction does
+//! not couple strongly (Murty's least-index pivoting); all combinations are tried where it does not. With strong friction
+//! there may be none: the paradox of Painlevé.
+//! Sources: Murty, *Linear Complementarity, Linear and Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody
+//! Dynamics with Unilateral Contacts*, §5.3, §6.
+
+use super::balance::{Balance, Rule};
+use crate::scalar::Scalar;
+
+/// What a reaction may do.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Choice {
+    /// Nothing but this.
+    Only(Rule),
+    /// To press or to part.
+    Touch,
+    /// To hold or to slip.
+    Rest,
+}
+
+/// Rules that fit together, and the reactions under them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Settled<S, const K: usize> {
+    pub(super) rules: [Rule; K],
+    pub(super) reactions: [S; K],
+}
+
+/// More combinations are not tried.
+const MOST_COMBINATIONS: u64 = 20_000;
+/// Rounding errors of a sum are this many times those of its largest terms.
+const ROUNDINGS: f64 = 16.0;
+
+impl Choice {
+    fn rules(self) -> &'static [Rule] {
+        match self {
+            Choice::Only(Rule::Absent) => &[Rule::Absent],
+            Choice::Only(Rule::Holds) => &[Rule::Holds],
+            Choice::Only(Rule::Forwards) => &[Rule::Forwards],
+            Choice::Only(Rule::Backwards) => &[Rule::Backwards],
+            Choice::Only(Rule::Smooth) => &[Rule::Smooth],
+            Choice::Touch => &[Rule::Holds, Rule::Absent],
+            Choice::Rest => &[Rule::Holds, Rule::Forwards, Rule::Backwards],
+        }
+    }
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
+    /// Rules out of these choices that fit together, if there are any.
+    pub(super) fn settle(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+        self.pivot(choices).or_else(|| self.try_all(choices))
+    }
+
+    fn pivot(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+        let mut rules = choices.map(|choice| choice.rules()[0]);
+        for _ in 0..=8 + 4 * K {
+            let settled = self.under(rules)?;
+            let Some((k, rule)) = self.contradiction(choices, &settled) else { return Some(settled) };
+            rules[k] = rule;
+        }
+        None
+    }
+
+    fn try_all(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+        let count = |choice: &Choice| choice.rules().len() as u64;
+        let combinations =
+            choices.iter().fold(1, |product: u64, choice| product.saturating_mul(count(choice)));
+        (0..combinations.min(MOST_COMBINATIONS)).find_map(|mut number| {
+            let rules = choices.map(|choice| {
+                let rule = choice.rules()[(number % count(&choice)) as usize];
+                number /= count(&choice);
+                rule
+            });
+            self.under(rules).filter(|settled| self.contradiction(choices, settled).is_none())
+        })
+    }
+
+    fn under(&self, rules: [Rule; K]) -> Option<Settled<S, K>> {
+        let reactions = self.reactions(&rules);
+        let is_finite = reactions.iter().all(|reaction| reaction.is_finite());
+        is_finite.then_some(Settled { rules, reactions })
+    }
+
+    /// The first reaction that contradicts its rule, and the rule to try instead.
+    fn contradiction(&self, choices: &[Choice; K], settled: &Settled<S, K>) -> Option<(usize, Rule)> {
+        (0..K).find_map(|k| {
+            let other = match choices[k] {
+                Choice::Only(_) => None,
+                Choice::Touch => self.touch(k, settled),
+                Choice::Rest => self.rest(k, settled),
+            };
+            other.map(|rule| (k, rule))
+        })
+    }
+
+    /// A contact that presses by no more than rounding is open.
+    fn touch(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>) -> Option<Rule> {
+        let rounding = S::from_f64(ROUNDINGS) * S::epsilon() * self.size(k, reactions);
+        match rules[k] {
+            Rule::Holds if reactions[k] * self.response(k) <= rounding => Some(Rule::Absent),
+            Rule::Absent if self.rate(k, reactions) < -(rounding + rounding) => Some(Rule::Holds),
+            _ => None,
+        }
+    }
+
+    fn rest(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>) -> Option<Rule> {
+        let rounding = S::from_f64(ROUNDINGS) * S::epsilon() * self.size(k, reactions);
+        let (rate, reaction) = (self.rate(k, reactions), reactions[k]);
+        match rules[k] {
+            Rule::Holds if (reaction.abs() - self.fixed(k, reactions)) * self.response(k) > rounding => {
+                Some(if reaction < S::ZERO { Rule::Forwards } else { Rule::Backwards })
+            }
+            Rule::Forwards if rate < -(rounding + rounding) => Some(Rule::Holds),
+            Rule::Backwards if rate > rounding + rounding => Some(Rule::Holds),
+            _ => None,
+        }
+    }
+}

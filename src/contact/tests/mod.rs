@@ -1,0 +1,7 @@
+//! Contacts, impacts and friction on systems that are written by hand.
+
+mod friction;
+mod impacts;
+mod least_norm;
+mod motions;
+mod systems;

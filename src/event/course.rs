@@ -1,0 +1,62 @@
+//! How a motion goes on after events at the same time.
+
+use super::declared::Answer;
+use super::run::Reaction;
+use crate::integrate::Cause;
+use crate::system::OdeSystem;
+
+/// What comes of events that happen at the same time. To stop prevails.
+pub(crate) struct Course<M: OdeSystem> {
+    reaction: Reaction<M::State>,
+    /// The system that goes on, if events switched it.
+    pub(crate) system: Option<M>,
+}
+
+/// The state that a motion goes on from, and the system if it is another one.
+type Resumed<M> = Result<(<M as OdeSystem>::State, Option<M>), Cause<<M as OdeSystem>::Scalar>>;
+
+impl<M: OdeSystem> Course<M> {
+    /// To go on.
+    pub(crate) fn new() -> Self {
+        Course { reaction: Reaction::Continue, system: None }
+    }
+
+    /// Another event happened at this state.
+    pub(crate) fn add(&mut self, answer: Answer<M, M::Scalar, M::State>, state: M::State) {
+        let later = match answer.reaction {
+            Reaction::Continue if answer.system.is_some() => Reaction::Replace(state),
+            reaction => reaction,
+        };
+        self.system = answer.system.or(self.system.take());
+        self.reaction = match (later, self.reaction) {
+            (Reaction::Continue, earlier) | (_, earlier @ Reaction::Stop) => earlier,
+            (later, _) => later,
+        };
+    }
+
+    /// Whether nothing has changed.
+    pub(crate) fn goes_on(&self) -> bool {
+        matches!(self.reaction, Reaction::Continue)
+    }
+
+    /// The state that was left, if it is another one.
+    pub(crate) fn state(&self) -> Option<M::State> {
+        if let Reaction::Replace(state) = self.reaction { Some(state) } else { None }
+    }
+
+    /// The state to go on from, put onto the constraints, and the system if it is another one than `system`; `None` if the motion
+    /// ends.
+    ///
+    /// # Errors
+    /// If no motion goes on from there.
+    pub(crate) fn resume(self, system: &M, t: M::Scalar) -> Option<Resumed<M>> {
+        self.state().map(|mut state| {
+            let next = match self.system {
+                Some(next) => Some(next),
+                None => system.begin(t, &state)?,
+            };
+            next.as_ref().unwrap_or(system).restore(t, &mut state)?;
+            Ok((state, next))
+        })
+    }
+}

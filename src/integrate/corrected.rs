@@ -1,0 +1,47 @@
+//! States that methods may go on from, on the constraints of their system.
+
+use crate::integrate::error::Cause;
+use crate::scalar::Scalar;
+use crate::system::{OdeSystem, StateVector};
+
+/// Whether time and state can be gone on from.
+#[inline]
+pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<(), Cause<S>> {
+    if t.is_finite() && y.as_ref().iter().all(|component| component.is_finite()) {
+        return Ok(());
+    }
+    Err(Cause::NotFinite)
+}
+
+/// A state to start from, brought onto the constraints if it nearly satisfies them.
+pub(super) fn admitted<M: OdeSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    y: &M::State,
+) -> Result<M::State, Cause<M::Scalar>> {
+    check_finite(t, y)?;
+    let mut admitted = *y;
+    system.admit(t, &mut admitted)?;
+    check_finite(t, &admitted)?;
+    Ok(admitted)
+}
+
+/// A state within a step, on the constraints if it can be brought there. It lies as near to them as the method is accurate, and
+/// between two states that could be brought there.
+#[inline]
+pub(super) fn corrected<M: OdeSystem + ?Sized>(system: &M, t: M::Scalar, y: M::State) -> M::State {
+    if !M::IS_CONSTRAINED {
+        return y;
+    }
+    let mut corrected = y;
+    match system.correct(t, &mut corrected) {
+        Ok(()) => corrected,
+        Err(_) => y,
+    }
+}
+
+/// Whether nothing moved.
+#[inline]
+pub(super) fn is_same<S: Scalar, Y: StateVector<S>>(from: &Y, to: &Y) -> bool {
+    from.as_ref() == to.as_ref()
+}

@@ -1,0 +1,130 @@
+//! Declared events in runs of emitted types.
+
+use std::f64::consts::PI;
+
+use lagrange::Simulate;
+use lagrange::event::MOST_DECLARED;
+use lagrange::simulate::Ending;
+use lagrange::system::OdeSystem;
+
+lagrange::system! {
+    /// As many events as the language allows.
+    struct Many;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    event e1 = x - 1, rising => record;
+    event e2 = x - 2, rising => record;
+    event e3 = x - 3, rising => record;
+    event e4 = x - 4, rising => record;
+    event e5 = x - 5, rising => record;
+    event e6 = x - 6, rising => record;
+    event e7 = x - 7, rising => record;
+    event e8 = x - 8, rising => record;
+    event e9 = x - 9, rising => record;
+    event e10 = x - 10, rising => record;
+    event e11 = x - 11, rising => record;
+    event e12 = x - 12, rising => record;
+    event e13 = x - 13, rising => record;
+    event e14 = x - 14, rising => record;
+    event e15 = x - 15, rising => record;
+    event e16 = x - 16, rising => record;
+    event e17 = x - 17, rising => record;
+    event e18 = x - 18, rising => record;
+    event e19 = x - 19, rising => record;
+    event e20 = x - 20, rising => record;
+    event e21 = x - 21, rising => record;
+    event e22 = x - 22, rising => record;
+    event e23 = x - 23, rising => record;
+    event e24 = x - 24, rising => record;
+    event e25 = x - 25, rising => record;
+    event e26 = x - 26, rising => record;
+    event e27 = x - 27, rising => record;
+    event e28 = x - 28, rising => record;
+    event e29 = x - 29, rising => record;
+    event e30 = x - 30, rising => record;
+    event e31 = x - 31, rising => record;
+    event e32 = x - 32, rising => record;
+}
+
+lagrange::system! {
+    struct Oscillator;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = 1/2 * x^2;
+    event up = x, rising => record;
+    event down = x, falling => record;
+    event middle = x, crossing => record;
+    event end = t - 10, rising => stop;
+}
+
+lagrange::system! {
+    /// Two carts of different mass on one rail collide without loss.
+    struct Carts;
+
+    param m = 1.0, n = 3.0;
+    coord a, b;
+    kinetic = 1/2 * m * dot(a)^2 + 1/2 * n * dot(b)^2;
+    event hit = b - a, falling => {
+        dot(a) = dot(a) - 2 * n / (m + n) * (dot(a) - dot(b));
+        dot(b) = dot(b) + 2 * m / (m + n) * (dot(a) - dot(b));
+    }
+}
+
+lagrange::system! {
+    /// A ball on a string; the multiplier is positive where the string would have to push.
+    struct Ball;
+
+    param m = 0.5, l = 2.0, g = 9.81;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    potential = m * g * y;
+    constraint string = hypot(x, y) - l;
+    event slack = string, rising => stop;
+}
+
+#[test]
+fn as_many_events_as_can_be_declared_are_found_in_order() {
+    assert_eq!(Many::EVENTS.len(), MOST_DECLARED);
+    let run = Many.simulate([0.5, 2.0]).until(20.0).run().expect("runs");
+    let found: Vec<_> = run.events().iter().map(|event| event.name.clone()).collect();
+    let expected: Vec<_> = (1..=MOST_DECLARED).map(|i| format!("e{i}")).collect();
+    assert_eq!(found, expected);
+    for (event, passed) in run.events().iter().zip(1..) {
+        assert!((event.time - (f64::from(passed) - 0.5) / 2.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn directions_choose_zeros_and_a_zero_at_the_start_is_none() {
+    let run = Oscillator.simulate([0.0, 1.0]).until(20.0).run().expect("runs");
+    let count = |name: &str| run.events().iter().filter(|event| event.name == name).count();
+    assert_eq!([count("up"), count("down"), count("middle"), count("end")], [1, 2, 3, 1]);
+    let times = run.events().iter().filter(|event| event.name == "middle").map(|event| event.time);
+    for (time, half_turns) in times.zip(1..) {
+        assert!((time - f64::from(half_turns) * PI).abs() < 1e-8);
+    }
+    assert!((run.end_time() - 10.0).abs() < 1e-12);
+    assert_eq!(run.ending(), Ending::Stopped);
+}
+
+#[test]
+fn assignments_are_made_at_once() {
+    let run = Carts { m: 1.0, n: 3.0 }.simulate([0.0, 1.0, 2.0, -1.0]).until(1.0).run().expect("runs");
+    let [_, _, a, b] = run.last();
+    assert!((a + 2.5).abs() < 1e-12 && (b - 0.5).abs() < 1e-12, "{a} {b}");
+    assert_eq!(run.events().len(), 1);
+}
+
+/// From m v²/l − m g cos = tension and the energy: slack at the height (v₀² − 2 g l) / (3 g) above the pivot.
+#[test]
+fn a_string_becomes_slack_where_its_force_would_turn() {
+    let ball = Ball::default();
+    let speed = (3.5 * ball.g * ball.l).sqrt();
+    let run = ball.simulate([0.0, -ball.l, speed, 0.0]).until(5.0).tolerance(1e-11).run().expect("runs");
+    let [x, y, ..] = run.last();
+    assert!((y - ball.l / 2.0).abs() < 1e-8, "{y}");
+    assert!((x.hypot(y) - ball.l).abs() < 1e-12);
+    assert_eq!(run.events()[0].name, "slack");
+}

@@ -1,0 +1,128 @@
+//! Motions of declared systems stay on their constraints, from starts that satisfy them.
+
+use lagrange::Simulate;
+use lagrange::constraint::{Unprojected, Violated, Violation};
+use lagrange::integrate::{Cause, RungeKutta4, Verner98, integrate};
+
+lagrange::system! {
+    /// A point mass on a rod that a motor swings.
+    #[derive(Clone, Debug)]
+    struct Driven;
+
+    param g = 9.81, l = 0.5, w = 2.0;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    potential = g * y;
+    constraint length = x^2 + y^2 - l^2;
+    constraint motor = x - l * sin(w * t);
+}
+
+lagrange::system! {
+    /// A point mass on a rod whose constraint is stabilised.
+    #[derive(Clone, Debug)]
+    struct Stabilised;
+
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    constraint rod = x^2 + y^2 - 1;
+    stabilise = 5;
+}
+
+lagrange::system! {
+    /// Three equal cranks carry a coupler; one of them does in vain.
+    #[derive(Clone, Debug)]
+    struct Parallelogram;
+
+    param j = 0.2, m = 1.5, g = 9.81;
+    coord a, b, c, x, y, phi;
+    kinetic = 1/2 * j * (dot(a)^2 + dot(b)^2 + dot(c)^2) + 1/2 * m * (dot(x)^2 + dot(y)^2) + 1/5 * dot(phi)^2;
+    potential = m * g * y;
+    constraint x1 = x - cos(phi) + 1 - cos(a);
+    constraint y1 = y - sin(phi) - sin(a);
+    constraint x2 = x - cos(b);
+    constraint y2 = y - sin(b);
+    constraint x3 = x + cos(phi) - 1 - cos(c);
+    constraint y3 = y + sin(phi) - sin(c);
+}
+
+lagrange::system! {
+    /// What the cranks and the coupler are together.
+    struct Crank;
+
+    param inertia = 2.1, moment = 9.81 * 1.5;
+    coord a;
+    kinetic = 1/2 * inertia * dot(a)^2;
+    potential = moment * sin(a);
+}
+
+/// The cranks at this angle, turning at this rate.
+fn cranks(a: f64, rate: f64) -> [f64; 12] {
+    let (sine, cosine) = a.sin_cos();
+    [a, a, a, cosine, sine, 0.0, rate, rate, rate, -rate * sine, rate * cosine, 0.0]
+}
+
+#[test]
+fn a_start_off_the_constraints_is_refused_by_name_with_what_is_left_of_them() {
+    let rod = Driven::default();
+    let refused = |start: [f64; 4]| {
+        let method = Verner98::tolerance(1e-9);
+        let failed = integrate(&rod, 0.0, start, 1.0, &method, |_, _| {}).expect_err("refused");
+        assert_eq!(failed.state, start);
+        let again = rod.simulate(start).until(1.0).run().expect_err("refused");
+        assert_eq!(again.cause, failed.cause);
+        failed.cause
+    };
+    let wanted = Violation { constraint: "length", residual: 0.36 - 0.25, of: Violated::Positions };
+    assert_eq!(refused([0.0, -0.6, 1.0, 0.0]), Cause::Violated(wanted));
+    let wanted = Violation { constraint: "motor", residual: -1.0, of: Violated::Velocities };
+    assert_eq!(refused([0.0, -0.5, 0.0, 0.0]), Cause::Violated(wanted));
+    assert_eq!(
+        wanted.to_string(),
+        "the velocities violate the constraint `motor`, which comes to -1.0 instead of 0"
+    );
+}
+
+#[test]
+fn a_start_that_is_nearly_right_is_mended_and_a_consistent_velocity_can_be_had() {
+    let rod = Driven::default();
+    let q = [0.0, -0.5];
+    let v = rod.consistent_velocity(0.0, &q, &[0.0; 2]).expect("the motor demands one");
+    assert_eq!(v, [1.0, 0.0]);
+    let start = [1e-9, -0.5, v[0], v[1] + 1e-8];
+    let mut largest = 0.0_f64;
+    let end = integrate(&rod, 0.0, start, 0.7, &RungeKutta4 { step: 0.01 }, |t, y| {
+        let residuals = rod.constraints(t, &[y[0], y[1]], &[y[2], y[3]]);
+        largest = residuals.iter().fold(largest, |most, residual| most.max(residual.abs()));
+    })
+    .expect("follows the motor");
+    assert!(largest < 1e-15, "{largest}");
+    assert!(
+        (end[0] - 0.5 * 1.4_f64.sin()).abs() < 1e-15 && (end[2] - 1.4_f64.cos()).abs() < 1e-14,
+        "{end:?}"
+    );
+}
+
+#[test]
+fn a_start_must_satisfy_stabilised_constraints_too_and_those_that_are_not_projected() {
+    let method = RungeKutta4 { step: 0.01 };
+    let off = [1.1, 0.0, 0.0, 1.0];
+    let failed = integrate(&Stabilised {}, 0.0, off, 1.0, &method, |_, _| {}).expect_err("refused");
+    assert!(matches!(failed.cause, Cause::Violated(Violation { constraint: "rod", .. })), "{failed}");
+    let failed =
+        integrate(&Unprojected(Stabilised {}), 0.0, off, 1.0, &method, |_, _| {}).expect_err("refused");
+    assert!(matches!(failed.cause, Cause::Violated(Violation { constraint: "rod", .. })), "{failed}");
+}
+
+#[test]
+fn a_loop_with_a_crank_too_many_turns_all_around() {
+    let start = cranks(0.4, 7.0);
+    let method = Verner98::tolerance(1e-9);
+    let [angle, rate] =
+        integrate(&Crank::default(), 0.0, [0.4, 7.0], 3.0, &Verner98::tolerance(1e-13), |_, _| {})
+            .expect("turns");
+    let end = integrate(&Parallelogram::default(), 0.0, start, 3.0, &method, |_, _| {}).expect("turns");
+    assert!(angle > 3.0 * std::f64::consts::TAU, "{angle}");
+    for (found, wanted) in end.into_iter().zip(cranks(angle, rate)) {
+        assert!((found - wanted).abs() < 1e-7, "{found} for {wanted}");
+    }
+}
