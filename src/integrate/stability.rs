@@ -7,6 +7,7 @@
 //! may be of different sizes. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2; Golub, Van
 //! Loan, *Matrix Computations*, §7.3.
 
+use crate::constraint::inner;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
@@ -85,10 +86,6 @@ pub(super) fn length<S: Scalar, Y: StateVector<S>>(y: &Y) -> S {
 #[inline]
 pub(super) fn distance<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
     a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| sum + (*a - *b).abs())
-}
-
-fn inner<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
-    a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| sum + *a * *b)
 }
 
 /// The vector of this length in the direction of `y`.

@@ -3,10 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::docs::with_counts;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments, Method, Returns};
-use super::shape::{Shape, doc, length, local};
+use super::shape::{Shape, length, local};
 use super::system::Writer;
 use crate::expr::ExprId;
 use crate::program::OperationCounts;
@@ -58,10 +57,7 @@ impl Writer<'_> {
         let field = local(field);
         let otherwise = quote!(self.redundant_motion(#time, #positions, #velocities).#field);
         let (body, counts) = self.guarded(roots, Arguments::State, &otherwise);
-        let lines = docs.iter().map(|line| doc(line)).collect::<TokenStream>();
-        let docs = with_counts(lines, counts);
-        let (name, returns) = (format_ident!("{name}"), Returns::Vector(roots.len()));
-        self.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
+        self.push_method(name, docs, roots.len(), body, counts);
         counts
     }
 
@@ -340,6 +336,7 @@ pub(super) fn leapfrog_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
                 #to: &[#scalar; #n],
             ) -> [#scalar; #n] {
                 let residuals = #system::position_residuals(self, #later, #to);
+                // The mass matrix does not depend on velocities, which anything may stand for.
                 #system::correction(self, #time, #positions, #positions, &residuals)
             }
             #[inline]

@@ -95,7 +95,8 @@ impl Writer<'_> {
         counts
     }
 
-    fn push_method(
+    /// Keeps a method of the state that returns a vector.
+    pub(super) fn push_method(
         &mut self,
         name: &str,
         docs: &[&str],

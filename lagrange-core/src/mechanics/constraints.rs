@@ -8,11 +8,9 @@
 use super::elaborate::Elaborator;
 use super::elimination::Elimination;
 use super::form::QuadraticForm;
-use super::jacobian::Forms;
 use super::messages;
 use super::model::{Constraint, Model};
 use super::operand::Operand;
-use super::roads::Road;
 use super::scope::Kind;
 use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates};
 use crate::diagnostics::Origin;
@@ -121,35 +119,23 @@ pub struct ConstraintEquations {
 }
 
 impl ConstraintEquations {
-    /// From the multipliers with their condition, found along a road from these forms.
+    /// From the multipliers with their condition, the form over the velocities, and the elimination that led to them.
     pub(super) fn new(
         model: &mut Model,
-        forms: &Forms,
-        road: Road,
+        pushed: &QuadraticForm,
+        elimination: &Elimination,
         (multipliers, condition): (Vec<ExprId>, Option<ExprId>),
     ) -> ConstraintEquations {
         if model.constraints.is_empty() {
             return ConstraintEquations::default();
         }
-        let jacobian = constraint_jacobian(model, &forms.pushed);
+        let jacobian = constraint_jacobian(model, pushed);
         let acting = model.multipliers();
         let forces = constraint_forces(model, &jacobian, &acting);
         let drifts = drifts(model);
-        let elimination = elimination(model, forms, road);
-        let correction = elimination.as_ref().map(|elimination| correction(model, elimination));
-        let is_redundant = elimination.is_some_and(|elimination| elimination.is_redundant());
-        let correction = correction.unwrap_or_default();
+        let correction = correction(model, elimination);
+        let is_redundant = elimination.is_redundant();
         ConstraintEquations { multipliers, jacobian, drifts, forces, correction, condition, is_redundant }
-    }
-}
-
-/// The elimination of all unknowns that the road takes.
-pub(super) fn elimination(model: &mut Model, forms: &Forms, road: Road) -> Option<Elimination> {
-    let unknowns = model.unknowns();
-    let graph = &mut model.graph;
-    match road {
-        Road::Recursive => Elimination::recursive(graph, forms.form.clone(), &unknowns),
-        _ => Elimination::dense(graph, forms.pushed.clone(), &unknowns),
     }
 }
 

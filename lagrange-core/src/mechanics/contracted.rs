@@ -60,7 +60,7 @@ pub(super) fn solve_contracted(
         system.eliminate(i);
         labels.push((pivot, format!("pivot_{i}")));
     }
-    Some(Solution { values: system.accelerations(), labels, condition: None })
+    Some(Solution { values: system.accelerations(), labels, condition: None, elimination: None })
 }
 
 /// One equation: Σ entry · acceleration + linear = 0.

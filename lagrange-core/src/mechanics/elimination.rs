@@ -66,8 +66,8 @@ impl Elimination {
         }
         let late = Elimination::ordered(graph, form, unknowns, Multipliers::Late);
         let costs = [&early, &late].map(|elimination| {
-            let solution = elimination.as_ref()?.solution(graph, unknowns);
-            Some(cost(graph, &solution.values))
+            let values = elimination.as_ref()?.values(graph, unknowns);
+            Some(cost(graph, &values))
         });
         match costs {
             [Some(early), Some(late)] if late < early => {}

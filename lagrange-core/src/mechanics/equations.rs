@@ -3,6 +3,7 @@
 use super::constraints::{ConstraintEquations, join_multipliers};
 use super::contracted::contracted;
 use super::cost::cost;
+use super::elimination::Elimination;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
 use super::jacobian::{Derivatives, Forms};
@@ -80,8 +81,14 @@ impl Equations {
         let (form, pushed) = (forms.form.clone(), forms.pushed.clone());
         let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
         let multipliers = solution.values.split_off(velocities.len());
-        let reactions = ReactionEquations::new(model, &forms, road, &multipliers);
-        let constraints = ConstraintEquations::new(model, &forms, road, (multipliers, solution.condition));
+        let (reactions, constraints) = match kept_elimination(model, &forms, &mut solution)? {
+            Some(steps) => {
+                let reactions = ReactionEquations::new(model, &steps, &multipliers);
+                let found = (multipliers, solution.condition);
+                (reactions, ConstraintEquations::new(model, &forms.pushed, &steps, found))
+            }
+            None => Default::default(),
+        };
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
         let (jacobian, parameter_jacobian) = jacobians(model, &split, forms, (&solution.values, road));
@@ -162,6 +169,22 @@ fn forms(model: &mut Model, split: &SplitLagrangian) -> Forms {
         _ => cheaper_coefficients(&mut model.graph, pushed, &unknowns),
     };
     Forms { form, pushed }
+}
+
+/// The elimination that constraints, contacts and friction have other right-hand sides for: that of the road taken or, if it has
+/// none, that of the mass matrix.
+fn kept_elimination(
+    model: &mut Model,
+    forms: &Forms,
+    solution: &mut Solution,
+) -> Result<Option<Elimination>, SingularMassMatrix> {
+    if model.constraints.is_empty() && model.reactions.is_empty() {
+        return Ok(None);
+    }
+    let unknowns = model.unknowns();
+    let own = solution.elimination.take();
+    let steps = own.or_else(|| Elimination::dense(&mut model.graph, forms.pushed.clone(), &unknowns));
+    steps.map(Some).ok_or(SingularMassMatrix)
 }
 
 /// The derivatives of accelerations that are wanted, by the state and by parameters and inputs.

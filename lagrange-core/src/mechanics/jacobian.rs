@@ -87,7 +87,7 @@ impl Derivatives {
         variables: &[ExprId],
     ) -> Vec<Vec<ExprId>> {
         let velocities = model.velocities();
-        let accelerations = elimination.solution(&mut model.graph, &velocities).values;
+        let accelerations = elimination.values(&mut model.graph, &velocities);
         let slopes = jacobian(&mut model.graph, &self.residual, variables);
         let symbols = model.coordinates.iter().map(|coordinate| coordinate.acceleration);
         let values = symbols.zip(accelerations).collect();

@@ -4,11 +4,8 @@
 //! along the gradient d_k of its velocity, adds w_k and μ_k, which follow from the same elimination with −d_k as its linear part.
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §11.5.
 
-use super::constraints::elimination;
 use super::elimination::Elimination;
-use super::jacobian::Forms;
 use super::model::{Model, ReactionKind};
-use super::roads::Road;
 use crate::calculus::{AccelerationTerms, Rates, gradient, substitute_all};
 use crate::expr::{ExprId, Graph};
 use crate::functions;
@@ -41,24 +38,22 @@ pub struct ReactionEquations {
 }
 
 impl ReactionEquations {
-    /// From the forms of a model, eliminated along a road, and its multipliers without reactions.
+    /// From the elimination that led to the accelerations, and the multipliers without reactions.
     pub(super) fn new(
         model: &mut Model,
-        forms: &Forms,
-        road: Road,
+        elimination: &Elimination,
         multipliers: &[ExprId],
     ) -> ReactionEquations {
         if model.reactions.is_empty() {
             return ReactionEquations::default();
         }
-        let Some(elimination) = elimination(model, forms, road) else { return ReactionEquations::default() };
         let velocities = model.velocities();
         let reactions = model.reactions.iter().map(|reaction| reaction.velocity).collect::<Vec<_>>();
         let rows = reactions.iter().map(|&slip| gradient(&mut model.graph, slip, &velocities));
         let rows = rows.collect::<Vec<_>>();
         let mut rates = Rates::new(AccelerationTerms::Dropped);
         let drifts = reactions.iter().map(|&slip| rates.of(&mut model.graph, slip)).collect();
-        let added = rows.iter().map(|row| response(model, &elimination, row)).collect::<Vec<_>>();
+        let added = rows.iter().map(|row| response(model, elimination, row)).collect::<Vec<_>>();
         let (responses, multiplier_responses): (Vec<_>, Vec<_>) = added.into_iter().unzip();
         let limits = Limits { multipliers, responses: &multiplier_responses };
         let (kinetic, fixed) = (0..reactions.len()).map(|k| limits.of(model, k)).unzip();

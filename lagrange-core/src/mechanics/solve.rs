@@ -19,7 +19,6 @@ pub(super) fn push_down(graph: &mut Graph, mut form: QuadraticForm, velocities: 
 }
 
 /// The stationary point of a form, and names for what was computed on the way.
-#[derive(Clone, Debug)]
 pub(super) struct Solution {
     /// The accelerations in the order of the velocities, then the multipliers.
     pub(super) values: Vec<ExprId>,
@@ -27,11 +26,13 @@ pub(super) struct Solution {
     pub(super) labels: Vec<(ExprId, String)>,
     /// How much of the constraints the others leave, as [`Elimination::condition`] says; `None` if they are always independent.
     pub(super) condition: Option<ExprId>,
+    /// The steps that led there, for other right-hand sides; `None` if the road took none.
+    pub(super) elimination: Option<Elimination>,
 }
 
 /// Solves a form that has been pushed down; `None` if the equations are structurally singular.
 pub(super) fn solve_dense(graph: &mut Graph, form: QuadraticForm, unknowns: &[ExprId]) -> Option<Solution> {
-    Some(Elimination::dense(graph, form, unknowns)?.solution(graph, unknowns))
+    Some(Elimination::dense(graph, form, unknowns)?.into_solution(graph, unknowns))
 }
 
 /// Solves a form body by body; `None` if a pivot is missing.
@@ -40,16 +41,20 @@ pub(super) fn solve_recursive(
     form: QuadraticForm,
     unknowns: &[ExprId],
 ) -> Option<Solution> {
-    Some(Elimination::recursive(graph, form, unknowns)?.solution(graph, unknowns))
+    Some(Elimination::recursive(graph, form, unknowns)?.into_solution(graph, unknowns))
 }
 
 impl Elimination {
+    fn into_solution(self, graph: &mut Graph, unknowns: &[ExprId]) -> Solution {
+        let (values, condition) = (self.values(graph, unknowns), self.condition(graph));
+        let labels = labels(graph, &self.eliminated, unknowns);
+        Solution { values, labels, condition, elimination: Some(self) }
+    }
+
     /// The stationary point of the form.
-    pub(super) fn solution(&self, graph: &mut Graph, unknowns: &[ExprId]) -> Solution {
+    pub(super) fn values(&self, graph: &mut Graph, unknowns: &[ExprId]) -> Vec<ExprId> {
         let free = self.eliminated.iter().map(|step| step.free).collect::<Vec<_>>();
-        let values = self.substitute_back(graph, &free, unknowns);
-        let condition = self.condition(graph);
-        Solution { values, labels: labels(graph, &self.eliminated, unknowns), condition }
+        self.substitute_back(graph, &free, unknowns)
     }
 
     /// The largest of the factors by which rounding grows where constraints are nearly dependent; infinite where they are. `None`

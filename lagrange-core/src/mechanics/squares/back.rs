@@ -64,7 +64,7 @@ pub(super) fn substitute_back(
         let offset = back.composition.offset(back.algebra.graph, velocity);
         back.algebra.graph.subtract(value, offset)
     });
-    Solution { values: accelerations.collect(), labels: back.labels, condition: None }
+    Solution { values: accelerations.collect(), labels: back.labels, condition: None, elimination: None }
 }
 
 struct Back<'g> {
