@@ -55,13 +55,18 @@ extern crate std;
 
 #[cfg(any(feature = "differential-equations", feature = "diffsol"))]
 pub mod adapt;
+pub mod body;
 pub mod constraint;
 pub mod contact;
+#[cfg(feature = "draw")]
+pub mod draw;
 pub mod event;
+pub mod inertia;
 pub mod integrate;
 #[cfg(feature = "plot")]
 mod plot;
 pub mod scalar;
+pub mod scene;
 #[cfg(feature = "std")]
 pub mod simulate;
 pub mod system;

@@ -134,6 +134,8 @@ impl<'a> Elaborator<'a> {
             StatementKind::Output(name, value) => self.output(name, *value),
             StatementKind::Emit(items) => items.iter().for_each(|item| self.emit(item)),
             StatementKind::Reduce(reduction) => self.reduction(reduction),
+            // Plain statements have taken its place.
+            StatementKind::Scene(_) => {}
         }
     }
 

@@ -3,6 +3,7 @@
 //! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth are
 //! built, walked and dropped without recursion. Children have smaller ids than their parents.
 
+mod bodies;
 mod events;
 
 use proc_macro2::{Span, TokenStream};
@@ -11,6 +12,7 @@ use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
 use crate::number::Number;
+pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
 pub use events::{Action, Assignment, Direction, Event, Friction};
 
 /// A whole `system!` declaration.
@@ -89,6 +91,7 @@ impl StatementKind {
             StatementKind::Let(name, _) | StatementKind::Constraint(name, _) => vec![name],
             StatementKind::Event(event) => vec![&event.name],
             StatementKind::Friction(friction) => vec![&friction.name],
+            StatementKind::Scene(statement) => statement.declared_name().into_iter().collect(),
             _ => Vec::new(),
         }
     }
@@ -213,6 +216,8 @@ pub enum StatementKind {
     Emit(Vec<EmitItem>),
     /// `reduce Name { freeze x = e; small theta; }`
     Reduce(Reduction),
+    /// Of plane rigid bodies.
+    Scene(SceneStatement),
 }
 
 /// A second type with fewer or simpler motions.
