@@ -1,6 +1,7 @@
 //! What is said about statements of bodies.
 
 use super::names::Object;
+use crate::solids::SOLIDS;
 use crate::syntax::ast::ConnectorKind;
 
 pub(super) const GRAVITY_TWICE: &str = "`gravity` is declared twice";
@@ -66,8 +67,8 @@ pub(super) fn unknown_solid(name: &str) -> String {
     format!("there is no solid `{name}`")
 }
 
-pub(super) fn solids_are(names: impl Iterator<Item = &'static str>) -> String {
-    let names = names.map(|name| format!("`{name}`")).collect::<Vec<_>>();
+pub(super) fn solids_are() -> String {
+    let names = SOLIDS.iter().map(|solid| format!("`{}`", solid.name)).collect::<Vec<_>>();
     format!("shapes are {}", names.join(", "))
 }
 
