@@ -4,6 +4,7 @@ use super::model::Product;
 use crate::expr::Dependencies;
 
 pub(super) mod events;
+pub(super) mod inertia;
 
 pub(super) fn declared_twice(name: &str) -> String {
     format!("the name `{name}` is declared twice")

@@ -16,6 +16,7 @@ mod events;
 mod expression;
 mod form;
 mod gauss;
+mod inertia;
 mod jacobian;
 mod kinematics;
 mod loads;
