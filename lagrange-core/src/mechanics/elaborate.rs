@@ -76,7 +76,7 @@ pub(super) struct Elaborator<'a> {
 }
 
 impl<'a> Elaborator<'a> {
-    fn new(declaration: &'a Declaration, report: &'a mut Report) -> Elaborator<'a> {
+    pub(super) fn new(declaration: &'a Declaration, report: &'a mut Report) -> Elaborator<'a> {
         Elaborator {
             evaluator: Evaluator::new(declaration, report),
             declaration,
@@ -99,7 +99,7 @@ impl<'a> Elaborator<'a> {
         }
     }
 
-    fn statement(&mut self, statement: &Statement) {
+    pub(super) fn statement(&mut self, statement: &Statement) {
         let keyword = statement.origin.start;
         match &statement.kind {
             StatementKind::Parameters(list) => list.iter().for_each(|d| self.parameter(d, Kind::Parameter)),

@@ -6,6 +6,7 @@
 mod algebra;
 mod chains;
 mod check;
+mod claims;
 mod constraints;
 mod contracted;
 mod cost;
