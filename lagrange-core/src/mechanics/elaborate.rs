@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::claims::check_claims;
 use super::expression::Evaluator;
 use super::messages;
 use super::model::{
@@ -32,13 +33,14 @@ pub(super) const UNKNOWNS: &[Dependencies] =
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
 pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
-    let mut elaborator = Elaborator::new(&plain.declaration, &plain.joints, report);
+    let mut elaborator = Elaborator::new(plain, report);
     for statement in &plain.declaration.statements {
         elaborator.statement(statement);
     }
     for &mentioned in &plain.mentioned {
         elaborator.evaluator.evaluate(mentioned);
     }
+    check_claims(&mut elaborator, &plain.claims);
     let (mut model, reductions) = elaborator.finish()?;
     let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, report)).collect::<Vec<_>>();
     model.reduced = reduced.into_iter().collect::<Option<Vec<_>>>()?;
@@ -84,7 +86,8 @@ pub(super) struct Elaborator<'a> {
 }
 
 impl<'a> Elaborator<'a> {
-    fn new(declaration: &'a Declaration, joints: &'a [Name], report: &'a mut Report) -> Elaborator<'a> {
+    pub(super) fn new(plain: &'a Plain, report: &'a mut Report) -> Elaborator<'a> {
+        let Plain { declaration, joints, .. } = plain;
         Elaborator {
             evaluator: Evaluator::new(declaration, report),
             declaration,
@@ -109,7 +112,7 @@ impl<'a> Elaborator<'a> {
         }
     }
 
-    fn statement(&mut self, statement: &Statement) {
+    pub(super) fn statement(&mut self, statement: &Statement) {
         let keyword = statement.origin.start;
         match &statement.kind {
             StatementKind::Parameters(list) => list.iter().for_each(|d| self.parameter(d, Kind::Parameter)),

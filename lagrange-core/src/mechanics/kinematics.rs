@@ -1,6 +1,7 @@
 //! Function calls of the language: elementary functions, rates, vector operations, energies.
 
 use super::expression::Evaluator;
+use super::inertia;
 use super::messages;
 use super::operand::{Operand, cross, half_square, inner, norm_squared};
 use crate::diagnostics::nearest;
@@ -24,7 +25,7 @@ const STRUCTURAL: [(&str, usize); 10] = [
 
 /// Whether the language has a function of that name.
 pub(super) fn is_function(name: &str) -> bool {
-    arity(name).is_some()
+    arity(name).is_some() || inertia::by_name(name).is_some()
 }
 
 fn arity(name: &str) -> Option<usize> {
@@ -51,11 +52,15 @@ fn usage(name: &str, arity: usize) -> String {
 }
 
 fn function_names() -> impl Iterator<Item = &'static str> {
-    functions::ROWS.iter().map(|row| row.name).chain(STRUCTURAL.iter().map(|(name, _)| *name))
+    let elementary = functions::ROWS.iter().map(|row| row.name);
+    elementary.chain(STRUCTURAL.iter().map(|(name, _)| *name)).chain(inertia::function_names())
 }
 
 impl Evaluator<'_> {
     pub(super) fn evaluate_call(&mut self, name: &Name, arguments: &[AstId], call: AstId) -> Option<Operand> {
+        if let Some(function) = inertia::by_name(&name.text) {
+            return self.evaluate_mass_function(function, name, arguments, call);
+        }
         let Some(arity) = arity(&name.text) else {
             self.report_no_function(name);
             return None;

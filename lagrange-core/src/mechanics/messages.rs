@@ -4,6 +4,7 @@ use super::model::Product;
 use crate::expr::Dependencies;
 
 pub(super) mod events;
+pub(super) mod inertia;
 
 pub(super) fn declared_twice(name: &str) -> String {
     format!("the name `{name}` is declared twice")
@@ -314,7 +315,8 @@ pub(super) const TOO_MANY_CONSTRAINTS_HELP: &str =
 
 pub(super) const FORCE_OF_IMPLIED: &str =
     "this joint has no force of its own, since the coordinates fulfil it by themselves";
-pub(super) const FORCE_OF_IMPLIED_HELP: &str = "add coordinates that could leave the joint: the constraint then gets a multiplier, which is the force";
+pub(super) const FORCE_OF_IMPLIED_HELP: &str =
+    "add coordinates that could leave the joint: the constraint then gets a multiplier, which is the force";
 
 pub(super) const REDUCED_CONSTRAINTS: &str = "a system with constraints cannot be reduced yet";
 pub(super) const CONSTRAINT_IS_HERE: &str = "a constraint is here";

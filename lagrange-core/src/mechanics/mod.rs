@@ -6,6 +6,7 @@
 mod algebra;
 mod chains;
 mod check;
+mod claims;
 mod constraints;
 mod contracted;
 mod cost;
@@ -16,6 +17,7 @@ mod events;
 mod expression;
 mod form;
 mod gauss;
+mod inertia;
 mod jacobian;
 mod kinematics;
 mod loads;
