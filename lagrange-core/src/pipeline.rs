@@ -5,6 +5,7 @@ mod numeric;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::bodies::plain;
 use crate::diagnostics::Report;
 use crate::emit;
 use crate::emit::{Emitted, Refusal};
@@ -58,8 +59,9 @@ pub struct DerivedPart {
 pub fn parse(text: &str) -> Result<System, Report> {
     let mut report = Report::default();
     let Some(declaration) = parse_text(text, &mut report) else { return Err(report) };
-    match elaborate(&declaration, &mut report) {
-        Some(model) => Ok(System { declaration, model, report }),
+    let plain = plain(declaration, &mut report);
+    match elaborate(&plain, &mut report) {
+        Some(model) => Ok(System { declaration: plain.declaration, model, report }),
         None => Err(report),
     }
 }
@@ -87,7 +89,8 @@ impl Derived {
     /// If a constant is too large for the scalar.
     pub fn emit(mut self, krate: &TokenStream) -> Result<TokenStream, Report> {
         let Derived { declaration, model, equations, reduced, report } = &mut self;
-        let items = emit(declaration, model, equations, krate, report);
+        let statements = statements(declaration);
+        let items = emit(declaration, model, equations, krate, statements.as_deref(), report);
         let parts = emit_parts(declaration, reduced, krate, report);
         items.zip(parts).map(|(items, parts)| quote!(#items #parts)).ok_or(self.report)
     }
@@ -109,12 +112,17 @@ impl Derived {
 pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let mut report = Report::default();
     let items = parse_tokens(tokens, &mut report).map(|declaration| {
-        let items = elaborate(&declaration, &mut report).and_then(|mut model| {
+        let plain = plain(declaration, &mut report);
+        let model = elaborate(&plain, &mut report);
+        let declaration = plain.declaration;
+        let items = model.and_then(|mut model| {
             emit::report_hopeless_model(&declaration, &model, &mut report)?;
             let road = RoadChoice::Cheapest;
             let equations = derive(&declaration, &mut model, road, &mut report)?;
             let mut parts = derive_parts(&declaration, &mut model, road, &mut report)?;
-            let items = emit(&declaration, &mut model, &equations, krate, &mut report)?;
+            let statements = statements(&declaration);
+            let items =
+                emit(&declaration, &mut model, &equations, krate, statements.as_deref(), &mut report)?;
             let parts = emit_parts(&declaration, &mut parts, krate, &mut report)?;
             Some(quote!(#items #parts))
         });
@@ -164,11 +172,18 @@ fn emit_parts(
 ) -> Option<TokenStream> {
     let mut items = TokenStream::new();
     for DerivedPart { declaration, reduced, equations } in parts {
-        items.extend(emit(declaration, &mut reduced.model, equations, krate, report)?);
+        // What the statements of the whole system stand for is said there.
+        items.extend(emit(declaration, &mut reduced.model, equations, krate, None, report)?);
         let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
         items.extend(emit::conversions(full, declaration, reduced, krate).inspect_err(refused).ok()?);
     }
     Some(items)
+}
+
+/// The plain statements, if others stand for rigid bodies.
+fn statements(declaration: &Declaration) -> Option<String> {
+    let _ = declaration;
+    None
 }
 
 fn emit(
@@ -176,9 +191,10 @@ fn emit(
     model: &mut Model,
     equations: &Equations,
     krate: &TokenStream,
+    statements: Option<&str>,
     report: &mut Report,
 ) -> Option<TokenStream> {
-    let emitted = emit::system(declaration, model, equations, krate);
+    let emitted = emit::system(declaration, model, equations, statements, krate);
     let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
     let Emitted { items, size } = emitted.inspect_err(refused).ok()?;
     emit::report_cost(declaration, size, report);

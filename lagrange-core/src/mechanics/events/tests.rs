@@ -16,7 +16,8 @@ fn read(statements: &str) -> Result<Model, String> {
     let mut report = Report::default();
     let text = format!("{POINT}\n{statements}");
     let declaration = parse_text(&text, &mut report).expect("tokens");
-    let model = elaborate(&declaration, &mut report).filter(|_| !report.has_errors());
+    let plain = crate::bodies::plain(declaration, &mut report);
+    let model = elaborate(&plain, &mut report).filter(|_| !report.has_errors());
     model.ok_or_else(|| report.to_string())
 }
 
