@@ -1,4 +1,4 @@
-//! The whole of it on one screen: text or tokens → declaration → model → equations → items.
+//! The whole of it on one screen: text or tokens → declaration → plain statements → model → equations → items.
 
 mod numeric;
 
@@ -18,7 +18,7 @@ pub use numeric::NumericSystem;
 /// A declaration with its checked model.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// What the user wrote.
+    /// What the user wrote, in plain statements.
     pub declaration: Declaration,
     /// What it means.
     pub model: Model,
@@ -29,7 +29,7 @@ pub struct System {
 /// A system with its equations of motion.
 #[derive(Clone, Debug)]
 pub struct Derived {
-    /// What the user wrote.
+    /// What the user wrote, in plain statements.
     pub declaration: Declaration,
     /// What it means.
     pub model: Model,
@@ -61,7 +61,7 @@ pub fn parse(text: &str) -> Result<System, Report> {
     let Some(declaration) = parse_text(text, &mut report) else { return Err(report) };
     let plain = plain(declaration, &mut report);
     match elaborate(&plain, &mut report) {
-        Some(model) => Ok(System { declaration: plain.declaration, model, report }),
+        Some(model) => Ok(System { declaration: plain.without(&model.implied), model, report }),
         None => Err(report),
     }
 }
@@ -114,7 +114,7 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let items = parse_tokens(tokens, &mut report).map(|declaration| {
         let plain = plain(declaration, &mut report);
         let model = elaborate(&plain, &mut report);
-        let declaration = plain.declaration;
+        let declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
         let items = model.and_then(|mut model| {
             emit::report_hopeless_model(&declaration, &model, &mut report)?;
             let road = RoadChoice::Cheapest;

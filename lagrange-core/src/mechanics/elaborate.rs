@@ -32,9 +32,12 @@ pub(super) const UNKNOWNS: &[Dependencies] =
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
 pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
-    let mut elaborator = Elaborator::new(&plain.declaration, report);
+    let mut elaborator = Elaborator::new(&plain.declaration, &plain.joints, report);
     for statement in &plain.declaration.statements {
         elaborator.statement(statement);
+    }
+    for &mentioned in &plain.mentioned {
+        elaborator.evaluator.evaluate(mentioned);
     }
     elaborator.scene(plain);
     let (mut model, reductions) = elaborator.finish()?;
@@ -62,6 +65,10 @@ pub(super) struct Elaborator<'a> {
     pub(super) lagrangian: Vec<Term>,
     pub(super) dissipation: Vec<Term>,
     pub(super) loads: Vec<Load>,
+    /// Names of the constraints of joints.
+    pub(super) joints: &'a [Name],
+    /// Those of them that the coordinates fulfil by themselves.
+    pub(super) implied: Vec<String>,
     /// Constraints, with where their names stand.
     pub(super) constraints: Vec<(Constraint, Span)>,
     /// The rate of stabilisation, with where it is given.
@@ -81,7 +88,7 @@ pub(super) struct Elaborator<'a> {
 }
 
 impl<'a> Elaborator<'a> {
-    fn new(declaration: &'a Declaration, report: &'a mut Report) -> Elaborator<'a> {
+    fn new(declaration: &'a Declaration, joints: &'a [Name], report: &'a mut Report) -> Elaborator<'a> {
         Elaborator {
             evaluator: Evaluator::new(declaration, report),
             declaration,
@@ -93,6 +100,8 @@ impl<'a> Elaborator<'a> {
             lagrangian: Vec::new(),
             dissipation: Vec::new(),
             loads: Vec::new(),
+            joints,
+            implied: Vec::new(),
             constraints: Vec::new(),
             stabilisation: None,
             events: Vec::new(),

@@ -98,7 +98,6 @@ impl Elaborator<'_> {
     pub(super) fn scene(&mut self, plain: &Plain) {
         let bodies = plain.motions.iter().map(|motion| motion.body.clone()).collect();
         self.staged = Staged { bodies, is_visible: !plain.drawing.is_empty() };
-        self.check_geometry(&plain.drawing);
         let products = self.products();
         let [moves, is_drawn] =
             [Product::Motion, Product::Drawing].map(|product| products.contains(&product));
@@ -109,21 +108,6 @@ impl Elaborator<'_> {
         // Where the motion of a body is unknown, that was reported.
         if is_drawn && self.scene.motions.len() == plain.motions.len() {
             self.draw(&plain.drawing);
-        }
-    }
-
-    /// Shapes and lines need not make sense only to those who draw them.
-    fn check_geometry(&mut self, drawing: &[Drawn]) {
-        for item in drawing {
-            match &item.kind {
-                DrawnKind::Body { outlines, .. } => {
-                    for outline in outlines {
-                        self.outlined_part(outline);
-                    }
-                }
-                DrawnKind::Line { .. } => drop(self.flat(&item.values)),
-                _ => {}
-            }
         }
     }
 
@@ -167,6 +151,10 @@ impl Elaborator<'_> {
 
     fn item(&mut self, item: &Drawn) -> Option<DrawnItem> {
         let values = self.flat(&item.values)?;
+        // Forces in space have no place in the picture.
+        if values.len() != value_count(&item.kind) {
+            return None;
+        }
         let parts = match &item.kind {
             DrawnKind::Body { outlines, .. } => {
                 outlines.iter().map(|outline| self.outlined_part(outline)).collect::<Option<_>>()?
@@ -206,6 +194,17 @@ impl Elaborator<'_> {
             let error = self.evaluator.report.error(body.span, scene::reserved_body(&body.text));
             error.help(messages::OTHER_NAME_HELP);
         }
+    }
+}
+
+/// How many numbers there are of an item in the plane.
+fn value_count(kind: &DrawnKind) -> usize {
+    match kind {
+        DrawnKind::Body { .. } => 0,
+        DrawnKind::Joint { .. } => 2,
+        DrawnKind::Line { .. } | DrawnKind::Moment { .. } => 3,
+        DrawnKind::Force { .. } => 4,
+        DrawnKind::Connector { .. } => 5,
     }
 }
 
