@@ -89,7 +89,8 @@ impl Derived {
     /// If a constant is too large for the scalar.
     pub fn emit(mut self, krate: &TokenStream) -> Result<TokenStream, Report> {
         let Derived { declaration, model, equations, reduced, report } = &mut self;
-        let items = emit(declaration, model, equations, krate, report);
+        let statements = statements(declaration);
+        let items = emit(declaration, model, equations, krate, statements.as_deref(), report);
         let parts = emit_parts(declaration, reduced, krate, report);
         items.zip(parts).map(|(items, parts)| quote!(#items #parts)).ok_or(self.report)
     }
@@ -119,7 +120,9 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
             let road = RoadChoice::Cheapest;
             let equations = derive(&declaration, &mut model, road, &mut report)?;
             let mut parts = derive_parts(&declaration, &mut model, road, &mut report)?;
-            let items = emit(&declaration, &mut model, &equations, krate, &mut report)?;
+            let statements = statements(&declaration);
+            let items =
+                emit(&declaration, &mut model, &equations, krate, statements.as_deref(), &mut report)?;
             let parts = emit_parts(&declaration, &mut parts, krate, &mut report)?;
             Some(quote!(#items #parts))
         });
@@ -169,11 +172,18 @@ fn emit_parts(
 ) -> Option<TokenStream> {
     let mut items = TokenStream::new();
     for DerivedPart { declaration, reduced, equations } in parts {
-        items.extend(emit(declaration, &mut reduced.model, equations, krate, report)?);
+        // What the statements of the whole system stand for is said there.
+        items.extend(emit(declaration, &mut reduced.model, equations, krate, None, report)?);
         let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
         items.extend(emit::conversions(full, declaration, reduced, krate).inspect_err(refused).ok()?);
     }
     Some(items)
+}
+
+/// The plain statements, if others stand for rigid bodies.
+fn statements(declaration: &Declaration) -> Option<String> {
+    let _ = declaration;
+    None
 }
 
 fn emit(
@@ -181,9 +191,10 @@ fn emit(
     model: &mut Model,
     equations: &Equations,
     krate: &TokenStream,
+    statements: Option<&str>,
     report: &mut Report,
 ) -> Option<TokenStream> {
-    let emitted = emit::system(declaration, model, equations, krate);
+    let emitted = emit::system(declaration, model, equations, statements, krate);
     let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
     let Emitted { items, size } = emitted.inspect_err(refused).ok()?;
     emit::report_cost(declaration, size, report);
