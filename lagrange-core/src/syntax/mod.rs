@@ -20,6 +20,20 @@
 //!             | "friction" NAME "=" sum "," limits ";"
 //!             | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
 //!             | "reduce" NAME "{" { reduction } "}" [ ";" ]
+//!             | "gravity" "=" sum ";"
+//!             | "body" NAME "{" { body-line } "}" [ ";" ]
+//!             | "line" NAME "{" { "on" ":" NAME ";" | ( "through" | "angle" ) ":" sum ";" } "}" [ ";" ]
+//!             | ( "spring" | "torsion_spring" ) [ NAME ]
+//!                   "{" { ( "from" | "to" | "stiffness" | "rest" ) ":" sum ";" } "}" [ ";" ]
+//!             | ( "damper" | "torsion_damper" ) [ NAME ]
+//!                   "{" { ( "from" | "to" | "damping" ) ":" sum ";" } "}" [ ";" ]
+//!             | "pin" [ NAME "=" ] sum "to" sum ";"
+//!             | "slide" [ NAME "=" ] sum "on" NAME ";"
+//!             | "roll" [ NAME "=" ] NAME "on" NAME [ "," "radius" ":" sum ] ";"
+//! body-line   = ( "mass" | "inertia" | "center" | "origin" | "centroid" | "angle" ) ":" sum ";"
+//!             | "shape" ":" solid ";"
+//!             | "compound" "{" { [ "hole" ] solid { "," ( "mass" | "at" | "angle" ) ":" sum } ";" } "}" [ ";" ]
+//! solid       = NAME "(" [ sum { "," sum } ] ")"
 //! reduction   = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
 //!             | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 //! action      = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
@@ -37,13 +51,17 @@
 
 pub mod ast;
 mod attributes;
+mod blocks;
+mod bodies;
 mod conditionals;
+mod connectors;
 mod cursor;
 mod definitions;
 mod events;
 mod expressions;
 mod friction;
 mod header;
+mod joints;
 mod keywords;
 mod literals;
 mod messages;

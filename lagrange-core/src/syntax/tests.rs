@@ -1,3 +1,4 @@
+mod bodies;
 mod expressions;
 mod header;
 mod limits;
@@ -139,6 +140,7 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
             };
             format!("reduce {}{}", name.text, items.iter().map(item).collect::<String>())
         }
+        StatementKind::Scene(scene) => bodies::scene(declaration, scene),
     }
 }
 
