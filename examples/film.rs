@@ -53,7 +53,8 @@ lagrange::system! {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let pendulum = DoublePendulum::default();
-    let run = pendulum.simulate([2.0, 2.6, 0.0, 0.0]).until(6.0).tolerance(1e-12).every(0.04).energy().run()?;
+    let run =
+        pendulum.simulate([2.0, 2.6, 0.0, 0.0]).until(6.0).tolerance(1e-12).every(0.04).energy().run()?;
     let drawing = Drawing::of(&pendulum).size(420.0, 420.0).title("Double pendulum").nameless();
     let drawing = drawing.trace("", |pendulum, t, y| pendulum.tip(t, &[y[0], y[1]], &[y[2], y[3]]));
     drawing.picture(0.0, &run.first())?.save(gallery::picture("double_pendulum.png")?)?;
@@ -65,7 +66,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let cart = CartPole::default();
     let run = cart.simulate([0.0, 0.1, 0.0, 0.0]).until(4.0).tolerance(1e-12).every(0.04).energy().run()?;
-    Drawing::of(&cart).title("Cart and pole").forces().film(&run)?.save(gallery::picture("cart_pole.html")?)?;
+    Drawing::of(&cart)
+        .title("Cart and pole")
+        .forces()
+        .film(&run)?
+        .save(gallery::picture("cart_pole.html")?)?;
     let energy = run.column("energy").unwrap_or_default();
     compare("cart and pole", 1e-10, &[("energy, J", energy[energy.len() - 1], energy[0])]);
     Ok(())

@@ -61,7 +61,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let speed = rod.velocity_at(ends(&engine)[1])[0];
     let rows = [
         ("omega, rad/s", rod.angular_velocity, speed / expected[1]),
-        ("|MA| omega, m/s", rod.angular_velocity.abs() * (found[0] - a[0]).hypot(found[1] - a[1]), engine.r * STATE[1]),
+        (
+            "|MA| omega, m/s",
+            rod.angular_velocity.abs() * (found[0] - a[0]).hypot(found[1] - a[1]),
+            engine.r * STATE[1],
+        ),
     ];
     compare("speeds are distances from M", 1e-13, &rows);
     assert_eq!(engine.slider_motion(0.0, &q, &v).instant_center(), None);
@@ -87,7 +91,11 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, Engine>) {
     let Some(center) = rod.instant_center() else { return };
     let [a, b] = ends(moment.system);
     sketch.ink(0).dashed(rod.point(a), center).dashed(rod.point(b), center);
-    sketch.ink(3).velocity(rod.point(a), rod.velocity_at(a), "v_A").velocity(rod.point(b), rod.velocity_at(b), "v_B");
+    sketch.ink(3).velocity(rod.point(a), rod.velocity_at(a), "v_A").velocity(
+        rod.point(b),
+        rod.velocity_at(b),
+        "v_B",
+    );
     sketch.ink(0).point([0.0, 0.0], "O").point(rod.point(a), "A").point(rod.point(b), "B");
     sketch.ink(2).point(center, "M");
 }

@@ -62,7 +62,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// ω from the velocities of two points.
 fn spin(body: &Motion<f64>, p: [f64; 2], q: [f64; 2]) -> f64 {
-    let ([x, y], [vx, vy]) = (difference(body.point(q), body.point(p)), difference(body.velocity_at(q), body.velocity_at(p)));
+    let ([x, y], [vx, vy]) =
+        (difference(body.point(q), body.point(p)), difference(body.velocity_at(q), body.velocity_at(p)));
     (x * vy - y * vx) / (x * x + y * y)
 }
 

@@ -80,7 +80,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     ];
     compare("half-disk, functions", 1e-10, &rows);
     let rod = summed(rod_elements(l, PIECES), m);
-    let rows = [("J_S, kg m^2", rod.about_center, slender_rod(m, l)), ("J_end, kg m^2", rod.about_origin, slender_rod_end(m, l))];
+    let rows = [
+        ("J_S, kg m^2", rod.about_center, slender_rod(m, l)),
+        ("J_end, kg m^2", rod.about_origin, slender_rod_end(m, l)),
+    ];
     compare("rod, sums", 1e-5, &rows);
     let errors = [50, 100].map(|pieces| summed(half_disk_elements(r, pieces), m).about_center - expected);
     compare("halving the elements", 1e-2, &[("error falls by", errors[0] / errors[1], 4.0)]);
@@ -105,7 +108,9 @@ struct Summed {
 /// Elements of equal density, by place and size, that weigh `mass` together.
 fn summed(elements: Vec<([f64; 2], f64)>, mass: f64) -> Summed {
     let density = mass / elements.iter().map(|(_, size)| size).sum::<f64>();
-    let moment = |of: &dyn Fn([f64; 2]) -> f64| elements.iter().map(|&(place, size)| density * size * of(place)).sum::<f64>();
+    let moment = |of: &dyn Fn([f64; 2]) -> f64| {
+        elements.iter().map(|&(place, size)| density * size * of(place)).sum::<f64>()
+    };
     let center = [moment(&|[x, _]| x) / mass, moment(&|[_, y]| y) / mass];
     let about = |[a, b]: [f64; 2]| moment(&|[x, y]| (x - a).powi(2) + (y - b).powi(2));
     Summed { center, about_origin: about([0.0; 2]), about_center: about(center) }
@@ -139,7 +144,11 @@ fn rocking() -> Result<(), Box<dyn Error>> {
         .tolerance(1e-13)
         .stop_at("middle", Direction::Falling, |_: &Rocker, _, y: &[f64; 2]| y[0])
         .run()?;
-    compare("a quarter of the time of a small oscillation", 1e-9, &[("t, s", run.end_time(), FRAC_PI_2 / frequency)]);
+    compare(
+        "a quarter of the time of a small oscillation",
+        1e-9,
+        &[("t, s", run.end_time(), FRAC_PI_2 / frequency)],
+    );
     Ok(())
 }
 

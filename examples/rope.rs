@@ -154,7 +154,12 @@ fn states(scene: &Rope, run: &Trajectory<Rope>) -> Result<(), Box<dyn Error>> {
     let states = states.chain([(run.end_time(), run.last())]);
     let titles = ["Start", "The rough floor is reached", "All of it is rough", "At rest"];
     let pictures = states.zip(titles).map(|((t, y), title)| {
-        let drawing = Drawing::of(scene).size(420.0, 260.0).title(title).nameless().hide("slope").annotate(surroundings);
+        let drawing = Drawing::of(scene)
+            .size(420.0, 260.0)
+            .title(title)
+            .nameless()
+            .hide("slope")
+            .annotate(surroundings);
         drawing.past(run.iter()).picture(t, &y)
     });
     let pictures = pictures.collect::<Result<Vec<Picture>, _>>()?;
@@ -172,7 +177,13 @@ fn surroundings(sketch: &mut Sketch, moment: &Moment<'_, Rope>) {
     // The front of the cuboid is here as it starts.
     let front = -l3 - 2.0 * r;
     let (left, end) = (front - 3.0 * r, l3 + 4.0 * r);
-    let ground = [[left, 0.0], [0.0, 0.0], down(end, 0.0), [down(end, 0.0)[0], -end * alpha.sin() - r], [left, -end * alpha.sin() - r]];
+    let ground = [
+        [left, 0.0],
+        [0.0, 0.0],
+        down(end, 0.0),
+        [down(end, 0.0)[0], -end * alpha.sin() - r],
+        [left, -end * alpha.sin() - r],
+    ];
     sketch.ink(0).area(&ground).segment(down(end, 0.0), down(end, 3.0 * r));
     sketch.ink(2).polyline(&[[front + l1, 0.0], [-r, 0.0]]);
     let pulley = [r * (alpha / 2.0).tan(), r];

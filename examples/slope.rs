@@ -71,7 +71,8 @@ fn race(slope: &Slope) -> Result<(), Box<dyn Error>> {
     let (q, v) = (end.coordinates(), end.velocities());
     let [of_cuboid, of_cylinder, friction] = slope.forces(t, &q, &v);
     let [cuboid, cylinder] = slope.accelerations(t, &q, &v);
-    let [[s1, s2], [s10, s20]] = [slope.places(t, &q, &v), slope.places(0.0, &begin.coordinates(), &[0.0; 5])];
+    let [[s1, s2], [s10, s20]] =
+        [slope.places(t, &q, &v), slope.places(0.0, &begin.coordinates(), &[0.0; 5])];
     let (weight, drive) = (m * g, g * alpha.sin());
     let rows = [
         ("time, s", t, 3.497_487_084),
@@ -92,7 +93,13 @@ fn race(slope: &Slope) -> Result<(), Box<dyn Error>> {
 fn diagrams(slope: &Slope) -> Result<(), Box<dyn Error>> {
     let state = start(slope).into();
     let alone = |body: &str, title: &str| {
-        Drawing::of(slope).size(320.0, 360.0).title(title).nameless().free_body(body).accelerations().picture(0.0, &state)
+        Drawing::of(slope)
+            .size(320.0, 360.0)
+            .title(title)
+            .nameless()
+            .free_body(body)
+            .accelerations()
+            .picture(0.0, &state)
     };
     let pictures = [alone("cuboid", "The cuboid slides")?, alone("cylinder", "The cylinder rolls")?];
     Picture::beside(&pictures).save(gallery::picture("slope_forces.svg")?)?;

@@ -61,7 +61,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let drawing = Drawing::of(&ladder)
         .title("A step ladder slips")
         .nameless()
-        .trace("", |ladder, t, y| ladder.right_motion(t, &[y[0]], &[y[1]]).instant_center().unwrap_or([f64::NAN; 2]))
+        .trace("", |ladder, t, y| {
+            ladder.right_motion(t, &[y[0]], &[y[1]]).instant_center().unwrap_or([f64::NAN; 2])
+        })
         .annotate(explain);
     let past = run.iter().filter(|(t, _)| *t < SHOWN);
     let still = drawing.clone().past(past).picture(SHOWN, &run.at(SHOWN)?)?;
@@ -77,7 +79,8 @@ fn check_centers(ladder: &StepLadder, run: &Trajectory<StepLadder>) -> Result<()
     for (t, y) in run.iter() {
         let (q, v) = ([y[0]], [y[1]]);
         let (sine, cosine) = y[0].sin_cos();
-        let [left, right, person] = [ladder.left_motion(t, &q, &v), ladder.right_motion(t, &q, &v), ladder.person_motion(t, &q, &v)];
+        let [left, right, person] =
+            [ladder.left_motion(t, &q, &v), ladder.right_motion(t, &q, &v), ladder.person_motion(t, &q, &v)];
         let center = right.instant_center().ok_or("the right half does not turn")?;
         let foot = left.instant_center().ok_or("the left half does not turn")?;
         let met = meeting_point(l, y[0], right.velocity_at([-l / 2.0, 0.0]));
@@ -122,5 +125,9 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, StepLadder>) {
         sketch.dashed([0.0, 0.0], center).dashed(right.point(foot), center).ink(2).point(center, "M");
     }
     sketch.ink(3).velocity(right.point(hinge), right.velocity_at(hinge), "v_H");
-    sketch.velocity(right.point(foot), right.velocity_at(foot), "v_F").velocity(person.center, person.velocity, "");
+    sketch.velocity(right.point(foot), right.velocity_at(foot), "v_F").velocity(
+        person.center,
+        person.velocity,
+        "",
+    );
 }

@@ -38,7 +38,14 @@ impl Translation<'_> {
         }
         let index = self.bodies.len();
         let centroid_vector = self.terms().tuple(centroid);
-        self.motions.push(Motion { body: name.clone(), center, centroid: centroid_vector, angle, mass, inertia });
+        self.motions.push(Motion {
+            body: name.clone(),
+            center,
+            centroid: centroid_vector,
+            angle,
+            mass,
+            inertia,
+        });
         let kind = DrawnKind::Body { body: index, outlines };
         self.drawing.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
         self.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, centroid, angle, radius });
@@ -70,8 +77,7 @@ impl Translation<'_> {
         let of_shape = shape.as_ref().map(|(solid, dimensions)| self.inertia_of(solid, mass, dimensions));
         let stated = statement.inertia.map(|inertia| self.mention(inertia));
         if let (Some(stated), Some(of_shape), Some(shape)) = (stated, of_shape, &statement.shape) {
-            let claim =
-                Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
+            let claim = Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
             self.claims.push(claim);
         }
         if stated.is_none() && statement.shape.is_none() && statement.angle.is_some() {
@@ -112,7 +118,9 @@ impl Translation<'_> {
         };
         if !solid.takes(dimensions.len()) {
             let message = messages::wrong_dimensions(&shape.solid.text, dimensions.len());
-            self.report.error(shape.origin, message).help(messages::shape_usage(&solid.usage(&shape.solid.text)));
+            self.report
+                .error(shape.origin, message)
+                .help(messages::shape_usage(&solid.usage(&shape.solid.text)));
             return None;
         }
         Some((solid, dimensions))
