@@ -5,7 +5,6 @@ use super::names::{Body, Line, Object};
 use super::terms::Pair;
 use super::translation::Translation;
 use super::{Claim, Drawn, DrawnKind, Motion, Outline};
-use crate::diagnostics::nearest;
 use crate::solids;
 use crate::solids::Solid;
 use crate::syntax::ast;
@@ -38,17 +37,10 @@ impl Translation<'_> {
         }
         let index = self.bodies.len();
         let centroid_vector = self.terms().tuple(centroid);
-        self.motions.push(Motion {
-            body: name.clone(),
-            center,
-            centroid: centroid_vector,
-            angle,
-            mass,
-            inertia,
-        });
+        self.motions.push(Motion { body: name.clone(), center, centroid: centroid_vector, angle, mass, inertia });
         let kind = DrawnKind::Body { body: index, outlines };
         self.drawing.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
-        self.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, centroid, angle, radius });
+        self.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, angle, radius });
         self.names.declare(&name.text, Object::Body(index));
         self.weigh(index);
     }
@@ -77,7 +69,8 @@ impl Translation<'_> {
         let of_shape = shape.as_ref().map(|(solid, dimensions)| self.inertia_of(solid, mass, dimensions));
         let stated = statement.inertia.map(|inertia| self.mention(inertia));
         if let (Some(stated), Some(of_shape), Some(shape)) = (stated, of_shape, &statement.shape) {
-            let claim = Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
+            let claim =
+                Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
             self.claims.push(claim);
         }
         if stated.is_none() && statement.shape.is_none() && statement.angle.is_some() {
@@ -109,18 +102,16 @@ impl Translation<'_> {
     pub(super) fn shape(&mut self, shape: &Shape) -> Option<(&'static Solid, Vec<AstId>)> {
         let dimensions = shape.dimensions.iter().map(|&id| self.mention(id)).collect::<Vec<_>>();
         let Some(solid) = solids::by_name(&shape.solid.text) else {
-            let help = match nearest(&shape.solid.text, solids::names()) {
+            let help = match solids::nearest(&shape.solid.text) {
                 Some(known) => messages::did_you_mean(known),
-                None => messages::solids_are(solids::names()),
+                None => messages::solids_are(),
             };
             self.report.error(shape.solid.span, messages::unknown_solid(&shape.solid.text)).help(help);
             return None;
         };
-        if !solid.takes(dimensions.len()) {
+        if !solid.dimensions.accept(dimensions.len()) {
             let message = messages::wrong_dimensions(&shape.solid.text, dimensions.len());
-            self.report
-                .error(shape.origin, message)
-                .help(messages::shape_usage(&solid.usage(&shape.solid.text)));
+            self.report.error(shape.origin, message).help(messages::shape_usage(&solid.shape_usage()));
             return None;
         }
         Some((solid, dimensions))
@@ -138,7 +129,7 @@ impl Translation<'_> {
         let mut terms = self.terms();
         match center {
             Some((function, dimensions)) => {
-                let center = terms.call(function, dimensions);
+                let center = terms.call(&function, dimensions);
                 terms.pair(center)
             }
             None => terms.zero_pair(),
@@ -230,7 +221,7 @@ impl Translation<'_> {
         let kind = DrawnKind::Line { name: name.clone(), body: carrier };
         self.drawing.push(Drawn { kind, values: vec![point, angle], needs: Vec::new() });
         self.names.declare(&name, Object::Line(self.lines.len()));
-        self.lines.push(Line { name, body, through, angle });
+        self.lines.push(Line { body, through, angle });
     }
 
     /// The body of a name that must be one's.

@@ -1,6 +1,7 @@
 //! What is said about statements of bodies.
 
 use super::names::Object;
+use crate::solids::SOLIDS;
 use crate::syntax::ast::ConnectorKind;
 
 pub(super) const GRAVITY_TWICE: &str = "`gravity` is declared twice";
@@ -26,8 +27,7 @@ pub(super) fn no_mass(name: &str) -> String {
     format!("body `{name}` has no mass")
 }
 
-pub(super) const NO_MASS_HELP: &str =
-    "give it one, `mass: m;`, or put it together from parts, `compound { … }`";
+pub(super) const NO_MASS_HELP: &str = "give it one, `mass: m;`, or put it together from parts, `compound { … }`";
 
 pub(super) fn no_inertia(name: &str) -> String {
     format!("body `{name}` turns, but has no moment of inertia")
@@ -42,7 +42,8 @@ pub(super) fn one_place(name: &str, are_both: bool) -> String {
     }
 }
 
-pub(super) const ONE_PLACE_HELP: &str = "write where its centre of mass is, `center: (x, y);`, or where its own coordinates begin, `origin: (x, y);`";
+pub(super) const ONE_PLACE_HELP: &str =
+    "write where its centre of mass is, `center: (x, y);`, or where its own coordinates begin, `origin: (x, y);`";
 
 pub(super) fn center_of(name: &str) -> String {
     format!("the centre of `{name}`")
@@ -66,8 +67,8 @@ pub(super) fn unknown_solid(name: &str) -> String {
     format!("there is no solid `{name}`")
 }
 
-pub(super) fn solids_are(names: impl Iterator<Item = &'static str>) -> String {
-    let names = names.map(|name| format!("`{name}`")).collect::<Vec<_>>();
+pub(super) fn solids_are() -> String {
+    let names = SOLIDS.iter().map(|solid| format!("`{}`", solid.name)).collect::<Vec<_>>();
     format!("shapes are {}", names.join(", "))
 }
 
@@ -158,9 +159,7 @@ pub(super) fn other_object(name: &str, wanted: &str, found: Option<&str>) -> Str
 pub(super) fn declare_object(wanted: &str) -> String {
     match wanted {
         "a line" => "declare it before: `line floor { through: (0, 0); angle: 0; }`".to_owned(),
-        _ => {
-            "declare it before: `body name { mass: m; center: (x, y); angle: a; shape: disk(r); }`".to_owned()
-        }
+        _ => "declare it before: `body name { mass: m; center: (x, y); angle: a; shape: disk(r); }`".to_owned(),
     }
 }
 
@@ -189,7 +188,8 @@ pub(super) fn slides_on_itself(name: &str) -> String {
     format!("`{name}` carries this line itself")
 }
 
-pub(super) const PINNED_TO_ITSELF_HELP: &str = "a joint connects two bodies, or a body and the ground: the distance of two points of one body never changes";
+pub(super) const PINNED_TO_ITSELF_HELP: &str =
+    "a joint connects two bodies, or a body and the ground: the distance of two points of one body never changes";
 
 pub(super) fn no_radius(name: &str) -> String {
     format!("the radius on which `{name}` rolls is not known")

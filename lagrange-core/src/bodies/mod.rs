@@ -18,8 +18,11 @@ mod names;
 mod terms;
 mod translation;
 
+#[cfg(test)]
+mod tests;
+
 use crate::diagnostics::{Origin, Report};
-use crate::syntax::ast::{AstId, ConnectorKind, Declaration, Name};
+use crate::syntax::ast::{AstId, ConnectorKind, Declaration, Name, StatementKind};
 use names::report_repeated;
 use translation::Translation;
 
@@ -40,6 +43,18 @@ pub struct Plain {
     pub joints: Vec<Name>,
     /// Everything that stands in statements about bodies, so that mistakes in it are found whether or not it is needed.
     pub mentioned: Vec<AstId>,
+}
+
+impl Plain {
+    /// The declaration without these constraints of joints.
+    pub fn without(self, constraints: &[String]) -> Declaration {
+        let mut declaration = self.declaration;
+        declaration.statements.retain(|statement| match &statement.kind {
+            StatementKind::Constraint(name, _) => !constraints.contains(&name.text),
+            _ => true,
+        });
+        declaration
+    }
 }
 
 /// How a body moves. Vectors have two components, rates may hold `ddot`.

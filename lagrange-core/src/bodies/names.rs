@@ -17,8 +17,6 @@ pub(super) struct Body {
     pub(super) center: AstId,
     /// The origin of the own coordinates.
     pub(super) origin: Pair,
-    /// The centre of mass in own coordinates.
-    pub(super) centroid: Pair,
     pub(super) angle: AstId,
     /// The radius on which it rolls, if its shape is round.
     pub(super) radius: Option<AstId>,
@@ -27,7 +25,6 @@ pub(super) struct Body {
 /// A line.
 #[derive(Clone, Debug)]
 pub(super) struct Line {
-    pub(super) name: String,
     pub(super) body: Option<usize>,
     pub(super) through: Pair,
     pub(super) angle: AstId,
@@ -100,7 +97,7 @@ impl Names {
             }
             match &statement.kind {
                 StatementKind::Scene(scene) => {
-                    for name in scene.declared_name() {
+                    if let Some(name) = scene.declared_name() {
                         all_objects.insert(name.text.clone(), name.clone());
                     }
                 }
