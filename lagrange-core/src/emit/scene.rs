@@ -198,6 +198,7 @@ fn connector(kind: ConnectorKind) -> Ident {
 fn joint(form: JointForm) -> Ident {
     local(match form {
         JointForm::Pin => "Pin",
+        JointForm::Anchor => "Anchor",
         JointForm::Slide => "Slide",
         JointForm::Roll => "Roll",
     })
