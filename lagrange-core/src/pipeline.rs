@@ -1,10 +1,11 @@
-//! The whole of it on one screen: text or tokens → declaration → model → equations → items.
+//! The whole of it on one screen: text or tokens → declaration → plain statements → model → equations → items.
 
 mod numeric;
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::bodies::plain;
 use crate::diagnostics::Report;
 use crate::emit;
 use crate::emit::{Emitted, Refusal};
@@ -17,7 +18,7 @@ pub use numeric::NumericSystem;
 /// A declaration with its checked model.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// What the user wrote.
+    /// What the user wrote, in plain statements.
     pub declaration: Declaration,
     /// What it means.
     pub model: Model,
@@ -28,7 +29,7 @@ pub struct System {
 /// A system with its equations of motion.
 #[derive(Clone, Debug)]
 pub struct Derived {
-    /// What the user wrote.
+    /// What the user wrote, in plain statements.
     pub declaration: Declaration,
     /// What it means.
     pub model: Model,
@@ -58,8 +59,9 @@ pub struct DerivedPart {
 pub fn parse(text: &str) -> Result<System, Report> {
     let mut report = Report::default();
     let Some(declaration) = parse_text(text, &mut report) else { return Err(report) };
-    match elaborate(&declaration, &mut report) {
-        Some(model) => Ok(System { declaration, model, report }),
+    let plain = plain(declaration, &mut report);
+    match elaborate(&plain, &mut report) {
+        Some(model) => Ok(System { declaration: plain.without(&model.implied), model, report }),
         None => Err(report),
     }
 }
@@ -109,7 +111,10 @@ impl Derived {
 pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let mut report = Report::default();
     let items = parse_tokens(tokens, &mut report).map(|declaration| {
-        let items = elaborate(&declaration, &mut report).and_then(|mut model| {
+        let plain = plain(declaration, &mut report);
+        let model = elaborate(&plain, &mut report);
+        let declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
+        let items = model.and_then(|mut model| {
             emit::report_hopeless_model(&declaration, &model, &mut report)?;
             let road = RoadChoice::Cheapest;
             let equations = derive(&declaration, &mut model, road, &mut report)?;

@@ -244,6 +244,7 @@ impl Elaborator<'_> {
             dissipation,
             loads: self.loads,
             constraints: self.constraints.into_iter().map(|(constraint, _)| constraint).collect(),
+            implied: self.implied,
             stabilisation: self.stabilisation.map(|(rate, _)| rate),
             events: self.events.into_iter().map(|(event, _)| event).collect(),
             reactions: self.reactions.into_iter().map(|(reaction, _)| reaction).collect(),

@@ -10,6 +10,7 @@ use super::model::{
 use super::operand::Operand;
 use super::reduce::reduce;
 use super::scope::Kind;
+use crate::bodies::Plain;
 use crate::calculus::evaluate;
 use crate::diagnostics::Report;
 use crate::diagnostics::nearest;
@@ -30,10 +31,13 @@ pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
-pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model> {
-    let mut elaborator = Elaborator::new(declaration, report);
-    for statement in &declaration.statements {
+pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
+    let mut elaborator = Elaborator::new(&plain.declaration, &plain.joints, report);
+    for statement in &plain.declaration.statements {
         elaborator.statement(statement);
+    }
+    for &mentioned in &plain.mentioned {
+        elaborator.evaluator.evaluate(mentioned);
     }
     let (mut model, reductions) = elaborator.finish()?;
     let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, report)).collect::<Vec<_>>();
@@ -60,6 +64,10 @@ pub(super) struct Elaborator<'a> {
     pub(super) lagrangian: Vec<Term>,
     pub(super) dissipation: Vec<Term>,
     pub(super) loads: Vec<Load>,
+    /// Names of the constraints of joints.
+    pub(super) joints: &'a [Name],
+    /// Those of them that the coordinates fulfil by themselves.
+    pub(super) implied: Vec<String>,
     /// Constraints, with where their names stand.
     pub(super) constraints: Vec<(Constraint, Span)>,
     /// The rate of stabilisation, with where it is given.
@@ -76,7 +84,7 @@ pub(super) struct Elaborator<'a> {
 }
 
 impl<'a> Elaborator<'a> {
-    fn new(declaration: &'a Declaration, report: &'a mut Report) -> Elaborator<'a> {
+    fn new(declaration: &'a Declaration, joints: &'a [Name], report: &'a mut Report) -> Elaborator<'a> {
         Elaborator {
             evaluator: Evaluator::new(declaration, report),
             declaration,
@@ -88,6 +96,8 @@ impl<'a> Elaborator<'a> {
             lagrangian: Vec::new(),
             dissipation: Vec::new(),
             loads: Vec::new(),
+            joints,
+            implied: Vec::new(),
             constraints: Vec::new(),
             stabilisation: None,
             events: Vec::new(),

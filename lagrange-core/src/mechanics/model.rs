@@ -26,6 +26,8 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// What coordinates and velocities must satisfy, in declaration order.
     pub constraints: Vec<Constraint>,
+    /// Names of constraints of joints that are left out, since the coordinates fulfil them by themselves.
+    pub implied: Vec<String>,
     /// The rate κ at which constraints are stabilised: c̈ + 2 κ ċ + κ² c = 0; constant in motion.
     pub stabilisation: Option<ExprId>,
     /// Declared events.

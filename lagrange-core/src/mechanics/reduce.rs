@@ -95,6 +95,7 @@ impl<'a> Reducer<'a> {
             loads,
             // These are refused beside a reduction.
             constraints: Vec::new(),
+            implied: Vec::new(),
             stabilisation: None,
             events: Vec::new(),
             reactions: Vec::new(),

@@ -82,7 +82,7 @@ impl Declaration {
 
 impl StatementKind {
     /// The names that expressions behind the statement may mention.
-    pub(super) fn declared_names(&self) -> Vec<&Name> {
+    pub fn declared_names(&self) -> Vec<&Name> {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
