@@ -105,7 +105,9 @@ impl Names {
                 }
                 StatementKind::Output(name, _) => drop(taken.insert(name.text.clone(), ())),
                 StatementKind::Parameters(list) | StatementKind::Constants(list) => {
-                    list.iter().for_each(|row| drop(fixed.insert(row.name.text.clone(), ())));
+                    for row in list {
+                        fixed.insert(row.name.text.clone(), ());
+                    }
                 }
                 _ => {}
             }

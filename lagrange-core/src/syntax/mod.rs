@@ -68,6 +68,7 @@ mod messages;
 mod names;
 mod operands;
 mod parser;
+pub mod print;
 mod recovery;
 mod reductions;
 mod statements;

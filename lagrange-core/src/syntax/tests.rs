@@ -3,6 +3,7 @@ mod expressions;
 mod header;
 mod limits;
 mod mistakes;
+mod print;
 mod statements;
 mod systems;
 
