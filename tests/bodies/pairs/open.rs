@@ -133,7 +133,7 @@ pair! { plates_with_springs_and_dampers,
         kinetic = 1/2 * m * (dot(x1)^2 + dot(y1)^2) + 1/24 * m * (a^2 + b^2) * dot(p)^2;
         kinetic = 1/2 * m * (dot(x2)^2 + dot(y2)^2) + 1/24 * m * (a^2 + b^2) * dot(q)^2;
         potential = m * g * (y1 + y2) + 1/2 * kt * (q - p)^2;
-        let d = hypot(x2 + a/2 * cos(q) - 1, y2 + a/2 * sin(q) + 1);
+        let d = sqrt((x2 + a/2 * cos(q) - 1)^2 + (y2 + a/2 * sin(q) + 1)^2);
         potential = 1/2 * k * (d - l0)^2;
         dissipation = 1/2 * ct * (dot(q) - dot(p))^2 + 1/2 * c * dot(d)^2;
     }
@@ -175,7 +175,7 @@ pair! { rocking_half_disk,
         gravity = (0, -g);
         line floor {}
         body half { shape: semicircular_disk(r); mass: m; origin: (-r * phi, r); angle: phi + pi; }
-        roll half on floor;
+        roll half on floor, radius: r;
     }
     by_hand {
         param m = 1.5, r = 0.4, g = 9.81;
@@ -206,6 +206,6 @@ pair! { body_and_point_mass_on_a_spring,
         potential = m1 * g * y + m2 * g * w;
         let px = x + a/2 * cos(phi) - b/2 * sin(phi);
         let py = y + a/2 * sin(phi) + b/2 * cos(phi);
-        potential = 1/2 * k * (hypot(u - px, w - py) - l0)^2 + k * (x^2 + (y - 1)^2);
+        potential = 1/2 * k * (sqrt((u - px)^2 + (w - py)^2) - l0)^2 + k * (x^2 + (y - 1)^2);
     }
 }
