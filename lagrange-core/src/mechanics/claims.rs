@@ -22,6 +22,8 @@ pub(super) fn check_claims(elaborator: &mut Elaborator, claims: &[Claim]) {
             Claim::SameInertia { body, stated, of_shape, shape } => {
                 same_inertia(elaborator, body, [*stated, *of_shape], *shape);
             }
+            Claim::PlaneVector { what, value } => plane_vector(elaborator, what, *value),
+            Claim::Moves { body, center, angle } => moves(elaborator, body, [*center, *angle]),
         }
     }
 }
@@ -49,6 +51,30 @@ fn same_inertia(elaborator: &mut Elaborator, body: &Name, inertias: [AstId; 2], 
     let message = words::other_inertia(&body.text, values[0], values[1], &condition);
     let warning = elaborator.evaluator.report.doubtful(origin, message);
     warning.related(shape, words::SHAPE_IS_HERE).help(words::OTHER_INERTIA_HELP);
+}
+
+fn plane_vector(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
+    let Some(value) = elaborator.evaluator.evaluate(syntax) else { return };
+    if !matches!(&value, Operand::Vector(components) if components.len() == 2) {
+        let origin = elaborator.evaluator.origin(syntax);
+        let message = words::plane_vector_needed(what, &value.kind());
+        elaborator.evaluator.report.error(origin, message).help(words::PLANE_VECTOR_HELP);
+    }
+}
+
+/// A body that stands still whatever happens has no place among coordinates.
+fn moves(elaborator: &mut Elaborator, body: &Name, placed: [AstId; 2]) {
+    let mut components = Vec::new();
+    for syntax in placed {
+        let Some(value) = elaborator.evaluator.evaluate(syntax) else { return };
+        components.extend_from_slice(value.components());
+    }
+    let graph = &elaborator.evaluator.graph;
+    let stands = |&component: &ExprId| graph.dependencies(component).is_constant_in_motion();
+    if components.iter().all(stands) {
+        let report = &mut *elaborator.evaluator.report;
+        report.error(body.span, words::body_stands_still(&body.text)).help(words::BODY_STANDS_STILL_HELP);
+    }
 }
 
 /// The value of an expression that is a scalar; anything else has been reported where it is used.

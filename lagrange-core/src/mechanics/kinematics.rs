@@ -3,9 +3,8 @@
 use super::expression::Evaluator;
 use super::inertia;
 use super::messages;
-use super::operand::{Operand, cross, half_square, inner, norm_squared};
+use super::operand::{Operand, cross, half_square, inner, norm};
 use crate::diagnostics::nearest;
-use crate::expr::Function;
 use crate::functions;
 use crate::syntax::ast::{AstId, Name};
 
@@ -107,8 +106,7 @@ impl Evaluator<'_> {
         let vectors = arguments.iter().map(|&argument| self.vector(argument, &what)).collect::<Vec<_>>();
         let vectors = vectors.into_iter().collect::<Option<Vec<_>>>()?;
         if name == "norm" {
-            let square = norm_squared(&mut self.graph, &vectors[0]);
-            return Some(Operand::Scalar(functions::apply(&mut self.graph, Function::Sqrt, &[square])));
+            return Some(Operand::Scalar(norm(&mut self.graph, &vectors[0])));
         }
         if vectors[0].len() != vectors[1].len() {
             let kinds = [0, 1].map(|i| Operand::Vector(vectors[i].clone()).kind());

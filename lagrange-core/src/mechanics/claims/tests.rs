@@ -1,5 +1,5 @@
 use super::check_claims;
-use crate::bodies::Claim;
+use crate::bodies::{Claim, plain};
 use crate::diagnostics::{Origin, Report};
 use crate::mechanics::elaborate::Elaborator;
 use crate::syntax::ast::{AstId, Declaration, Name, StatementKind};
@@ -19,8 +19,9 @@ fn reported(statements: &str, claims: impl Fn(&Declaration) -> Vec<Claim>) -> St
     let mut report = Report::default();
     let declaration = parse_text(statements, &mut report).expect("a readable declaration");
     let claims = claims(&declaration);
-    let mut elaborator = Elaborator::new(&declaration, &mut report);
-    declaration.statements.iter().for_each(|statement| elaborator.statement(statement));
+    let plain = plain(declaration, &mut report);
+    let mut elaborator = Elaborator::new(&plain, &mut report);
+    plain.declaration.statements.iter().for_each(|statement| elaborator.statement(statement));
     check_claims(&mut elaborator, &claims);
     report.to_string()
 }

@@ -44,3 +44,11 @@ pub(in crate::mechanics) fn for_values(values: &[(String, f64)]) -> String {
 
 pub(in crate::mechanics) const SHAPE_IS_HERE: &str = "the shape is given here";
 pub(in crate::mechanics) const OTHER_INERTIA_HELP: &str = "leave `inertia` out to have that of the shape, about the centre of mass; if the stated one is meant, because mass is not spread evenly, `#[allow(deprecated)]` on the system silences this";
+
+pub(in crate::mechanics) const PLANE_VECTOR_HELP: &str = "write its two components: `(x, y)`";
+
+pub(in crate::mechanics) fn body_stands_still(name: &str) -> String {
+    format!("nothing moves body `{name}`: neither its place nor its angle depends on a coordinate")
+}
+
+pub(in crate::mechanics) const BODY_STANDS_STILL_HELP: &str = "write its centre with coordinates: `coord x, y;` and `center: (x, y);`; what stands still needs no body, a `line` for example";
