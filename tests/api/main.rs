@@ -9,6 +9,7 @@ mod declarations;
 mod events;
 mod fixed_steps;
 mod hybrid;
+mod inertia;
 mod methods;
 mod products;
 mod projection;
