@@ -37,7 +37,14 @@ impl Translation<'_> {
         }
         let index = self.bodies.len();
         let centroid_vector = self.terms().tuple(centroid);
-        self.motions.push(Motion { body: name.clone(), center, centroid: centroid_vector, angle, mass, inertia });
+        self.motions.push(Motion {
+            body: name.clone(),
+            center,
+            centroid: centroid_vector,
+            angle,
+            mass,
+            inertia,
+        });
         let kind = DrawnKind::Body { body: index, outlines };
         self.drawing.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
         self.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, angle, radius });
@@ -69,8 +76,7 @@ impl Translation<'_> {
         let of_shape = shape.as_ref().map(|(solid, dimensions)| self.inertia_of(solid, mass, dimensions));
         let stated = statement.inertia.map(|inertia| self.mention(inertia));
         if let (Some(stated), Some(of_shape), Some(shape)) = (stated, of_shape, &statement.shape) {
-            let claim =
-                Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
+            let claim = Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
             self.claims.push(claim);
         }
         if stated.is_none() && statement.shape.is_none() && statement.angle.is_some() {

@@ -49,11 +49,8 @@ impl Translation<'_> {
     }
 
     fn report_beside_compound(&mut self, statement: &ast::Body) {
-        let given = [
-            ("mass", statement.mass),
-            ("inertia", statement.inertia),
-            ("centroid", statement.centroid),
-        ];
+        let given =
+            [("mass", statement.mass), ("inertia", statement.inertia), ("centroid", statement.centroid)];
         for (label, id) in given.into_iter().filter_map(|(label, id)| Some((label, id?))) {
             let error = self.report.error(self.expressions.origin(id), messages::beside_compound(label));
             error.help(messages::BESIDE_COMPOUND_HELP);

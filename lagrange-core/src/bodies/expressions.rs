@@ -70,9 +70,7 @@ impl Translation<'_> {
 
     /// The parts of an expression that are translated before it: not the names of bodies where these belong.
     fn parts(&self, id: AstId) -> Vec<AstId> {
-        let is_object = |id: &AstId| {
-            matches!(self.expressions.get(*id), Expression::Name(name) if self.names.find(name).is_some())
-        };
+        let is_object = |id: &AstId| matches!(self.expressions.get(*id), Expression::Name(name) if self.names.find(name).is_some());
         match self.expressions.get(id) {
             Expression::Call(function, arguments) if is_of_scene(&function.text) => {
                 arguments.iter().copied().filter(|argument| !is_object(argument)).collect()
@@ -233,8 +231,7 @@ impl Translation<'_> {
             Expression::Name(name) => Some(name.clone()),
             _ => None,
         };
-        let was_reported =
-            matches!(self.expressions.get(self.become_of(first)), Expression::Invalid);
+        let was_reported = matches!(self.expressions.get(self.become_of(first)), Expression::Invalid);
         if !was_reported {
             let accept = |object: &Object| matches!(object, Object::Line(_)) == is_of_lines;
             let nearest = name.as_ref().and_then(|name| self.names.nearest(name, accept));

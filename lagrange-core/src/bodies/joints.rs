@@ -51,7 +51,8 @@ impl Translation<'_> {
         let mut terms = self.terms();
         let (p, q) = (terms.pair(points[0]), terms.pair(points[1]));
         let gap = terms.minus_pair(p, q);
-        let names = [("x", gap[0]), ("y", gap[1])].map(|(axis, gap)| self.hold(&format!("{name}_{axis}"), gap));
+        let names =
+            [("x", gap[0]), ("y", gap[1])].map(|(axis, gap)| self.hold(&format!("{name}_{axis}"), gap));
         let mut terms = self.terms();
         let force = names.each_ref().map(|name| terms.name(&name.text));
         let force = terms.tuple(force);
@@ -66,7 +67,8 @@ impl Translation<'_> {
         let name = self.joint_name(statement, "slide");
         let at = self.place(point);
         self.mentioned.push(at);
-        let Line { body: carrier, through, angle, .. } = self.track(line).map(|line| self.lines[line].clone())?;
+        let Line { body: carrier, through, angle, .. } =
+            self.track(line).map(|line| self.lines[line].clone())?;
         if let (Some(body), Some(carrier)) = (body, carrier)
             && body == carrier
         {
@@ -110,7 +112,8 @@ impl Translation<'_> {
         };
         let Line { body: carrier, through, angle, .. } = self.lines[track].clone();
         if carrier == Some(wheel) {
-            let error = self.report.error(line.span, messages::slides_on_itself(&self.bodies[wheel].name.text));
+            let error =
+                self.report.error(line.span, messages::slides_on_itself(&self.bodies[wheel].name.text));
             error.help(messages::PINNED_TO_ITSELF_HELP);
             return None;
         }

@@ -27,7 +27,8 @@ pub(super) fn no_mass(name: &str) -> String {
     format!("body `{name}` has no mass")
 }
 
-pub(super) const NO_MASS_HELP: &str = "give it one, `mass: m;`, or put it together from parts, `compound { … }`";
+pub(super) const NO_MASS_HELP: &str =
+    "give it one, `mass: m;`, or put it together from parts, `compound { … }`";
 
 pub(super) fn no_inertia(name: &str) -> String {
     format!("body `{name}` turns, but has no moment of inertia")
@@ -42,8 +43,7 @@ pub(super) fn one_place(name: &str, are_both: bool) -> String {
     }
 }
 
-pub(super) const ONE_PLACE_HELP: &str =
-    "write where its centre of mass is, `center: (x, y);`, or where its own coordinates begin, `origin: (x, y);`";
+pub(super) const ONE_PLACE_HELP: &str = "write where its centre of mass is, `center: (x, y);`, or where its own coordinates begin, `origin: (x, y);`";
 
 pub(super) fn center_of(name: &str) -> String {
     format!("the centre of `{name}`")
@@ -159,7 +159,9 @@ pub(super) fn other_object(name: &str, wanted: &str, found: Option<&str>) -> Str
 pub(super) fn declare_object(wanted: &str) -> String {
     match wanted {
         "a line" => "declare it before: `line floor { through: (0, 0); angle: 0; }`".to_owned(),
-        _ => "declare it before: `body name { mass: m; center: (x, y); angle: a; shape: disk(r); }`".to_owned(),
+        _ => {
+            "declare it before: `body name { mass: m; center: (x, y); angle: a; shape: disk(r); }`".to_owned()
+        }
     }
 }
 
@@ -188,8 +190,7 @@ pub(super) fn slides_on_itself(name: &str) -> String {
     format!("`{name}` carries this line itself")
 }
 
-pub(super) const PINNED_TO_ITSELF_HELP: &str =
-    "a joint connects two bodies, or a body and the ground: the distance of two points of one body never changes";
+pub(super) const PINNED_TO_ITSELF_HELP: &str = "a joint connects two bodies, or a body and the ground: the distance of two points of one body never changes";
 
 pub(super) fn no_radius(name: &str) -> String {
     format!("the radius on which `{name}` rolls is not known")

@@ -72,7 +72,8 @@ impl<'e> Terms<'e> {
     }
 
     pub(super) fn plus(&mut self, a: AstId, b: AstId) -> AstId {
-        match (self.as_number(a).is_some_and(Number::is_zero), self.as_number(b).is_some_and(Number::is_zero)) {
+        match (self.as_number(a).is_some_and(Number::is_zero), self.as_number(b).is_some_and(Number::is_zero))
+        {
             (true, _) => b,
             (_, true) => a,
             _ => match self.negated(b) {

@@ -141,11 +141,8 @@ impl<'a> Translation<'a> {
         if !terms.is_zero(potential) {
             self.push(StatementKind::Potential(potential));
         }
-        let kind = DrawnKind::Force {
-            name: "gravity".to_owned(),
-            cause: Cause::Gravity,
-            body: Some(name.text),
-        };
+        let kind =
+            DrawnKind::Force { name: "gravity".to_owned(), cause: Cause::Gravity, body: Some(name.text) };
         self.loads.push(Drawn { kind, values: vec![center, force], needs: Vec::new() });
     }
 
@@ -170,11 +167,8 @@ impl<'a> Translation<'a> {
         let (moment, angle) = (self.plain(moment), self.turning(angle));
         if let Some(body) = body {
             let Body { name, center, .. } = self.bodies[body].clone();
-            let kind = DrawnKind::Moment {
-                name: "torque".to_owned(),
-                cause: Cause::Applied,
-                body: Some(name.text),
-            };
+            let kind =
+                DrawnKind::Moment { name: "torque".to_owned(), cause: Cause::Applied, body: Some(name.text) };
             self.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
         }
         self.statements.push(Statement { kind: StatementKind::Torque { moment, angle }, ..statement });
@@ -253,9 +247,7 @@ impl<'a> Translation<'a> {
     /// The body to which a point belongs, if that shows.
     pub(super) fn body_of(&self, id: AstId) -> Option<usize> {
         match self.expressions.get(id) {
-            Expression::Name(name) => {
-                self.body_named(id).or_else(|| self.points.get(name).copied())
-            }
+            Expression::Name(name) => self.body_named(id).or_else(|| self.points.get(name).copied()),
             Expression::Component(of, part) if part.text == "center" => self.body_named(*of),
             Expression::Call(function, arguments) if function.text == "point" => {
                 arguments.first().and_then(|&body| self.body_named(body))

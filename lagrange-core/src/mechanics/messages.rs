@@ -314,7 +314,8 @@ pub(super) const TOO_MANY_CONSTRAINTS_HELP: &str =
 
 pub(super) const FORCE_OF_IMPLIED: &str =
     "this joint has no force of its own, since the coordinates fulfil it by themselves";
-pub(super) const FORCE_OF_IMPLIED_HELP: &str = "add coordinates that could leave the joint: the constraint then gets a multiplier, which is the force";
+pub(super) const FORCE_OF_IMPLIED_HELP: &str =
+    "add coordinates that could leave the joint: the constraint then gets a multiplier, which is the force";
 
 pub(super) const REDUCED_CONSTRAINTS: &str = "a system with constraints cannot be reduced yet";
 pub(super) const CONSTRAINT_IS_HERE: &str = "a constraint is here";
