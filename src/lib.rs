@@ -63,6 +63,8 @@ pub mod draw;
 pub mod event;
 pub mod inertia;
 pub mod integrate;
+#[cfg(any(feature = "plot", feature = "draw"))]
+mod lettering;
 #[cfg(feature = "plot")]
 mod plot;
 pub mod scalar;

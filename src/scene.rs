@@ -161,6 +161,8 @@ pub enum Connector {
 pub enum Joint {
     /// Two points that stay together.
     Pin,
+    /// A point that stays where it is.
+    Anchor,
     /// A point that stays on a line.
     Slide,
     /// A round body that rolls on a line.

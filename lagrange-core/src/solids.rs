@@ -26,6 +26,10 @@ pub struct Solid {
     pub inertia: fn(&mut Graph, &[ExprId]) -> ExprId,
     /// The centre of mass in the solid's coordinates, from the same scalars; `None` for the origin.
     pub centroid: Option<fn(&mut Graph, &[ExprId]) -> [ExprId; 2]>,
+    /// Whether there is no such solid, whatever those of the same scalars are that are NaN here because they are not known.
+    pub is_impossible: fn(&[f64]) -> bool,
+    /// What must hold instead, in the user's words.
+    pub condition: &'static str,
     /// The variant of `lagrange::scene::Outline` that it is drawn as, which takes the same dimensions.
     pub outline: &'static str,
     /// The dimension that is the radius on which it rolls, if it is round.
@@ -76,6 +80,11 @@ impl Solid {
         }
     }
 
+    /// How its centre of mass is called: `triangle_center(a, b, c)`.
+    pub fn center_usage(&self) -> String {
+        format!("{}{CENTER_SUFFIX}({})", self.name, self.dimensions.written())
+    }
+
     /// The name of the function that gives its centre of mass, if that is not the origin: `triangle_center`.
     pub fn center_function(&self) -> Option<String> {
         self.centroid.map(|_| format!("{}{CENTER_SUFFIX}", self.name))
@@ -105,6 +114,8 @@ const SLENDER_ROD: Solid = Solid {
     dimensions: Dimensions::Scalars(&["l"]),
     inertia: |g, x| sum_of_squares(g, x, 1, 12),
     centroid: None,
+    is_impossible: has_negative,
+    condition: LENGTHS,
     outline: "SlenderRod",
     radius: None,
 };
@@ -114,6 +125,8 @@ const SOLID_CYLINDER: Solid = Solid {
     dimensions: Dimensions::Scalars(&["r"]),
     inertia: |g, x| sum_of_squares(g, x, 1, 2),
     centroid: None,
+    is_impossible: has_negative,
+    condition: LENGTHS,
     outline: "Disk",
     radius: Some(0),
 };
@@ -123,9 +136,19 @@ const RECTANGLE: Solid = Solid {
     dimensions: Dimensions::Scalars(&["a", "b"]),
     inertia: |g, x| sum_of_squares(g, x, 1, 12),
     centroid: None,
+    is_impossible: has_negative,
+    condition: LENGTHS,
     outline: "Rectangle",
     radius: None,
 };
+
+const LENGTHS: &str = "lengths are not negative";
+const INNER_AND_OUTER: &str =
+    "the inner radius comes first; radii are not negative, and the outer one is the larger";
+
+fn has_negative(x: &[f64]) -> bool {
+    x.iter().any(|&length| length < 0.0)
+}
 
 /// Every solid; other names of one follow it.
 pub const SOLIDS: [Solid; 19] = [
@@ -134,6 +157,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&[]),
         inertia: |g, _| g.number(0),
         centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
         outline: "PointMass",
         radius: None,
     },
@@ -146,6 +171,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&["inner", "outer"]),
         inertia: |g, x| sum_of_squares(g, x, 1, 2),
         centroid: None,
+        is_impossible: |x| has_negative(x) || x[0] > x[1],
+        condition: INNER_AND_OUTER,
         outline: "Annulus",
         radius: Some(1),
     },
@@ -154,6 +181,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&["r"]),
         inertia: |g, x| g.square(x[0]),
         centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
         outline: "Ring",
         radius: Some(0),
     },
@@ -167,6 +196,8 @@ pub const SOLIDS: [Solid; 19] = [
             about_center(g, x[0], s)
         },
         centroid: Some(semicircular_center),
+        is_impossible: has_negative,
+        condition: LENGTHS,
         outline: "SemicircularDisk",
         radius: None,
     },
@@ -178,6 +209,8 @@ pub const SOLIDS: [Solid; 19] = [
             about_center(g, x[0], s)
         },
         centroid: Some(sector_center),
+        is_impossible: |x| x[0] < 0.0 || x[1] <= 0.0 || x[1] > std::f64::consts::TAU,
+        condition: "the radius is a length, and the angle is positive and no more than a full turn, in radians",
         outline: "CircularSector",
         radius: None,
     },
@@ -186,6 +219,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&["a", "b"]),
         inertia: |g, x| sum_of_squares(g, x, 1, 18),
         centroid: Some(|g, x| [0, 1].map(|i| fraction(g, 1, x[i], 3))),
+        is_impossible: has_negative,
+        condition: LENGTHS,
         outline: "RightTriangle",
         radius: None,
     },
@@ -194,6 +229,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&["a", "b", "c"]),
         inertia: |g, x| sum_of_squares(g, x, 1, 36),
         centroid: Some(triangle_center),
+        is_impossible: |x| has_negative(x) || x.iter().any(|&side| 2.0 * side > x.iter().sum()),
+        condition: "sides are lengths, and none is longer than the other two together",
         outline: "Triangle",
         radius: None,
     },
@@ -202,6 +239,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&["a", "b"]),
         inertia: |g, x| sum_of_squares(g, x, 1, 4),
         centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
         outline: "Ellipse",
         radius: None,
     },
@@ -210,6 +249,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&["n", "r"]),
         inertia: regular_polygon,
         centroid: None,
+        is_impossible: |x| has_negative(x) || x[0] < 3.0 || x[0].fract() > 0.0,
+        condition: "the first number is that of corners, a whole number from 3 upwards, the second the radius of the circle on which they lie",
         outline: "RegularPolygon",
         radius: None,
     },
@@ -218,6 +259,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&["r"]),
         inertia: |g, x| sum_of_squares(g, x, 2, 5),
         centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
         outline: "Disk",
         radius: Some(0),
     },
@@ -226,6 +269,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&["inner", "outer"]),
         inertia: hollow_sphere,
         centroid: None,
+        is_impossible: |x| has_negative(x) || x[0] > x[1] || x[1] <= 0.0,
+        condition: INNER_AND_OUTER,
         outline: "Annulus",
         radius: Some(1),
     },
@@ -234,6 +279,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Scalars(&["r"]),
         inertia: |g, x| sum_of_squares(g, x, 2, 3),
         centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
         outline: "Ring",
         radius: Some(0),
     },
@@ -242,6 +289,8 @@ pub const SOLIDS: [Solid; 19] = [
         dimensions: Dimensions::Corners,
         inertia: polygon::inertia,
         centroid: Some(polygon::center),
+        is_impossible: |_| false,
+        condition: "corners are given in their order around the polygon and enclose an area",
         outline: "Polygon",
         radius: None,
     },

@@ -64,6 +64,18 @@ impl Translation<'_> {
         }
     }
 
+    /// Whether an expression, as the user wrote it, is made of parameters and numbers only.
+    pub(super) fn is_at_rest(&self, id: AstId) -> bool {
+        let mut pending = vec![id];
+        while let Some(id) = pending.pop() {
+            match self.expressions.get(id) {
+                Expression::Name(name) if !self.names.is_fixed(name) => return false,
+                other => pending.extend(operands(other)),
+            }
+        }
+        true
+    }
+
     fn become_of(&self, id: AstId) -> AstId {
         self.translated.get(&id).copied().unwrap_or(id)
     }

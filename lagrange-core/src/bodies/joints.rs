@@ -56,7 +56,9 @@ impl Translation<'_> {
         let mut terms = self.terms();
         let force = names.each_ref().map(|name| terms.name(&name.text));
         let force = terms.tuple(force);
-        self.draw_joint(&name, JointForm::Pin, points[0]);
+        let is_anchored = [first, second].into_iter().any(|point| self.is_at_rest(point));
+        let form = if is_anchored { JointForm::Anchor } else { JointForm::Pin };
+        self.draw_joint(&name, form, points[0]);
         let needs = names.each_ref().map(|name| name.text.as_str());
         self.draw_forces(&name, &needs, &[(bodies[0], points[0]), (bodies[1], points[1])], force);
         Some(Joint { force, parts: Vec::new() })

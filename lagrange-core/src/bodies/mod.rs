@@ -156,6 +156,8 @@ pub struct Outline {
 pub enum JointForm {
     /// A pin.
     Pin,
+    /// A pin on something at rest.
+    Anchor,
     /// A point on a line.
     Slide,
     /// A round body on a line.

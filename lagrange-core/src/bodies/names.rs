@@ -81,6 +81,8 @@ pub(super) struct Names {
     objects: OrderedMap<String, Object>,
     /// Objects that are declared anywhere.
     all_objects: OrderedMap<String, Name>,
+    /// Parameters and constants.
+    fixed: HashMap<String, ()>,
     /// Names that plain statements must not take.
     taken: HashMap<String, ()>,
     /// How many nameless statements there were of each kind.
@@ -90,7 +92,7 @@ pub(super) struct Names {
 impl Names {
     pub(super) fn new(declaration: &Declaration) -> Names {
         let mut all_objects = OrderedMap::default();
-        let mut taken = HashMap::default();
+        let (mut taken, mut fixed) = (HashMap::default(), HashMap::default());
         for statement in &declaration.statements {
             for name in statement.kind.declared_names() {
                 taken.insert(name.text.clone(), ());
@@ -102,6 +104,11 @@ impl Names {
                     }
                 }
                 StatementKind::Output(name, _) => drop(taken.insert(name.text.clone(), ())),
+                StatementKind::Parameters(list) | StatementKind::Constants(list) => {
+                    for row in list {
+                        fixed.insert(row.name.text.clone(), ());
+                    }
+                }
                 _ => {}
             }
         }
@@ -110,7 +117,7 @@ impl Names {
                 taken.insert(name.clone(), ());
             }
         }
-        Names { objects: OrderedMap::default(), all_objects, taken, nameless: HashMap::default() }
+        Names { objects: OrderedMap::default(), all_objects, fixed, taken, nameless: HashMap::default() }
     }
 
     pub(super) fn declare(&mut self, name: &str, object: Object) {
@@ -125,6 +132,11 @@ impl Names {
     /// Where an object of that name is declared, be it further down.
     pub(super) fn anywhere(&self, name: &str) -> Option<&Name> {
         self.all_objects.get(&name.to_owned())
+    }
+
+    /// Whether a name stands for a number that does not change during the motion.
+    pub(super) fn is_fixed(&self, name: &str) -> bool {
+        name == "pi" || self.fixed.contains(&name.to_owned())
     }
 
     /// The name of an object like this one.

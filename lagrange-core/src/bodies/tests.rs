@@ -1,5 +1,6 @@
 //! Scenes of bodies mean the same as the same systems written by hand.
 
+use crate::expr::Node;
 use crate::mechanics::RoadChoice;
 use crate::pipeline::{Derived, NumericSystem, parse};
 
@@ -228,4 +229,20 @@ fn generated_names_avoid_those_of_the_user() {
         kinetic = kinetic_energy(13/12, dot(a));
         potential = 2 * cos(a);",
     );
+}
+
+#[test]
+fn multipliers_keep_their_names_where_a_joint_before_them_is_left_out() {
+    let derived = derive(
+        "coord a, x, y;
+        body arm { mass: 1; shape: slender_rod(2); center: (cos(a), sin(a)); angle: a; }
+        body load { mass: 1; center: (x, y); }
+        pin base = arm.point(-1, 0) to (0, 0);
+        pin tip = arm.point(1, 0) to load;",
+    );
+    let names = derived.model.multipliers().into_iter().map(|id| match *derived.model.graph.node(id) {
+        Node::Symbol(symbol) => derived.model.graph.symbols().get(symbol).name.clone(),
+        _ => panic!("a multiplier is a symbol"),
+    });
+    assert_eq!(names.collect::<Vec<_>>(), ["tip_x", "tip_y"]);
 }

@@ -22,8 +22,6 @@ use crate::syntax::ast::{AstId, Name};
 
 impl Elaborator<'_> {
     pub(super) fn constraint(&mut self, name: &Name, syntax: AstId) {
-        let index = self.constraints.len() as u32;
-        let multiplier = self.evaluator.graph.symbol(&name.text, Role::Multiplier(index));
         let term = self.term(syntax, name.span, "a constraint");
         if let Some(term) = &term
             && self.is_implied(name, term.value)
@@ -32,6 +30,8 @@ impl Elaborator<'_> {
             self.declare(name, Kind::Implied, None);
             return;
         }
+        let index = self.constraints.len() as u32;
+        let multiplier = self.evaluator.graph.symbol(&name.text, Role::Multiplier(index));
         let velocity =
             term.and_then(|term| Some((term.value, self.constrained_velocity(name, syntax, term.value)?)));
         self.declare(name, Kind::Constraint, Some(Operand::Scalar(multiplier)));

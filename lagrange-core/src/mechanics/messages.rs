@@ -1,9 +1,11 @@
 //! What is said about mistakes in the meaning of a declaration.
 
-use super::model::Product;
+use super::product::Product;
 use crate::expr::Dependencies;
 
 pub(super) mod events;
+pub(super) mod inertia;
+pub(super) mod scene;
 
 pub(super) fn declared_twice(name: &str) -> String {
     format!("the name `{name}` is declared twice")

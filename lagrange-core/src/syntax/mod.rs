@@ -80,7 +80,7 @@ mod unexpected;
 use proc_macro2::TokenStream;
 
 use crate::diagnostics::Report;
-use ast::Declaration;
+use ast::{Declaration, SceneStatement, StatementKind};
 use cursor::Cursor;
 use header::{default_header, header_ahead};
 pub use keywords::is_rust_keyword;
@@ -116,5 +116,10 @@ fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cu
     let statements = parser.statements(cursor);
     let expressions = std::mem::take(&mut parser.expressions);
     let unreadable_words = std::mem::take(&mut parser.unreadable_words);
-    Declaration { statements, expressions, unreadable_words, ..header }
+    let bodies = statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Scene(SceneStatement::Body(body)) => Some(body.name.clone()),
+        _ => None,
+    });
+    let bodies = bodies.collect();
+    Declaration { statements, bodies, expressions, unreadable_words, ..header }
 }
