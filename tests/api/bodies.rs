@@ -21,8 +21,8 @@ lagrange::system! {
     body trolley { mass: 3 * m; shape: rectangle(0.4, 0.2); center: (x, sin(3 * t) / 10); }
     body boom {
         compound {
-            rectangle(l, l / 10), mass: m, at: (l / 2, 0);
-            hole disk(l / 40), mass: m / 20, at: (l / 4, 0);
+            rectangle(l, l / 8), mass: m, at: (l / 2, 0);
+            hole disk(l / 32), mass: m / 20, at: (l / 4, 0);
             polygon((0, 0), (l / 5, 0), (0, l / 5)), mass: m / 3, at: (l, 0), angle: 0.3;
         }
         origin: trolley.point(0.1, 0.1);
@@ -171,12 +171,15 @@ fn scenes_hand_out_the_same_motions_with_shapes() {
 #[test]
 fn shapes_are_the_declared_ones() {
     let ((q, v), system) = (halves(STATE), crane());
-    let mut seen = 0;
+    let (l, mut seen) = (system.l, 0);
     system.items(TIME, &q, &v, &mut |item| {
         let Item::Body { name: "boom", parts: [bar, hole, corner], .. } = item else { return };
-        assert_eq!((bar.outline, bar.at, bar.is_hole), (Outline::Rectangle(1.5, 0.15), [0.75, 0.0], false));
-        assert_eq!((hole.outline, hole.at, hole.is_hole), (Outline::Disk(1.5 / 40.0), [0.375, 0.0], true));
-        let corners = [[0.0, 0.0], [0.3, 0.0], [0.0, 0.3]];
+        assert_eq!(
+            (bar.outline, bar.at, bar.is_hole),
+            (Outline::Rectangle(l, l / 8.0), [l / 2.0, 0.0], false)
+        );
+        assert_eq!((hole.outline, hole.at, hole.is_hole), (Outline::Disk(l / 32.0), [l / 4.0, 0.0], true));
+        let corners = [[0.0, 0.0], [l / 5.0, 0.0], [0.0, l / 5.0]];
         let Outline::Polygon(found) = corner.outline else { panic!("{corner:?}") };
         let pairs = found.iter().flatten().zip(corners.as_flattened());
         pairs.for_each(|(found, expected)| assert_close(*found, *expected));
