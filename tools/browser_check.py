@@ -20,7 +20,7 @@ import time
 
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync", "--window-size=900,800", "--remote-debugging-pipe",
+    "--disable-component-update", "--disable-sync", "--window-size=900,1000", "--remote-debugging-pipe",
 ]
 # What is drawn where: of everything in the picture its place on the screen, its shape and whether it is seen.
 SEEN = """(() => {

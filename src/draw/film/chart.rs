@@ -19,6 +19,8 @@ const BOTTOM: f64 = 176.0;
 const TIME: &str = "time t in s";
 /// About how many ticks an axis has.
 const TICKS: f64 = 6.0;
+/// How many colours curves may have.
+const LOOKS: usize = 6;
 /// Curves whose values differ by a smaller part of them than this are shown as level, not as rounding.
 const LEVEL: f64 = 1e-6;
 
@@ -106,7 +108,7 @@ impl Chart<'_> {
             }
             command = if value.is_finite() { 'L' } else { 'M' };
         }
-        format!("<path class=\"curve curve-{index}\" d=\"{data}\"/>")
+        format!("<path class=\"curve {}\" d=\"{data}\"/>", look(index))
     }
 
     fn cursor(&self) -> String {
@@ -116,7 +118,7 @@ impl Chart<'_> {
                 Some(value) => (self.y(*value), ""),
                 None => (BOTTOM, " visibility=\"hidden\""),
             };
-            format!("<circle class=\"curve-{index}\" r=\"4\" cy=\"{}\"{hidden}/>", number(y))
+            format!("<circle class=\"{}\" r=\"4\" cy=\"{}\"{hidden}/>", look(index), number(y))
         };
         let dots: String = self.film.curves.iter().enumerate().map(at).collect();
         format!(
@@ -142,6 +144,11 @@ impl Chart<'_> {
     }
 }
 
+/// The class of a curve's colour and dashes, of which `page.css` has some.
+pub(super) fn look(index: usize) -> String {
+    format!("curve-{}", index % LOOKS)
+}
+
 /// Round numbers in a range and how they are written: multiples of 1, 2 or 5 times a power of ten.
 fn ticks(range: &Range<f64>) -> Vec<(f64, String)> {
     let rough = (range.end - range.start) / TICKS;
@@ -154,7 +161,29 @@ fn ticks(range: &Range<f64>) -> Vec<(f64, String)> {
     let step = factor * power;
     let digits = usize::try_from(-step.log10().floor() as i32).unwrap_or(0);
     let is_plain = (-3..6).contains(&exponent);
-    let label = |value: f64| if is_plain { format!("{value:.digits$}") } else { format!("{value:.1e}") };
+    let label = |value: f64| {
+        if is_plain {
+            format!("{value:.digits$}")
+        } else if value == 0.0 {
+            "0".into()
+        } else {
+            format!("{value:.1e}")
+        }
+    };
     let (first, last) = ((range.start / step).ceil() as i64, (range.end / step).floor() as i64);
     (first..=last).map(|index| index as f64 * step).map(|value| (value, label(value))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ticks;
+
+    #[test]
+    fn ticks_are_round_numbers_within_their_range() {
+        let labels = |range| ticks(&range).into_iter().map(|(_, label)| label).collect::<std::vec::Vec<_>>();
+        assert_eq!(labels(0.0..6.0), ["0", "1", "2", "3", "4", "5", "6"]);
+        assert_eq!(labels(-0.12..0.11), ["-0.10", "-0.05", "0.00", "0.05", "0.10"]);
+        assert_eq!(labels(90.0..1100.0), ["200", "400", "600", "800", "1000"]);
+        assert_eq!(labels(0.0..3e-7), ["0", "5.0e-8", "1.0e-7", "1.5e-7", "2.0e-7", "2.5e-7", "3.0e-7"]);
+    }
 }

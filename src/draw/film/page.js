@@ -65,9 +65,11 @@ const changes = {
   },
 };
 
+const groups = film.layers.map((layer, number) => element(`layer-${number}`));
+
 function showPicture(index, part) {
   film.layers.forEach((layer, number) => {
-    const group = element(`layer-${number}`);
+    const group = groups[number];
     const isShown = changes[layer.change](layer, group, group.firstElementChild, index, part);
     group.setAttribute("visibility", isShown ? "visible" : "hidden");
   });

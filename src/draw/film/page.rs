@@ -5,7 +5,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use crate::draw::film::animation::{full_length, visibility, with_children};
-use crate::draw::film::chart::Chart;
+use crate::draw::film::chart::{Chart, look};
 use crate::draw::film::layers::{Change, Layer, kinds, layers};
 use crate::draw::film::motion::Pose;
 use crate::draw::film::{Film, points};
@@ -57,8 +57,9 @@ impl Film {
         let entry = |(index, curve): (usize, &super::Curve)| {
             let name = svg::escape(&curve.name);
             format!(
-                "<li><svg viewBox=\"0 0 35 12\" aria-hidden=\"true\"><path class=\"curve-{index}\" d=\"M0 8H35\"/></svg> \
-                 {name} <output id=\"value-{index}\"></output></li>"
+                "<li><svg viewBox=\"0 0 35 12\" aria-hidden=\"true\"><path class=\"{}\" d=\"M0 8H35\"/></svg> \
+                 {name} <output id=\"value-{index}\"></output></li>",
+                look(index),
             )
         };
         let legend: String = self.curves.iter().enumerate().map(entry).collect();

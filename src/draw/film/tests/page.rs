@@ -111,3 +111,16 @@ fn names_what_it_shows() {
     assert!(html.contains("<title>A pendulum &amp; its &lt;path&gt;</title>"));
     assert!(html.contains("aria-label=\"Time\"") && html.contains(&"prefers-reduced-motion".to_string()));
 }
+
+#[test]
+fn has_a_look_for_every_curve() {
+    let mut film = pendulum(2);
+    for number in 0..9 {
+        film = film.with_values(&std::format!("curve {number}"), vec![0.0, f64::from(number)]).expect("fits");
+    }
+    let html = film.html();
+    let looks: Vec<&str> =
+        html.split("class=\"curve ").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert_eq!(looks.len(), 9);
+    assert!(looks.iter().all(|look| html.contains(&std::format!(".{look} {{ stroke: "))), "{looks:?}");
+}
