@@ -345,6 +345,9 @@ pub fn apply(graph: &mut Graph, function: Function, arguments: &[ExprId]) -> Exp
     if function == Function::Abs && graph.is_nonnegative(argument) {
         return argument;
     }
+    if let Some(value) = without_quarter_turns(graph, function, argument) {
+        return value;
+    }
     let (coefficient, _) = graph.split_coefficient(argument);
     match row.parity {
         Parity::Even if coefficient.is_negative() => {
@@ -397,6 +400,27 @@ fn known_value(graph: &Graph, row: &Row, argument: ExprId) -> Option<Number> {
         Function::Cos => sine_of_pi_times(&(&turns + &half_of(Number::ONE))),
         _ => None,
     }
+}
+
+/// sin(x + n π/2) and cos(x + n π/2) by the sine or the cosine of x; `None` if there is no such n other than zero.
+fn without_quarter_turns(graph: &mut Graph, function: Function, argument: ExprId) -> Option<ExprId> {
+    let shift = match function {
+        Function::Sin => 0,
+        Function::Cos => 1,
+        _ => return None,
+    };
+    let (factor, unit) = graph.split_coefficient(argument);
+    let Node::Sum { constant, terms } = graph.node(unit).clone() else { return None };
+    let is_pi = |(term, _): &&(ExprId, Number)| *graph.node(*term) == Node::Pi;
+    let (_, coefficient) = terms.iter().find(is_pi)?;
+    let quarters = (&(&factor * coefficient) * &Number::TWO).to_i32()?;
+    let others = terms.iter().filter(|term| !is_pi(term)).map(|(term, weight)| (*term, &factor * weight));
+    let others = others.collect::<Vec<_>>();
+    let rest = graph.sum(&factor * &constant, others);
+    // sin(x + n π/2) = sin x, cos x, −sin x, −cos x for n = 0, 1, 2, 3, and cos x = sin(x + π/2).
+    let position = (quarters.rem_euclid(4) + shift) % 4;
+    let value = apply(graph, [Function::Sin, Function::Cos][position as usize % 2], &[rest]);
+    Some(if position < 2 { value } else { graph.negate(value) })
 }
 
 /// sin(π·x) for multiples of one sixth, where it is rational.
