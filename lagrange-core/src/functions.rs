@@ -4,8 +4,11 @@
 //! [`Function`] and a row here. Derivatives are those of Abramowitz and Stegun, *Handbook of Mathematical
 //! Functions*, chapter 4; derivatives of piecewise functions are taken branch by branch.
 
+mod quarter_turns;
+
 use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
+use quarter_turns::without_quarter_turns;
 
 /// How a function of one argument behaves when the argument changes sign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

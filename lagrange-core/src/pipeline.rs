@@ -9,9 +9,9 @@ use crate::bodies::plain;
 use crate::diagnostics::Report;
 use crate::emit;
 use crate::emit::{Emitted, Refusal};
-use crate::mechanics::{Equations, Model, Reduced, RoadChoice, SingularMassMatrix, elaborate};
-use crate::syntax::ast::Declaration;
-use crate::syntax::{parse_text, parse_tokens};
+use crate::mechanics::{Equations, Model, Product, Reduced, RoadChoice, SingularMassMatrix, elaborate};
+use crate::syntax::ast::{Declaration, StatementKind};
+use crate::syntax::{parse_text, parse_tokens, print};
 
 pub use numeric::NumericSystem;
 
@@ -67,6 +67,11 @@ pub fn parse(text: &str) -> Result<System, Report> {
 }
 
 impl System {
+    /// The statements, one on each line; those about rigid bodies in plain words.
+    pub fn statements(&self) -> String {
+        statements(&self.declaration)
+    }
+
     /// Derives the equations of motion.
     ///
     /// # Errors
@@ -89,7 +94,7 @@ impl Derived {
     /// If a constant is too large for the scalar.
     pub fn emit(mut self, krate: &TokenStream) -> Result<TokenStream, Report> {
         let Derived { declaration, model, equations, reduced, report } = &mut self;
-        let statements = statements(declaration);
+        let statements = plain_statements(declaration);
         let items = emit(declaration, model, equations, krate, statements.as_deref(), report);
         let parts = emit_parts(declaration, reduced, krate, report);
         items.zip(parts).map(|(items, parts)| quote!(#items #parts)).ok_or(self.report)
@@ -120,7 +125,7 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
             let road = RoadChoice::Cheapest;
             let equations = derive(&declaration, &mut model, road, &mut report)?;
             let mut parts = derive_parts(&declaration, &mut model, road, &mut report)?;
-            let statements = statements(&declaration);
+            let statements = plain_statements(&declaration);
             let items =
                 emit(&declaration, &mut model, &equations, krate, statements.as_deref(), &mut report)?;
             let parts = emit_parts(&declaration, &mut parts, krate, &mut report)?;
@@ -181,9 +186,22 @@ fn emit_parts(
 }
 
 /// The plain statements, if others stand for rigid bodies.
-fn statements(declaration: &Declaration) -> Option<String> {
-    let _ = declaration;
-    None
+fn plain_statements(declaration: &Declaration) -> Option<String> {
+    (!declaration.bodies.is_empty()).then(|| statements(declaration))
+}
+
+/// The statements without demands that only those who declare bodies can make.
+fn statements(declaration: &Declaration) -> String {
+    let mut declaration = declaration.clone();
+    let is_of_bodies = |name: &str| Product::ALL.iter().any(|p| p.is_of_bodies() && p.name() == name);
+    for statement in &mut declaration.statements {
+        if let StatementKind::Emit(items) = &mut statement.kind {
+            items.retain(|item| !is_of_bodies(&item.product.text));
+        }
+    }
+    let is_empty = |kind: &StatementKind| matches!(kind, StatementKind::Emit(items) if items.is_empty());
+    declaration.statements.retain(|statement| !is_empty(&statement.kind));
+    print::statements(&declaration)
 }
 
 fn emit(

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use lagrange_core::bodies::plain;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::mechanics::{RoadChoice, elaborate};
 use lagrange_core::pipeline::System;
@@ -24,7 +25,9 @@ fn read(text: &str) -> Declaration {
 /// The code for a declaration, or what is wrong with it.
 fn emitted(declaration: Declaration) -> String {
     let mut report = Report::default();
-    let Some(model) = elaborate(&declaration, &mut report) else { return messages(&report) };
+    let plain = plain(declaration, &mut report);
+    let Some(model) = elaborate(&plain, &mut report) else { return messages(&report) };
+    let declaration = plain.without(&model.implied);
     let derived = System { declaration, model, report }.derive(RoadChoice::Cheapest);
     match derived.and_then(|derived| derived.emit(&quote!(::lagrange))) {
         Ok(tokens) => tokens.to_string(),
