@@ -405,27 +405,6 @@ fn known_value(graph: &Graph, row: &Row, argument: ExprId) -> Option<Number> {
     }
 }
 
-/// sin(x + n π/2) and cos(x + n π/2) by the sine or the cosine of x; `None` if there is no such n other than zero.
-fn without_quarter_turns(graph: &mut Graph, function: Function, argument: ExprId) -> Option<ExprId> {
-    let shift = match function {
-        Function::Sin => 0,
-        Function::Cos => 1,
-        _ => return None,
-    };
-    let (factor, unit) = graph.split_coefficient(argument);
-    let Node::Sum { constant, terms } = graph.node(unit).clone() else { return None };
-    let is_pi = |(term, _): &&(ExprId, Number)| *graph.node(*term) == Node::Pi;
-    let (_, coefficient) = terms.iter().find(is_pi)?;
-    let quarters = (&(&factor * coefficient) * &Number::TWO).to_i32()?;
-    let others = terms.iter().filter(|term| !is_pi(term)).map(|(term, weight)| (*term, &factor * weight));
-    let others = others.collect::<Vec<_>>();
-    let rest = graph.sum(&factor * &constant, others);
-    // sin(x + n π/2) = sin x, cos x, −sin x, −cos x for n = 0, 1, 2, 3, and cos x = sin(x + π/2).
-    let position = (quarters.rem_euclid(4) + shift) % 4;
-    let value = apply(graph, [Function::Sin, Function::Cos][position as usize % 2], &[rest]);
-    Some(if position < 2 { value } else { graph.negate(value) })
-}
-
 /// sin(π·x) for multiples of one sixth, where it is rational.
 fn sine_of_pi_times(x: &Number) -> Option<Number> {
     let sixths = (x * &Number::from(6)).to_i32()?.rem_euclid(12);

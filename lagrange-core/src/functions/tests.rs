@@ -80,12 +80,3 @@ fn conditions_of_piecewise_functions_meet_at_equal_arguments() {
     assert_eq!((row(Function::Min).value)(&[2.0, 1.0]), 1.0);
     assert_eq!((row(Function::Max).value)(&[2.0, 1.0]), 2.0);
 }
-
-#[test]
-fn other_parts_of_a_turn_stay() {
-    let mut g = Graph::new();
-    let (x, pi) = (g.symbol("x", Role::Coordinate(0)), g.pi());
-    let argument = g.sum(Number::ZERO, [(x, Number::ONE), (pi, Number::ratio(1, 3).expect("no zero"))]);
-    let value = apply(&mut g, Function::Sin, &[argument]);
-    assert_eq!(value, g.call(Function::Sin, &[argument]));
-}

@@ -1,13 +1,11 @@
 //! What holds for every expression: how it is built, differentiated, written and read.
 
-use lagrange_core::calculus::{evaluate, gradient, partial, substitute};
+use lagrange_core::calculus::{gradient, partial, substitute};
 use lagrange_core::collections::HashMap;
 use lagrange_core::emit::text::text;
-use lagrange_core::expr::{ExprId, Function, Graph};
-use lagrange_core::functions::{apply, row};
+use lagrange_core::expr::{ExprId, Graph};
 use lagrange_core::number::Number;
 use lagrange_core::pipeline::parse;
-use lagrange_core::symbol::Role;
 use proptest::prelude::{Strategy, any, prop, prop_assert, prop_assert_eq, prop_assume, proptest};
 
 use crate::formulas::{
@@ -133,27 +131,5 @@ proptest! {
         let again = text(&graph, root);
         let (graph, root) = read(&again).expect("it was readable");
         prop_assert_eq!(&text(&graph, root), &again, "from {}", written);
-    }
-}
-
-#[test]
-fn quarter_turns_come_out_of_sines_and_cosines() {
-    let mut g = Graph::new();
-    let (x, pi) = (g.symbol("x", Role::Coordinate(0)), g.pi());
-    for function in [Function::Sin, Function::Cos] {
-        for quarters in (-9..10).filter(|quarters| *quarters != 0) {
-            let turn = (pi, Number::ratio(quarters, 2).expect("no zero"));
-            for sign in [Number::ONE, Number::MINUS_ONE] {
-                let argument = g.sum(Number::from(3), [(x, sign), turn.clone()]);
-                let value = apply(&mut g, function, &[argument]);
-                let mentions_pi = g.reachable(&[value]).contains(&pi);
-                assert!(!mentions_pi, "{function:?} and {quarters} quarter turns");
-                let [found, angle] = evaluate(&g, &[value, argument], |_| 0.7)[..] else {
-                    panic!("two values")
-                };
-                let expected = (row(function).value)(&[angle]);
-                assert!((found - expected).abs() < 1e-14, "{function:?}({angle}) is not {found}");
-            }
-        }
     }
 }
