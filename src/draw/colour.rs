@@ -5,8 +5,9 @@ use crate::draw::picture::Colour;
 
 /// Outlines, joints and text.
 pub(super) const INK: Colour = Colour([40, 40, 40, 255]);
-/// Hatching and lines that help.
+/// Lines that help.
 pub(super) const PALE: Colour = Colour([130, 130, 130, 255]);
+pub(super) const HATCHING: Colour = Colour([150, 150, 150, 255]);
 /// What is behind everything.
 pub(super) const PAPER: Colour = Colour([255, 255, 255, 255]);
 
@@ -30,6 +31,14 @@ const INKS: [Colour; 7] = [
 const LIGHTNESS: f64 = 0.78;
 /// The order of the colours of bodies: neighbours differ much.
 const BODIES: [usize; 6] = [6, 5, 3, 4, 1, 2];
+
+/// The order of the colours of traces.
+const TRACES: [usize; 6] = [3, 5, 6, 4, 1, 2];
+
+/// The colour of the trace of this index.
+pub(super) fn trace(index: usize) -> Colour {
+    INKS[TRACES[index % TRACES.len()]]
+}
 
 /// The colour of this number; numbers beyond the last start again.
 pub(super) fn ink(number: usize) -> Colour {

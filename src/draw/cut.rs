@@ -22,6 +22,31 @@ pub(super) fn common(part: &[Segment], hole: &[Segment]) -> Vec<Vec<Segment>> {
     if cut.len() < 3 { Vec::new() } else { vec![polyline(cut, true)] }
 }
 
+/// Whether a hole and a part share some of their area, but the hole is not inside.
+pub(super) fn crosses(part: &[Segment], hole: &[Segment]) -> bool {
+    let (outer, inner) = (flattened(part, PIECES), flattened(hole, PIECES));
+    let inside = inner.iter().filter(|p| contains(&outer, **p)).count();
+    (1..inner.len()).contains(&inside) || (inside == 0 && outer.iter().any(|p| contains(&inner, *p)))
+}
+
+/// Those pieces of a line whose middles are to be kept.
+pub(super) fn kept(ring: &[Segment], keep: impl Fn(Point) -> bool) -> Vec<Segment> {
+    const FINE: u32 = 48;
+    let corners = flattened(ring, FINE as usize);
+    let is_curved = ring.iter().any(|segment| matches!(segment, Segment::Curve(..)));
+    let count = if is_curved { 4 } else { FINE };
+    let part = |k: u32| f64::from(k) / f64::from(count);
+    let pieces = sides(&corners)
+        .flat_map(|(a, b)| (0..count).map(move |k| [mix(a, b, part(k)), mix(a, b, part(k + 1))]));
+    let kept = pieces.filter(|[a, b]| keep(mix(*a, *b, 0.5)));
+    kept.flat_map(|ends| polyline(ends, false)).collect()
+}
+
+/// Whether a point lies inside a closed line.
+pub(super) fn encloses(ring: &[Segment], p: Point) -> bool {
+    contains(&flattened(ring, PIECES), p)
+}
+
 /// By the parity of crossings with a ray.
 fn contains(polygon: &[Point], p: Point) -> bool {
     let mut is_inside = false;

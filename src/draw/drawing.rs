@@ -7,7 +7,7 @@ use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
-use crate::draw::colour::ink;
+use crate::draw::colour;
 use crate::draw::element::Element;
 use crate::draw::error::DrawError;
 use crate::draw::layout;
@@ -100,6 +100,7 @@ impl<'a, M: Scene> Drawing<'a, M> {
     /// Nothing but one body and the forces and moments that act on it.
     pub fn free_body(mut self, body: &str) -> Self {
         self.free_body = Some(body.to_owned());
+        self.wanted.is_free = true;
         self.forces()
     }
 
@@ -201,8 +202,7 @@ where
         let mut elements = Vec::new();
         for (index, ((label, point), path)) in self.traces.iter().zip(paths).enumerate() {
             path.push(point(self.system, *t, y).map(Into::into));
-            // Colours of traces begin with blue.
-            elements.extend(stage::trace(label, path, ink(index + 1)));
+            elements.extend(stage::trace(label, path, colour::trace(index)));
         }
         elements
     }

@@ -54,8 +54,8 @@ pub(super) enum Shape {
     Anchor { at: Point },
     /// A point on a line.
     Slider { at: Point },
-    /// An arrow.
-    Arrow { from: Point, vector: Point, measure: Measure },
+    /// An arrow from a point, or to it if it pushes.
+    Arrow { from: Point, vector: Point, measure: Measure, is_push: bool },
     /// An arrow around a point, counterclockwise if positive.
     Turn { at: Point, moment: f64 },
     /// A point.
@@ -139,9 +139,10 @@ impl Element {
             Shape::Spiral { at } | Shape::Drum { at } | Shape::Turn { at, .. } | Shape::Angle { at, .. } => {
                 vec![point(*at, ROUND)]
             }
-            Shape::Arrow { from, vector, measure: Measure::World } => all(&[*from, add(*from, *vector)]),
-            Shape::Arrow { from, vector, measure } => {
-                let offset = vector.map(|part| pixels(*measure) * part);
+            Shape::Arrow { from, vector, measure: Measure::World, .. } => all(&[*from, add(*from, *vector)]),
+            Shape::Arrow { from, vector, measure, is_push } => {
+                let sign = if *is_push { -1.0 } else { 1.0 };
+                let offset = vector.map(|part| sign * pixels(*measure) * part);
                 vec![point(*from, ROOM), Reach { at: *from, offset, room: GROUND }]
             }
             Shape::Ray { from, .. } => vec![point(*from, ROOM)],

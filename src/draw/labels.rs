@@ -3,8 +3,10 @@
 //! Each label keeps one of eight sides of its place through a whole film, so that it never jumps. Labels are placed one after
 //! another, each where it is least in the way; those of bodies come last, and stay away where there is no room.
 
+use std::f64::consts::{PI, SQRT_2};
 use std::vec::Vec;
 
+use crate::draw::colour::{HATCHING, INK};
 use crate::draw::geometry::{add, clipped, direction, flattened};
 use crate::draw::picture::{Anchor, Mark, Point, Segment};
 use crate::draw::tag::{FONT, Side, Tag};
@@ -23,11 +25,15 @@ pub(super) struct Sheet {
 /// Angles from the wanted direction, the better ones first, and from the horizontal where no direction is wanted.
 const ALONG: [f64; 8] = [0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0];
 const AROUND: [f64; 8] = [0.25, 0.75, -0.25, -0.75, 0.0, 1.0, 0.5, -0.5];
+/// Where nothing is free near by, a label may be farther away by this many pixels.
+const FARTHER: [f64; 3] = [0.0, 7.0, 14.0];
+/// The number of the place that is the point itself.
+const ON_POINT: usize = AROUND.len() * FARTHER.len();
 /// How bad it is to lie on another label or outside, to be crossed by a line, and to have a worse side.
 const ON_LABEL: f64 = 20.0;
 const OUTSIDE: f64 = 50.0;
 const CROSSED: f64 = 3.0;
-const WORSE: f64 = 0.25;
+const WORSE: f64 = 0.2;
 /// What is worse than this on average is left out if it may be.
 const BEARABLE: f64 = 6.5;
 /// A film is looked at so many times for places of labels.
@@ -48,7 +54,7 @@ pub(super) fn labels(film: &[Sheet], window: Area) -> Vec<Vec<Mark>> {
     let mut sides = std::vec![None; count];
     for index in order {
         let cost = |side: usize| cost(index, side, &looked, &placed, window);
-        let costs = (0..ALONG.len()).map(|side| (side, cost(side)));
+        let costs = (0..=ON_POINT).map(|side| (side, cost(side)));
         let Some((side, cost)) = costs.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
         if may_hide(index) && cost > BEARABLE {
             continue;
@@ -68,8 +74,8 @@ pub(super) fn lines(marks: &[Mark]) -> Vec<[Point; 2]> {
     let mut lines = Vec::new();
     for mark in marks {
         let Mark::Path { segments, style } = mark else { continue };
-        // Hatching and other pale lines may be written upon.
-        if style.stroke.is_none_or(|colour| colour == crate::draw::colour::PALE) {
+        // Hatching may be written upon.
+        if style.stroke.is_none_or(|colour| colour == HATCHING) {
             continue;
         }
         let mut start = 0;
@@ -100,18 +106,30 @@ fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], wind
         sum += if is_outside { OUTSIDE } else { 0.0 };
         count += 1.0;
     }
-    WORSE * side as f64 + if count > 0.0 { sum / count } else { 0.0 }
+    let is_within = looked.iter().any(|s| s.tags[index].as_ref().is_some_and(|tag| tag.side == Side::Within));
+    let worse = match side {
+        ON_POINT if is_within => 0.0,
+        ON_POINT => f64::INFINITY,
+        _ => WORSE * (side + 1) as f64,
+    };
+    worse + if count > 0.0 { sum / count } else { 0.0 }
 }
 
-/// The middle of a label on one of its sides.
-fn middle(tag: &Tag, side: usize) -> Point {
+/// The middle of a label at one of its places: on its point, if that is possible, or on one of eight sides.
+fn middle(tag: &Tag, place: usize) -> Point {
+    let (side, farther) = (place % AROUND.len(), FARTHER[place / AROUND.len() % FARTHER.len()]);
     let angle = match tag.side {
         Side::Centered => return tag.at,
-        Side::Around => -AROUND[side] * std::f64::consts::PI,
-        Side::Along([x, y]) => y.atan2(x) + ALONG[side] * std::f64::consts::PI,
+        Side::Within if place == ON_POINT => return tag.at,
+        Side::Within | Side::Around => -AROUND[side] * PI,
+        Side::Along([x, y]) => y.atan2(x) + ALONG[side] * PI,
     };
+    let gap = tag.gap + farther;
     let towards = direction(angle);
-    add(tag.at, [0, 1].map(|axis| towards[axis] * (tag.gap + tag.half[axis])))
+    // Towards a corner of the text, the whole of it lies beyond its place.
+    let shift =
+        |axis: usize| gap * towards[axis] + tag.half[axis] * (SQRT_2 * towards[axis]).clamp(-1.0, 1.0);
+    add(tag.at, [shift(0), shift(1)])
 }
 
 fn area(tag: &Tag, side: usize) -> Area {
@@ -130,7 +148,7 @@ fn mark(tag: &Option<Tag>, side: Option<usize>) -> Mark {
         (Some(tag), Some(side)) => (middle(tag, side), tag.text.clone(), tag.colour),
         (tag, _) => {
             let known = tag.as_ref().map(|tag| (tag.at, tag.colour));
-            let (at, colour) = known.unwrap_or(([0.0, 0.0], crate::draw::colour::INK));
+            let (at, colour) = known.unwrap_or(([0.0, 0.0], INK));
             (at, Default::default(), colour)
         }
     };

@@ -13,14 +13,14 @@ use crate::draw::labels::{self, Sheet};
 use crate::draw::marks;
 use crate::draw::picture::{Anchor, Mark, Picture, Point};
 use crate::draw::tag::{Tag, tag};
-use crate::draw::view::View;
+use crate::draw::view::{self, View};
 
 /// What is left free at the borders, and above for a title.
 const MARGIN: f64 = 12.0;
 const TITLE: f64 = 22.0;
 const TITLE_FONT: f64 = 15.0;
 /// The longest arrow of each kind takes this part of the smaller side of a picture.
-const LONGEST: f64 = 0.2;
+const LONGEST: f64 = 0.25;
 
 /// By what an element is found again in another picture: what kind of thing it is, its name, and which one of those.
 #[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
@@ -44,7 +44,7 @@ pub(super) fn pictures(
     for (time, elements) in film {
         check(*time, elements)?;
     }
-    let view = view(film, size, title)?;
+    let view = common_view(film, size, title)?;
     let drawn: Vec<Vec<(Key, Drawn)>> = film.iter().map(|(_, elements)| draw(elements, &view)).collect();
     let keys = aligned(&drawn);
     let empty = patterns(&drawn);
@@ -71,7 +71,7 @@ fn check(time: f64, elements: &[Element]) -> Result<(), DrawError> {
 }
 
 /// One window and one scale of arrows for all.
-fn view(film: &[(f64, Vec<Element>)], size: [f64; 2], title: &str) -> Result<View, DrawError> {
+fn common_view(film: &[(f64, Vec<Element>)], size: [f64; 2], title: &str) -> Result<View, DrawError> {
     let top = if title.is_empty() { MARGIN } else { MARGIN + TITLE };
     let window = [[MARGIN, top], [size[0] - MARGIN, size[1] - MARGIN]];
     let room = [window[1][0] - window[0][0], window[1][1] - window[0][1]];
@@ -91,8 +91,22 @@ fn view(film: &[(f64, Vec<Element>)], size: [f64; 2], title: &str) -> Result<Vie
         Measure::Acceleration => arrows[1],
         Measure::Force => arrows[2],
     };
-    let reaches: Vec<Reach> = elements().flat_map(|element| element.reaches(&pixels)).collect();
+    let mut reaches: Vec<Reach> = elements().flat_map(|element| element.reaches(&pixels)).collect();
+    reaches.extend(near(elements(), &reaches));
     View::new(window, arrows, &reaches)
+}
+
+/// Ends of rays that are not far away compared to the size of all the rest.
+fn near<'a>(elements: impl Iterator<Item = &'a Element>, reaches: &[Reach]) -> Vec<Reach> {
+    const FAR: f64 = 0.7;
+    let spans = [0, 1].map(|axis| view::range(reaches, axis, None));
+    let far = FAR * spans.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+    let is_near = |p: &Point| (0..2).all(|k| (spans[k][0] - far..=spans[k][1] + far).contains(&p[k]));
+    let ends = elements.filter_map(|element| match element.shape {
+        Shape::Ray { to, .. } => Some(to),
+        _ => None,
+    });
+    ends.filter(is_near).map(|at| Reach { at, offset: [0.0, 0.0], room: MARGIN }).collect()
 }
 
 fn magnitude(shape: &Shape, wanted: Measure) -> f64 {
@@ -200,7 +214,7 @@ mod tests {
     #[test]
     fn the_longest_arrow_of_a_film_has_a_readable_length_and_others_are_in_proportion() {
         let arrow = |vector| Element {
-            shape: Shape::Arrow { from: [0.0, 0.0], vector, measure: Measure::Force },
+            shape: Shape::Arrow { from: [0.0, 0.0], vector, measure: Measure::Force, is_push: false },
             ..dot("F", 0.0)
         };
         let film =
@@ -211,8 +225,8 @@ mod tests {
             let points = crate::draw::geometry::flattened(segments, 1);
             points.iter().map(|p| p[0] - points[0][0]).fold(0.0, f64::max)
         };
-        assert!((longest(0) - 0.2 * 176.0).abs() < 1e-9, "{}", longest(0));
-        assert!((longest(1) - 0.1 * 176.0).abs() < 1e-9, "{}", longest(1));
+        assert!((longest(0) - 0.25 * 176.0).abs() < 1e-9, "{}", longest(0));
+        assert!((longest(1) - 0.125 * 176.0).abs() < 1e-9, "{}", longest(1));
     }
 
     #[test]

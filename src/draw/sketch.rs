@@ -62,7 +62,7 @@ impl Sketch {
 
     /// An arrow, as long as the vector.
     pub fn arrow(&mut self, from: [f64; 2], vector: [f64; 2], label: &str) -> &mut Self {
-        self.add(label, Shape::Arrow { from, vector, measure: Measure::World })
+        self.add(label, Shape::Arrow { from, vector, measure: Measure::World, is_push: false })
     }
 
     /// A velocity, on the scale of all velocities of the film.
@@ -115,7 +115,7 @@ impl Sketch {
         measure: Measure,
         colour: Colour,
     ) -> &mut Self {
-        self.push(formula(label), label, Shape::Arrow { from, vector, measure }, colour);
+        self.push(formula(label), label, Shape::Arrow { from, vector, measure, is_push: false }, colour);
         self
     }
 

@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, VELOCITY};
 use crate::draw::element::{Element, Layer, Measure, Shape};
-use crate::draw::geometry::{add, direction, times, turned};
+use crate::draw::geometry::{add, direction, dot, length, subtract, times, turned};
 use crate::draw::picture::{Colour, Point};
 use crate::draw::snapshot::{Body, Load, Snapshot, Value};
 use crate::draw::stretch::{self, Stretches};
@@ -24,6 +24,8 @@ pub(super) struct Wanted {
     pub(super) centers: bool,
     pub(super) frames: bool,
     pub(super) names: bool,
+    /// Whether a body is drawn without what surrounds it.
+    pub(super) is_free: bool,
 }
 
 /// Length of the axes of a body in pixels.
@@ -40,7 +42,7 @@ pub(super) fn elements(
 ) -> Vec<Element> {
     let mut elements = lines(snapshot, stretches);
     for (index, body) in snapshot.bodies.iter().enumerate() {
-        let label = if wanted.names { formula(&body.name) } else { String::new() };
+        let label = if wanted.names && !wanted.is_free { formula(&body.name) } else { String::new() };
         let shape =
             Shape::Body { place: body.place(), center: body.motion.center, pieces: body.pieces.clone() };
         elements.push(element(&body.name, label, colour::body(index), Layer::Body, shape));
@@ -52,7 +54,7 @@ pub(super) fn elements(
         elements.extend(kinematics(body, wanted, snapshot.bodies.len() > 1, fastest));
     }
     if wanted.forces {
-        elements.extend(snapshot.loads.iter().map(|item| load(item, snapshot.bodies.len() > 1)));
+        elements.extend(snapshot.loads.iter().map(|item| load(item, snapshot, wanted.is_free)));
     }
     elements
 }
@@ -101,7 +103,7 @@ fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Ve
     let motion = &body.motion;
     let mut elements = Vec::new();
     let mut arrow = |letter, colour, from, vector, measure| {
-        let shape = Shape::Arrow { from, vector, measure };
+        let shape = Shape::Arrow { from, vector, measure, is_push: false };
         elements.push(element(
             &body.name,
             symbol(letter, &body.name, has_others),
@@ -131,16 +133,28 @@ fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Ve
     elements
 }
 
-fn load(load: &Load, has_others: bool) -> Element {
+fn load(load: &Load, snapshot: &Snapshot, is_free: bool) -> Element {
+    let has_others = snapshot.bodies.len() > 1;
+    let center = load.body.as_deref().and_then(|name| snapshot.body(name)).map(|body| body.motion.center);
     let label = match (load.cause, &load.body) {
         (Cause::Gravity, Some(body)) => symbol("G", body, has_others),
         _ => formula(&load.name),
     };
     let shape = match load.value {
-        Value::Force(vector) => Shape::Arrow { from: load.at, vector, measure: Measure::Force },
+        Value::Force(vector) => {
+            let is_push = is_free && pushes(load, vector, center);
+            Shape::Arrow { from: load.at, vector, measure: Measure::Force, is_push }
+        }
         Value::Moment(moment) => Shape::Turn { at: load.at, moment },
     };
     element(&load.name, label, FORCE, Layer::Arrow, shape)
+}
+
+/// Whether a force of contact points into the body; on a free body it is then drawn from outside.
+fn pushes(load: &Load, force: Point, center: Option<Point>) -> bool {
+    const NARROW: f64 = 0.5;
+    let inwards = center.map_or([0.0, 0.0], |center| subtract(center, load.at));
+    load.cause == Cause::Joint && dot(force, inwards) > NARROW * length(force) * length(inwards)
 }
 
 /// The path of a point so far, and where it is now.

@@ -5,7 +5,7 @@ use std::string::String;
 use crate::draw::colour::{INK, PALE};
 use crate::draw::element::{Element, Shape};
 use crate::draw::geometry::{add, direction, length, mix, subtract, times, turned, unit};
-use crate::draw::marks::ANGLE;
+use crate::draw::marks::arrow::{self, ANGLE};
 use crate::draw::picture::{Colour, Point};
 use crate::draw::text;
 use crate::draw::view::View;
@@ -32,6 +32,8 @@ pub(super) enum Side {
     Centered,
     /// Anywhere around.
     Around,
+    /// On it if there is room, else around.
+    Within,
     /// In this direction if there is room.
     Along(Point),
 }
@@ -68,7 +70,7 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
     };
     let around = |at: &Point| Some((view.point(*at), Side::Around, GAP));
     match shape {
-        Shape::Body { center, .. } => Some((view.point(*center), Side::Around, WIDE_GAP)),
+        Shape::Body { center, .. } => Some((view.point(*center), Side::Within, WIDE_GAP)),
         Shape::Coil { from, to } | Shape::Dashpot { from, to } => {
             let (at, side) = middle(&[*from, *to]);
             Some((at, side, WIDE_GAP))
@@ -76,11 +78,14 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
         Shape::Spiral { at } | Shape::Drum { at } | Shape::Turn { at, .. } => {
             Some((view.point(*at), Side::Around, ANGLE))
         }
-        Shape::Arrow { from, vector, measure } => {
+        Shape::Arrow { from, vector, measure, is_push } => {
             let vector = view.vector(*vector, *measure);
             // What has no arrow has no label either.
             (length(vector) >= 1.0).then_some(())?;
-            Some((add(view.point(*from), vector), Side::Along(unit(vector)?), GAP))
+            let start = arrow::start(view.point(*from), vector, *is_push);
+            let (end, outwards) =
+                if *is_push { (start, times(-1.0, vector)) } else { (add(start, vector), vector) };
+            Some((end, Side::Along(unit(outwards)?), GAP))
         }
         Shape::Ray { to, .. } => view.holds(view.point(*to)).then(|| around(to))?,
         Shape::Segment { ends, .. } | Shape::Dimension { ends } => {

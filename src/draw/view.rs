@@ -91,7 +91,7 @@ impl View {
 }
 
 /// The range of an axis in pixels at a scale, or of points of the world without one.
-fn range(reaches: &[Reach], axis: usize, scale: Option<f64>) -> [f64; 2] {
+pub(super) fn range(reaches: &[Reach], axis: usize, scale: Option<f64>) -> [f64; 2] {
     reaches.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], reach| {
         let (at, room) = match scale {
             Some(scale) => (scale * reach.at[axis] + reach.offset[axis], reach.room),

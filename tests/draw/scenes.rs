@@ -8,7 +8,7 @@ use lagrange::scene::{Cause, Connector, Item, Joint, Outline, Part, Scene};
 use lagrange::system::{MechanicalSystem, OdeSystem, Unnamed};
 
 /// A scene that shows its items as a function of a single coordinate.
-pub struct Puppet(pub fn(f64, &mut dyn FnMut(Item<'_, f64>)));
+pub(crate) struct Puppet(pub(crate) fn(f64, &mut dyn FnMut(Item<'_, f64>)));
 
 impl OdeSystem for Puppet {
     type Scalar = f64;
@@ -36,7 +36,7 @@ impl Scene for Puppet {
 }
 
 /// A body at rest.
-pub fn still(center: [f64; 2], angle: f64) -> Motion<f64> {
+pub(crate) fn still(center: [f64; 2], angle: f64) -> Motion<f64> {
     Motion {
         mass: 1.0,
         inertia: 1.0,
@@ -50,12 +50,12 @@ pub fn still(center: [f64; 2], angle: f64) -> Motion<f64> {
     }
 }
 
-pub fn part(outline: Outline<'_, f64>) -> Part<'_, f64> {
+pub(crate) fn part(outline: Outline<'_, f64>) -> Part<'_, f64> {
     Part { outline, at: [0.0, 0.0], angle: 0.0, is_hole: false }
 }
 
 /// Half a step ladder each, the left foot at rest; the coordinate is the angle φ to the floor, φ̇ = −1.
-pub const LADDER: Puppet = Puppet(|phi, visit| {
+pub(crate) const LADDER: Puppet = Puppet(|phi, visit| {
     let (sin, cos) = phi.sin_cos();
     visit(Item::Line { name: "floor", body: None, through: [0.0, 0.0], angle: 0.0 });
     let rod = [part(Outline::SlenderRod(1.0))];
@@ -79,7 +79,7 @@ pub const LADDER: Puppet = Puppet(|phi, visit| {
 });
 
 /// What the step ladder looks like with everything that helps.
-pub fn ladder() -> Drawing<'static, Puppet> {
+pub(crate) fn ladder() -> Drawing<'static, Puppet> {
     Drawing::of(&LADDER)
         .title("The instantaneous centre M of the right half")
         .velocities()
@@ -95,7 +95,7 @@ pub fn ladder() -> Drawing<'static, Puppet> {
 }
 
 /// A cylinder that rolls down a slope behind a cuboid that slides; the coordinate is how far the cylinder has come.
-pub const SLOPE: Puppet = Puppet(|s, visit| {
+pub(crate) const SLOPE: Puppet = Puppet(|s, visit| {
     let (alpha, radius) = (FRAC_PI_6, 0.5);
     let (along, up) = ([alpha.cos(), -alpha.sin()], [alpha.sin(), alpha.cos()]);
     let at = |x: f64, y: f64| [x * along[0] + y * up[0], x * along[1] + y * up[1]];
@@ -130,7 +130,7 @@ pub const SLOPE: Puppet = Puppet(|s, visit| {
 });
 
 /// A body of every shape and every connector.
-pub const COLLECTION: Puppet = Puppet(|s, visit| {
+pub(crate) const COLLECTION: Puppet = Puppet(|s, visit| {
     const CORNERS: [[f64; 2]; 6] = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.3], [0.3, 0.3], [0.3, 1.0], [0.0, 1.0]];
     let shapes = [
         ("mass", Outline::PointMass),
@@ -172,7 +172,7 @@ pub const COLLECTION: Puppet = Puppet(|s, visit| {
 });
 
 /// A rod against a wall and a cart on a floor that end where they meet; the wall goes down.
-pub const CORNER: Puppet = Puppet(|phi, visit| {
+pub(crate) const CORNER: Puppet = Puppet(|phi, visit| {
     let (sin, cos) = phi.sin_cos();
     visit(Item::Line { name: "floor", body: None, through: [0.0, 0.0], angle: 0.0 });
     visit(Item::Line { name: "wall", body: None, through: [0.0, 0.0], angle: -FRAC_PI_2 });

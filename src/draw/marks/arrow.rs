@@ -18,6 +18,11 @@ const TURN: (f64, f64) = (20.0, 3.0 * FRAC_PI_2);
 /// Radius of the arc of an angle.
 pub(in crate::draw) const ANGLE: f64 = 26.0;
 
+/// Where an arrow starts that belongs to a point: there, or so that it ends there.
+pub(in crate::draw) fn start(at: Point, vector: Point, is_push: bool) -> Point {
+    if is_push { subtract(at, vector) } else { at }
+}
+
 /// An arrow from a point, nothing if it is too short.
 pub(super) fn straight(from: Point, vector: Point) -> Vec<Segment> {
     let size = length(vector);
@@ -38,9 +43,9 @@ fn arrowhead(tip: Point, along: Point, size: f64) -> Vec<Segment> {
 }
 
 /// An arrow around a point, counterclockwise if positive.
-pub(super) fn turn(at: Point, moment: f64) -> Vec<Segment> {
+pub(super) fn turn(at: Point, moment: f64) -> [Vec<Segment>; 2] {
     if moment == 0.0 {
-        return Vec::new();
+        return [Vec::new(), Vec::new()];
     }
     let (radius, sweep) = TURN;
     let from = FRAC_PI_2 - 0.5 * moment.signum() * sweep;
@@ -48,11 +53,12 @@ pub(super) fn turn(at: Point, moment: f64) -> Vec<Segment> {
 }
 
 /// An arc with an arrowhead from one angle to another.
-pub(super) fn angle(at: Point, from: f64, to: f64) -> Vec<Segment> {
-    if from == to { Vec::new() } else { around(at, ANGLE, from, to) }
+pub(super) fn angle(at: Point, from: f64, to: f64) -> [Vec<Segment>; 2] {
+    if from == to { [Vec::new(), Vec::new()] } else { around(at, ANGLE, from, to) }
 }
 
-fn around(at: Point, radius: f64, from: f64, to: f64) -> Vec<Segment> {
+/// The arc and its head.
+fn around(at: Point, radius: f64, from: f64, to: f64) -> [Vec<Segment>; 2] {
     let head = HEAD.0.min(SHARE * radius * (to - from).abs());
     let sign = (to - from).signum();
     // The head lies on the chord of the arc that it replaces.
@@ -61,8 +67,8 @@ fn around(at: Point, radius: f64, from: f64, to: f64) -> Vec<Segment> {
     segments.extend(arc([radius, radius], from, neck));
     let (tip, back) = (times(radius, direction(to)), times(radius, direction(neck)));
     let along = unit(subtract(tip, back)).unwrap_or([0.0, 0.0]);
-    segments.extend(arrowhead(tip, along, head));
-    moved(&segments, |[x, y]| [at[0] + x, at[1] - y])
+    let head = arrowhead(tip, along, head);
+    [segments, head].map(|part| moved(&part, |[x, y]| [at[0] + x, at[1] - y]))
 }
 
 /// A line with arrowheads and a stop at both ends.
@@ -97,16 +103,16 @@ mod tests {
 
     #[test]
     fn a_positive_moment_turns_from_right_to_left_over_the_top() {
-        let points = flattened(&turn([0.0, 0.0], 2.0), 8);
+        let points = flattened(&turn([0.0, 0.0], 2.0)[0], 8);
         assert!(points[0][0] > 0.0 && points[24][0] < 0.0 && points[12][1] < -15.0, "{points:?}");
-        let mirrored = flattened(&turn([0.0, 0.0], -2.0), 8);
+        let mirrored = flattened(&turn([0.0, 0.0], -2.0)[0], 8);
         assert!(mirrored[0][0] < 0.0);
-        assert!(turn([0.0, 0.0], 0.0).is_empty());
+        assert_eq!(turn([0.0, 0.0], 0.0).concat(), []);
     }
 
     #[test]
     fn an_arc_goes_to_its_angle() {
-        let points = flattened(&angle([0.0, 0.0], 0.0, 1.0), 8);
+        let points = flattened(&angle([0.0, 0.0], 0.0, 1.0)[1], 8);
         let end = [super::ANGLE * 1.0_f64.cos(), -super::ANGLE * 1.0_f64.sin()];
         assert!(points.iter().any(|p| length(subtract(*p, end)) < 1e-9));
     }

@@ -4,7 +4,7 @@ use std::vec;
 use std::vec::Vec;
 
 use crate::draw::colour::{INK, PALE};
-use crate::draw::cut::common;
+use crate::draw::cut::{common, crosses, encloses, kept};
 use crate::draw::geometry::{Place, moved, polyline};
 use crate::draw::marks::{MEDIUM, THIN, dot, path, stroke};
 use crate::draw::outline::{Form, Piece};
@@ -28,9 +28,12 @@ pub(super) fn marks(
     }
     let on_paper = |ring: &[Segment]| moved(ring, |p| view.point(place.of(p)));
     let rings = |piece: &Piece| piece.rings(view.of_pixels(thickness(&piece.form)));
+    let all: Vec<(bool, Vec<Segment>)> =
+        pieces.iter().flat_map(|piece| rings(piece).into_iter().map(|ring| (piece.is_hole, ring))).collect();
     let of = |wanted: bool| {
-        let chosen = pieces.iter().filter(move |piece| piece.is_hole == wanted);
-        chosen.flat_map(|piece| rings(piece)).flat_map(|ring| on_paper(&ring)).collect()
+        let lines =
+            all.iter().filter(|(is_hole, _)| *is_hole == wanted).map(|(_, ring)| rim(ring, wanted, &all));
+        lines.flat_map(|line| on_paper(&line)).collect()
     };
     let mut marks = vec![path(of(false), stroke(INK, 2.0 * MEDIUM))];
     for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| !piece.is_hole) {
@@ -48,6 +51,16 @@ pub(super) fn marks(
     let radii = radii.flat_map(|ends| on_paper(&polyline(ends, false))).collect();
     marks.push(path(radii, stroke(PALE, THIN)));
     marks
+}
+
+/// What is seen of the rim of a part outside holes, or of that of a hole inside parts.
+fn rim(ring: &[Segment], is_hole: bool, all: &[(bool, Vec<Segment>)]) -> Vec<Segment> {
+    let others = || all.iter().filter(|(other, _)| *other != is_hole).map(|(_, ring)| ring);
+    let is_cut = others().any(|other| if is_hole { crosses(other, ring) } else { crosses(ring, other) });
+    if !is_cut {
+        return ring.to_vec();
+    }
+    kept(ring, |p| others().any(|other| encloses(other, p)) == is_hole)
 }
 
 fn thickness(form: &Form) -> f64 {

@@ -3,7 +3,7 @@
 use std::vec;
 use std::vec::Vec;
 
-use crate::draw::colour::{INK, PALE, PAPER};
+use crate::draw::colour::{HATCHING, INK, PAPER};
 use crate::draw::geometry::{Place, add, direction, length, polyline, subtract, times, turned};
 use crate::draw::marks::{JOINT, MEDIUM, THIN, circle, path, stroke};
 use crate::draw::picture::{Mark, Point, Segment, Style};
@@ -32,7 +32,7 @@ pub(super) fn marks(place: Place, stretches: &[[f64; 2]], view: &View) -> Vec<Ma
         }
         hatching.extend(hatches(at, along, [from, to], view));
     }
-    vec![path(hatching, stroke(PALE, THIN)), path(edges, stroke(INK, MEDIUM))]
+    vec![path(hatching, stroke(HATCHING, THIN)), path(edges, stroke(INK, MEDIUM))]
 }
 
 /// Strokes to the right of a line and backwards.
@@ -59,7 +59,11 @@ pub(super) fn anchor(at: Point) -> Vec<Mark> {
         hatching.extend(polyline([start, add(start, [-0.5 * half, 0.6 * DEPTH])], false));
     }
     let paper = Style { fill: Some(PAPER), ..stroke(INK, MEDIUM) };
-    vec![path(hatching, stroke(PALE, THIN)), path(triangle, paper.clone()), path(circle(at, JOINT), paper)]
+    vec![
+        path(hatching, stroke(HATCHING, THIN)),
+        path(triangle, paper.clone()),
+        path(circle(at, JOINT), paper),
+    ]
 }
 
 #[cfg(test)]

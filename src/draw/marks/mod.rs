@@ -1,6 +1,6 @@
 //! Elements as marks on paper.
 
-mod arrow;
+pub(super) mod arrow;
 mod body;
 mod connector;
 mod ground;
@@ -24,8 +24,6 @@ const DASHES: &[f64] = &[5.0, 4.0];
 const JOINT: f64 = 4.0;
 const DOT: f64 = 2.6;
 
-pub(super) use arrow::ANGLE;
-
 /// The marks of an element: as many for elements of the same kind.
 pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
     let colour = element.colour;
@@ -40,11 +38,12 @@ pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
         Shape::Drum { at } => vec![line(connector::drum(view.point(*at)), INK)],
         Shape::Pin { at } => vec![joint(view.point(*at))],
         Shape::Anchor { at } => ground::anchor(view.point(*at)),
-        Shape::Slider { at } => vec![joint(view.point(*at))],
-        Shape::Arrow { from, vector, measure } => {
-            vec![filled(arrow::straight(view.point(*from), view.vector(*vector, *measure)), colour)]
+        Shape::Slider { at } => vec![dot(view.point(*at), INK)],
+        Shape::Arrow { from, vector, measure, is_push } => {
+            let vector = view.vector(*vector, *measure);
+            vec![filled(arrow::straight(arrow::start(view.point(*from), vector, *is_push), vector), colour)]
         }
-        Shape::Turn { at, moment } => vec![filled(arrow::turn(view.point(*at), *moment), colour)],
+        Shape::Turn { at, moment } => round(arrow::turn(view.point(*at), *moment), colour),
         Shape::Dot { at } => vec![dot(view.point(*at), colour)],
         Shape::Ray { from, to } => line::ray(view.point(*from), view.point(*to), colour, view),
         Shape::Segment { ends, is_dashed } => {
@@ -58,7 +57,7 @@ pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
             let segments = circle(view.point(*center), view.length(*radius));
             vec![path(segments, Style { dashes, ..stroke(colour, MEDIUM) })]
         }
-        Shape::Angle { at, from, to } => vec![filled(arrow::angle(view.point(*at), *from, *to), colour)],
+        Shape::Angle { at, from, to } => round(arrow::angle(view.point(*at), *from, *to), colour),
         Shape::Dimension { ends } => vec![filled(arrow::dimension(ends.map(|p| view.point(p))), colour)],
         Shape::Polyline { points } => {
             vec![path(line::thinned(points.iter().map(|p| view.point(*p))), stroke(colour, MEDIUM))]
@@ -86,6 +85,11 @@ fn line(segments: Vec<Segment>, colour: Colour) -> Mark {
 /// Lines whose closed parts, such as arrowheads, are filled.
 fn filled(segments: Vec<Segment>, colour: Colour) -> Mark {
     path(segments, Style { fill: Some(colour), ..stroke(colour, MEDIUM) })
+}
+
+/// An arc that is not filled, and its arrowhead, which is.
+fn round([arc, head]: [Vec<Segment>; 2], colour: Colour) -> Vec<Mark> {
+    vec![line(arc, colour), filled(head, colour)]
 }
 
 fn dot(at: Point, colour: Colour) -> Mark {
