@@ -142,6 +142,22 @@ impl Number {
         self.to_integer().and_then(|integer| i32::try_from(integer).ok())
     }
 
+    /// The digits of an unsigned decimal and how many of them stand behind the point; `None` if the decimal does
+    /// not end or the number is negative.
+    pub fn decimal(&self) -> Option<(String, usize)> {
+        let big = self.to_big();
+        let (ten, five) = (BigInt::from(10), BigInt::from(5));
+        let twos = big.denom().trailing_zeros().unwrap_or(0);
+        let (mut rest, mut fives) = (big.denom() >> twos, 0);
+        while (&rest % &five).is_zero() {
+            rest /= &five;
+            fives += 1;
+        }
+        let places = twos.max(fives);
+        let digits = || big.numer() * Pow::pow(ten, places) / big.denom();
+        (rest.is_one() && !big.is_negative()).then(|| (digits().to_string(), places as usize))
+    }
+
     /// The nearest `f64`; infinite if the magnitude is out of range.
     pub fn to_f64(&self) -> f64 {
         let exact = |n: &i64| n.unsigned_abs() <= 1 << 53;

@@ -10,6 +10,7 @@ mod drawing;
 mod element;
 mod error;
 mod files;
+mod film;
 mod geometry;
 mod labels;
 mod layout;
@@ -29,6 +30,7 @@ mod view;
 
 pub use drawing::Drawing;
 pub use error::DrawError;
+pub use film::Film;
 pub use moment::Moment;
 pub use picture::Picture;
 pub use sketch::Sketch;

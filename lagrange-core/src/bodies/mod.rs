@@ -8,8 +8,23 @@
 //! Source of the formulas: any textbook of plane rigid-body mechanics, such as Meriam, Kraige, *Engineering Mechanics:
 //! Dynamics*, ch. 5 and 6.
 
+mod body;
+mod compound;
+mod connectors;
+mod expressions;
+mod joints;
+mod messages;
+mod names;
+mod terms;
+mod translation;
+
+#[cfg(test)]
+mod tests;
+
 use crate::diagnostics::{Origin, Report};
-use crate::syntax::ast::{AstId, Declaration, Name};
+use crate::syntax::ast::{AstId, ConnectorKind, Declaration, Name, StatementKind};
+use names::report_repeated;
+use translation::Translation;
 
 /// A declaration without statements about bodies, and what is known of the bodies beside it.
 ///
@@ -26,6 +41,20 @@ pub struct Plain {
     pub claims: Vec<Claim>,
     /// Names of the constraints of joints. They are left out where the coordinates fulfil them by themselves.
     pub joints: Vec<Name>,
+    /// Everything that stands in statements about bodies, so that mistakes in it are found whether or not it is needed.
+    pub mentioned: Vec<AstId>,
+}
+
+impl Plain {
+    /// The declaration without these constraints of joints.
+    pub fn without(self, constraints: &[String]) -> Declaration {
+        let mut declaration = self.declaration;
+        declaration.statements.retain(|statement| match &statement.kind {
+            StatementKind::Constraint(name, _) => !constraints.contains(&name.text),
+            _ => true,
+        });
+        declaration
+    }
 }
 
 /// How a body moves. Vectors have two components, rates may hold `ddot`.
@@ -78,7 +107,7 @@ pub enum DrawnKind {
         /// Its name.
         name: String,
         /// What it is.
-        kind: crate::syntax::ast::ConnectorKind,
+        kind: ConnectorKind,
     },
     /// A joint: where it is.
     Joint {
@@ -127,6 +156,8 @@ pub struct Outline {
 pub enum JointForm {
     /// A pin.
     Pin,
+    /// A pin on something at rest.
+    Anchor,
     /// A point on a line.
     Slide,
     /// A round body on a line.
@@ -156,6 +187,22 @@ pub enum Claim {
         /// Its mass.
         mass: AstId,
     },
+    /// A vector of two components.
+    PlaneVector {
+        /// What it is, in words.
+        what: String,
+        /// It.
+        value: AstId,
+    },
+    /// The place or the angle of a body changes with coordinates or time.
+    Moves {
+        /// The body.
+        body: Name,
+        /// Its centre of mass.
+        center: AstId,
+        /// Its angle.
+        angle: AstId,
+    },
     /// The stated moment of inertia should be that of the shape.
     SameInertia {
         /// The body.
@@ -170,6 +217,7 @@ pub enum Claim {
 }
 
 /// Puts plain statements in the place of those about bodies. Mistakes are reported.
-pub fn plain(declaration: Declaration, _report: &mut Report) -> Plain {
-    Plain { declaration, motions: Vec::new(), drawing: Vec::new(), claims: Vec::new(), joints: Vec::new() }
+pub fn plain(declaration: Declaration, report: &mut Report) -> Plain {
+    report_repeated(&declaration, report);
+    Translation::new(&declaration, report).finish(declaration)
 }

@@ -2,14 +2,16 @@
 
 use proc_macro2::Span;
 
+use super::claims::check_claims;
 use super::expression::Evaluator;
 use super::messages;
-use super::model::{
-    Constraint, Coordinate, Event, Load, Model, Output, Parameter, Product, Reaction, Reduction,
-};
+use super::model::{Constraint, Coordinate, Event, Load, Model, Output, Parameter, Reaction, Reduction};
 use super::operand::Operand;
+use super::product::Product;
 use super::reduce::reduce;
+use super::scene::{Scene, Staged};
 use super::scope::Kind;
+use crate::bodies::Plain;
 use crate::calculus::evaluate;
 use crate::diagnostics::Report;
 use crate::diagnostics::nearest;
@@ -20,8 +22,8 @@ use crate::syntax::ast::{
 };
 
 /// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 6] =
-    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS"];
+const GENERATED_METHODS: [&str; 7] =
+    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
 /// Products that later versions will emit.
 const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
 
@@ -30,11 +32,16 @@ pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
-pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model> {
-    let mut elaborator = Elaborator::new(declaration, report);
-    for statement in &declaration.statements {
+pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
+    let mut elaborator = Elaborator::new(plain, report);
+    for statement in &plain.declaration.statements {
         elaborator.statement(statement);
     }
+    for &mentioned in &plain.mentioned {
+        elaborator.evaluator.evaluate(mentioned);
+    }
+    check_claims(&mut elaborator, &plain.claims);
+    elaborator.scene(plain);
     let (mut model, reductions) = elaborator.finish()?;
     let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, report)).collect::<Vec<_>>();
     model.reduced = reduced.into_iter().collect::<Option<Vec<_>>>()?;
@@ -60,6 +67,10 @@ pub(super) struct Elaborator<'a> {
     pub(super) lagrangian: Vec<Term>,
     pub(super) dissipation: Vec<Term>,
     pub(super) loads: Vec<Load>,
+    /// Names of the constraints of joints.
+    pub(super) joints: &'a [Name],
+    /// Those of them that the coordinates fulfil by themselves.
+    pub(super) implied: Vec<String>,
     /// Constraints, with where their names stand.
     pub(super) constraints: Vec<(Constraint, Span)>,
     /// The rate of stabilisation, with where it is given.
@@ -69,6 +80,9 @@ pub(super) struct Elaborator<'a> {
     /// Contacts and friction, with where their names stand.
     pub(super) reactions: Vec<(Reaction, Span)>,
     pub(super) outputs: Vec<Output>,
+    /// What there is of rigid bodies.
+    pub(super) staged: Staged,
+    pub(super) scene: Scene,
     pub(super) labels: Vec<(ExprId, String)>,
     /// Entries of `emit`, with where they stand.
     pub(super) wanted: Vec<(Product, bool, Span)>,
@@ -76,7 +90,8 @@ pub(super) struct Elaborator<'a> {
 }
 
 impl<'a> Elaborator<'a> {
-    fn new(declaration: &'a Declaration, report: &'a mut Report) -> Elaborator<'a> {
+    pub(super) fn new(plain: &'a Plain, report: &'a mut Report) -> Elaborator<'a> {
+        let Plain { declaration, joints, .. } = plain;
         Elaborator {
             evaluator: Evaluator::new(declaration, report),
             declaration,
@@ -88,18 +103,22 @@ impl<'a> Elaborator<'a> {
             lagrangian: Vec::new(),
             dissipation: Vec::new(),
             loads: Vec::new(),
+            joints,
+            implied: Vec::new(),
             constraints: Vec::new(),
             stabilisation: None,
             events: Vec::new(),
             reactions: Vec::new(),
             outputs: Vec::new(),
+            staged: Staged::default(),
+            scene: Scene::default(),
             labels: Vec::new(),
             wanted: Vec::new(),
             reductions: Vec::new(),
         }
     }
 
-    fn statement(&mut self, statement: &Statement) {
+    pub(super) fn statement(&mut self, statement: &Statement) {
         let keyword = statement.origin.start;
         match &statement.kind {
             StatementKind::Parameters(list) => list.iter().for_each(|d| self.parameter(d, Kind::Parameter)),
@@ -267,8 +286,9 @@ impl<'a> Elaborator<'a> {
 
     fn output(&mut self, name: &Name, syntax: AstId) {
         let value = self.evaluator.evaluate(syntax);
-        let product = Product::ALL.iter().any(|product| product.name() == name.text);
-        if product || GENERATED_METHODS.contains(&name.text.as_str()) {
+        let mut methods = Product::ALL.iter().filter(|product| !product.is_of_bodies());
+        if methods.any(|method| method.name() == name.text) || GENERATED_METHODS.contains(&name.text.as_str())
+        {
             let error = self.evaluator.report.error(name.span, messages::reserved_output(&name.text));
             error.help(messages::OTHER_NAME_HELP);
         }

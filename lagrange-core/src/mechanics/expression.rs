@@ -140,8 +140,11 @@ impl<'a> Evaluator<'a> {
             if entry.kind.has_value() {
                 return entry.value.clone();
             }
-            let message = messages::has_no_value(entry.kind.describe(), name);
-            self.report.error(origin, message).help(messages::NAME_IT_WITH_LET);
+            let (message, help) = match entry.kind {
+                Kind::Implied => (messages::FORCE_OF_IMPLIED.to_owned(), messages::FORCE_OF_IMPLIED_HELP),
+                kind => (messages::has_no_value(kind.describe(), name), messages::NAME_IT_WITH_LET),
+            };
+            self.report.error(origin, message).help(help);
             return None;
         }
         if super::kinematics::is_function(name) {

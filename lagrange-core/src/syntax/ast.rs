@@ -32,6 +32,8 @@ pub struct Declaration {
     pub accuracy: Accuracy,
     /// Statements in source order, without those that could not be read.
     pub statements: Vec<Statement>,
+    /// The names of rigid bodies in source order; known also where plain statements have taken the place of theirs.
+    pub bodies: Vec<Name>,
     /// The expressions that statements refer to.
     pub expressions: Expressions,
     /// Words in places that could not be read: names that may have been declared there.
@@ -82,7 +84,7 @@ impl Declaration {
 
 impl StatementKind {
     /// The names that expressions behind the statement may mention.
-    pub(super) fn declared_names(&self) -> Vec<&Name> {
+    pub fn declared_names(&self) -> Vec<&Name> {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)

@@ -6,6 +6,7 @@ mod formulas;
 mod growth;
 mod machines;
 mod mechanics;
+mod printing;
 mod products;
 mod reductions;
 mod trees;

@@ -127,6 +127,31 @@ pub enum ConnectorKind {
     TorsionDamper,
 }
 
+impl ConnectorKind {
+    /// Every kind.
+    pub const ALL: [ConnectorKind; 4] = [
+        ConnectorKind::Spring,
+        ConnectorKind::Damper,
+        ConnectorKind::TorsionSpring,
+        ConnectorKind::TorsionDamper,
+    ];
+
+    /// The word that declares one.
+    pub fn name(self) -> &'static str {
+        match self {
+            ConnectorKind::Spring => "spring",
+            ConnectorKind::Damper => "damper",
+            ConnectorKind::TorsionSpring => "torsion_spring",
+            ConnectorKind::TorsionDamper => "torsion_damper",
+        }
+    }
+
+    /// The kind that a word declares.
+    pub fn named(word: &str) -> Option<ConnectorKind> {
+        ConnectorKind::ALL.into_iter().find(|kind| kind.name() == word)
+    }
+}
+
 /// A joint.
 #[derive(Clone, Debug)]
 pub struct Joint {

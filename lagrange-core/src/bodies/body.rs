@@ -1,0 +1,275 @@
+//! `body` and `line` statements.
+
+use super::messages;
+use super::names::{Body, Line, Object};
+use super::terms::Pair;
+use super::translation::Translation;
+use super::{Claim, Drawn, DrawnKind, Motion, Outline};
+use crate::solids;
+use crate::solids::Solid;
+use crate::syntax::ast;
+use crate::syntax::ast::{AstId, Shape, StatementKind};
+
+/// How the mass of a body is distributed.
+pub(super) struct MassGeometry {
+    pub(super) mass: AstId,
+    /// `None` if nothing says it.
+    pub(super) inertia: Option<AstId>,
+    pub(super) centroid: Pair,
+    pub(super) outlines: Vec<Outline>,
+    pub(super) radius: Option<AstId>,
+}
+
+impl Translation<'_> {
+    pub(super) fn body(&mut self, statement: &ast::Body) {
+        let name = &statement.name;
+        let angle = self.body_angle(statement);
+        let geometry = match statement.parts.is_empty() {
+            true => self.simple(statement),
+            false => self.compound(statement),
+        };
+        let MassGeometry { mass, inertia, centroid, outlines, radius } = geometry;
+        let (center, origin) = self.body_place(statement, centroid, angle);
+        self.push_translation(mass, center);
+        let inertia = inertia.unwrap_or_else(|| self.terms().number(0));
+        if statement.angle.is_some() {
+            self.push_rotation(inertia, angle);
+        }
+        let index = self.bodies.len();
+        let centroid_vector = self.terms().tuple(centroid);
+        self.motions.push(Motion {
+            body: name.clone(),
+            center,
+            centroid: centroid_vector,
+            angle,
+            mass,
+            inertia,
+        });
+        let kind = DrawnKind::Body { body: index, outlines };
+        self.drawing.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
+        self.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, angle, radius });
+        self.names.declare(&name.text, Object::Body(index));
+        self.weigh(index);
+    }
+
+    /// The angle, under a name of its own unless it is one.
+    fn body_angle(&mut self, statement: &ast::Body) -> AstId {
+        let Some(angle) = statement.angle else { return self.terms().number(0) };
+        let angle = self.mention(angle);
+        match self.expressions.get(angle) {
+            ast::Expression::Name(_) | ast::Expression::Number(_) | ast::Expression::Invalid => angle,
+            _ => self.bind(&format!("{}_angle", statement.name.text), angle),
+        }
+    }
+
+    /// What the user wrote, in plain words; it is looked at, whether or not it is needed.
+    pub(super) fn mention(&mut self, id: AstId) -> AstId {
+        let plain = self.plain(id);
+        self.mentioned.push(plain);
+        plain
+    }
+
+    fn simple(&mut self, statement: &ast::Body) -> MassGeometry {
+        let name = &statement.name;
+        let mass = self.mass(statement);
+        let shape = statement.shape.as_ref().and_then(|shape| self.shape(shape));
+        let of_shape = shape.as_ref().map(|(solid, dimensions)| self.inertia_of(solid, mass, dimensions));
+        let stated = statement.inertia.map(|inertia| self.mention(inertia));
+        if let (Some(stated), Some(of_shape), Some(shape)) = (stated, of_shape, &statement.shape) {
+            let claim = Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
+            self.claims.push(claim);
+        }
+        if stated.is_none() && statement.shape.is_none() && statement.angle.is_some() {
+            let error = self.report.error(name.span, messages::no_inertia(&name.text));
+            error.help(messages::NO_INERTIA_HELP);
+        }
+        let centroid = match statement.centroid {
+            Some(centroid) => self.vector(centroid, &messages::centroid_of(&name.text)),
+            None => self.centroid_of(shape.as_ref()),
+        };
+        let radius = shape.as_ref().and_then(|(solid, dimensions)| Some(dimensions[solid.radius?]));
+        let outlines = shape.map(|(solid, dimensions)| self.outline(solid, dimensions)).into_iter().collect();
+        MassGeometry { mass, inertia: stated.or(of_shape), centroid, outlines, radius }
+    }
+
+    fn mass(&mut self, statement: &ast::Body) -> AstId {
+        let name = &statement.name;
+        let Some(mass) = statement.mass else {
+            let error = self.report.error(name.span, messages::no_mass(&name.text));
+            error.help(messages::NO_MASS_HELP);
+            return self.terms().invalid();
+        };
+        let mass = self.mention(mass);
+        self.claims.push(Claim::PositiveMass { body: name.clone(), mass });
+        mass
+    }
+
+    /// A known solid with its dimensions, as many as it has; anything else is reported.
+    pub(super) fn shape(&mut self, shape: &Shape) -> Option<(&'static Solid, Vec<AstId>)> {
+        let dimensions = shape.dimensions.iter().map(|&id| self.mention(id)).collect::<Vec<_>>();
+        let Some(solid) = solids::by_name(&shape.solid.text) else {
+            let help = match solids::nearest(&shape.solid.text) {
+                Some(known) => messages::did_you_mean(known),
+                None => messages::solids_are(),
+            };
+            self.report.error(shape.solid.span, messages::unknown_solid(&shape.solid.text)).help(help);
+            return None;
+        };
+        if !solid.dimensions.accept(dimensions.len()) {
+            let message = messages::wrong_dimensions(&shape.solid.text, dimensions.len());
+            self.report.error(shape.origin, message).help(messages::shape_usage(&solid.shape_usage()));
+            return None;
+        }
+        Some((solid, dimensions))
+    }
+
+    /// The call that stands for the moment of inertia of a solid about its centre of mass.
+    pub(super) fn inertia_of(&mut self, solid: &Solid, mass: AstId, dimensions: &[AstId]) -> AstId {
+        let arguments = [&[mass], dimensions].concat();
+        self.terms().call(solid.name, &arguments)
+    }
+
+    /// The centre of mass of a solid in its own coordinates.
+    pub(super) fn centroid_of(&mut self, shape: Option<&(&'static Solid, Vec<AstId>)>) -> Pair {
+        let center = shape.and_then(|(solid, dimensions)| Some((solid.center_function()?, dimensions)));
+        let mut terms = self.terms();
+        match center {
+            Some((function, dimensions)) => {
+                let center = terms.call(&function, dimensions);
+                terms.pair(center)
+            }
+            None => terms.zero_pair(),
+        }
+    }
+
+    fn outline(&mut self, solid: &'static Solid, dimensions: Vec<AstId>) -> Outline {
+        let mut terms = self.terms();
+        let (at, angle) = (terms.zero_pair(), terms.number(0));
+        Outline { solid: solid.name.to_owned(), dimensions, at: terms.tuple(at), angle, is_hole: false }
+    }
+
+    /// The centre of mass under a name of its own, and the origin of the own coordinates.
+    fn body_place(&mut self, statement: &ast::Body, centroid: Pair, angle: AstId) -> (AstId, Pair) {
+        let name = &statement.name.text;
+        let stated = match (statement.center, statement.origin) {
+            (Some(center), None) => Some((self.vector(center, &messages::center_of(name)), true)),
+            (None, Some(origin)) => Some((self.vector(origin, &messages::origin_of(name)), false)),
+            (given, _) => {
+                let message = messages::one_place(name, given.is_some());
+                self.report.error(statement.name.span, message).help(messages::ONE_PLACE_HELP);
+                None
+            }
+        };
+        let mut terms = self.terms();
+        let Some((place, is_center)) = stated else {
+            let invalid = terms.invalid();
+            return (invalid, [invalid, invalid]);
+        };
+        let arm = terms.turned(centroid, angle);
+        let center = if is_center { place } else { terms.plus_pair(place, arm) };
+        let center = terms.tuple(center);
+        let center = self.bind(&format!("{name}_center"), center);
+        let mut terms = self.terms();
+        let origin = match is_center {
+            true => {
+                let center = terms.pair(center);
+                terms.minus_pair(center, arm)
+            }
+            false => place,
+        };
+        self.claims.push(Claim::Moves { body: statement.name.clone(), center, angle });
+        (center, origin)
+    }
+
+    /// The components of what the user wrote as a vector in the plane.
+    pub(super) fn vector(&mut self, id: AstId, what: &str) -> Pair {
+        let value = self.mention(id);
+        self.claims.push(Claim::PlaneVector { what: what.to_owned(), value });
+        self.terms().pair(value)
+    }
+
+    fn push_translation(&mut self, mass: AstId, center: AstId) {
+        let mut terms = self.terms();
+        let velocity = terms.call("dot", &[center]);
+        let kinetic = terms.call("kinetic_energy", &[mass, velocity]);
+        self.push(StatementKind::Kinetic(kinetic));
+    }
+
+    fn push_rotation(&mut self, inertia: AstId, angle: AstId) {
+        let mut terms = self.terms();
+        let rate = terms.rate(angle);
+        if !terms.is_zero(rate) && !terms.is_zero(inertia) {
+            let kinetic = terms.call("kinetic_energy", &[inertia, rate]);
+            self.push(StatementKind::Kinetic(kinetic));
+        }
+    }
+
+    pub(super) fn line(&mut self, statement: ast::Line) {
+        let through = match statement.through {
+            Some(through) => self.vector(through, &messages::through_of(&statement.name.text)),
+            None => self.terms().zero_pair(),
+        };
+        let angle = match statement.angle {
+            Some(angle) => self.mention(angle),
+            None => self.terms().number(0),
+        };
+        let body = statement.on.as_ref().and_then(|on| self.carrier(on));
+        let (through, angle) = match body {
+            Some(body) => {
+                let turned = self.bodies[body].angle;
+                (self.point(body, through), self.terms().plus(turned, angle))
+            }
+            None => (through, angle),
+        };
+        let name = statement.name.text;
+        let point = self.terms().tuple(through);
+        let carrier = body.map(|body| self.bodies[body].name.text.clone());
+        let kind = DrawnKind::Line { name: name.clone(), body: carrier };
+        self.drawing.push(Drawn { kind, values: vec![point, angle], needs: Vec::new() });
+        self.names.declare(&name, Object::Line(self.lines.len()));
+        self.lines.push(Line { body, through, angle });
+    }
+
+    /// The body of a name that must be one's.
+    pub(super) fn carrier(&mut self, name: &ast::Name) -> Option<usize> {
+        match self.names.find(&name.text) {
+            Some(Object::Body(body)) => Some(*body),
+            other => {
+                let found = other.map(Object::describe);
+                self.report_no_object(name, "a body", found, |object| matches!(object, Object::Body(_)));
+                None
+            }
+        }
+    }
+
+    /// The line of a name that must be one's.
+    pub(super) fn track(&mut self, name: &ast::Name) -> Option<usize> {
+        match self.names.find(&name.text) {
+            Some(Object::Line(line)) => Some(*line),
+            other => {
+                let found = other.map(Object::describe);
+                self.report_no_object(name, "a line", found, |object| matches!(object, Object::Line(_)));
+                None
+            }
+        }
+    }
+
+    fn report_no_object(
+        &mut self,
+        name: &ast::Name,
+        wanted: &str,
+        found: Option<&str>,
+        accept: impl Fn(&Object) -> bool,
+    ) {
+        let before = std::mem::replace(&mut self.origin, name.span.into());
+        if !self.report_early(&name.text) {
+            let help = match self.names.nearest(&name.text, accept) {
+                Some(nearest) => messages::did_you_mean(nearest),
+                None => messages::declare_object(wanted),
+            };
+            let message = messages::other_object(&name.text, wanted, found);
+            self.report.error(name.span, message).help(help);
+        }
+        self.origin = before;
+    }
+}

@@ -1,0 +1,248 @@
+//! Scenes of bodies mean the same as the same systems written by hand.
+
+use crate::expr::Node;
+use crate::mechanics::RoadChoice;
+use crate::pipeline::{Derived, NumericSystem, parse};
+
+fn derive(text: &str) -> Derived {
+    let system = parse(text).unwrap_or_else(|report| panic!("{text}\n{report}"));
+    system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{text}\n{report}"))
+}
+
+/// Accelerations and multipliers at a state that is nothing special.
+fn motion(text: &str) -> Vec<f64> {
+    let derived = derive(text);
+    let count = derived.model.coordinates.len();
+    let entries = |phase: f64| (0..count).map(|i| (1.3 * i as f64 + phase).sin()).collect::<Vec<_>>();
+    let (q, v) = (entries(0.4), entries(2.1));
+    let numeric = NumericSystem::new(&derived);
+    let mut all = numeric.acceleration(0.7, &q, &v);
+    all.extend(numeric.multipliers(0.7, &q, &v));
+    all
+}
+
+#[track_caller]
+fn assert_same(scene: &str, by_hand: &str) {
+    let (scene, by_hand) = (motion(scene), motion(by_hand));
+    assert_eq!(scene.len(), by_hand.len());
+    for (a, b) in scene.iter().zip(&by_hand) {
+        assert!((a - b).abs() <= 1e-13 * (1.0 + b.abs()), "{scene:?}\n{by_hand:?}");
+    }
+}
+
+#[track_caller]
+fn mistakes(text: &str) -> Vec<String> {
+    let report = parse(text).err().unwrap_or_else(|| panic!("no mistake in {text}"));
+    report.diagnostics().iter().map(|diagnostic| diagnostic.message.clone()).collect()
+}
+
+#[test]
+fn a_body_is_its_energies() {
+    assert_same(
+        "param m = 2, l = 3, g = 9.81;
+        coord a;
+        gravity = (0, -g);
+        body rod { mass: m; inertia: slender_rod(m, l); center: (l/2 * sin(a), -l/2 * cos(a)); angle: a; }",
+        "param m = 2, l = 3, g = 9.81;
+        coord a;
+        kinetic = 1/6 * m * l^2 * dot(a)^2;
+        potential = -m * g * l/2 * cos(a);",
+    );
+}
+
+#[test]
+fn a_pin_is_two_constraints_and_its_force_acts_on_the_first_body() {
+    assert_same(
+        "param m = 2, l = 3;
+        coord x, y, a;
+        body rod { mass: m; shape: slender_rod(l); center: (x, y); angle: a; }
+        pin hinge = rod.point(-l/2, 0) to (0, 0);
+        gravity = (0, -9.81);",
+        "param m = 2, l = 3;
+        coord x, y, a;
+        kinetic = kinetic_energy(m, dot((x, y))) + kinetic_energy(m * l^2 / 12, dot(a));
+        potential = m * 9.81 * y;
+        constraint hx = x - l/2 * cos(a);
+        constraint hy = y - l/2 * sin(a);",
+    );
+}
+
+#[test]
+fn a_round_body_rolls() {
+    assert_same(
+        "param m = 2, r = 0.5, slope = 0.3;
+        coord x, y, a;
+        gravity = (0, -9.81);
+        line floor { through: (1, 2); angle: -slope; }
+        body wheel { mass: m; shape: disk(r); center: (x, y); angle: a; }
+        roll wheel on floor;",
+        "param m = 2, r = 0.5, slope = 0.3;
+        coord x, y, a;
+        kinetic = kinetic_energy(m, dot((x, y))) + kinetic_energy(m * r^2 / 2, dot(a));
+        potential = m * 9.81 * y;
+        constraint normal = sin(slope) * (x - 1) + cos(slope) * (y - 2) - r;
+        constraint friction = cos(slope) * dot(x) - sin(slope) * dot(y) + r * dot(a);",
+    );
+}
+
+#[test]
+fn springs_and_dampers_act_between_points_and_between_angles() {
+    assert_same(
+        "param m = 2, j = 0.3, k = 40, c = 3;
+        coord x, y, a;
+        body plate { mass: m; inertia: j; center: (x, y); angle: a; }
+        spring { from: (0, 2); to: plate.point(1, 0); stiffness: k; rest: 1/2; }
+        spring slack { from: (5, 2); to: plate; stiffness: k; }
+        damper { from: (0, 2); to: plate.point(1, 0); damping: c; }
+        torsion_spring { from: ground; to: plate; stiffness: k; rest: 0.1; }
+        torsion_damper { from: ground; to: plate; damping: c; }",
+        "param m = 2, j = 0.3, k = 40, c = 3;
+        coord x, y, a;
+        kinetic = kinetic_energy(m, dot((x, y))) + kinetic_energy(j, dot(a));
+        let d = hypot(x + cos(a), y + sin(a) - 2);
+        potential = 1/2 * k * (d - 1/2)^2 + 1/2 * k * ((x - 5)^2 + (y - 2)^2) + 1/2 * k * (a - 0.1)^2;
+        dissipation = 1/2 * c * dot(d)^2 + 1/2 * c * dot(a)^2;",
+    );
+}
+
+#[test]
+fn a_compound_is_the_sum_of_its_parts_less_the_holes() {
+    assert_same(
+        "param a = 2, r = 0.3;
+        coord x, y, phi;
+        gravity = (1, -9.81);
+        body plate {
+            compound {
+                rectangle(a, 1), mass: 4;
+                hole disk(r), mass: 1/2, at: (0.6, 0.1);
+                semicircular_disk(0.5), mass: 0.7, at: (a/2, 0), angle: -pi/2;
+            }
+            origin: (x, y);
+            angle: phi;
+        }",
+        "param a = 2, r = 0.3;
+        coord x, y, phi;
+        let s = 4 * 0.5 / (3 * pi);
+        let m = 4 - 0.5 + 0.7;
+        let cx = (-0.5 * 0.6 + 0.7 * (a/2 + s)) / m;
+        let cy = -0.5 * 0.1 / m;
+        let j = 4 * (a^2 + 1) / 12 + 4 * (cx^2 + cy^2)
+            - 0.5 * (r^2 / 2 + (0.6 - cx)^2 + (0.1 - cy)^2)
+            + 0.7 * ((1/2 - 16 / (9 * pi^2)) * 0.5^2 + (a/2 + s - cx)^2 + cy^2);
+        let (px, py) = (x + cos(phi) * cx - sin(phi) * cy, y + sin(phi) * cx + cos(phi) * cy);
+        kinetic = kinetic_energy(m, dot((px, py))) + kinetic_energy(j, dot(phi));
+        potential = -m * px + m * 9.81 * py;",
+    );
+}
+
+#[test]
+fn a_joint_that_the_coordinates_fulfil_adds_nothing() {
+    let scene = "coord x, a;
+        line floor { }
+        body wheel { mass: 2; shape: disk(1/2); center: (x, 1/2); angle: a; }
+        roll contact = wheel on floor;";
+    let derived = derive(scene);
+    assert_eq!(derived.model.implied, ["contact_normal"]);
+    assert_eq!(derived.model.constraints.len(), 1);
+    let complaint = mistakes(&format!("{scene} output n = contact.normal;"));
+    assert!(complaint[0].contains("no force of its own"), "{complaint:?}");
+}
+
+#[test]
+fn functions_of_points_and_bodies_are_their_formulas() {
+    let declared = "param j = 2;
+        coord x, y, a;
+        line ramp { through: (1, 0); angle: 0.3; }
+        body b { mass: 3; inertia: j; center: (x, y); angle: a; }";
+    let outputs = [
+        ("velocity(b.point(1, 2)).x", "dot(x) - dot(a) * (sin(a) + 2 * cos(a))"),
+        ("acceleration(b).y", "ddot(y)"),
+        ("angular_acceleration(b)", "ddot(a)"),
+        ("instant_center(b).x", "x - dot(y) / dot(a)"),
+        ("instant_center(b).y", "y + dot(x) / dot(a)"),
+        ("tangential_acceleration(b, b.point(1, 0)).x", "-ddot(a) * sin(a)"),
+        ("radial_acceleration(b, b.point(1, 0), b.point(-1, 0)).y", "-2 * dot(a)^2 * sin(a)"),
+        ("b.linear_momentum().x", "3 * dot(x)"),
+        ("angular_momentum(b)", "3 * (x * dot(y) - y * dot(x)) + j * dot(a)"),
+        ("angular_momentum(b, (1, 2))", "3 * ((x - 1) * dot(y) - (y - 2) * dot(x)) + j * dot(a)"),
+        ("ramp.distance(b)", "-sin(0.3) * (x - 1) + cos(0.3) * y"),
+        ("ramp.along(b.point(0, 0))", "cos(0.3) * (x - 1) + sin(0.3) * y"),
+        ("b.mass * b.inertia + b.angle", "3 * j + a"),
+        ("b.vector(0, 1).x", "-sin(a)"),
+    ];
+    for (scene, by_hand) in outputs {
+        let derived = derive(&format!("{declared} output o = {scene}; output h = {by_hand};"));
+        let numeric = NumericSystem::new(&derived);
+        let (q, v) = ([0.3, 0.8, 0.5], [1.1, -0.2, 0.7]);
+        let values = ["o", "h"].map(|name| numeric.output(name, 0.0, &q, &v).expect("an output")[0]);
+        assert!((values[0] - values[1]).abs() < 1e-14, "{scene}: {values:?}");
+    }
+}
+
+#[test]
+fn mistakes_are_reported_together() {
+    let complaints = mistakes(
+        "coord x;
+        output early = body_b.center.x;
+        body body_b { inertia: 1; center: (x, 0); origin: (x, 0); angle: x; shape: dsk(1); }
+        gravity = (0, -1);
+        gravity = (0, -2);
+        pin body_b.point(0, 1) to body_b;
+        slide body_b on flor;
+        roll body_b on floor;
+        line floor { }
+        spring { from: body_b; to: (0, 0); }
+        output a = rood.point(1, 2).x;
+        output b = body_b;
+        output c = body_b.size;
+        output d = body_b.point(1);",
+    );
+    let expected = [
+        "is used before it is declared",
+        "no mass",
+        "no solid `dsk`",
+        "both a `center` and an `origin`",
+        "`gravity` is declared twice",
+        "pinned to itself",
+        "no line `flor`",
+        "`floor` is used before it is declared",
+        "no `stiffness`",
+        "`point` belongs to a body, and `rood` is none",
+        "is a body and has no value",
+        "has no `size`",
+        "does not take 2 arguments",
+    ];
+    for expected in expected {
+        assert!(complaints.iter().any(|line| line.contains(expected)), "{expected}\n{complaints:#?}");
+    }
+    assert_eq!(complaints.len(), expected.len(), "{complaints:#?}");
+}
+
+#[test]
+fn generated_names_avoid_those_of_the_user() {
+    assert_same(
+        "param rod_center = 2;
+        coord a;
+        gravity = (0, -rod_center);
+        body rod { mass: 1; shape: slender_rod(1); center: (sin(a), cos(a)); angle: a; }",
+        "coord a;
+        kinetic = kinetic_energy(13/12, dot(a));
+        potential = 2 * cos(a);",
+    );
+}
+
+#[test]
+fn multipliers_keep_their_names_where_a_joint_before_them_is_left_out() {
+    let derived = derive(
+        "coord a, x, y;
+        body arm { mass: 1; shape: slender_rod(2); center: (cos(a), sin(a)); angle: a; }
+        body load { mass: 1; center: (x, y); }
+        pin base = arm.point(-1, 0) to (0, 0);
+        pin tip = arm.point(1, 0) to load;",
+    );
+    let names = derived.model.multipliers().into_iter().map(|id| match *derived.model.graph.node(id) {
+        Node::Symbol(symbol) => derived.model.graph.symbols().get(symbol).name.clone(),
+        _ => panic!("a multiplier is a symbol"),
+    });
+    assert_eq!(names.collect::<Vec<_>>(), ["tip_x", "tip_y"]);
+}

@@ -1,0 +1,278 @@
+//! The statements of a declaration, one by one, in plain words.
+
+use super::messages;
+use super::names::{Body, Line, Names, Object};
+use super::terms::{Pair, Terms};
+use super::{Cause, Claim, Drawn, DrawnKind, Motion, Plain};
+use crate::collections::HashMap;
+use crate::diagnostics::{Origin, Report};
+use crate::syntax::ast::{
+    Action, AstId, Declaration, Definition, Event, Expression, Expressions, Friction, Name, SceneStatement,
+    Statement, StatementKind,
+};
+
+/// A translation in progress.
+pub(super) struct Translation<'a> {
+    pub(super) report: &'a mut Report,
+    pub(super) expressions: Expressions,
+    pub(super) names: Names,
+    pub(super) bodies: Vec<Body>,
+    pub(super) lines: Vec<Line>,
+    /// Plain statements so far.
+    pub(super) statements: Vec<Statement>,
+    /// The statement that is being translated.
+    pub(super) origin: Origin,
+    gravity: Option<(Pair, Origin)>,
+    /// Bodies to which points belong that `let` names.
+    pub(super) points: HashMap<String, usize>,
+    /// What expressions became.
+    pub(super) translated: HashMap<AstId, AstId>,
+    pub(super) motions: Vec<Motion>,
+    pub(super) drawing: Vec<Drawn>,
+    /// Forces and moments, which are drawn last.
+    pub(super) loads: Vec<Drawn>,
+    pub(super) claims: Vec<Claim>,
+    pub(super) joints: Vec<Name>,
+    /// Everything the user wrote in statements about bodies.
+    pub(super) mentioned: Vec<AstId>,
+}
+
+impl<'a> Translation<'a> {
+    pub(super) fn new(declaration: &Declaration, report: &'a mut Report) -> Translation<'a> {
+        Translation {
+            report,
+            expressions: declaration.expressions.clone(),
+            names: Names::new(declaration),
+            bodies: Vec::new(),
+            lines: Vec::new(),
+            statements: Vec::new(),
+            origin: declaration.name.span.into(),
+            gravity: None,
+            points: HashMap::default(),
+            translated: HashMap::default(),
+            motions: Vec::new(),
+            drawing: Vec::new(),
+            loads: Vec::new(),
+            claims: Vec::new(),
+            joints: Vec::new(),
+            mentioned: Vec::new(),
+        }
+    }
+
+    /// Translates all statements.
+    pub(super) fn finish(mut self, mut declaration: Declaration) -> Plain {
+        for statement in std::mem::take(&mut declaration.statements) {
+            self.origin = statement.origin;
+            self.statement(statement);
+        }
+        self.drawing.append(&mut self.loads);
+        Plain {
+            declaration: Declaration {
+                statements: self.statements,
+                expressions: self.expressions,
+                ..declaration
+            },
+            motions: self.motions,
+            drawing: self.drawing,
+            claims: self.claims,
+            joints: self.joints,
+            mentioned: self.mentioned,
+        }
+    }
+
+    fn statement(&mut self, statement: Statement) {
+        match statement.kind {
+            StatementKind::Scene(scene) => self.scene(scene),
+            StatementKind::ForceAt { force, point } => self.force_at(force, point, statement),
+            StatementKind::Torque { moment, angle } => self.torque(moment, angle, statement),
+            kind => {
+                if let StatementKind::Let(name, value) = &kind
+                    && let Some(body) = self.body_of(*value)
+                {
+                    self.points.insert(name.text.clone(), body);
+                }
+                let kind = self.with_plain_expressions(kind);
+                self.statements.push(Statement { kind, ..statement });
+            }
+        }
+    }
+
+    fn scene(&mut self, statement: SceneStatement) {
+        match statement {
+            SceneStatement::Gravity(value) => self.gravity(value),
+            SceneStatement::Body(body) => self.body(&body),
+            SceneStatement::Line(line) => self.line(line),
+            SceneStatement::Connector(connector) => self.connector(&connector),
+            SceneStatement::Joint(joint) => self.joint(&joint),
+        }
+    }
+
+    /// Every body feels gravity, wherever it is declared.
+    fn gravity(&mut self, value: AstId) {
+        let value = self.plain(value);
+        if let Some((_, first)) = self.gravity {
+            let error = self.report.error(self.origin, messages::GRAVITY_TWICE);
+            error.related(first, messages::FIRST_DECLARED);
+            return;
+        }
+        self.claims.push(Claim::PlaneVector { what: "gravity".to_owned(), value });
+        self.mentioned.push(value);
+        let gravity = self.terms().pair(value);
+        self.gravity = Some((gravity, self.origin));
+        for body in 0..self.bodies.len() {
+            self.weigh(body);
+        }
+    }
+
+    /// The potential −m g·c of a body and its weight, if there is gravity.
+    pub(super) fn weigh(&mut self, index: usize) {
+        let Some((gravity, _)) = self.gravity else { return };
+        let Body { name, mass, center, .. } = self.bodies[index].clone();
+        let mut terms = self.terms();
+        let center_pair = terms.pair(center);
+        let weighed = [0, 1].map(|axis| {
+            let weight = terms.times(mass, gravity[axis]);
+            terms.times(weight, center_pair[axis])
+        });
+        let sum = terms.plus(weighed[0], weighed[1]);
+        let potential = terms.negative(sum);
+        let force = terms.scale(mass, gravity);
+        let force = terms.tuple(force);
+        if !terms.is_zero(potential) {
+            self.push(StatementKind::Potential(potential));
+        }
+        let kind =
+            DrawnKind::Force { name: "gravity".to_owned(), cause: Cause::Gravity, body: Some(name.text) };
+        self.loads.push(Drawn { kind, values: vec![center, force], needs: Vec::new() });
+    }
+
+    fn force_at(&mut self, force: AstId, point: AstId, statement: Statement) {
+        let body = self.body_of(point);
+        let (force, point) = (self.plain(force), self.place(point));
+        if self.is_in_plane(force) && !self.bodies.is_empty() {
+            let (name, body) = ("force".to_owned(), body.map(|body| self.bodies[body].name.text.clone()));
+            let kind = DrawnKind::Force { name, cause: Cause::Applied, body };
+            self.loads.push(Drawn { kind, values: vec![point, force], needs: Vec::new() });
+        }
+        self.statements.push(Statement { kind: StatementKind::ForceAt { force, point }, ..statement });
+    }
+
+    /// Not written as a vector in space.
+    fn is_in_plane(&self, force: AstId) -> bool {
+        !matches!(self.expressions.get(force), Expression::Tuple(components) if components.len() != 2)
+    }
+
+    fn torque(&mut self, moment: AstId, angle: AstId, statement: Statement) {
+        let body = self.body_named(angle);
+        let (moment, angle) = (self.plain(moment), self.turning(angle));
+        if let Some(body) = body {
+            let Body { name, center, .. } = self.bodies[body].clone();
+            let kind =
+                DrawnKind::Moment { name: "torque".to_owned(), cause: Cause::Applied, body: Some(name.text) };
+            self.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
+        }
+        self.statements.push(Statement { kind: StatementKind::Torque { moment, angle }, ..statement });
+    }
+
+    /// The statement with every expression in plain words.
+    fn with_plain_expressions(&mut self, kind: StatementKind) -> StatementKind {
+        use StatementKind as Kind;
+        let mut plain = |id: AstId| self.plain(id);
+        match kind {
+            Kind::Parameters(list) => Kind::Parameters(definitions(list, plain)),
+            Kind::Inputs(list) => Kind::Inputs(definitions(list, plain)),
+            Kind::Constants(list) => Kind::Constants(definitions(list, plain)),
+            Kind::Let(name, value) => Kind::Let(name, plain(value)),
+            Kind::LetTuple(names, value) => Kind::LetTuple(names, plain(value)),
+            Kind::Kinetic(value) => Kind::Kinetic(plain(value)),
+            Kind::Potential(value) => Kind::Potential(plain(value)),
+            Kind::Lagrangian(value) => Kind::Lagrangian(plain(value)),
+            Kind::Dissipation(value) => Kind::Dissipation(plain(value)),
+            Kind::ForceOn(name, value) => Kind::ForceOn(name, plain(value)),
+            Kind::Constraint(name, value) => Kind::Constraint(name, plain(value)),
+            Kind::Stabilise(value) => Kind::Stabilise(plain(value)),
+            Kind::Output(name, value) => Kind::Output(name, plain(value)),
+            Kind::Event(event) => Kind::Event(with_plain_event(event, plain)),
+            Kind::Friction(friction) => Kind::Friction(Friction {
+                slip: plain(friction.slip),
+                kinetic: plain(friction.kinetic),
+                fixed: friction.fixed.map(&mut plain),
+                width: friction.width.map(&mut plain),
+                ..friction
+            }),
+            Kind::Reduce(mut reduction) => {
+                for item in &mut reduction.items {
+                    item.value = item.value.map(&mut plain);
+                }
+                Kind::Reduce(reduction)
+            }
+            // These have been translated before.
+            Kind::ForceAt { .. } | Kind::Torque { .. } | Kind::Scene(_) => kind,
+            Kind::Coordinates(_) | Kind::Emit(_) => kind,
+        }
+    }
+
+    /// Writes expressions for the current statement.
+    pub(super) fn terms(&mut self) -> Terms<'_> {
+        Terms::new(&mut self.expressions, self.origin)
+    }
+
+    /// Adds a plain statement in the place of the current one.
+    pub(super) fn push(&mut self, kind: StatementKind) {
+        let docs = proc_macro2::TokenStream::new();
+        self.statements.push(Statement { kind, origin: self.origin, docs });
+    }
+
+    /// `let` of a new name like `wish`; the name.
+    pub(super) fn bind(&mut self, wish: &str, value: AstId) -> AstId {
+        let name = self.new_name(wish);
+        let mentioned = self.terms().name(&name.text);
+        self.push(StatementKind::Let(name, value));
+        mentioned
+    }
+
+    pub(super) fn new_name(&mut self, wish: &str) -> Name {
+        Name { text: self.names.fresh(wish), span: self.origin.start }
+    }
+
+    /// The body that an expression names, be it only that.
+    pub(super) fn body_named(&self, id: AstId) -> Option<usize> {
+        let Expression::Name(name) = self.expressions.get(id) else { return None };
+        match self.names.find(name)? {
+            Object::Body(body) => Some(*body),
+            _ => None,
+        }
+    }
+
+    /// The body to which a point belongs, if that shows.
+    pub(super) fn body_of(&self, id: AstId) -> Option<usize> {
+        match self.expressions.get(id) {
+            Expression::Name(name) => self.body_named(id).or_else(|| self.points.get(name).copied()),
+            Expression::Component(of, part) if part.text == "center" => self.body_named(*of),
+            Expression::Call(function, arguments) if function.text == "point" => {
+                arguments.first().and_then(|&body| self.body_named(body))
+            }
+            _ => None,
+        }
+    }
+}
+
+fn definitions(list: Vec<Definition>, mut plain: impl FnMut(AstId) -> AstId) -> Vec<Definition> {
+    let plain = |definition: Definition| Definition { value: definition.value.map(&mut plain), ..definition };
+    list.into_iter().map(plain).collect()
+}
+
+fn with_plain_event(mut event: Event, mut plain: impl FnMut(AstId) -> AstId) -> Event {
+    event.value = plain(event.value);
+    match &mut event.action {
+        Action::Impact(restitution) => *restitution = plain(*restitution),
+        Action::Assign(assignments) => {
+            for assignment in assignments {
+                assignment.value = plain(assignment.value);
+                assignment.target = plain(assignment.target);
+            }
+        }
+        Action::Stop | Action::Record => {}
+    }
+    event
+}

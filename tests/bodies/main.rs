@@ -1,0 +1,14 @@
+//! Systems of plane rigid bodies, declared with bodies: the same motions as by hand, and the values of textbooks.
+
+mod balance;
+mod ladder;
+mod pairs;
+mod rope;
+mod slope;
+
+/// Whether a number is what it should be, relative to the larger of 1 and its size.
+#[track_caller]
+fn assert_within(tolerance: f64, found: f64, expected: f64) {
+    let error = (found - expected).abs();
+    assert!(error <= tolerance * expected.abs().max(1.0), "{found} is not {expected}: {error:e} off");
+}
