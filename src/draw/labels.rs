@@ -119,7 +119,6 @@ fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], wind
 fn middle(tag: &Tag, place: usize) -> Point {
     let (side, farther) = (place % AROUND.len(), FARTHER[place / AROUND.len() % FARTHER.len()]);
     let angle = match tag.side {
-        Side::Centered => return tag.at,
         Side::Within if place == ON_POINT => return tag.at,
         Side::Within | Side::Around => -AROUND[side] * PI,
         Side::Along([x, y]) => y.atan2(x) + ALONG[side] * PI,

@@ -14,6 +14,7 @@ mod film;
 mod geometry;
 mod labels;
 mod layout;
+mod load_label;
 mod marks;
 mod moment;
 mod outline;

@@ -117,7 +117,8 @@ impl Snapshot {
     pub(super) fn free_body(mut self, name: &str) -> Self {
         self.bodies.retain(|body| body.name == name);
         self.loads.retain(|load| load.body.as_deref() == Some(name));
-        Snapshot { bodies: self.bodies, loads: self.loads, ..Snapshot::default() }
+        // Joints stay, for they tell what a force is.
+        Snapshot { lines: Vec::new(), connectors: Vec::new(), ..self }
     }
 }
 
