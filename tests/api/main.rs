@@ -1,6 +1,8 @@
 //! What a user may rely on of the items that `system!` emits: names, types, conversions, traits.
 
 mod accuracy;
+mod axiom;
+mod bodies;
 mod columns;
 mod constrained_references;
 mod constraints;
