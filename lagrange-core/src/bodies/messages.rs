@@ -95,7 +95,8 @@ pub(super) fn never_turns(name: &str) -> String {
     format!("`{name}` never turns, so that it has no instantaneous centre")
 }
 
-pub(super) const NEVER_TURNS_HELP: &str = "all of its points have the same velocity; give the body an `angle` if it can turn";
+pub(super) const NEVER_TURNS_HELP: &str =
+    "all of its points have the same velocity; give the body an `angle` if it can turn";
 
 // Names of objects in expressions.
 
@@ -106,12 +107,14 @@ pub(super) fn no_value(name: &str, what: &str) -> String {
 pub(super) fn value_help(name: &str, object: &Object) -> String {
     match object {
         Object::Body(_) => format!(
-            "points of it are `{name}.center` and `{name}.point(X, Y)`; it has an `{name}.angle`, a `{name}.mass` and an `{name}.inertia`"
+            "points of it are `{name}.center` and `{name}.point(X, Y)`; other parts are `{name}.angle`, `{name}.mass` and `{name}.inertia`"
         ),
         Object::Line(_) => {
-            format!("it has a `{name}.distance(P)`, `{name}.along(P)`, `{name}.tangent` and `{name}.normal`")
+            format!(
+                "parts of it are `{name}.distance(P)`, `{name}.along(P)`, `{name}.tangent` and `{name}.normal`"
+            )
         }
-        Object::Connector(_) => format!("it has a `{name}.length` and a `{name}.force`"),
+        Object::Connector(_) => format!("parts of it are `{name}.length` and `{name}.force`"),
         Object::Joint(joint) => {
             let parts = joint.parts.iter().map(|(part, _)| format!(", `{name}.{part}`"));
             format!("its force is `{name}.force`{}", parts.collect::<String>())
