@@ -191,6 +191,10 @@ pub(super) fn connector_help(kind: ConnectorKind) -> &'static str {
     }
 }
 
+pub(super) const PINNED_POINT: &str = "a pinned point";
+pub(super) const SLIDING_POINT: &str = "a sliding point";
+pub(super) const END: &str = "an end of a spring or damper";
+
 pub(super) fn pinned_to_itself(name: &str) -> String {
     format!("`{name}` is pinned to itself")
 }

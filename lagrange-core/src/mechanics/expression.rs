@@ -26,6 +26,8 @@ pub(super) struct Evaluator<'a> {
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
     /// Operands by expression; `None` where something was wrong and has been reported.
     values: HashMap<AstId, Option<Operand>>,
+    /// What is claimed to be a vector: that it is none is reported there, not for each of its components.
+    pub(super) claimed_vectors: HashMap<AstId, ()>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -38,6 +40,7 @@ impl<'a> Evaluator<'a> {
             rates: Rates::new(AccelerationTerms::Kept),
             named_rates: OrderedMap::default(),
             values: HashMap::default(),
+            claimed_vectors: HashMap::default(),
         }
     }
 
@@ -222,6 +225,9 @@ impl<'a> Evaluator<'a> {
         }
         if super::kinematics::is_function(&component.text) {
             self.report.error(component.span, messages::method_as_value(&component.text));
+            return None;
+        }
+        if self.claimed_vectors.contains(&of) {
             return None;
         }
         let message = messages::no_component(&component.text, &value.kind());
