@@ -217,7 +217,7 @@ pub enum Claim {
 }
 
 /// Puts plain statements in the place of those about bodies. Mistakes are reported.
-pub fn plain(declaration: Declaration, report: &mut Report) -> Plain {
+pub fn plain(mut declaration: Declaration, report: &mut Report) -> Plain {
     report_repeated(&declaration, report);
-    Translation::new(&declaration, report).finish(declaration)
+    Translation::new(&mut declaration, report).finish(declaration)
 }
