@@ -26,6 +26,8 @@ pub enum DrawError {
     Size([f64; 2]),
     /// The extension of the file is none of those that can be written.
     Extension(PathBuf),
+    /// Pictures and times do not make a film; the text says why.
+    Film(String),
     /// What the operating system says.
     Io(io::Error),
 }
@@ -44,6 +46,7 @@ impl Display for DrawError {
             DrawError::Extension(path) => {
                 write!(f, "`{}` does not end in the name of a format that can be written", path.display())
             }
+            DrawError::Film(reason) => f.write_str(reason),
             DrawError::Io(error) => Display::fmt(error, f),
         }
     }

@@ -11,6 +11,7 @@ mod declarations;
 mod events;
 mod fixed_steps;
 mod hybrid;
+mod inertia;
 mod methods;
 mod products;
 mod projection;
