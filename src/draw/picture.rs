@@ -74,6 +74,7 @@ pub(crate) struct Colour(pub(crate) [u8; 4]);
 
 /// Which part of a text is at its point.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(dead_code, reason = "films and pages align texts to the left and right")]
 pub(crate) enum Anchor {
     Start,
     Middle,

@@ -1,0 +1,130 @@
+//! What a scene hands out at one moment, kept.
+
+use std::borrow::ToOwned;
+use std::string::String;
+use std::vec::Vec;
+
+use crate::body::Motion;
+use crate::draw::geometry::Place;
+use crate::draw::outline::Piece;
+use crate::draw::picture::Point;
+use crate::scene::{Cause, Connector, Item, Joint, Scene};
+
+/// A scene at one moment.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub(super) struct Snapshot {
+    pub(super) bodies: Vec<Body>,
+    pub(super) lines: Vec<Line>,
+    pub(super) connectors: Vec<(String, Connector, [Point; 2])>,
+    pub(super) joints: Vec<(String, Joint, Point)>,
+    pub(super) loads: Vec<Load>,
+}
+
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Body {
+    pub(super) name: String,
+    pub(super) motion: Motion<f64>,
+    pub(super) pieces: Vec<Piece>,
+}
+
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Line {
+    pub(super) name: String,
+    pub(super) body: Option<String>,
+    pub(super) place: Place,
+}
+
+/// A force or a moment.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Load {
+    pub(super) name: String,
+    pub(super) cause: Cause,
+    pub(super) body: Option<String>,
+    pub(super) at: Point,
+    pub(super) value: Value,
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Value {
+    Force(Point),
+    Moment(f64),
+}
+
+impl Snapshot {
+    pub(super) fn of<M: Scene>(system: &M, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> Self
+    where
+        M::Scalar: Into<f64>,
+    {
+        let mut snapshot = Snapshot::default();
+        system.items(t, q, v, &mut |item| snapshot.keep(item));
+        snapshot
+    }
+
+    fn keep<S: Copy + Into<f64>>(&mut self, item: Item<'_, S>) {
+        match item {
+            Item::Body { name, motion, parts } => self.bodies.push(Body {
+                name: name.to_owned(),
+                motion: numbers(&motion),
+                pieces: parts.iter().map(Piece::of).collect(),
+            }),
+            Item::Line { name, body, through, angle } => self.lines.push(Line {
+                name: name.to_owned(),
+                body: body.map(ToOwned::to_owned),
+                place: Place { at: point(through), angle: angle.into() },
+            }),
+            Item::Connector { name, kind, from, to, .. } => {
+                self.connectors.push((name.to_owned(), kind, [point(from), point(to)]));
+            }
+            Item::Joint { name, kind, at } => self.joints.push((name.to_owned(), kind, point(at))),
+            Item::Force { name, cause, body, at, force } => {
+                self.load(name, cause, body, point(at), Value::Force(point(force)));
+            }
+            Item::Moment { name, cause, body, at, moment } => {
+                self.load(name, cause, body, point(at), Value::Moment(moment.into()));
+            }
+        }
+    }
+
+    fn load(&mut self, name: &str, cause: Cause, body: Option<&str>, at: Point, value: Value) {
+        let body = body.map(ToOwned::to_owned);
+        self.loads.push(Load { name: name.to_owned(), cause, body, at, value });
+    }
+
+    pub(super) fn body(&self, name: &str) -> Option<&Body> {
+        self.bodies.iter().find(|body| body.name == name)
+    }
+
+    /// Only one body and what acts on it.
+    pub(super) fn free_body(mut self, name: &str) -> Self {
+        self.bodies.retain(|body| body.name == name);
+        self.loads.retain(|load| load.body.as_deref() == Some(name));
+        Snapshot { bodies: self.bodies, loads: self.loads, ..Snapshot::default() }
+    }
+}
+
+impl Body {
+    /// From its own coordinates to the world.
+    pub(super) fn place(&self) -> Place {
+        let Motion { center, centroid, angle, .. } = self.motion;
+        let turned = Place { at: [0.0, 0.0], angle }.of(centroid);
+        Place { at: [center[0] - turned[0], center[1] - turned[1]], angle }
+    }
+}
+
+fn point<S: Into<f64>>(point: [S; 2]) -> Point {
+    point.map(Into::into)
+}
+
+fn numbers<S: Copy + Into<f64>>(motion: &Motion<S>) -> Motion<f64> {
+    Motion {
+        mass: motion.mass.into(),
+        inertia: motion.inertia.into(),
+        centroid: point(motion.centroid),
+        center: point(motion.center),
+        angle: motion.angle.into(),
+        velocity: point(motion.velocity),
+        angular_velocity: motion.angular_velocity.into(),
+        acceleration: point(motion.acceleration),
+        angular_acceleration: motion.angular_acceleration.into(),
+    }
+}

@@ -1,0 +1,168 @@
+//! From scenes to elements: what is drawn of each item, and what is written beside it.
+
+use std::borrow::ToOwned;
+use std::format;
+use std::string::String;
+use std::vec;
+use std::vec::Vec;
+
+use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, VELOCITY};
+use crate::draw::element::{Element, Layer, Measure, Shape};
+use crate::draw::geometry::{add, direction, dot, length, subtract, times, turned};
+use crate::draw::picture::{Colour, Point};
+use crate::draw::snapshot::{Body, Load, Snapshot, Value};
+use crate::draw::stretch::{self, Stretches};
+use crate::draw::text::{formula, plain};
+use crate::scene::{Cause, Connector, Joint};
+
+/// What is drawn beside the scene itself.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(super) struct Wanted {
+    pub(super) velocities: bool,
+    pub(super) accelerations: bool,
+    pub(super) forces: bool,
+    pub(super) centers: bool,
+    pub(super) frames: bool,
+    pub(super) names: bool,
+    /// Whether a body is drawn without what surrounds it.
+    pub(super) is_free: bool,
+}
+
+/// Length of the axes of a body in pixels.
+const AXIS: f64 = 42.0;
+/// A body that turns slower than by this part of the fastest one of a film has no centre that could be drawn.
+const TURNING: f64 = 1e-9;
+
+/// All elements of a scene.
+pub(super) fn elements(
+    snapshot: &Snapshot,
+    wanted: Wanted,
+    stretches: &Stretches,
+    fastest: f64,
+) -> Vec<Element> {
+    let mut elements = lines(snapshot, stretches);
+    for (index, body) in snapshot.bodies.iter().enumerate() {
+        let label = if wanted.names && !wanted.is_free { formula(&body.name) } else { String::new() };
+        let shape =
+            Shape::Body { place: body.place(), center: body.motion.center, pieces: body.pieces.clone() };
+        elements.push(element(&body.name, label, colour::body(index), Layer::Body, shape));
+    }
+    elements
+        .extend(snapshot.connectors.iter().map(|(name, kind, ends)| connector(name, *kind, *ends, wanted)));
+    elements.extend(snapshot.joints.iter().map(|(name, kind, at)| joint(name, *kind, *at)));
+    for body in &snapshot.bodies {
+        elements.extend(kinematics(body, wanted, snapshot.bodies.len() > 1, fastest));
+    }
+    if wanted.forces {
+        elements.extend(snapshot.loads.iter().map(|item| load(item, snapshot, wanted.is_free)));
+    }
+    elements
+}
+
+fn element(name: &str, label: String, colour: Colour, layer: Layer, shape: Shape) -> Element {
+    Element { name: name.to_owned(), label, colour, layer, shape }
+}
+
+fn lines(snapshot: &Snapshot, stretches: &Stretches) -> Vec<Element> {
+    let of = |line: &crate::draw::snapshot::Line| {
+        let stretches = stretches.get(&line.name).cloned().unwrap_or_default();
+        let seen = stretch::seen(line, snapshot, &stretches);
+        let shape = Shape::Ground { place: line.place, stretches, seen };
+        element(&line.name, String::new(), INK, Layer::Ground, shape)
+    };
+    snapshot.lines.iter().map(of).collect()
+}
+
+fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], wanted: Wanted) -> Element {
+    let shape = match kind {
+        Connector::Spring => Shape::Coil { from, to },
+        Connector::Damper => Shape::Dashpot { from, to },
+        Connector::TorsionSpring => Shape::Spiral { at: from },
+        Connector::TorsionDamper => Shape::Drum { at: from },
+    };
+    let label = if wanted.names { formula(name) } else { String::new() };
+    element(name, label, INK, Layer::Connector, shape)
+}
+
+fn joint(name: &str, kind: Joint, at: Point) -> Element {
+    let shape = match kind {
+        Joint::Pin => Shape::Pin { at },
+        Joint::Anchor => Shape::Anchor { at },
+        Joint::Slide => Shape::Slider { at },
+        Joint::Roll => Shape::Dot { at },
+    };
+    element(name, String::new(), INK, Layer::Joint, shape)
+}
+
+/// A symbol, with the body's name as subscript where there are several.
+fn symbol(letter: &str, body: &str, has_others: bool) -> String {
+    if has_others { format!("{letter}_{{{}}}", plain(&formula(body))) } else { letter.to_owned() }
+}
+
+fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Vec<Element> {
+    let motion = &body.motion;
+    let mut elements = Vec::new();
+    let mut arrow = |letter, colour, from, vector, measure| {
+        let shape = Shape::Arrow { from, vector, measure, is_push: false };
+        elements.push(element(
+            &body.name,
+            symbol(letter, &body.name, has_others),
+            colour,
+            Layer::Arrow,
+            shape,
+        ));
+    };
+    if wanted.frames {
+        let place = body.place();
+        for (letter, axis) in [("X", direction(place.angle)), ("Y", turned(direction(place.angle)))] {
+            arrow(letter, PALE, place.at, times(AXIS, axis), Measure::Pixels);
+        }
+    }
+    if wanted.velocities {
+        arrow("v", VELOCITY, motion.center, motion.velocity, Measure::Velocity);
+    }
+    if wanted.accelerations {
+        arrow("a", ACCELERATION, motion.center, motion.acceleration, Measure::Acceleration);
+    }
+    if wanted.centers && motion.angular_velocity.abs() > TURNING * fastest {
+        // r_M = r_S + e_z × v_S/ω.
+        let to = add(motion.center, times(1.0 / motion.angular_velocity, turned(motion.velocity)));
+        let shape = Shape::Ray { from: motion.center, to };
+        elements.push(element(&body.name, symbol("M", &body.name, has_others), CENTER, Layer::Arrow, shape));
+    }
+    elements
+}
+
+fn load(load: &Load, snapshot: &Snapshot, is_free: bool) -> Element {
+    let has_others = snapshot.bodies.len() > 1;
+    let center = load.body.as_deref().and_then(|name| snapshot.body(name)).map(|body| body.motion.center);
+    let label = match (load.cause, &load.body) {
+        (Cause::Gravity, Some(body)) => symbol("G", body, has_others),
+        _ => formula(&load.name),
+    };
+    let shape = match load.value {
+        Value::Force(vector) => {
+            let is_push = is_free && pushes(load, vector, center);
+            Shape::Arrow { from: load.at, vector, measure: Measure::Force, is_push }
+        }
+        Value::Moment(moment) => Shape::Turn { at: load.at, moment },
+    };
+    element(&load.name, label, FORCE, Layer::Arrow, shape)
+}
+
+/// Whether a force of contact points into the body; on a free body it is then drawn from outside.
+fn pushes(load: &Load, force: Point, center: Option<Point>) -> bool {
+    const NARROW: f64 = 0.5;
+    let inwards = center.map_or([0.0, 0.0], |center| subtract(center, load.at));
+    load.cause == Cause::Joint && dot(force, inwards) > NARROW * length(force) * length(inwards)
+}
+
+/// The path of a point so far, and where it is now.
+pub(super) fn trace(label: &str, points: &[Point], colour: Colour) -> Vec<Element> {
+    let path = Shape::Polyline { points: points.to_vec() };
+    let mut elements = vec![element(label, String::new(), colour, Layer::Trace, path)];
+    if let Some(at) = points.last() {
+        elements.push(element(label, formula(label), colour, Layer::Trace, Shape::Dot { at: *at }));
+    }
+    elements
+}

@@ -1,0 +1,107 @@
+//! Where the label of an element belongs.
+
+use std::string::String;
+
+use crate::draw::colour::{INK, PALE};
+use crate::draw::element::{Element, Shape};
+use crate::draw::geometry::{add, direction, length, mix, subtract, times, turned, unit};
+use crate::draw::marks::arrow::{self, ANGLE};
+use crate::draw::picture::{Colour, Point};
+use crate::draw::text;
+use crate::draw::view::View;
+
+/// A label and the place beside which it is written.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Tag {
+    pub(super) text: String,
+    pub(super) at: Point,
+    pub(super) side: Side,
+    /// From the place to the text.
+    pub(super) gap: f64,
+    pub(super) colour: Colour,
+    /// Whether it may be left out where there is no room.
+    pub(super) may_hide: bool,
+    /// Half width and half height of the text.
+    pub(super) half: Point,
+}
+
+/// On which side of its place a label is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Side {
+    /// On it.
+    Centered,
+    /// Anywhere around.
+    Around,
+    /// On it if there is room, else around.
+    Within,
+    /// In this direction if there is room.
+    Along(Point),
+}
+
+/// The size of labels.
+pub(super) const FONT: f64 = 14.0;
+const GAP: f64 = 4.0;
+/// From the middle of a body or connector.
+const WIDE_GAP: f64 = 8.0;
+
+/// The label of an element, if it has one.
+pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
+    if element.label.is_empty() {
+        return None;
+    }
+    let (at, side, gap) = anchor(&element.shape, view)?;
+    let is_thing = matches!(element.shape, Shape::Body { .. } | Shape::Coil { .. } | Shape::Dashpot { .. });
+    let colour = match element.shape {
+        Shape::Body { .. } => INK,
+        _ if element.colour == PALE => INK,
+        _ => element.colour,
+    };
+    let half = [0.5 * text::width(&element.label, FONT), 0.5 * FONT];
+    Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, half })
+}
+
+fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
+    let middle = |ends: &[Point; 2]| {
+        let ends = ends.map(|p| view.point(p));
+        let normal = unit(turned(subtract(ends[1], ends[0])));
+        // Above rather than below.
+        let normal = normal.map(|n| if n[1] > 0.0 { times(-1.0, n) } else { n });
+        (mix(ends[0], ends[1], 0.5), normal.map_or(Side::Around, Side::Along))
+    };
+    let around = |at: &Point| Some((view.point(*at), Side::Around, GAP));
+    match shape {
+        Shape::Body { center, .. } => Some((view.point(*center), Side::Within, WIDE_GAP)),
+        Shape::Coil { from, to } | Shape::Dashpot { from, to } => {
+            let (at, side) = middle(&[*from, *to]);
+            Some((at, side, WIDE_GAP))
+        }
+        Shape::Spiral { at } | Shape::Drum { at } | Shape::Turn { at, .. } => {
+            Some((view.point(*at), Side::Around, ANGLE))
+        }
+        Shape::Arrow { from, vector, measure, is_push } => {
+            let vector = view.vector(*vector, *measure);
+            // What has no arrow has no label either.
+            (length(vector) >= 1.0).then_some(())?;
+            let start = arrow::start(view.point(*from), vector, *is_push);
+            let (end, outwards) =
+                if *is_push { (start, times(-1.0, vector)) } else { (add(start, vector), vector) };
+            Some((end, Side::Along(unit(outwards)?), GAP))
+        }
+        Shape::Ray { to, .. } => view.holds(view.point(*to)).then(|| around(to))?,
+        Shape::Segment { ends, .. } | Shape::Dimension { ends } => {
+            let (at, side) = middle(ends);
+            Some((at, side, GAP))
+        }
+        Shape::Angle { at, from, to } => {
+            let [x, y] = direction(0.5 * (from + to));
+            let outwards = [x, -y];
+            Some((add(view.point(*at), times(ANGLE, outwards)), Side::Along(outwards), GAP))
+        }
+        Shape::Words { at } => Some((view.point(*at), Side::Centered, 0.0)),
+        Shape::Pin { at } | Shape::Anchor { at } | Shape::Slider { at } | Shape::Dot { at } => around(at),
+        Shape::Circle { center, radius, .. } => around(&add(*center, times(*radius, direction(0.8)))),
+        Shape::Polyline { points } | Shape::Area { points } => points.last().and_then(around),
+        Shape::Through { points } => around(&points[0]),
+        Shape::Ground { .. } => None,
+    }
+}

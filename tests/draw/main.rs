@@ -1,0 +1,7 @@
+//! Pictures of scenes that are written by hand: what they consist of, and that it is all in them.
+#![cfg(feature = "draw")]
+
+mod files;
+mod marks;
+mod refusals;
+mod scenes;
