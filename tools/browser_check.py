@@ -22,13 +22,13 @@ FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "--disable-sync", "--window-size=900,1000", "--remote-debugging-pipe",
 ]
-# What is drawn where: of everything in the picture its place on the screen, its shape and whether it is seen.
+# What is drawn where: of everything that is seen in the picture its place on the screen and its shape.
 SEEN = """(() => {
   const picture = document.querySelector("#picture svg") || document.documentElement;
-  return JSON.stringify([...picture.querySelectorAll("path, text")].map((mark) => {
+  const marks = [...picture.querySelectorAll("path, text")].map((mark) => [mark, getComputedStyle(mark)]);
+  return JSON.stringify(marks.filter(([, style]) => style.visibility === "visible").map(([mark, style]) => {
     const box = mark.getBoundingClientRect();
-    const style = getComputedStyle(mark);
-    return [box.x, box.y, box.width, box.height].map(Math.round).join(" ") + style.visibility + style.d + style.strokeDashoffset;
+    return [box.x, box.y, box.width, box.height].map(Math.round).join(" ") + style.d + style.strokeDashoffset;
   }));
 })()"""
 CURSOR = "document.querySelector('#cursor').getBoundingClientRect().x"

@@ -43,7 +43,6 @@ impl Film {
             encoder.write_frame(&frame).map_err(failure)?;
             before = Some(picture);
         }
-        drop(encoder);
         Ok(bytes)
     }
 

@@ -3,6 +3,7 @@
 //! Most marks of a film are the ground, which stays, or rigid bodies, which turn and move; few of them bend. A layer holds a mark
 //! once, with no more than what changes of it.
 
+use std::cmp::Ordering;
 use std::string::String;
 use std::vec::Vec;
 
@@ -56,25 +57,64 @@ pub(super) fn layers(pictures: &[Picture]) -> Vec<Layer> {
     (0..count).flat_map(of_mark).collect()
 }
 
+/// How far the end of a growing line may be from where it is drawn, in pixels. Points of lines are thinned, and so the last point of
+/// one picture may be lacking in the next.
+const TOLERANCE: f64 = 0.5;
+
 /// A line that is only ever added to, such as the path of a point.
 fn growing(marks: &[Option<&Mark>]) -> Option<Layer> {
-    let length = |mark: &&Mark| segments(mark).len();
-    let longest = marks.iter().flatten().copied().max_by_key(length)?;
+    let length = |mark: &&Mark| lengths(segments(mark)).last().copied().unwrap_or(0.0);
+    let size = |mark: &&Mark| (segments(mark).len(), length(mark));
+    let by_size = |a: &&Mark, b: &&Mark| size(a).partial_cmp(&size(b)).unwrap_or(Ordering::Equal);
+    let longest = marks.iter().flatten().copied().max_by(by_size)?;
     let Mark::Path { segments: all, style } = longest else { return None };
     let is_open = matches!(all.as_slice(), [Segment::Move(_), rest @ ..] if rest.iter().all(is_line));
     let is_plain = style.fill.is_none() && style.dashes.is_empty();
-    let is_part = |mark: &Mark| match mark {
-        Mark::Path { segments, style: own } => own == style && all.starts_with(segments),
-        Mark::Text { .. } => false,
-    };
     let grows = marks.iter().flatten().any(|mark| segments(mark).len() < all.len());
-    if !(is_open && is_plain && grows && marks.iter().flatten().all(|mark| is_part(mark))) {
+    if !(is_open && is_plain && grows) {
         return None;
     }
     let lengths = lengths(all);
-    let drawn = |mark: &&Mark| lengths[segments(mark).len() - 1];
-    let drawn = marks.iter().map(|mark| mark.as_ref().map(drawn)).collect();
-    Some(Layer { mark: longest.clone(), change: Change::Grows(drawn) })
+    let drawn = |mark: &&Mark| match mark {
+        Mark::Path { segments, style: own } if own == style => drawn(segments, all, &lengths),
+        _ => None,
+    };
+    let drawn: Option<Vec<_>> = marks.iter().map(|mark| mark.as_ref().map(drawn)).map(known).collect();
+    Some(Layer { mark: longest.clone(), change: Change::Grows(drawn?) })
+}
+
+/// What is asked for and found, or not asked for; none if it is asked for and not found.
+fn known<T>(asked: Option<Option<T>>) -> Option<Option<T>> {
+    match asked {
+        Some(found) => found.map(Some),
+        None => Some(None),
+    }
+}
+
+/// Up to which length a line is drawn that is a part of another from its start; none if it is not.
+fn drawn(line: &[Segment], all: &[Segment], lengths: &[f64]) -> Option<f64> {
+    let (last, before) = line.split_last()?;
+    if !all.starts_with(before) {
+        return None;
+    }
+    let index = before.len();
+    let (Segment::Move(wanted) | Segment::Line(wanted), Some(Segment::Move(end) | Segment::Line(end))) =
+        (last, all.get(index))
+    else {
+        return None;
+    };
+    let Some(Segment::Move(start) | Segment::Line(start)) = before.last() else {
+        return (wanted == end).then_some(0.0);
+    };
+    let full = lengths[index] - lengths[index - 1];
+    let step = distance(*start, *wanted).min(full);
+    let part = if full > 0.0 { step / full } else { 0.0 };
+    let there = [start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1])];
+    (distance(there, *wanted) <= TOLERANCE).then_some(lengths[index - 1] + step)
+}
+
+fn distance(a: Point, b: Point) -> f64 {
+    (b[0] - a[0]).hypot(b[1] - a[1])
 }
 
 fn segments(mark: &Mark) -> &[Segment] {
@@ -94,7 +134,7 @@ pub(super) fn lengths(line: &[Segment]) -> Vec<f64> {
     let mut last: Option<Point> = None;
     let until = |segment: &Segment| {
         if let Segment::Move(end) | Segment::Line(end) = *segment {
-            length += last.map_or(0.0, |start| (end[0] - start[0]).hypot(end[1] - start[1]));
+            length += last.map_or(0.0, |start| distance(start, end));
             last = Some(end);
         }
         length

@@ -18,6 +18,7 @@ mod layers;
 mod motion;
 mod page;
 mod palette;
+mod trajectory;
 
 use std::fs;
 use std::path::Path;

@@ -1,8 +1,8 @@
 use std::vec::Vec;
 
 use crate::draw::film::layers::{Change, Layer, layers, lengths};
-use crate::draw::film::tests::{pendulum, pendulum_at};
-use crate::draw::picture::{Mark, Point, Segment};
+use crate::draw::film::tests::{line, pendulum, pendulum_at, stroke};
+use crate::draw::picture::{Mark, Picture, Point, Segment};
 
 /// The marks that layers show in a picture.
 fn marks(layers: &[Layer], picture: usize) -> Vec<Mark> {
@@ -124,4 +124,34 @@ fn turn_on_without_end() {
     let Change::Moves(poses) = &layers(&pictures)[0].change else { panic!("a line that turns only moves") };
     let last = poses[19].expect("is shown").angle;
     assert!((last - 19.0 * 0.7).abs() < 1e-9, "{last}");
+}
+
+fn path(points: &[Point]) -> Picture {
+    Picture { size: [100.0; 2], title: "".into(), marks: std::vec![stroke(line(points))] }
+}
+
+#[test]
+fn grow_although_the_last_point_of_a_picture_may_lack_in_the_next() {
+    // The second picture ends at 10.4, which is too near to 10 to stay.
+    let pictures = [
+        path(&[[0.0, 0.0], [10.0, 0.0]]),
+        path(&[[0.0, 0.0], [10.0, 0.0], [10.4, 0.1]]),
+        path(&[[0.0, 0.0], [10.0, 0.0], [14.0, 3.0]]),
+        path(&[[0.0, 0.0], [10.0, 0.0], [14.0, 3.0], [14.0, 9.0]]),
+    ];
+    let layers = layers(&pictures);
+    let [Layer { change: Change::Grows(drawn), .. }] = layers.as_slice() else { panic!("{layers:?}") };
+    let wanted = [10.0, 10.0 + 0.4f64.hypot(0.1), 15.0, 21.0];
+    for (drawn, wanted) in drawn.iter().zip(wanted) {
+        assert!(drawn.is_some_and(|drawn| (drawn - wanted).abs() < 1e-12), "{drawn:?} {wanted}");
+    }
+}
+
+#[test]
+fn do_not_grow_along_another_way() {
+    let pictures = [
+        path(&[[0.0, 0.0], [10.0, 0.0], [12.0, 5.0]]),
+        path(&[[0.0, 0.0], [10.0, 0.0], [20.0, 0.0], [30.0, 0.0]]),
+    ];
+    assert!(layers(&pictures).iter().all(|layer| !matches!(layer.change, Change::Grows(_))));
 }
