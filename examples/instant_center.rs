@@ -28,18 +28,18 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Engine;
 
-    param r = 0.4, l = 1.0, m1 = 1.0, m2 = 1.5, m3 = 0.8;
+    param r = 0.4, l = 1.0, h = 0.2, m1 = 1.0, m2 = 1.5, m3 = 0.8;
     coord theta;
     let tilt = -asin(r / l * sin(theta));
     let wrist = (r * cos(theta) + l * cos(tilt), 0);
-    line guide {}
+    line guide { through: (0, -h / 2); }
     body crank { mass: m1; shape: slender_rod(r); origin: r / 2 * (cos(theta), sin(theta)); angle: theta; }
     body rod { mass: m2; shape: slender_rod(l); origin: wrist - l / 2 * (cos(tilt), sin(tilt)); angle: tilt; }
-    body slider { mass: m3; shape: rectangle(0.3, 0.2); center: wrist; }
+    body slider { mass: m3; shape: rectangle(h * 3 / 2, h); center: wrist; }
     pin crank.point(-r / 2, 0) to (0, 0);
     pin crank.point(r / 2, 0) to rod.point(-l / 2, 0);
     pin rod.point(l / 2, 0) to slider;
-    slide slider on guide;
+    slide slider.point(0, -h / 2) on guide;
     output center = instant_center(rod);
     emit { motion, drawing }
 }
@@ -91,7 +91,7 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, Engine>) {
     let Some(center) = rod.instant_center() else { return };
     let [a, b] = ends(moment.system);
     sketch.ink(0).dashed(rod.point(a), center).dashed(rod.point(b), center);
-    sketch.ink(3).velocity(rod.point(a), rod.velocity_at(a), "v_A").velocity(
+    sketch.velocity(rod.point(a), rod.velocity_at(a), "v_A").velocity(
         rod.point(b),
         rod.velocity_at(b),
         "v_B",

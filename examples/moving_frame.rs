@@ -97,16 +97,19 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, Plate>) {
     sketch.arrow(at_p, plate.vector([1.25, 0.0]), "X").arrow(at_p, plate.vector([0.0, 0.85]), "Y");
     sketch.dashed(at_p, [at_p[0] + 0.6, at_p[1]]).angle(at_p, 0.0, plate.angle, "phi");
     sketch.point([0.0, 0.0], "O").point(at_p, "P").point(at_q, "Q");
-    sketch.ink(1).arrow([0.0, 0.0], at_p, "r_P").arrow([0.0, 0.0], at_q, "r_Q").arrow(at_p, rho, "rho");
+    sketch.ink(4).arrow([0.0, 0.0], at_p, "").arrow([0.0, 0.0], at_q, "").arrow(at_p, rho, "");
+    for (from, to, label) in [([0.0; 2], at_p, "r_P"), ([0.0; 2], at_q, "r_Q"), (at_p, at_q, "rho")] {
+        sketch.text([(from[0] + to[0]) / 2.0, (from[1] + to[1]) / 2.0], label);
+    }
     velocities(sketch, &plate, p, q);
 }
 
 fn velocities(sketch: &mut Sketch, plate: &Motion<f64>, p: [f64; 2], q: [f64; 2]) {
     let at_q = plate.point(q);
     let [of_p, turning] = plate.velocity_from(q, p);
-    sketch.ink(3).velocity(plate.point(p), of_p, "v_P").velocity(at_q, plate.velocity_at(q), "v_Q");
+    sketch.velocity(plate.point(p), of_p, "v_P").velocity(at_q, plate.velocity_at(q), "v_Q");
     sketch.velocity(at_q, of_p, "v_P");
-    sketch.ink(2).velocity(at_q, turning, "omega e_z × rho");
+    sketch.velocity(at_q, turning, "omega e_z × rho");
 }
 
 fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {

@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let paddle = system.paddle_motion(0.0, &state.coordinates(), &state.velocities());
     let [p, p_dash, q] = POINTS;
     let velocity = paddle.velocity_at(q);
-    for (name, from) in [("P", p), ("P'", p_dash)] {
+    for (name, from) in [("P", p), ("P′", p_dash)] {
         let [moving, turning] = paddle.velocity_from(q, from);
         println!("from {name}: v_{name} = {moving:.4?} m/s, omega e_z x rho = {turning:.4?} m/s");
         let rows = [
@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ];
         compare(&format!("seen from {name}"), 1e-14, &rows);
     }
-    let pictures = [picture(&system, p, "P")?, picture(&system, p_dash, "P'")?];
+    let pictures = [picture(&system, p, "P")?, picture(&system, p_dash, "P′")?];
     Picture::beside(&pictures).save(gallery::picture("reference_points.svg")?)?;
     Ok(())
 }
@@ -84,12 +84,14 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, Paddle>, p: [f64; 2], name: 
     let [.., q] = POINTS;
     let (at_p, at_q) = (paddle.point(p), paddle.point(q));
     let [moving, turning] = paddle.velocity_from(q, p);
-    let label = format!("v_P{dash}");
-    sketch.ink(1).arrow(at_p, difference(at_q, at_p), &format!("rho{dash}"));
-    sketch.ink(3).velocity(at_p, moving, &label).velocity(at_q, moving, "");
-    sketch.ink(2).velocity(at_q, turning, &format!("omega e_z × rho{dash}"));
-    sketch.ink(0).velocity(at_q, paddle.velocity_at(q), "v_Q");
-    for (place, label) in POINTS.into_iter().zip(["P", "P'", "Q"]) {
+    let label = format!("v_{{P{dash}}}");
+    sketch.ink(4).arrow(at_p, difference(at_q, at_p), "");
+    sketch.text([(at_p[0] + at_q[0]) / 2.0, (at_p[1] + at_q[1]) / 2.0], &format!("rho{dash}"));
+    sketch.velocity(at_p, moving, &label).velocity(at_q, moving, &label);
+    sketch.velocity(at_q, turning, &format!("omega e_z × rho{dash}"));
+    sketch.velocity(at_q, paddle.velocity_at(q), "v_Q");
+    sketch.ink(0);
+    for (place, label) in POINTS.into_iter().zip(["P", "P′", "Q"]) {
         sketch.point(paddle.point(place), label);
     }
 }

@@ -154,12 +154,7 @@ fn states(scene: &Rope, run: &Trajectory<Rope>) -> Result<(), Box<dyn Error>> {
     let states = states.chain([(run.end_time(), run.last())]);
     let titles = ["Start", "The rough floor is reached", "All of it is rough", "At rest"];
     let pictures = states.zip(titles).map(|((t, y), title)| {
-        let drawing = Drawing::of(scene)
-            .size(420.0, 260.0)
-            .title(title)
-            .nameless()
-            .hide("slope")
-            .annotate(surroundings);
+        let drawing = Drawing::of(scene).size(420.0, 260.0).title(title).nameless().annotate(surroundings);
         drawing.past(run.iter()).picture(t, &y)
     });
     let pictures = pictures.collect::<Result<Vec<Picture>, _>>()?;

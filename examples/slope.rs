@@ -30,7 +30,7 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Slope;
 
-    param m = 1.0, r = 0.25, d = 10.0, alpha = 30 * pi / 180, g = 9.81;
+    param m = 1.0, r = 0.25, alpha = 30 * pi / 180, g = 9.81;
     coord x1, y1, x2, y2, phi;
 
     gravity = (0, -g);
@@ -47,25 +47,30 @@ lagrange::system! {
     emit { drawing }
 }
 
+/// d, in m.
+const DISTANCE: f64 = 10.0;
+/// The distance for pictures, on which both bodies are seen.
+const SHORT: f64 = 2.0;
+
 fn main() -> Result<(), Box<dyn Error>> {
     for m in [1e-3, 1.0, 40.0] {
         race(&Slope { m, ..Slope::default() })?;
     }
     diagrams(&Slope::default())?;
-    film(&Slope { d: 2.5, ..Slope::default() })
+    film(&Slope::default())
 }
 
-/// At rest, the cuboid at the place 0 along the slope and the cylinder the distance d below it.
-fn start(slope: &Slope) -> SlopeState {
+/// At rest, the cuboid at the place 0 along the slope and the cylinder a distance below it.
+fn start(slope: &Slope, distance: f64) -> SlopeState {
     let (sine, cosine) = slope.alpha.sin_cos();
     let on_slope = |s: f64| [s * cosine + slope.r * sine, slope.r * cosine - s * sine];
-    let ([x1, y1], [x2, y2]) = (on_slope(0.0), on_slope(slope.d + 2.0 * slope.r));
+    let ([x1, y1], [x2, y2]) = (on_slope(0.0), on_slope(distance + 2.0 * slope.r));
     SlopeState { x1, y1, x2, y2, ..SlopeState::from([0.0; 10]) }
 }
 
 fn race(slope: &Slope) -> Result<(), Box<dyn Error>> {
-    let &Slope { m, d, alpha, g, .. } = slope;
-    let begin = start(slope);
+    let &Slope { m, alpha, g, .. } = slope;
+    let begin = start(slope, DISTANCE);
     let trajectory = slope.simulate(begin).until(100.0).tolerance(1e-13).run()?;
     let (t, end) = (trajectory.end_time(), SlopeState::from(trajectory.last()));
     let (q, v) = (end.coordinates(), end.velocities());
@@ -85,13 +90,13 @@ fn race(slope: &Slope) -> Result<(), Box<dyn Error>> {
         ("H, N", -friction, m * drive / 3.0),
     ];
     compare(&format!("m = {m} kg"), 1e-10, &rows);
-    assert!((t - (6.0 * d / drive).sqrt()).abs() < 1e-13 * t);
+    assert!((t - (6.0 * DISTANCE / drive).sqrt()).abs() < 1e-13 * t);
     Ok(())
 }
 
 /// Each body alone, with the forces on it.
 fn diagrams(slope: &Slope) -> Result<(), Box<dyn Error>> {
-    let state = start(slope).into();
+    let state = start(slope, SHORT).into();
     let alone = |body: &str, title: &str| {
         Drawing::of(slope)
             .size(320.0, 360.0)
@@ -108,16 +113,16 @@ fn diagrams(slope: &Slope) -> Result<(), Box<dyn Error>> {
 
 /// A shorter race, so that both are seen.
 fn film(slope: &Slope) -> Result<(), Box<dyn Error>> {
-    let trajectory = slope.simulate(start(slope)).until(100.0).tolerance(1e-10).every(0.04).run()?;
+    let trajectory = slope.simulate(start(slope, SHORT)).until(100.0).tolerance(1e-10).every(0.04).run()?;
     let drawing = Drawing::of(slope).title("The cuboid catches up").velocities().annotate(angle);
-    drawing.picture(0.0, &start(slope).into())?.save(gallery::picture("slope.svg")?)?;
+    drawing.picture(0.0, &start(slope, SHORT).into())?.save(gallery::picture("slope.svg")?)?;
     drawing.film(&trajectory)?.save(gallery::picture("slope_race.svg")?)?;
     Ok(())
 }
 
 /// The angle of the slope, where the cuboid starts.
 fn angle(sketch: &mut Sketch, moment: &Moment<'_, Slope>) {
-    let (alpha, end) = (moment.system.alpha, moment.system.d);
+    let (alpha, end) = (moment.system.alpha, 2.0 * SHORT);
     let foot = [end * alpha.cos(), -end * alpha.sin()];
     sketch.ink(0).dashed(foot, [foot[0] - end / 3.0, foot[1]]);
     sketch.angle(foot, std::f64::consts::PI - alpha, std::f64::consts::PI, "alpha");

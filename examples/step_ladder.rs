@@ -124,7 +124,7 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, StepLadder>) {
     if let Some(center) = right.instant_center() {
         sketch.dashed([0.0, 0.0], center).dashed(right.point(foot), center).ink(2).point(center, "M");
     }
-    sketch.ink(3).velocity(right.point(hinge), right.velocity_at(hinge), "v_H");
+    sketch.velocity(right.point(hinge), right.velocity_at(hinge), "v_H");
     sketch.velocity(right.point(foot), right.velocity_at(foot), "v_F").velocity(
         person.center,
         person.velocity,

@@ -138,18 +138,18 @@ impl<S: Scalar> Motion<S> {
     /// it is. Who wants to leave out such centres compares their distance with a length that matters to them.
     #[must_use]
     pub fn instant_center(&self) -> Option<[S; 2]> {
-        finite(sum(self.center, self.to_instant_center()))
+        finite(sum(self.center, self.instant_arm()))
     }
 
     /// The instantaneous centre in the body's own coordinates, where its path is the moving centrode; `None` as for
     /// [`instant_center`](Motion::instant_center).
     #[must_use]
     pub fn own_instant_center(&self) -> Option<[S; 2]> {
-        finite(sum(self.centroid, self.turned_back(self.to_instant_center())))
+        finite(sum(self.centroid, self.turned_back(self.instant_arm())))
     }
 
     /// e_z × v_S / ω, which is not finite if ω is zero.
-    fn to_instant_center(&self) -> [S; 2] {
+    fn instant_arm(&self) -> [S; 2] {
         turned(self.velocity).map(|component| component / self.angular_velocity)
     }
 }

@@ -14,6 +14,9 @@ use crate::functions;
 use crate::number::Number;
 pub use polygon::double_area;
 
+/// Writes something down that follows from the size of a solid.
+pub type Formula<T> = fn(&mut Graph, &[ExprId]) -> T;
+
 /// A solid that inertia functions and shapes may name.
 #[derive(Clone, Copy, Debug)]
 pub struct Solid {
@@ -23,9 +26,9 @@ pub struct Solid {
     pub dimensions: Dimensions,
     /// The moment of inertia about the centre of mass for a mass of one, from as many scalars as there are dimensions. Of
     /// corners these are the coordinates, one corner after the other, in either orientation.
-    pub inertia: fn(&mut Graph, &[ExprId]) -> ExprId,
+    pub inertia: Formula<ExprId>,
     /// The centre of mass in the solid's coordinates, from the same scalars; `None` for the origin.
-    pub centroid: Option<fn(&mut Graph, &[ExprId]) -> [ExprId; 2]>,
+    pub centroid: Option<Formula<[ExprId; 2]>>,
     /// Whether there is no such solid, whatever those of the same scalars are that are NaN here because they are not known.
     pub is_impossible: fn(&[f64]) -> bool,
     /// What must hold instead, in the user's words.

@@ -27,7 +27,6 @@ lagrange::system! {
     output center_of_left = instant_center(left);
     output center_of_right = instant_center(right);
     output spins = (angular_velocity(left), angular_velocity(right), angular_velocity(person));
-    output of_person = instant_center(person);
     emit { motion }
 }
 
@@ -107,7 +106,6 @@ fn the_man_on_top_translates_along_an_arc() {
         let person = ladder.person_motion(0.0, &q, &v);
         assert_eq!((person.angle, person.angular_velocity, person.angular_acceleration), (0.0, 0.0, 0.0));
         assert_eq!(person.instant_center(), None);
-        assert!(ladder.of_person(0.0, &q, &v).iter().any(|component| !component.is_finite()));
         assert_within(1e-14, person.center[0].hypot(person.center[1] - ladder.h), ladder.l);
         assert_eq!(person.velocity_at([0.3, -0.4]), person.velocity);
     }

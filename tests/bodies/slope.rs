@@ -10,7 +10,7 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     struct Slope;
 
-    param m = 1.0, r = 0.25, d = 10.0, alpha = 30 * pi / 180, g = 9.81;
+    param m = 1.0, r = 0.25, alpha = 30 * pi / 180, g = 9.81;
     coord x1, y1, x2, y2, phi;
     gravity = (0, -g);
     line slope { angle: -alpha; }
@@ -28,6 +28,8 @@ lagrange::system! {
     output of_cylinder = acceleration(cylinder);
 }
 
+/// d, in m.
+const DISTANCE: f64 = 10.0;
 const MASSES: [f64; 5] = [1e-3, 0.2, 1.0, 40.0, 3e4];
 /// sqrt(6 d/(g sin α)) for α = 30°, d = 10 m, g = 9.81 m/s².
 const TIME: f64 = 3.497_487_084;
@@ -35,7 +37,7 @@ const TIME: f64 = 3.497_487_084;
 fn start(slope: &Slope) -> SlopeState {
     let (sine, cosine) = slope.alpha.sin_cos();
     let on_slope = |s: f64| [s * cosine + slope.r * sine, slope.r * cosine - s * sine];
-    let ([x1, y1], [x2, y2]) = (on_slope(0.0), on_slope(slope.d + 2.0 * slope.r));
+    let ([x1, y1], [x2, y2]) = (on_slope(0.0), on_slope(DISTANCE + 2.0 * slope.r));
     SlopeState { x1, y1, x2, y2, ..SlopeState::from([0.0; 10]) }
 }
 
@@ -81,7 +83,7 @@ fn they_touch_at_the_same_time_whatever_their_mass() {
         let (t, drive) = (run.end_time(), slope.g * slope.alpha.sin());
         assert_eq!(run.events().len(), 1);
         assert!((t - TIME).abs() < 5e-10, "{t}");
-        assert_within(1e-13, t, (6.0 * slope.d / drive).sqrt());
+        assert_within(1e-13, t, (6.0 * DISTANCE / drive).sqrt());
         let end = SlopeState::from(run.last());
         let (q, v) = (end.coordinates(), end.velocities());
         let ([s1, s2], [s10, s20]) =

@@ -96,7 +96,7 @@ fn steps(root: &Path) -> Vec<Step> {
     steps.extend(examples(root).iter().map(|name| {
         Step::new(
             &format!("example {name}"),
-            &format!("run --quiet --release --features plot --example {name}"),
+            &format!("run --quiet --release --features plot,draw --example {name}"),
         )
     }));
     steps

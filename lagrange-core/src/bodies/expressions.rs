@@ -283,7 +283,12 @@ impl Translation<'_> {
     }
 
     fn rate_of_body(&mut self, body: usize, function: &str) -> AstId {
-        let Body { mass, center, angle, .. } = self.bodies[body].clone();
+        let Body { name, mass, center, angle, .. } = self.bodies[body].clone();
+        if function == "instant_center" && self.terms().is_zero(angle) {
+            let error = self.report.error(self.origin, messages::never_turns(&name.text));
+            error.help(messages::NEVER_TURNS_HELP);
+            return self.terms().invalid();
+        }
         let mut terms = self.terms();
         match function {
             "angular_velocity" => terms.rate(angle),

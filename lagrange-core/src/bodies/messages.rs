@@ -91,6 +91,13 @@ pub(super) const PART_WITHOUT_MASS: &str = "a part of a compound needs a mass";
 pub(super) const PART_WITHOUT_MASS_HELP: &str =
     "write it behind the shape: `disk(r), mass: m;`, for a hole the mass that is missing";
 
+pub(super) fn never_turns(name: &str) -> String {
+    format!("`{name}` never turns, so that it has no instantaneous centre")
+}
+
+pub(super) const NEVER_TURNS_HELP: &str =
+    "all of its points have the same velocity; give the body an `angle` if it can turn";
+
 // Names of objects in expressions.
 
 pub(super) fn no_value(name: &str, what: &str) -> String {

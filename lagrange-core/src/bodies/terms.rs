@@ -126,9 +126,15 @@ impl<'e> Terms<'e> {
     }
 
     pub(super) fn divide(&mut self, a: AstId, b: AstId) -> AstId {
-        match self.as_number(a) {
-            Some(number) if number.is_zero() => a,
-            _ => self.binary(BinaryOperator::Divide, a, b),
+        if self.is_zero(a) {
+            return a;
+        }
+        match self.negated(a) {
+            Some(a) => {
+                let quotient = self.binary(BinaryOperator::Divide, a, b);
+                self.negative(quotient)
+            }
+            None => self.binary(BinaryOperator::Divide, a, b),
         }
     }
 
@@ -218,10 +224,18 @@ impl<'e> Terms<'e> {
         }
     }
 
-    /// a if the expression is −a.
+    /// a if the expression is −a, be the sign that of its first factor.
     fn negated(&mut self, id: AstId) -> Option<AstId> {
-        match self.expressions.get(id) {
-            Expression::Negate(inner) => Some(*inner),
+        use BinaryOperator::{Divide, Multiply};
+        match *self.expressions.get(id) {
+            Expression::Negate(inner) => Some(inner),
+            Expression::Binary(operator @ (Multiply | Divide), _, a, b) => {
+                let a = match *self.expressions.get(a) {
+                    Expression::Negate(inner) => inner,
+                    _ => return None,
+                };
+                Some(self.binary(operator, a, b))
+            }
             _ => None,
         }
     }

@@ -8,6 +8,7 @@ use quote::quote;
 use super::constrained::projections;
 use super::contacts::mode_fields;
 use super::method::{ArgumentNames, Method};
+use super::scene::motion_name;
 use super::shape::{Shape, doc, identifier, length, local};
 use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
 use super::traits::trait_impls;
@@ -86,11 +87,12 @@ pub(super) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
     let touching = shape.touching.iter().map(|(name, _)| name);
     let outputs = shape.outputs.iter().map(|(name, _)| name);
     let names = shape.fields.iter().chain(&shape.coordinates).chain(touching).chain(outputs);
-    let names = names.chain(&shape.bodies);
+    let methods = shape.bodies.iter().map(|body| motion_name(body).to_string());
+    let names = names.map(|name| name.text.clone()).chain(methods);
     let is_snake_case = |name: &str| !name.contains(char::is_uppercase) && !name.contains("__");
     let exception =
         quote!(#[allow(non_snake_case, reason = "symbols keep the letters they have in formulas")]);
-    (!{ names }.all(|name| is_snake_case(&name.text))).then_some(exception)
+    (!{ names }.all(|name| is_snake_case(&name))).then_some(exception)
 }
 
 fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {

@@ -256,6 +256,7 @@ pub(super) fn scene_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     quote! {
         #[automatically_derived]
         impl #bounds #krate::scene::Scene for #name #generics {
+            #[inline]
             fn items(
                 &self,
                 #time: #scalar,

@@ -32,7 +32,10 @@ fn positive_mass(elaborator: &mut Elaborator, body: &Name, mass: AstId) {
     let Some(value) = scalar(elaborator, mass) else { return };
     let origin = elaborator.evaluator.origin(mass);
     let (graph, defaults) = (&elaborator.evaluator.graph, Defaults::of(elaborator));
-    let Some(number) = defaults.evaluate(graph, value).filter(|number| !(*number > 0.0)) else { return };
+    let Some(number) = defaults.evaluate(graph, value) else { return };
+    if number > 0.0 {
+        return;
+    }
     let is_constant = graph.dependencies(value) == Dependencies::NONE;
     let text = graph.as_number(value).map_or_else(|| number.to_string(), ToString::to_string);
     let report = &mut *elaborator.evaluator.report;
@@ -124,7 +127,8 @@ fn generic_values() -> impl Iterator<Item = f64> {
 
 /// Whether two numbers differ by more than rounding; NaN differs from everything.
 fn differ(a: f64, b: f64) -> bool {
-    !((a - b).abs() <= ROUNDING * a.abs().max(b.abs()))
+    let error = (a - b).abs();
+    error > ROUNDING * a.abs().max(b.abs()) || error.is_nan()
 }
 
 /// The symbols of an expression, in the order in which the graph met them.

@@ -122,7 +122,7 @@ impl Parser<'_> {
         let origin = shape.origin;
         let mut part = Part { is_hole, shape, mass: None, at: None, angle: None, origin };
         let mut labels = Labels::new("a part", PART);
-        while cursor.eat(',').is_some() && !cursor.at(';') && !cursor.at_end() {
+        while self.comma(cursor) && !cursor.at(';') && !cursor.at_end() {
             if self.part_item(&mut part, &mut labels, cursor).is_err() {
                 self.skip_item(cursor);
             }
@@ -130,13 +130,18 @@ impl Parser<'_> {
         if self.report.diagnostics().len() > mistakes {
             self.missing(&mut part.mass, origin);
         }
-        if at_label(cursor) {
-            let message = messages::expected("`,`", cursor.peek());
-            self.fail_with_help(cursor.here(), message, scenes::COMPOUND_HELP);
-            self.skip_statement(cursor);
-        }
         part.origin = cursor.since(start);
         Ok(part)
+    }
+
+    /// Takes a comma; before a label it is missing.
+    fn comma(&mut self, cursor: &mut Cursor) -> bool {
+        let is_missing = at_label(cursor);
+        if is_missing {
+            let message = messages::expected("`,`", cursor.peek());
+            self.fail_with_help(cursor.here(), message, scenes::COMPOUND_HELP);
+        }
+        is_missing || cursor.eat(',').is_some()
     }
 
     fn part_item(&mut self, part: &mut Part, labels: &mut Labels, cursor: &mut Cursor) -> Parsed<()> {

@@ -84,7 +84,8 @@ pair! { slider_crank,
         coord a, b, x;
         input motor = 0.3;
         let (xs, ys) = (r * cos(a) + l/2 * cos(b), r * sin(a) + l/2 * sin(b));
-        kinetic = 1/6 * m1 * r^2 * dot(a)^2;
+        let (x1, y1) = (r/2 * cos(a), r/2 * sin(a));
+        kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/24 * m1 * r^2 * dot(a)^2;
         kinetic = 1/2 * m2 * (dot(xs)^2 + dot(ys)^2) + 1/24 * m2 * l^2 * dot(b)^2;
         kinetic = 1/2 * m3 * dot(x)^2;
         potential = 1/2 * k * (x - 0.3)^2;

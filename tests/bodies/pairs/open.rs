@@ -81,28 +81,25 @@ pair! { step_ladder,
 
 pair! { arm_on_turning_base,
     bodies {
-        param m1 = 3.0, m2 = 0.8, r = 0.4, l = 0.6, c = 0.1;
+        param m1 = 3.0, m2 = 0.8, r = 0.4, l = 0.6, b = 0.05, c = 0.1;
         coord base, arm;
         input motor = 1.5;
         body disk { shape: disk(r); mass: m1; center: (0, 0); angle: base; }
         body beam {
-            shape: rectangle(l, l/10);
-            mass: m2;
             origin: disk.point(r, 0);
-            centroid: (l/2, 0);
-            inertia: slender_rod(m2, l);
             angle: disk.angle + arm;
+            compound { rectangle(l, b), mass: m2, at: (l/2, 0); }
         }
         torque motor on disk;
         torsion_damper joint { from: disk; to: beam; damping: c; }
     }
     by_hand {
-        param m1 = 3.0, m2 = 0.8, r = 0.4, l = 0.6, c = 0.1;
+        param m1 = 3.0, m2 = 0.8, r = 0.4, l = 0.6, b = 0.05, c = 0.1;
         coord base, arm;
         input motor = 1.5;
         let (x, y) = (r * cos(base) + l/2 * cos(base + arm), r * sin(base) + l/2 * sin(base + arm));
         kinetic = 1/4 * m1 * r^2 * dot(base)^2;
-        kinetic = 1/2 * m2 * (dot(x)^2 + dot(y)^2) + 1/24 * m2 * l^2 * (dot(base) + dot(arm))^2;
+        kinetic = 1/2 * m2 * (dot(x)^2 + dot(y)^2) + 1/24 * m2 * (l^2 + b^2) * (dot(base) + dot(arm))^2;
         force base = motor;
         dissipation = 1/2 * c * dot(arm)^2;
     }

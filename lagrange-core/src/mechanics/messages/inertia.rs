@@ -25,7 +25,7 @@ pub(in crate::mechanics) fn default_mass_not_positive(body: &str, value: &str) -
     format!("with the defaults of the parameters the mass of `{body}` is {value}, but masses are positive")
 }
 
-pub(in crate::mechanics) const HOLES_BELONG_IN_A_COMPOUND: &str = "where mass is missing, write `compound { …; hole disk(r), mass: m, at: (X, Y); }` with the positive mass of what is missing";
+pub(in crate::mechanics) const HOLES_BELONG_IN_A_COMPOUND: &str = "where mass is missing, write `compound { …; hole disk(r), mass: m, at: (X, Y); }`, m being positive and less than the mass of the other parts";
 
 /// `condition` says for which values of symbols the numbers hold.
 pub(in crate::mechanics) fn other_inertia(body: &str, stated: f64, of_shape: f64, condition: &str) -> String {
