@@ -95,7 +95,8 @@ pub(super) fn never_turns(name: &str) -> String {
     format!("`{name}` never turns, so that it has no instantaneous centre")
 }
 
-pub(super) const NEVER_TURNS_HELP: &str = "all of its points have the same velocity; give the body an `angle` if it can turn";
+pub(super) const NEVER_TURNS_HELP: &str =
+    "all of its points have the same velocity; give the body an `angle` if it can turn";
 
 // Names of objects in expressions.
 

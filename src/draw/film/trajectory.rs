@@ -27,8 +27,12 @@ where
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
         let times = trajectory.times();
         let is_last = |index: usize| times.get(index + 1).is_none_or(|next| *next != times[index]);
-        let samples: Vec<(M::Scalar, M::State)> =
-            trajectory.iter().enumerate().filter(|(index, _)| is_last(*index)).map(|(_, sample)| sample).collect();
+        let samples: Vec<(M::Scalar, M::State)> = trajectory
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| is_last(*index))
+            .map(|(_, sample)| sample)
+            .collect();
         let film = self.film_of(samples)?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }

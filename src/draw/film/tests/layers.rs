@@ -149,7 +149,9 @@ fn grow_although_the_last_point_of_a_picture_may_lack_in_the_next() {
 
 #[test]
 fn do_not_grow_along_another_way() {
-    let pictures =
-        [path(&[[0.0, 0.0], [10.0, 0.0], [12.0, 5.0]]), path(&[[0.0, 0.0], [10.0, 0.0], [20.0, 0.0], [30.0, 0.0]])];
+    let pictures = [
+        path(&[[0.0, 0.0], [10.0, 0.0], [12.0, 5.0]]),
+        path(&[[0.0, 0.0], [10.0, 0.0], [20.0, 0.0], [30.0, 0.0]]),
+    ];
     assert!(layers(&pictures).iter().all(|layer| !matches!(layer.change, Change::Grows(_))));
 }
