@@ -49,6 +49,7 @@ fn joint_of(load: &Load) -> &str {
 mod tests {
     use std::string::ToString;
     use std::vec;
+    use std::vec::Vec;
 
     use super::load_label;
     use crate::draw::snapshot::{Load, Snapshot, Value};
@@ -65,16 +66,13 @@ mod tests {
         let wheel = Snapshot { joints: vec![joint("contact", Joint::Roll)], ..Snapshot::default() };
         let loads = vec![force("contact.normal", Cause::Joint), force("contact.friction", Cause::Joint)];
         let wheel = Snapshot { loads, ..wheel };
-        assert_eq!(
-            wheel.loads.iter().map(|load| load_label(load, &wheel)).collect::<std::vec::Vec<_>>(),
-            ["N", "H"]
-        );
+        assert_eq!(wheel.loads.iter().map(|load| load_label(load, &wheel)).collect::<Vec<_>>(), ["N", "H"]);
 
         let mut rod = Snapshot { joints: vec![joint("hinge", Joint::Pin)], ..Snapshot::default() };
         rod.loads =
             vec![force("hinge", Cause::Joint), force("k1", Cause::Connector), force("force", Cause::Applied)];
         assert_eq!(
-            rod.loads.iter().map(|load| load_label(load, &rod)).collect::<std::vec::Vec<_>>(),
+            rod.loads.iter().map(|load| load_label(load, &rod)).collect::<Vec<_>>(),
             ["F", "F_{k1}", "F"]
         );
         rod.joints.push(joint("foot", Joint::Slide));

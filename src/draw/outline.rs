@@ -9,7 +9,7 @@ use crate::draw::picture::{Point, Segment};
 use crate::scene::{Outline, Part};
 
 /// Where the radius that shows how a body is turned begins.
-const INNER: f64 = 0.6;
+const INNER: f64 = 0.4;
 
 /// A part of a body in the body's own coordinates.
 #[derive(Clone, PartialEq, Debug)]

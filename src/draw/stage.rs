@@ -42,11 +42,11 @@ pub(super) fn elements(
     fastest: f64,
 ) -> Vec<Element> {
     let mut elements = lines(snapshot, stretches);
-    for (index, body) in snapshot.bodies.iter().enumerate() {
+    for body in &snapshot.bodies {
         let label = if wanted.names && !wanted.is_free { formula(&body.name) } else { String::new() };
         let shape =
             Shape::Body { place: body.place(), center: body.motion.center, pieces: body.pieces.clone() };
-        elements.push(element(&body.name, label, colour::body(index), Layer::Body, shape));
+        elements.push(element(&body.name, label, colour::body(body.index), Layer::Body, shape));
     }
     elements
         .extend(snapshot.connectors.iter().map(|(name, kind, ends)| connector(name, *kind, *ends, wanted)));
