@@ -35,7 +35,7 @@ const OUTSIDE: f64 = 50.0;
 const CROSSED: f64 = 3.0;
 const WORSE: f64 = 0.2;
 /// What is worse than this on average is left out if it may be.
-const BEARABLE: f64 = 6.5;
+const BEARABLE: f64 = 4.0;
 /// A film is looked at so many times for places of labels.
 const LOOKS: usize = 24;
 /// Pieces of a curve, and room around a label.
