@@ -187,6 +187,13 @@ pub enum Claim {
         /// Its mass.
         mass: AstId,
     },
+    /// A moment of inertia must not be negative.
+    Inertia {
+        /// The body.
+        body: Name,
+        /// Its moment of inertia about its centre of mass.
+        inertia: AstId,
+    },
     /// A vector of two components.
     PlaneVector {
         /// What it is, in words.
@@ -217,7 +224,7 @@ pub enum Claim {
 }
 
 /// Puts plain statements in the place of those about bodies. Mistakes are reported.
-pub fn plain(declaration: Declaration, report: &mut Report) -> Plain {
+pub fn plain(mut declaration: Declaration, report: &mut Report) -> Plain {
     report_repeated(&declaration, report);
-    Translation::new(&declaration, report).finish(declaration)
+    Translation::new(&mut declaration, report).finish(declaration)
 }

@@ -86,6 +86,41 @@ fn a_round_body_rolls() {
 }
 
 #[test]
+fn a_wheel_rolls_on_a_line_that_a_body_carries() {
+    assert_same(
+        "param r = 0.2;
+        coord b, u, a;
+        gravity = (0, -9.81);
+        body plank { mass: 3; shape: rectangle(2, 0.1); center: (0, 0); angle: b; }
+        line top { on: plank; through: (0, 0.05); }
+        body wheel { mass: 1; shape: disk(r); origin: plank.point(u, 0.05 + r); angle: a; }
+        roll wheel on top;",
+        "param r = 0.2;
+        coord b, u, a;
+        let (x, y) = (u * cos(b) - (0.05 + r) * sin(b), u * sin(b) + (0.05 + r) * cos(b));
+        kinetic = kinetic_energy(3 * 4.01 / 12, dot(b)) + kinetic_energy(1, dot((x, y))) + kinetic_energy(r^2 / 2, dot(a));
+        potential = 9.81 * y;
+        constraint rolling = dot(u) + r * (dot(a) - dot(b));",
+    );
+}
+
+#[test]
+fn a_point_slides_on_a_line_that_a_body_carries() {
+    assert_same(
+        "coord s, x, y;
+        gravity = (0, -9.81);
+        body wedge { mass: 3; center: (s, 0); }
+        line ramp { on: wedge; angle: -0.4; }
+        body bead { mass: 1; center: (x, y); }
+        slide bead on ramp;",
+        "coord s, x, y;
+        kinetic = kinetic_energy(3, dot(s)) + kinetic_energy(1, dot((x, y)));
+        potential = 9.81 * y;
+        constraint ramp = sin(0.4) * (x - s) + cos(0.4) * y;",
+    );
+}
+
+#[test]
 fn springs_and_dampers_act_between_points_and_between_angles() {
     assert_same(
         "param m = 2, j = 0.3, k = 40, c = 3;

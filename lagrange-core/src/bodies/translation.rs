@@ -38,11 +38,11 @@ pub(super) struct Translation<'a> {
 }
 
 impl<'a> Translation<'a> {
-    pub(super) fn new(declaration: &Declaration, report: &'a mut Report) -> Translation<'a> {
+    pub(super) fn new(declaration: &mut Declaration, report: &'a mut Report) -> Translation<'a> {
         Translation {
             report,
-            expressions: declaration.expressions.clone(),
             names: Names::new(declaration),
+            expressions: std::mem::take(&mut declaration.expressions),
             bodies: Vec::new(),
             lines: Vec::new(),
             statements: Vec::new(),

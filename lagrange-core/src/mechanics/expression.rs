@@ -24,8 +24,12 @@ pub(super) struct Evaluator<'a> {
     rates: Rates,
     /// What each `dot(…)` evaluated to: velocity and position.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
+    /// Arguments that are reported to be no size of a solid.
+    pub(super) unsuitable: HashMap<Vec<AstId>, ()>,
     /// Operands by expression; `None` where something was wrong and has been reported.
     values: HashMap<AstId, Option<Operand>>,
+    /// What is claimed to be a vector: that it is none is reported there, not for each of its components.
+    pub(super) claimed_vectors: HashMap<AstId, ()>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -37,7 +41,9 @@ impl<'a> Evaluator<'a> {
             declaration,
             rates: Rates::new(AccelerationTerms::Kept),
             named_rates: OrderedMap::default(),
+            unsuitable: HashMap::default(),
             values: HashMap::default(),
+            claimed_vectors: HashMap::default(),
         }
     }
 
@@ -222,6 +228,9 @@ impl<'a> Evaluator<'a> {
         }
         if super::kinematics::is_function(&component.text) {
             self.report.error(component.span, messages::method_as_value(&component.text));
+            return None;
+        }
+        if self.claimed_vectors.contains(&of) {
             return None;
         }
         let message = messages::no_component(&component.text, &value.kind());
