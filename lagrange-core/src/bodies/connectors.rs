@@ -64,7 +64,7 @@ impl Translation<'_> {
             return None;
         };
         let (body, at) = match is_linear {
-            true => (self.body_of(end), self.place(end)),
+            true => (self.body_of(end), self.plane_point(end, messages::END)),
             false => (self.body_named(end), self.turning(end)),
         };
         self.mentioned.push(at);

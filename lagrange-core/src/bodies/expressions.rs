@@ -1,5 +1,6 @@
 //! Bodies, lines, springs and joints in expressions.
 
+use super::Claim;
 use super::messages;
 use super::names::{Body, Joint, Line, Object};
 use super::terms::Pair;
@@ -51,6 +52,13 @@ impl Translation<'_> {
             Some(body) => self.bodies[body].center,
             None => self.plain(id),
         }
+    }
+
+    /// A point in the plane.
+    pub(super) fn plane_point(&mut self, id: AstId, what: &str) -> AstId {
+        let value = self.place(id);
+        self.claims.push(Claim::PlaneVector { what: what.to_owned(), value });
+        value
     }
 
     /// An angle: that of a body, zero for the ground, or any expression.

@@ -38,7 +38,7 @@ impl Translation<'_> {
     fn pin(&mut self, statement: &ast::Joint, first: AstId, second: AstId) -> Option<Joint> {
         let bodies = [first, second].map(|point| self.body_of(point));
         let name = self.joint_name(statement, "pin");
-        let points = [self.place(first), self.place(second)];
+        let points = [first, second].map(|point| self.plane_point(point, messages::PINNED_POINT));
         self.mentioned.extend(points);
         if let [Some(body), Some(other)] = bodies
             && body == other
@@ -67,7 +67,7 @@ impl Translation<'_> {
     fn slide(&mut self, statement: &ast::Joint, point: AstId, line: &Name) -> Option<Joint> {
         let body = self.body_of(point);
         let name = self.joint_name(statement, "slide");
-        let at = self.place(point);
+        let at = self.plane_point(point, messages::SLIDING_POINT);
         self.mentioned.push(at);
         let Line { body: carrier, through, angle, .. } =
             self.track(line).map(|line| self.lines[line].clone())?;

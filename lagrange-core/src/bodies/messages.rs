@@ -107,12 +107,14 @@ pub(super) fn no_value(name: &str, what: &str) -> String {
 pub(super) fn value_help(name: &str, object: &Object) -> String {
     match object {
         Object::Body(_) => format!(
-            "points of it are `{name}.center` and `{name}.point(X, Y)`; it has an `{name}.angle`, a `{name}.mass` and an `{name}.inertia`"
+            "points of it are `{name}.center` and `{name}.point(X, Y)`; other parts are `{name}.angle`, `{name}.mass` and `{name}.inertia`"
         ),
         Object::Line(_) => {
-            format!("it has a `{name}.distance(P)`, `{name}.along(P)`, `{name}.tangent` and `{name}.normal`")
+            format!(
+                "parts of it are `{name}.distance(P)`, `{name}.along(P)`, `{name}.tangent` and `{name}.normal`"
+            )
         }
-        Object::Connector(_) => format!("it has a `{name}.length` and a `{name}.force`"),
+        Object::Connector(_) => format!("parts of it are `{name}.length` and `{name}.force`"),
         Object::Joint(joint) => {
             let parts = joint.parts.iter().map(|(part, _)| format!(", `{name}.{part}`"));
             format!("its force is `{name}.force`{}", parts.collect::<String>())
@@ -188,6 +190,10 @@ pub(super) fn connector_help(kind: ConnectorKind) -> &'static str {
         ConnectorKind::TorsionDamper => "write `torsion_damper name { from: ground; to: body; damping: c; }`",
     }
 }
+
+pub(super) const PINNED_POINT: &str = "a pinned point";
+pub(super) const SLIDING_POINT: &str = "a sliding point";
+pub(super) const END: &str = "an end of a spring or damper";
 
 pub(super) fn pinned_to_itself(name: &str) -> String {
     format!("`{name}` is pinned to itself")

@@ -94,12 +94,11 @@ impl Names {
         let mut all_objects = OrderedMap::default();
         let (mut taken, mut fixed) = (HashMap::default(), HashMap::default());
         for statement in &declaration.statements {
-            for name in statement.kind.declared_names() {
-                taken.insert(name.text.clone(), ());
-            }
             match &statement.kind {
                 StatementKind::Scene(scene) => {
-                    if let Some(name) = scene.declared_name() {
+                    // A name that stands for something else already is not one that is used too early.
+                    let is_new = |name: &&Name| !taken.contains(&name.text);
+                    if let Some(name) = scene.declared_name().filter(is_new) {
                         all_objects.insert(name.text.clone(), name.clone());
                     }
                 }
@@ -110,6 +109,9 @@ impl Names {
                     }
                 }
                 _ => {}
+            }
+            for name in statement.kind.declared_names() {
+                taken.insert(name.text.clone(), ());
             }
         }
         for (_, expression) in declaration.expressions.iter() {

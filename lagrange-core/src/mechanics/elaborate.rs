@@ -11,7 +11,7 @@ use super::product::Product;
 use super::reduce::reduce;
 use super::scene::{Scene, Staged};
 use super::scope::Kind;
-use crate::bodies::Plain;
+use crate::bodies::{Claim, Plain};
 use crate::calculus::evaluate;
 use crate::diagnostics::Report;
 use crate::diagnostics::nearest;
@@ -34,6 +34,11 @@ pub(super) const UNKNOWNS: &[Dependencies] =
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
 pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
     let mut elaborator = Elaborator::new(plain, report);
+    for claim in &plain.claims {
+        if let Claim::PlaneVector { value, .. } = claim {
+            elaborator.evaluator.claimed_vectors.insert(*value, ());
+        }
+    }
     for statement in &plain.declaration.statements {
         elaborator.statement(statement);
     }

@@ -28,6 +28,8 @@ pub(super) struct Evaluator<'a> {
     pub(super) unsuitable: HashMap<Vec<AstId>, ()>,
     /// Operands by expression; `None` where something was wrong and has been reported.
     values: HashMap<AstId, Option<Operand>>,
+    /// What is claimed to be a vector: that it is none is reported there, not for each of its components.
+    pub(super) claimed_vectors: HashMap<AstId, ()>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -41,6 +43,7 @@ impl<'a> Evaluator<'a> {
             named_rates: OrderedMap::default(),
             unsuitable: HashMap::default(),
             values: HashMap::default(),
+            claimed_vectors: HashMap::default(),
         }
     }
 
@@ -225,6 +228,9 @@ impl<'a> Evaluator<'a> {
         }
         if super::kinematics::is_function(&component.text) {
             self.report.error(component.span, messages::method_as_value(&component.text));
+            return None;
+        }
+        if self.claimed_vectors.contains(&of) {
             return None;
         }
         let message = messages::no_component(&component.text, &value.kind());

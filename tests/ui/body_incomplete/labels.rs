@@ -7,7 +7,6 @@ lagrange::system! {
     body placeless { mass: m; angle: a; }
     body twofold { mass: m; center: (x, 1); origin: (x, 0); }
     body bare { mass: m; center: (x, 1); angle: b; }
-    body flat { mass: m; center: x; }
     body chest { mass: m; center: (x, 0); compound { rectangle(l, l); } }
     spring { from: twofold; to: (0, 0); }
     damper { to: twofold; damping: c; }

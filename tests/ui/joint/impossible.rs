@@ -10,7 +10,6 @@ lagrange::system! {
     pin rod to rod;
     slide rod.point(l, 0) on edge;
     roll rod on floor;
-    pin rod to x;
 }
 
 fn main() {}
