@@ -230,10 +230,7 @@ impl<'e> Terms<'e> {
         match *self.expressions.get(id) {
             Expression::Negate(inner) => Some(inner),
             Expression::Binary(operator @ (Multiply | Divide), _, a, b) => {
-                let a = match *self.expressions.get(a) {
-                    Expression::Negate(inner) => inner,
-                    _ => return None,
-                };
+                let Expression::Negate(a) = *self.expressions.get(a) else { return None };
                 Some(self.binary(operator, a, b))
             }
             _ => None,
