@@ -58,7 +58,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let drawing = Drawing::of(&pendulum).size(420.0, 420.0).title("Double pendulum").nameless();
     let drawing = drawing.trace("", |pendulum, t, y| pendulum.tip(t, &[y[0], y[1]], &[y[2], y[3]]));
     drawing.picture(0.0, &run.first())?.save(gallery::picture("double_pendulum.png")?)?;
-    let film = drawing.film(&run)?;
+    let kinetic = |t: f64, y: &[f64; 4]| pendulum.kinetic_energy(t, &[y[0], y[1]], &[y[2], y[3]]);
+    let potential = |t: f64, y: &[f64; 4]| pendulum.potential_energy(t, &[y[0], y[1]]);
+    let film = drawing.film(&run)?.with_energy("kinetic", &run, kinetic)?.with_energy(
+        "potential",
+        &run,
+        potential,
+    )?;
     film.save(gallery::picture("double_pendulum.svg")?)?;
     film.save(gallery::picture("double_pendulum.html")?)?;
     let energy = run.column("energy").unwrap_or_default();

@@ -98,8 +98,10 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, Plate>) {
     sketch.dashed(at_p, [at_p[0] + 0.6, at_p[1]]).angle(at_p, 0.0, plate.angle, "phi");
     sketch.point([0.0, 0.0], "O").point(at_p, "P").point(at_q, "Q");
     sketch.ink(4).arrow([0.0, 0.0], at_p, "").arrow([0.0, 0.0], at_q, "").arrow(at_p, rho, "");
-    for (from, to, label) in [([0.0; 2], at_p, "r_P"), ([0.0; 2], at_q, "r_Q"), (at_p, at_q, "rho")] {
-        sketch.text([(from[0] + to[0]) / 2.0, (from[1] + to[1]) / 2.0], label);
+    for (from, to, label) in [([0.0; 2], at_p, "r_P"), ([0.0; 2], at_q, "r_Q"), (at_p, at_q, "ρ")] {
+        let [x, y] = difference(to, from);
+        let aside = 0.06 / x.hypot(y);
+        sketch.text([from[0] + x / 2.0 - aside * y, from[1] + y / 2.0 + aside * x], label);
     }
     velocities(sketch, &plate, p, q);
 }

@@ -86,7 +86,7 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, Paddle>, p: [f64; 2], name: 
     let [moving, turning] = paddle.velocity_from(q, p);
     let label = format!("v_{{P{dash}}}");
     sketch.ink(4).arrow(at_p, difference(at_q, at_p), "");
-    sketch.text([(at_p[0] + at_q[0]) / 2.0, (at_p[1] + at_q[1]) / 2.0], &format!("rho{dash}"));
+    sketch.text([(at_p[0] + at_q[0]) / 2.0 - 0.03, (at_p[1] + at_q[1]) / 2.0 + 0.02], &format!("ρ{dash}"));
     sketch.velocity(at_p, moving, &label).velocity(at_q, moving, &label);
     sketch.velocity(at_q, turning, &format!("omega e_z × rho{dash}"));
     sketch.velocity(at_q, paddle.velocity_at(q), "v_Q");

@@ -40,6 +40,7 @@ lagrange::system! {
     coord s, x, phi, w;
 
     gravity = (0, -g);
+    line ground {}
     line slope { angle: -alpha; }
     body cuboid { mass: m; shape: rectangle(2 * r, 2 * r); center: (s - l3 - 3 * r, r); }
     body cylinder {
@@ -48,6 +49,7 @@ lagrange::system! {
         center: (x + 3 * r) * (cos(alpha), -sin(alpha)) + r * (sin(alpha), cos(alpha));
         angle: -phi;
     }
+    slide cuboid.point(0, -r) on ground;
     roll contact = cylinder on slope;
     constraint rope = s - x;
 
@@ -64,6 +66,9 @@ lagrange::system! {
     emit { drawing }
 }
 
+/// What is plotted against s.
+const ENERGIES: [&str; 4] = ["T, J", "V, J", "heat, J", "sum, J"];
+
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = Rope::default();
     let run = motion(&scene, "mu = 0.8")?;
@@ -79,7 +84,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     ];
     compare("mu = 0.8, at rest", 1e-9, &rows);
     states(&scene, &run)?;
-    run.plot_against("s", &["kinetic", "potential", "heat", "total"], gallery::picture("rope_energy.svg")?)?;
+    run.plot_against("s", &ENERGIES, gallery::picture("rope_energy.svg")?)?;
 
     let last = RopeState::from(motion(&Rope { mu: 0.6, ..scene }, "mu = 0.6")?.last());
     let speed = (0.8_f64 * 9.81 * 0.35).sqrt();
@@ -94,7 +99,7 @@ fn motion(scene: &Rope, title: &str) -> Result<Trajectory<Rope>, Box<dyn Error>>
         .until(10.0)
         .tolerance(1e-13)
         .every(0.01)
-        .observe_each(["kinetic", "potential", "heat", "total"], energies)
+        .observe_each(ENERGIES, energies)
         .observe_each(["rope", "sag"], rope_force)
         .run()?;
     for event in trajectory.events() {
@@ -107,7 +112,7 @@ fn motion(scene: &Rope, title: &str) -> Result<Trajectory<Rope>, Box<dyn Error>>
         );
     }
     let column = |name| trajectory.column(name).unwrap_or_default();
-    let total = column("total");
+    let total = column(ENERGIES[3]);
     let drift = total.iter().map(|now| (now - total[0]).abs()).fold(0.0, f64::max);
     let sag = column("sag").iter().copied().map(f64::abs).fold(0.0, f64::max);
     let slack = column("rope").iter().copied().fold(f64::INFINITY, f64::min);
@@ -162,7 +167,7 @@ fn states(scene: &Rope, run: &Trajectory<Rope>) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Floor and slope, the rough part of the floor, rope, pulley and wall.
+/// The rough part of the floor, rope, pulley and wall.
 fn surroundings(sketch: &mut Sketch, moment: &Moment<'_, Rope>) {
     let (Some(cuboid), Some(cylinder)) = (moment.motion("cuboid"), moment.motion("cylinder")) else { return };
     let &Rope { r, l1, l3, alpha, .. } = moment.system;
@@ -171,16 +176,9 @@ fn surroundings(sketch: &mut Sketch, moment: &Moment<'_, Rope>) {
     };
     // The front of the cuboid is here as it starts.
     let front = -l3 - 2.0 * r;
-    let (left, end) = (front - 3.0 * r, l3 + 4.0 * r);
-    let ground = [
-        [left, 0.0],
-        [0.0, 0.0],
-        down(end, 0.0),
-        [down(end, 0.0)[0], -end * alpha.sin() - r],
-        [left, -end * alpha.sin() - r],
-    ];
-    sketch.ink(0).area(&ground).segment(down(end, 0.0), down(end, 3.0 * r));
-    sketch.ink(2).polyline(&[[front + l1, 0.0], [-r, 0.0]]);
+    let wall = 3.0 * r + l3 + r;
+    sketch.ink(0).segment(down(wall, 0.0), down(wall, 3.0 * r));
+    sketch.ink(2).segment([front + l1, 0.0], [0.0, 0.0]);
     let pulley = [r * (alpha / 2.0).tan(), r];
     sketch.ink(0).polyline(&[cuboid.point([r, 0.0]), pulley, cylinder.center]).point(pulley, "");
 }

@@ -99,7 +99,7 @@ fn diagrams(slope: &Slope) -> Result<(), Box<dyn Error>> {
     let state = start(slope, SHORT).into();
     let alone = |body: &str, title: &str| {
         Drawing::of(slope)
-            .size(320.0, 360.0)
+            .size(400.0, 400.0)
             .title(title)
             .nameless()
             .free_body(body)

@@ -120,11 +120,14 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, StepLadder>) {
     let (Some(right), Some(person)) = (moment.motion("right"), moment.motion("person")) else { return };
     let l = moment.system.l;
     let (hinge, foot) = ([-l / 2.0, 0.0], [l / 2.0, 0.0]);
-    sketch.ink(6).dashed_circle([0.0, 0.0], 2.0 * l).ink(0).point([0.0, 0.0], "O");
+    let arc = (0..=60)
+        .map(|i| f64::from(i) * PI / 120.0)
+        .map(|angle| [2.0 * l * angle.cos(), 2.0 * l * angle.sin()]);
+    sketch.ink(6).polyline(&arc.collect::<Vec<_>>()).ink(0).point([0.0, 0.0], "O");
     if let Some(center) = right.instant_center() {
         sketch.dashed([0.0, 0.0], center).dashed(right.point(foot), center).ink(2).point(center, "M");
     }
-    sketch.velocity(right.point(hinge), right.velocity_at(hinge), "v_H");
+    sketch.velocity(right.point(hinge), right.velocity_at(hinge), "v_T");
     sketch.velocity(right.point(foot), right.velocity_at(foot), "v_F").velocity(
         person.center,
         person.velocity,

@@ -10,7 +10,7 @@ use std::vec::Vec;
 use crate::draw::colour;
 use crate::draw::element::Element;
 use crate::draw::error::DrawError;
-use crate::draw::layout;
+use crate::draw::layout::{self, Paper};
 use crate::draw::moment::Moment;
 use crate::draw::picture::{Picture, Point};
 use crate::draw::sketch::Sketch;
@@ -35,7 +35,7 @@ type Point2<'a, M> = Rc<
 /// Pictures of a system of plane rigid bodies, as it declares itself.
 ///
 /// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are asked for. One window shows all that is ever
-/// drawn, on one scale, and arrows of one kind have one scale, the longest a fifth of the picture. Positions, angles and vectors
+/// drawn, on one scale, and arrows of one kind have one scale, the longest a quarter of the picture. Positions, angles and vectors
 /// are those of the declaration, x to the right, y upwards.
 pub struct Drawing<'a, M: Scene> {
     system: &'a M,
@@ -43,6 +43,7 @@ pub struct Drawing<'a, M: Scene> {
     title: String,
     wanted: Wanted,
     free_body: Option<String>,
+    hidden: Vec<String>,
     traces: Vec<(String, Point2<'a, M>)>,
     sketches: Vec<Sketched<'a, M>>,
     past: Vec<Instant<M>>,
@@ -50,6 +51,9 @@ pub struct Drawing<'a, M: Scene> {
 
 /// Width and height of a picture in pixels of 1/96 inch.
 const SIZE: [f64; 2] = [640.0, 400.0];
+/// The longest arrows take this part of the smaller side; on a free body they are the matter itself.
+const LONGEST: f64 = 0.25;
+const LONGEST_FREE: f64 = 0.35;
 
 impl<'a, M: Scene> Drawing<'a, M> {
     /// A drawing of a system.
@@ -60,6 +64,7 @@ impl<'a, M: Scene> Drawing<'a, M> {
             title: String::new(),
             wanted: Wanted { names: true, ..Wanted::default() },
             free_body: None,
+            hidden: Vec::new(),
             traces: Vec::new(),
             sketches: Vec::new(),
             past: Vec::new(),
@@ -117,6 +122,12 @@ impl<'a, M: Scene> Drawing<'a, M> {
         self
     }
 
+    /// Without the body, line, connector, joint or load of this name.
+    pub fn hide(mut self, name: &str) -> Self {
+        self.hidden.push(name.to_owned());
+        self
+    }
+
     /// Without the names of bodies and connectors.
     pub fn nameless(mut self) -> Self {
         self.wanted.names = false;
@@ -153,7 +164,7 @@ where
     /// The picture at a time and a state `[q…, v…]`.
     ///
     /// # Errors
-    /// If a number is not finite, the scene lacks the free body, there is nothing to draw, or the picture is too small.
+    /// If a number is not finite, the scene lacks the free body or what is to be hidden, there is nothing to draw, or the picture is too small.
     pub fn picture(&self, t: M::Scalar, y: &M::State) -> Result<Picture, DrawError> {
         self.pictures([(t, *y)])?.pop().ok_or(DrawError::NothingToDraw)
     }
@@ -183,13 +194,21 @@ where
             elements.extend(self.sketched(instant, snapshot));
             film.push((instant.0.into(), elements));
         }
-        let pictures = layout::pictures(&film, self.size, &self.title)?;
+        let longest = if self.free_body.is_some() { LONGEST_FREE } else { LONGEST };
+        let paper = Paper { size: self.size, title: &self.title, longest };
+        let pictures = layout::pictures(&film, paper)?;
         Ok(pictures.into_iter().skip(self.past.len()).collect())
     }
 
     fn snapshot(&self, (t, y): &Instant<M>) -> Result<Snapshot, DrawError> {
         let (q, v) = split::<M>(y);
         let snapshot = Snapshot::of(self.system, *t, &q, &v);
+        for name in &self.hidden {
+            if !snapshot.names().any(|known| known == name) {
+                return Err(DrawError::UnknownItem(name.clone()));
+            }
+        }
+        let snapshot = snapshot.without(&self.hidden);
         let Some(name) = &self.free_body else { return Ok(snapshot) };
         if snapshot.body(name).is_none() {
             return Err(DrawError::UnknownBody(name.clone()));
@@ -223,6 +242,7 @@ impl<M: Scene> Clone for Drawing<'_, M> {
         Drawing {
             title: self.title.clone(),
             free_body: self.free_body.clone(),
+            hidden: self.hidden.clone(),
             traces: self.traces.clone(),
             sketches: self.sketches.clone(),
             past: self.past.clone(),

@@ -70,7 +70,7 @@ pub(super) enum Shape {
     Circle { center: Point, radius: f64, is_dashed: bool },
     /// An arc with an arrowhead from one angle to another.
     Angle { at: Point, from: f64, to: f64 },
-    /// A line with arrowheads at both ends.
+    /// A line with arrowheads at both ends, on the left of two points.
     Dimension { ends: [Point; 2] },
     /// A line through points.
     Polyline { points: Vec<Point> },
@@ -146,7 +146,8 @@ impl Element {
                 vec![point(*from, ROOM), Reach { at: *from, offset, room: GROUND }]
             }
             Shape::Ray { from, .. } => vec![point(*from, ROOM)],
-            Shape::Segment { ends, .. } | Shape::Dimension { ends } => all(ends),
+            Shape::Segment { ends, .. } => all(ends),
+            Shape::Dimension { ends } => ends.iter().map(|at| point(*at, ROUND)).collect(),
             Shape::Circle { center: [x, y], radius: r, .. } => all(&[[x - r, y - r], [x + r, y + r]]),
             Shape::Polyline { points } | Shape::Area { points } => all(points),
         }

@@ -20,6 +20,8 @@ pub enum DrawError {
     },
     /// The scene has no body of this name.
     UnknownBody(String),
+    /// The scene has nothing of this name that could be hidden.
+    UnknownItem(String),
     /// There is no moment, or nothing in it that has a place.
     NothingToDraw,
     /// The picture is too small for its margins, or larger than an image can be.
@@ -39,6 +41,7 @@ impl Display for DrawError {
                 write!(f, "the {what} of `{item}` is not finite at time {time}")
             }
             DrawError::UnknownBody(name) => write!(f, "the scene has no body `{name}`"),
+            DrawError::UnknownItem(name) => write!(f, "the scene has nothing named `{name}`"),
             DrawError::NothingToDraw => f.write_str("there is nothing to draw"),
             DrawError::Size([width, height]) => {
                 write!(f, "a picture cannot be {width} by {height} pixels large")

@@ -154,11 +154,14 @@ pub(super) fn clipped([a, b]: [Point; 2], [low, high]: [Point; 2]) -> Option<[Po
 mod tests {
     use std::f64::consts::PI;
 
-    use super::{arc, clipped, ellipse, flattened, length};
+    use super::{arc, clipped, direction, ellipse, flattened, length, times};
+    use crate::draw::picture::Segment;
 
     #[test]
     fn arcs_keep_their_distance_from_the_middle() {
-        for p in flattened(&arc([2.0, 2.0], 0.3, 0.3 + 1.5 * PI), 16).into_iter().skip(1) {
+        let mut line = std::vec![Segment::Move(times(2.0, direction(0.3)))];
+        line.extend(arc([2.0, 2.0], 0.3, 0.3 + 1.5 * PI));
+        for p in flattened(&line, 16) {
             assert!((length(p) - 2.0).abs() < 1e-3, "{p:?}");
         }
         let turn = flattened(&ellipse([3.0, 1.0]), 16);

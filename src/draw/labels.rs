@@ -30,7 +30,7 @@ const FARTHER: [f64; 3] = [0.0, 7.0, 14.0];
 /// The number of the place that is the point itself.
 const ON_POINT: usize = AROUND.len() * FARTHER.len();
 /// How bad it is to lie on another label or outside, to be crossed by a line, and to have a worse side.
-const ON_LABEL: f64 = 20.0;
+const ON_LABEL: f64 = 60.0;
 const OUTSIDE: f64 = 50.0;
 const CROSSED: f64 = 3.0;
 const WORSE: f64 = 0.2;

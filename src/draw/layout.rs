@@ -19,8 +19,15 @@ use crate::draw::view::{self, View};
 const MARGIN: f64 = 12.0;
 const TITLE: f64 = 22.0;
 const TITLE_FONT: f64 = 15.0;
-/// The longest arrow of each kind takes this part of the smaller side of a picture.
-const LONGEST: f64 = 0.25;
+
+/// What is drawn on.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Paper<'a> {
+    pub(super) size: [f64; 2],
+    pub(super) title: &'a str,
+    /// The longest arrow of each kind takes this part of the smaller side of what is within the margins.
+    pub(super) longest: f64,
+}
 
 /// By what an element is found again in another picture: what kind of thing it is, its name, and which one of those.
 #[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
@@ -38,13 +45,12 @@ type Drawn = (Vec<Mark>, Option<Tag>);
 /// Pictures of a film: at each moment the time and the elements.
 pub(super) fn pictures(
     film: &[(f64, Vec<Element>)],
-    size: [f64; 2],
-    title: &str,
+    Paper { size, title, longest }: Paper<'_>,
 ) -> Result<Vec<Picture>, DrawError> {
     for (time, elements) in film {
         check(*time, elements)?;
     }
-    let view = common_view(film, size, title)?;
+    let view = common_view(film, size, title, longest)?;
     let drawn: Vec<Vec<(Key, Drawn)>> = film.iter().map(|(_, elements)| draw(elements, &view)).collect();
     let keys = aligned(&drawn);
     let empty = patterns(&drawn);
@@ -71,7 +77,12 @@ fn check(time: f64, elements: &[Element]) -> Result<(), DrawError> {
 }
 
 /// One window and one scale of arrows for all.
-fn common_view(film: &[(f64, Vec<Element>)], size: [f64; 2], title: &str) -> Result<View, DrawError> {
+fn common_view(
+    film: &[(f64, Vec<Element>)],
+    size: [f64; 2],
+    title: &str,
+    longest: f64,
+) -> Result<View, DrawError> {
     let top = if title.is_empty() { MARGIN } else { MARGIN + TITLE };
     let window = [[MARGIN, top], [size[0] - MARGIN, size[1] - MARGIN]];
     let room = [window[1][0] - window[0][0], window[1][1] - window[0][1]];
@@ -81,7 +92,7 @@ fn common_view(film: &[(f64, Vec<Element>)], size: [f64; 2], title: &str) -> Res
     let elements = || film.iter().flat_map(|(_, elements)| elements);
     let scale = |measure: Measure| {
         let largest = elements().map(|element| magnitude(&element.shape, measure)).fold(0.0, f64::max);
-        if largest > 0.0 { LONGEST * room[0].min(room[1]) / largest } else { 0.0 }
+        if largest > 0.0 { longest * room[0].min(room[1]) / largest } else { 0.0 }
     };
     let arrows = [scale(Measure::Velocity), scale(Measure::Acceleration), scale(Measure::Force)];
     let pixels = |measure: Measure| match measure {
@@ -188,14 +199,14 @@ mod tests {
     use std::string::ToString;
     use std::vec;
 
-    use super::pictures;
+    use super::{Paper, pictures};
     use crate::draw::DrawError;
     use crate::draw::colour::INK;
     use crate::draw::element::{Element, Layer, Measure, Shape};
     use crate::draw::picture::Mark;
     use crate::draw::svg;
 
-    const SIZE: [f64; 2] = [300.0, 200.0];
+    const PAPER: Paper<'_> = Paper { size: [300.0, 200.0], title: "", longest: 0.25 };
 
     fn dot(name: &str, x: f64) -> Element {
         let shape = Shape::Dot { at: [x, 0.0] };
@@ -205,7 +216,7 @@ mod tests {
     #[test]
     fn what_is_missing_at_some_moments_leaves_empty_marks() {
         let film = [(0.0, vec![dot("A", 0.0), dot("C", 2.0)]), (1.0, vec![dot("A", 0.0), dot("B", 1.0)])];
-        let pictures = pictures(&film, SIZE, "").expect("draws");
+        let pictures = pictures(&film, PAPER).expect("draws");
         let shown = |index: usize| pictures[index].marks.iter().filter(|mark| !svg::is_empty(mark)).count();
         assert_eq!((pictures[0].marks.len(), pictures[1].marks.len()), (6, 6), "three points, three labels");
         assert_eq!((shown(0), shown(1)), (4, 4));
@@ -219,7 +230,7 @@ mod tests {
         };
         let film =
             [(0.0, vec![arrow([1e9, 0.0]), dot("A", 1.0)]), (1.0, vec![arrow([5e8, 0.0]), dot("A", 1.0)])];
-        let pictures = pictures(&film, SIZE, "").expect("draws");
+        let pictures = pictures(&film, PAPER).expect("draws");
         let longest = |index: usize| {
             let Mark::Path { segments, .. } = &pictures[index].marks[0] else { panic!("a path") };
             let points = crate::draw::geometry::flattened(segments, 1);
@@ -232,7 +243,7 @@ mod tests {
     #[test]
     fn what_is_not_finite_is_refused_by_name() {
         let film = [(0.0, vec![dot("A", 0.0)]), (0.5, vec![dot("A", f64::NAN)])];
-        match pictures(&film, SIZE, "") {
+        match pictures(&film, PAPER) {
             Err(DrawError::NotFinite { item, time, .. }) => assert_eq!((&*item, time), ("A", 0.5)),
             other => panic!("{other:?}"),
         }

@@ -85,7 +85,7 @@ impl Sketch {
         self.add(label, Shape::Angle { at, from, to })
     }
 
-    /// A line with arrowheads at both ends.
+    /// A line with arrowheads that tells a distance, on the left as one goes from one point to the other.
     pub fn dimension(&mut self, from: [f64; 2], to: [f64; 2], label: &str) -> &mut Self {
         self.add(label, Shape::Dimension { ends: [from, to] })
     }

@@ -94,6 +94,25 @@ impl Snapshot {
         self.bodies.iter().find(|body| body.name == name)
     }
 
+    /// The names of everything.
+    pub(super) fn names(&self) -> impl Iterator<Item = &String> {
+        let bodies =
+            self.bodies.iter().map(|body| &body.name).chain(self.lines.iter().map(|line| &line.name));
+        let connectors = self.connectors.iter().map(|(name, ..)| name);
+        let joints = self.joints.iter().map(|(name, ..)| name);
+        bodies.chain(connectors).chain(joints).chain(self.loads.iter().map(|load| &load.name))
+    }
+
+    /// Without what has one of these names.
+    pub(super) fn without(mut self, hidden: &[String]) -> Self {
+        self.bodies.retain(|body| !hidden.contains(&body.name));
+        self.lines.retain(|line| !hidden.contains(&line.name));
+        self.connectors.retain(|(name, ..)| !hidden.contains(name));
+        self.joints.retain(|(name, ..)| !hidden.contains(name));
+        self.loads.retain(|load| !hidden.contains(&load.name));
+        self
+    }
+
     /// Only one body and what acts on it.
     pub(super) fn free_body(mut self, name: &str) -> Self {
         self.bodies.retain(|body| body.name == name);

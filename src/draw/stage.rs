@@ -124,7 +124,9 @@ fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Ve
     if wanted.accelerations {
         arrow("a", ACCELERATION, motion.center, motion.acceleration, Measure::Acceleration);
     }
-    if wanted.centers && motion.angular_velocity.abs() > TURNING * fastest {
+    // What is not a number is passed on and refused.
+    let is_translating = motion.angular_velocity.abs() <= TURNING * fastest;
+    if wanted.centers && !is_translating {
         // r_M = r_S + e_z × v_S/ω.
         let to = add(motion.center, times(1.0 / motion.angular_velocity, turned(motion.velocity)));
         let shape = Shape::Ray { from: motion.center, to };

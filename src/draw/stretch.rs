@@ -9,6 +9,7 @@ use std::vec;
 use std::vec::Vec;
 
 use crate::draw::geometry::{add, direction, dot, subtract, times, turned};
+use crate::draw::outline::Piece;
 use crate::draw::picture::Point;
 use crate::draw::snapshot::{Line, Snapshot};
 use crate::scene::Joint;
@@ -83,7 +84,7 @@ fn contacts(line: &Line, snapshot: &Snapshot, close: f64) -> Vec<f64> {
 /// Where the body that carries a line lies along it.
 fn rim(line: &Line, snapshot: &Snapshot) -> Vec<f64> {
     let Some(body) = line.body.as_deref().and_then(|name| snapshot.body(name)) else { return Vec::new() };
-    let points = body.pieces.iter().flat_map(|piece| piece.rim());
+    let points = body.pieces.iter().flat_map(Piece::rim);
     points.map(|p| coordinates(line, body.place().of(p))[0]).collect()
 }
 

@@ -5,7 +5,7 @@ use std::string::String;
 use crate::draw::colour::{INK, PALE};
 use crate::draw::element::{Element, Shape};
 use crate::draw::geometry::{add, direction, length, mix, subtract, times, turned, unit};
-use crate::draw::marks::arrow::{self, ANGLE};
+use crate::draw::marks::arrow::{self, ANGLE, BESIDE};
 use crate::draw::picture::{Colour, Point};
 use crate::draw::text;
 use crate::draw::view::View;
@@ -88,9 +88,14 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
             Some((end, Side::Along(unit(outwards)?), GAP))
         }
         Shape::Ray { to, .. } => view.holds(view.point(*to)).then(|| around(to))?,
-        Shape::Segment { ends, .. } | Shape::Dimension { ends } => {
+        Shape::Segment { ends, .. } => {
             let (at, side) = middle(ends);
             Some((at, side, GAP))
+        }
+        Shape::Dimension { ends } => {
+            let ends = ends.map(|p| view.point(p));
+            let left = times(-1.0, turned(unit(subtract(ends[1], ends[0]))?));
+            Some((add(mix(ends[0], ends[1], 0.5), times(BESIDE, left)), Side::Along(left), GAP))
         }
         Shape::Angle { at, from, to } => {
             let [x, y] = direction(0.5 * (from + to));

@@ -101,11 +101,7 @@ pub(super) fn runs(text: &str) -> Vec<Run> {
         let end = behind.find(|c: char| !c.is_alphanumeric()).unwrap_or(behind.len());
         let (subscript, after) = braced.unwrap_or_else(|| behind.split_at(end));
         // A lone underscore is one.
-        if subscript.is_empty() {
-            push("_", false)
-        } else {
-            push(subscript, true)
-        }
+        push(if subscript.is_empty() { "_" } else { subscript }, !subscript.is_empty());
         rest = after;
     }
     push(rest, false);

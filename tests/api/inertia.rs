@@ -2,6 +2,7 @@
 
 mod compound;
 mod derived;
+mod formulas;
 mod language;
 mod laws;
 mod quadrature;

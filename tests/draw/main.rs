@@ -2,6 +2,7 @@
 #![cfg(feature = "draw")]
 
 mod files;
+mod films;
 mod marks;
 mod refusals;
 mod scenes;

@@ -86,6 +86,14 @@ fn labels_are_those_of_formulas() {
 }
 
 #[test]
+fn what_is_hidden_leaves_no_mark() {
+    let count =
+        |drawing: Drawing<'_, Puppet>| paths(&drawing.picture(0.0, &[0.9, -1.0]).expect("draws").svg()).len();
+    assert_eq!(count(Drawing::of(&LADDER).hide("floor").hide("left")), 11 - 2 - 2);
+    assert_eq!(count(Drawing::of(&LADDER).hide("foot").hide("hinge")), 11 - 3 - 1);
+}
+
+#[test]
 fn a_free_body_has_nothing_around_it() {
     let picture = Drawing::of(&SLOPE).free_body("cylinder").picture(0.0, &[0.0, 1.0]).expect("draws");
     let mut labels = texts(&picture.svg());

@@ -4,7 +4,7 @@ use lagrange::body::Motion;
 use lagrange::draw::{DrawError, Drawing, Picture};
 use lagrange::scene::{Cause, Connector, Item, Joint, Outline};
 
-use crate::scenes::{LADDER, Puppet, SLOPE, part, still};
+use crate::scenes::{Items, LADDER, Puppet, SLOPE, part, still};
 
 fn refused(result: Result<Picture, DrawError>) -> String {
     result.expect_err("cannot be drawn").to_string()
@@ -43,8 +43,7 @@ fn a_state_that_is_not_a_number_is_refused_by_the_first_item_that_shows_it() {
 
 #[test]
 fn every_kind_of_item_is_checked() {
-    type Broken = fn(f64, &mut dyn FnMut(Item<'_, f64>));
-    let broken: [(&str, Broken); 6] = [
+    let broken: [(&str, Items); 6] = [
         ("line", |x, visit| visit(Item::Line { name: "line", body: None, through: [0.0, 0.0], angle: x })),
         ("spring", |x, visit| {
             let kind = Connector::Spring;
@@ -83,6 +82,8 @@ fn annotations_are_checked_too() {
 fn unknown_bodies_empty_scenes_and_impossible_sizes_are_refused() {
     let unknown = Drawing::of(&SLOPE).free_body("sphere").picture(0.0, &[0.0, 0.0]);
     assert_eq!(refused(unknown), "the scene has no body `sphere`");
+    let hidden = Drawing::of(&SLOPE).hide("slop").picture(0.0, &[0.0, 0.0]);
+    assert_eq!(refused(hidden), "the scene has nothing named `slop`");
     let empty = Puppet(|_, _| {});
     assert_eq!(refused(Drawing::of(&empty).picture(0.0, &[0.0, 0.0])), "there is nothing to draw");
     for size in [[20.0, 300.0], [300.0, 0.0], [-300.0, 300.0], [f64::NAN, 300.0], [300.0, f64::INFINITY]] {

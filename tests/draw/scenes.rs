@@ -8,7 +8,10 @@ use lagrange::scene::{Cause, Connector, Item, Joint, Outline, Part, Scene};
 use lagrange::system::{MechanicalSystem, OdeSystem, Unnamed};
 
 /// A scene that shows its items as a function of a single coordinate.
-pub(crate) struct Puppet(pub(crate) fn(f64, &mut dyn FnMut(Item<'_, f64>)));
+pub(crate) struct Puppet(pub(crate) Items);
+
+/// Hands out the items.
+pub(crate) type Items = fn(f64, &mut dyn FnMut(Item<'_, f64>));
 
 impl OdeSystem for Puppet {
     type Scalar = f64;

@@ -2,9 +2,10 @@
 
 use super::messages;
 use super::names::{Body, Line, Object};
-use super::terms::Pair;
+use super::terms::{Pair, Terms};
 use super::translation::Translation;
 use super::{Claim, Drawn, DrawnKind, Motion, Outline};
+use crate::diagnostics::Origin;
 use crate::solids;
 use crate::solids::Solid;
 use crate::syntax::ast;
@@ -32,6 +33,7 @@ impl Translation<'_> {
         let (center, origin) = self.body_place(statement, centroid, angle);
         self.push_translation(mass, center);
         let inertia = inertia.unwrap_or_else(|| self.terms().number(0));
+        self.claims.push(Claim::Inertia { body: name.clone(), inertia });
         if statement.angle.is_some() {
             self.push_rotation(inertia, angle);
         }
@@ -73,7 +75,9 @@ impl Translation<'_> {
         let name = &statement.name;
         let mass = self.mass(statement);
         let shape = statement.shape.as_ref().and_then(|shape| self.shape(shape));
-        let of_shape = shape.as_ref().map(|(solid, dimensions)| self.inertia_of(solid, mass, dimensions));
+        let place = statement.shape.as_ref().map_or(self.origin, |shape| shape.origin);
+        let of_shape =
+            shape.as_ref().map(|(solid, dimensions)| self.inertia_of(solid, mass, dimensions, place));
         let stated = statement.inertia.map(|inertia| self.mention(inertia));
         if let (Some(stated), Some(of_shape), Some(shape)) = (stated, of_shape, &statement.shape) {
             let claim = Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
@@ -85,7 +89,7 @@ impl Translation<'_> {
         }
         let centroid = match statement.centroid {
             Some(centroid) => self.vector(centroid, &messages::centroid_of(&name.text)),
-            None => self.centroid_of(shape.as_ref()),
+            None => self.centroid_of(shape.as_ref(), place),
         };
         let radius = shape.as_ref().and_then(|(solid, dimensions)| Some(dimensions[solid.radius?]));
         let outlines = shape.map(|(solid, dimensions)| self.outline(solid, dimensions)).into_iter().collect();
@@ -123,16 +127,26 @@ impl Translation<'_> {
         Some((solid, dimensions))
     }
 
-    /// The call that stands for the moment of inertia of a solid about its centre of mass.
-    pub(super) fn inertia_of(&mut self, solid: &Solid, mass: AstId, dimensions: &[AstId]) -> AstId {
+    /// The call that stands for the moment of inertia of a solid about its centre of mass, blamed on `place`.
+    pub(super) fn inertia_of(
+        &mut self,
+        solid: &Solid,
+        mass: AstId,
+        dimensions: &[AstId],
+        place: Origin,
+    ) -> AstId {
         let arguments = [&[mass], dimensions].concat();
-        self.terms().call(solid.name, &arguments)
+        Terms::new(&mut self.expressions, place).call(solid.name, &arguments)
     }
 
-    /// The centre of mass of a solid in its own coordinates.
-    pub(super) fn centroid_of(&mut self, shape: Option<&(&'static Solid, Vec<AstId>)>) -> Pair {
+    /// The centre of mass of a solid in its own coordinates, blamed on `place`.
+    pub(super) fn centroid_of(
+        &mut self,
+        shape: Option<&(&'static Solid, Vec<AstId>)>,
+        place: Origin,
+    ) -> Pair {
         let center = shape.and_then(|(solid, dimensions)| Some((solid.center_function()?, dimensions)));
-        let mut terms = self.terms();
+        let mut terms = Terms::new(&mut self.expressions, place);
         match center {
             Some((function, dimensions)) => {
                 let center = terms.call(&function, dimensions);

@@ -73,8 +73,9 @@ impl Translation<'_> {
             None => self.terms().number(0),
         };
         let (solid, dimensions): (&'static Solid, Vec<AstId>) = shape?;
-        let (mass, inertia) = (mass?, self.inertia_of(solid, mass?, &dimensions));
-        let own = self.centroid_of(Some(&(solid, dimensions.clone())));
+        let place = part.shape.origin;
+        let (mass, inertia) = (mass?, self.inertia_of(solid, mass?, &dimensions, place));
+        let own = self.centroid_of(Some(&(solid, dimensions.clone())), place);
         let mut terms = self.terms();
         let arm = terms.turned(own, angle);
         let centroid = terms.plus_pair(at, arm);

@@ -187,6 +187,13 @@ pub enum Claim {
         /// Its mass.
         mass: AstId,
     },
+    /// A moment of inertia must not be negative.
+    Inertia {
+        /// The body.
+        body: Name,
+        /// Its moment of inertia about its centre of mass.
+        inertia: AstId,
+    },
     /// A vector of two components.
     PlaneVector {
         /// What it is, in words.

@@ -6,6 +6,7 @@ use super::operand::Operand;
 use crate::bodies::Claim;
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
+use crate::diagnostics::Diagnostic;
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::symbol::Role;
@@ -19,6 +20,7 @@ pub(super) fn check_claims(elaborator: &mut Elaborator, claims: &[Claim]) {
     for claim in claims {
         match claim {
             Claim::PositiveMass { body, mass } => positive_mass(elaborator, body, *mass),
+            Claim::Inertia { body, inertia } => inertia_not_negative(elaborator, body, *inertia),
             Claim::SameInertia { body, stated, of_shape, shape } => {
                 same_inertia(elaborator, body, [*stated, *of_shape], *shape);
             }
@@ -29,21 +31,45 @@ pub(super) fn check_claims(elaborator: &mut Elaborator, claims: &[Claim]) {
 }
 
 fn positive_mass(elaborator: &mut Elaborator, body: &Name, mass: AstId) {
-    let Some(value) = scalar(elaborator, mass) else { return };
-    let origin = elaborator.evaluator.origin(mass);
-    let (graph, defaults) = (&elaborator.evaluator.graph, Defaults::of(elaborator));
-    let Some(number) = defaults.evaluate(graph, value) else { return };
-    if number > 0.0 {
-        return;
+    let Some(wrong) = unless(elaborator, mass, |mass| mass > 0.0) else { return };
+    let message = words::mass_not_positive(&body.text, &wrong.text, wrong.is_constant);
+    wrong.report(elaborator, message).help(words::HOLES_BELONG_IN_A_COMPOUND);
+}
+
+fn inertia_not_negative(elaborator: &mut Elaborator, body: &Name, inertia: AstId) {
+    let Some(wrong) = unless(elaborator, inertia, |inertia| inertia >= 0.0) else { return };
+    let message = words::inertia_negative(&body.text, &wrong.text, wrong.is_constant);
+    wrong.report(elaborator, message).help(words::HOLES_LIE_WITHIN);
+}
+
+/// A value that is not as it must be.
+struct Wrong {
+    text: String,
+    origin: Origin,
+    /// Whether it is so whatever the parameters are, and not only with their defaults.
+    is_constant: bool,
+}
+
+impl Wrong {
+    fn report<'a>(&self, elaborator: &'a mut Elaborator, message: String) -> &'a mut Diagnostic {
+        let report = &mut *elaborator.evaluator.report;
+        match self.is_constant {
+            true => report.error(self.origin, message),
+            false => report.doubtful(self.origin, message),
+        }
     }
-    let is_constant = graph.dependencies(value) == Dependencies::NONE;
-    let text = graph.as_number(value).map_or_else(|| number.to_string(), ToString::to_string);
-    let report = &mut *elaborator.evaluator.report;
-    let diagnostic = match is_constant {
-        true => report.error(origin, words::mass_not_positive(&body.text, &text)),
-        false => report.doubtful(origin, words::default_mass_not_positive(&body.text, &text)),
-    };
-    diagnostic.help(words::HOLES_BELONG_IN_A_COMPOUND);
+}
+
+/// The value of a scalar that is known, at least with the defaults of parameters, unless it is right.
+fn unless(elaborator: &mut Elaborator, syntax: AstId, is_right: fn(f64) -> bool) -> Option<Wrong> {
+    let value = scalar(elaborator, syntax)?;
+    let graph = &elaborator.evaluator.graph;
+    let number = Defaults::of(elaborator).evaluate(graph, value).filter(|&number| !is_right(number))?;
+    Some(Wrong {
+        text: graph.as_number(value).map_or_else(|| number.to_string(), ToString::to_string),
+        origin: elaborator.evaluator.origin(syntax),
+        is_constant: graph.dependencies(value) == Dependencies::NONE,
+    })
 }
 
 fn same_inertia(elaborator: &mut Elaborator, body: &Name, inertias: [AstId; 2], shape: Origin) {

@@ -24,6 +24,8 @@ pub(super) struct Evaluator<'a> {
     rates: Rates,
     /// What each `dot(…)` evaluated to: velocity and position.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
+    /// Arguments that are reported to be no size of a solid.
+    pub(super) unsuitable: HashMap<Vec<AstId>, ()>,
     /// Operands by expression; `None` where something was wrong and has been reported.
     values: HashMap<AstId, Option<Operand>>,
     /// What is claimed to be a vector: that it is none is reported there, not for each of its components.
@@ -39,6 +41,7 @@ impl<'a> Evaluator<'a> {
             declaration,
             rates: Rates::new(AccelerationTerms::Kept),
             named_rates: OrderedMap::default(),
+            unsuitable: HashMap::default(),
             values: HashMap::default(),
             claimed_vectors: HashMap::default(),
         }

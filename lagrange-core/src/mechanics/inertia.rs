@@ -133,8 +133,27 @@ impl Evaluator<'_> {
         scalars.into_iter().collect()
     }
 
-    /// The scalars that give the size of a solid; reports sizes that no such solid has.
+    /// The scalars that give the size of a solid. What is wrong with them is reported once, although the moment of inertia and
+    /// the centre of mass of a body's shape have the same arguments.
     fn dimensions(
+        &mut self,
+        solid: &Solid,
+        name: &Name,
+        arguments: &[AstId],
+        call: AstId,
+    ) -> Option<Vec<ExprId>> {
+        if self.unsuitable.contains(&arguments.to_vec()) {
+            return None;
+        }
+        let dimensions = self.suitable_dimensions(solid, name, arguments, call);
+        if dimensions.is_none() {
+            self.unsuitable.insert(arguments.to_vec(), ());
+        }
+        dimensions
+    }
+
+    /// Reports sizes that no such solid has.
+    fn suitable_dimensions(
         &mut self,
         solid: &Solid,
         name: &Name,

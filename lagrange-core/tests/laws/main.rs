@@ -9,6 +9,7 @@ mod mechanics;
 mod printing;
 mod products;
 mod reductions;
+mod scenes;
 mod trees;
 
 use proptest::prelude::ProptestConfig;

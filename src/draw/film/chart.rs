@@ -170,6 +170,7 @@ fn ticks(range: &Range<f64>) -> Vec<(f64, String)> {
             format!("{value:.1e}")
         }
     };
+    let label = |value| label(value).replace('-', "−");
     let (first, last) = ((range.start / step).ceil() as i64, (range.end / step).floor() as i64);
     (first..=last).map(|index| index as f64 * step).map(|value| (value, label(value))).collect()
 }
@@ -182,8 +183,8 @@ mod tests {
     fn ticks_are_round_numbers_within_their_range() {
         let labels = |range| ticks(&range).into_iter().map(|(_, label)| label).collect::<std::vec::Vec<_>>();
         assert_eq!(labels(0.0..6.0), ["0", "1", "2", "3", "4", "5", "6"]);
-        assert_eq!(labels(-0.12..0.11), ["-0.10", "-0.05", "0.00", "0.05", "0.10"]);
+        assert_eq!(labels(-0.12..0.11), ["−0.10", "−0.05", "0.00", "0.05", "0.10"]);
         assert_eq!(labels(90.0..1100.0), ["200", "400", "600", "800", "1000"]);
-        assert_eq!(labels(0.0..3e-7), ["0", "5.0e-8", "1.0e-7", "1.5e-7", "2.0e-7", "2.5e-7", "3.0e-7"]);
+        assert_eq!(labels(0.0..3e-7), ["0", "5.0e−8", "1.0e−7", "1.5e−7", "2.0e−7", "2.5e−7", "3.0e−7"]);
     }
 }

@@ -30,9 +30,8 @@ impl Film {
         let (Ok(width), Ok(height)) = (u16::try_from(width), u16::try_from(height)) else {
             return Err(refusal("a GIF is at most 65535 pixels wide and high"));
         };
-        let mut bytes = Vec::new();
         let mut encoder =
-            Encoder::new(&mut bytes, width, height, palette.colours.as_flattened()).map_err(failure)?;
+            Encoder::new(Vec::new(), width, height, palette.colours.as_flattened()).map_err(failure)?;
         encoder.set_repeat(Repeat::Infinite).map_err(failure)?;
         let mut before: Option<Vec<u8>> = None;
         for (index, delay) in shown(&self.elapsed()) {
@@ -43,8 +42,7 @@ impl Film {
             encoder.write_frame(&frame).map_err(failure)?;
             before = Some(picture);
         }
-        drop(encoder);
-        Ok(bytes)
+        encoder.into_inner().map_err(failure)
     }
 
     fn palette(&self) -> Result<Palette, DrawError> {
@@ -104,16 +102,16 @@ fn difference(before: Option<&[u8]>, picture: &[u8], width: u16, height: u16) ->
 
 type Range = std::ops::Range<usize>;
 
-/// Columns and rows around all pixels that differ.
+/// Columns and rows around all pixels that differ; the first pixel if none does.
 fn extent(before: &[u8], picture: &[u8], width: usize) -> (Range, Range) {
-    let (mut columns, mut rows) = (usize::MAX..0, usize::MAX..0);
-    for (index, (old, new)) in before.iter().zip(picture).enumerate() {
-        if old != new {
-            columns = columns.start.min(index % width)..columns.end.max(index % width + 1);
-            rows = rows.start.min(index / width)..rows.end.max(index / width + 1);
-        }
-    }
-    if rows.is_empty() { (0..1, 0..1) } else { (columns, rows) }
+    let differs = |index: &usize| before[*index] != picture[*index];
+    let places = (0..picture.len()).filter(differs).map(|index| (index % width, index / width));
+    let with = |range: Range, at: usize| range.start.min(at)..range.end.max(at + 1);
+    let extent = places.fold(None, |extent: Option<(Range, Range)>, (column, row)| match extent {
+        Some((columns, rows)) => Some((with(columns, column), with(rows, row))),
+        None => Some((column..column + 1, row..row + 1)),
+    });
+    extent.unwrap_or((0..1, 0..1))
 }
 
 fn failure(error: EncodingError) -> DrawError {

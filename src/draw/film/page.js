@@ -86,7 +86,7 @@ function showCurves(index, part) {
     const dot = cursor.querySelectorAll("circle")[number];
     dot.setAttribute("visibility", value === null ? "hidden" : "visible");
     if (value !== null) dot.setAttribute("cy", bottom - (value - low) / (high - low) * (bottom - top));
-    element(`value-${number}`).textContent = value === null ? "–" : value.toPrecision(5);
+    element(`value-${number}`).textContent = value === null ? "none" : value.toPrecision(5).replace(/-/g, "−");
   });
 }
 
@@ -95,7 +95,7 @@ function show(time) {
   const [index, part] = place(now);
   showPicture(index, part);
   showCurves(index, part);
-  const text = `t = ${(start + direction * now).toFixed(decimals)} s`;
+  const text = `t = ${(start + direction * now).toFixed(decimals)} s`.replace("-", "−");
   slider.value = now;
   slider.setAttribute("aria-valuetext", text);
   element("time").textContent = text;

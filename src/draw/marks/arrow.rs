@@ -17,6 +17,8 @@ const LEAST: f64 = 1.0;
 const TURN: (f64, f64) = (20.0, 3.0 * FRAC_PI_2);
 /// Radius of the arc of an angle.
 pub(in crate::draw) const ANGLE: f64 = 26.0;
+/// From two points to the line that tells their distance.
+pub(in crate::draw) const BESIDE: f64 = 18.0;
 
 /// Where an arrow starts that belongs to a point: there, or so that it ends there.
 pub(in crate::draw) fn start(at: Point, vector: Point, is_push: bool) -> Point {
@@ -71,18 +73,19 @@ fn around(at: Point, radius: f64, from: f64, to: f64) -> [Vec<Segment>; 2] {
     [segments, head].map(|part| moved(&part, |[x, y]| [at[0] + x, at[1] - y]))
 }
 
-/// A line with arrowheads and a stop at both ends.
-pub(super) fn dimension([a, b]: [Point; 2]) -> Vec<Segment> {
-    const STOP: f64 = 5.0;
-    let Some(along) = unit(subtract(b, a)) else { return Vec::new() };
+/// A line with arrowheads on the left of two points, and a thin one to each of them.
+pub(super) fn dimension(ends: [Point; 2]) -> [Vec<Segment>; 2] {
+    const BEYOND: f64 = 4.0;
+    let Some(along) = unit(subtract(ends[1], ends[0])) else { return [Vec::new(), Vec::new()] };
+    // On paper, a quarter turn from x to y is clockwise.
+    let left = times(-1.0, turned(along));
+    let [a, b] = ends.map(|end| add(end, times(BESIDE, left)));
     let head = HEAD.0.min(0.5 * SHARE * length(subtract(b, a)));
     let mut segments = polyline([add(a, times(head, along)), subtract(b, times(head, along))], false);
-    for (end, outward) in [(a, times(-1.0, along)), (b, along)] {
-        segments.extend(arrowhead(end, outward, head));
-        let stop = times(STOP, turned(along));
-        segments.extend(polyline([add(end, stop), subtract(end, stop)], false));
-    }
-    segments
+    segments.extend(arrowhead(a, times(-1.0, along), head));
+    segments.extend(arrowhead(b, along, head));
+    let beyond = |end: Point| polyline([end, add(end, times(BESIDE + BEYOND, left))], false);
+    [ends.into_iter().flat_map(beyond).collect(), segments]
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ mod line;
 use std::vec;
 use std::vec::Vec;
 
-use crate::draw::colour::{INK, light};
+use crate::draw::colour::{INK, PALE, light};
 use crate::draw::element::{Element, Shape};
 use crate::draw::geometry::{ellipse, moved, polyline};
 use crate::draw::picture::{Colour, Mark, Point, Segment, Style};
@@ -58,7 +58,13 @@ pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
             vec![path(segments, Style { dashes, ..stroke(colour, MEDIUM) })]
         }
         Shape::Angle { at, from, to } => round(arrow::angle(view.point(*at), *from, *to), colour),
-        Shape::Dimension { ends } => vec![filled(arrow::dimension(ends.map(|p| view.point(p))), colour)],
+        Shape::Dimension { ends } => {
+            let [thin, segments] = arrow::dimension(ends.map(|p| view.point(p)));
+            vec![
+                path(thin, stroke(PALE, THIN)),
+                path(segments, Style { fill: Some(colour), ..stroke(colour, THIN) }),
+            ]
+        }
         Shape::Polyline { points } => {
             vec![path(line::thinned(points.iter().map(|p| view.point(*p))), stroke(colour, MEDIUM))]
         }

@@ -74,3 +74,43 @@ fn nothing_left_has_no_centre_of_mass() {
     assert!(!body.without(body).center[0].is_finite());
     assert!(MassGeometry::polygon(1.0, &[[0.0, 0.0], [1.0, 0.0_f64]]).center[0].is_nan());
 }
+
+lagrange::system! {
+    /// A plate with a round hole, and half a disk on its edge, turned.
+    struct Plate;
+
+    param m = 3.0, a = 2.0, b = 1.0, r = 0.25, e = 0.3;
+    coord x, y, phi;
+    body plate {
+        origin: (x, y);
+        angle: phi;
+        compound {
+            rectangle(a, b), mass: m;
+            hole disk(r), mass: m / 10, at: (a / 4, 0);
+            semicircular_disk(b / 2), mass: m / 3, at: (a / 2, 0), angle: e - pi / 2;
+        }
+    }
+    output mass = plate.mass;
+    output inertia = plate.inertia;
+    output place = plate.center;
+}
+
+#[test]
+fn compounds_of_the_language_are_those_of_the_library() {
+    let system = Plate::default();
+    let Plate { m, a, b, r, e } = system;
+    let plate = MassGeometry::new(m, [0.0, 0.0], rectangle(m, a, b));
+    let hole = MassGeometry::new(m / 10.0, [a / 4.0, 0.0], disk(m / 10.0, r));
+    let half =
+        MassGeometry::new(m / 3.0, semicircular_disk_center(b / 2.0), semicircular_disk(m / 3.0, b / 2.0));
+    let half = half.turned(e - FRAC_PI_2).moved([a / 2.0, 0.0]);
+    let expected = plate.without(hole).with(half);
+    let (q, v) = (&[0.0; 3], &[0.0; 3]);
+    let found = MassGeometry::new(system.mass(0.0, q, v), system.place(0.0, q, v), system.inertia(0.0, q, v));
+    assert_bodies_agree(found, expected);
+    // As the plate turns, its centre of mass turns about the origin of its own coordinates.
+    let turned = expected.turned(0.7).moved([5.0, -2.0]);
+    let place = system.place(0.0, &[5.0, -2.0, 0.7], v);
+    assert_same("centre", place[0], turned.center[0], 1.0);
+    assert_same("centre", place[1], turned.center[1], 1.0);
+}

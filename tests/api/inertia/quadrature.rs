@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-const NODES: usize = 32;
+const NODES: usize = 20;
 
 /// A place of a body's plane, and how much of the body is there for a unit of the unit cube.
 pub(super) type Element = ([f64; 2], f64);

@@ -2,6 +2,7 @@ use super::check_claims;
 use crate::bodies::{Claim, plain};
 use crate::diagnostics::{Origin, Report};
 use crate::mechanics::elaborate::Elaborator;
+use crate::pipeline::parse;
 use crate::syntax::ast::{AstId, Declaration, Name, StatementKind};
 use crate::syntax::parse_text;
 
@@ -108,4 +109,49 @@ fn a_value_that_is_not_a_number_is_no_mass_and_no_inertia() {
     assert!(of_mass("let rod = ln(-1);").starts_with("error at 1:11: the mass of `rod` is NaN"));
     let report = of_inertia("let rod = ln(-1); let shape = disk(1, 1);");
     assert!(report.contains("is NaN, but that of its shape is 0.5"), "{report}");
+}
+
+/// A body with parameters m = 2 and l = 3.
+fn with_body(members: &str) -> String {
+    format!("param m = 2, l = 3; coord x, y, a; let _l = m*l; body rod {{ angle: a; {members} }}")
+}
+
+/// What is reported of it.
+fn of_body(members: &str) -> String {
+    match parse(&with_body(members)) {
+        Ok(system) => system.report.to_string(),
+        Err(report) => report.to_string(),
+    }
+}
+
+#[test]
+fn moments_of_inertia_are_not_negative() {
+    let report = of_body("mass: m; center: (x, y); inertia: -m / m;");
+    assert!(report.starts_with("error at "), "{report}");
+    assert!(report.contains(": the moment of inertia of `rod` is -1, but none is negative"), "{report}");
+    let hole_outside =
+        "origin: (x, y); compound { rectangle(l, l), mass: m; hole disk(l/4), mass: m/10, at: (9*l, 0); }";
+    let report = of_body(hole_outside);
+    assert!(report.starts_with("warning at "), "{report}");
+    assert!(
+        report.contains("with the defaults of the parameters the moment of inertia of `rod` is -"),
+        "{report}"
+    );
+    assert_eq!(of_body(&hole_outside.replace("9*l", "l/9")), "");
+    assert_eq!(of_body("mass: m; center: (x, y); inertia: m * l^2;"), "");
+}
+
+#[test]
+fn a_shape_that_does_not_exist_is_reported_once_where_it_stands() {
+    for (shape, culprit) in [
+        ("triangle(1, 2, 4)", "triangle"),
+        ("semicircular_disk((1, 2))", "(1, 2)"),
+        ("polygon((0,0), (1,1), (2,2))", "polygon"),
+    ] {
+        let members = format!("mass: m; origin: (x, y); shape: {shape};");
+        let column = with_body(&members).find(culprit).map(|index| index + 1).expect("the culprit");
+        let report = of_body(&members);
+        assert_eq!(report.matches("error at").count(), 1, "{report}");
+        assert!(report.contains(&format!("error at 1:{column}: ")), "{report}");
+    }
 }

@@ -17,13 +17,18 @@ pub(in crate::mechanics) fn no_such_solid(usage: &str) -> String {
     format!("there is no `{usage}` of this size")
 }
 
-pub(in crate::mechanics) fn mass_not_positive(body: &str, value: &str) -> String {
-    format!("the mass of `{body}` is {value}, but masses are positive")
+pub(in crate::mechanics) fn mass_not_positive(body: &str, value: &str, is_constant: bool) -> String {
+    let condition = if is_constant { "" } else { WITH_DEFAULTS };
+    format!("{condition}the mass of `{body}` is {value}, but masses are positive")
 }
 
-pub(in crate::mechanics) fn default_mass_not_positive(body: &str, value: &str) -> String {
-    format!("with the defaults of the parameters the mass of `{body}` is {value}, but masses are positive")
+pub(in crate::mechanics) fn inertia_negative(body: &str, value: &str, is_constant: bool) -> String {
+    let condition = if is_constant { "" } else { WITH_DEFAULTS };
+    format!("{condition}the moment of inertia of `{body}` is {value}, but none is negative")
 }
+
+pub(in crate::mechanics) const HOLES_LIE_WITHIN: &str =
+    "it is the one about the centre of mass; holes of a `compound` lie within the other parts";
 
 pub(in crate::mechanics) const HOLES_BELONG_IN_A_COMPOUND: &str = "where mass is missing, write `compound { …; hole disk(r), mass: m, at: (X, Y); }`, m being positive and less than the mass of the other parts";
 
