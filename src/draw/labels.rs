@@ -35,7 +35,7 @@ const OUTSIDE: f64 = 50.0;
 const CROSSED: f64 = 3.0;
 const WORSE: f64 = 0.2;
 /// What is worse than this on average is left out if it may be.
-const BEARABLE: f64 = 6.5;
+const BEARABLE: f64 = 4.0;
 /// A film is looked at so many times for places of labels.
 const LOOKS: usize = 24;
 /// Pieces of a curve, and room around a label.
@@ -119,7 +119,6 @@ fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], wind
 fn middle(tag: &Tag, place: usize) -> Point {
     let (side, farther) = (place % AROUND.len(), FARTHER[place / AROUND.len() % FARTHER.len()]);
     let angle = match tag.side {
-        Side::Centered => return tag.at,
         Side::Within if place == ON_POINT => return tag.at,
         Side::Within | Side::Around => -AROUND[side] * PI,
         Side::Along([x, y]) => y.atan2(x) + ALONG[side] * PI,

@@ -8,6 +8,9 @@ use crate::draw::geometry::{Place, arc, direction, ellipse, flattened, moved, po
 use crate::draw::picture::{Point, Segment};
 use crate::scene::{Outline, Part};
 
+/// Where the radius that shows how a body is turned begins.
+const INNER: f64 = 0.4;
+
 /// A part of a body in the body's own coordinates.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Piece {
@@ -55,11 +58,11 @@ impl Piece {
         self.rings(0.0).into_iter().flat_map(|ring| flattened(&ring, PIECES))
     }
 
-    /// From its middle to its rim, if that shows how it is turned.
+    /// The outer part of a radius, if that shows how it is turned; the middle stays free for names.
     pub(super) fn radius(&self) -> Option<[Point; 2]> {
         match self.form {
             Form::Round(_, radius) | Form::Ring(radius) => {
-                Some([self.place.of([0.0, 0.0]), self.place.of([radius, 0.0])])
+                Some([INNER * radius, radius].map(|x| self.place.of([x, 0.0])))
             }
             _ => None,
         }

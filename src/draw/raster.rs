@@ -126,3 +126,64 @@ fn letters(at: Point, text: &str, size: f64, anchor: Anchor) -> Vec<Segment> {
     }
     segments
 }
+
+#[cfg(test)]
+mod tests {
+    use std::string::String;
+    use std::vec::Vec;
+
+    use super::{rasterise, write};
+    use crate::draw::colour::{INK, body};
+    use crate::draw::geometry::polyline;
+    use crate::draw::picture::{Anchor, Colour, Mark, Picture, Segment, Style};
+
+    fn square(low: f64, high: f64) -> Vec<Segment> {
+        polyline([[low, low], [high, low], [high, high], [low, high]], true)
+    }
+
+    /// A square with a hole and a letter beside it.
+    fn picture() -> Picture {
+        let segments = [square(5.0, 35.0), square(15.0, 25.0)].concat();
+        let style = Style { stroke: Some(INK), width: 2.0, dashes: &[], fill: Some(body(0)) };
+        let text =
+            Mark::Text { at: [45.0, 25.0], text: "I".into(), size: 14.0, anchor: Anchor::Start, colour: INK };
+        let title = String::new();
+        Picture { size: [60.0, 40.0], title, marks: [Mark::Path { segments, style }, text].into() }
+    }
+
+    #[test]
+    fn holes_are_holes_and_lines_have_their_colours() {
+        let pixels = rasterise(&picture(), 2.0).expect("fits");
+        assert_eq!((pixels.width, pixels.height), (120, 80));
+        let pixel = |x: usize, y: usize| {
+            let start = 4 * (y * 120 + x);
+            Colour([0, 1, 2, 3].map(|channel| pixels.rgba[start + channel]))
+        };
+        assert_eq!(pixel(20, 20), body(0));
+        assert_eq!(pixel(40, 40), Colour([255; 4]), "the hole");
+        assert_eq!(pixel(40, 10), INK);
+        assert_eq!(pixel(2, 2), Colour([255; 4]));
+        let dark = (90..96).filter(|x| pixel(*x, 40) != Colour([255; 4])).count();
+        assert!(dark > 0, "the letter");
+    }
+
+    #[test]
+    fn files_hold_the_same_pixels() {
+        let pixels = rasterise(&picture(), 2.0).expect("fits");
+        let mut file = Vec::new();
+        write(&pixels, &mut file).expect("writes");
+        let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("reads");
+        let mut read = std::vec![0; reader.output_buffer_size().expect("fits")];
+        let info = reader.next_frame(&mut read).expect("reads");
+        assert_eq!((info.width, info.height), (pixels.width, pixels.height));
+        let rgb: Vec<u8> = pixels.rgba.chunks(4).flat_map(|pixel| pixel[..3].to_vec()).collect();
+        assert_eq!(read, rgb);
+    }
+
+    #[test]
+    fn pictures_without_pixels_are_refused() {
+        let empty = Picture { size: [0.0, 40.0], ..picture() };
+        assert!(rasterise(&empty, 2.0).is_err());
+        assert!(rasterise(&Picture { size: [f64::NAN, 1.0], ..picture() }, 2.0).is_err());
+    }
+}

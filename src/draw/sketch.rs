@@ -90,10 +90,11 @@ impl Sketch {
         self.add(label, Shape::Dimension { ends: [from, to] })
     }
 
-    /// Text with its middle at a point.
+    /// Text with its middle at a point, or beside it where it would lie on a line.
     pub fn text(&mut self, at: [f64; 2], text: &str) -> &mut Self {
-        // Words are no formulas, but may hold some.
-        self.push(text.to_string(), text, Shape::Words { at }, self.ink);
+        // A single word is a symbol, a sentence is none.
+        let written = if text.contains(' ') { text.to_string() } else { formula(text) };
+        self.push(written, text, Shape::Words { at }, self.ink);
         self
     }
 

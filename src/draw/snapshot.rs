@@ -23,6 +23,8 @@ pub(super) struct Snapshot {
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Body {
     pub(super) name: String,
+    /// Which body of the scene it is, whatever is hidden.
+    pub(super) index: usize,
     pub(super) motion: Motion<f64>,
     pub(super) pieces: Vec<Piece>,
 }
@@ -64,6 +66,7 @@ impl Snapshot {
         match item {
             Item::Body { name, motion, parts } => self.bodies.push(Body {
                 name: name.to_owned(),
+                index: self.bodies.len(),
                 motion: numbers(&motion),
                 pieces: parts.iter().map(Piece::of).collect(),
             }),
@@ -117,7 +120,8 @@ impl Snapshot {
     pub(super) fn free_body(mut self, name: &str) -> Self {
         self.bodies.retain(|body| body.name == name);
         self.loads.retain(|load| load.body.as_deref() == Some(name));
-        Snapshot { bodies: self.bodies, loads: self.loads, ..Snapshot::default() }
+        // Joints stay, for they tell what a force is.
+        Snapshot { lines: Vec::new(), connectors: Vec::new(), ..self }
     }
 }
 

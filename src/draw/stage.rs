@@ -9,6 +9,7 @@ use std::vec::Vec;
 use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, VELOCITY};
 use crate::draw::element::{Element, Layer, Measure, Shape};
 use crate::draw::geometry::{add, direction, dot, length, subtract, times, turned};
+use crate::draw::load_label::load_label;
 use crate::draw::picture::{Colour, Point};
 use crate::draw::snapshot::{Body, Load, Snapshot, Value};
 use crate::draw::stretch::{self, Stretches};
@@ -41,15 +42,17 @@ pub(super) fn elements(
     fastest: f64,
 ) -> Vec<Element> {
     let mut elements = lines(snapshot, stretches);
-    for (index, body) in snapshot.bodies.iter().enumerate() {
+    for body in &snapshot.bodies {
         let label = if wanted.names && !wanted.is_free { formula(&body.name) } else { String::new() };
         let shape =
             Shape::Body { place: body.place(), center: body.motion.center, pieces: body.pieces.clone() };
-        elements.push(element(&body.name, label, colour::body(index), Layer::Body, shape));
+        elements.push(element(&body.name, label, colour::body(body.index), Layer::Body, shape));
     }
     elements
         .extend(snapshot.connectors.iter().map(|(name, kind, ends)| connector(name, *kind, *ends, wanted)));
-    elements.extend(snapshot.joints.iter().map(|(name, kind, at)| joint(name, *kind, *at)));
+    if !wanted.is_free {
+        elements.extend(snapshot.joints.iter().map(|(name, kind, at)| joint(name, *kind, *at)));
+    }
     for body in &snapshot.bodies {
         elements.extend(kinematics(body, wanted, snapshot.bodies.len() > 1, fastest));
     }
@@ -94,9 +97,9 @@ fn joint(name: &str, kind: Joint, at: Point) -> Element {
     element(name, String::new(), INK, Layer::Joint, shape)
 }
 
-/// A symbol, with the body's name as subscript where there are several.
-fn symbol(letter: &str, body: &str, has_others: bool) -> String {
-    if has_others { format!("{letter}_{{{}}}", plain(&formula(body))) } else { letter.to_owned() }
+/// A symbol, with a name as subscript where there are several.
+pub(super) fn symbol(letter: &str, name: &str, has_others: bool) -> String {
+    if has_others { format!("{letter}_{{{}}}", plain(&formula(name))) } else { letter.to_owned() }
 }
 
 fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Vec<Element> {
@@ -136,12 +139,7 @@ fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Ve
 }
 
 fn load(load: &Load, snapshot: &Snapshot, is_free: bool) -> Element {
-    let has_others = snapshot.bodies.len() > 1;
     let center = load.body.as_deref().and_then(|name| snapshot.body(name)).map(|body| body.motion.center);
-    let label = match (load.cause, &load.body) {
-        (Cause::Gravity, Some(body)) => symbol("G", body, has_others),
-        _ => formula(&load.name),
-    };
     let shape = match load.value {
         Value::Force(vector) => {
             let is_push = is_free && pushes(load, vector, center);
@@ -149,7 +147,7 @@ fn load(load: &Load, snapshot: &Snapshot, is_free: bool) -> Element {
         }
         Value::Moment(moment) => Shape::Turn { at: load.at, moment },
     };
-    element(&load.name, label, FORCE, Layer::Arrow, shape)
+    element(&load.name, load_label(load, snapshot), FORCE, Layer::Arrow, shape)
 }
 
 /// Whether a force of contact points into the body; on a free body it is then drawn from outside.

@@ -28,8 +28,6 @@ pub(super) struct Tag {
 /// On which side of its place a label is.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Side {
-    /// On it.
-    Centered,
     /// Anywhere around.
     Around,
     /// On it if there is room, else around.
@@ -102,7 +100,7 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
             let outwards = [x, -y];
             Some((add(view.point(*at), times(ANGLE, outwards)), Side::Along(outwards), GAP))
         }
-        Shape::Words { at } => Some((view.point(*at), Side::Centered, 0.0)),
+        Shape::Words { at } => Some((view.point(*at), Side::Within, GAP)),
         Shape::Pin { at } | Shape::Anchor { at } | Shape::Slider { at } | Shape::Dot { at } => around(at),
         Shape::Circle { center, radius, .. } => around(&add(*center, times(*radius, direction(0.8)))),
         Shape::Polyline { points } | Shape::Area { points } => points.last().and_then(around),

@@ -12,6 +12,8 @@ use crate::draw::view::View;
 /// Between strokes of hatching along a line, and how far they reach beside it.
 const SPACING: f64 = 8.0;
 const DEPTH: f64 = 7.0;
+/// What is left of a stroke at the border is left out if it is shorter.
+const LEAST: f64 = 2.0;
 /// Height and half width of the triangle below a pin.
 const TRIANGLE: (f64, f64) = (13.0, 8.0);
 
@@ -43,7 +45,8 @@ fn hatches(at: impl Fn(f64) -> Point, along: Point, [from, to]: [f64; 2], view: 
     let count = (last - first + 1.0).max(0.0) as u32;
     let ends = |k: u32| {
         let start = at(SPACING * (first + f64::from(k)));
-        view.clipped([start, add(start, stroke)])
+        let ends = view.clipped([start, add(start, stroke)])?;
+        (length(subtract(ends[1], ends[0])) > LEAST).then_some(ends)
     };
     (0..count).filter_map(ends).flat_map(|ends| polyline(ends, false)).collect()
 }
