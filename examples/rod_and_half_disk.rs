@@ -65,7 +65,7 @@ const PIECES: usize = 400;
 fn main() -> Result<(), Box<dyn Error>> {
     let solids = Solids::default();
     let &Solids { m, r, l, .. } = &solids;
-    let half_disk = summed(half_disk_elements(r, PIECES), m);
+    let half_disk = summed(&half_disk_elements(r, PIECES), m);
     let expected = (0.5 - 16.0 / (9.0 * PI * PI)) * m * r * r;
     let rows = [
         ("s, m", half_disk.center[1], 4.0 * r / (3.0 * PI)),
@@ -79,13 +79,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("J_S/(m r^2)", semicircular_disk(m, r) / (m * r * r), 0.3198734513),
     ];
     compare("half-disk, functions", 1e-10, &rows);
-    let rod = summed(rod_elements(l, PIECES), m);
+    let rod = summed(&rod_elements(l, PIECES), m);
     let rows = [
         ("J_S, kg m^2", rod.about_center, slender_rod(m, l)),
         ("J_end, kg m^2", rod.about_origin, slender_rod_end(m, l)),
     ];
     compare("rod, sums", 1e-5, &rows);
-    let errors = [50, 100].map(|pieces| summed(half_disk_elements(r, pieces), m).about_center - expected);
+    let errors = [50, 100].map(|pieces| summed(&half_disk_elements(r, pieces), m).about_center - expected);
     compare("halving the elements", 1e-2, &[("error falls by", errors[0] / errors[1], 4.0)]);
     rocking()?;
 
@@ -106,7 +106,7 @@ struct Summed {
 }
 
 /// Elements of equal density, by place and size, that weigh `mass` together.
-fn summed(elements: Vec<([f64; 2], f64)>, mass: f64) -> Summed {
+fn summed(elements: &[([f64; 2], f64)], mass: f64) -> Summed {
     let density = mass / elements.iter().map(|(_, size)| size).sum::<f64>();
     let moment = |of: &dyn Fn([f64; 2]) -> f64| {
         elements.iter().map(|&(place, size)| density * size * of(place)).sum::<f64>()
@@ -172,7 +172,7 @@ fn explain(sketch: &mut Sketch, moment: &Moment<'_, Solids>) {
     }
     let origin = half.point([0.0, 0.0]);
     sketch.ink(2).point(half.center, "S").point(rod.center, "S").ink(0).point(origin, "M");
-    sketch.dimension(half.point([r * 1.15, 0.0]), half.point([r * 1.15, half.centroid[1]]), "s");
-    sketch.dimension(half.point([0.0, -0.12]), half.point([r, -0.12]), "r");
-    sketch.dimension(rod.point([-l / 2.0, -0.12]), rod.point([l / 2.0, -0.12]), "l");
+    sketch.dimension(half.point([r, half.centroid[1]]), half.point([r, 0.0]), "s");
+    sketch.dimension(half.point([r, 0.0]), origin, "r");
+    sketch.dimension(rod.point([l / 2.0, 0.0]), rod.point([-l / 2.0, 0.0]), "l");
 }

@@ -114,7 +114,7 @@ fn diagrams(slope: &Slope) -> Result<(), Box<dyn Error>> {
 /// A shorter race, so that both are seen.
 fn film(slope: &Slope) -> Result<(), Box<dyn Error>> {
     let trajectory = slope.simulate(start(slope, SHORT)).until(100.0).tolerance(1e-10).every(0.04).run()?;
-    let drawing = Drawing::of(slope).title("The cuboid catches up").velocities().annotate(angle);
+    let drawing = Drawing::of(slope).title("The cuboid catches up").nameless().velocities().annotate(angle);
     drawing.picture(0.0, &start(slope, SHORT).into())?.save(gallery::picture("slope.svg")?)?;
     drawing.film(&trajectory)?.save(gallery::picture("slope_race.svg")?)?;
     Ok(())

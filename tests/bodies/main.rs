@@ -1,6 +1,7 @@
 //! Systems of plane rigid bodies, declared with bodies: the same motions as by hand, and the values of textbooks.
 
 mod balance;
+mod joints;
 mod ladder;
 mod pairs;
 mod rope;

@@ -128,19 +128,19 @@ impl Translation<'_> {
         let gap = terms.minus(distance, radius);
         let foot = terms.scale(radius, normal);
         let contact = terms.minus_pair(hub, foot);
-        let slip = self.slip(wheel, carrier, contact, tangent, radius);
+        let slip = self.slip(wheel, carrier, [tangent, normal], radius);
         let pressure = self.hold(&format!("{name}_normal"), gap);
         let friction = self.hold(&format!("{name}_friction"), slip);
         Some(self.rolling(&name, [&pressure, &friction], [normal, tangent], contact, [Some(wheel), carrier]))
     }
 
-    /// The velocity at which a wheel slips on a line, which a body may carry.
+    /// The velocity at which a wheel slips on a line, which a body may carry. The point of that body below the hub is at the
+    /// distance n·(hub − origin) − r across the line, which is all that its turning needs.
     fn slip(
         &mut self,
         wheel: usize,
         carrier: Option<usize>,
-        contact: Pair,
-        tangent: Pair,
+        [tangent, normal]: [Pair; 2],
         radius: AstId,
     ) -> AstId {
         let Body { origin: hub, angle, .. } = self.bodies[wheel].clone();
@@ -154,12 +154,13 @@ impl Translation<'_> {
         let Body { origin, angle, .. } = self.bodies[carrier].clone();
         let mut terms = self.terms();
         let (velocity, rate) = (terms.rate_pair(origin), terms.rate(angle));
-        let arm = terms.minus_pair(contact, origin);
-        let across = terms.quarter_turn(arm);
-        let turning = terms.scale(rate, across);
-        let ground = terms.plus_pair(velocity, turning);
-        let along = terms.inner(tangent, ground);
-        terms.minus(slip, along)
+        let along = terms.inner(tangent, velocity);
+        let slip = terms.minus(slip, along);
+        let arm = terms.minus_pair(hub, origin);
+        let distance = terms.inner(normal, arm);
+        let across = terms.minus(distance, radius);
+        let turning = terms.times(rate, across);
+        terms.plus(slip, turning)
     }
 
     fn rolling(

@@ -1,6 +1,7 @@
 //! Pairs of systems: declared with bodies, and by hand with the energies and constraints of a textbook. Both must move the
 //! same way, need the same forces for it and cost the same.
 
+mod carried;
 mod closed;
 mod open;
 
