@@ -57,7 +57,8 @@ impl Translation<'_> {
     /// The angle, under a name of its own unless it is one.
     fn body_angle(&mut self, statement: &ast::Body) -> AstId {
         let Some(angle) = statement.angle else { return self.terms().number(0) };
-        let angle = self.mention(angle);
+        let angle = self.turning(angle);
+        self.mentioned.push(angle);
         match self.expressions.get(angle) {
             ast::Expression::Name(_) | ast::Expression::Number(_) | ast::Expression::Invalid => angle,
             _ => self.bind(&format!("{}_angle", statement.name.text), angle),

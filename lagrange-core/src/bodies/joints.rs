@@ -104,6 +104,7 @@ impl Translation<'_> {
     ) -> Option<Joint> {
         let name = self.joint_name(statement, "roll");
         let radius = radius.map(|radius| self.mention(radius));
+        let name_span = wheel.span;
         let (wheel, track) = (self.carrier(wheel), self.track(line));
         let (wheel, track) = (wheel?, track?);
         let Some(radius) = radius.or(self.bodies[wheel].radius) else {
@@ -119,7 +120,13 @@ impl Translation<'_> {
             error.help(messages::PINNED_TO_ITSELF_HELP);
             return None;
         }
-        let Body { origin: hub, .. } = self.bodies[wheel].clone();
+        let Body { origin: hub, angle: turning, .. } = self.bodies[wheel].clone();
+        if self.terms().is_zero(turning) {
+            let name = format!("`{}`", self.bodies[wheel].name.text);
+            let message = messages::does_not_turn(&name, messages::TURNED_BY_ROLLING);
+            self.report.error(name_span, message).help(messages::DOES_NOT_TURN_HELP);
+            return None;
+        }
         let mut terms = self.terms();
         let tangent = terms.direction(angle);
         let normal = terms.quarter_turn(tangent);

@@ -201,6 +201,11 @@ pub enum Claim {
         /// It.
         value: AstId,
     },
+    /// Gravity is the same everywhere.
+    Uniform {
+        /// Its vector.
+        gravity: AstId,
+    },
     /// The place or the angle of a body changes with coordinates or time.
     Moves {
         /// The body.

@@ -65,6 +65,7 @@ impl<'a> Translation<'a> {
             self.origin = statement.origin;
             self.statement(statement);
         }
+        self.report_idle_gravity();
         self.drawing.append(&mut self.loads);
         Plain {
             declaration: Declaration {
@@ -116,11 +117,20 @@ impl<'a> Translation<'a> {
             return;
         }
         self.claims.push(Claim::PlaneVector { what: "gravity".to_owned(), value });
+        self.claims.push(Claim::Uniform { gravity: value });
         self.mentioned.push(value);
         let gravity = self.terms().pair(value);
         self.gravity = Some((gravity, self.origin));
         for body in 0..self.bodies.len() {
             self.weigh(body);
+        }
+    }
+
+    /// Only bodies have weight: hand-written energies do not fall.
+    fn report_idle_gravity(&mut self) {
+        let Some((_, origin)) = self.gravity.filter(|_| self.bodies.is_empty()) else { return };
+        if !self.report.has_errors() {
+            self.report.error(origin, messages::IDLE_GRAVITY).help(messages::IDLE_GRAVITY_HELP);
         }
     }
 
@@ -164,7 +174,11 @@ impl<'a> Translation<'a> {
 
     fn torque(&mut self, moment: AstId, angle: AstId, statement: Statement) {
         let body = self.body_named(angle);
+        let written = angle;
         let (moment, angle) = (self.plain(moment), self.turning(angle));
+        if self.terms().is_zero(angle) {
+            self.report_no_turning(written, messages::TURNED_BY_TORQUE);
+        }
         if let Some(body) = body {
             let Body { name, center, .. } = self.bodies[body].clone();
             let kind =
@@ -172,6 +186,17 @@ impl<'a> Translation<'a> {
             self.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
         }
         self.statements.push(Statement { kind: StatementKind::Torque { moment, angle }, ..statement });
+    }
+
+    /// Reports something that never turns where something that does is needed.
+    pub(super) fn report_no_turning(&mut self, what: AstId, purpose: &str) {
+        let name = match self.expressions.get(what) {
+            Expression::Name(name) => format!("`{name}`"),
+            _ => messages::THIS.to_owned(),
+        };
+        let origin = self.expressions.origin(what);
+        let error = self.report.error(origin, messages::does_not_turn(&name, purpose));
+        error.help(messages::DOES_NOT_TURN_HELP);
     }
 
     /// The statement with every expression in plain words.

@@ -27,6 +27,19 @@ pub(in crate::mechanics) fn inertia_negative(body: &str, value: &str, is_constan
     format!("{condition}the moment of inertia of `{body}` is {value}, but none is negative")
 }
 
+pub(in crate::mechanics) fn mass_of_velocities(body: &str) -> String {
+    format!("the mass of `{body}` must not depend on velocities")
+}
+
+pub(in crate::mechanics) fn inertia_of_velocities(body: &str) -> String {
+    format!("the moment of inertia of `{body}` must not depend on velocities")
+}
+
+pub(in crate::mechanics) const GRAVITY_NOT_UNIFORM: &str =
+    "`gravity` must not depend on coordinates: it is the same everywhere";
+pub(in crate::mechanics) const FREE_OF_MOTION_HELP: &str =
+    "where energies depend on the motion in another way, write them yourself with `kinetic` and `potential`";
+
 pub(in crate::mechanics) const HOLES_LIE_WITHIN: &str =
     "it is the one about the centre of mass; holes of a `compound` lie within the other parts";
 
