@@ -40,6 +40,11 @@ macro_rules! pair {
             fn both_cost_the_same() {
                 pairs::assert_same_cost(BODIES, BY_HAND);
             }
+
+            #[test]
+            fn plain_statements_mean_the_same() {
+                pairs::assert_plain(BODIES);
+            }
         }
     };
 }
@@ -98,6 +103,16 @@ fn assert_same_cost(bodies: &str, by_hand: &str) {
     let slow = |counts: OperationCounts| [counts.square_roots, counts.functions, counts.sin_cos];
     assert_eq!(slow(bodies), slow(by_hand), "{text}");
     assert!(bodies.total().abs_diff(by_hand.total()) * 50 <= by_hand.total(), "{text}");
+}
+
+/// The statements in the place of those about bodies can be read again, and give the same operations.
+fn assert_plain(bodies: &str) {
+    let plain = parse(bodies).unwrap_or_else(|report| panic!("{report}")).statements();
+    let words = ["body", "gravity", "line", "spring", "damper", "pin", "slide", "roll"];
+    let is_plain = |line: &str| words.iter().all(|word| !line.trim_start().starts_with(&format!("{word} ")));
+    assert!(plain.lines().all(is_plain), "{plain}");
+    let [found, expected] = [plain.as_str(), bodies].map(|text| counts(&derived(text)));
+    assert_eq!(found, expected, "{plain}");
 }
 
 fn derived(text: &str) -> Derived {
