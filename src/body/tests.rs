@@ -207,10 +207,12 @@ fn angular_momentum_has_three_parts_from_any_reference_point() {
 /// A body of four points of mass, whose momenta, energy and moment of inertia are sums.
 fn points_of(motion: &mut Motion<f64>, random: &mut Random) -> [(f64, [f64; 2]); 4] {
     let points = [(); 4].map(|()| (2.5 + random.number(), random.vector()));
-    let total = |f: &dyn Fn(&(f64, [f64; 2])) -> f64| points.iter().map(f).sum::<f64>();
-    motion.mass = total(&|(mass, _)| *mass);
-    motion.centroid = [0, 1].map(|i| total(&|(mass, place)| mass * place[i]) / motion.mass);
-    motion.inertia = total(&|(mass, place)| mass * norm_squared(difference(*place, motion.centroid)));
+    motion.mass = points.iter().map(|(mass, _)| mass).sum();
+    motion.centroid =
+        [0, 1].map(|i| points.iter().map(|(mass, place)| mass * place[i]).sum::<f64>() / motion.mass);
+    let about_center =
+        |(mass, place): &(f64, [f64; 2])| mass * norm_squared(difference(*place, motion.centroid));
+    motion.inertia = points.iter().map(about_center).sum();
     points
 }
 

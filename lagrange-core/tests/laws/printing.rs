@@ -68,7 +68,7 @@ fn golden_declarations_are_printed_as_what_they_say() {
 }
 
 /// Bodies, connectors and joints of every kind.
-const SCENE: &str = "
+pub(crate) const SCENE: &str = "
     param m = 1.0, l = 0.5, k = 3.0, c = 0.1, r = 0.2, g = 9.81;
     coord x, y, a, b, phi;
     gravity = (0, -g);
