@@ -48,7 +48,7 @@ pub(super) fn encloses(ring: &[Segment], p: Point) -> bool {
 }
 
 /// By the parity of crossings with a ray.
-fn contains(polygon: &[Point], p: Point) -> bool {
+pub(super) fn contains(polygon: &[Point], p: Point) -> bool {
     let mut is_inside = false;
     for (a, b) in sides(polygon) {
         if (a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {

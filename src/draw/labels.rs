@@ -7,6 +7,7 @@ use std::f64::consts::{PI, SQRT_2};
 use std::vec::Vec;
 
 use crate::draw::colour::{HATCHING, INK};
+use crate::draw::cut::contains;
 use crate::draw::geometry::{add, clipped, direction, flattened};
 use crate::draw::picture::{Anchor, Mark, Point, Segment};
 use crate::draw::tag::{FONT, Side, Tag};
@@ -20,6 +21,8 @@ pub(super) struct Sheet {
     /// None where an element has no label.
     pub(super) tags: Vec<Option<Tag>>,
     pub(super) lines: Vec<[Point; 2]>,
+    /// What bodies cover, each with the index of its element.
+    pub(super) areas: Vec<(usize, Vec<Point>)>,
 }
 
 /// Angles from the wanted direction, the better ones first, and from the horizontal where no direction is wanted.
@@ -93,6 +96,17 @@ pub(super) fn lines(marks: &[Mark]) -> Vec<[Point; 2]> {
     lines
 }
 
+/// What the areas among the marks of a body cover.
+pub(super) fn areas(marks: &[Mark]) -> Vec<Vec<Point>> {
+    let area = |mark: &Mark| match mark {
+        Mark::Path { segments, style } if style.fill.is_some() && style.stroke.is_none() => {
+            Some(flattened(segments, PIECES))
+        }
+        _ => None,
+    };
+    marks.iter().filter_map(area).collect()
+}
+
 /// How bad a side is, on average over the moments at which there is a label.
 fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], window: Area) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
@@ -104,6 +118,7 @@ fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], wind
         let is_outside = (0..2).any(|k| area[0][k] < window[0][k] || area[1][k] > window[1][k]);
         sum += ON_LABEL * on_labels as f64 + CROSSED * (crossings as f64).sqrt();
         sum += if is_outside { OUTSIDE } else { 0.0 };
+        sum += if tag.may_hide && is_elsewhere(index, middle(tag, side), sheet) { ON_LABEL } else { 0.0 };
         count += 1.0;
     }
     let is_within = looked.iter().any(|s| s.tags[index].as_ref().is_some_and(|tag| tag.side == Side::Within));
@@ -113,6 +128,11 @@ fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], wind
         _ => WORSE * (side + 1) as f64,
     };
     worse + if count > 0.0 { sum / count } else { 0.0 }
+}
+
+/// Whether a place is on a body of another name.
+fn is_elsewhere(index: usize, place: Point, sheet: &Sheet) -> bool {
+    sheet.areas.iter().any(|(body, area)| *body != index && contains(area, place))
 }
 
 /// The middle of a label at one of its places: on its point, if that is possible, or on one of eight sides.
@@ -184,7 +204,7 @@ mod tests {
     #[test]
     fn labels_of_one_place_take_different_sides() {
         let tags: Vec<_> = (0..8).map(|_| tag([100.0, 100.0], false)).collect();
-        let film = [Sheet { tags, lines: Vec::new() }];
+        let film = [Sheet { tags, lines: Vec::new(), areas: Vec::new() }];
         let found = middles(&labels(&film, WINDOW)[0]);
         assert_eq!(found.len(), 8);
         let boxes = found.iter().map(|[x, y]| [[x - 8.0, y - 7.0], [x + 8.0, y + 7.0]]);
@@ -199,8 +219,8 @@ mod tests {
         let line = |y: f64| vec![[[0.0, y], [300.0, y]]];
         // Above the place at first, then below: only beside it nothing is ever crossed.
         let film = [
-            Sheet { tags: vec![tag(at, false)], lines: line(86.0) },
-            Sheet { tags: vec![tag(at, false)], lines: line(114.0) },
+            Sheet { tags: vec![tag(at, false)], lines: line(86.0), areas: Vec::new() },
+            Sheet { tags: vec![tag(at, false)], lines: line(114.0), areas: Vec::new() },
         ];
         for marks in labels(&film, WINDOW) {
             let [[x, y]] = middles(&marks)[..] else { panic!("{marks:?}") };
@@ -212,11 +232,27 @@ mod tests {
     fn names_stay_away_where_there_is_no_room() {
         let full: Vec<_> =
             (0..40).map(|k| [[0.0, 5.0 * f64::from(k)], [300.0, 5.0 * f64::from(k)]]).collect();
-        let film = |may_hide| [Sheet { tags: vec![tag([100.0, 100.0], may_hide)], lines: crossed(&full) }];
+        let film = |may_hide| {
+            [Sheet { tags: vec![tag([100.0, 100.0], may_hide)], lines: crossed(&full), areas: Vec::new() }]
+        };
         assert_eq!(middles(&labels(&film(true), WINDOW)[0]).len(), 0);
         assert_eq!(middles(&labels(&film(false), WINDOW)[0]).len(), 1);
         let free = tag([100.0, 100.0], true).map(|tag| area(&tag, 0)).expect("is there");
         assert!(free[0][0] > 100.0, "the best side is the right");
+    }
+
+    #[test]
+    fn names_do_not_lie_on_other_bodies() {
+        let right = vec![[100.0, 0.0], [300.0, 0.0], [300.0, 200.0], [100.0, 200.0]];
+        let sheet = |body| {
+            [Sheet {
+                tags: vec![tag([100.0, 100.0], true)],
+                lines: Vec::new(),
+                areas: vec![(body, right.clone())],
+            }]
+        };
+        let x = |body| middles(&labels(&sheet(body), WINDOW)[0])[0][0];
+        assert!(x(0) > 100.0 && x(1) < 100.0);
     }
 
     /// The lines and as many across.

@@ -15,8 +15,9 @@ use crate::draw::picture::{Anchor, Mark, Picture, Point};
 use crate::draw::tag::{Tag, tag};
 use crate::draw::view::{self, View};
 
-/// What is left free at the borders, and above for a title.
+/// What is left free at the borders, at least by labels, and above for a title.
 const MARGIN: f64 = 12.0;
+const BORDER: f64 = 2.0;
 const TITLE: f64 = 22.0;
 const TITLE_FONT: f64 = 15.0;
 
@@ -55,8 +56,11 @@ pub(super) fn pictures(
     let keys = aligned(&drawn);
     let empty = patterns(&drawn);
     let scenes: Vec<Vec<Drawn>> = drawn.into_iter().map(|moment| complete(moment, &keys, &empty)).collect();
-    let sheets: Vec<Sheet> = scenes.iter().map(|scene| sheet(scene)).collect();
-    let labels = labels::labels(&sheets, view.window);
+    let sheets: Vec<Sheet> = scenes.iter().map(|scene| sheet(scene, &keys)).collect();
+    // Labels may use the margins, but for that with the title.
+    let [width, height] = size;
+    let room = [[BORDER, view.window[0][1]], [width - BORDER, height - BORDER]];
+    let labels = labels::labels(&sheets, room);
     let heading = heading(size, title);
     let picture = |(scene, labels): (Vec<Drawn>, Vec<Mark>)| Picture {
         size,
@@ -181,9 +185,13 @@ fn complete(moment: Vec<(Key, Drawn)>, keys: &[Key], empty: &BTreeMap<Key, Vec<M
     keys.iter().map(|key| found.remove(key).unwrap_or_else(|| missing(key))).collect()
 }
 
-fn sheet(scene: &[Drawn]) -> Sheet {
+fn sheet(scene: &[Drawn], keys: &[Key]) -> Sheet {
+    let bodies = scene.iter().zip(keys).enumerate().filter(|(_, (_, key))| key.layer == Layer::Body);
+    let areas = bodies
+        .flat_map(|(index, ((marks, _), _))| labels::areas(marks).into_iter().map(move |area| (index, area)));
+    let areas = areas.collect();
     let lines = scene.iter().flat_map(|(marks, _)| labels::lines(marks)).collect();
-    Sheet { tags: scene.iter().map(|(_, tag)| tag.clone()).collect(), lines }
+    Sheet { tags: scene.iter().map(|(_, tag)| tag.clone()).collect(), lines, areas }
 }
 
 fn heading([width, _]: [f64; 2], title: &str) -> Vec<Mark> {

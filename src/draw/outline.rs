@@ -8,8 +8,9 @@ use crate::draw::geometry::{Place, arc, direction, ellipse, flattened, moved, po
 use crate::draw::picture::{Point, Segment};
 use crate::scene::{Outline, Part};
 
-/// Where the radius that shows how a body is turned begins.
+/// Where the radius that shows how a body is turned begins in terms of it: the middle stays free for names. On rings it is short.
 const INNER: f64 = 0.4;
+const NEAR_RIM: f64 = 0.8;
 
 /// A part of a body in the body's own coordinates.
 #[derive(Clone, PartialEq, Debug)]
@@ -30,8 +31,8 @@ pub(super) enum Form {
     Ring(f64),
     /// The area within closed lines. What two of them enclose is outside.
     Area(Vec<Vec<Segment>>),
-    /// The same with a radius to the rim, which shows how it is turned.
-    Round(Vec<Vec<Segment>>, f64),
+    /// The same with a part of a radius, between these distances from the middle, which shows how it is turned.
+    Round(Vec<Vec<Segment>>, [f64; 2]),
 }
 
 impl Piece {
@@ -58,12 +59,11 @@ impl Piece {
         self.rings(0.0).into_iter().flat_map(|ring| flattened(&ring, PIECES))
     }
 
-    /// The outer part of a radius, if that shows how it is turned; the middle stays free for names.
+    /// The outer part of a radius, if that shows how it is turned.
     pub(super) fn radius(&self) -> Option<[Point; 2]> {
         match self.form {
-            Form::Round(_, radius) | Form::Ring(radius) => {
-                Some([INNER * radius, radius].map(|x| self.place.of([x, 0.0])))
-            }
+            Form::Round(_, ends) => Some(ends.map(|x| self.place.of([x, 0.0]))),
+            Form::Ring(radius) => Some([NEAR_RIM * radius, radius].map(|x| self.place.of([x, 0.0]))),
             _ => None,
         }
     }
@@ -84,8 +84,13 @@ fn form<S: Copy + Into<f64>>(outline: Outline<'_, S>) -> Form {
     match outline {
         Outline::PointMass => Form::Dot,
         Outline::SlenderRod(length) => Form::Rod(length.into()),
-        Outline::Disk(radius) => Form::Round(vec![circle(radius)], radius.into()),
-        Outline::Annulus(inner, outer) => Form::Round(vec![circle(outer), circle(inner)], outer.into()),
+        Outline::Disk(radius) => {
+            let radius: f64 = radius.into();
+            Form::Round(vec![circle(radius)], [INNER * radius, radius])
+        }
+        Outline::Annulus(inner, outer) => {
+            Form::Round(vec![circle(outer), circle(inner)], [inner.into(), outer.into()])
+        }
         Outline::Ring(radius) => Form::Ring(radius.into()),
         Outline::Ellipse(a, b) => Form::Area(vec![ellipse([a.into(), b.into()])]),
         Outline::SemicircularDisk(radius) => Form::Area(vec![sector(radius.into(), 0.0, PI)]),

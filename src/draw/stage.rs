@@ -83,8 +83,19 @@ fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], wanted: Wanted
         Connector::TorsionSpring => Shape::Spiral { at: from },
         Connector::TorsionDamper => Shape::Drum { at: from },
     };
-    let label = if wanted.names { formula(name) } else { String::new() };
+    let label = if wanted.names && !is_made_up(name, kind) { formula(name) } else { String::new() };
     element(name, label, INK, Layer::Connector, shape)
+}
+
+/// Whether a connector was declared without a name: it is called by its kind and a number then.
+fn is_made_up(name: &str, kind: Connector) -> bool {
+    let kind = match kind {
+        Connector::Spring => "spring_",
+        Connector::Damper => "damper_",
+        Connector::TorsionSpring => "torsion_spring_",
+        Connector::TorsionDamper => "torsion_damper_",
+    };
+    name.strip_prefix(kind).is_some_and(|number| number.bytes().all(|digit| digit.is_ascii_digit()))
 }
 
 fn joint(name: &str, kind: Joint, at: Point) -> Element {

@@ -54,7 +54,10 @@ pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
         _ if element.colour == PALE => INK,
         _ => element.colour,
     };
-    let half = [0.5 * text::width(&element.label, FONT), 0.5 * FONT];
+    // Subscripts hang below.
+    let has_subscript = text::runs(&element.label).iter().any(|run| run.is_subscript);
+    let height = if has_subscript { FONT * (1.0 + text::SUBSCRIPT.1) } else { FONT };
+    let half = [0.5 * text::width(&element.label, FONT), 0.5 * height];
     Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, half })
 }
 

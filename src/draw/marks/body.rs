@@ -60,7 +60,12 @@ fn rim(ring: &[Segment], is_hole: bool, all: &[(bool, Vec<Segment>)]) -> Vec<Seg
     if !is_cut {
         return ring.to_vec();
     }
-    kept(ring, |p| others().any(|other| encloses(other, p)) == is_hole)
+    // A rim within another part would lie behind its area, but stick out into the hole.
+    let is_hidden = |p| {
+        let same = all.iter().filter(|(other, line)| *other == is_hole && line != ring);
+        same.into_iter().any(|(_, line)| encloses(line, p))
+    };
+    kept(ring, |p| others().any(|other| encloses(other, p)) == is_hole && !is_hidden(p))
 }
 
 fn thickness(form: &Form) -> f64 {
