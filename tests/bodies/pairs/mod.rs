@@ -129,10 +129,16 @@ fn counts(Derived { model, equations, .. }: &Derived) -> OperationCounts {
 }
 
 #[track_caller]
-pub(crate) fn assert_near(found: &[f64], expected: &[f64], at: &str) {
+fn assert_near(found: &[f64], expected: &[f64], at: &str) {
+    assert_all_within(TOLERANCE, found, expected, at);
+}
+
+/// Whether all numbers are what they should be, relative to the largest.
+#[track_caller]
+pub(crate) fn assert_all_within(tolerance: f64, found: &[f64], expected: &[f64], at: &str) {
     let largest = expected.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
     assert_eq!(found.len(), expected.len());
     for (a, b) in found.iter().zip(expected) {
-        assert!((a - b).abs() <= TOLERANCE * largest, "{found:?} is not {expected:?} at {at}");
+        assert!((a - b).abs() <= tolerance * largest, "{found:?} is not {expected:?} at {at}");
     }
 }
