@@ -93,42 +93,39 @@ impl Translation<'_> {
         factor: AstId,
         rest: Option<AstId>,
     ) -> Connector {
+        let span = self.span(name, ends);
         let mut terms = self.terms();
-        let (from, to) = (terms.pair(ends[0].at), terms.pair(ends[1].at));
-        let span = terms.minus_pair(to, from);
-        let span = terms.tuple(span);
-        let span = self.bind(&format!("{name}_span"), span);
-        let mut terms = self.terms();
-        let length = terms.call("norm", &[span]);
-        let spread = terms.pair(span);
-        let is_slack_at = rest.filter(|&rest| !terms.is_zero(rest));
-        let (tension, pull) = match (kind, is_slack_at) {
-            // Without a length at rest no root is needed, whose derivative would fail where both ends meet.
-            (ConnectorKind::Spring, None) => (terms.times(factor, length), terms.scale(factor, spread)),
-            (_, rest) => {
-                let tension = match (kind, rest) {
-                    (ConnectorKind::Spring, Some(rest)) => {
-                        let stretch = terms.minus(length, rest);
-                        terms.times(factor, stretch)
-                    }
-                    _ => {
-                        let rate = terms.call("dot", &[length]);
-                        terms.times(factor, rate)
-                    }
-                };
-                let along = spread.map(|component| terms.divide(component, length));
-                (tension, terms.scale(tension, along))
+        let (length, spread) = (terms.call("norm", &[span]), terms.pair(span));
+        let stretch = rest.map_or(length, |rest| terms.minus(length, rest));
+        let tension = match kind {
+            ConnectorKind::Spring => terms.times(factor, stretch),
+            _ => {
+                let rate = terms.call("dot", &[length]);
+                terms.times(factor, rate)
             }
         };
-        let strained = match is_slack_at {
-            Some(rest) => terms.minus(length, rest),
-            None => span,
+        // Without a length at rest no root is needed, whose derivative would fail where both ends meet.
+        let (strained, pull) = match kind == ConnectorKind::Spring && stretch == length {
+            true => (span, terms.scale(factor, spread)),
+            false => {
+                let along = spread.map(|component| terms.divide(component, length));
+                (stretch, terms.scale(tension, along))
+            }
         };
-        self.push_energy(kind, factor, if kind == ConnectorKind::Spring { strained } else { length });
+        self.push_energy(kind, factor, strained);
         self.draw_connector(kind, name, [ends[0].at, ends[1].at], tension);
         let pull = self.terms().tuple(pull);
         self.pull(name, ends, pull);
         Connector { kind, length, tension }
+    }
+
+    /// The vector from one end to the other, under a name of its own.
+    fn span(&mut self, name: &str, ends: [End; 2]) -> AstId {
+        let mut terms = self.terms();
+        let (from, to) = (terms.pair(ends[0].at), terms.pair(ends[1].at));
+        let span = terms.minus_pair(to, from);
+        let span = terms.tuple(span);
+        self.bind(&format!("{name}_span"), span)
     }
 
     /// ½ k (φ − φ₀)² or ½ c φ̇² of the angle φ between two directions.
@@ -142,10 +139,7 @@ impl Translation<'_> {
     ) -> Connector {
         let mut terms = self.terms();
         let angle = terms.minus(ends[1].at, ends[0].at);
-        let strained = match rest {
-            Some(rest) => terms.minus(angle, rest),
-            None => angle,
-        };
+        let strained = rest.map_or(angle, |rest| terms.minus(angle, rest));
         let tension = match kind {
             ConnectorKind::TorsionSpring => terms.times(factor, strained),
             _ => {

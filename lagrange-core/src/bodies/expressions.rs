@@ -3,7 +3,6 @@
 use super::Claim;
 use super::messages;
 use super::names::{Body, Joint, Line, Object};
-use super::terms::Pair;
 use super::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, Name};
 
@@ -215,13 +214,10 @@ impl Translation<'_> {
     fn part_of_line(&mut self, line: usize, part: &str) -> Option<AstId> {
         let Line { angle, .. } = self.lines[line];
         let mut terms = self.terms();
-        let tangent = terms.direction(angle);
+        let [tangent, normal] = terms.axes(angle);
         match part {
             "tangent" => Some(terms.tuple(tangent)),
-            "normal" => {
-                let normal = terms.quarter_turn(tangent);
-                Some(terms.tuple(normal))
-            }
+            "normal" => Some(terms.tuple(normal)),
             "angle" => Some(angle),
             _ => None,
         }
@@ -249,7 +245,7 @@ impl Translation<'_> {
         }
     }
 
-    fn place_or_plain(&mut self, id: AstId) -> AstId {
+    pub(super) fn place_or_plain(&mut self, id: AstId) -> AstId {
         match self.object(id) {
             Some((_, Object::Body(body))) => self.bodies[body].center,
             Some((name, _)) => self.plain_name(&name, id),
@@ -279,116 +275,6 @@ impl Translation<'_> {
             self.report.error(self.expressions.origin(first), message).help(help);
         }
         self.terms().invalid()
-    }
-
-    fn of_body(&mut self, body: usize, function: &str, arguments: &[AstId]) -> AstId {
-        let plain = arguments.iter().map(|&argument| self.place_or_plain(argument)).collect::<Vec<_>>();
-        match (function, plain.as_slice()) {
-            ("point", &[x, y]) => {
-                let point = self.point(body, [x, y]);
-                self.terms().tuple(point)
-            }
-            ("vector", &[x, y]) => {
-                let angle = self.bodies[body].angle;
-                let vector = self.terms().turned([x, y], angle);
-                self.terms().tuple(vector)
-            }
-            ("tangential_acceleration" | "radial_acceleration", &[to, ref from @ ..]) => {
-                self.part_of_acceleration(body, function, to, from.first().copied())
-            }
-            ("angular_momentum", about) => self.angular_momentum(body, about.first().copied()),
-            _ => self.rate_of_body(body, function),
-        }
-    }
-
-    /// The place of own coordinates.
-    pub(super) fn point(&mut self, body: usize, own: Pair) -> Pair {
-        let Body { origin, angle, .. } = self.bodies[body].clone();
-        let mut terms = self.terms();
-        let arm = terms.turned(own, angle);
-        terms.plus_pair(origin, arm)
-    }
-
-    fn rate_of_body(&mut self, body: usize, function: &str) -> AstId {
-        let Body { name, mass, center, angle, .. } = self.bodies[body].clone();
-        if function == "instant_center" && self.terms().is_zero(angle) {
-            let error = self.report.error(self.origin, messages::never_turns(&name.text));
-            error.help(messages::NEVER_TURNS_HELP);
-            return self.terms().invalid();
-        }
-        let mut terms = self.terms();
-        match function {
-            "angular_velocity" => terms.rate(angle),
-            "angular_acceleration" => {
-                let rate = terms.rate(angle);
-                terms.rate(rate)
-            }
-            "linear_momentum" => {
-                let velocity = terms.call("dot", &[center]);
-                terms.times(mass, velocity)
-            }
-            // r + e_z × v/ω
-            _ => {
-                let velocity = terms.call("dot", &[center]);
-                let (center, velocity) = (terms.pair(center), terms.pair(velocity));
-                let rate = terms.rate(angle);
-                let arm = terms.quarter_turn(velocity).map(|component| terms.divide(component, rate));
-                let place = terms.plus_pair(center, arm);
-                terms.tuple(place)
-            }
-        }
-    }
-
-    /// ω̇ e_z × ρ or −ω² ρ for the arm ρ between two points of a body.
-    fn part_of_acceleration(&mut self, body: usize, function: &str, to: AstId, from: Option<AstId>) -> AstId {
-        let Body { center, angle, .. } = self.bodies[body].clone();
-        let mut terms = self.terms();
-        let (to, from) = (terms.pair(to), terms.pair(from.unwrap_or(center)));
-        let arm = terms.minus_pair(to, from);
-        let rate = terms.rate(angle);
-        let part = match function {
-            "tangential_acceleration" => {
-                let (rate, across) = (terms.rate(rate), terms.quarter_turn(arm));
-                terms.scale(rate, across)
-            }
-            _ => {
-                let square = if terms.is_zero(rate) { rate } else { terms.square(rate) };
-                let inwards = terms.negative(square);
-                terms.scale(inwards, arm)
-            }
-        };
-        terms.tuple(part)
-    }
-
-    /// m (r_S − r_P) × v_S + J ω
-    fn angular_momentum(&mut self, body: usize, about: Option<AstId>) -> AstId {
-        let Body { mass, inertia, center, angle, .. } = self.bodies[body].clone();
-        let mut terms = self.terms();
-        let about = match about {
-            Some(about) => terms.pair(about),
-            None => terms.zero_pair(),
-        };
-        let velocity = terms.call("dot", &[center]);
-        let (center, velocity) = (terms.pair(center), terms.pair(velocity));
-        let arm = terms.minus_pair(center, about);
-        let moment = terms.cross(arm, velocity);
-        let (moment, rate) = (terms.times(mass, moment), terms.rate(angle));
-        let spin = terms.times(inertia, rate);
-        terms.plus(moment, spin)
-    }
-
-    fn of_line(&mut self, line: usize, function: &str, arguments: &[AstId]) -> AstId {
-        let Line { through, angle, .. } = self.lines[line].clone();
-        let point = self.place_or_plain(arguments[0]);
-        let mut terms = self.terms();
-        let tangent = terms.direction(angle);
-        let direction = match function {
-            "along" => tangent,
-            _ => terms.quarter_turn(tangent),
-        };
-        let point = terms.pair(point);
-        let arm = terms.minus_pair(point, through);
-        terms.inner(direction, arm)
     }
 }
 

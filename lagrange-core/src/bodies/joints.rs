@@ -69,22 +69,11 @@ impl Translation<'_> {
         let name = self.joint_name(statement, "slide");
         let at = self.plane_point(point, messages::SLIDING_POINT);
         self.mentioned.push(at);
-        let Line { body: carrier, through, angle, .. } =
-            self.track(line).map(|line| self.lines[line].clone())?;
-        if let (Some(body), Some(carrier)) = (body, carrier)
-            && body == carrier
-        {
-            let name = self.bodies[body].name.text.clone();
-            let error = self.report.error(line.span, messages::slides_on_itself(&name));
-            error.help(messages::PINNED_TO_ITSELF_HELP);
-            return None;
-        }
+        let Line { body: carrier, through, angle } = self.track_of(body, line)?;
         let mut terms = self.terms();
-        let tangent = terms.direction(angle);
-        let normal = terms.quarter_turn(tangent);
+        let [_, normal] = terms.axes(angle);
         let place = terms.pair(at);
-        let arm = terms.minus_pair(place, through);
-        let gap = terms.inner(normal, arm);
+        let gap = terms.projection(normal, place, through);
         let pressure = self.hold(&format!("{name}_normal"), gap);
         let mut terms = self.terms();
         let multiplier = terms.name(&pressure.text);
@@ -103,35 +92,12 @@ impl Translation<'_> {
         radius: Option<AstId>,
     ) -> Option<Joint> {
         let name = self.joint_name(statement, "roll");
-        let radius = radius.map(|radius| self.mention(radius));
-        let name_span = wheel.span;
-        let (wheel, track) = (self.carrier(wheel), self.track(line));
-        let (wheel, track) = (wheel?, track?);
-        let Some(radius) = radius.or(self.bodies[wheel].radius) else {
-            let name = &self.bodies[wheel].name.text;
-            let error = self.report.error(self.origin, messages::no_radius(name));
-            error.help(messages::no_radius_help(name));
-            return None;
-        };
-        let Line { body: carrier, through, angle, .. } = self.lines[track].clone();
-        if carrier == Some(wheel) {
-            let error =
-                self.report.error(line.span, messages::slides_on_itself(&self.bodies[wheel].name.text));
-            error.help(messages::PINNED_TO_ITSELF_HELP);
-            return None;
-        }
-        let Body { origin: hub, angle: turning, .. } = self.bodies[wheel].clone();
-        if self.terms().is_zero(turning) {
-            let name = format!("`{}`", self.bodies[wheel].name.text);
-            let message = messages::does_not_turn(&name, messages::TURNED_BY_ROLLING);
-            self.report.error(name_span, message).help(messages::DOES_NOT_TURN_HELP);
-            return None;
-        }
+        let (wheel, line, radius) = self.rolling_pair(wheel, line, radius)?;
+        let Line { body: carrier, through, angle } = line;
+        let Body { origin: hub, .. } = self.bodies[wheel].clone();
         let mut terms = self.terms();
-        let tangent = terms.direction(angle);
-        let normal = terms.quarter_turn(tangent);
-        let arm = terms.minus_pair(hub, through);
-        let distance = terms.inner(normal, arm);
+        let [tangent, normal] = terms.axes(angle);
+        let distance = terms.projection(normal, hub, through);
         let gap = terms.minus(distance, radius);
         let foot = terms.scale(radius, normal);
         let contact = terms.minus_pair(hub, foot);
@@ -139,6 +105,43 @@ impl Translation<'_> {
         let pressure = self.hold(&format!("{name}_normal"), gap);
         let friction = self.hold(&format!("{name}_friction"), slip);
         Some(self.rolling(&name, [&pressure, &friction], [normal, tangent], contact, [Some(wheel), carrier]))
+    }
+
+    /// A round body and the line on which it rolls.
+    fn rolling_pair(
+        &mut self,
+        wheel: &Name,
+        line: &Name,
+        radius: Option<AstId>,
+    ) -> Option<(usize, Line, AstId)> {
+        let radius = radius.map(|radius| self.mention(radius));
+        let name = wheel;
+        let wheel = self.carrier(name);
+        let track = self.track_of(wheel, line)?;
+        let wheel = wheel?;
+        let angle = self.bodies[wheel].angle;
+        if self.terms().is_zero(angle) {
+            self.report_never_turns(name.span, &name.text, messages::TURNED_BY_ROLLING);
+            return None;
+        }
+        let Some(radius) = radius.or(self.bodies[wheel].radius) else {
+            let name = &self.bodies[wheel].name.text;
+            let error = self.report.error(self.origin, messages::no_radius(name));
+            error.help(messages::no_radius_help(name));
+            return None;
+        };
+        Some((wheel, track, radius))
+    }
+
+    /// The line of a name, unless the body that is to stay on it carries it.
+    fn track_of(&mut self, body: Option<usize>, line: &Name) -> Option<Line> {
+        let track = self.track(line)?;
+        let track = self.lines[track].clone();
+        let own = body.filter(|_| track.body == body);
+        let Some(own) = own else { return Some(track) };
+        let error = self.report.error(line.span, messages::slides_on_itself(&self.bodies[own].name.text));
+        error.help(messages::PINNED_TO_ITSELF_HELP);
+        None
     }
 
     /// The velocity at which a wheel slips on a line, which a body may carry. The point of that body below the hub is at the

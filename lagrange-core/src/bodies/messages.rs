@@ -99,10 +99,10 @@ pub(super) const NEVER_TURNS_HELP: &str =
     "all of its points have the same velocity; give the body an `angle` if it can turn";
 
 pub(super) fn does_not_turn(name: &str, purpose: &str) -> String {
-    format!("{name} never turns, {purpose}")
+    format!("`{name}` never turns, {purpose}")
 }
 
-pub(super) const THIS: &str = "this";
+pub(super) const THIS: &str = "0";
 pub(super) const TURNED_BY_TORQUE: &str = "so that a torque has no effect on it";
 pub(super) const TURNED_BY_SPRING: &str =
     "and neither does the other end, so that a torsion spring or damper between them has no effect";

@@ -13,6 +13,7 @@ mod compound;
 mod connectors;
 mod expressions;
 mod joints;
+mod kinematics;
 mod messages;
 mod names;
 mod terms;

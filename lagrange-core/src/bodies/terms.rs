@@ -186,8 +186,7 @@ impl<'e> Terms<'e> {
         if self.is_zero(angle) || a.iter().all(|&component| self.is_zero(component)) {
             return a;
         }
-        let along = self.direction(angle);
-        let across = self.quarter_turn(along);
+        let [along, across] = self.axes(angle);
         let (x, y) = (self.scale(a[0], along), self.scale(a[1], across));
         self.plus_pair(x, y)
     }
@@ -198,6 +197,18 @@ impl<'e> Terms<'e> {
             true => [self.number(1), self.number(0)],
             false => [self.call("cos", &[angle]), self.call("sin", &[angle])],
         }
+    }
+
+    /// The directions of own axes that are turned by an angle.
+    pub(super) fn axes(&mut self, angle: AstId) -> [Pair; 2] {
+        let along = self.direction(angle);
+        [along, self.quarter_turn(along)]
+    }
+
+    /// How far one point is from another in a direction.
+    pub(super) fn projection(&mut self, direction: Pair, to: Pair, from: Pair) -> AstId {
+        let arm = self.minus_pair(to, from);
+        self.inner(direction, arm)
     }
 
     /// The rate of a scalar.

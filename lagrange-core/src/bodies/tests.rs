@@ -341,3 +341,20 @@ fn ground_is_free_as_a_name() {
         torque 3 on p;",
     );
 }
+
+#[test]
+fn one_mistake_in_a_joint_is_one_message() {
+    let body = "param l = 1;
+        coord x, y, a;
+        body rod { mass: 1; shape: slender_rod(l); center: (x, y); angle: a; }
+        line floor { }";
+    for (statements, expected) in [
+        ("pin rod and (0, 0);", "expected `to`, found `and`"),
+        ("slide rod at floor;", "expected `on`, found `at`"),
+        ("slide rod on floor; slide rod on floor;", "this joint demands what another constraint does already"),
+        ("line rail { on: rod; } body bead { mass: 1; center: rod.point(l, 0); } pin p = bead to rod.point(l, 0);
+            output f = p.force;", "this joint has no force of its own, since the coordinates fulfil it by themselves"),
+    ] {
+        assert_eq!(mistakes(&format!("{body} {statements}")), [expected], "{statements}");
+    }
+}

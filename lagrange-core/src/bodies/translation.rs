@@ -188,14 +188,18 @@ impl<'a> Translation<'a> {
         self.statements.push(Statement { kind: StatementKind::Torque { moment, angle }, ..statement });
     }
 
-    /// Reports something that never turns where something that does is needed.
+    /// Reports an angle that never changes where something must turn.
     pub(super) fn report_no_turning(&mut self, what: AstId, purpose: &str) {
+        let origin = self.expressions.origin(what);
         let name = match self.expressions.get(what) {
-            Expression::Name(name) => format!("`{name}`"),
+            Expression::Name(name) => name.clone(),
             _ => messages::THIS.to_owned(),
         };
-        let origin = self.expressions.origin(what);
-        let error = self.report.error(origin, messages::does_not_turn(&name, purpose));
+        self.report_never_turns(origin, &name, purpose);
+    }
+
+    pub(super) fn report_never_turns(&mut self, origin: impl Into<Origin>, name: &str, purpose: &str) {
+        let error = self.report.error(origin, messages::does_not_turn(name, purpose));
         error.help(messages::DOES_NOT_TURN_HELP);
     }
 
