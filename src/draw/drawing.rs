@@ -96,13 +96,15 @@ impl<'a, M: Scene> Drawing<'a, M> {
     }
 
     /// Forces and moments: those that are declared, weights, those of springs and dampers, and those by which joints uphold their
-    /// constraints.
+    /// constraints. Energies, constraints, contacts and friction that are written by hand name no body, and joints that the
+    /// coordinates fulfil by themselves have no force: those are not drawn.
     pub fn forces(mut self) -> Self {
         self.wanted.forces = true;
         self
     }
 
-    /// Nothing but one body and the forces and moments that act on it.
+    /// Nothing but one body and the forces and moments that act on it, as far as [`forces`](Self::forces) knows them: they are
+    /// all where every load is declared and every joint has a force, so where the coordinates of each body are its own.
     pub fn free_body(mut self, body: &str) -> Self {
         self.free_body = Some(body.to_owned());
         self.wanted.is_free = true;

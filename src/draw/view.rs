@@ -1,5 +1,7 @@
 //! The window of a film: which part of the world is shown, and how large.
 
+use std::vec::Vec;
+
 use crate::draw::element::{Measure, Reach};
 use crate::draw::error::DrawError;
 use crate::draw::geometry::{clipped, subtract, times};
@@ -10,7 +12,9 @@ use crate::draw::picture::Point;
 pub(super) struct View {
     /// Pixels to a unit of length.
     scale: f64,
-    /// The pixel of the origin.
+    /// A place that is shown, from which others are measured: far from the origin no pixel is lost to rounding.
+    reference: Point,
+    /// Its pixel.
     origin: Point,
     /// The corners of what may be drawn on, in pixels.
     pub(super) window: [Point; 2],
@@ -27,6 +31,9 @@ impl View {
     /// The largest scale at which everything lies within the window, its middle in the middle.
     pub(super) fn new(window: [Point; 2], arrows: [f64; 3], reaches: &[Reach]) -> Result<Self, DrawError> {
         let size = subtract(window[1], window[0]);
+        let reference = reaches.first().map(|reach| reach.at).ok_or(DrawError::NothingToDraw)?;
+        let near = |reach: &Reach| Reach { at: subtract(reach.at, reference), ..*reach };
+        let reaches = &reaches.iter().map(near).collect::<Vec<_>>()[..];
         let spans = [0, 1].map(|axis| range(reaches, axis, None));
         let extent = spans.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
         let smaller = size[0].min(size[1]);
@@ -37,9 +44,6 @@ impl View {
                 high - low <= size[axis]
             })
         };
-        if reaches.is_empty() {
-            return Err(DrawError::NothingToDraw);
-        }
         let scale = largest(most, fits).ok_or(DrawError::Size(size))?;
         let middle = |axis: usize| {
             let [low, high] = range(reaches, axis, Some(scale));
@@ -47,11 +51,12 @@ impl View {
         };
         let of_window = [0, 1].map(|axis| 0.5 * (window[0][axis] + window[1][axis]));
         let origin = [of_window[0] - middle(0), of_window[1] + middle(1)];
-        Ok(View { scale, origin, window, arrows })
+        Ok(View { scale, reference, origin, window, arrows })
     }
 
     pub(super) fn point(&self, p: Point) -> Point {
-        [self.origin[0] + self.scale * p[0], self.origin[1] - self.scale * p[1]]
+        let [x, y] = subtract(p, self.reference);
+        [self.origin[0] + self.scale * x, self.origin[1] - self.scale * y]
     }
 
     /// A length in pixels.
@@ -140,6 +145,17 @@ mod tests {
     fn a_single_place_is_in_the_middle() {
         let view = View::new(WINDOW, [0.0; 3], &[reach([3.0, 4.0], [0.0, 0.0], 5.0)]).expect("fits");
         assert_eq!(view.point([3.0, 4.0]), [100.0, 50.0]);
+    }
+
+    #[test]
+    fn places_far_from_the_origin_are_where_they_are_seen() {
+        let reaches = [[1e15, 3e15], [1e15 + 8.0, 3e15]].map(|at| reach(at, [0.0, 0.0], 10.0));
+        let view = View::new(WINDOW, [0.0; 3], &reaches).expect("fits");
+        let [left, right] = reaches.each_ref().map(|reach| view.point(reach.at));
+        assert!((left[0] - 10.0).abs() < 1e-9 && (right[0] - 190.0).abs() < 1e-9, "{left:?} {right:?}");
+        assert_eq!([left[1], right[1]], [50.0, 50.0]);
+        let single = View::new(WINDOW, [0.0; 3], &[reach([1e300, -1e300], [0.0, 0.0], 5.0)]).expect("fits");
+        assert_eq!(single.point([1e300, -1e300]), [100.0, 50.0]);
     }
 
     #[test]

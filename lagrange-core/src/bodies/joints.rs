@@ -115,13 +115,14 @@ impl Translation<'_> {
         radius: Option<AstId>,
     ) -> Option<(usize, Line, AstId)> {
         let radius = radius.map(|radius| self.mention(radius));
-        let name = wheel;
-        let wheel = self.carrier(name);
+        let span = wheel.span;
+        let wheel = self.carrier(wheel);
         let track = self.track_of(wheel, line)?;
         let wheel = wheel?;
-        let angle = self.bodies[wheel].angle;
+        let Body { name, angle, .. } = self.bodies[wheel].clone();
         if self.terms().is_zero(angle) {
-            self.report_never_turns(name.span, &name.text, messages::TURNED_BY_ROLLING);
+            let message = messages::does_not_turn(&format!("`{}`", name.text), messages::TURNED_BY_ROLLING);
+            self.report.error(span, message).help(messages::DOES_NOT_TURN_HELP);
             return None;
         }
         let Some(radius) = radius.or(self.bodies[wheel].radius) else {

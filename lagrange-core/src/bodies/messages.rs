@@ -62,6 +62,35 @@ pub(super) fn through_of(name: &str) -> String {
 }
 
 pub(super) const PLACE_OF_PART: &str = "the place of a part";
+pub(super) const ANGLE_OF_PART: &str = "the angle of a part";
+
+pub(super) fn mass_of(name: &str) -> String {
+    format!("the mass of `{name}`")
+}
+
+pub(super) fn inertia_of(name: &str) -> String {
+    format!("the moment of inertia of `{name}`")
+}
+
+pub(super) fn dimension_of(solid: &str) -> String {
+    format!("a dimension of `{solid}`")
+}
+
+pub(super) fn place_of(name: &str) -> String {
+    format!("the place of `{name}`")
+}
+
+pub(super) fn unknown_inertia(name: &str) -> String {
+    format!("the moment of inertia of `{name}` about this centroid is not known")
+}
+
+pub(super) const UNKNOWN_INERTIA_HELP: &str = "that of the shape is about its own centre of mass; state the one about the centroid, `inertia: j;`, or leave `centroid` out";
+
+pub(super) fn beside_lagrangian(what: &str) -> String {
+    format!("{what} beside `lagrangian`")
+}
+
+pub(super) const BESIDE_LAGRANGIAN_HELP: &str = "bodies, springs and dampers add to T and V, which are not known of a `lagrangian`: write that as `kinetic` and `potential`";
 
 pub(super) fn unknown_solid(name: &str) -> String {
     format!("there is no solid `{name}`")
@@ -99,10 +128,10 @@ pub(super) const NEVER_TURNS_HELP: &str =
     "all of its points have the same velocity; give the body an `angle` if it can turn";
 
 pub(super) fn does_not_turn(name: &str, purpose: &str) -> String {
-    format!("`{name}` never turns, {purpose}")
+    format!("{name} never turns, {purpose}")
 }
 
-pub(super) const THIS: &str = "0";
+pub(super) const THIS: &str = "this";
 pub(super) const TURNED_BY_TORQUE: &str = "so that a torque has no effect on it";
 pub(super) const TURNED_BY_SPRING: &str =
     "and neither does the other end, so that a torsion spring or damper between them has no effect";

@@ -27,12 +27,8 @@ pub(in crate::mechanics) fn inertia_negative(body: &str, value: &str, is_constan
     format!("{condition}the moment of inertia of `{body}` is {value}, but none is negative")
 }
 
-pub(in crate::mechanics) fn mass_of_velocities(body: &str) -> String {
-    format!("the mass of `{body}` must not depend on velocities")
-}
-
-pub(in crate::mechanics) fn inertia_of_velocities(body: &str) -> String {
-    format!("the moment of inertia of `{body}` must not depend on velocities")
+pub(in crate::mechanics) fn not_fixed(what: &str) -> String {
+    format!("{what} must not change during the motion")
 }
 
 pub(in crate::mechanics) const GRAVITY_NOT_UNIFORM: &str =
