@@ -1,7 +1,6 @@
 //! GIF: one palette, and of each picture only what differs from the one before.
 
 use std::borrow::Cow;
-use std::io;
 use std::vec::Vec;
 
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
@@ -115,5 +114,5 @@ fn extent(before: &[u8], picture: &[u8], width: usize) -> (Range, Range) {
 }
 
 fn failure(error: EncodingError) -> DrawError {
-    DrawError::Io(io::Error::other(error))
+    DrawError::Film(std::format!("the pictures cannot be written as GIF: {error}"))
 }
