@@ -17,6 +17,7 @@ use crate::draw::sketch::Sketch;
 use crate::draw::snapshot::Snapshot;
 use crate::draw::stage::{self, Wanted};
 use crate::draw::stretch::stretches;
+use crate::scalar::Scalar;
 use crate::scene::Scene;
 use crate::system::split;
 
@@ -95,14 +96,19 @@ impl<'a, M: Scene> Drawing<'a, M> {
         self
     }
 
-    /// Forces and moments: those that are declared, weights, those of springs and dampers, and those by which joints uphold their
-    /// constraints.
+    /// Forces and moments that have names: those that are declared, weights, those of springs and dampers, and those by which joints
+    /// uphold their constraints. Joints that the coordinates fulfil by themselves, hand-written constraints and potentials, contacts
+    /// and dry friction act, too, but hand out no force; [`free_body`](Self::free_body) shows what all of them amount to.
     pub fn forces(mut self) -> Self {
         self.wanted.forces = true;
         self
     }
 
     /// Nothing but one body and the forces and moments that act on it.
+    ///
+    /// What acts besides those of [`forces`](Self::forces) follows from the motion. Its resultant is drawn in dark grey at the centre
+    /// of mass: the force R = m a − Σ F, and the moment M_R = J α − Σ M about the centre of mass, unless only rounding is left of
+    /// them. [`Moment::force`] knows R by this name.
     pub fn free_body(mut self, body: &str) -> Self {
         self.free_body = Some(body.to_owned());
         self.wanted.is_free = true;
@@ -208,12 +214,14 @@ where
                 return Err(DrawError::UnknownItem(name.clone()));
             }
         }
+        let Some(name) = &self.free_body else { return Ok(snapshot.without(&self.hidden)) };
+        // Hidden forces have names; they are not missing.
+        let remainder = snapshot.remainder_of(name, M::Scalar::epsilon().into());
         let snapshot = snapshot.without(&self.hidden);
-        let Some(name) = &self.free_body else { return Ok(snapshot) };
         if snapshot.body(name).is_none() {
             return Err(DrawError::UnknownBody(name.clone()));
         }
-        Ok(snapshot.free_body(name))
+        Ok(Snapshot { remainder, ..snapshot.free_body(name) })
     }
 
     /// Adds the present points to the paths.

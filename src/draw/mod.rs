@@ -52,6 +52,7 @@ mod moment;
 mod outline;
 mod picture;
 pub(crate) mod raster;
+mod remainder;
 mod sketch;
 mod snapshot;
 mod stage;

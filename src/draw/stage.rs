@@ -6,11 +6,12 @@ use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
-use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, VELOCITY};
+use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, REST, VELOCITY};
 use crate::draw::element::{Element, Layer, Measure, Shape};
 use crate::draw::geometry::{add, direction, dot, length, subtract, times, turned};
 use crate::draw::load_label::load_label;
 use crate::draw::picture::{Colour, Point};
+use crate::draw::remainder::{REMAINDER, Remainder};
 use crate::draw::snapshot::{Body, Load, Snapshot, Value};
 use crate::draw::stretch::{self, Stretches};
 use crate::draw::text::{formula, plain};
@@ -57,7 +58,11 @@ pub(super) fn elements(
         elements.extend(kinematics(body, wanted, snapshot.bodies.len() > 1, fastest));
     }
     if wanted.forces {
-        elements.extend(snapshot.loads.iter().map(|item| load(item, snapshot, wanted.is_free)));
+        elements.extend(snapshot.loads.iter().enumerate().map(|(index, item)| {
+            let before = &snapshot.loads[..index];
+            load(item, before, snapshot, wanted.is_free)
+        }));
+        elements.extend(snapshot.remainder.iter().flat_map(|rest| remainder(rest, &snapshot.loads)));
     }
     elements
 }
@@ -149,16 +154,35 @@ fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Ve
     elements
 }
 
-fn load(load: &Load, snapshot: &Snapshot, is_free: bool) -> Element {
-    let center = load.body.as_deref().and_then(|name| snapshot.body(name)).map(|body| body.motion.center);
+/// A force or moment behind others.
+fn load(load: &Load, before: &[Load], snapshot: &Snapshot, is_free: bool) -> Element {
+    let body = load.body.as_deref().and_then(|name| snapshot.body(name));
     let shape = match load.value {
         Value::Force(vector) => {
-            let is_push = is_free && pushes(load, vector, center);
+            let is_push = is_free && pushes(load, vector, body.map(|body| body.motion.center));
             Shape::Arrow { from: load.at, vector, measure: Measure::Force, is_push }
         }
-        Value::Moment(moment) => Shape::Turn { at: load.at, moment },
+        // A moment acts on the whole of a body, wherever it comes from.
+        Value::Moment(moment) => {
+            let at = body.map_or(load.at, |body| body.motion.center);
+            Shape::Turn { at, moment, ring: moments(before, load.body.as_deref()) }
+        }
     };
     element(&load.name, load_label(load, snapshot), FORCE, Layer::Arrow, shape)
+}
+
+/// How many moments there are on a body.
+fn moments(loads: &[Load], body: Option<&str>) -> usize {
+    loads.iter().filter(|load| load.is_moment() && load.body.as_deref() == body).count()
+}
+
+/// What the loads of a free body leave open.
+fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
+    let Remainder { at, force, moment } = *rest;
+    let arrow = Shape::Arrow { from: at, vector: force, measure: Measure::Force, is_push: false };
+    let turn = Shape::Turn { at, moment, ring: loads.iter().filter(|load| load.is_moment()).count() };
+    let of = |label: &str, shape| element(REMAINDER, label.to_owned(), REST, Layer::Arrow, shape);
+    vec![of(REMAINDER, arrow), of("M_R", turn)]
 }
 
 /// Whether a force of contact points into the body; on a free body it is then drawn from outside.

@@ -3,7 +3,7 @@
 use std::string::String;
 
 use crate::draw::colour::{INK, PALE};
-use crate::draw::element::{Element, Shape};
+use crate::draw::element::{Element, RING, Shape};
 use crate::draw::geometry::{add, direction, length, mix, subtract, times, turned, unit};
 use crate::draw::marks::arrow::{self, ANGLE, BESIDE};
 use crate::draw::picture::{Colour, Point};
@@ -76,9 +76,10 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
             let (at, side) = middle(&[*from, *to]);
             Some((at, side, WIDE_GAP))
         }
-        Shape::Spiral { at } | Shape::Drum { at } | Shape::Turn { at, .. } => {
-            Some((view.point(*at), Side::Around, ANGLE))
-        }
+        Shape::Spiral { at } | Shape::Drum { at } => Some((view.point(*at), Side::Around, ANGLE)),
+        // What does not turn has no label either.
+        Shape::Turn { moment: 0.0, .. } => None,
+        Shape::Turn { at, ring, .. } => Some((view.point(*at), Side::Around, ANGLE + RING * *ring as f64)),
         Shape::Arrow { from, vector, measure, is_push } => {
             let vector = view.vector(*vector, *measure);
             // What has no arrow has no label either.

@@ -3,6 +3,7 @@
 
 mod files;
 mod films;
+mod free_bodies;
 mod marks;
 mod refusals;
 mod scenes;

@@ -1,18 +1,19 @@
 //! What pictures consist of, found out from their SVG.
 
+use lagrange::body::Motion;
 use lagrange::draw::{Drawing, Picture};
 use lagrange::scene::{Item, Outline};
 use roxmltree::{Document, Node};
 
 use crate::scenes::{COLLECTION, CORNER, LADDER, Puppet, SLOPE, ladder, part, still};
 
-fn paths(svg: &str) -> Vec<String> {
+pub(crate) fn paths(svg: &str) -> Vec<String> {
     let document = Document::parse(svg).expect("is well formed");
     let paths = document.descendants().filter(|node| node.has_tag_name("path"));
     paths.map(|node| node.attribute("d").expect("has lines").to_string()).collect()
 }
 
-fn texts(svg: &str) -> Vec<String> {
+pub(crate) fn texts(svg: &str) -> Vec<String> {
     let document = Document::parse(svg).expect("is well formed");
     let all = |node: Node<'_, '_>| {
         node.descendants().filter_map(|inner| inner.is_text().then(|| inner.text())?).collect()
@@ -24,6 +25,13 @@ fn texts(svg: &str) -> Vec<String> {
 fn numbers(d: &str) -> Vec<f64> {
     let words = d.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter(|word| !word.is_empty());
     words.map(|word| word.parse().unwrap_or(f64::NAN)).collect()
+}
+
+/// From the first point of a path to its farthest.
+pub(crate) fn farthest(d: &str) -> f64 {
+    let numbers = numbers(d);
+    let away = numbers.chunks(2).map(|p| (p[0] - numbers[0]).hypot(p[1] - numbers[1]));
+    away.fold(0.0, f64::max)
 }
 
 fn all() -> Vec<Picture> {
@@ -109,7 +117,7 @@ fn the_normal_force_on_a_free_body_ends_at_its_contact() {
     const DISK: Puppet = Puppet(|_, visit| {
         visit(Item::Body {
             name: "disk",
-            motion: still([0.0, 1.0], 0.0),
+            motion: Motion { acceleration: [0.0, 5.0], ..still([0.0, 1.0], 0.0) },
             parts: &[part(Outline::Disk(1.0))],
         });
         let (cause, body) = (lagrange::scene::Cause::Joint, Some("disk"));

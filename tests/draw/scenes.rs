@@ -106,9 +106,12 @@ pub(crate) const SLOPE: Puppet = Puppet(|s, visit| {
     let cylinder = Motion {
         velocity: at(1.0, 0.0),
         angular_velocity: -1.0 / radius,
+        acceleration: at(9.81 * alpha.sin() * 2.0 / 3.0, 0.0),
+        angular_acceleration: -1.0 - 9.81 * alpha.sin() / 3.0 * radius,
         ..still(at(s, radius), -s / radius - alpha)
     };
-    let cuboid = Motion { velocity: at(1.5, 0.0), ..still(at(s + 2.5, radius), -alpha) };
+    let acceleration = at(9.81 * alpha.sin(), 0.0);
+    let cuboid = Motion { velocity: at(1.5, 0.0), acceleration, ..still(at(s + 2.5, radius), -alpha) };
     visit(Item::Body { name: "cylinder", motion: cylinder, parts: &[part(Outline::Disk(radius))] });
     let shape = [part(Outline::Rectangle(2.0 * radius, 2.0 * radius))];
     visit(Item::Body { name: "cuboid", motion: cuboid, parts: &shape });

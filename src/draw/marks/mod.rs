@@ -43,7 +43,7 @@ pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
             let vector = view.vector(*vector, *measure);
             vec![filled(arrow::straight(arrow::start(view.point(*from), vector, *is_push), vector), colour)]
         }
-        Shape::Turn { at, moment } => round(arrow::turn(view.point(*at), *moment), colour),
+        Shape::Turn { at, moment, ring } => round(arrow::turn(view.point(*at), *moment, *ring), colour),
         Shape::Dot { at } => vec![dot(view.point(*at), colour)],
         Shape::Ray { from, to } => line::ray(view.point(*from), view.point(*to), colour, view),
         Shape::Segment { ends, is_dashed } => {
