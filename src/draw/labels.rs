@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use crate::draw::colour::{HATCHING, INK};
 use crate::draw::cut::contains;
-use crate::draw::geometry::{add, clipped, direction, flattened};
+use crate::draw::geometry::{add, clipped, direction, flattened, mix};
 use crate::draw::picture::{Anchor, Mark, Point, Segment};
 use crate::draw::tag::{FONT, Side, Tag};
 use crate::draw::text::CAPITALS;
@@ -64,11 +64,11 @@ pub(super) fn labels(film: &[Sheet], window: Area) -> Vec<Vec<Mark>> {
         }
         sides[index] = Some(side);
         for (sheet, placed) in looked.iter().zip(&mut placed) {
-            placed.extend(sheet.tags[index].as_ref().map(|tag| area(tag, side)));
+            placed.extend(sheet.tags[index].as_ref().map(|tag| held(area(tag, side), window)));
         }
     }
     film.iter()
-        .map(|sheet| sheet.tags.iter().zip(&sides).map(|(tag, side)| mark(tag, *side)).collect())
+        .map(|sheet| sheet.tags.iter().zip(&sides).map(|(tag, side)| mark(tag, *side, window)).collect())
         .collect()
 }
 
@@ -112,10 +112,11 @@ fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], wind
     let (mut sum, mut count) = (0.0, 0.0);
     for (sheet, placed) in looked.iter().zip(placed) {
         let Some(tag) = &sheet.tags[index] else { continue };
-        let area = area(tag, side);
+        let wished = area(tag, side);
+        let area = held(wished, window);
         let on_labels = placed.iter().filter(|other| overlap(area, **other)).count();
         let crossings = sheet.lines.iter().filter(|ends| clipped(**ends, area).is_some()).count();
-        let is_outside = (0..2).any(|k| area[0][k] < window[0][k] || area[1][k] > window[1][k]);
+        let is_outside = wished != area;
         sum += ON_LABEL * on_labels as f64 + CROSSED * (crossings as f64).sqrt();
         sum += if is_outside { OUTSIDE } else { 0.0 };
         sum += if tag.may_hide && is_elsewhere(index, middle(tag, side), sheet) { ON_LABEL } else { 0.0 };
@@ -157,14 +158,25 @@ fn area(tag: &Tag, side: usize) -> Area {
     [[x - width, y - height], [x + width, y + height]]
 }
 
+/// Moved into the window as far as it sticks out.
+fn held([low, high]: Area, window: Area) -> Area {
+    let shift = |k: usize| (window[0][k] - low[k]).max(0.0) + (window[1][k] - high[k]).min(0.0);
+    let by = [shift(0), shift(1)];
+    [add(low, by), add(high, by)]
+}
+
 fn overlap(a: Area, b: Area) -> bool {
     (0..2).all(|axis| a[0][axis] < b[1][axis] && b[0][axis] < a[1][axis])
 }
 
 /// The mark of a label; empty without a label or without a place for it.
-fn mark(tag: &Option<Tag>, side: Option<usize>) -> Mark {
+fn mark(tag: &Option<Tag>, side: Option<usize>, window: Area) -> Mark {
+    let size = tag.as_ref().map_or(FONT, |tag| tag.size);
     let (at, text, colour) = match (tag, side) {
-        (Some(tag), Some(side)) => (middle(tag, side), tag.text.clone(), tag.colour),
+        (Some(tag), Some(side)) => {
+            let [low, high] = held(area(tag, side), window);
+            (mix(low, high, 0.5), tag.text.clone(), tag.colour)
+        }
         (tag, _) => {
             let known = tag.as_ref().map(|tag| (tag.at, tag.colour));
             let (at, colour) = known.unwrap_or(([0.0, 0.0], INK));
@@ -172,8 +184,8 @@ fn mark(tag: &Option<Tag>, side: Option<usize>) -> Mark {
         }
     };
     // The base line is half a capital below the middle.
-    let at = add(at, [0.0, 0.5 * CAPITALS * FONT]);
-    Mark::Text { at, text, size: FONT, anchor: Anchor::Middle, colour }
+    let at = add(at, [0.0, 0.5 * CAPITALS * size]);
+    Mark::Text { at, text, size, anchor: Anchor::Middle, colour }
 }
 
 #[cfg(test)]
@@ -184,13 +196,22 @@ mod tests {
     use super::{Sheet, area, labels, overlap};
     use crate::draw::colour::INK;
     use crate::draw::picture::Mark;
-    use crate::draw::tag::{Side, Tag};
+    use crate::draw::tag::{FONT, Side, Tag};
 
     const WINDOW: [[f64; 2]; 2] = [[0.0, 0.0], [300.0, 200.0]];
 
     fn tag(at: [f64; 2], may_hide: bool) -> Option<Tag> {
         let side = Side::Around;
-        Some(Tag { text: "P".into(), at, side, gap: 4.0, colour: INK, may_hide, half: [8.0, 7.0] })
+        Some(Tag {
+            text: "P".into(),
+            at,
+            side,
+            gap: 4.0,
+            colour: INK,
+            may_hide,
+            size: FONT,
+            half: [8.0, 7.0],
+        })
     }
 
     fn middles(marks: &[Mark]) -> Vec<[f64; 2]> {

@@ -44,6 +44,7 @@ mod error;
 mod files;
 mod film;
 mod geometry;
+mod heading;
 mod labels;
 mod layout;
 mod load_label;

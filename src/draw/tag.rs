@@ -21,6 +21,8 @@ pub(super) struct Tag {
     pub(super) colour: Colour,
     /// Whether it may be left out where there is no room.
     pub(super) may_hide: bool,
+    /// The size of its letters.
+    pub(super) size: f64,
     /// Half width and half height of the text.
     pub(super) half: Point,
 }
@@ -38,6 +40,11 @@ pub(super) enum Side {
 
 /// The size of labels.
 pub(super) const FONT: f64 = 14.0;
+/// The part of the width of a picture that a label may take, unless its letters were smaller than these.
+const WIDEST: f64 = 0.5;
+const SMALLEST: f64 = 8.0;
+/// Fonts of browsers may be wider by so much than the one by which widths are measured.
+pub(super) const LEEWAY: f64 = 1.06;
 const GAP: f64 = 4.0;
 /// From the middle of a body or connector.
 const WIDE_GAP: f64 = 8.0;
@@ -56,9 +63,17 @@ pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
     };
     // Subscripts hang below.
     let has_subscript = text::runs(&element.label).iter().any(|run| run.is_subscript);
-    let height = if has_subscript { FONT * (1.0 + text::SUBSCRIPT.1) } else { FONT };
-    let half = [0.5 * text::width(&element.label, FONT), 0.5 * height];
-    Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, half })
+    let (size, width) = fitting(&element.label, view.window[1][0] - view.window[0][0]);
+    let height = if has_subscript { size * (1.0 + text::SUBSCRIPT.1) } else { size };
+    let half = [0.5 * width, 0.5 * height];
+    Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, size, half })
+}
+
+/// The size of the letters of a label, and its width: smaller where it would take more than a part of the room.
+fn fitting(label: &str, room: f64) -> (f64, f64) {
+    let width = text::width(label, 1.0);
+    let size = FONT.min((WIDEST * room / width).max(SMALLEST)).min(room / (LEEWAY * width));
+    (size, size * width)
 }
 
 fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
