@@ -93,7 +93,9 @@ fn common_view(
     let elements = || film.iter().flat_map(|(_, elements)| elements);
     let scale = |measure: Measure| {
         let largest = elements().map(|element| magnitude(&element.shape, measure)).fold(0.0, f64::max);
-        if largest > 0.0 { longest * room[0].min(room[1]) / largest } else { 0.0 }
+        // The smallest numbers have no reciprocal.
+        let scale = longest * room[0].min(room[1]) / largest;
+        if scale.is_finite() { scale } else { 0.0 }
     };
     let arrows = [scale(Measure::Velocity), scale(Measure::Acceleration), scale(Measure::Force)];
     let pixels = |measure: Measure| match measure {
