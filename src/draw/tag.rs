@@ -6,6 +6,7 @@ use crate::draw::colour::{INK, PALE};
 use crate::draw::element::{Element, RING, Shape};
 use crate::draw::geometry::{add, direction, length, mix, subtract, times, turned, unit};
 use crate::draw::marks::arrow::{self, ANGLE, BESIDE};
+use crate::draw::outline::Piece;
 use crate::draw::picture::{Colour, Point};
 use crate::draw::text;
 use crate::draw::view::View;
@@ -21,6 +22,8 @@ pub(super) struct Tag {
     pub(super) colour: Colour,
     /// Whether it may be left out where there is no room.
     pub(super) may_hide: bool,
+    /// How far what it names reaches from the place.
+    pub(super) reach: f64,
     /// The size of its letters.
     pub(super) size: f64,
     /// Half width and half height of the text.
@@ -66,7 +69,15 @@ pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
     let (size, width) = fitting(&element.label, view.window[1][0] - view.window[0][0]);
     let height = if has_subscript { size * (1.0 + text::SUBSCRIPT.1) } else { size };
     let half = [0.5 * width, 0.5 * height];
-    Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, size, half })
+    let reach = reach(&element.shape, view);
+    Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, reach, size, half })
+}
+
+/// The pixels from the centre of a body to the farthest point of its rim.
+fn reach(shape: &Shape, view: &View) -> f64 {
+    let Shape::Body { place, center, pieces } = shape else { return 0.0 };
+    let rim = pieces.iter().flat_map(Piece::rim).map(|p| subtract(place.of(p), *center));
+    view.length(rim.map(length).fold(0.0, f64::max))
 }
 
 /// The size of the letters of a label, and its width: smaller where it would take more than a part of the room.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use lagrange::draw::{DrawError, Drawing, Picture};
 
-use crate::scenes::{COLLECTION, CORNER, LADDER, SLOPE, ladder};
+use crate::scenes::{COLLECTION, CORNER, CROWDED, LADDER, SLOPE, ladder};
 
 fn path(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
@@ -34,6 +34,15 @@ fn gallery() -> Vec<(&'static str, Picture)> {
         ("free", Picture::beside(&[free("cylinder").expect("draws"), free("cuboid").expect("draws")])),
         ("forces", Drawing::of(&SLOPE).forces().picture(0.0, &[0.0, 1.0]).expect("draws")),
         ("collection", Drawing::of(&COLLECTION).size(720.0, 560.0).picture(0.0, &[0.3, 0.0]).expect("draws")),
+        ("crowded", Drawing::of(&CROWDED).picture(0.0, &[0.3, 0.0]).expect("draws")),
+        (
+            "small",
+            Drawing::of(&LADDER)
+                .title("The right foot slips")
+                .size(120.0, 90.0)
+                .picture(0.0, &[0.9, -1.0])
+                .expect("draws"),
+        ),
         ("corner", Drawing::of(&CORNER).picture(0.0, &[0.9, 0.0]).expect("draws")),
     ]
 }

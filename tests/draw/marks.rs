@@ -5,7 +5,7 @@ use lagrange::draw::{Drawing, Picture};
 use lagrange::scene::{Item, Outline};
 use roxmltree::{Document, Node};
 
-use crate::scenes::{COLLECTION, CORNER, LADDER, Puppet, SLOPE, ladder, part, still};
+use crate::scenes::{COLLECTION, CORNER, CROWDED, LADDER, Puppet, SLOPE, ladder, part, still};
 
 pub(crate) fn paths(svg: &str) -> Vec<String> {
     let document = Document::parse(svg).expect("is well formed");
@@ -60,6 +60,52 @@ fn all_numbers_are_finite_and_within_the_picture() {
 }
 
 #[test]
+fn what_is_too_small_for_the_numbers_of_its_place_is_within_the_picture() {
+    let plate = Puppet(|s, visit| {
+        let parts = [part(Outline::Rectangle(1e-9, 1e-9))];
+        visit(Item::Body { name: "plate", motion: still([s, -s], 0.3), parts: &parts });
+    });
+    for place in [1e9, 1e300, -1e300] {
+        let svg = Drawing::of(&plate).picture(0.0, &[place, 0.0]).expect("draws").svg();
+        let drawn = paths(&svg);
+        assert!(!drawn.is_empty());
+        for point in drawn.iter().flat_map(|d| numbers(d)).collect::<Vec<_>>().chunks(2) {
+            assert!((point[0] - 320.0).abs() < 10.0 && (point[1] - 200.0).abs() < 10.0, "{svg}");
+        }
+    }
+}
+
+#[test]
+fn nothing_that_is_written_is_cut_off_in_small_pictures() {
+    const NAMES: Puppet = Puppet(|s, visit| {
+        for (k, name) in
+            ["averylongnameofabodythatgoeson", "the_second_half_of_the_ladder", "b"].iter().enumerate()
+        {
+            let parts = [part(Outline::Disk(0.5))];
+            visit(Item::Body { name, motion: still([1.5 * k as f64, s], 0.3), parts: &parts });
+        }
+    });
+    for [width, height] in [[640.0, 400.0], [320.0, 320.0], [120.0, 90.0]] {
+        let drawing = Drawing::of(&NAMES).size(width, height).velocities();
+        let svg =
+            drawing.title("Two bodies with long names and one with a short name").picture(0.0, &[0.0, 0.0]);
+        let svg = svg.expect("draws").svg();
+        let document = Document::parse(&svg).expect("is well formed");
+        let written: Vec<_> = document.descendants().filter(|node| node.has_tag_name("text")).collect();
+        let is_large = width > 320.0;
+        assert!(written.len() > if is_large { 3 } else { 1 }, "{svg}");
+        for (node, text) in written.iter().zip(texts(&svg)) {
+            let number =
+                |name| node.attribute(name).and_then(|value| value.parse::<f64>().ok()).expect("is there");
+            // Letters are at least a third as wide as high, the widest lines about half.
+            let half = 0.5 * 0.33 * number("font-size") * text.chars().count() as f64;
+            assert!(number("x") - half >= 0.0 && number("x") + half <= width, "{text}");
+            assert!(number("y") >= 0.7 * number("font-size") && number("y") <= height, "{text}");
+        }
+    }
+}
+
+#[test]
 fn documents_tell_what_they_show() {
     let svg = ladder().picture(0.0, &[0.8, -1.0]).expect("draws").svg();
     let document = Document::parse(&svg).expect("is well formed");
@@ -91,6 +137,19 @@ fn labels_are_those_of_formulas() {
     let mut texts = texts(&picture.svg());
     texts.sort();
     assert_eq!(texts, ["left", "right", "vleft", "vright"]);
+}
+
+#[test]
+fn bodies_keep_their_names_where_something_sits_on_their_centres() {
+    for size in [[640.0, 400.0], [320.0, 200.0]] {
+        for angle in [0.0, 0.3, 1.2] {
+            let drawing = Drawing::of(&CROWDED).size(size[0], size[1]);
+            let svg = drawing.picture(0.0, &[angle, 0.0]).expect("draws").svg();
+            let mut names = texts(&svg);
+            names.sort();
+            assert_eq!(names, ["leftrod", "plate", "tube"], "at {angle}");
+        }
+    }
 }
 
 #[test]

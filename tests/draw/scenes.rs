@@ -187,3 +187,20 @@ pub(crate) const CORNER: Puppet = Puppet(|phi, visit| {
     visit(Item::Joint { name: "foot", kind: Joint::Slide, at: [2.0 * cos, 0.0] });
     visit(Item::Joint { name: "top", kind: Joint::Slide, at: [0.0, 2.0 * sin] });
 });
+
+/// Three bodies with a torsion spring, a pin and a torsion damper on their centres.
+pub(crate) const CROWDED: Puppet = Puppet(|s, visit| {
+    let bodies = [
+        ("tube", Outline::Annulus(0.3, 0.5)),
+        ("plate", Outline::Rectangle(1.0, 0.6)),
+        ("left_rod", Outline::SlenderRod(1.0)),
+    ];
+    for (index, (name, outline)) in bodies.into_iter().enumerate() {
+        visit(Item::Body { name, motion: still([1.5 * index as f64, 0.0], s), parts: &[part(outline)] });
+    }
+    let mut connector =
+        |name, kind, at| visit(Item::Connector { name, kind, from: at, to: at, tension: 0.0 });
+    connector("torsion_spring_1", Connector::TorsionSpring, [0.0, 0.0]);
+    connector("torsion_damper_1", Connector::TorsionDamper, [3.0, 0.0]);
+    visit(Item::Joint { name: "pin", kind: Joint::Anchor, at: [1.5, 0.0] });
+});
