@@ -7,6 +7,7 @@ use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
+use crate::draw::anchored::anchored;
 use crate::draw::colour;
 use crate::draw::element::Element;
 use crate::draw::error::DrawError;
@@ -15,7 +16,7 @@ use crate::draw::moment::Moment;
 use crate::draw::picture::{Picture, Point};
 use crate::draw::sketch::Sketch;
 use crate::draw::snapshot::Snapshot;
-use crate::draw::stage::{self, Wanted};
+use crate::draw::stage::{self, Fixed, Wanted};
 use crate::draw::stretch::stretches;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
@@ -35,7 +36,8 @@ type Point2<'a, M> = Rc<
 
 /// Pictures of a system of plane rigid bodies, as it declares itself.
 ///
-/// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are asked for. One window shows all that is ever
+/// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are asked for. Springs and dampers that end where
+/// nothing is and nothing moves get a short wall there. One window shows all that is ever
 /// drawn, on one scale, and arrows of one kind have one scale, the longest a quarter of the picture. Positions, angles and vectors
 /// are those of the declaration, x to the right, y upwards.
 pub struct Drawing<'a, M: Scene> {
@@ -186,7 +188,8 @@ where
         let instants: Vec<Instant<M>> = self.past.iter().copied().chain(states).collect();
         let snapshots = instants.iter().map(|instant| self.snapshot(instant));
         let snapshots: Vec<Snapshot> = snapshots.collect::<Result<_, _>>()?;
-        let stretches = stretches(&snapshots);
+        let anchored = instants.first().map(|first| anchored(&snapshots, &self.elsewhere(first)));
+        let fixed = Fixed { stretches: stretches(&snapshots), anchored: anchored.unwrap_or_default() };
         let turning = |snapshot: &Snapshot| {
             let rates = snapshot.bodies.iter().map(|body| body.motion.angular_velocity.abs());
             rates.fold(0.0, f64::max)
@@ -195,7 +198,7 @@ where
         let mut paths: Vec<Vec<Point>> = vec![Vec::new(); self.traces.len()];
         let mut film = Vec::new();
         for (instant, snapshot) in instants.iter().zip(&snapshots) {
-            let mut elements = stage::elements(snapshot, self.wanted, &stretches, fastest);
+            let mut elements = stage::elements(snapshot, self.wanted, &fixed, fastest);
             elements.extend(self.traced(instant, &mut paths));
             elements.extend(self.sketched(instant, snapshot));
             film.push((instant.0.into(), elements));
@@ -222,6 +225,17 @@ where
             return Err(DrawError::UnknownBody(name.clone()));
         }
         Ok(Snapshot { remainder, ..snapshot.free_body(name) })
+    }
+
+    /// The scene in another configuration at another time: what is in the same place there does not move.
+    fn elsewhere(&self, (t, y): &Instant<M>) -> Snapshot {
+        let (mut q, v) = split::<M>(y);
+        // No period is a fraction of such steps.
+        for (index, coordinate) in q.as_mut().iter_mut().enumerate() {
+            let step = M::Scalar::from_f64(0.739 + 0.107 * index as f64);
+            *coordinate = M::Scalar::from_f64(1.31) * *coordinate + step;
+        }
+        Snapshot::of(self.system, *t + M::Scalar::from_f64(0.577), &q, &v)
     }
 
     /// Adds the present points to the paths.

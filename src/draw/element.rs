@@ -52,6 +52,8 @@ pub(super) enum Shape {
     Pin { at: Point },
     /// A body turns about it, and it is at rest.
     Anchor { at: Point },
+    /// A short line with hatching on its right, which holds a connector on its left.
+    Wall { at: Point, angle: f64 },
     /// A point on a line.
     Slider { at: Point },
     /// An arrow from a point, or to it if it pushes.
@@ -137,7 +139,7 @@ impl Element {
             Shape::Through { .. } => Vec::new(),
             Shape::Coil { from, to } | Shape::Dashpot { from, to } => all(&[*from, *to]),
             Shape::Pin { at } | Shape::Dot { at } | Shape::Words { at } => vec![point(*at, ROOM)],
-            Shape::Anchor { at } | Shape::Slider { at } => vec![point(*at, GROUND)],
+            Shape::Anchor { at } | Shape::Wall { at, .. } | Shape::Slider { at } => vec![point(*at, GROUND)],
             Shape::Spiral { at } | Shape::Drum { at } | Shape::Angle { at, .. } => vec![point(*at, ROUND)],
             Shape::Turn { at, ring, .. } => vec![point(*at, ROUND + RING * *ring as f64)],
             Shape::Arrow { from, vector, measure: Measure::World, .. } => all(&[*from, add(*from, *vector)]),
@@ -162,6 +164,7 @@ impl Shape {
             Shape::Body { .. } => "position or shape",
             Shape::Ground { .. } => "line",
             Shape::Coil { .. } | Shape::Dashpot { .. } => "end",
+            Shape::Wall { .. } => "anchor",
             Shape::Spiral { .. } | Shape::Drum { .. } => "place",
             Shape::Pin { .. } | Shape::Anchor { .. } | Shape::Slider { .. } => "position of the joint",
             Shape::Arrow { measure: Measure::Velocity, .. } => "velocity",

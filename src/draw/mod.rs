@@ -35,6 +35,7 @@
 //! # Ok::<(), lagrange::draw::DrawError>(())
 //! ```
 
+mod anchored;
 mod beside;
 mod colour;
 mod cut;

@@ -6,6 +6,7 @@ use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
+use crate::draw::anchored::Anchored;
 use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, REST, VELOCITY};
 use crate::draw::element::{Element, Layer, Measure, Shape};
 use crate::draw::geometry::{add, direction, dot, length, subtract, times, turned};
@@ -30,19 +31,22 @@ pub(super) struct Wanted {
     pub(super) is_free: bool,
 }
 
+/// What is the same throughout a film.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Fixed {
+    pub(super) stretches: Stretches,
+    pub(super) anchored: Anchored,
+}
+
 /// Length of the axes of a body in pixels.
 const AXIS: f64 = 42.0;
 /// A body that turns slower than by this part of the fastest one of a film has no centre that could be drawn.
 const TURNING: f64 = 1e-9;
 
 /// All elements of a scene.
-pub(super) fn elements(
-    snapshot: &Snapshot,
-    wanted: Wanted,
-    stretches: &Stretches,
-    fastest: f64,
-) -> Vec<Element> {
-    let mut elements = lines(snapshot, stretches);
+pub(super) fn elements(snapshot: &Snapshot, wanted: Wanted, fixed: &Fixed, fastest: f64) -> Vec<Element> {
+    let mut elements = lines(snapshot, &fixed.stretches);
+    elements.extend(walls(snapshot, &fixed.anchored));
     for body in &snapshot.bodies {
         let label = if wanted.names && !wanted.is_free { formula(&body.name) } else { String::new() };
         let shape =
@@ -79,6 +83,19 @@ fn lines(snapshot: &Snapshot, stretches: &Stretches) -> Vec<Element> {
         element(&line.name, String::new(), INK, Layer::Ground, shape)
     };
     snapshot.lines.iter().map(of).collect()
+}
+
+/// What holds connectors.
+fn walls(snapshot: &Snapshot, anchored: &Anchored) -> Vec<Element> {
+    let ends = snapshot.connectors.iter().flat_map(|(name, _, ends)| {
+        let walls =
+            ends.iter().enumerate().map(move |(end, at)| (name, *at, anchored.get(&(name.clone(), end))));
+        walls.filter_map(|(name, at, angle)| Some((name, at, *angle?)))
+    });
+    let wall = |(name, at, angle): (&String, Point, f64)| {
+        element(name, String::new(), INK, Layer::Ground, Shape::Wall { at, angle })
+    };
+    ends.map(wall).collect()
 }
 
 fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], wanted: Wanted) -> Element {

@@ -1,6 +1,7 @@
 //! Pictures of scenes that are written by hand: what they consist of, and that it is all in them.
 #![cfg(feature = "draw")]
 
+mod anchors;
 mod files;
 mod films;
 mod free_bodies;
