@@ -1,7 +1,8 @@
-//! Ten lines: declare bodies, simulate them, look at the film.
+//! Films of two systems: a double pendulum made of rods, and a cart with a pole that falls over.
 //!
-//! A double pendulum of two rods, and a cart with a pole that falls over. Open the pages in a browser: they play, pause and
-//! show the energy under the picture; the animated drawings play by themselves.
+//! What a film needs is bodies with shapes, `emit { drawing }` and a simulated motion. A page (`.html`) opens in any browser: it
+//! plays, pauses, goes to any moment and shows the energies under the picture. An animated drawing (`.svg`) plays by itself.
+//! Look for the tip of the pendulum, whose path is drawn, and for the sum of both energies, which is constant.
 //!
 //! `cargo run --example film --features draw`
 
@@ -52,31 +53,39 @@ lagrange::system! {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
+    double_pendulum()?;
+    cart_pole()
+}
+
+fn double_pendulum() -> Result<(), Box<dyn Error>> {
     let pendulum = DoublePendulum::default();
     let run =
         pendulum.simulate([2.0, 2.6, 0.0, 0.0]).until(6.0).tolerance(1e-12).every(0.04).energy().run()?;
-    let drawing = Drawing::of(&pendulum).size(420.0, 420.0).title("Double pendulum").nameless();
-    let drawing = drawing.trace("", |pendulum, t, y| pendulum.tip(t, &[y[0], y[1]], &[y[2], y[3]]));
-    drawing.picture(0.0, &run.first())?.save(gallery::picture("double_pendulum.png")?)?;
-    let kinetic = |t: f64, y: &[f64; 4]| pendulum.kinetic_energy(t, &[y[0], y[1]], &[y[2], y[3]]);
-    let potential = |t: f64, y: &[f64; 4]| pendulum.potential_energy(t, &[y[0], y[1]]);
-    let film = drawing.film(&run)?.with_energy("kinetic", &run, kinetic)?.with_energy(
-        "potential",
-        &run,
-        potential,
-    )?;
+    let film = Drawing::of(&pendulum)
+        .size(420.0, 420.0)
+        .title("Double pendulum")
+        .nameless()
+        .trace("", |pendulum, t, y| pendulum.tip(t, &[y[0], y[1]], &[y[2], y[3]]))
+        .film(&run)?
+        .with_energy("kinetic", &run, |t, y| pendulum.kinetic_energy(t, &[y[0], y[1]], &[y[2], y[3]]))?
+        .with_energy("potential", &run, |t, y| pendulum.potential_energy(t, &[y[0], y[1]]))?;
     film.save(gallery::picture("double_pendulum.svg")?)?;
     film.save(gallery::picture("double_pendulum.html")?)?;
     let energy = run.column("energy").unwrap_or_default();
     compare("double pendulum", 1e-10, &[("energy, J", energy[energy.len() - 1], energy[0])]);
+    Ok(())
+}
 
+fn cart_pole() -> Result<(), Box<dyn Error>> {
     let cart = CartPole::default();
     let run = cart.simulate([0.0, 0.1, 0.0, 0.0]).until(4.0).tolerance(1e-12).every(0.04).energy().run()?;
-    Drawing::of(&cart)
+    let film = Drawing::of(&cart)
         .title("Cart and pole")
         .forces()
         .film(&run)?
-        .save(gallery::picture("cart_pole.html")?)?;
+        .with_energy("kinetic", &run, |t, y| cart.kinetic_energy(t, &[y[0], y[1]], &[y[2], y[3]]))?
+        .with_energy("potential", &run, |t, y| cart.potential_energy(t, &[y[0], y[1]]))?;
+    film.save(gallery::picture("cart_pole.html")?)?;
     let energy = run.column("energy").unwrap_or_default();
     compare("cart and pole", 1e-10, &[("energy, J", energy[energy.len() - 1], energy[0])]);
     Ok(())

@@ -10,6 +10,8 @@
 //!
 //! The bodies touch where the distance between them, a function of the state, falls to zero: an event.
 //!
+//! The statements in the place of bodies and joints are printed first: they are what is differentiated.
+//!
 //! Look for the time, which is the same for every mass, and for the two free-body diagrams.
 //!
 //! `cargo run --example slope --features draw`
@@ -44,7 +46,7 @@ lagrange::system! {
     output forces = (foot.normal, contact.normal, contact.friction);
     output places = (slope.along(cuboid), slope.along(cylinder));
     output accelerations = (norm(acceleration(cuboid)), norm(acceleration(cylinder)));
-    emit { drawing }
+    emit { drawing, statements }
 }
 
 /// d, in m.
@@ -53,6 +55,7 @@ const DISTANCE: f64 = 10.0;
 const SHORT: f64 = 2.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}\n", Slope::STATEMENTS);
     for m in [1e-3, 1.0, 40.0] {
         race(&Slope { m, ..Slope::default() })?;
     }

@@ -43,7 +43,7 @@ lagrange::system! {
 
     param l = 2.0;
     coord x, y, a;
-    body rod { mass: 3; shape: slender_rod(l); origin: (x, y); centroid: (l / 4, 0); angle: a; }
+    body rod { mass: 3; inertia: slender_rod(3, l); shape: slender_rod(l); origin: (x, y); centroid: (l / 4, 0); angle: a; }
     spring { from: rod; to: (0, 0); stiffness: 2; }
     emit { motion }
 }

@@ -57,7 +57,8 @@ impl Translation<'_> {
     /// The angle, under a name of its own unless it is one.
     fn body_angle(&mut self, statement: &ast::Body) -> AstId {
         let Some(angle) = statement.angle else { return self.terms().number(0) };
-        let angle = self.mention(angle);
+        let angle = self.turning(angle);
+        self.mentioned.push(angle);
         match self.expressions.get(angle) {
             ast::Expression::Name(_) | ast::Expression::Number(_) | ast::Expression::Invalid => angle,
             _ => self.bind(&format!("{}_angle", statement.name.text), angle),
@@ -71,6 +72,13 @@ impl Translation<'_> {
         plain
     }
 
+    /// What the user wrote of how mass is distributed.
+    pub(super) fn property(&mut self, id: AstId, what: &str) -> AstId {
+        let value = self.mention(id);
+        self.claims.push(Claim::Fixed { what: what.to_owned(), value });
+        value
+    }
+
     fn simple(&mut self, statement: &ast::Body) -> MassGeometry {
         let name = &statement.name;
         let mass = self.mass(statement);
@@ -78,7 +86,7 @@ impl Translation<'_> {
         let place = statement.shape.as_ref().map_or(self.origin, |shape| shape.origin);
         let of_shape =
             shape.as_ref().map(|(solid, dimensions)| self.inertia_of(solid, mass, dimensions, place));
-        let stated = statement.inertia.map(|inertia| self.mention(inertia));
+        let stated = statement.inertia.map(|j| self.property(j, &messages::inertia_of(&name.text)));
         if let (Some(stated), Some(of_shape), Some(shape)) = (stated, of_shape, &statement.shape) {
             let claim = Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
             self.claims.push(claim);
@@ -87,8 +95,15 @@ impl Translation<'_> {
             let error = self.report.error(name.span, messages::no_inertia(&name.text));
             error.help(messages::NO_INERTIA_HELP);
         }
+        if let (Some(centroid), Some(_), None, Some(_)) =
+            (statement.centroid, &statement.shape, stated, statement.angle)
+        {
+            let origin = self.expressions.origin(centroid);
+            let error = self.report.error(origin, messages::unknown_inertia(&name.text));
+            error.help(messages::UNKNOWN_INERTIA_HELP);
+        }
         let centroid = match statement.centroid {
-            Some(centroid) => self.vector(centroid, &messages::centroid_of(&name.text)),
+            Some(centroid) => self.fixed_vector(centroid, &messages::centroid_of(&name.text)),
             None => self.centroid_of(shape.as_ref(), place),
         };
         let radius = shape.as_ref().and_then(|(solid, dimensions)| Some(dimensions[solid.radius?]));
@@ -103,14 +118,15 @@ impl Translation<'_> {
             error.help(messages::NO_MASS_HELP);
             return self.terms().invalid();
         };
-        let mass = self.mention(mass);
+        let mass = self.property(mass, &messages::mass_of(&name.text));
         self.claims.push(Claim::PositiveMass { body: name.clone(), mass });
         mass
     }
 
     /// A known solid with its dimensions, as many as it has; anything else is reported.
     pub(super) fn shape(&mut self, shape: &Shape) -> Option<(&'static Solid, Vec<AstId>)> {
-        let dimensions = shape.dimensions.iter().map(|&id| self.mention(id)).collect::<Vec<_>>();
+        let what = messages::dimension_of(&shape.solid.text);
+        let dimensions = shape.dimensions.iter().map(|&id| self.property(id, &what)).collect::<Vec<_>>();
         let Some(solid) = solids::by_name(&shape.solid.text) else {
             let help = match solids::nearest(&shape.solid.text) {
                 Some(known) => messages::did_you_mean(known),
@@ -183,6 +199,7 @@ impl Translation<'_> {
         let center = if is_center { place } else { terms.plus_pair(place, arm) };
         let center = terms.tuple(center);
         let center = self.bind(&format!("{name}_center"), center);
+        self.note_place(center, &messages::place_of(name));
         let mut terms = self.terms();
         let origin = match is_center {
             true => {
@@ -193,6 +210,14 @@ impl Translation<'_> {
         };
         self.claims.push(Claim::Moves { body: statement.name.clone(), center, angle });
         (center, origin)
+    }
+
+    /// The components of a vector of own coordinates, which does not change.
+    pub(super) fn fixed_vector(&mut self, id: AstId, what: &str) -> Pair {
+        let components = self.vector(id, what);
+        let value = self.plain(id);
+        self.claims.push(Claim::Fixed { what: what.to_owned(), value });
+        components
     }
 
     /// The components of what the user wrote as a vector in the plane.

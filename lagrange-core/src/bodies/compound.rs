@@ -65,11 +65,11 @@ impl Translation<'_> {
         let shape = self.shape(&part.shape);
         let mass = self.mass_of_part(part);
         let at = match part.at {
-            Some(at) => self.vector(at, messages::PLACE_OF_PART),
+            Some(at) => self.fixed_vector(at, messages::PLACE_OF_PART),
             None => self.terms().zero_pair(),
         };
         let angle = match part.angle {
-            Some(angle) => self.mention(angle),
+            Some(angle) => self.property(angle, messages::ANGLE_OF_PART),
             None => self.terms().number(0),
         };
         let (solid, dimensions): (&'static Solid, Vec<AstId>) = shape?;
@@ -95,8 +95,8 @@ impl Translation<'_> {
             error.help(messages::PART_WITHOUT_MASS_HELP);
             return None;
         };
-        let mass = self.mention(mass);
         let body = part.shape.solid.clone();
+        let mass = self.property(mass, &messages::mass_of(&body.text));
         self.claims.push(super::Claim::PositiveMass { body, mass });
         Some(mass)
     }

@@ -40,6 +40,9 @@ impl Translation<'_> {
             self.declare_broken(statement);
             return;
         };
+        if !is_linear && [from, to].iter().all(|end| self.terms().is_zero(end.at)) {
+            self.report_no_turning(statement.to.unwrap_or(to.at), messages::TURNED_BY_SPRING);
+        }
         let object = match is_linear {
             true => self.between_points(kind, &name, [from, to], factor, rest),
             false => self.between_angles(kind, &name, [from, to], factor, rest),
@@ -64,6 +67,11 @@ impl Translation<'_> {
             return None;
         };
         let (body, at) = match is_linear {
+            true if self.is_ground(end) => {
+                let error = self.report.error(self.expressions.origin(end), messages::GROUND_IS_NO_POINT);
+                error.help(messages::GROUND_IS_NO_POINT_HELP);
+                return None;
+            }
             true => (self.body_of(end), self.plane_point(end, messages::END)),
             false => (self.body_named(end), self.turning(end)),
         };

@@ -60,15 +60,34 @@ impl Translation<'_> {
         value
     }
 
-    /// An angle: that of a body, zero for the ground, or any expression.
+    /// An angle: that of a body, zero for the ground, or any expression but a point.
     pub(super) fn turning(&mut self, id: AstId) -> AstId {
-        if matches!(self.expressions.get(id), Expression::Name(name) if name == "ground") {
+        if let Some(body) = self.body_named(id) {
+            return self.bodies[body].angle;
+        }
+        if self.is_ground(id) {
             return self.terms().number(0);
         }
-        match self.body_named(id) {
-            Some(body) => self.bodies[body].angle,
-            None => self.plain(id),
+        let angle = self.plain(id);
+        match self.is_point(id) {
+            true => {
+                let origin = self.expressions.origin(id);
+                self.report.error(origin, messages::NO_ANGLE).help(messages::NO_ANGLE_HELP);
+                self.terms().invalid()
+            }
+            false => angle,
         }
+    }
+
+    /// Whether the ground is meant: nothing else was given its name.
+    pub(super) fn is_ground(&self, id: AstId) -> bool {
+        let Expression::Name(name) = self.expressions.get(id) else { return false };
+        name == "ground" && !self.names.is_declared(name)
+    }
+
+    /// Whether an expression shows by its form that it is a point.
+    fn is_point(&self, id: AstId) -> bool {
+        matches!(self.expressions.get(id), Expression::Tuple(_)) || self.body_of(id).is_some()
     }
 
     /// Whether an expression, as the user wrote it, is made of parameters and numbers only.
@@ -212,11 +231,11 @@ impl Translation<'_> {
         let row = OF_BODIES.iter().chain(&OF_LINES).find(|(name, _)| *name == function.text);
         let Some((_, wanted)) = row else { return self.rebuilt(id) };
         let Some((first, rest)) = arguments.split_first() else {
-            return self.wrong_count(function, wanted, arguments.len());
+            return self.wrong_count(function, wanted, 0);
         };
         let needed = wanted.iter().filter(|name| !name.starts_with('[')).count();
         if !(needed..=wanted.len()).contains(&rest.len()) {
-            return self.wrong_count(function, wanted, arguments.len());
+            return self.wrong_count(function, wanted, rest.len());
         }
         let is_of_lines = OF_LINES.iter().any(|(name, _)| *name == function.text);
         match self.object(*first) {

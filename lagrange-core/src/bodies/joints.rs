@@ -115,9 +115,16 @@ impl Translation<'_> {
         radius: Option<AstId>,
     ) -> Option<(usize, Line, AstId)> {
         let radius = radius.map(|radius| self.mention(radius));
+        let span = wheel.span;
         let wheel = self.carrier(wheel);
         let track = self.track_of(wheel, line)?;
         let wheel = wheel?;
+        let Body { name, angle, .. } = self.bodies[wheel].clone();
+        if self.terms().is_zero(angle) {
+            let message = messages::does_not_turn(&format!("`{}`", name.text), messages::TURNED_BY_ROLLING);
+            self.report.error(span, message).help(messages::DOES_NOT_TURN_HELP);
+            return None;
+        }
         let Some(radius) = radius.or(self.bodies[wheel].radius) else {
             let name = &self.bodies[wheel].name.text;
             let error = self.report.error(self.origin, messages::no_radius(name));

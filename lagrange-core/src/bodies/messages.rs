@@ -62,6 +62,35 @@ pub(super) fn through_of(name: &str) -> String {
 }
 
 pub(super) const PLACE_OF_PART: &str = "the place of a part";
+pub(super) const ANGLE_OF_PART: &str = "the angle of a part";
+
+pub(super) fn mass_of(name: &str) -> String {
+    format!("the mass of `{name}`")
+}
+
+pub(super) fn inertia_of(name: &str) -> String {
+    format!("the moment of inertia of `{name}`")
+}
+
+pub(super) fn dimension_of(solid: &str) -> String {
+    format!("a dimension of `{solid}`")
+}
+
+pub(super) fn place_of(name: &str) -> String {
+    format!("the place of `{name}`")
+}
+
+pub(super) fn unknown_inertia(name: &str) -> String {
+    format!("the moment of inertia of `{name}` about this centroid is not known")
+}
+
+pub(super) const UNKNOWN_INERTIA_HELP: &str = "that of the shape is about its own centre of mass; state the one about the centroid, `inertia: j;`, or leave `centroid` out";
+
+pub(super) fn beside_lagrangian(what: &str) -> String {
+    format!("{what} beside `lagrangian`")
+}
+
+pub(super) const BESIDE_LAGRANGIAN_HELP: &str = "bodies, springs and dampers add to T and V, which are not known of a `lagrangian`: write that as `kinetic` and `potential`";
 
 pub(super) fn unknown_solid(name: &str) -> String {
     format!("there is no solid `{name}`")
@@ -97,6 +126,28 @@ pub(super) fn never_turns(name: &str) -> String {
 
 pub(super) const NEVER_TURNS_HELP: &str =
     "all of its points have the same velocity; give the body an `angle` if it can turn";
+
+pub(super) fn does_not_turn(name: &str, purpose: &str) -> String {
+    format!("{name} never turns, {purpose}")
+}
+
+pub(super) const THIS: &str = "this";
+pub(super) const TURNED_BY_TORQUE: &str = "so that a torque has no effect on it";
+pub(super) const TURNED_BY_SPRING: &str =
+    "and neither does the other end, so that a torsion spring or damper between them has no effect";
+pub(super) const TURNED_BY_ROLLING: &str = "so that it cannot roll";
+pub(super) const DOES_NOT_TURN_HELP: &str = "a body turns if it has an `angle` that is no constant";
+
+pub(super) const NO_ANGLE: &str = "this is a point, but an angle is needed";
+pub(super) const NO_ANGLE_HELP: &str =
+    "write the name of a body, which stands for its angle, `ground`, or an expression of angles";
+
+pub(super) const IDLE_GRAVITY: &str = "`gravity` acts on bodies, and there are none";
+pub(super) const IDLE_GRAVITY_HELP: &str =
+    "declare one, `body name { … }`, or write its potential energy, `potential = m * g * y;`";
+
+pub(super) const GROUND_IS_NO_POINT: &str = "the ground is no point";
+pub(super) const GROUND_IS_NO_POINT_HELP: &str = "write the point of it that is meant: `(0, 0)`";
 
 // Names of objects in expressions.
 

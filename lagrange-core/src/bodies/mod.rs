@@ -42,6 +42,8 @@ pub struct Plain {
     pub claims: Vec<Claim>,
     /// Names of the constraints of joints. They are left out where the coordinates fulfil them by themselves.
     pub joints: Vec<Name>,
+    /// Names of `let`s that are places, with what they are places of: they are made of coordinates and time.
+    pub places: Vec<(String, String)>,
     /// Everything that stands in statements about bodies, so that mistakes in it are found whether or not it is needed.
     pub mentioned: Vec<AstId>,
 }
@@ -201,6 +203,18 @@ pub enum Claim {
         what: String,
         /// It.
         value: AstId,
+    },
+    /// A property of a rigid body, which does not change during the motion.
+    Fixed {
+        /// What it is, in words.
+        what: String,
+        /// It.
+        value: AstId,
+    },
+    /// Gravity is the same everywhere.
+    Uniform {
+        /// Its vector.
+        gravity: AstId,
     },
     /// The place or the angle of a body changes with coordinates or time.
     Moves {

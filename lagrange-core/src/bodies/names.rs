@@ -83,6 +83,8 @@ pub(super) struct Names {
     all_objects: OrderedMap<String, Name>,
     /// Parameters and constants.
     fixed: HashMap<String, ()>,
+    /// Everything that is declared anywhere.
+    declared: HashMap<String, ()>,
     /// Names that plain statements must not take.
     taken: HashMap<String, ()>,
     /// How many nameless statements there were of each kind.
@@ -114,12 +116,14 @@ impl Names {
                 taken.insert(name.text.clone(), ());
             }
         }
+        let declared = taken.clone();
         for (_, expression) in declaration.expressions.iter() {
             if let Expression::Name(name) = expression {
                 taken.insert(name.clone(), ());
             }
         }
-        Names { objects: OrderedMap::default(), all_objects, fixed, taken, nameless: HashMap::default() }
+        let objects = OrderedMap::default();
+        Names { objects, all_objects, fixed, declared, taken, nameless: HashMap::default() }
     }
 
     pub(super) fn declare(&mut self, name: &str, object: Object) {
@@ -134,6 +138,11 @@ impl Names {
     /// Where an object of that name is declared, be it further down.
     pub(super) fn anywhere(&self, name: &str) -> Option<&Name> {
         self.all_objects.get(&name.to_owned())
+    }
+
+    /// Whether a name is declared, be it further down.
+    pub(super) fn is_declared(&self, name: &str) -> bool {
+        self.declared.contains(&name.to_owned())
     }
 
     /// Whether a name stands for a number that does not change during the motion.

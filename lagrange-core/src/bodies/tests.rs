@@ -245,7 +245,7 @@ fn mistakes_are_reported_together() {
         "`point` belongs to a body, and `rood` is none",
         "is a body and has no value",
         "has no `size`",
-        "does not take 2 arguments",
+        "does not take 1 argument",
     ];
     for expected in expected {
         assert!(complaints.iter().any(|line| line.contains(expected)), "{expected}\n{complaints:#?}");
@@ -280,4 +280,125 @@ fn multipliers_keep_their_names_where_a_joint_before_them_is_left_out() {
         _ => panic!("a multiplier is a symbol"),
     });
     assert_eq!(names.collect::<Vec<_>>(), ["tip_x", "tip_y"]);
+}
+
+#[test]
+fn one_mistake_in_a_joint_is_one_message() {
+    let body = "param l = 1;
+        coord x, y, a;
+        body rod { mass: 1; shape: slender_rod(l); center: (x, y); angle: a; }
+        line floor { }";
+    for (statements, expected) in [
+        ("pin rod and (0, 0);", "expected `to`, found `and`"),
+        ("slide rod at floor;", "expected `on`, found `at`"),
+        ("slide rod on floor; slide rod on floor;", "this joint demands what another constraint does already"),
+        ("line rail { on: rod; } body bead { mass: 1; center: rod.point(l, 0); } pin p = bead to rod.point(l, 0);
+            output f = p.force;", "this joint has no force of its own, since the coordinates fulfil it by themselves"),
+    ] {
+        assert_eq!(mistakes(&format!("{body} {statements}")), [expected], "{statements}");
+    }
+}
+
+#[test]
+fn what_has_no_effect_is_a_mistake() {
+    let still = "param m; coord x, y; body b { mass: m; center: (x, y); shape: disk(1); } line f { }";
+    for (statement, expected) in [
+        ("torque 1 on b;", "`b` never turns, so that a torque"),
+        ("torque 1 on ground;", "`ground` never turns, so that a torque"),
+        ("torsion_spring { from: ground; to: b; stiffness: 1; }", "`b` never turns, and neither"),
+        ("torsion_damper { from: b; to: ground; damping: 1; }", "`ground` never turns, and neither"),
+        ("roll b on f;", "`b` never turns, so that it cannot roll"),
+    ] {
+        let complaints = mistakes(&format!("{still} {statement}"));
+        assert_eq!(complaints.len(), 1, "{statement}: {complaints:?}");
+        assert!(complaints[0].starts_with(expected), "{complaints:?}");
+    }
+    let complaints = mistakes("coord x; kinetic = kinetic_energy(1, dot(x)); gravity = (0, -1);");
+    assert_eq!(complaints, ["`gravity` acts on bodies, and there are none"]);
+}
+
+#[test]
+fn points_are_no_angles_and_the_ground_is_no_point() {
+    let body = |angle: &str| {
+        format!("param m; coord x, y, p; body b {{ mass: m; center: (x, y); angle: {angle}; inertia: 1; }}")
+    };
+    for (angle, statement, expected) in [
+        ("(p, p)", "", "this is a point"),
+        ("p", "torsion_spring { from: (0, 0); to: b.center; stiffness: 1; }", "this is a point"),
+        ("p", "torque 1 on b.point(1, 0);", "this is a point"),
+        ("p", "spring { from: ground; to: b; stiffness: 1; }", "the ground is no point"),
+    ] {
+        let complaints = mistakes(&format!("{} {statement}", body(angle)));
+        assert!(complaints.iter().all(|line| line.starts_with(expected)), "{statement}: {complaints:?}");
+    }
+}
+
+#[test]
+fn masses_and_gravity_are_no_matter_of_motion() {
+    for (mass, gravity, expected) in [
+        ("dot(x)", "", "the mass of `b` must not change during the motion"),
+        ("1 + x", "", "the mass of `b` must not change during the motion"),
+        ("1 + t", "", "the mass of `b` must not change during the motion"),
+        ("1", "gravity = (0, -x);", "`gravity` must not depend on coordinates: it is the same everywhere"),
+    ] {
+        let text = format!("coord x, y; body b {{ mass: {mass}; center: (x, y); }} {gravity}");
+        assert_eq!(mistakes(&text), [expected]);
+    }
+    motion("coord x, y; body b { mass: 1; center: (x, y); } gravity = (0, -9 - sin(t));");
+}
+
+#[test]
+fn how_mass_is_distributed_is_no_matter_of_motion() {
+    for items in [
+        "mass: 1; inertia: x^2;",
+        "mass: 1; shape: disk(1 + x);",
+        "mass: 1; inertia: 1; centroid: (x, 0);",
+        "compound { disk(1), mass: x; }",
+        "compound { disk(1), mass: 1, at: (x, 0); }",
+        "compound { disk(1), mass: 1, angle: x; }",
+    ] {
+        let complaints = mistakes(&format!("coord x, y; body b {{ {items} origin: (x, y); angle: y; }}"));
+        assert_eq!(complaints.len(), 1, "{items}: {complaints:?}");
+        assert!(complaints[0].ends_with("must not change during the motion"), "{complaints:?}");
+    }
+}
+
+#[test]
+fn another_centroid_needs_another_inertia() {
+    let body = |inertia: &str| {
+        let shape = "mass: 1; shape: slender_rod(1); centroid: (1/4, 0);";
+        format!("coord x, y, a; body b {{ {shape} {inertia} origin: (x, y); angle: a; }}")
+    };
+    assert_eq!(mistakes(&body("")), ["the moment of inertia of `b` about this centroid is not known"]);
+    motion(&body("inertia: 1/9;"));
+}
+
+#[test]
+fn places_are_made_of_coordinates_and_time() {
+    for items in ["center: (x, dot(y));", "origin: (x, dot(y));"] {
+        let complaints = mistakes(&format!("coord x, y; body b {{ mass: 1; {items} }}"));
+        assert_eq!(complaints.len(), 1, "{complaints:?}");
+        assert!(complaints[0].ends_with("must be made of coordinates and time"), "{complaints:?}");
+    }
+}
+
+#[test]
+fn bodies_do_not_go_with_a_lagrangian() {
+    let complaints =
+        mistakes("coord x; lagrangian = dot(x)^2; gravity = (0, -1); body b { mass: 1; center: (x, 0); }");
+    assert_eq!(complaints, ["body `b` beside `lagrangian`"]);
+}
+
+#[test]
+fn ground_is_free_as_a_name() {
+    assert_same(
+        "coord x, y, p;
+        body ground { mass: 1; inertia: 2; center: (x, y); angle: p; }
+        torque 3 on ground;
+        spring { from: ground; to: (0, 0); stiffness: 5; }",
+        "coord x, y, p;
+        kinetic = kinetic_energy(1, dot((x, y))) + kinetic_energy(2, dot(p));
+        potential = spring_energy(5, (x, y));
+        torque 3 on p;",
+    );
 }

@@ -33,6 +33,10 @@ pub(super) struct Translation<'a> {
     pub(super) loads: Vec<Drawn>,
     pub(super) claims: Vec<Claim>,
     pub(super) joints: Vec<Name>,
+    /// Names of `let`s that are places, with what they are places of.
+    pub(super) places: Vec<(String, String)>,
+    /// Where the declaration gives a Lagrangian.
+    lagrangian: Option<Origin>,
     /// Everything the user wrote in statements about bodies.
     pub(super) mentioned: Vec<AstId>,
 }
@@ -55,6 +59,8 @@ impl<'a> Translation<'a> {
             loads: Vec::new(),
             claims: Vec::new(),
             joints: Vec::new(),
+            places: Vec::new(),
+            lagrangian: lagrangian(declaration),
             mentioned: Vec::new(),
         }
     }
@@ -65,6 +71,7 @@ impl<'a> Translation<'a> {
             self.origin = statement.origin;
             self.statement(statement);
         }
+        self.report_idle_gravity();
         self.drawing.append(&mut self.loads);
         Plain {
             declaration: Declaration {
@@ -76,6 +83,7 @@ impl<'a> Translation<'a> {
             drawing: self.drawing,
             claims: self.claims,
             joints: self.joints,
+            places: self.places,
             mentioned: self.mentioned,
         }
     }
@@ -98,6 +106,7 @@ impl<'a> Translation<'a> {
     }
 
     fn scene(&mut self, statement: SceneStatement) {
+        self.report_beside_lagrangian(&statement);
         match statement {
             SceneStatement::Gravity(value) => self.gravity(value),
             SceneStatement::Body(body) => self.body(&body),
@@ -105,6 +114,18 @@ impl<'a> Translation<'a> {
             SceneStatement::Connector(connector) => self.connector(&connector),
             SceneStatement::Joint(joint) => self.joint(&joint),
         }
+    }
+
+    /// A Lagrangian says it all: no energy can be added to it.
+    fn report_beside_lagrangian(&mut self, statement: &SceneStatement) {
+        let Some(lagrangian) = self.lagrangian else { return };
+        let (what, origin) = match statement {
+            SceneStatement::Body(body) => (format!("body `{}`", body.name.text), body.name.span.into()),
+            SceneStatement::Connector(connector) => (format!("`{}`", connector.kind.name()), self.origin),
+            _ => return,
+        };
+        let error = self.report.error(origin, messages::beside_lagrangian(&what));
+        error.related(lagrangian, messages::FIRST_DECLARED).help(messages::BESIDE_LAGRANGIAN_HELP);
     }
 
     /// Every body feels gravity, wherever it is declared.
@@ -116,11 +137,20 @@ impl<'a> Translation<'a> {
             return;
         }
         self.claims.push(Claim::PlaneVector { what: "gravity".to_owned(), value });
+        self.claims.push(Claim::Uniform { gravity: value });
         self.mentioned.push(value);
         let gravity = self.terms().pair(value);
         self.gravity = Some((gravity, self.origin));
         for body in 0..self.bodies.len() {
             self.weigh(body);
+        }
+    }
+
+    /// Only bodies have weight: hand-written energies do not fall.
+    fn report_idle_gravity(&mut self) {
+        let Some((_, origin)) = self.gravity.filter(|_| self.bodies.is_empty()) else { return };
+        if !self.report.has_errors() {
+            self.report.error(origin, messages::IDLE_GRAVITY).help(messages::IDLE_GRAVITY_HELP);
         }
     }
 
@@ -164,7 +194,11 @@ impl<'a> Translation<'a> {
 
     fn torque(&mut self, moment: AstId, angle: AstId, statement: Statement) {
         let body = self.body_named(angle);
+        let written = angle;
         let (moment, angle) = (self.plain(moment), self.turning(angle));
+        if self.terms().is_zero(angle) {
+            self.report_no_turning(written, messages::TURNED_BY_TORQUE);
+        }
         if let Some(body) = body {
             let Body { name, center, .. } = self.bodies[body].clone();
             let kind =
@@ -172,6 +206,17 @@ impl<'a> Translation<'a> {
             self.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
         }
         self.statements.push(Statement { kind: StatementKind::Torque { moment, angle }, ..statement });
+    }
+
+    /// Reports something that never turns where something that does is needed.
+    pub(super) fn report_no_turning(&mut self, what: AstId, purpose: &str) {
+        let name = match self.expressions.get(what) {
+            Expression::Name(name) => format!("`{name}`"),
+            _ => messages::THIS.to_owned(),
+        };
+        let origin = self.expressions.origin(what);
+        let error = self.report.error(origin, messages::does_not_turn(&name, purpose));
+        error.help(messages::DOES_NOT_TURN_HELP);
     }
 
     /// The statement with every expression in plain words.
@@ -219,6 +264,12 @@ impl<'a> Translation<'a> {
 
     /// Adds a plain statement in the place of the current one.
     pub(super) fn push(&mut self, kind: StatementKind) {
+        if self.lagrangian.is_some()
+            && matches!(kind, StatementKind::Kinetic(_) | StatementKind::Potential(_))
+        {
+            // That was reported.
+            return;
+        }
         let docs = proc_macro2::TokenStream::new();
         self.statements.push(Statement { kind, origin: self.origin, docs });
     }
@@ -229,6 +280,13 @@ impl<'a> Translation<'a> {
         let mentioned = self.terms().name(&name.text);
         self.push(StatementKind::Let(name, value));
         mentioned
+    }
+
+    /// Remembers that a `let` is a place, which is a matter of coordinates and time.
+    pub(super) fn note_place(&mut self, name: AstId, what: &str) {
+        if let Expression::Name(name) = self.expressions.get(name) {
+            self.places.push((name.clone(), what.to_owned()));
+        }
     }
 
     pub(super) fn new_name(&mut self, wish: &str) -> Name {
@@ -255,6 +313,11 @@ impl<'a> Translation<'a> {
             _ => None,
         }
     }
+}
+
+fn lagrangian(declaration: &Declaration) -> Option<Origin> {
+    let is_lagrangian = |statement: &&Statement| matches!(statement.kind, StatementKind::Lagrangian(_));
+    declaration.statements.iter().find(is_lagrangian).map(|statement| statement.origin.start.into())
 }
 
 fn definitions(list: Vec<Definition>, mut plain: impl FnMut(AstId) -> AstId) -> Vec<Definition> {

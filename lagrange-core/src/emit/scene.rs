@@ -8,7 +8,7 @@ use quote::quote;
 use super::docs;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
-use super::shape::{Shape, doc, length, local};
+use super::shape::{Shape, length, local};
 use super::system::Writer;
 use crate::bodies::{Cause, DrawnKind, JointForm};
 use crate::expr::ExprId;
@@ -33,7 +33,8 @@ impl Writer<'_> {
         let krate = self.shape.krate;
         let (body, counts) =
             self.lowered(&motion.values, Arguments::State, |results| Values::new(results).motion(krate));
-        let docs = docs::with_counts(motion_docs(&motion.body), counts);
+        let line = format!("How the body `{}` moves.", motion.body.text);
+        let docs = docs::with_counts(self.shape.body_docs(&motion.body, &line), counts);
         self.motions.extend(motion_method(self.shape, &self.names, &motion.body, &docs, &body));
     }
 
@@ -216,10 +217,6 @@ fn cause(cause: Cause) -> Ident {
 /// The method that says how a body moves.
 pub(super) fn motion_name(body: &Name) -> Ident {
     Ident::new(&format!("{}_motion", body.text), body.span)
-}
-
-pub(super) fn motion_docs(body: &Name) -> TokenStream {
-    doc(&format!("How the body `{}` moves.", body.text))
 }
 
 /// That method with this body.

@@ -68,7 +68,7 @@ impl<'a> Shape<'a> {
         }
         shape.fields.extend(inputs);
         if shape.asks_for(Product::Motion) {
-            shape.bodies.extend(&declaration.bodies);
+            shape.bodies.extend(declaration.bodies.iter().map(|body| &body.name));
         }
         shape.drop_repeated_names();
         shape
@@ -134,6 +134,13 @@ impl<'a> Shape<'a> {
             Some(docs) => (*docs).clone(),
             None => doc(line),
         }
+    }
+
+    /// The user's documentation of a body, or a line that stands for it.
+    pub(super) fn body_docs(&self, name: &Name, line: &str) -> TokenStream {
+        let bodies = self.declaration.bodies.iter();
+        let documented = bodies.filter(|body| !body.docs.is_empty()).find(|body| body.name.text == name.text);
+        documented.map_or_else(|| doc(line), |body| body.docs.clone())
     }
 
     /// The struct's name.

@@ -92,7 +92,9 @@ impl Elaborator<'_> {
 
     fn check_products(&mut self) {
         for &(product, wanted, span) in &self.wanted {
-            if wanted && self.is_undefined(product) {
+            // A body may be where the text could not be read.
+            let is_unclear = product.is_of_bodies() && !self.declaration.unreadable_words.is_empty();
+            if wanted && self.is_undefined(product) && !is_unclear {
                 let (message, help) = match product {
                     _ if product.is_of_bodies() => (scene::needs_bodies(product.name()), scene::BODY_HELP),
                     _ if product.is_of_constraints() => {

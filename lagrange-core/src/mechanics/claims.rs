@@ -24,6 +24,8 @@ pub(super) fn check_claims(elaborator: &mut Elaborator, claims: &[Claim]) {
             Claim::SameInertia { body, stated, of_shape, shape } => {
                 same_inertia(elaborator, body, [*stated, *of_shape], *shape);
             }
+            Claim::Fixed { what, value } => fixed(elaborator, what, *value),
+            Claim::Uniform { gravity } => uniform(elaborator, *gravity),
             Claim::PlaneVector { what, value } => plane_vector(elaborator, what, *value),
             Claim::Moves { body, center, angle } => moves(elaborator, body, [*center, *angle]),
         }
@@ -40,6 +42,28 @@ fn inertia_not_negative(elaborator: &mut Elaborator, body: &Name, inertia: AstId
     let Some(wrong) = unless(elaborator, inertia, |inertia| inertia >= 0.0) else { return };
     let message = words::inertia_negative(&body.text, &wrong.text, wrong.is_constant);
     wrong.report(elaborator, message).help(words::HOLES_LIE_WITHIN);
+}
+
+/// A rigid body keeps its mass and how it is distributed.
+fn fixed(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
+    let message = words::not_fixed(what);
+    free_of(elaborator, syntax, |dependencies| !dependencies.is_constant_in_motion(), &message);
+}
+
+/// The weight m g of a body has the potential −m g·c only where g is the same everywhere.
+fn uniform(elaborator: &mut Elaborator, gravity: AstId) {
+    let varies = |dependencies: Dependencies| dependencies.intersects(Dependencies::COORDINATE);
+    free_of(elaborator, gravity, varies, words::GRAVITY_NOT_UNIFORM);
+}
+
+/// Reports a value that holds what it must not.
+fn free_of(elaborator: &mut Elaborator, syntax: AstId, is_wrong: fn(Dependencies) -> bool, message: &str) {
+    let Some(value) = elaborator.evaluator.evaluate(syntax) else { return };
+    let graph = &elaborator.evaluator.graph;
+    if value.components().iter().any(|&component| is_wrong(graph.dependencies(component))) {
+        let origin = elaborator.evaluator.origin(syntax);
+        elaborator.evaluator.report.error(origin, message).help(words::FREE_OF_MOTION_HELP);
+    }
 }
 
 /// A value that is not as it must be.

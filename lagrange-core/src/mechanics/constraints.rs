@@ -81,7 +81,10 @@ impl Elaborator<'_> {
         let same =
             self.constraints.iter().find(|(other, _)| graph.split_coefficient(other.velocity).1 == core);
         if let Some((other, span)) = same {
-            let message = messages::repeated_constraint(&name.text, &other.name);
+            let message = match self.joints.iter().any(|joint| joint.text == name.text) {
+                true => messages::REPEATED_JOINT.to_owned(),
+                false => messages::repeated_constraint(&name.text, &other.name),
+            };
             let error =
                 self.evaluator.report.error(name.span, message).help(messages::REPEATED_CONSTRAINT_HELP);
             error.related(Origin::from(*span), messages::OTHER_CONSTRAINT_IS_HERE);
@@ -98,6 +101,10 @@ impl Elaborator<'_> {
 
     /// Nothing can move, and no multiplier is determined, under more constraints than coordinates.
     pub(super) fn check_constraint_count(&mut self) {
+        if self.evaluator.report.has_errors() {
+            // One constraint too many may be one that was reported.
+            return;
+        }
         let (count, most) = (self.constraints.len(), self.coordinates.len());
         if let Some((_, span)) = self.constraints.get(most).filter(|_| most > 0) {
             let error = self.evaluator.report.error(*span, messages::too_many_constraints(count, most));

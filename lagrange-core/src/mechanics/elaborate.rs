@@ -74,6 +74,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) loads: Vec<Load>,
     /// Names of the constraints of joints.
     pub(super) joints: &'a [Name],
+    /// Names of `let`s that are places, with what they are places of.
+    places: &'a [(String, String)],
     /// Those of them that the coordinates fulfil by themselves.
     pub(super) implied: Vec<String>,
     /// Constraints, with where their names stand.
@@ -96,7 +98,7 @@ pub(super) struct Elaborator<'a> {
 
 impl<'a> Elaborator<'a> {
     pub(super) fn new(plain: &'a Plain, report: &'a mut Report) -> Elaborator<'a> {
-        let Plain { declaration, joints, .. } = plain;
+        let Plain { declaration, joints, places, .. } = plain;
         Elaborator {
             evaluator: Evaluator::new(declaration, report),
             declaration,
@@ -109,6 +111,7 @@ impl<'a> Elaborator<'a> {
             dissipation: Vec::new(),
             loads: Vec::new(),
             joints,
+            places,
             implied: Vec::new(),
             constraints: Vec::new(),
             stabilisation: None,
@@ -230,7 +233,7 @@ impl<'a> Elaborator<'a> {
     }
 
     fn abbreviation(&mut self, name: &Name, syntax: AstId) {
-        let value = self.evaluator.evaluate(syntax);
+        let value = self.evaluator.evaluate(syntax).filter(|value| self.is_sound_place(name, syntax, value));
         match &value {
             Some(Operand::Scalar(id)) => self.labels.push((*id, name.text.clone())),
             Some(Operand::Vector(components)) => {
@@ -241,6 +244,22 @@ impl<'a> Elaborator<'a> {
             None => {}
         }
         self.declare(name, Kind::Abbreviation, value);
+    }
+
+    /// Whether a name is that of no place, or of one made of coordinates and time.
+    fn is_sound_place(&mut self, name: &Name, syntax: AstId, value: &Operand) -> bool {
+        let Some((_, what)) = self.places.iter().find(|(place, _)| *place == name.text) else { return true };
+        let moving = Dependencies::VELOCITY
+            | Dependencies::ACCELERATION
+            | Dependencies::MULTIPLIER
+            | Dependencies::REACTION;
+        let depends = |&id: &ExprId| self.evaluator.graph.dependencies(id).intersects(moving);
+        if !value.components().iter().any(depends) {
+            return true;
+        }
+        let (place, _) = self.evaluator.blame(syntax, moving);
+        self.evaluator.report.error(place, messages::no_place(what)).help(messages::PLACE_HELP);
+        false
     }
 
     fn abbreviations(&mut self, names: &[Name], syntax: AstId) {

@@ -314,6 +314,11 @@ pub(super) fn too_many_constraints(constraints: usize, coordinates: usize) -> St
 pub(super) const TOO_MANY_CONSTRAINTS_HELP: &str =
     "remove those that follow from the others, or add coordinates";
 
+pub(super) fn no_place(what: &str) -> String {
+    format!("{what} must be made of coordinates and time")
+}
+
+pub(super) const REPEATED_JOINT: &str = "this joint demands what another constraint does already";
 pub(super) const FORCE_OF_IMPLIED: &str =
     "this joint has no force of its own, since the coordinates fulfil it by themselves";
 pub(super) const FORCE_OF_IMPLIED_HELP: &str =

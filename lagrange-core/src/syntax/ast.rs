@@ -32,8 +32,8 @@ pub struct Declaration {
     pub accuracy: Accuracy,
     /// Statements in source order, without those that could not be read.
     pub statements: Vec<Statement>,
-    /// The names of rigid bodies in source order; known also where plain statements have taken the place of theirs.
-    pub bodies: Vec<Name>,
+    /// Rigid bodies in source order; known also where plain statements have taken the place of theirs.
+    pub bodies: Vec<DeclaredBody>,
     /// The expressions that statements refer to.
     pub expressions: Expressions,
     /// Words in places that could not be read: names that may have been declared there.
@@ -99,6 +99,15 @@ impl StatementKind {
     }
 }
 
+/// A rigid body by its name.
+#[derive(Clone, Debug)]
+pub struct DeclaredBody {
+    /// Its name.
+    pub name: Name,
+    /// Its documentation, as attributes.
+    pub docs: TokenStream,
+}
+
 /// A name and where it stands.
 #[derive(Clone, Debug)]
 pub struct Name {
@@ -159,9 +168,11 @@ pub struct Statement {
 impl StatementKind {
     /// Whether it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
-        use StatementKind::{Constraint, Coordinates, Event, Friction, Inputs, Output, Parameters, Reduce};
+        use StatementKind::{
+            Constraint, Coordinates, Event, Friction, Inputs, Output, Parameters, Reduce, Scene,
+        };
         matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Constraint(..) | Event(_))
-            || matches!(self, Friction(_) | Output(..) | Reduce(_))
+            || matches!(self, Friction(_) | Output(..) | Reduce(_) | Scene(SceneStatement::Body(_)))
     }
 }
 

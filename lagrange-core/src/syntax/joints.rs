@@ -12,7 +12,7 @@ impl Parser<'_> {
     pub(super) fn pin(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
         let name = self.joint_name(cursor)?;
         let first = self.expression(cursor)?;
-        self.connective("to", scenes::PIN_HELP, cursor)?;
+        self.joining("to", scenes::PIN_HELP, cursor)?;
         Ok(Joint { name, kind: JointKind::Pin { first, second: self.value(cursor) } })
     }
 
@@ -20,7 +20,7 @@ impl Parser<'_> {
     pub(super) fn slide(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
         let name = self.joint_name(cursor)?;
         let point = self.expression(cursor)?;
-        self.connective("on", scenes::SLIDE_HELP, cursor)?;
+        self.joining("on", scenes::SLIDE_HELP, cursor)?;
         let line = self.mentioned(scenes::SLIDE_HELP, cursor)?;
         if !cursor.at_statement_end() {
             return Err(self.misplaced("`;`", scenes::SLIDE_HELP, cursor));
@@ -32,9 +32,7 @@ impl Parser<'_> {
     pub(super) fn roll(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
         let name = self.joint_name(cursor)?;
         let body = self.mentioned(scenes::ROLL_HELP, cursor)?;
-        if cursor.eat_word("on").is_none() {
-            return Err(self.misplaced("`on`", scenes::ROLL_HELP, cursor));
-        }
+        self.joining("on", scenes::ROLL_HELP, cursor)?;
         let line = self.mentioned(scenes::ROLL_HELP, cursor)?;
         let radius = self.radius(cursor)?;
         Ok(Joint { name, kind: JointKind::Roll { body, line, radius } })
@@ -54,6 +52,14 @@ impl Parser<'_> {
         let label = self.label_of(&mut Labels::new("rolling", &["radius"]), cursor)?;
         self.colon(label, cursor)?;
         Ok(Some(self.value(cursor)))
+    }
+
+    /// The word between what is joined.
+    fn joining(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
+        match cursor.eat_word(word) {
+            Some(_) => Ok(()),
+            None => Err(self.misplaced(&format!("`{word}`"), help, cursor)),
+        }
     }
 
     fn joint_name(&mut self, cursor: &mut Cursor) -> Parsed<Option<Name>> {

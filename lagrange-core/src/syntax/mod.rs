@@ -80,7 +80,7 @@ mod unexpected;
 use proc_macro2::TokenStream;
 
 use crate::diagnostics::Report;
-use ast::{Declaration, SceneStatement, StatementKind};
+use ast::{Declaration, DeclaredBody, SceneStatement, StatementKind};
 use cursor::Cursor;
 use header::{default_header, header_ahead};
 pub use keywords::is_rust_keyword;
@@ -117,7 +117,9 @@ fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cu
     let expressions = std::mem::take(&mut parser.expressions);
     let unreadable_words = std::mem::take(&mut parser.unreadable_words);
     let bodies = statements.iter().filter_map(|statement| match &statement.kind {
-        StatementKind::Scene(SceneStatement::Body(body)) => Some(body.name.clone()),
+        StatementKind::Scene(SceneStatement::Body(body)) => {
+            Some(DeclaredBody { name: body.name.clone(), docs: statement.docs.clone() })
+        }
         _ => None,
     });
     let bodies = bodies.collect();

@@ -114,3 +114,23 @@ pair! { eccentric_wheel,
         constraint rolling = cos(alpha) * dot(x) + sin(alpha) * dot(y) + r * dot(phi);
     }
 }
+
+pair! { block_with_dry_friction,
+    bodies {
+        param m = 1.2, a = 0.2, mu = 0.3, alpha = 0.5, g = 9.81;
+        coord x, y;
+        gravity = (0, -g);
+        line slope { angle: -alpha; }
+        body block { mass: m; shape: rectangle(a, a); center: (x, y); angle: -alpha; }
+        slide foot = block.point(0, -a/2) on slope;
+        friction rub = dot(slope.along(block)), mu * foot.normal;
+    }
+    by_hand {
+        param m = 1.2, a = 0.2, mu = 0.3, alpha = 0.5, g = 9.81;
+        coord x, y;
+        kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+        potential = m * g * y;
+        constraint foot = sin(alpha) * x + cos(alpha) * y - a/2;
+        friction rub = cos(alpha) * dot(x) - sin(alpha) * dot(y), mu * foot;
+    }
+}

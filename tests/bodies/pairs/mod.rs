@@ -40,6 +40,11 @@ macro_rules! pair {
             fn both_cost_the_same() {
                 pairs::assert_same_cost(BODIES, BY_HAND);
             }
+
+            #[test]
+            fn plain_statements_mean_the_same() {
+                pairs::assert_plain(BODIES);
+            }
         }
     };
 }
@@ -100,6 +105,16 @@ fn assert_same_cost(bodies: &str, by_hand: &str) {
     assert!(bodies.total().abs_diff(by_hand.total()) * 50 <= by_hand.total(), "{text}");
 }
 
+/// The statements in the place of those about bodies can be read again, and give the same operations.
+fn assert_plain(bodies: &str) {
+    let plain = parse(bodies).unwrap_or_else(|report| panic!("{report}")).statements();
+    let words = ["body", "gravity", "line", "spring", "damper", "pin", "slide", "roll"];
+    let is_plain = |line: &str| words.iter().all(|word| !line.trim_start().starts_with(&format!("{word} ")));
+    assert!(plain.lines().all(is_plain), "{plain}");
+    let [found, expected] = [plain.as_str(), bodies].map(|text| counts(&derived(text)));
+    assert_eq!(found, expected, "{plain}");
+}
+
 fn derived(text: &str) -> Derived {
     let derived = parse(text).and_then(|system| system.derive(RoadChoice::Cheapest));
     derived.unwrap_or_else(|report| panic!("{report}"))
@@ -114,10 +129,16 @@ fn counts(Derived { model, equations, .. }: &Derived) -> OperationCounts {
 }
 
 #[track_caller]
-pub(crate) fn assert_near(found: &[f64], expected: &[f64], at: &str) {
+fn assert_near(found: &[f64], expected: &[f64], at: &str) {
+    assert_all_within(TOLERANCE, found, expected, at);
+}
+
+/// Whether all numbers are what they should be, relative to the largest.
+#[track_caller]
+pub(crate) fn assert_all_within(tolerance: f64, found: &[f64], expected: &[f64], at: &str) {
     let largest = expected.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
     assert_eq!(found.len(), expected.len());
     for (a, b) in found.iter().zip(expected) {
-        assert!((a - b).abs() <= TOLERANCE * largest, "{found:?} is not {expected:?} at {at}");
+        assert!((a - b).abs() <= tolerance * largest, "{found:?} is not {expected:?} at {at}");
     }
 }

@@ -206,3 +206,21 @@ pair! { body_and_point_mass_on_a_spring,
         potential = 1/2 * k * (sqrt((u - px)^2 + (w - py)^2) - l0)^2 + k * (x^2 + (y - 1)^2);
     }
 }
+
+pair! { rod_on_a_shaken_pivot,
+    bodies {
+        param m = 1.2, l = 0.4, h = 0.1, w = 5, g = 9.81;
+        coord theta;
+        gravity = (0, -g);
+        let pivot = (0, h * cos(w * t));
+        body rod { mass: m; shape: slender_rod(l); center: pivot + l/2 * (sin(theta), -cos(theta)); angle: theta - pi/2; }
+        pin rod.point(-l/2, 0) to pivot;
+    }
+    by_hand {
+        param m = 1.2, l = 0.4, h = 0.1, w = 5, g = 9.81;
+        coord theta;
+        let (x, y) = (l/2 * sin(theta), h * cos(w * t) - l/2 * cos(theta));
+        kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2) + 1/24 * m * l^2 * dot(theta)^2;
+        potential = m * g * y;
+    }
+}

@@ -27,6 +27,15 @@ pub(in crate::mechanics) fn inertia_negative(body: &str, value: &str, is_constan
     format!("{condition}the moment of inertia of `{body}` is {value}, but none is negative")
 }
 
+pub(in crate::mechanics) fn not_fixed(what: &str) -> String {
+    format!("{what} must not change during the motion")
+}
+
+pub(in crate::mechanics) const GRAVITY_NOT_UNIFORM: &str =
+    "`gravity` must not depend on coordinates: it is the same everywhere";
+pub(in crate::mechanics) const FREE_OF_MOTION_HELP: &str =
+    "where energies depend on the motion in another way, write them yourself with `kinetic` and `potential`";
+
 pub(in crate::mechanics) const HOLES_LIE_WITHIN: &str =
     "it is the one about the centre of mass; holes of a `compound` lie within the other parts";
 
