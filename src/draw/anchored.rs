@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use std::string::String;
 
-use crate::draw::geometry::{add, length, subtract};
+use crate::draw::geometry::{add, length, subtract, unit};
 use crate::draw::picture::Point;
 use crate::draw::snapshot::Snapshot;
 use crate::draw::stretch::coordinates;
@@ -71,9 +71,8 @@ fn wall(name: &str, end: usize, film: &[Snapshot]) -> Option<f64> {
         .filter_map(|snapshot| ends_of(name, snapshot))
         .map(|ends| subtract(ends[1 - end], ends[end]));
     let [x, y] = away.fold([0.0, 0.0], add);
-    if !(length([x, y]) > 0.0) {
-        return None;
-    }
+    // A connector that is not a number is refused later.
+    unit([x, y])?;
     let quarters: [(f64, f64); 4] = [(x, 0.0), (y, 1.0), (-x, 2.0), (-y, 3.0)];
     let best = quarters
         .into_iter()
