@@ -157,6 +157,15 @@ mod tests {
     }
 
     #[test]
+    fn places_far_from_the_origin_are_where_they_are_seen() {
+        let reaches = [[1e12, 3e12], [1e12 + 8.0, 3e12]].map(|at| reach(at, [0.0, 0.0], 10.0));
+        let view = View::new(WINDOW, [0.0; 3], &reaches).expect("fits");
+        let [left, right] = reaches.each_ref().map(|reach| view.point(reach.at));
+        assert!((left[0] - 10.0).abs() < 1e-9 && (right[0] - 190.0).abs() < 1e-9, "{left:?} {right:?}");
+        assert_eq!([left[1], right[1]], [50.0, 50.0]);
+    }
+
+    #[test]
     fn a_window_is_never_narrower_than_what_numbers_can_tell_apart() {
         let near = 1e9_f64.next_up();
         for places in

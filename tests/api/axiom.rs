@@ -227,3 +227,21 @@ fn joint_forces_act_on_both_bodies_with_opposite_signs() {
     assert!((force[1] + on_rod.2[1]).abs() < 1e-12 * force[1].abs());
     assert!((at[0] - on_rod.1[0]).abs() < 1e-10 && (at[1] - on_rod.1[1]).abs() < 1e-10);
 }
+
+#[test]
+fn moments_stand_at_the_centers_of_their_bodies() {
+    let mut random = Random::new(11);
+    let linkage = Linkage { m: 1.0, l: 1.0, k: 2.0, c: 0.5, slope: 0.2, push: 0.3, twist: 0.1 };
+    let (q, v) = (random.vector(), random.vector());
+    let bodies = bodies(&linkage, &q, &v);
+    let mut found = Vec::new();
+    linkage.items(0.3, &q, &v, &mut |item| {
+        if let Item::Moment { body: Some(body), at, .. } = item {
+            let (_, motion) = bodies.iter().find(|(name, _)| name == body).expect("a body of the scene");
+            assert_eq!(at, motion.center, "{body}");
+            found.push(body.to_owned());
+        }
+    });
+    found.dedup();
+    assert!(found.len() > 1, "moments on several bodies: {found:?}");
+}

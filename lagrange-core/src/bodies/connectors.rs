@@ -1,7 +1,7 @@
 //! Springs and dampers between points and between angles.
 
 use super::messages;
-use super::names::{Connector, Object};
+use super::names::{Body, Connector, Object};
 use super::translation::Translation;
 use super::{Cause, Drawn, DrawnKind};
 use crate::syntax::ast;
@@ -185,7 +185,8 @@ impl Translation<'_> {
         }
     }
 
-    /// The moments on both ends. Where two bodies meet is not said; they are drawn where the own coordinates of one begin.
+    /// The moments on both ends, each drawn at the centre of its body. Where two bodies meet is not said; the connector is drawn
+    /// where the own coordinates of one begin.
     fn twist(&mut self, kind: ConnectorKind, name: &str, ends: [End; 2], tension: AstId) {
         let Some(body) = ends[1].body.or(ends[0].body) else { return };
         let origin = self.bodies[body].origin;
@@ -194,9 +195,10 @@ impl Translation<'_> {
         let back = self.terms().negative(tension);
         for (end, moment) in ends.into_iter().zip([tension, back]) {
             if let Some(body) = end.body {
-                let body = Some(self.bodies[body].name.text.clone());
+                let Body { name: carrier, center, .. } = self.bodies[body].clone();
+                let body = Some(carrier.text);
                 let kind = DrawnKind::Moment { name: name.to_owned(), cause: Cause::Connector, body };
-                self.loads.push(Drawn { kind, values: vec![at, moment], needs: Vec::new() });
+                self.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
             }
         }
     }
