@@ -15,6 +15,8 @@ pub(super) const PAPER: Colour = Colour([255, 255, 255, 255]);
 pub(super) const VELOCITY: Colour = INKS[1];
 pub(super) const ACCELERATION: Colour = INKS[4];
 pub(super) const FORCE: Colour = INKS[2];
+/// Forces without a name.
+pub(super) const REST: Colour = INK;
 pub(super) const CENTER: Colour = INKS[3];
 
 const INKS: [Colour; 7] = [

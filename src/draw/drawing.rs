@@ -7,6 +7,7 @@ use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
+use crate::draw::anchored::anchored;
 use crate::draw::colour;
 use crate::draw::element::Element;
 use crate::draw::error::DrawError;
@@ -15,8 +16,9 @@ use crate::draw::moment::Moment;
 use crate::draw::picture::{Picture, Point};
 use crate::draw::sketch::Sketch;
 use crate::draw::snapshot::Snapshot;
-use crate::draw::stage::{self, Wanted};
+use crate::draw::stage::{self, Fixed, Wanted};
 use crate::draw::stretch::stretches;
+use crate::scalar::Scalar;
 use crate::scene::Scene;
 use crate::system::split;
 
@@ -34,7 +36,8 @@ type Point2<'a, M> = Rc<
 
 /// Pictures of a system of plane rigid bodies, as it declares itself.
 ///
-/// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are asked for. One window shows all that is ever
+/// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are asked for. Springs and dampers that end where
+/// nothing is and nothing moves get a short wall there. One window shows all that is ever
 /// drawn, on one scale, and arrows of one kind have one scale, the longest a quarter of the picture. Positions, angles and vectors
 /// are those of the declaration, x to the right, y upwards.
 pub struct Drawing<'a, M: Scene> {
@@ -95,16 +98,19 @@ impl<'a, M: Scene> Drawing<'a, M> {
         self
     }
 
-    /// Forces and moments: those that are declared, weights, those of springs and dampers, and those by which joints uphold their
-    /// constraints. Energies, constraints, contacts and friction that are written by hand name no body, and joints that the
-    /// coordinates fulfil by themselves have no force: those are not drawn.
+    /// Forces and moments that have names: those that are declared, weights, those of springs and dampers, and those by which joints
+    /// uphold their constraints. Joints that the coordinates fulfil by themselves, hand-written constraints and potentials, contacts
+    /// and dry friction act, too, but hand out no force; [`free_body`](Self::free_body) shows what all of them amount to.
     pub fn forces(mut self) -> Self {
         self.wanted.forces = true;
         self
     }
 
-    /// Nothing but one body and the forces and moments that act on it, as far as [`forces`](Self::forces) knows them: they are
-    /// all where every load is declared and every joint has a force, so where the coordinates of each body are its own.
+    /// Nothing but one body and the forces and moments that act on it.
+    ///
+    /// What acts besides those of [`forces`](Self::forces) follows from the motion. Its resultant is drawn in dark grey at the centre
+    /// of mass: the force R = m a − Σ F, and the moment M_R = J α − Σ M about the centre of mass, unless only rounding is left of
+    /// them. [`Moment::force`] knows R by this name.
     pub fn free_body(mut self, body: &str) -> Self {
         self.free_body = Some(body.to_owned());
         self.wanted.is_free = true;
@@ -182,7 +188,8 @@ where
         let instants: Vec<Instant<M>> = self.past.iter().copied().chain(states).collect();
         let snapshots = instants.iter().map(|instant| self.snapshot(instant));
         let snapshots: Vec<Snapshot> = snapshots.collect::<Result<_, _>>()?;
-        let stretches = stretches(&snapshots);
+        let anchored = instants.first().map(|first| anchored(&snapshots, &self.elsewhere(first)));
+        let fixed = Fixed { stretches: stretches(&snapshots), anchored: anchored.unwrap_or_default() };
         let turning = |snapshot: &Snapshot| {
             let rates = snapshot.bodies.iter().map(|body| body.motion.angular_velocity.abs());
             rates.fold(0.0, f64::max)
@@ -191,7 +198,7 @@ where
         let mut paths: Vec<Vec<Point>> = vec![Vec::new(); self.traces.len()];
         let mut film = Vec::new();
         for (instant, snapshot) in instants.iter().zip(&snapshots) {
-            let mut elements = stage::elements(snapshot, self.wanted, &stretches, fastest);
+            let mut elements = stage::elements(snapshot, self.wanted, &fixed, fastest);
             elements.extend(self.traced(instant, &mut paths));
             elements.extend(self.sketched(instant, snapshot));
             film.push((instant.0.into(), elements));
@@ -210,12 +217,25 @@ where
                 return Err(DrawError::UnknownItem(name.clone()));
             }
         }
+        let Some(name) = &self.free_body else { return Ok(snapshot.without(&self.hidden)) };
+        // Hidden forces have names; they are not missing.
+        let remainder = snapshot.remainder_of(name, M::Scalar::epsilon().into());
         let snapshot = snapshot.without(&self.hidden);
-        let Some(name) = &self.free_body else { return Ok(snapshot) };
         if snapshot.body(name).is_none() {
             return Err(DrawError::UnknownBody(name.clone()));
         }
-        Ok(snapshot.free_body(name))
+        Ok(Snapshot { remainder, ..snapshot.free_body(name) })
+    }
+
+    /// The scene in another configuration at another time: what is in the same place there does not move.
+    fn elsewhere(&self, (t, y): &Instant<M>) -> Snapshot {
+        let (mut q, v) = split::<M>(y);
+        // No period is a fraction of such steps.
+        for (index, coordinate) in q.as_mut().iter_mut().enumerate() {
+            let step = M::Scalar::from_f64(0.739 + 0.107 * index as f64);
+            *coordinate = M::Scalar::from_f64(1.31) * *coordinate + step;
+        }
+        Snapshot::of(self.system, *t + M::Scalar::from_f64(0.577), &q, &v)
     }
 
     /// Adds the present points to the paths.

@@ -52,12 +52,14 @@ pub(super) enum Shape {
     Pin { at: Point },
     /// A body turns about it, and it is at rest.
     Anchor { at: Point },
+    /// A short line with hatching on its right, which holds a connector on its left.
+    Wall { at: Point, angle: f64 },
     /// A point on a line.
     Slider { at: Point },
     /// An arrow from a point, or to it if it pushes.
     Arrow { from: Point, vector: Point, measure: Measure, is_push: bool },
-    /// An arrow around a point, counterclockwise if positive.
-    Turn { at: Point, moment: f64 },
+    /// An arrow around a point, counterclockwise if positive, outside of so many others.
+    Turn { at: Point, moment: f64, ring: usize },
     /// A point.
     Dot { at: Point },
     /// A dashed line to a point that may be far away, which is marked if it is in the picture.
@@ -107,6 +109,8 @@ pub(super) struct Reach {
 const ROOM: f64 = 9.0;
 const GROUND: f64 = 16.0;
 const ROUND: f64 = 30.0;
+/// From one arc about a point to the next.
+pub(super) const RING: f64 = 8.0;
 
 impl Element {
     /// All numbers of it, which must be finite.
@@ -135,10 +139,9 @@ impl Element {
             Shape::Through { .. } => Vec::new(),
             Shape::Coil { from, to } | Shape::Dashpot { from, to } => all(&[*from, *to]),
             Shape::Pin { at } | Shape::Dot { at } | Shape::Words { at } => vec![point(*at, ROOM)],
-            Shape::Anchor { at } | Shape::Slider { at } => vec![point(*at, GROUND)],
-            Shape::Spiral { at } | Shape::Drum { at } | Shape::Turn { at, .. } | Shape::Angle { at, .. } => {
-                vec![point(*at, ROUND)]
-            }
+            Shape::Anchor { at } | Shape::Wall { at, .. } | Shape::Slider { at } => vec![point(*at, GROUND)],
+            Shape::Spiral { at } | Shape::Drum { at } | Shape::Angle { at, .. } => vec![point(*at, ROUND)],
+            Shape::Turn { at, ring, .. } => vec![point(*at, ROUND + RING * *ring as f64)],
             Shape::Arrow { from, vector, measure: Measure::World, .. } => all(&[*from, add(*from, *vector)]),
             Shape::Arrow { from, vector, measure, is_push } => {
                 let sign = if *is_push { -1.0 } else { 1.0 };
@@ -161,6 +164,7 @@ impl Shape {
             Shape::Body { .. } => "position or shape",
             Shape::Ground { .. } => "line",
             Shape::Coil { .. } | Shape::Dashpot { .. } => "end",
+            Shape::Wall { .. } => "anchor",
             Shape::Spiral { .. } | Shape::Drum { .. } => "place",
             Shape::Pin { .. } | Shape::Anchor { .. } | Shape::Slider { .. } => "position of the joint",
             Shape::Arrow { measure: Measure::Velocity, .. } => "velocity",

@@ -1,8 +1,9 @@
 //! Why a picture could not be made.
 
+use std::borrow::ToOwned;
 use std::fmt::{Display, Formatter};
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::string::String;
 
 /// Why a picture could not be made or written.
@@ -27,11 +28,32 @@ pub enum DrawError {
     /// The picture is too small for its margins, or larger than an image can be.
     Size([f64; 2]),
     /// The extension of the file is none of those that can be written.
-    Extension(PathBuf),
+    Extension {
+        /// The file.
+        path: PathBuf,
+        /// The extensions that can be written.
+        known: &'static [&'static str],
+    },
     /// Pictures and times do not make a film; the text says why.
     Film(String),
-    /// What the operating system says.
-    Io(io::Error),
+    /// A file could not be written.
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system says.
+        error: io::Error,
+    },
+}
+
+impl DrawError {
+    pub(super) fn extension(path: &Path, known: &'static [&'static str]) -> Self {
+        DrawError::Extension { path: path.to_owned(), known }
+    }
+
+    /// What became of writing a file.
+    pub(super) fn written(path: &Path, result: io::Result<()>) -> Result<(), Self> {
+        result.map_err(|error| DrawError::Io { path: path.to_owned(), error })
+    }
 }
 
 impl Display for DrawError {
@@ -46,11 +68,12 @@ impl Display for DrawError {
             DrawError::Size([width, height]) => {
                 write!(f, "a picture cannot be {width} by {height} pixels large")
             }
-            DrawError::Extension(path) => {
-                write!(f, "`{}` does not end in the name of a format that can be written", path.display())
+            DrawError::Extension { path, known } => {
+                let known = known.join(", ");
+                write!(f, "`{}` does not end in the name of a format: one of {known}", path.display())
             }
             DrawError::Film(reason) => f.write_str(reason),
-            DrawError::Io(error) => Display::fmt(error, f),
+            DrawError::Io { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
         }
     }
 }
@@ -58,14 +81,8 @@ impl Display for DrawError {
 impl std::error::Error for DrawError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            DrawError::Io(error) => Some(error),
+            DrawError::Io { error, .. } => Some(error),
             _ => None,
         }
-    }
-}
-
-impl From<io::Error> for DrawError {
-    fn from(error: io::Error) -> Self {
-        DrawError::Io(error)
     }
 }

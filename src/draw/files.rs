@@ -1,6 +1,5 @@
 //! Pictures as files.
 
-use std::borrow::ToOwned;
 use std::fs;
 use std::path::Path;
 use std::string::String;
@@ -23,9 +22,9 @@ impl Picture {
         let path = path.as_ref();
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         match extension.to_ascii_lowercase().as_str() {
-            "svg" => Ok(fs::write(path, self.svg())?),
+            "svg" => DrawError::written(path, fs::write(path, self.svg())),
             "png" => raster::save(self, path),
-            _ => Err(DrawError::Extension(path.to_owned())),
+            _ => Err(DrawError::extension(path, &["svg", "png"])),
         }
     }
 }

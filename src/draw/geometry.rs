@@ -21,6 +21,11 @@ pub(super) fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
+/// The third component of a × b.
+pub(super) fn cross(a: Point, b: Point) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
 /// By a right angle from x to y.
 pub(super) fn turned(a: Point) -> Point {
     [-a[1], a[0]]

@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use crate::draw::colour::{HATCHING, INK};
 use crate::draw::cut::contains;
-use crate::draw::geometry::{add, clipped, direction, flattened};
+use crate::draw::geometry::{add, clipped, direction, flattened, length, mix, subtract};
 use crate::draw::picture::{Anchor, Mark, Point, Segment};
 use crate::draw::tag::{FONT, Side, Tag};
 use crate::draw::text::CAPITALS;
@@ -29,12 +29,14 @@ pub(super) struct Sheet {
 const ALONG: [f64; 8] = [0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0];
 const AROUND: [f64; 8] = [0.25, 0.75, -0.25, -0.75, 0.0, 1.0, 0.5, -0.5];
 /// Where nothing is free near by, a label may be farther away by this many pixels.
-const FARTHER: [f64; 3] = [0.0, 7.0, 14.0];
+const FARTHER: [f64; 4] = [0.0, 7.0, 14.0, 21.0];
+/// Last there are places beyond all of what is named.
+const RINGS: usize = FARTHER.len() + 1;
 /// The number of the place that is the point itself.
-const ON_POINT: usize = AROUND.len() * FARTHER.len();
-/// How bad it is to lie on another label or outside, to be crossed by a line, and to have a worse side.
+const ON_POINT: usize = AROUND.len() * RINGS;
+/// How bad it is to lie on another label, to be moved into the picture by a pixel, to be crossed by a line, and to have a worse side.
 const ON_LABEL: f64 = 60.0;
-const OUTSIDE: f64 = 50.0;
+const OUTSIDE: f64 = 0.1;
 const CROSSED: f64 = 3.0;
 const WORSE: f64 = 0.2;
 /// What is worse than this on average is left out if it may be.
@@ -56,19 +58,21 @@ pub(super) fn labels(film: &[Sheet], window: Area) -> Vec<Vec<Mark>> {
     order.sort_by_key(|index| may_hide(*index));
     let mut sides = std::vec![None; count];
     for index in order {
-        let cost = |side: usize| cost(index, side, &looked, &placed, window);
-        let costs = (0..=ON_POINT).map(|side| (side, cost(side)));
-        let Some((side, cost)) = costs.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
-        if may_hide(index) && cost > BEARABLE {
-            continue;
-        }
+        // What is free but farther away is better than what may not be taken.
+        let place = |side: usize| {
+            let cost = cost(index, side, &looked, &placed, window);
+            (may_hide(index) && cost > BEARABLE, cost + worse(index, side, &looked), side)
+        };
+        let places = (0..=ON_POINT).map(place);
+        let best = places.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        let Some((false, _, side)) = best else { continue };
         sides[index] = Some(side);
         for (sheet, placed) in looked.iter().zip(&mut placed) {
-            placed.extend(sheet.tags[index].as_ref().map(|tag| area(tag, side)));
+            placed.extend(sheet.tags[index].as_ref().map(|tag| held(area(tag, side), window)));
         }
     }
     film.iter()
-        .map(|sheet| sheet.tags.iter().zip(&sides).map(|(tag, side)| mark(tag, *side)).collect())
+        .map(|sheet| sheet.tags.iter().zip(&sides).map(|(tag, side)| mark(tag, *side, window)).collect())
         .collect()
 }
 
@@ -112,22 +116,26 @@ fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], wind
     let (mut sum, mut count) = (0.0, 0.0);
     for (sheet, placed) in looked.iter().zip(placed) {
         let Some(tag) = &sheet.tags[index] else { continue };
-        let area = area(tag, side);
+        let wished = area(tag, side);
+        let area = held(wished, window);
         let on_labels = placed.iter().filter(|other| overlap(area, **other)).count();
         let crossings = sheet.lines.iter().filter(|ends| clipped(**ends, area).is_some()).count();
-        let is_outside = (0..2).any(|k| area[0][k] < window[0][k] || area[1][k] > window[1][k]);
         sum += ON_LABEL * on_labels as f64 + CROSSED * (crossings as f64).sqrt();
-        sum += if is_outside { OUTSIDE } else { 0.0 };
+        sum += OUTSIDE * length(subtract(area[0], wished[0]));
         sum += if tag.may_hide && is_elsewhere(index, middle(tag, side), sheet) { ON_LABEL } else { 0.0 };
         count += 1.0;
     }
+    if count > 0.0 { sum / count } else { 0.0 }
+}
+
+/// How much worse a side is than the best one, whatever is there.
+fn worse(index: usize, side: usize, looked: &[&Sheet]) -> f64 {
     let is_within = looked.iter().any(|s| s.tags[index].as_ref().is_some_and(|tag| tag.side == Side::Within));
-    let worse = match side {
+    match side {
         ON_POINT if is_within => 0.0,
         ON_POINT => f64::INFINITY,
         _ => WORSE * (side + 1) as f64,
-    };
-    worse + if count > 0.0 { sum / count } else { 0.0 }
+    }
 }
 
 /// Whether a place is on a body of another name.
@@ -137,13 +145,16 @@ fn is_elsewhere(index: usize, place: Point, sheet: &Sheet) -> bool {
 
 /// The middle of a label at one of its places: on its point, if that is possible, or on one of eight sides.
 fn middle(tag: &Tag, place: usize) -> Point {
-    let (side, farther) = (place % AROUND.len(), FARTHER[place / AROUND.len() % FARTHER.len()]);
+    let (side, ring) = (place % AROUND.len(), place / AROUND.len());
     let angle = match tag.side {
         Side::Within if place == ON_POINT => return tag.at,
         Side::Within | Side::Around => -AROUND[side] * PI,
         Side::Along([x, y]) => y.atan2(x) + ALONG[side] * PI,
     };
-    let gap = tag.gap + farther;
+    let gap = match FARTHER.get(ring) {
+        Some(farther) => tag.gap + farther,
+        None => tag.gap.max(tag.reach) + tag.gap,
+    };
     let towards = direction(angle);
     // Towards a corner of the text, the whole of it lies beyond its place.
     let shift =
@@ -157,14 +168,25 @@ fn area(tag: &Tag, side: usize) -> Area {
     [[x - width, y - height], [x + width, y + height]]
 }
 
+/// Moved into the window as far as it sticks out.
+fn held([low, high]: Area, window: Area) -> Area {
+    let shift = |k: usize| (window[0][k] - low[k]).max(0.0) + (window[1][k] - high[k]).min(0.0);
+    let by = [shift(0), shift(1)];
+    [add(low, by), add(high, by)]
+}
+
 fn overlap(a: Area, b: Area) -> bool {
     (0..2).all(|axis| a[0][axis] < b[1][axis] && b[0][axis] < a[1][axis])
 }
 
 /// The mark of a label; empty without a label or without a place for it.
-fn mark(tag: &Option<Tag>, side: Option<usize>) -> Mark {
+fn mark(tag: &Option<Tag>, side: Option<usize>, window: Area) -> Mark {
+    let size = tag.as_ref().map_or(FONT, |tag| tag.size);
     let (at, text, colour) = match (tag, side) {
-        (Some(tag), Some(side)) => (middle(tag, side), tag.text.clone(), tag.colour),
+        (Some(tag), Some(side)) => {
+            let [low, high] = held(area(tag, side), window);
+            (mix(low, high, 0.5), tag.text.clone(), tag.colour)
+        }
         (tag, _) => {
             let known = tag.as_ref().map(|tag| (tag.at, tag.colour));
             let (at, colour) = known.unwrap_or(([0.0, 0.0], INK));
@@ -172,8 +194,8 @@ fn mark(tag: &Option<Tag>, side: Option<usize>) -> Mark {
         }
     };
     // The base line is half a capital below the middle.
-    let at = add(at, [0.0, 0.5 * CAPITALS * FONT]);
-    Mark::Text { at, text, size: FONT, anchor: Anchor::Middle, colour }
+    let at = add(at, [0.0, 0.5 * CAPITALS * size]);
+    Mark::Text { at, text, size, anchor: Anchor::Middle, colour }
 }
 
 #[cfg(test)]
@@ -184,13 +206,22 @@ mod tests {
     use super::{Sheet, area, labels, overlap};
     use crate::draw::colour::INK;
     use crate::draw::picture::Mark;
-    use crate::draw::tag::{Side, Tag};
+    use crate::draw::tag::{FONT, Side, Tag};
 
     const WINDOW: [[f64; 2]; 2] = [[0.0, 0.0], [300.0, 200.0]];
 
     fn tag(at: [f64; 2], may_hide: bool) -> Option<Tag> {
         let side = Side::Around;
-        Some(Tag { text: "P".into(), at, side, gap: 4.0, colour: INK, may_hide, half: [8.0, 7.0] })
+        Some(Tag {
+            text: "P".into(),
+            at,
+            side,
+            gap: 4.0,
+            colour: INK,
+            may_hide,
+            size: FONT,
+            half: [8.0, 7.0],
+        })
     }
 
     fn middles(marks: &[Mark]) -> Vec<[f64; 2]> {

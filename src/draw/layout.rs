@@ -2,24 +2,21 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::string::String;
-use std::vec;
 use std::vec::Vec;
 
-use crate::draw::colour::INK;
 use crate::draw::element::{Element, Layer, Measure, Reach, Shape};
 use crate::draw::error::DrawError;
 use crate::draw::geometry::length;
+use crate::draw::heading;
 use crate::draw::labels::{self, Sheet};
 use crate::draw::marks;
-use crate::draw::picture::{Anchor, Mark, Picture, Point};
+use crate::draw::picture::{Mark, Picture, Point};
 use crate::draw::tag::{Tag, tag};
 use crate::draw::view::{self, View};
 
-/// What is left free at the borders, at least by labels, and above for a title.
-const MARGIN: f64 = 12.0;
-const BORDER: f64 = 2.0;
-const TITLE: f64 = 22.0;
-const TITLE_FONT: f64 = 15.0;
+/// What is left free at the borders, and at least by labels and titles.
+pub(super) const MARGIN: f64 = 12.0;
+pub(super) const BORDER: f64 = 2.0;
 
 /// What is drawn on.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -51,7 +48,8 @@ pub(super) fn pictures(
     for (time, elements) in film {
         check(*time, elements)?;
     }
-    let view = common_view(film, size, title, longest)?;
+    let title_lines = heading::lines(title, size);
+    let view = common_view(film, size, heading::height(&title_lines), longest)?;
     let drawn: Vec<Vec<(Key, Drawn)>> = film.iter().map(|(_, elements)| draw(elements, &view)).collect();
     let keys = aligned(&drawn);
     let empty = patterns(&drawn);
@@ -61,7 +59,7 @@ pub(super) fn pictures(
     let [width, height] = size;
     let room = [[BORDER, view.window[0][1]], [width - BORDER, height - BORDER]];
     let labels = labels::labels(&sheets, room);
-    let heading = heading(size, title);
+    let heading = heading::marks(&title_lines, size);
     let picture = |(scene, labels): (Vec<Drawn>, Vec<Mark>)| Picture {
         size,
         title: title.into(),
@@ -84,11 +82,10 @@ fn check(time: f64, elements: &[Element]) -> Result<(), DrawError> {
 fn common_view(
     film: &[(f64, Vec<Element>)],
     size: [f64; 2],
-    title: &str,
+    title: f64,
     longest: f64,
 ) -> Result<View, DrawError> {
-    let top = if title.is_empty() { MARGIN } else { MARGIN + TITLE };
-    let window = [[MARGIN, top], [size[0] - MARGIN, size[1] - MARGIN]];
+    let window = [[MARGIN, MARGIN + title], [size[0] - MARGIN, size[1] - MARGIN]];
     let room = [window[1][0] - window[0][0], window[1][1] - window[0][1]];
     if !(room[0] > 0.0 && room[1] > 0.0 && size.iter().all(|side| side.is_finite())) {
         return Err(DrawError::Size(size));
@@ -96,7 +93,9 @@ fn common_view(
     let elements = || film.iter().flat_map(|(_, elements)| elements);
     let scale = |measure: Measure| {
         let largest = elements().map(|element| magnitude(&element.shape, measure)).fold(0.0, f64::max);
-        if largest > 0.0 { longest * room[0].min(room[1]) / largest } else { 0.0 }
+        // The smallest numbers have no reciprocal.
+        let scale = longest * room[0].min(room[1]) / largest;
+        if scale.is_finite() { scale } else { 0.0 }
     };
     let arrows = [scale(Measure::Velocity), scale(Measure::Acceleration), scale(Measure::Force)];
     let pixels = |measure: Measure| match measure {
@@ -192,14 +191,6 @@ fn sheet(scene: &[Drawn], keys: &[Key]) -> Sheet {
     let areas = areas.collect();
     let lines = scene.iter().flat_map(|(marks, _)| labels::lines(marks)).collect();
     Sheet { tags: scene.iter().map(|(_, tag)| tag.clone()).collect(), lines, areas }
-}
-
-fn heading([width, _]: [f64; 2], title: &str) -> Vec<Mark> {
-    if title.is_empty() {
-        return Vec::new();
-    }
-    let at: Point = [0.5 * width, MARGIN + TITLE_FONT];
-    vec![Mark::Text { at, text: title.into(), size: TITLE_FONT, anchor: Anchor::Middle, colour: INK }]
 }
 
 #[cfg(test)]

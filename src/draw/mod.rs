@@ -35,6 +35,7 @@
 //! # Ok::<(), lagrange::draw::DrawError>(())
 //! ```
 
+mod anchored;
 mod beside;
 mod colour;
 mod cut;
@@ -44,6 +45,7 @@ mod error;
 mod files;
 mod film;
 mod geometry;
+mod heading;
 mod labels;
 mod layout;
 mod load_label;
@@ -52,6 +54,7 @@ mod moment;
 mod outline;
 mod picture;
 pub(crate) mod raster;
+mod remainder;
 mod sketch;
 mod snapshot;
 mod stage;

@@ -1,6 +1,7 @@
 //! A moment of a motion, as those see it who add to pictures.
 
 use crate::body::Motion;
+use crate::draw::remainder::REMAINDER;
 use crate::draw::snapshot::{Snapshot, Value};
 use crate::scene::Scene;
 use crate::system::split;
@@ -32,11 +33,13 @@ impl<'m, M: Scene> Moment<'m, M> {
         self.snapshot.body(body).map(|body| body.motion)
     }
 
-    /// Where the first force of this name acts, and its components.
+    /// Where the first force of this name acts, and its components; on a free body also R, the resultant of what has no name.
     pub fn force(&self, name: &str) -> Option<([f64; 2], [f64; 2])> {
-        self.snapshot.loads.iter().find_map(|load| match load.value {
+        let named = self.snapshot.loads.iter().find_map(|load| match load.value {
             Value::Force(force) if load.name == name => Some((load.at, force)),
             _ => None,
-        })
+        });
+        let rest = self.snapshot.remainder.filter(|_| name == REMAINDER);
+        named.or_else(|| rest.map(|rest| (rest.at, rest.force)))
     }
 }

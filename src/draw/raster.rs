@@ -44,7 +44,8 @@ pub(crate) fn rasterise(picture: &Picture, scale: f64) -> Result<Pixels, DrawErr
 /// Writes a picture as PNG.
 pub(super) fn save(picture: &Picture, path: &Path) -> Result<(), DrawError> {
     let pixels = rasterise(picture, FINENESS)?;
-    Ok(write(&pixels, &mut BufWriter::new(File::create(path)?))?)
+    let file = File::create(path);
+    DrawError::written(path, file.and_then(|file| write(&pixels, &mut BufWriter::new(file))))
 }
 
 fn write(pixels: &Pixels, file: &mut impl Write) -> io::Result<()> {

@@ -8,6 +8,7 @@ use crate::body::Motion;
 use crate::draw::geometry::Place;
 use crate::draw::outline::Piece;
 use crate::draw::picture::Point;
+use crate::draw::remainder::Remainder;
 use crate::scene::{Cause, Connector, Item, Joint, Scene};
 
 /// A scene at one moment.
@@ -18,6 +19,8 @@ pub(super) struct Snapshot {
     pub(super) connectors: Vec<(String, Connector, [Point; 2])>,
     pub(super) joints: Vec<(String, Joint, Point)>,
     pub(super) loads: Vec<Load>,
+    /// What the loads of a free body leave open.
+    pub(super) remainder: Option<Remainder>,
 }
 
 #[derive(Clone, PartialEq, Debug)]
@@ -116,12 +119,24 @@ impl Snapshot {
         self
     }
 
+    /// What the loads on a body leave open, in numbers whose relative distance is `epsilon`.
+    pub(super) fn remainder_of(&self, name: &str, epsilon: f64) -> Option<Remainder> {
+        let loads = self.loads.iter().filter(|load| load.body.as_deref() == Some(name));
+        self.body(name).map(|body| Remainder::of(&body.motion, loads, epsilon))
+    }
+
     /// Only one body and what acts on it.
     pub(super) fn free_body(mut self, name: &str) -> Self {
         self.bodies.retain(|body| body.name == name);
         self.loads.retain(|load| load.body.as_deref() == Some(name));
         // Joints stay, for they tell what a force is.
         Snapshot { lines: Vec::new(), connectors: Vec::new(), ..self }
+    }
+}
+
+impl Load {
+    pub(super) fn is_moment(&self) -> bool {
+        matches!(self.value, Value::Moment(_))
     }
 }
 

@@ -6,11 +6,13 @@ use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
-use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, VELOCITY};
+use crate::draw::anchored::Anchored;
+use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, REST, VELOCITY};
 use crate::draw::element::{Element, Layer, Measure, Shape};
 use crate::draw::geometry::{add, direction, dot, length, subtract, times, turned};
 use crate::draw::load_label::load_label;
 use crate::draw::picture::{Colour, Point};
+use crate::draw::remainder::{REMAINDER, Remainder};
 use crate::draw::snapshot::{Body, Load, Snapshot, Value};
 use crate::draw::stretch::{self, Stretches};
 use crate::draw::text::{formula, plain};
@@ -29,19 +31,22 @@ pub(super) struct Wanted {
     pub(super) is_free: bool,
 }
 
+/// What is the same throughout a film.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Fixed {
+    pub(super) stretches: Stretches,
+    pub(super) anchored: Anchored,
+}
+
 /// Length of the axes of a body in pixels.
 const AXIS: f64 = 42.0;
 /// A body that turns slower than by this part of the fastest one of a film has no centre that could be drawn.
 const TURNING: f64 = 1e-9;
 
 /// All elements of a scene.
-pub(super) fn elements(
-    snapshot: &Snapshot,
-    wanted: Wanted,
-    stretches: &Stretches,
-    fastest: f64,
-) -> Vec<Element> {
-    let mut elements = lines(snapshot, stretches);
+pub(super) fn elements(snapshot: &Snapshot, wanted: Wanted, fixed: &Fixed, fastest: f64) -> Vec<Element> {
+    let mut elements = lines(snapshot, &fixed.stretches);
+    elements.extend(walls(snapshot, &fixed.anchored));
     for body in &snapshot.bodies {
         let label = if wanted.names && !wanted.is_free { formula(&body.name) } else { String::new() };
         let shape =
@@ -57,7 +62,11 @@ pub(super) fn elements(
         elements.extend(kinematics(body, wanted, snapshot.bodies.len() > 1, fastest));
     }
     if wanted.forces {
-        elements.extend(snapshot.loads.iter().map(|item| load(item, snapshot, wanted.is_free)));
+        elements.extend(snapshot.loads.iter().enumerate().map(|(index, item)| {
+            let before = &snapshot.loads[..index];
+            load(item, before, snapshot, wanted.is_free)
+        }));
+        elements.extend(snapshot.remainder.iter().flat_map(|rest| remainder(rest, &snapshot.loads)));
     }
     elements
 }
@@ -74,6 +83,19 @@ fn lines(snapshot: &Snapshot, stretches: &Stretches) -> Vec<Element> {
         element(&line.name, String::new(), INK, Layer::Ground, shape)
     };
     snapshot.lines.iter().map(of).collect()
+}
+
+/// What holds connectors.
+fn walls(snapshot: &Snapshot, anchored: &Anchored) -> Vec<Element> {
+    let ends = snapshot.connectors.iter().flat_map(|(name, _, ends)| {
+        let walls =
+            ends.iter().enumerate().map(move |(end, at)| (name, *at, anchored.get(&(name.clone(), end))));
+        walls.filter_map(|(name, at, angle)| Some((name, at, *angle?)))
+    });
+    let wall = |(name, at, angle): (&String, Point, f64)| {
+        element(name, String::new(), INK, Layer::Ground, Shape::Wall { at, angle })
+    };
+    ends.map(wall).collect()
 }
 
 fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], wanted: Wanted) -> Element {
@@ -149,16 +171,35 @@ fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Ve
     elements
 }
 
-fn load(load: &Load, snapshot: &Snapshot, is_free: bool) -> Element {
-    let center = load.body.as_deref().and_then(|name| snapshot.body(name)).map(|body| body.motion.center);
+/// A force or moment behind others.
+fn load(load: &Load, before: &[Load], snapshot: &Snapshot, is_free: bool) -> Element {
+    let body = load.body.as_deref().and_then(|name| snapshot.body(name));
     let shape = match load.value {
         Value::Force(vector) => {
-            let is_push = is_free && pushes(load, vector, center);
+            let is_push = is_free && pushes(load, vector, body.map(|body| body.motion.center));
             Shape::Arrow { from: load.at, vector, measure: Measure::Force, is_push }
         }
-        Value::Moment(moment) => Shape::Turn { at: load.at, moment },
+        // A moment acts on the whole of a body, wherever it comes from.
+        Value::Moment(moment) => {
+            let at = body.map_or(load.at, |body| body.motion.center);
+            Shape::Turn { at, moment, ring: moments(before, load.body.as_deref()) }
+        }
     };
     element(&load.name, load_label(load, snapshot), FORCE, Layer::Arrow, shape)
+}
+
+/// How many moments there are on a body.
+fn moments(loads: &[Load], body: Option<&str>) -> usize {
+    loads.iter().filter(|load| load.is_moment() && load.body.as_deref() == body).count()
+}
+
+/// What the loads of a free body leave open.
+fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
+    let Remainder { at, force, moment } = *rest;
+    let arrow = Shape::Arrow { from: at, vector: force, measure: Measure::Force, is_push: false };
+    let turn = Shape::Turn { at, moment, ring: loads.iter().filter(|load| load.is_moment()).count() };
+    let of = |label: &str, shape| element(REMAINDER, label.to_owned(), REST, Layer::Arrow, shape);
+    vec![of(REMAINDER, arrow), of("M_R", turn)]
 }
 
 /// Whether a force of contact points into the body; on a free body it is then drawn from outside.

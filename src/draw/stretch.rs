@@ -70,7 +70,7 @@ fn of_line(line: &Line, film: &[Snapshot], close: f64) -> Vec<[f64; 2]> {
 }
 
 /// The coordinates of a point along and across a line.
-fn coordinates(line: &Line, p: Point) -> [f64; 2] {
+pub(super) fn coordinates(line: &Line, p: Point) -> [f64; 2] {
     let (along, from) = (direction(line.place.angle), subtract(p, line.place.at));
     [dot(along, from), dot(turned(along), from)]
 }

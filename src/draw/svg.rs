@@ -36,7 +36,9 @@ fn description(picture: &Picture) -> String {
     for mark in &picture.marks {
         if let Mark::Text { text, .. } = mark {
             let label = text::plain(text);
-            if !label.is_empty() && *text != picture.title && !labels.contains(&label) {
+            // Lines of the title are no labels.
+            let is_title = *text == picture.title || (text.contains(' ') && picture.title.contains(text));
+            if !label.is_empty() && !is_title && !labels.contains(&label) {
                 labels.push(label);
             }
         }

@@ -3,9 +3,10 @@
 use std::string::String;
 
 use crate::draw::colour::{INK, PALE};
-use crate::draw::element::{Element, Shape};
+use crate::draw::element::{Element, RING, Shape};
 use crate::draw::geometry::{add, direction, length, mix, subtract, times, turned, unit};
 use crate::draw::marks::arrow::{self, ANGLE, BESIDE};
+use crate::draw::outline::Piece;
 use crate::draw::picture::{Colour, Point};
 use crate::draw::text;
 use crate::draw::view::View;
@@ -21,6 +22,10 @@ pub(super) struct Tag {
     pub(super) colour: Colour,
     /// Whether it may be left out where there is no room.
     pub(super) may_hide: bool,
+    /// How far what it names reaches from the place.
+    pub(super) reach: f64,
+    /// The size of its letters.
+    pub(super) size: f64,
     /// Half width and half height of the text.
     pub(super) half: Point,
 }
@@ -38,6 +43,11 @@ pub(super) enum Side {
 
 /// The size of labels.
 pub(super) const FONT: f64 = 14.0;
+/// The part of the width of a picture that a label may take, unless its letters were smaller than these.
+const WIDEST: f64 = 0.5;
+const SMALLEST: f64 = 8.0;
+/// Fonts of browsers may be wider by so much than the one by which widths are measured.
+pub(super) const LEEWAY: f64 = 1.06;
 const GAP: f64 = 4.0;
 /// From the middle of a body or connector.
 const WIDE_GAP: f64 = 8.0;
@@ -56,9 +66,25 @@ pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
     };
     // Subscripts hang below.
     let has_subscript = text::runs(&element.label).iter().any(|run| run.is_subscript);
-    let height = if has_subscript { FONT * (1.0 + text::SUBSCRIPT.1) } else { FONT };
-    let half = [0.5 * text::width(&element.label, FONT), 0.5 * height];
-    Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, half })
+    let (size, width) = fitting(&element.label, view.window[1][0] - view.window[0][0]);
+    let height = if has_subscript { size * (1.0 + text::SUBSCRIPT.1) } else { size };
+    let half = [0.5 * width, 0.5 * height];
+    let reach = reach(&element.shape, view);
+    Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, reach, size, half })
+}
+
+/// The pixels from the centre of a body to the farthest point of its rim.
+fn reach(shape: &Shape, view: &View) -> f64 {
+    let Shape::Body { place, center, pieces } = shape else { return 0.0 };
+    let rim = pieces.iter().flat_map(Piece::rim).map(|p| subtract(place.of(p), *center));
+    view.length(rim.map(length).fold(0.0, f64::max))
+}
+
+/// The size of the letters of a label, and its width: smaller where it would take more than a part of the room.
+fn fitting(label: &str, room: f64) -> (f64, f64) {
+    let width = text::width(label, 1.0);
+    let size = FONT.min((WIDEST * room / width).max(SMALLEST)).min(room / (LEEWAY * width));
+    (size, size * width)
 }
 
 fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
@@ -76,9 +102,10 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
             let (at, side) = middle(&[*from, *to]);
             Some((at, side, WIDE_GAP))
         }
-        Shape::Spiral { at } | Shape::Drum { at } | Shape::Turn { at, .. } => {
-            Some((view.point(*at), Side::Around, ANGLE))
-        }
+        Shape::Spiral { at } | Shape::Drum { at } => Some((view.point(*at), Side::Around, ANGLE)),
+        // What does not turn has no label either.
+        Shape::Turn { moment: 0.0, .. } => None,
+        Shape::Turn { at, ring, .. } => Some((view.point(*at), Side::Around, ANGLE + RING * *ring as f64)),
         Shape::Arrow { from, vector, measure, is_push } => {
             let vector = view.vector(*vector, *measure);
             // What has no arrow has no label either.
@@ -108,6 +135,6 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
         Shape::Circle { center, radius, .. } => around(&add(*center, times(*radius, direction(0.8)))),
         Shape::Polyline { points } | Shape::Area { points } => points.last().and_then(around),
         Shape::Through { points } => around(&points[0]),
-        Shape::Ground { .. } => None,
+        Shape::Ground { .. } | Shape::Wall { .. } => None,
     }
 }

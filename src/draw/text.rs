@@ -65,8 +65,34 @@ impl Run {
     }
 }
 
-/// A name as it is written in formulas: Greek letters by their names, numbers behind a letter as subscripts.
+/// Behind a word, more letters than these are another word and no subscript.
+const SHORT: usize = 3;
+
+/// A name as it is written in formulas: Greek letters by their names, numbers behind a letter as subscripts. What stands behind an
+/// underscore is a subscript of a symbol, or of a word if it is short; longer parts are words of their own: `left_half`.
 pub(super) fn formula(name: &str) -> String {
+    let is_name = name.chars().all(|c| c.is_alphanumeric() || "_'′".contains(c));
+    let mut parts = name.split('_').map(symbols);
+    let (Some(base), true) = (parts.next(), is_name) else { return symbols(name) };
+    // What is within a subscript has none of its own.
+    let behind: Vec<String> = parts.map(|part| part.replace('_', "")).collect();
+    if base.is_empty() || behind.is_empty() || behind.iter().any(String::is_empty) {
+        return symbols(name);
+    }
+    let letters = |part: &str| part.chars().filter(|c| c.is_alphanumeric()).count();
+    let (letter, number) = base.split_once('_').unwrap_or((&base, ""));
+    match &behind[..] {
+        parts if letters(letter) > 1 && (parts.len() > 1 || letters(&parts[0]) > SHORT) => {
+            std::format!("{base} {}", parts.join(" "))
+        }
+        [part] if number.is_empty() => std::format!("{letter}_{part}"),
+        // Several subscripts are one.
+        parts => std::format!("{letter}_{{{}}}", std::format!("{number} {}", parts.join(" ")).trim_start()),
+    }
+}
+
+/// Greek letters, primes and numbers behind single letters; underscores stay as they are.
+fn symbols(name: &str) -> String {
     let mut written = String::new();
     let mut rest = name;
     while let Some(first) = rest.chars().next() {
@@ -152,7 +178,20 @@ mod tests {
             ("rod", "rod"),
             ("rod1", "rod1"),
             ("v_P'", "v_P′"),
-            ("left_half", "left_half"),
+            ("left_half", "left half"),
+            ("left_arm", "left_arm"),
+            ("wheel_2", "wheel_2"),
+            ("v_left", "v_left"),
+            ("omega_wheel", "ω_wheel"),
+            ("torsion_spring_1", "torsion spring 1"),
+            ("front_l_wheel", "front l wheel"),
+            ("v_P_max", "v_{P max}"),
+            ("k1_left", "k_{1 left}"),
+            ("v_P1", "v_P1"),
+            ("a_Q = b_longer", "a_Q = b_longer"),
+            ("J_{S P}", "J_{S P}"),
+            ("a__b", "a__b"),
+            ("_", "_"),
             ("Delta phi", "Δ φ"),
             ("", ""),
         ];

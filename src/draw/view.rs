@@ -12,9 +12,8 @@ use crate::draw::picture::Point;
 pub(super) struct View {
     /// Pixels to a unit of length.
     scale: f64,
-    /// A place that is shown, from which others are measured: far from the origin no pixel is lost to rounding.
-    reference: Point,
-    /// Its pixel.
+    /// A point of the world, and its pixel: numbers near each other keep their digits when they are subtracted.
+    base: Point,
     origin: Point,
     /// The corners of what may be drawn on, in pixels.
     pub(super) window: [Point; 2],
@@ -26,24 +25,34 @@ pub(super) struct View {
 const ROUNDS: usize = 60;
 /// If all that is shown is in one place, this part of the smaller side stands for a unit of length.
 const UNIT: f64 = 0.25;
+/// A window is wider than this many distances of neighbouring numbers, so that what is in it has a place.
+const ROUNDINGS: f64 = 4096.0;
+/// Smaller extents have no reciprocal.
+const TINY: f64 = 1e-300;
 
 impl View {
     /// The largest scale at which everything lies within the window, its middle in the middle.
     pub(super) fn new(window: [Point; 2], arrows: [f64; 3], reaches: &[Reach]) -> Result<Self, DrawError> {
         let size = subtract(window[1], window[0]);
-        let reference = reaches.first().map(|reach| reach.at).ok_or(DrawError::NothingToDraw)?;
-        let near = |reach: &Reach| Reach { at: subtract(reach.at, reference), ..*reach };
-        let reaches = &reaches.iter().map(near).collect::<Vec<_>>()[..];
         let spans = [0, 1].map(|axis| range(reaches, axis, None));
         let extent = spans.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
-        let smaller = size[0].min(size[1]);
-        let most = if extent > 0.0 { size[0].max(size[1]) / extent } else { UNIT * smaller };
+        let farthest = spans.as_flattened().iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let [smaller, larger] = [size[0].min(size[1]), size[0].max(size[1])];
+        let widest = if extent > 0.0 { larger / extent.max(TINY) } else { UNIT * smaller };
+        let most = widest.min(larger / (ROUNDINGS * f64::EPSILON * farthest).max(TINY));
+        let base = spans.map(|[low, high]| low + 0.5 * (high - low));
+        let from_base = |reach: &Reach| Reach { at: subtract(reach.at, base), ..*reach };
+        let reaches: Vec<Reach> = reaches.iter().map(from_base).collect();
+        let reaches = &reaches[..];
         let fits = |scale: f64| {
             (0..2).all(|axis| {
                 let [low, high] = range(reaches, axis, Some(scale));
                 high - low <= size[axis]
             })
         };
+        if reaches.is_empty() {
+            return Err(DrawError::NothingToDraw);
+        }
         let scale = largest(most, fits).ok_or(DrawError::Size(size))?;
         let middle = |axis: usize| {
             let [low, high] = range(reaches, axis, Some(scale));
@@ -51,11 +60,11 @@ impl View {
         };
         let of_window = [0, 1].map(|axis| 0.5 * (window[0][axis] + window[1][axis]));
         let origin = [of_window[0] - middle(0), of_window[1] + middle(1)];
-        Ok(View { scale, reference, origin, window, arrows })
+        Ok(View { scale, base, origin, window, arrows })
     }
 
     pub(super) fn point(&self, p: Point) -> Point {
-        let [x, y] = subtract(p, self.reference);
+        let [x, y] = subtract(p, self.base);
         [self.origin[0] + self.scale * x, self.origin[1] - self.scale * y]
     }
 
@@ -149,13 +158,30 @@ mod tests {
 
     #[test]
     fn places_far_from_the_origin_are_where_they_are_seen() {
-        let reaches = [[1e15, 3e15], [1e15 + 8.0, 3e15]].map(|at| reach(at, [0.0, 0.0], 10.0));
+        let reaches = [[1e12, 3e12], [1e12 + 8.0, 3e12]].map(|at| reach(at, [0.0, 0.0], 10.0));
         let view = View::new(WINDOW, [0.0; 3], &reaches).expect("fits");
         let [left, right] = reaches.each_ref().map(|reach| view.point(reach.at));
         assert!((left[0] - 10.0).abs() < 1e-9 && (right[0] - 190.0).abs() < 1e-9, "{left:?} {right:?}");
         assert_eq!([left[1], right[1]], [50.0, 50.0]);
-        let single = View::new(WINDOW, [0.0; 3], &[reach([1e300, -1e300], [0.0, 0.0], 5.0)]).expect("fits");
-        assert_eq!(single.point([1e300, -1e300]), [100.0, 50.0]);
+    }
+
+    #[test]
+    fn a_window_is_never_narrower_than_what_numbers_can_tell_apart() {
+        let near = 1e9_f64.next_up();
+        for places in
+            [[[1e300, 1e300]; 2], [[1e9, 0.0], [near, 0.0]], [[5e-324, 0.0], [0.0, 0.0]], [[-1e9, 1e9]; 2]]
+        {
+            let view =
+                View::new(WINDOW, [0.0; 3], &places.map(|at| reach(at, [0.0, 0.0], 5.0))).expect("fits");
+            let points = places.map(|at| view.point(at));
+            assert!(
+                points.iter().all(|p| (p[0] - 100.0).abs() < 1.0 && (p[1] - 50.0).abs() < 1.0),
+                "{points:?}"
+            );
+        }
+        let ends = [[1e9, 0.0], [1e9 + 1.0, 0.0]].map(|at| reach(at, [0.0, 0.0], 5.0));
+        let view = View::new(WINDOW, [0.0; 3], &ends).expect("fits");
+        assert!((view.point([1e9, 0.0])[0] - 5.0).abs() < 1e-6, "what can be told apart is as large as ever");
     }
 
     #[test]

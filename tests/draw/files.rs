@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use lagrange::draw::{DrawError, Drawing, Picture};
 
-use crate::scenes::{COLLECTION, CORNER, LADDER, SLOPE, ladder};
+use crate::scenes::{COLLECTION, CORNER, CROWDED, LADDER, SLOPE, ladder};
 
 fn path(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
@@ -34,6 +34,15 @@ fn gallery() -> Vec<(&'static str, Picture)> {
         ("free", Picture::beside(&[free("cylinder").expect("draws"), free("cuboid").expect("draws")])),
         ("forces", Drawing::of(&SLOPE).forces().picture(0.0, &[0.0, 1.0]).expect("draws")),
         ("collection", Drawing::of(&COLLECTION).size(720.0, 560.0).picture(0.0, &[0.3, 0.0]).expect("draws")),
+        ("crowded", Drawing::of(&CROWDED).picture(0.0, &[0.3, 0.0]).expect("draws")),
+        (
+            "small",
+            Drawing::of(&LADDER)
+                .title("The right foot slips")
+                .size(120.0, 90.0)
+                .picture(0.0, &[0.9, -1.0])
+                .expect("draws"),
+        ),
         ("corner", Drawing::of(&CORNER).picture(0.0, &[0.9, 0.0]).expect("draws")),
     ]
 }
@@ -47,9 +56,19 @@ fn pictures_are_saved_by_extension() {
         let bytes = fs::read(path(&format!("{name}.png"))).expect("reads");
         assert_eq!(bytes[..8], *b"\x89PNG\r\n\x1a\n");
     }
-    let (_, picture) = &gallery()[0];
-    assert!(matches!(picture.save(path("ladder.jpeg")), Err(DrawError::Extension(_))));
-    assert!(matches!(picture.save(path("none/ladder.svg")), Err(DrawError::Io(_))));
+}
+
+#[test]
+fn what_cannot_be_written_is_refused_with_its_path() {
+    let picture = Drawing::of(&LADDER).picture(0.0, &[0.9, -1.0]).expect("draws");
+    let refused = picture.save("ladder.jpeg").expect_err("is no format that is known").to_string();
+    assert_eq!(refused, "`ladder.jpeg` does not end in the name of a format: one of svg, png");
+    for name in ["none/ladder.svg", "none/ladder.png"] {
+        let error = picture.save(path(name)).expect_err("has no folder");
+        assert!(matches!(error, DrawError::Io { .. }), "{error:?}");
+        let message = error.to_string();
+        assert!(message.starts_with("cannot write `") && message.contains(&*path(name).to_string_lossy()));
+    }
 }
 
 #[test]

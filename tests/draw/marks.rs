@@ -1,18 +1,19 @@
 //! What pictures consist of, found out from their SVG.
 
+use lagrange::body::Motion;
 use lagrange::draw::{Drawing, Picture};
 use lagrange::scene::{Item, Outline};
 use roxmltree::{Document, Node};
 
-use crate::scenes::{COLLECTION, CORNER, LADDER, Puppet, SLOPE, ladder, part, still};
+use crate::scenes::{COLLECTION, CORNER, CROWDED, LADDER, Puppet, SLOPE, ladder, part, still};
 
-fn paths(svg: &str) -> Vec<String> {
+pub(crate) fn paths(svg: &str) -> Vec<String> {
     let document = Document::parse(svg).expect("is well formed");
     let paths = document.descendants().filter(|node| node.has_tag_name("path"));
     paths.map(|node| node.attribute("d").expect("has lines").to_string()).collect()
 }
 
-fn texts(svg: &str) -> Vec<String> {
+pub(crate) fn texts(svg: &str) -> Vec<String> {
     let document = Document::parse(svg).expect("is well formed");
     let all = |node: Node<'_, '_>| {
         node.descendants().filter_map(|inner| inner.is_text().then(|| inner.text())?).collect()
@@ -24,6 +25,13 @@ fn texts(svg: &str) -> Vec<String> {
 fn numbers(d: &str) -> Vec<f64> {
     let words = d.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter(|word| !word.is_empty());
     words.map(|word| word.parse().unwrap_or(f64::NAN)).collect()
+}
+
+/// From the first point of a path to its farthest.
+pub(crate) fn farthest(d: &str) -> f64 {
+    let numbers = numbers(d);
+    let away = numbers.chunks(2).map(|p| (p[0] - numbers[0]).hypot(p[1] - numbers[1]));
+    away.fold(0.0, f64::max)
 }
 
 fn all() -> Vec<Picture> {
@@ -47,6 +55,52 @@ fn all_numbers_are_finite_and_within_the_picture() {
                 let [x, y] = point else { panic!("{d}") };
                 assert!((0.0..=640.0).contains(x) && (0.0..=400.0).contains(y), "{d}");
             }
+        }
+    }
+}
+
+#[test]
+fn what_is_too_small_for_the_numbers_of_its_place_is_within_the_picture() {
+    let plate = Puppet(|s, visit| {
+        let parts = [part(Outline::Rectangle(1e-9, 1e-9))];
+        visit(Item::Body { name: "plate", motion: still([s, -s], 0.3), parts: &parts });
+    });
+    for place in [1e9, 1e300, -1e300] {
+        let svg = Drawing::of(&plate).picture(0.0, &[place, 0.0]).expect("draws").svg();
+        let drawn = paths(&svg);
+        assert!(!drawn.is_empty());
+        for point in drawn.iter().flat_map(|d| numbers(d)).collect::<Vec<_>>().chunks(2) {
+            assert!((point[0] - 320.0).abs() < 10.0 && (point[1] - 200.0).abs() < 10.0, "{svg}");
+        }
+    }
+}
+
+#[test]
+fn nothing_that_is_written_is_cut_off_in_small_pictures() {
+    const NAMES: Puppet = Puppet(|s, visit| {
+        for (k, name) in
+            ["averylongnameofabodythatgoeson", "the_second_half_of_the_ladder", "b"].iter().enumerate()
+        {
+            let parts = [part(Outline::Disk(0.5))];
+            visit(Item::Body { name, motion: still([1.5 * k as f64, s], 0.3), parts: &parts });
+        }
+    });
+    for [width, height] in [[640.0, 400.0], [320.0, 320.0], [120.0, 90.0]] {
+        let drawing = Drawing::of(&NAMES).size(width, height).velocities();
+        let svg =
+            drawing.title("Two bodies with long names and one with a short name").picture(0.0, &[0.0, 0.0]);
+        let svg = svg.expect("draws").svg();
+        let document = Document::parse(&svg).expect("is well formed");
+        let written: Vec<_> = document.descendants().filter(|node| node.has_tag_name("text")).collect();
+        let is_large = width > 320.0;
+        assert!(written.len() > if is_large { 3 } else { 1 }, "{svg}");
+        for (node, text) in written.iter().zip(texts(&svg)) {
+            let number =
+                |name| node.attribute(name).and_then(|value| value.parse::<f64>().ok()).expect("is there");
+            // Letters are at least a third as wide as high, the widest lines about half.
+            let half = 0.5 * 0.33 * number("font-size") * text.chars().count() as f64;
+            assert!(number("x") - half >= 0.0 && number("x") + half <= width, "{text}");
+            assert!(number("y") >= 0.7 * number("font-size") && number("y") <= height, "{text}");
         }
     }
 }
@@ -86,6 +140,19 @@ fn labels_are_those_of_formulas() {
 }
 
 #[test]
+fn bodies_keep_their_names_where_something_sits_on_their_centres() {
+    for size in [[640.0, 400.0], [320.0, 200.0]] {
+        for angle in [0.0, 0.3, 1.2] {
+            let drawing = Drawing::of(&CROWDED).size(size[0], size[1]);
+            let svg = drawing.picture(0.0, &[angle, 0.0]).expect("draws").svg();
+            let mut names = texts(&svg);
+            names.sort();
+            assert_eq!(names, ["leftrod", "plate", "tube"], "at {angle}");
+        }
+    }
+}
+
+#[test]
 fn what_is_hidden_leaves_no_mark() {
     let count =
         |drawing: Drawing<'_, Puppet>| paths(&drawing.picture(0.0, &[0.9, -1.0]).expect("draws").svg()).len();
@@ -109,7 +176,7 @@ fn the_normal_force_on_a_free_body_ends_at_its_contact() {
     const DISK: Puppet = Puppet(|_, visit| {
         visit(Item::Body {
             name: "disk",
-            motion: still([0.0, 1.0], 0.0),
+            motion: Motion { acceleration: [0.0, 5.0], ..still([0.0, 1.0], 0.0) },
             parts: &[part(Outline::Disk(1.0))],
         });
         let (cause, body) = (lagrange::scene::Cause::Joint, Some("disk"));

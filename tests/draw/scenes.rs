@@ -106,9 +106,12 @@ pub(crate) const SLOPE: Puppet = Puppet(|s, visit| {
     let cylinder = Motion {
         velocity: at(1.0, 0.0),
         angular_velocity: -1.0 / radius,
+        acceleration: at(9.81 * alpha.sin() * 2.0 / 3.0, 0.0),
+        angular_acceleration: -1.0 - 9.81 * alpha.sin() / 3.0 * radius,
         ..still(at(s, radius), -s / radius - alpha)
     };
-    let cuboid = Motion { velocity: at(1.5, 0.0), ..still(at(s + 2.5, radius), -alpha) };
+    let acceleration = at(9.81 * alpha.sin(), 0.0);
+    let cuboid = Motion { velocity: at(1.5, 0.0), acceleration, ..still(at(s + 2.5, radius), -alpha) };
     visit(Item::Body { name: "cylinder", motion: cylinder, parts: &[part(Outline::Disk(radius))] });
     let shape = [part(Outline::Rectangle(2.0 * radius, 2.0 * radius))];
     visit(Item::Body { name: "cuboid", motion: cuboid, parts: &shape });
@@ -183,4 +186,21 @@ pub(crate) const CORNER: Puppet = Puppet(|phi, visit| {
     visit(Item::Body { name: "rod", motion: still([cos, sin], -phi), parts: &rod });
     visit(Item::Joint { name: "foot", kind: Joint::Slide, at: [2.0 * cos, 0.0] });
     visit(Item::Joint { name: "top", kind: Joint::Slide, at: [0.0, 2.0 * sin] });
+});
+
+/// Three bodies with a torsion spring, a pin and a torsion damper on their centres.
+pub(crate) const CROWDED: Puppet = Puppet(|s, visit| {
+    let bodies = [
+        ("tube", Outline::Annulus(0.3, 0.5)),
+        ("plate", Outline::Rectangle(1.0, 0.6)),
+        ("left_rod", Outline::SlenderRod(1.0)),
+    ];
+    for (index, (name, outline)) in bodies.into_iter().enumerate() {
+        visit(Item::Body { name, motion: still([1.5 * index as f64, 0.0], s), parts: &[part(outline)] });
+    }
+    let mut connector =
+        |name, kind, at| visit(Item::Connector { name, kind, from: at, to: at, tension: 0.0 });
+    connector("torsion_spring_1", Connector::TorsionSpring, [0.0, 0.0]);
+    connector("torsion_damper_1", Connector::TorsionDamper, [3.0, 0.0]);
+    visit(Item::Joint { name: "pin", kind: Joint::Anchor, at: [1.5, 0.0] });
 });

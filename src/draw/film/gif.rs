@@ -1,7 +1,6 @@
 //! GIF: one palette, and of each picture only what differs from the one before.
 
 use std::borrow::Cow;
-use std::io;
 use std::vec::Vec;
 
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
@@ -30,19 +29,19 @@ impl Film {
         let (Ok(width), Ok(height)) = (u16::try_from(width), u16::try_from(height)) else {
             return Err(refusal("a GIF is at most 65535 pixels wide and high"));
         };
-        let mut encoder =
-            Encoder::new(Vec::new(), width, height, palette.colours.as_flattened()).map_err(failure)?;
-        encoder.set_repeat(Repeat::Infinite).map_err(failure)?;
+        let mut encoder = Encoder::new(Vec::new(), width, height, palette.colours.as_flattened())
+            .map_err(|error| failure(&error))?;
+        encoder.set_repeat(Repeat::Infinite).map_err(|error| failure(&error))?;
         let mut before: Option<Vec<u8>> = None;
         for (index, delay) in shown(&self.elapsed()) {
             let picture = palette.indices(&rasterise(&self.pictures[index], 1.0)?.rgba);
             let mut frame = difference(before.as_deref(), &picture, width, height);
             frame.delay =
                 u16::try_from(delay).map_err(|_| refusal("a GIF shows a picture for at most 655 seconds"))?;
-            encoder.write_frame(&frame).map_err(failure)?;
+            encoder.write_frame(&frame).map_err(|error| failure(&error))?;
             before = Some(picture);
         }
-        encoder.into_inner().map_err(failure)
+        encoder.into_inner().map_err(|error| failure(&error))
     }
 
     fn palette(&self) -> Result<Palette, DrawError> {
@@ -114,6 +113,6 @@ fn extent(before: &[u8], picture: &[u8], width: usize) -> (Range, Range) {
     extent.unwrap_or((0..1, 0..1))
 }
 
-fn failure(error: EncodingError) -> DrawError {
-    DrawError::Io(io::Error::other(error))
+fn failure(error: &EncodingError) -> DrawError {
+    DrawError::Film(std::format!("the pictures cannot be written as GIF: {error}"))
 }

@@ -97,9 +97,9 @@ impl Film {
             "svg" => self.svg().into_bytes(),
             "html" => self.html().into_bytes(),
             "gif" => self.gif()?,
-            _ => return Err(DrawError::Extension(path.to_path_buf())),
+            _ => return Err(DrawError::extension(path, &["svg", "gif", "html"])),
         };
-        Ok(fs::write(path, bytes)?)
+        DrawError::written(path, fs::write(path, bytes))
     }
 
     /// How many seconds it lasts.

@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::vec::Vec;
 
+use crate::draw::element::RING;
 use crate::draw::geometry::{
     add, arc, direction, length, mix, moved, polyline, subtract, times, turned, unit,
 };
@@ -44,12 +45,12 @@ fn arrowhead(tip: Point, along: Point, size: f64) -> Vec<Segment> {
     polyline([tip, add(back, times(half, turned(along))), subtract(back, times(half, turned(along)))], true)
 }
 
-/// An arrow around a point, counterclockwise if positive.
-pub(super) fn turn(at: Point, moment: f64) -> [Vec<Segment>; 2] {
+/// An arrow around a point, counterclockwise if positive, outside of so many others.
+pub(super) fn turn(at: Point, moment: f64, ring: usize) -> [Vec<Segment>; 2] {
     if moment == 0.0 {
         return [Vec::new(), Vec::new()];
     }
-    let (radius, sweep) = TURN;
+    let (radius, sweep) = (TURN.0 + RING * ring as f64, TURN.1);
     let from = FRAC_PI_2 - 0.5 * moment.signum() * sweep;
     around(at, radius, from, from + moment.signum() * sweep)
 }
@@ -106,11 +107,11 @@ mod tests {
 
     #[test]
     fn a_positive_moment_turns_from_right_to_left_over_the_top() {
-        let points = flattened(&turn([0.0, 0.0], 2.0)[0], 8);
+        let points = flattened(&turn([0.0, 0.0], 2.0, 0)[0], 8);
         assert!(points[0][0] > 0.0 && points[24][0] < 0.0 && points[12][1] < -15.0, "{points:?}");
-        let mirrored = flattened(&turn([0.0, 0.0], -2.0)[0], 8);
+        let mirrored = flattened(&turn([0.0, 0.0], -2.0, 0)[0], 8);
         assert!(mirrored[0][0] < 0.0);
-        assert_eq!(turn([0.0, 0.0], 0.0).concat(), []);
+        assert_eq!(turn([0.0, 0.0], 0.0, 0).concat(), []);
     }
 
     #[test]

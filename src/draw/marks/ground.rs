@@ -14,6 +14,8 @@ const SPACING: f64 = 8.0;
 const DEPTH: f64 = 7.0;
 /// What is left of a stroke at the border is left out if it is shorter.
 const LEAST: f64 = 2.0;
+/// Half the length of a wall.
+const WALL: f64 = 14.0;
 /// Height and half width of the triangle below a pin.
 const TRIANGLE: (f64, f64) = (13.0, 8.0);
 
@@ -35,6 +37,12 @@ pub(super) fn marks(place: Place, stretches: &[[f64; 2]], view: &View) -> Vec<Ma
         hatching.extend(hatches(at, along, [from, to], view));
     }
     vec![path(hatching, stroke(HATCHING, THIN)), path(edges, stroke(INK, MEDIUM))]
+}
+
+/// A short line with hatching on its right, its middle at a point.
+pub(super) fn wall(place: Place, view: &View) -> Vec<Mark> {
+    let half = view.of_pixels(WALL);
+    marks(place, &[[-half, half]], view)
 }
 
 /// Strokes to the right of a line and backwards.

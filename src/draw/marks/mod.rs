@@ -11,7 +11,7 @@ use std::vec::Vec;
 
 use crate::draw::colour::{INK, PALE, light};
 use crate::draw::element::{Element, Shape};
-use crate::draw::geometry::{ellipse, moved, polyline};
+use crate::draw::geometry::{Place, ellipse, moved, polyline};
 use crate::draw::picture::{Colour, Mark, Point, Segment, Style};
 use crate::draw::view::View;
 
@@ -38,12 +38,13 @@ pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
         Shape::Drum { at } => vec![line(connector::drum(view.point(*at)), INK)],
         Shape::Pin { at } => vec![joint(view.point(*at))],
         Shape::Anchor { at } => ground::anchor(view.point(*at)),
+        Shape::Wall { at, angle } => ground::wall(Place { at: *at, angle: *angle }, view),
         Shape::Slider { at } => vec![dot(view.point(*at), INK)],
         Shape::Arrow { from, vector, measure, is_push } => {
             let vector = view.vector(*vector, *measure);
             vec![filled(arrow::straight(arrow::start(view.point(*from), vector, *is_push), vector), colour)]
         }
-        Shape::Turn { at, moment } => round(arrow::turn(view.point(*at), *moment), colour),
+        Shape::Turn { at, moment, ring } => round(arrow::turn(view.point(*at), *moment, *ring), colour),
         Shape::Dot { at } => vec![dot(view.point(*at), colour)],
         Shape::Ray { from, to } => line::ray(view.point(*from), view.point(*to), colour, view),
         Shape::Segment { ends, is_dashed } => {
