@@ -104,7 +104,7 @@ impl Translation<'_> {
         }
         let centroid = match statement.centroid {
             Some(centroid) => self.fixed_vector(centroid, &messages::centroid_of(&name.text)),
-            None => self.centroid_of(shape.as_ref(), place),
+            None => self.named_centroid(&name.text, shape.as_ref(), place),
         };
         let radius = shape.as_ref().and_then(|(solid, dimensions)| Some(dimensions[solid.radius?]));
         let outlines = shape.map(|(solid, dimensions)| self.outline(solid, dimensions)).into_iter().collect();
@@ -172,6 +172,23 @@ impl Translation<'_> {
         }
     }
 
+    /// The centre of mass of a solid, under a name of its own where it is computed.
+    fn named_centroid(
+        &mut self,
+        name: &str,
+        shape: Option<&(&'static Solid, Vec<AstId>)>,
+        place: Origin,
+    ) -> Pair {
+        let centroid = self.centroid_of(shape, place);
+        match *self.expressions.get(centroid[0]) {
+            ast::Expression::Component(center, _) => {
+                let center = self.bind(&format!("{name}_centroid"), center);
+                self.terms().pair(center)
+            }
+            _ => centroid,
+        }
+    }
+
     fn outline(&mut self, solid: &'static Solid, dimensions: Vec<AstId>) -> Outline {
         let mut terms = self.terms();
         let (at, angle) = (terms.zero_pair(), terms.number(0));
@@ -183,7 +200,7 @@ impl Translation<'_> {
         let name = &statement.name.text;
         let stated = match (statement.center, statement.origin) {
             (Some(center), None) => Some((self.vector(center, &messages::center_of(name)), true)),
-            (None, Some(origin)) => Some((self.vector(origin, &messages::origin_of(name)), false)),
+            (None, Some(origin)) => Some((self.own_origin(name, origin), false)),
             (given, _) => {
                 let message = messages::one_place(name, given.is_some());
                 self.report.error(statement.name.span, message).help(messages::ONE_PLACE_HELP);
@@ -225,6 +242,20 @@ impl Translation<'_> {
         let value = self.mention(id);
         self.claims.push(Claim::PlaneVector { what: what.to_owned(), value });
         self.terms().pair(value)
+    }
+
+    /// Where the own coordinates begin, under a name of its own if it is not written by components.
+    fn own_origin(&mut self, name: &str, origin: AstId) -> Pair {
+        let components = self.vector(origin, &messages::origin_of(name));
+        match self.expressions.get(components[0]) {
+            ast::Expression::Component(..) => {
+                let origin = self.plain(origin);
+                let origin = self.bind(&format!("{name}_origin"), origin);
+                self.note_place(origin, &messages::place_of(name));
+                self.terms().pair(origin)
+            }
+            _ => components,
+        }
     }
 
     fn push_translation(&mut self, mass: AstId, center: AstId) {

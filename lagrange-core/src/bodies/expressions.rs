@@ -79,7 +79,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Whether the ground is meant: nothing else was given its name.
+    /// Whether the ground is meant: nothing was given its name but a line.
     pub(super) fn is_ground(&self, id: AstId) -> bool {
         let Expression::Name(name) = self.expressions.get(id) else { return false };
         name == "ground" && !self.names.is_declared(name)

@@ -2,7 +2,9 @@
 
 use crate::collections::{HashMap, OrderedMap};
 use crate::diagnostics::{Report, nearest};
-use crate::syntax::ast::{AstId, ConnectorKind, Declaration, Expression, Name, StatementKind};
+use crate::syntax::ast::{
+    AstId, ConnectorKind, Declaration, Expression, Name, SceneStatement, StatementKind,
+};
 
 use super::messages;
 use super::terms::Pair;
@@ -83,7 +85,7 @@ pub(super) struct Names {
     all_objects: OrderedMap<String, Name>,
     /// Parameters and constants.
     fixed: HashMap<String, ()>,
-    /// Everything that is declared anywhere.
+    /// Everything that is declared anywhere but lines.
     declared: HashMap<String, ()>,
     /// Names that plain statements must not take.
     taken: HashMap<String, ()>,
@@ -94,7 +96,8 @@ pub(super) struct Names {
 impl Names {
     pub(super) fn new(declaration: &Declaration) -> Names {
         let mut all_objects = OrderedMap::default();
-        let (mut taken, mut fixed) = (HashMap::default(), HashMap::default());
+        let (mut taken, mut fixed, mut declared) =
+            (HashMap::default(), HashMap::default(), HashMap::default());
         for statement in &declaration.statements {
             match &statement.kind {
                 StatementKind::Scene(scene) => {
@@ -112,11 +115,14 @@ impl Names {
                 }
                 _ => {}
             }
+            let is_line = matches!(&statement.kind, StatementKind::Scene(SceneStatement::Line(_)));
             for name in statement.kind.declared_names() {
+                if !is_line {
+                    declared.insert(name.text.clone(), ());
+                }
                 taken.insert(name.text.clone(), ());
             }
         }
-        let declared = taken.clone();
         for (_, expression) in declaration.expressions.iter() {
             if let Expression::Name(name) = expression {
                 taken.insert(name.clone(), ());
@@ -140,7 +146,7 @@ impl Names {
         self.all_objects.get(&name.to_owned())
     }
 
-    /// Whether a name is declared, be it further down.
+    /// Whether something else than a line has this name, be it further down.
     pub(super) fn is_declared(&self, name: &str) -> bool {
         self.declared.contains(&name.to_owned())
     }

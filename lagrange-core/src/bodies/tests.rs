@@ -390,7 +390,7 @@ fn bodies_do_not_go_with_a_lagrangian() {
 }
 
 #[test]
-fn ground_is_free_as_a_name() {
+fn ground_is_free_as_a_name_and_a_line_of_that_name_is_the_ground() {
     assert_same(
         "coord x, y, p;
         body ground { mass: 1; inertia: 2; center: (x, y); angle: p; }
@@ -400,5 +400,14 @@ fn ground_is_free_as_a_name() {
         kinetic = kinetic_energy(1, dot((x, y))) + kinetic_energy(2, dot(p));
         potential = spring_energy(5, (x, y));
         torque 3 on p;",
+    );
+    assert_same(
+        "coord x, y, p;
+        body b { mass: 1; inertia: 2; center: (x, y); angle: p; }
+        torsion_spring { from: ground; to: b; stiffness: 3; }
+        line ground { angle: 1; }",
+        "coord x, y, p;
+        kinetic = kinetic_energy(1, dot((x, y))) + kinetic_energy(2, dot(p));
+        potential = spring_energy(3, p);",
     );
 }

@@ -206,7 +206,7 @@ fn incomplete_statements_about_bodies_say_what_is_missing() {
         ("damper { stiffness: c; }", "error at 1:10: `stiffness` says nothing about a damper"),
         ("pin a;", "error at 1:6: expected `to`, found `;`"),
         ("pin a on b;", "error at 1:7: expected `to`, found `on`"),
-        ("pin a, b;", "error at 1:6: expected an operator or `to`, found `,`"),
+        ("pin a, b;", "error at 1:6: expected `to`, found `,`"),
         ("slide a to b;", "error at 1:9: expected `on`, found `to`"),
         ("slide a on (0, 0);", "error at 1:12: expected a name, found `(`"),
         ("slide a on b.c;", "error at 1:13: expected `;`, found `.`"),
@@ -272,8 +272,8 @@ error at 14:23: `throug` says nothing about a line
   help: did you mean `through`?
 error at 14:30: expected `:`, found `(`
   help: write `through: …;`
-error at 16:9: expected an operator or `to`, found `too`
-  help: write `*` between the factors of a product
+error at 16:9: expected `to`, found `too`
+  help: write `pin p to q;` or `pin name = p to q;`
 error at 17:14: missing `;` behind this
   note at 18:1: the next statement begins here
 error at 18:28: expected `:`, found `3`
