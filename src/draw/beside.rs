@@ -8,6 +8,8 @@ use crate::draw::picture::{Mark, Picture, Point};
 
 /// Up to this many pictures are in one row.
 const ROW: usize = 3;
+/// Between the titles of all of them.
+pub(super) const SEPARATOR: &str = "; ";
 
 impl Picture {
     /// Pictures side by side, each with its title above; more than three in several rows.
@@ -24,7 +26,7 @@ impl Picture {
             size[1] += row.iter().map(|picture| picture.size[1]).fold(0.0, f64::max);
         }
         let titles = pictures.iter().map(|picture| picture.title.as_str()).filter(|title| !title.is_empty());
-        Picture { size, title: titles.collect::<Vec<&str>>().join("; "), marks }
+        Picture { size, title: titles.collect::<Vec<&str>>().join(SEPARATOR), marks }
     }
 }
 
@@ -46,7 +48,29 @@ fn shifted(mark: &Mark, by: Point) -> Mark {
 
 #[cfg(test)]
 mod tests {
-    use crate::draw::picture::Picture;
+    use std::vec;
+
+    use crate::draw::colour::INK;
+    use crate::draw::picture::{Anchor, Mark, Picture};
+
+    #[test]
+    fn captions_are_the_title_and_no_labels() {
+        let text = |text: &str, size| Mark::Text {
+            at: [50.0, 20.0],
+            text: text.into(),
+            size,
+            anchor: Anchor::Middle,
+            colour: INK,
+        };
+        let picture = |title: &str| Picture {
+            size: [100.0, 80.0],
+            title: title.into(),
+            marks: vec![text(title, 15.0), text("M", 14.0)],
+        };
+        let svg = Picture::beside(&[picture("Start"), picture("The centre M")]).svg();
+        assert!(svg.contains("<title>Start; The centre M</title>"), "{svg}");
+        assert!(svg.contains("<desc>Labels: M.</desc>"), "{svg}");
+    }
 
     #[test]
     fn three_are_in_a_row_and_four_in_a_square() {

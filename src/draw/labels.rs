@@ -219,6 +219,7 @@ mod tests {
             gap: 4.0,
             colour: INK,
             may_hide,
+            reach: 0.0,
             size: FONT,
             half: [8.0, 7.0],
         })

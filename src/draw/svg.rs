@@ -4,6 +4,7 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
+use crate::draw::beside::SEPARATOR;
 use crate::draw::picture::{Anchor, Colour, Mark, Picture, Segment, Style};
 use crate::draw::text::{self, Run};
 
@@ -36,8 +37,9 @@ fn description(picture: &Picture) -> String {
     for mark in &picture.marks {
         if let Mark::Text { text, .. } = mark {
             let label = text::plain(text);
-            // Lines of the title are no labels.
-            let is_title = *text == picture.title || (text.contains(' ') && picture.title.contains(text));
+            // Titles and lines of them are no labels.
+            let is_caption = picture.title.split(SEPARATOR).any(|part| part == text);
+            let is_title = is_caption || (text.contains(' ') && picture.title.contains(text));
             if !label.is_empty() && !is_title && !labels.contains(&label) {
                 labels.push(label);
             }
