@@ -76,7 +76,8 @@ impl<'a> Values<'a> {
     }
 
     fn scalar(&mut self) -> TokenStream {
-        self.rest.next().cloned().unwrap_or_default()
+        let missing = || quote!(::core::compile_error!("a number of this scene is missing"));
+        self.rest.next().cloned().unwrap_or_else(missing)
     }
 
     fn vector(&mut self) -> TokenStream {
