@@ -52,6 +52,20 @@ lagrange::system! {
     emit { drawing }
 }
 
+lagrange::system! {
+    /// A block on a rail that is a hand-written constraint, pulled by a spring that is a hand-written energy.
+    struct Block;
+
+    param m = 2.0, k = 50.0, g = 9.81;
+    coord x, y;
+
+    gravity = (0, -g);
+    body block { mass: m; center: (x, y); shape: rectangle(0.6, 0.3); }
+    constraint rail = y;
+    potential = 1/2 * k * x^2;
+    emit { drawing }
+}
+
 const Q: [f64; 2] = [0.3, 0.7];
 const V: [f64; 2] = [0.2, 1.5];
 const STATE: [f64; 4] = [Q[0], Q[1], V[0], V[1]];
@@ -107,6 +121,17 @@ fn the_force_of_a_hinge_out_of_the_centre_comes_with_its_moment() {
     let hinge = pull(&system);
     assert!(close(rest, [-hinge[0], -hinge[1]]), "{rest:?} {hinge:?}");
     assert_eq!(texts(&picture.svg()), ["G", "R", "MR"]);
+}
+
+#[test]
+fn what_is_written_by_hand_is_shown() {
+    let system = Block::default();
+    let rest = Cell::new([0.0; 2]);
+    let drawing = Drawing::of(&system).free_body("block").annotate(|_, moment| {
+        rest.set(moment.force("R").expect("something has no name").1);
+    });
+    drawing.picture(0.0, &[0.2, 0.0, 0.0, 0.0]).expect("draws");
+    assert!(close(rest.get(), [-50.0 * 0.2, 2.0 * 9.81]), "{:?}", rest.get());
 }
 
 #[test]
