@@ -77,7 +77,7 @@ pub(crate) const SCENE: &str = "
     body wheel {
         origin: rod.point(l/2, 0) + (0, phi);
         angle: b;
-        compound { disk(r), mass: m; hole disk(r/2), mass: m/4, at: (r/4, 0), angle: -a; }
+        compound { disk(r), mass: m; hole disk(r/2), mass: m/4, at: (r/4, 0), angle: -pi/6; }
     }
     line floor { through: (0, -1); angle: 0.1; }
     line deck { on: cart; through: (0, r); }
