@@ -1,7 +1,7 @@
 //! A ladder that slides down, and leaves the wall before it lands.
 //!
-//! A uniform ladder of length l stands at the angle θ₀ to a smooth floor against a smooth wall. Both contacts are
-//! constraints, and their multipliers are the forces that push the ladder away. The wall pushes until
+//! A uniform ladder of length l stands at the angle θ₀ to a smooth floor against a smooth wall. Both ends
+//! slide, and the multipliers of these joints are the forces that push the ladder away. The wall pushes until
 //!
 //! ```text
 //! sin θ = 2/3 sin θ₀,
@@ -32,10 +32,13 @@ lagrange::system! {
 
     param m = 10.0, l = 3.0, g = 9.81;
     coord x, y, theta;
-    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2) + 1/24 * m * l^2 * dot(theta)^2;
-    potential = m * g * y;
-    constraint floor = y - l / 2 * sin(theta);
-    constraint wall = x - l / 2 * cos(theta);
+    gravity = (0, -g);
+    line ground {}
+    line house { angle: -pi / 2; }
+    body ladder { mass: m; shape: slender_rod(l); center: (x, y); angle: -theta; }
+    slide floor = ladder.point(l / 2, 0) on ground;
+    slide wall = ladder.point(-l / 2, 0) on house;
+    output forces = (floor.normal, wall.normal);
 }
 
 lagrange::system! {
@@ -45,10 +48,12 @@ lagrange::system! {
 
     param m = 10.0, l = 3.0, g = 9.81;
     coord x, y, theta;
-    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2) + 1/24 * m * l^2 * dot(theta)^2;
-    potential = m * g * y;
-    event floor = y - l / 2 * sin(theta), falling => impact(0);
-    event wall = x - l / 2 * cos(theta), falling => impact(0);
+    gravity = (0, -g);
+    line ground {}
+    line house { angle: -pi / 2; }
+    body ladder { mass: m; shape: slender_rod(l); center: (x, y); angle: -theta; }
+    event floor = ground.distance(ladder.point(l / 2, 0)), falling => impact(0);
+    event wall = house.distance(ladder.point(-l / 2, 0)), falling => impact(0);
     event lands = theta, falling => stop;
 }
 
@@ -64,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let start = [l / 2.0 * cosine, l / 2.0 * sine, ANGLE, 0.0, 0.0, 0.0];
     let forces = |t: f64, y: &[f64; 6]| {
         let state = LeaningState::from(*y);
-        leaning.multipliers(t, &state.coordinates(), &state.velocities())
+        leaning.forces(t, &state.coordinates(), &state.velocities())
     };
     let wall_force = |_: &Leaning, t: f64, y: &[f64; 6]| forces(t, y)[1];
     let fall = leaning

@@ -12,10 +12,15 @@
 //!
 //! so that it comes to rest at s = μ (l1 + r)/(μ − sin α), unless that is beyond the wall.
 //!
-//! The rope and the rolling are constraints; their multipliers are the force of the rope and the friction below the
-//! cylinder. One more coordinate, w, has no inertia and a constraint on its velocity: it is the work of the
+//! The rolling is a joint, the rope a constraint of its own; their multipliers are the friction below the cylinder and the
+//! force of the rope. One more coordinate, w, has no inertia and a constraint on its velocity: it is the work of the
 //! friction, integrated along with the motion. Look for T + V − w, which stays what it is at the start, and for
 //! both ends: at rest for μ = 0.8, at the wall for μ = 0.6.
+//!
+//! `cargo run --example rope --features draw,plot`
+
+#[path = "common/gallery.rs"]
+mod gallery;
 
 mod common;
 
@@ -23,22 +28,34 @@ use std::error::Error;
 
 use common::compare;
 use lagrange::Simulate;
+use lagrange::draw::{Drawing, Moment, Picture, Sketch};
+use lagrange::simulate::Trajectory;
 
 lagrange::system! {
-    /// The cuboid at s, the cylinder at x down the slope, turned by phi.
+    /// The cuboid at s, the cylinder at x down the slope, turned by phi; the pulley is near the edge, the origin.
     #[derive(Clone, Debug)]
     pub struct Rope;
 
     param m = 1.0, r = 0.25, l1 = 1.0, l3 = 4.0, mu = 0.8, alpha = 30 * pi / 180, g = 9.81;
     coord s, x, phi, w;
 
+    gravity = (0, -g);
+    line ground {}
+    line slope { angle: -alpha; }
+    body cuboid { mass: m; shape: rectangle(2 * r, 2 * r); center: (s - l3 - 3 * r, r); }
+    body cylinder {
+        mass: m;
+        shape: solid_cylinder(r);
+        center: (x + 3 * r) * (cos(alpha), -sin(alpha)) + r * (sin(alpha), cos(alpha));
+        angle: -phi;
+    }
+    slide cuboid.point(0, -r) on ground;
+    roll contact = cylinder on slope;
+    constraint rope = s - x;
+
     let full = mu * m * g;
     let grip = if s < l1 { 0 } else if s < l1 + 2 * r { full * (s - l1) / (2 * r) } else { full };
-    kinetic = 1/2 * m * (dot(s)^2 + dot(x)^2) + 1/4 * m * r^2 * dot(phi)^2;
-    potential = -m * g * x * sin(alpha);
     friction floor = dot(s), grip;
-    constraint rope = s - x;
-    constraint rolling = r * phi - x;
     constraint work = dot(w) + grip * dot(s);
 
     event enters = s - l1, rising => record;
@@ -46,11 +63,16 @@ lagrange::system! {
     event wall = s - l3, rising => stop;
     output rope_force = rope;
     output pull = ddot(s);
+    emit { drawing }
 }
+
+/// What is plotted against s.
+const ENERGIES: [&str; 4] = ["T, J", "V, J", "heat, J", "sum, J"];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = Rope::default();
-    let (last, system) = run(&scene, "mu = 0.8")?;
+    let run = motion(&scene, "mu = 0.8")?;
+    let (last, system) = (RopeState::from(run.last()), run.system_at_end().unwrap_or(&scene));
     let (q, v) = (last.coordinates(), last.velocities());
     let held = scene.m * scene.g * scene.alpha.sin();
     let [grip] = system.reactions(0.0, &q, &v);
@@ -61,20 +83,23 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("rope, N", system.rope_force(0.0, &q, &v), held),
     ];
     compare("mu = 0.8, at rest", 1e-9, &rows);
+    states(&scene, &run)?;
+    run.plot_against("s", &ENERGIES, gallery::picture("rope_energy.svg")?)?;
 
-    let (last, _) = run(&Rope { mu: 0.6, ..scene }, "mu = 0.6")?;
+    let last = RopeState::from(motion(&Rope { mu: 0.6, ..scene }, "mu = 0.6")?.last());
     let speed = (0.8_f64 * 9.81 * 0.35).sqrt();
     compare("mu = 0.6, at the wall", 1e-10, &[("s, m", last.s, 4.0), ("s_dot, m/s", last.s_dot, speed)]);
     Ok(())
 }
 
-/// The last state, and the system with its friction as it is then. What happens on the way is compared with the formulas.
-fn run(scene: &Rope, title: &str) -> Result<(RopeState, Rope), Box<dyn Error>> {
+/// The motion from rest. What happens on the way is compared with the formulas.
+fn motion(scene: &Rope, title: &str) -> Result<Trajectory<Rope>, Box<dyn Error>> {
     let trajectory = scene
         .simulate([0.0; 8])
         .until(10.0)
         .tolerance(1e-13)
-        .observe("balance", balance)
+        .every(0.01)
+        .observe_each(ENERGIES, energies)
         .observe_each(["rope", "sag"], rope_force)
         .run()?;
     for event in trajectory.events() {
@@ -87,23 +112,22 @@ fn run(scene: &Rope, title: &str) -> Result<(RopeState, Rope), Box<dyn Error>> {
         );
     }
     let column = |name| trajectory.column(name).unwrap_or_default();
-    let largest = |name| column(name).iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    let total = column(ENERGIES[3]);
+    let drift = total.iter().map(|now| (now - total[0]).abs()).fold(0.0, f64::max);
+    let sag = column("sag").iter().copied().map(f64::abs).fold(0.0, f64::max);
     let slack = column("rope").iter().copied().fold(f64::INFINITY, f64::min);
-    println!(
-        "largest error of T + V - w {:.1e} J, of the rope's force {:.1e} N",
-        largest("balance"),
-        largest("sag")
-    );
+    println!("largest error of T + V - w {drift:.1e} J, of the rope's force {sag:.1e} N");
     println!("smallest force of the rope {slack:.3} N\n");
-    assert!(largest("balance") < 1e-10 && largest("sag") < 1e-10 && slack > 0.0);
-    let system = trajectory.system_at_end().unwrap_or(scene).clone();
-    Ok((trajectory.last().into(), system))
+    assert!(drift < 1e-10 && sag < 1e-10 && slack > 0.0);
+    Ok(trajectory)
 }
 
-/// T + V − w, which is zero at the start.
-fn balance(rope: &Rope, t: f64, y: &[f64; 8]) -> f64 {
+/// T, V from where it starts, the heat −w and their sum.
+fn energies(rope: &Rope, t: f64, y: &[f64; 8]) -> [f64; 4] {
     let state = RopeState::from(*y);
-    rope.energy(t, &state.coordinates(), &state.velocities()) - state.w
+    let kinetic = rope.kinetic_energy(t, &state.coordinates(), &state.velocities());
+    let potential = rope.potential_energy(t, &state.coordinates()) - rope.potential_energy(t, &[0.0; 4]);
+    [kinetic, potential, -state.w, kinetic + potential - state.w]
 }
 
 /// The force of the rope, and by how much it differs from m g sin α − 3/2 m s̈.
@@ -126,4 +150,35 @@ fn squared_speed(rope: &Rope, s: f64) -> f64 {
         s - l1 - r
     };
     0.8 * g * (s * alpha.sin() - mu * lost)
+}
+
+/// Four states side by side: start, the rough floor is reached, the cuboid is on it, the end.
+fn states(scene: &Rope, run: &Trajectory<Rope>) -> Result<(), Box<dyn Error>> {
+    let events = run.events().iter().filter(|event| ["enters", "rough"].contains(&event.name.as_str()));
+    let states = [(0.0, run.first())].into_iter().chain(events.map(|event| (event.time, event.state)));
+    let states = states.chain([(run.end_time(), run.last())]);
+    let titles = ["Start", "The rough floor is reached", "All of it is rough", "At rest"];
+    let pictures = states.zip(titles).map(|((t, y), title)| {
+        let drawing = Drawing::of(scene).size(420.0, 260.0).title(title).nameless().annotate(surroundings);
+        drawing.past(run.iter()).picture(t, &y)
+    });
+    let pictures = pictures.collect::<Result<Vec<Picture>, _>>()?;
+    Picture::beside(&pictures).save(gallery::picture("rope.svg")?)?;
+    Ok(())
+}
+
+/// The rough part of the floor, rope, pulley and wall.
+fn surroundings(sketch: &mut Sketch, moment: &Moment<'_, Rope>) {
+    let (Some(cuboid), Some(cylinder)) = (moment.motion("cuboid"), moment.motion("cylinder")) else { return };
+    let &Rope { r, l1, l3, alpha, .. } = moment.system;
+    let down = |along: f64, away: f64| {
+        [along * alpha.cos() + away * alpha.sin(), away * alpha.cos() - along * alpha.sin()]
+    };
+    // The front of the cuboid is here as it starts.
+    let front = -l3 - 2.0 * r;
+    let wall = 3.0 * r + l3 + r;
+    sketch.ink(0).segment(down(wall, 0.0), down(wall, 3.0 * r));
+    sketch.ink(2).segment([front + l1, 0.0], [0.0, 0.0]);
+    let pulley = [r * (alpha / 2.0).tan(), r];
+    sketch.ink(0).polyline(&[cuboid.point([r, 0.0]), pulley, cylinder.center]).point(pulley, "");
 }

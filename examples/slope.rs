@@ -1,8 +1,8 @@
 //! A cuboid slides after a cylinder that rolls, down the same slope, and catches up with it.
 //!
 //! Both have the mass m. The cuboid slides without friction and starts a distance d above the cylinder, which rolls
-//! without slipping, its friction slowing it down. That both stay on the slope and that the cylinder rolls are
-//! constraints, whose multipliers are the forces of a free-body diagram:
+//! without slipping, its friction slowing it down. That both stay on the slope and that the cylinder rolls are joints,
+//! whose forces are those of a free-body diagram:
 //!
 //! ```text
 //! N = m g cos α  (both bodies),    H = m g sin α/3,    a = 2/3 g sin α  and  g sin α,    t = sqrt(6 d/(g sin α)).
@@ -10,7 +10,14 @@
 //!
 //! The bodies touch where the distance between them, a function of the state, falls to zero: an event.
 //!
-//! Look for the time, which is the same for every mass.
+//! The statements in the place of bodies and joints are printed first: they are what is differentiated.
+//!
+//! Look for the time, which is the same for every mass, and for the two free-body diagrams.
+//!
+//! `cargo run --example slope --features draw`
+
+#[path = "common/gallery.rs"]
+mod gallery;
 
 mod common;
 
@@ -18,50 +25,108 @@ use std::error::Error;
 
 use common::compare;
 use lagrange::Simulate;
+use lagrange::draw::{Drawing, Moment, Picture, Sketch};
 
 lagrange::system! {
-    /// Cuboid and cylinder; x points down the slope from where each body starts, y away from the slope.
+    /// Cuboid and cylinder, each by the place of its centre; phi turns clockwise, as the cylinder does.
     #[derive(Clone, Debug)]
     pub struct Slope;
 
-    param m = 1.0, r = 0.25, d = 10.0, alpha = 30 * pi / 180, g = 9.81;
+    param m = 1.0, r = 0.25, alpha = 30 * pi / 180, g = 9.81;
     coord x1, y1, x2, y2, phi;
 
-    kinetic = 1/2 * m * (dot(x1)^2 + dot(y1)^2);
-    kinetic = 1/2 * m * (dot(x2)^2 + dot(y2)^2) + 1/4 * m * r^2 * dot(phi)^2;
-    potential = -m * g * sin(alpha) * (x1 + x2) + m * g * cos(alpha) * (y1 + y2);
-    constraint on_slope = y1;
-    constraint normal = y2;
-    constraint rolling = x2 - r * phi;
-    event touch = d + x2 - x1, falling => stop;
+    gravity = (0, -g);
+    line slope { angle: -alpha; }
+    body cuboid { mass: m; shape: rectangle(2 * r, 2 * r); center: (x1, y1); angle: -alpha; }
+    body cylinder { mass: m; shape: solid_cylinder(r); center: (x2, y2); angle: -phi; }
+    slide foot = cuboid.point(0, -r) on slope;
+    roll contact = cylinder on slope;
+
+    event touch = slope.along(cylinder) - slope.along(cuboid) - 2 * r, falling => stop;
+    output forces = (foot.normal, contact.normal, contact.friction);
+    output places = (slope.along(cuboid), slope.along(cylinder));
+    output accelerations = (norm(acceleration(cuboid)), norm(acceleration(cylinder)));
+    emit { drawing, statements }
 }
 
+/// d, in m.
+const DISTANCE: f64 = 10.0;
+/// The distance for pictures, on which both bodies are seen.
+const SHORT: f64 = 2.0;
+
 fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}\n", Slope::STATEMENTS);
     for m in [1e-3, 1.0, 40.0] {
         race(&Slope { m, ..Slope::default() })?;
     }
-    Ok(())
+    diagrams(&Slope::default())?;
+    film(&Slope::default())
+}
+
+/// At rest, the cuboid at the place 0 along the slope and the cylinder a distance below it.
+fn start(slope: &Slope, distance: f64) -> SlopeState {
+    let (sine, cosine) = slope.alpha.sin_cos();
+    let on_slope = |s: f64| [s * cosine + slope.r * sine, slope.r * cosine - s * sine];
+    let ([x1, y1], [x2, y2]) = (on_slope(0.0), on_slope(distance + 2.0 * slope.r));
+    SlopeState { x1, y1, x2, y2, ..SlopeState::from([0.0; 10]) }
 }
 
 fn race(slope: &Slope) -> Result<(), Box<dyn Error>> {
-    let &Slope { m, d, alpha, g, .. } = slope;
-    let trajectory = slope.simulate([0.0; 10]).until(100.0).tolerance(1e-13).run()?;
+    let &Slope { m, alpha, g, .. } = slope;
+    let begin = start(slope, DISTANCE);
+    let trajectory = slope.simulate(begin).until(100.0).tolerance(1e-13).run()?;
     let (t, end) = (trajectory.end_time(), SlopeState::from(trajectory.last()));
     let (q, v) = (end.coordinates(), end.velocities());
-    let [on_slope, normal, rolling] = slope.multipliers(t, &q, &v);
-    let [cuboid, _, cylinder, ..] = slope.acceleration(t, &q, &v);
+    let [of_cuboid, of_cylinder, friction] = slope.forces(t, &q, &v);
+    let [cuboid, cylinder] = slope.accelerations(t, &q, &v);
+    let [[s1, s2], [s10, s20]] =
+        [slope.places(t, &q, &v), slope.places(0.0, &begin.coordinates(), &[0.0; 5])];
     let (weight, drive) = (m * g, g * alpha.sin());
     let rows = [
         ("time, s", t, 3.497_487_084),
-        ("cuboid, m", end.x1, drive * t * t / 2.0),
-        ("cylinder, m", end.x2, drive * t * t / 3.0),
+        ("cuboid, m", s1 - s10, drive * t * t / 2.0),
+        ("cylinder, m", s2 - s20, drive * t * t / 3.0),
         ("cuboid, m/s^2", cuboid, drive),
         ("cylinder, m/s^2", cylinder, 2.0 / 3.0 * drive),
-        ("N of cuboid, N", on_slope, weight * alpha.cos()),
-        ("N of cylinder, N", normal, weight * alpha.cos()),
-        ("H, N", -rolling, m * drive / 3.0),
+        ("N of cuboid, N", of_cuboid, weight * alpha.cos()),
+        ("N of cylinder, N", of_cylinder, weight * alpha.cos()),
+        ("H, N", -friction, m * drive / 3.0),
     ];
     compare(&format!("m = {m} kg"), 1e-10, &rows);
-    assert!((t - (6.0 * d / drive).sqrt()).abs() < 1e-13 * t);
+    assert!((t - (6.0 * DISTANCE / drive).sqrt()).abs() < 1e-13 * t);
     Ok(())
+}
+
+/// Each body alone, with the forces on it.
+fn diagrams(slope: &Slope) -> Result<(), Box<dyn Error>> {
+    let state = start(slope, SHORT).into();
+    let alone = |body: &str, title: &str| {
+        Drawing::of(slope)
+            .size(400.0, 400.0)
+            .title(title)
+            .nameless()
+            .free_body(body)
+            .accelerations()
+            .picture(0.0, &state)
+    };
+    let pictures = [alone("cuboid", "The cuboid slides")?, alone("cylinder", "The cylinder rolls")?];
+    Picture::beside(&pictures).save(gallery::picture("slope_forces.svg")?)?;
+    Ok(())
+}
+
+/// A shorter race, so that both are seen.
+fn film(slope: &Slope) -> Result<(), Box<dyn Error>> {
+    let trajectory = slope.simulate(start(slope, SHORT)).until(100.0).tolerance(1e-10).every(0.04).run()?;
+    let drawing = Drawing::of(slope).title("The cuboid catches up").nameless().velocities().annotate(angle);
+    drawing.picture(0.0, &start(slope, SHORT).into())?.save(gallery::picture("slope.svg")?)?;
+    drawing.film(&trajectory)?.save(gallery::picture("slope_race.svg")?)?;
+    Ok(())
+}
+
+/// The angle of the slope, where the cuboid starts.
+fn angle(sketch: &mut Sketch, moment: &Moment<'_, Slope>) {
+    let (alpha, end) = (moment.system.alpha, 2.0 * SHORT);
+    let foot = [end * alpha.cos(), -end * alpha.sin()];
+    sketch.ink(0).dashed(foot, [foot[0] - end / 3.0, foot[1]]);
+    sketch.angle(foot, std::f64::consts::PI - alpha, std::f64::consts::PI, "alpha");
 }

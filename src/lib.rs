@@ -35,6 +35,8 @@
 //! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
+//! | [`mod@body`], [`mod@inertia`] | motion of plane rigid bodies; moments of inertia |
+//! | [`mod@scene`], `draw` (feature) | what there is to draw of a system; pictures and films of it |
 //! | [`mod@constraint`] | residuals of constraints, and projection onto them |
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |
 //! | `adapt`, `trade` (features) | other crates' methods; methods measured against each other |
@@ -44,7 +46,7 @@
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`, and
 //! the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let trajectories save to Parquet and
-//! plot to SVG and PNG. `trade` measures what every digit costs on a system. `differential-equations` and `diffsol` hand
+//! plot to SVG and PNG. `draw` makes pictures and films of plane rigid bodies. `trade` measures what every digit costs on a system. `differential-equations` and `diffsol` hand
 //! systems to these crates. `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run
 //! time.
 #![no_std]
@@ -55,13 +57,20 @@ extern crate std;
 
 #[cfg(any(feature = "differential-equations", feature = "diffsol"))]
 pub mod adapt;
+pub mod body;
 pub mod constraint;
 pub mod contact;
+#[cfg(feature = "draw")]
+pub mod draw;
 pub mod event;
+pub mod inertia;
 pub mod integrate;
+#[cfg(any(feature = "plot", feature = "draw"))]
+mod lettering;
 #[cfg(feature = "plot")]
 mod plot;
 pub mod scalar;
+pub mod scene;
 #[cfg(feature = "std")]
 pub mod simulate;
 pub mod system;

@@ -9,6 +9,7 @@ use lagrange::integrate::{
     BlanesMoan4, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, Stepper,
     StormerVerlet, SymplecticEuler, Variational, Verner98, integrate,
 };
+use lagrange::scene::{Item, Scene};
 
 lagrange::system! {
     /// A point mass on a massless rod.
@@ -32,6 +33,18 @@ lagrange::system! {
     potential = g * y;
     event floor = y, falling => impact(1/2);
     friction rub = dot(x), mu * floor;
+}
+
+lagrange::system! {
+    /// A rod on a hinge.
+    struct Rod;
+
+    param l = 1.0;
+    coord x, y, a;
+    gravity = (0, -9.81);
+    body rod { mass: 2; shape: polygon((0, 0), (l, 0), (0, l)); center: (x, y); angle: a; }
+    pin rod to (0, 0);
+    emit { motion, drawing }
 }
 
 thread_local! {
@@ -69,6 +82,19 @@ fn requests(method: &impl Method<Pendulum>) -> u64 {
         assert!(stepper.interpolate(&pendulum, middle)[0].is_finite());
     }
     REQUESTS.get() - before
+}
+
+#[test]
+fn bodies_and_pictures_ask_for_no_memory() {
+    let (rod, before) = (Rod::default(), REQUESTS.get());
+    let mut sum = rod.rod_motion(0.0, &[1.0, 0.5, 0.2], &[0.3, 0.1, 2.0]).kinetic_energy();
+    rod.items(0.0, &[1.0, 0.5, 0.2], &[0.3, 0.1, 2.0], &mut |item| match item {
+        Item::Body { motion, parts, .. } => sum += motion.moment_about([0.0; 2]) + parts.len() as f64,
+        Item::Force { force: [x, y], .. } => sum += x + y,
+        _ => {}
+    });
+    assert!(sum.is_finite());
+    assert_eq!(REQUESTS.get() - before, 0);
 }
 
 #[test]

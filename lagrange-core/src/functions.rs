@@ -4,8 +4,11 @@
 //! [`Function`] and a row here. Derivatives are those of Abramowitz and Stegun, *Handbook of Mathematical
 //! Functions*, chapter 4; derivatives of piecewise functions are taken branch by branch.
 
+mod quarter_turns;
+
 use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
+use quarter_turns::without_quarter_turns;
 
 /// How a function of one argument behaves when the argument changes sign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -344,6 +347,9 @@ pub fn apply(graph: &mut Graph, function: Function, arguments: &[ExprId]) -> Exp
     }
     if function == Function::Abs && graph.is_nonnegative(argument) {
         return argument;
+    }
+    if let Some(value) = without_quarter_turns(graph, function, argument) {
+        return value;
     }
     let (coefficient, _) = graph.split_coefficient(argument);
     match row.parity {

@@ -45,6 +45,7 @@
 //! [`symbol`], [`diagnostics`] and [`collections`]. A module imports only from those that come before it.
 #![forbid(unsafe_code)]
 
+pub mod bodies;
 pub mod calculus;
 pub mod collections;
 pub mod diagnostics;
@@ -56,5 +57,6 @@ pub mod number;
 pub mod pipeline;
 pub mod program;
 pub mod simplify;
+pub mod solids;
 pub mod symbol;
 pub mod syntax;

@@ -1,23 +1,24 @@
-//! The whole of it on one screen: text or tokens → declaration → model → equations → items.
+//! The whole of it on one screen: text or tokens → declaration → plain statements → model → equations → items.
 
 mod numeric;
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::bodies::plain;
 use crate::diagnostics::Report;
 use crate::emit;
 use crate::emit::{Emitted, Refusal};
-use crate::mechanics::{Equations, Model, Reduced, RoadChoice, SingularMassMatrix, elaborate};
-use crate::syntax::ast::Declaration;
-use crate::syntax::{parse_text, parse_tokens};
+use crate::mechanics::{Equations, Model, Product, Reduced, RoadChoice, SingularMassMatrix, elaborate};
+use crate::syntax::ast::{Declaration, StatementKind};
+use crate::syntax::{parse_text, parse_tokens, print};
 
 pub use numeric::NumericSystem;
 
 /// A declaration with its checked model.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// What the user wrote.
+    /// What the user wrote, in plain statements.
     pub declaration: Declaration,
     /// What it means.
     pub model: Model,
@@ -28,7 +29,7 @@ pub struct System {
 /// A system with its equations of motion.
 #[derive(Clone, Debug)]
 pub struct Derived {
-    /// What the user wrote.
+    /// What the user wrote, in plain statements.
     pub declaration: Declaration,
     /// What it means.
     pub model: Model,
@@ -58,13 +59,19 @@ pub struct DerivedPart {
 pub fn parse(text: &str) -> Result<System, Report> {
     let mut report = Report::default();
     let Some(declaration) = parse_text(text, &mut report) else { return Err(report) };
-    match elaborate(&declaration, &mut report) {
-        Some(model) => Ok(System { declaration, model, report }),
+    let plain = plain(declaration, &mut report);
+    match elaborate(&plain, &mut report) {
+        Some(model) => Ok(System { declaration: plain.without(&model.implied), model, report }),
         None => Err(report),
     }
 }
 
 impl System {
+    /// The statements, one on each line; those about rigid bodies in plain words.
+    pub fn statements(&self) -> String {
+        statements(&self.declaration)
+    }
+
     /// Derives the equations of motion.
     ///
     /// # Errors
@@ -87,7 +94,8 @@ impl Derived {
     /// If a constant is too large for the scalar.
     pub fn emit(mut self, krate: &TokenStream) -> Result<TokenStream, Report> {
         let Derived { declaration, model, equations, reduced, report } = &mut self;
-        let items = emit(declaration, model, equations, krate, report);
+        let statements = plain_statements(declaration);
+        let items = emit(declaration, model, equations, krate, statements.as_deref(), report);
         let parts = emit_parts(declaration, reduced, krate, report);
         items.zip(parts).map(|(items, parts)| quote!(#items #parts)).ok_or(self.report)
     }
@@ -109,12 +117,17 @@ impl Derived {
 pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let mut report = Report::default();
     let items = parse_tokens(tokens, &mut report).map(|declaration| {
-        let items = elaborate(&declaration, &mut report).and_then(|mut model| {
+        let plain = plain(declaration, &mut report);
+        let model = elaborate(&plain, &mut report);
+        let declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
+        let items = model.and_then(|mut model| {
             emit::report_hopeless_model(&declaration, &model, &mut report)?;
             let road = RoadChoice::Cheapest;
             let equations = derive(&declaration, &mut model, road, &mut report)?;
             let mut parts = derive_parts(&declaration, &mut model, road, &mut report)?;
-            let items = emit(&declaration, &mut model, &equations, krate, &mut report)?;
+            let statements = plain_statements(&declaration);
+            let items =
+                emit(&declaration, &mut model, &equations, krate, statements.as_deref(), &mut report)?;
             let parts = emit_parts(&declaration, &mut parts, krate, &mut report)?;
             Some(quote!(#items #parts))
         });
@@ -164,11 +177,31 @@ fn emit_parts(
 ) -> Option<TokenStream> {
     let mut items = TokenStream::new();
     for DerivedPart { declaration, reduced, equations } in parts {
-        items.extend(emit(declaration, &mut reduced.model, equations, krate, report)?);
+        // What the statements of the whole system stand for is said there.
+        items.extend(emit(declaration, &mut reduced.model, equations, krate, None, report)?);
         let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
         items.extend(emit::conversions(full, declaration, reduced, krate).inspect_err(refused).ok()?);
     }
     Some(items)
+}
+
+/// The plain statements, if others stand for rigid bodies.
+fn plain_statements(declaration: &Declaration) -> Option<String> {
+    (!declaration.bodies.is_empty()).then(|| statements(declaration))
+}
+
+/// The statements without demands that only those who declare bodies can make.
+fn statements(declaration: &Declaration) -> String {
+    let mut declaration = declaration.clone();
+    let is_of_bodies = |name: &str| Product::ALL.iter().any(|p| p.is_of_bodies() && p.name() == name);
+    for statement in &mut declaration.statements {
+        if let StatementKind::Emit(items) = &mut statement.kind {
+            items.retain(|item| !is_of_bodies(&item.product.text));
+        }
+    }
+    let is_empty = |kind: &StatementKind| matches!(kind, StatementKind::Emit(items) if items.is_empty());
+    declaration.statements.retain(|statement| !is_empty(&statement.kind));
+    print::statements(&declaration)
 }
 
 fn emit(
@@ -176,9 +209,10 @@ fn emit(
     model: &mut Model,
     equations: &Equations,
     krate: &TokenStream,
+    statements: Option<&str>,
     report: &mut Report,
 ) -> Option<TokenStream> {
-    let emitted = emit::system(declaration, model, equations, krate);
+    let emitted = emit::system(declaration, model, equations, statements, krate);
     let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
     let Emitted { items, size } = emitted.inspect_err(refused).ok()?;
     emit::report_cost(declaration, size, report);

@@ -5,13 +5,15 @@ use std::path::{Path, PathBuf};
 
 /// Modules in layers: each imports only from its own module and from earlier layers. Modules of one layer
 /// may import each other.
-const LAYERS: [&[&str]; 10] = [
+const LAYERS: [&[&str]; 12] = [
     &["number", "symbol", "diagnostics", "collections"],
     &["expr"],
     &["functions"],
     &["calculus"],
     &["simplify"],
+    &["solids"],
     &["syntax"],
+    &["bodies"],
     &["mechanics"],
     &["program"],
     &["emit"],

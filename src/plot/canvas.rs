@@ -12,7 +12,7 @@ use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
 };
 
-use crate::plot::lettering::{self, Point};
+use crate::lettering::{self, Point};
 
 /// A picture whose points are finer than its pixels.
 pub(super) struct Canvas {

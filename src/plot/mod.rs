@@ -6,7 +6,6 @@
 
 mod axis;
 mod canvas;
-mod lettering;
 mod panel;
 mod thin;
 

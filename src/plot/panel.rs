@@ -7,9 +7,9 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontTransform, IntoFont, RGBColor, ShapeStyle, TextStyle};
 use plotters_backend::{DrawingBackend, DrawingErrorKind};
 
+use crate::lettering::Point;
 use crate::plot::FINENESS;
 use crate::plot::axis::{Axis, Scale};
-use crate::plot::lettering::Point;
 use crate::plot::thin::thin;
 
 /// A pair of axes with curves.

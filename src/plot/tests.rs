@@ -6,9 +6,9 @@ use std::vec::Vec;
 
 use super::axis::{Axis, Scale};
 use super::canvas::Canvas;
-use super::lettering::strokes;
 use super::thin::thin;
 use super::{Curve, Figure, Panel, PlotError};
+use crate::lettering::strokes;
 
 fn figure(curves: Vec<Curve>) -> Figure {
     let (x_scale, y_scale) = (Scale::Linear, Scale::Linear);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::vec::Vec;
 
-use crate::plot::lettering::Point;
+use crate::lettering::Point;
 
 /// Splits a curve where it is not finite, and leaves out what cannot be seen at this width of a line.
 ///

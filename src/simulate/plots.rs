@@ -77,6 +77,21 @@ where
         Figure { panels: vec![panel], columns: 1, size: SQUARE }.save(path.as_ref())
     }
 
+    /// Plots columns against another one, all in one panel.
+    ///
+    /// # Errors
+    /// If there is no such column, or the file cannot be written.
+    pub fn plot_against(&self, x: &str, names: &[&str], path: impl AsRef<Path>) -> Result<(), PlotError> {
+        let abscissae = self.numbers(x)?;
+        let curve = |name: &&str| {
+            let points = abscissae.iter().copied().zip(self.numbers(name)?).collect();
+            Ok(Curve { name: (*name).to_string(), points })
+        };
+        let curves = names.iter().map(curve).collect::<Result<_, PlotError>>()?;
+        let title = if let [name] = names { name } else { "" };
+        Figure { panels: vec![panel(x, title, curves)], columns: 1, size: WIDE }.save(path.as_ref())
+    }
+
     /// Plots how far the energy is from its initial value E₀, relative to that unless it is too small for it: against
     /// time, and on a logarithmic axis if the distance grows by orders of magnitude.
     ///

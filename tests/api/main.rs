@@ -1,6 +1,8 @@
 //! What a user may rely on of the items that `system!` emits: names, types, conversions, traits.
 
 mod accuracy;
+mod axiom;
+mod bodies;
 mod columns;
 mod constrained_references;
 mod constraints;
@@ -9,6 +11,7 @@ mod declarations;
 mod events;
 mod fixed_steps;
 mod hybrid;
+mod inertia;
 mod methods;
 mod products;
 mod projection;

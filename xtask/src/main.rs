@@ -4,10 +4,10 @@
 
 mod performance;
 
+use std::env;
 use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
-use std::{env, fs};
 
 /// One check: what it shows, and the `cargo` command that shows it.
 struct Step {
@@ -62,7 +62,7 @@ fn main() -> ExitCode {
 
 fn check(root: &Path) -> ExitCode {
     let start = Instant::now();
-    for step in steps(root) {
+    for step in steps() {
         if !step.run(root) {
             eprintln!("\nfailed: {}", step.title);
             return ExitCode::FAILURE;
@@ -72,12 +72,13 @@ fn check(root: &Path) -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn steps(root: &Path) -> Vec<Step> {
+fn steps() -> Vec<Step> {
     let mut steps = vec![
         Step::new("formatting", "fmt --all --check"),
         // All targets: benchmarks, too, are compiled as far as lints go.
         Step::new("lints", "clippy --workspace --all-targets --all-features -- -D warnings"),
         // The same random cases every time; `cargo test` by itself draws new ones.
+        // Among them every example, which asserts its own reference values.
         Step::new("tests and doctests", "test --workspace --all-features").with("PROPTEST_RNG_SEED", "20"),
         Step::new("lints of long motions", "clippy --release --test trajectories -- -D warnings"),
         Step::new("long motions", "test --release --test trajectories"),
@@ -92,18 +93,8 @@ fn steps(root: &Path) -> Vec<Step> {
         let step = Step::new("sine and cosine with fused products", command);
         steps.push(step.with("RUSTFLAGS", "-C target-feature=+fma"));
     }
-    // Every example asserts its own reference values.
-    steps.extend(examples(root).iter().map(|name| {
-        Step::new(
-            &format!("example {name}"),
-            &format!("run --quiet --release --features plot --example {name}"),
-        )
-    }));
     steps
 }
-
-/// The example that checks nothing but measures, for minutes, and rewrites documentation.
-const MEASUREMENT: &str = "trade";
 
 /// Whether this processor can run what is compiled for the target feature `fma`.
 fn fuses_products() -> bool {
@@ -112,14 +103,4 @@ fn fuses_products() -> bool {
     #[cfg(not(target_arch = "x86_64"))]
     let fuses = false;
     fuses
-}
-
-fn examples(root: &Path) -> Vec<String> {
-    let entries = fs::read_dir(root.join("examples")).into_iter().flatten().flatten();
-    let mut names = entries
-        .filter_map(|entry| Some(entry.file_name().to_str()?.strip_suffix(".rs")?.to_owned()))
-        .filter(|name| name != MEASUREMENT)
-        .collect::<Vec<_>>();
-    names.sort();
-    names
 }

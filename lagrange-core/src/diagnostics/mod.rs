@@ -42,6 +42,8 @@ pub enum Severity {
     Unused(String),
     /// A warning: this is as meant, but takes long to compile.
     Expensive,
+    /// A warning: two things contradict each other, or a number is impossible, but equations can be derived.
+    Doubtful,
 }
 
 /// One mistake.
@@ -83,7 +85,7 @@ impl fmt::Display for Diagnostic {
         };
         let severity = match &self.severity {
             Severity::Error => "error",
-            Severity::Unused(_) | Severity::Expensive => "warning",
+            Severity::Unused(_) | Severity::Expensive | Severity::Doubtful => "warning",
         };
         write!(f, "{severity} at {}: {}", at(self.origin), self.message)?;
         for (origin, note) in &self.related {
@@ -122,6 +124,11 @@ impl Report {
     /// Adds a warning of something that takes long to compile; details can be chained.
     pub fn expensive(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> &mut Diagnostic {
         self.add(Severity::Expensive, origin.into(), message.into())
+    }
+
+    /// Adds a warning of something that can hardly be meant; details can be chained.
+    pub fn doubtful(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> &mut Diagnostic {
+        self.add(Severity::Doubtful, origin.into(), message.into())
     }
 
     fn add(&mut self, severity: Severity, origin: Origin, message: String) -> &mut Diagnostic {

@@ -9,7 +9,7 @@ use crate::diagnostics::{Diagnostic, Origin, Report, Severity};
 use crate::syntax::ast::{Declaration, Expression, ScalarType};
 
 /// `compile_error!` for errors, variables that are not used for names that are not, and something deprecated
-/// for what takes long to compile: a stable macro cannot report anything else. Related places are reported
+/// for what takes long to compile or is doubtful: a stable macro cannot report anything else. Related places are reported
 /// where they are.
 ///
 /// `attributes` are those of the struct: what they allow is not warned of.
@@ -17,20 +17,24 @@ pub fn diagnostics(diagnostics: &[Diagnostic], attributes: &TokenStream) -> Toke
     let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error).map(error);
     let unused = diagnostics.iter().filter_map(|diagnostic| match &diagnostic.severity {
         Severity::Unused(name) => Some(Ident::new(name, diagnostic.origin.start)),
-        Severity::Error | Severity::Expensive => None,
+        Severity::Error | Severity::Expensive | Severity::Doubtful => None,
     });
-    let expensive = diagnostics.iter().filter(|d| d.severity == Severity::Expensive);
-    let expensive = expensive.map(|diagnostic| notice(diagnostic, attributes)).collect::<TokenStream>();
+    let notices = diagnostics.iter().filter_map(|diagnostic| match diagnostic.severity {
+        Severity::Expensive => Some(notice("LargeSystem", diagnostic, attributes)),
+        Severity::Doubtful => Some(notice("DoubtfulValue", diagnostic, attributes)),
+        Severity::Error | Severity::Unused(_) => None,
+    });
+    let notices = notices.collect::<TokenStream>();
     let (errors, unused) = (errors.collect::<TokenStream>(), unused.collect::<Vec<_>>());
     let warnings = (!unused.is_empty()).then(|| warnings(&unused, attributes));
-    quote!(#errors #warnings #expensive)
+    quote!(#errors #warnings #notices)
 }
 
 /// The compiler's own warning of something deprecated, the only one whose text can be chosen. It stands at the
 /// user's token and obeys the user's lint levels.
-fn notice(diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
+fn notice(name: &str, diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
     let (allowed, text) = (allowed(attributes), text(diagnostic));
-    let used = Ident::new("LargeSystem", diagnostic.origin.start);
+    let used = Ident::new(name, diagnostic.origin.start);
     quote! {
         #allowed
         const _: () = {

@@ -35,6 +35,7 @@ const FAST: [&str; 2] = [
 const STRICT: &str = "- Accuracy: `strict`. Of equal ways the one that cancels least.";
 const SEPARABLE: &str = "- Separable: explicit symplectic methods take it.";
 const LEAPFROG: &str = "- Leapfrog methods take it and keep it on the constraints.";
+const STATEMENTS: &str = "Those about rigid bodies stand for plain ones:";
 const REDUNDANT: &str = "- Constraints follow from others: of the multipliers the smallest ones are taken.";
 const NO_SQUARES: &str = "the kinetic energy is no sum of squares";
 const TOO_LONG: &str =
@@ -200,6 +201,12 @@ pub(super) fn system_docs(model: &mut Model, equations: &Equations, counts: Oper
     let when = if model.reactions.is_empty() { "" } else { " while no contact or friction acts" };
     lines.push(format!("- Cost of `acceleration`{when}: {}.", counts_text(counts)));
     lines
+}
+
+/// What it says of the statements that those about rigid bodies stand for.
+pub(super) fn statements(text: &str) -> Vec<String> {
+    let head = ["", "# Statements", "", STATEMENTS, "", "```text"].map(str::to_owned);
+    head.into_iter().chain(text.lines().map(str::to_owned)).chain(["```".to_owned()]).collect()
 }
 
 fn multiplier_order(model: &Model) -> String {

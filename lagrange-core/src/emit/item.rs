@@ -8,6 +8,7 @@ use quote::quote;
 use super::constrained::projections;
 use super::contacts::mode_fields;
 use super::method::{ArgumentNames, Method};
+use super::scene::motion_name;
 use super::shape::{Shape, doc, identifier, length, local};
 use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
 use super::traits::trait_impls;
@@ -29,6 +30,10 @@ pub(super) struct Parts {
     pub(super) terms: TokenStream,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
+    /// Methods that say how bodies move.
+    pub(super) motions: TokenStream,
+    /// The body of `Scene::items`, if that is asked for.
+    pub(super) items: Option<TokenStream>,
     /// Associated constants.
     pub(super) constants: TokenStream,
     pub(super) names: ArgumentNames,
@@ -82,10 +87,12 @@ pub(super) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
     let touching = shape.touching.iter().map(|(name, _)| name);
     let outputs = shape.outputs.iter().map(|(name, _)| name);
     let names = shape.fields.iter().chain(&shape.coordinates).chain(touching).chain(outputs);
+    let methods = shape.bodies.iter().map(|body| motion_name(body).to_string());
+    let names = names.map(|name| name.text.clone()).chain(methods);
     let is_snake_case = |name: &str| !name.contains(char::is_uppercase) && !name.contains("__");
     let exception =
         quote!(#[allow(non_snake_case, reason = "symbols keep the letters they have in formulas")]);
-    (!{ names }.all(|name| is_snake_case(&name.text))).then_some(exception)
+    (!{ names }.all(|name| is_snake_case(&name))).then_some(exception)
 }
 
 fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -163,13 +170,14 @@ fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
     let methods = parts.methods.iter().map(|method| method.tokens(shape, &parts.names));
     let (constants, rhs) = (&parts.constants, rhs(shape, &parts.names));
-    let hidden = &parts.hidden;
+    let (hidden, motions) = (&parts.hidden, &parts.motions);
     let projections = projections(shape, parts);
     quote! {
         impl #bounds #name #generics {
             #constants
             #(#methods)*
             #rhs
+            #motions
             #projections
             #hidden
         }
@@ -210,7 +218,7 @@ fn default_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 
 /// Distinct names for the arguments; the user's names come first.
 pub(super) fn argument_names(mut allocate: impl FnMut(&str) -> Ident) -> ArgumentNames {
-    let residuals = allocate("residuals");
+    let (residuals, visit) = (allocate("residuals"), allocate("visit"));
     let mut either = |short: &str, long: &str| {
         let name = allocate(short);
         if name == short { name } else { allocate(long) }
@@ -222,5 +230,6 @@ pub(super) fn argument_names(mut allocate: impl FnMut(&str) -> Ident) -> Argumen
         accelerations: either("a", "accelerations"),
         state: either("y", "state"),
         residuals,
+        visit,
     }
 }

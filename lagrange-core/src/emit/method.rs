@@ -38,6 +38,8 @@ pub(super) struct ArgumentNames {
     pub(super) accelerations: Ident,
     pub(super) state: Ident,
     pub(super) residuals: Ident,
+    /// What takes the items of a scene.
+    pub(super) visit: Ident,
 }
 
 /// One method, ready to be written.

@@ -1,5 +1,6 @@
 //! Programs and expressions as text in other languages. No algebra happens here.
 
+mod bindings;
 mod constrained;
 mod contacts;
 mod diagnostics;
@@ -14,6 +15,7 @@ mod naming;
 mod numerals;
 mod product;
 mod reduced;
+mod scene;
 mod shape;
 mod size;
 mod skeleton;

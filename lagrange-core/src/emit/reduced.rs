@@ -3,12 +3,13 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::bindings::field_bindings;
 use super::contacts::Touch;
 use super::item::{rounded_exception, split_attributes};
 use super::rust_body::{Names, body};
 use super::shape::{Shape, doc, identifier, local};
 use super::skeleton::skeleton_of_type;
-use super::system::{Refusal, field_bindings};
+use super::system::Refusal;
 use super::text;
 use crate::collections::HashMap;
 use crate::mechanics::{Held, METHODS_OF_REDUCED, Reduced};

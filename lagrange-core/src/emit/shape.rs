@@ -6,6 +6,7 @@ use quote::{format_ident, quote};
 use super::contacts::Touch;
 use super::rust_body::Scalar;
 use crate::collections::HashMap;
+use crate::mechanics::Product;
 use crate::syntax::ast::{Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression};
 use crate::syntax::ast::{Name, ScalarType, Statement, StatementKind};
 
@@ -17,6 +18,8 @@ pub(super) struct Shape<'a> {
     /// Parameters and inputs in declaration order, parameters first.
     pub(super) fields: Vec<&'a Name>,
     pub(super) coordinates: Vec<&'a Name>,
+    /// Rigid bodies with a method that says how they move.
+    pub(super) bodies: Vec<&'a Name>,
     pub(super) constraints: Vec<&'a Name>,
     pub(super) events: Vec<&'a Event>,
     /// Whether constraints are stabilised instead of projected onto.
@@ -36,6 +39,7 @@ impl<'a> Shape<'a> {
             krate,
             fields: Vec::new(),
             coordinates: Vec::new(),
+            bodies: Vec::new(),
             constraints: Vec::new(),
             events: Vec::new(),
             is_stabilised: false,
@@ -63,6 +67,9 @@ impl<'a> Shape<'a> {
             }
         }
         shape.fields.extend(inputs);
+        if shape.asks_for(Product::Motion) {
+            shape.bodies.extend(declaration.bodies.iter().map(|body| &body.name));
+        }
         shape.drop_repeated_names();
         shape
     }
@@ -91,6 +98,16 @@ impl<'a> Shape<'a> {
         self.touching.iter().map(event).collect()
     }
 
+    /// Whether a product that is emitted on demand is asked for.
+    pub(super) fn asks_for(&self, product: Product) -> bool {
+        let items = self.declaration.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Emit(items) => Some(items),
+            _ => None,
+        });
+        let mut asked = items.flatten().filter(|item| item.product.text == product.name());
+        asked.next_back().is_some_and(|item| item.wanted)
+    }
+
     /// Names declared twice are reported elsewhere; two fields of one name would be reported again.
     fn drop_repeated_names(&mut self) {
         let mut seen = HashMap::default();
@@ -99,6 +116,7 @@ impl<'a> Shape<'a> {
         self.coordinates.retain(|name| first(name));
         self.touching.retain(|(name, _)| first(name));
         self.outputs.retain(|(name, _)| first(name));
+        self.bodies.retain(|name| first(name));
     }
 
     /// What a field is.
@@ -116,6 +134,13 @@ impl<'a> Shape<'a> {
             Some(docs) => (*docs).clone(),
             None => doc(line),
         }
+    }
+
+    /// The user's documentation of a body, or a line that stands for it.
+    pub(super) fn body_docs(&self, name: &Name, line: &str) -> TokenStream {
+        let bodies = self.declaration.bodies.iter();
+        let documented = bodies.filter(|body| !body.docs.is_empty()).find(|body| body.name.text == name.text);
+        documented.map_or_else(|| doc(line), |body| body.docs.clone())
     }
 
     /// The struct's name.

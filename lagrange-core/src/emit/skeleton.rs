@@ -7,24 +7,28 @@ use quote::{format_ident, quote};
 
 use super::item::{Parts, argument_names, items};
 use super::jacobian::parameter_names;
-use super::method::{Arguments, Method, Returns};
+use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::reduced::skeletons;
 use super::rust_body::Names;
+use super::scene::{motion_method, motion_name, statements_constant};
 use super::shape::{Shape, identifier, local};
 use super::system::{equations_latex, user_names};
 use crate::mechanics::Product;
 use crate::syntax::ast::{Action, Declaration};
 
 /// Members that do not come from products; an output of such a name is a mistake.
-const TAKEN: [&str; 7] = [
+const TAKEN: [&str; 8] = [
     "rhs",
     "EQUATIONS_LATEX",
     "PARAMETERS",
+    "STATEMENTS",
     "project",
     "consistent_velocity",
     "reactions",
     "event_functions",
 ];
+
+const NOT_DERIVED: &str = "Not derived: the declaration has errors.";
 
 /// The items of a system that could not be derived: the same types and methods, so that the code that uses
 /// them causes no errors of its own. They are never run, since the mistakes are errors.
@@ -46,8 +50,10 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
     if touching > 0 {
         methods.push(placeholder(local("reactions"), Arguments::State, Returns::Vector(touching)));
     }
-    let is_written =
-        |product: &Product| *product != Product::Latex && (m > 0 || !product.is_of_constraints());
+    let is_written = |product: &Product| {
+        let is_method = *product != Product::Latex && !product.is_of_bodies();
+        is_method && (m > 0 || !product.is_of_constraints())
+    };
     for product in Product::ALL.into_iter().filter(is_written) {
         let (arguments, returns) = match product {
             Product::MassMatrix => (Arguments::Positions, Returns::Matrix(n, n)),
@@ -62,9 +68,11 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
         };
         methods.push(placeholder(local(product.name()), arguments, returns));
     }
+    let motions = shape.bodies.iter().map(|body| motion_name(body)).collect::<Vec<_>>();
     for &(name, count) in &shape.outputs {
         let returns = if count == 1 { Returns::Scalar } else { Returns::Vector(count) };
-        if !TAKEN.contains(&name.text.as_str()) && methods.iter().all(|method| method.name != name.text) {
+        let mut taken = methods.iter().map(|method| &method.name).chain(&motions);
+        if !TAKEN.contains(&name.text.as_str()) && taken.all(|taken| *taken != name.text) {
             methods.push(placeholder(identifier(name), Arguments::State, returns));
         }
     }
@@ -81,7 +89,11 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
         are_holonomic: vec![true; m],
         terms: quote!(::core::unreachable!()),
         hidden: hidden.iter().map(|method| method.of_trait(&shape, &names)).collect(),
-        constants: [equations_latex(""), parameter_names(&shape)].into_iter().collect(),
+        motions: skeleton_of_motions(&shape, &names),
+        items: shape.asks_for(Product::Drawing).then(TokenStream::new),
+        constants: [equations_latex(""), parameter_names(&shape), statements_constant("")]
+            .into_iter()
+            .collect(),
         names,
         functions: BTreeSet::new(),
         is_separable: true,
@@ -113,7 +125,13 @@ fn skeleton_of_events(shape: &Shape<'_>) -> Vec<Method> {
     methods
 }
 
+fn skeleton_of_motions(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
+    let docs = quote!(#[doc = #NOT_DERIVED]);
+    let nothing = quote!(::core::unreachable!());
+    shape.bodies.iter().map(|body| motion_method(shape, names, body, &docs, &nothing)).collect()
+}
+
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
-    let docs = quote!(#[doc = "Not derived: the declaration has errors."]);
+    let docs = quote!(#[doc = #NOT_DERIVED]);
     Method { name, docs, arguments, returns, body: quote!(::core::unreachable!()) }
 }

@@ -5,19 +5,19 @@ use std::collections::BTreeSet;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::contacts::{Touch, default_modes};
+use super::contacts::default_modes;
 use super::docs;
 use super::item::{Parts, argument_names, items};
 use super::jacobian::parameter_names;
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::product::{Plan, plan};
 use super::rust_body::{Names, Scalar, body};
-use super::shape::{Shape, doc, identifier, local};
+use super::scene::statements_constant;
+use super::shape::{Shape, doc, identifier};
 use super::size::Size;
 use crate::expr::ExprId;
 use crate::mechanics::{Equations, Model, Product};
 use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
-use crate::symbol::Role;
 use crate::syntax::ast::Declaration;
 
 /// The items of a derived system.
@@ -40,15 +40,17 @@ pub enum Refusal {
 
 /// Writes a derived system, if that can be done.
 ///
-/// `krate` is the path of the crate `lagrange` where the items will stand.
+/// `statements` are the plain statements, if others stand for rigid bodies; `krate` is the path of the crate `lagrange` where the
+/// items will stand.
 pub fn system(
     declaration: &Declaration,
     model: &mut Model,
     equations: &Equations,
+    statements: Option<&str>,
     krate: &TokenStream,
 ) -> Result<Emitted, Refusal> {
     let shape = Shape::new(declaration, krate);
-    let mut writer = Writer::new(&shape, model, equations);
+    let mut writer = Writer::new(&shape, model, equations, statements);
     writer.write_methods();
     let size = writer.size;
     let parts = writer.finish()?;
@@ -59,6 +61,8 @@ pub(super) struct Writer<'a> {
     pub(super) shape: &'a Shape<'a>,
     pub(super) model: &'a mut Model,
     pub(super) equations: &'a Equations,
+    /// The plain statements, if others stand for rigid bodies.
+    statements: Option<&'a str>,
     labels: Labels,
     scalar: Scalar,
     pub(super) names: ArgumentNames,
@@ -71,6 +75,10 @@ pub(super) struct Writer<'a> {
     pub(super) terms: TokenStream,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
+    /// Methods that say how bodies move.
+    pub(super) motions: TokenStream,
+    /// The body of `Scene::items`.
+    pub(super) items: Option<TokenStream>,
     /// Operations of `acceleration`.
     counts: OperationCounts,
     /// All methods so far.
@@ -84,7 +92,12 @@ pub(super) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    fn new(shape: &'a Shape<'a>, model: &'a mut Model, equations: &'a Equations) -> Writer<'a> {
+    fn new(
+        shape: &'a Shape<'a>,
+        model: &'a mut Model,
+        equations: &'a Equations,
+        statements: Option<&'a str>,
+    ) -> Writer<'a> {
         let mut labels = Labels::default();
         for (expression, name) in &equations.labels {
             labels.insert(*expression, name.as_str());
@@ -94,6 +107,7 @@ impl<'a> Writer<'a> {
             shape,
             model,
             equations,
+            statements,
             labels,
             scalar: shape.computed_with(),
             names: argument_names(|wish| arguments.fresh(wish)),
@@ -102,6 +116,8 @@ impl<'a> Writer<'a> {
             canonical: Vec::new(),
             terms: TokenStream::new(),
             hidden: TokenStream::new(),
+            motions: TokenStream::new(),
+            items: None,
             counts: OperationCounts::default(),
             size: Size::default(),
             functions: BTreeSet::new(),
@@ -116,7 +132,8 @@ impl<'a> Writer<'a> {
         }
         let default = self.default_body();
         let constants = self.constants();
-        let docs = docs::system_docs(self.model, self.equations, self.counts);
+        let mut docs = docs::system_docs(self.model, self.equations, self.counts);
+        docs.extend(self.statements.into_iter().flat_map(docs::statements));
         if !self.unrepresentable.is_empty() {
             return Err(Refusal::Constants(self.unrepresentable.into_iter().collect()));
         }
@@ -128,6 +145,8 @@ impl<'a> Writer<'a> {
             canonical,
             terms,
             hidden,
+            motions,
+            items,
             names,
             functions,
             has_rounded_constants,
@@ -142,6 +161,8 @@ impl<'a> Writer<'a> {
             are_holonomic,
             terms,
             hidden,
+            motions,
+            items,
             constants,
             names,
             functions,
@@ -177,6 +198,7 @@ impl<'a> Writer<'a> {
             let docs = docs.each_ref().map(String::as_str);
             self.add(&output.name, &docs, Arguments::State, returns, &output.components);
         }
+        self.write_scene();
     }
 
     /// Lowers and writes one method, unless those before it are too large already.
@@ -222,7 +244,8 @@ impl<'a> Writer<'a> {
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         let symbols = self.model.graph.symbols();
-        let reserved = arguments.vectors(&self.names).iter().map(ToString::to_string).collect::<Vec<_>>();
+        let reserved = arguments.vectors(&self.names).into_iter().chain([&self.names.visit]);
+        let reserved = reserved.map(ToString::to_string).collect::<Vec<_>>();
         let mut names = Names::new(reserved.iter().map(String::as_str));
         self.has_rounded_constants |= program.values().any(|(_, op)| matches!(op, Op::Float(_)));
         match body(program, symbols, &self.scalar, &mut names) {
@@ -237,56 +260,6 @@ impl<'a> Writer<'a> {
                 TokenStream::new()
             }
         }
-    }
-
-    /// Parameters, coordinates and rates under the names that the body uses.
-    fn bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
-        let ArgumentNames { time, positions, velocities, accelerations, state, residuals } = &self.names;
-        let fields = field_bindings(self.shape, self.model, used, names);
-        if arguments == Arguments::Whole {
-            let indices = 0..self.model.coordinates.len() as u32;
-            let roles = indices.clone().map(Role::Coordinate).chain(indices.map(Role::Velocity));
-            let pattern = self.pattern(roles, used, names);
-            let entries = pattern.map(|pattern| quote!(let #pattern = *#state;));
-            return quote!(#fields #entries);
-        }
-        let count = self.model.coordinates.len();
-        let mut vector = |source: TokenStream, count: usize, role: fn(u32) -> Role| {
-            let pattern = self.pattern((0..count as u32).map(role), used, names);
-            pattern.map(|pattern| quote!(let #pattern = #source;))
-        };
-        let q = vector(quote!(*#positions), count, Role::Coordinate);
-        let v = vector(quote!(*#velocities), count, Role::Velocity);
-        let accelerations = match arguments {
-            Arguments::Motion => quote!(*#accelerations),
-            _ => quote!(self.acceleration(#time, #positions, #velocities)),
-        };
-        let a = vector(accelerations, count, Role::Acceleration);
-        let multipliers = match arguments {
-            Arguments::Residuals => quote!(*#residuals),
-            _ => quote!(self.multipliers(#time, #positions, #velocities)),
-        };
-        let multipliers = vector(multipliers, self.model.constraints.len(), Role::Multiplier);
-        let reactions = quote!(self.reactions(#time, #positions, #velocities));
-        let reactions = vector(reactions, self.model.reactions.len(), Role::Reaction);
-        quote!(#fields #q #v #a #multipliers #reactions)
-    }
-
-    /// An array of the names of those roles that are used, if any is.
-    fn pattern(
-        &self,
-        roles: impl Iterator<Item = Role> + Clone,
-        used: &[Role],
-        names: &mut Names,
-    ) -> Option<TokenStream> {
-        let symbols = self.model.graph.symbols();
-        let is_used = |role: &Role| used.contains(role);
-        let pattern = roles.clone().map(|role| match is_used(&role) {
-            true => names.role(symbols, role),
-            false => local("_"),
-        });
-        let pattern = pattern.collect::<Vec<_>>();
-        { roles }.any(|role| is_used(&role)).then(|| quote!([#(#pattern),*]))
     }
 
     /// A value of the struct with its defaults, if every field has one.
@@ -316,36 +289,11 @@ impl<'a> Writer<'a> {
     fn constants(&mut self) -> TokenStream {
         let wants = |product: Product| self.model.products.contains(&product);
         let (latex, parameters) = (wants(Product::Latex), wants(Product::ParameterJacobian));
+        let statements = self.statements.filter(|_| wants(Product::Statements)).map(statements_constant);
         let latex = latex.then(|| equations_latex(&docs::equations_latex(self.model, self.equations)));
         let parameters = parameters.then(|| parameter_names(self.shape));
-        quote!(#latex #parameters)
+        quote!(#latex #parameters #statements)
     }
-}
-
-/// Parameters and inputs under the names that a body uses.
-pub(super) fn field_bindings(
-    shape: &Shape<'_>,
-    model: &Model,
-    used: &[Role],
-    names: &mut Names,
-) -> TokenStream {
-    let symbols = model.graph.symbols();
-    let roles = (0..model.parameters.len() as u32).map(Role::Parameter);
-    let roles = roles.chain((0..model.inputs.len() as u32).map(Role::Input));
-    let bound = shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
-    let bound = bound.map(|(name, role)| {
-        let field = identifier(name);
-        let local = names.role(symbols, role);
-        // A field can be named from the macro's side, and must be, for the local to be the macro's.
-        if local == name.text { quote!(#local) } else { quote!(#field: #local) }
-    });
-    let bound = bound.collect::<Vec<_>>();
-    if bound.is_empty() {
-        return TokenStream::new();
-    }
-    let has_modes = shape.touching.iter().any(|(_, touch)| *touch != Touch::Smooth);
-    let rest = (has_modes || bound.len() < shape.fields.len()).then(|| quote!(..));
-    quote!(let Self { #(#bound,)* #rest } = *self;)
 }
 
 /// The constant that holds the equations.

@@ -8,6 +8,7 @@ use super::contacts::contact_impl;
 use super::events::event_members;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
+use super::scene::scene_impl;
 use super::shape::{Shape, length, local};
 
 /// The implementations of all traits that the system has the methods for.
@@ -20,8 +21,8 @@ pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         false => leapfrog_impl(shape, parts),
     });
     let constrained = constrained_impl(shape, parts);
-    let contact = contact_impl(shape, parts);
-    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact)
+    let (contact, scene) = (contact_impl(shape, parts), scene_impl(shape, parts));
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #scene)
 }
 
 /// Whether there is a method of this name.

@@ -1,5 +1,6 @@
 use super::{ROWS, apply, row, sine_of_pi_times};
-use crate::expr::{Function, Graph};
+use crate::calculus::evaluate;
+use crate::expr::{Function, Graph, Node};
 use crate::number::Number;
 use crate::symbol::Role;
 
@@ -23,6 +24,25 @@ fn signs_come_out_of_odd_functions_and_vanish_in_even_ones() {
             super::Parity::Neither => continue,
         };
         assert_eq!(minus, expected, "{}", row.name);
+    }
+}
+
+#[test]
+fn right_angles_come_out_of_sines_and_cosines() {
+    let mut g = Graph::new();
+    let x = g.symbol("x", Role::Coordinate(0));
+    let pi = g.pi();
+    for quarters in -7..8 {
+        let turn = g.scale(Number::ratio(quarters, 2).expect("a ratio"), pi);
+        let turned = g.add(x, turn);
+        for function in [Function::Sin, Function::Cos] {
+            let value = apply(&mut g, function, &[turned]);
+            let (_, call) = g.split_coefficient(value);
+            assert!(matches!(g.node(call), Node::Call(_, arguments) if **arguments == [x]));
+            let known = evaluate(&g, &[value, turned], |_| 0.7);
+            let expected = if function == Function::Sin { known[1].sin() } else { known[1].cos() };
+            assert!((known[0] - expected).abs() < 1e-14);
+        }
     }
 }
 

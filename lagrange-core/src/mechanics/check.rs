@@ -2,7 +2,9 @@
 
 use super::elaborate::{Elaborator, Term};
 use super::messages;
-use super::model::{Energies, Model, Product, Reduction};
+use super::messages::scene;
+use super::model::{Energies, Model, Reduction};
+use super::product::Product;
 use crate::calculus::{AccelerationTerms, Rates, gradient};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
@@ -17,6 +19,7 @@ impl Elaborator<'_> {
         self.check_energies();
         self.check_products();
         self.check_output_names();
+        self.check_motion_names();
         self.check_constraint_count();
         self.check_reduced_constraints();
         self.check_stabilisation();
@@ -89,10 +92,15 @@ impl Elaborator<'_> {
 
     fn check_products(&mut self) {
         for &(product, wanted, span) in &self.wanted {
-            if wanted && self.is_undefined(product) {
-                let (message, help) = match product.is_of_constraints() {
-                    true => (messages::needs_constraints(product.name()), messages::CONSTRAINT_HELP),
-                    false => (messages::needs_separate_energies(product.name()), messages::LAGRANGIAN_HELP),
+            // A body may be where the text could not be read.
+            let is_unclear = product.is_of_bodies() && !self.declaration.unreadable_words.is_empty();
+            if wanted && self.is_undefined(product) && !is_unclear {
+                let (message, help) = match product {
+                    _ if product.is_of_bodies() => (scene::needs_bodies(product.name()), scene::BODY_HELP),
+                    _ if product.is_of_constraints() => {
+                        (messages::needs_constraints(product.name()), messages::CONSTRAINT_HELP)
+                    }
+                    _ => (messages::needs_separate_energies(product.name()), messages::LAGRANGIAN_HELP),
                 };
                 self.evaluator.report.error(span, message).help(help);
             }
@@ -157,10 +165,12 @@ impl Elaborator<'_> {
 
     fn is_undefined(&self, product: Product) -> bool {
         let is_energy = matches!(product, Product::KineticEnergy | Product::PotentialEnergy);
-        !self.lagrangian.is_empty() && is_energy || self.constraints.is_empty() && product.is_of_constraints()
+        !self.lagrangian.is_empty() && is_energy
+            || self.constraints.is_empty() && product.is_of_constraints()
+            || self.staged.lacks(product)
     }
 
-    fn products(&self) -> Vec<Product> {
+    pub(super) fn products(&self) -> Vec<Product> {
         let last_word = |product| self.wanted.iter().rev().find(|(named, ..)| *named == product);
         let asked =
             |product: Product, otherwise| last_word(product).map_or(otherwise, |(_, wanted, _)| *wanted);
@@ -244,10 +254,12 @@ impl Elaborator<'_> {
             dissipation,
             loads: self.loads,
             constraints: self.constraints.into_iter().map(|(constraint, _)| constraint).collect(),
+            implied: self.implied,
             stabilisation: self.stabilisation.map(|(rate, _)| rate),
             events: self.events.into_iter().map(|(event, _)| event).collect(),
             reactions: self.reactions.into_iter().map(|(reaction, _)| reaction).collect(),
             outputs: self.outputs,
+            scene: self.scene,
             rates,
             labels,
             accuracy: self.declaration.accuracy,

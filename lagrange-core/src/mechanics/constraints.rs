@@ -12,6 +12,7 @@ use super::messages;
 use super::model::{Constraint, Model};
 use super::operand::Operand;
 use super::scope::Kind;
+use super::structure::vanishing;
 use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
@@ -21,9 +22,16 @@ use crate::syntax::ast::{AstId, Name};
 
 impl Elaborator<'_> {
     pub(super) fn constraint(&mut self, name: &Name, syntax: AstId) {
+        let term = self.term(syntax, name.span, "a constraint");
+        if let Some(term) = &term
+            && self.is_implied(name, term.value)
+        {
+            self.implied.push(name.text.clone());
+            self.declare(name, Kind::Implied, None);
+            return;
+        }
         let index = self.constraints.len() as u32;
         let multiplier = self.evaluator.graph.symbol(&name.text, Role::Multiplier(index));
-        let term = self.term(syntax, name.span, "a constraint");
         let velocity =
             term.and_then(|term| Some((term.value, self.constrained_velocity(name, syntax, term.value)?)));
         self.declare(name, Kind::Constraint, Some(Operand::Scalar(multiplier)));
@@ -32,6 +40,12 @@ impl Elaborator<'_> {
         let is_holonomic = !self.evaluator.graph.dependencies(value).intersects(Dependencies::VELOCITY);
         let constraint = Constraint { name: name.text.clone(), value, velocity, is_holonomic, multiplier };
         self.constraints.push((constraint, name.span));
+    }
+
+    /// Whether this is the constraint of a joint that the coordinates fulfil by themselves.
+    fn is_implied(&mut self, name: &Name, value: ExprId) -> bool {
+        let is_of_joint = self.joints.iter().any(|joint| joint.text == name.text);
+        is_of_joint && vanishing(&mut self.evaluator.graph, &[value]) == [true]
     }
 
     /// What a constraint demands of the velocities; `None` if that makes no sense, which has been reported.
@@ -67,7 +81,10 @@ impl Elaborator<'_> {
         let same =
             self.constraints.iter().find(|(other, _)| graph.split_coefficient(other.velocity).1 == core);
         if let Some((other, span)) = same {
-            let message = messages::repeated_constraint(&name.text, &other.name);
+            let message = match self.joints.iter().any(|joint| joint.text == name.text) {
+                true => messages::REPEATED_JOINT.to_owned(),
+                false => messages::repeated_constraint(&name.text, &other.name),
+            };
             let error =
                 self.evaluator.report.error(name.span, message).help(messages::REPEATED_CONSTRAINT_HELP);
             error.related(Origin::from(*span), messages::OTHER_CONSTRAINT_IS_HERE);
@@ -84,6 +101,10 @@ impl Elaborator<'_> {
 
     /// Nothing can move, and no multiplier is determined, under more constraints than coordinates.
     pub(super) fn check_constraint_count(&mut self) {
+        if self.evaluator.report.has_errors() {
+            // One constraint too many may be one that was reported.
+            return;
+        }
         let (count, most) = (self.constraints.len(), self.coordinates.len());
         if let Some((_, span)) = self.constraints.get(most).filter(|_| most > 0) {
             let error = self.evaluator.report.error(*span, messages::too_many_constraints(count, most));

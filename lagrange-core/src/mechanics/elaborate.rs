@@ -2,14 +2,16 @@
 
 use proc_macro2::Span;
 
+use super::claims::check_claims;
 use super::expression::Evaluator;
 use super::messages;
-use super::model::{
-    Constraint, Coordinate, Event, Load, Model, Output, Parameter, Product, Reaction, Reduction,
-};
+use super::model::{Constraint, Coordinate, Event, Load, Model, Output, Parameter, Reaction, Reduction};
 use super::operand::Operand;
+use super::product::Product;
 use super::reduce::reduce;
+use super::scene::{Scene, Staged};
 use super::scope::Kind;
+use crate::bodies::{Claim, Plain};
 use crate::calculus::evaluate;
 use crate::diagnostics::Report;
 use crate::diagnostics::nearest;
@@ -20,8 +22,8 @@ use crate::syntax::ast::{
 };
 
 /// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 6] =
-    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS"];
+const GENERATED_METHODS: [&str; 7] =
+    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
 /// Products that later versions will emit.
 const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
 
@@ -30,11 +32,21 @@ pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
-pub fn elaborate(declaration: &Declaration, report: &mut Report) -> Option<Model> {
-    let mut elaborator = Elaborator::new(declaration, report);
-    for statement in &declaration.statements {
+pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
+    let mut elaborator = Elaborator::new(plain, report);
+    for claim in &plain.claims {
+        if let Claim::PlaneVector { value, .. } = claim {
+            elaborator.evaluator.claimed_vectors.insert(*value, ());
+        }
+    }
+    for statement in &plain.declaration.statements {
         elaborator.statement(statement);
     }
+    for &mentioned in &plain.mentioned {
+        elaborator.evaluator.evaluate(mentioned);
+    }
+    check_claims(&mut elaborator, &plain.claims);
+    elaborator.scene(plain);
     let (mut model, reductions) = elaborator.finish()?;
     let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, report)).collect::<Vec<_>>();
     model.reduced = reduced.into_iter().collect::<Option<Vec<_>>>()?;
@@ -60,6 +72,12 @@ pub(super) struct Elaborator<'a> {
     pub(super) lagrangian: Vec<Term>,
     pub(super) dissipation: Vec<Term>,
     pub(super) loads: Vec<Load>,
+    /// Names of the constraints of joints.
+    pub(super) joints: &'a [Name],
+    /// Names of `let`s that are places, with what they are places of.
+    places: &'a [(String, String)],
+    /// Those of them that the coordinates fulfil by themselves.
+    pub(super) implied: Vec<String>,
     /// Constraints, with where their names stand.
     pub(super) constraints: Vec<(Constraint, Span)>,
     /// The rate of stabilisation, with where it is given.
@@ -69,6 +87,9 @@ pub(super) struct Elaborator<'a> {
     /// Contacts and friction, with where their names stand.
     pub(super) reactions: Vec<(Reaction, Span)>,
     pub(super) outputs: Vec<Output>,
+    /// What there is of rigid bodies.
+    pub(super) staged: Staged,
+    pub(super) scene: Scene,
     pub(super) labels: Vec<(ExprId, String)>,
     /// Entries of `emit`, with where they stand.
     pub(super) wanted: Vec<(Product, bool, Span)>,
@@ -76,7 +97,8 @@ pub(super) struct Elaborator<'a> {
 }
 
 impl<'a> Elaborator<'a> {
-    fn new(declaration: &'a Declaration, report: &'a mut Report) -> Elaborator<'a> {
+    pub(super) fn new(plain: &'a Plain, report: &'a mut Report) -> Elaborator<'a> {
+        let Plain { declaration, joints, places, .. } = plain;
         Elaborator {
             evaluator: Evaluator::new(declaration, report),
             declaration,
@@ -88,18 +110,23 @@ impl<'a> Elaborator<'a> {
             lagrangian: Vec::new(),
             dissipation: Vec::new(),
             loads: Vec::new(),
+            joints,
+            places,
+            implied: Vec::new(),
             constraints: Vec::new(),
             stabilisation: None,
             events: Vec::new(),
             reactions: Vec::new(),
             outputs: Vec::new(),
+            staged: Staged::default(),
+            scene: Scene::default(),
             labels: Vec::new(),
             wanted: Vec::new(),
             reductions: Vec::new(),
         }
     }
 
-    fn statement(&mut self, statement: &Statement) {
+    pub(super) fn statement(&mut self, statement: &Statement) {
         let keyword = statement.origin.start;
         match &statement.kind {
             StatementKind::Parameters(list) => list.iter().for_each(|d| self.parameter(d, Kind::Parameter)),
@@ -134,6 +161,8 @@ impl<'a> Elaborator<'a> {
             StatementKind::Output(name, value) => self.output(name, *value),
             StatementKind::Emit(items) => items.iter().for_each(|item| self.emit(item)),
             StatementKind::Reduce(reduction) => self.reduction(reduction),
+            // Plain statements have taken its place.
+            StatementKind::Scene(_) => {}
         }
     }
 
@@ -204,7 +233,7 @@ impl<'a> Elaborator<'a> {
     }
 
     fn abbreviation(&mut self, name: &Name, syntax: AstId) {
-        let value = self.evaluator.evaluate(syntax);
+        let value = self.evaluator.evaluate(syntax).filter(|value| self.is_sound_place(name, syntax, value));
         match &value {
             Some(Operand::Scalar(id)) => self.labels.push((*id, name.text.clone())),
             Some(Operand::Vector(components)) => {
@@ -215,6 +244,22 @@ impl<'a> Elaborator<'a> {
             None => {}
         }
         self.declare(name, Kind::Abbreviation, value);
+    }
+
+    /// Whether a name is that of no place, or of one made of coordinates and time.
+    fn is_sound_place(&mut self, name: &Name, syntax: AstId, value: &Operand) -> bool {
+        let Some((_, what)) = self.places.iter().find(|(place, _)| *place == name.text) else { return true };
+        let moving = Dependencies::VELOCITY
+            | Dependencies::ACCELERATION
+            | Dependencies::MULTIPLIER
+            | Dependencies::REACTION;
+        let depends = |&id: &ExprId| self.evaluator.graph.dependencies(id).intersects(moving);
+        if !value.components().iter().any(depends) {
+            return true;
+        }
+        let (place, _) = self.evaluator.blame(syntax, moving);
+        self.evaluator.report.error(place, messages::no_place(what)).help(messages::PLACE_HELP);
+        false
     }
 
     fn abbreviations(&mut self, names: &[Name], syntax: AstId) {
@@ -265,8 +310,9 @@ impl<'a> Elaborator<'a> {
 
     fn output(&mut self, name: &Name, syntax: AstId) {
         let value = self.evaluator.evaluate(syntax);
-        let product = Product::ALL.iter().any(|product| product.name() == name.text);
-        if product || GENERATED_METHODS.contains(&name.text.as_str()) {
+        let mut methods = Product::ALL.iter().filter(|product| !product.is_of_bodies());
+        if methods.any(|method| method.name() == name.text) || GENERATED_METHODS.contains(&name.text.as_str())
+        {
             let error = self.evaluator.report.error(name.span, messages::reserved_output(&name.text));
             error.help(messages::OTHER_NAME_HELP);
         }

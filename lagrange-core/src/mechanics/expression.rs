@@ -24,8 +24,14 @@ pub(super) struct Evaluator<'a> {
     rates: Rates,
     /// What each `dot(…)` evaluated to: velocity and position.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
+    /// Arguments that are reported to be no size of a solid.
+    pub(super) unsuitable: HashMap<Vec<AstId>, ()>,
+    /// Joints of which it was reported that they have no force.
+    forceless_joints: HashMap<String, ()>,
     /// Operands by expression; `None` where something was wrong and has been reported.
     values: HashMap<AstId, Option<Operand>>,
+    /// What is claimed to be a vector: that it is none is reported there, not for each of its components.
+    pub(super) claimed_vectors: HashMap<AstId, ()>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -37,7 +43,10 @@ impl<'a> Evaluator<'a> {
             declaration,
             rates: Rates::new(AccelerationTerms::Kept),
             named_rates: OrderedMap::default(),
+            unsuitable: HashMap::default(),
+            forceless_joints: HashMap::default(),
             values: HashMap::default(),
+            claimed_vectors: HashMap::default(),
         }
     }
 
@@ -140,8 +149,15 @@ impl<'a> Evaluator<'a> {
             if entry.kind.has_value() {
                 return entry.value.clone();
             }
-            let message = messages::has_no_value(entry.kind.describe(), name);
-            self.report.error(origin, message).help(messages::NAME_IT_WITH_LET);
+            let kind = entry.kind;
+            if kind == Kind::Implied && !self.is_first_of_joint(name) {
+                return None;
+            }
+            let (message, help) = match kind {
+                Kind::Implied => (messages::FORCE_OF_IMPLIED.to_owned(), messages::FORCE_OF_IMPLIED_HELP),
+                kind => (messages::has_no_value(kind.describe(), name), messages::NAME_IT_WITH_LET),
+            };
+            self.report.error(origin, message).help(help);
             return None;
         }
         if super::kinematics::is_function(name) {
@@ -154,6 +170,12 @@ impl<'a> Evaluator<'a> {
         let help = self.help_for_unknown(name);
         self.report.error(origin, messages::unknown_name(name)).help(help);
         None
+    }
+
+    /// Whether nothing was said yet of a joint without forces, one of whose constraints has this name.
+    fn is_first_of_joint(&mut self, constraint: &str) -> bool {
+        let joint = constraint.rsplit_once('_').map_or(constraint, |(joint, _)| joint);
+        self.forceless_joints.insert(joint.to_owned(), ()).is_none()
     }
 
     fn help_for_unknown(&self, name: &str) -> String {
@@ -219,6 +241,9 @@ impl<'a> Evaluator<'a> {
         }
         if super::kinematics::is_function(&component.text) {
             self.report.error(component.span, messages::method_as_value(&component.text));
+            return None;
+        }
+        if self.claimed_vectors.contains(&of) {
             return None;
         }
         let message = messages::no_component(&component.text, &value.kind());

@@ -1,10 +1,10 @@
 //! Function calls of the language: elementary functions, rates, vector operations, energies.
 
 use super::expression::Evaluator;
+use super::inertia;
 use super::messages;
-use super::operand::{Operand, cross, half_square, inner, norm_squared};
+use super::operand::{Operand, cross, half_square, inner, norm};
 use crate::diagnostics::nearest;
-use crate::expr::Function;
 use crate::functions;
 use crate::syntax::ast::{AstId, Name};
 
@@ -24,7 +24,7 @@ const STRUCTURAL: [(&str, usize); 10] = [
 
 /// Whether the language has a function of that name.
 pub(super) fn is_function(name: &str) -> bool {
-    arity(name).is_some()
+    arity(name).is_some() || inertia::by_name(name).is_some()
 }
 
 fn arity(name: &str) -> Option<usize> {
@@ -51,11 +51,15 @@ fn usage(name: &str, arity: usize) -> String {
 }
 
 fn function_names() -> impl Iterator<Item = &'static str> {
-    functions::ROWS.iter().map(|row| row.name).chain(STRUCTURAL.iter().map(|(name, _)| *name))
+    let elementary = functions::ROWS.iter().map(|row| row.name);
+    elementary.chain(STRUCTURAL.iter().map(|(name, _)| *name)).chain(inertia::function_names())
 }
 
 impl Evaluator<'_> {
     pub(super) fn evaluate_call(&mut self, name: &Name, arguments: &[AstId], call: AstId) -> Option<Operand> {
+        if let Some(function) = inertia::by_name(&name.text) {
+            return self.evaluate_mass_function(function, name, arguments, call);
+        }
         let Some(arity) = arity(&name.text) else {
             self.report_no_function(name);
             return None;
@@ -102,8 +106,7 @@ impl Evaluator<'_> {
         let vectors = arguments.iter().map(|&argument| self.vector(argument, &what)).collect::<Vec<_>>();
         let vectors = vectors.into_iter().collect::<Option<Vec<_>>>()?;
         if name == "norm" {
-            let square = norm_squared(&mut self.graph, &vectors[0]);
-            return Some(Operand::Scalar(functions::apply(&mut self.graph, Function::Sqrt, &[square])));
+            return Some(Operand::Scalar(norm(&mut self.graph, &vectors[0])));
         }
         if vectors[0].len() != vectors[1].len() {
             let kinds = [0, 1].map(|i| Operand::Vector(vectors[i].clone()).kind());

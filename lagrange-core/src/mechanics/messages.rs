@@ -1,9 +1,11 @@
 //! What is said about mistakes in the meaning of a declaration.
 
-use super::model::Product;
+use super::product::Product;
 use crate::expr::Dependencies;
 
 pub(super) mod events;
+pub(super) mod inertia;
+pub(super) mod scene;
 
 pub(super) fn declared_twice(name: &str) -> String {
     format!("the name `{name}` is declared twice")
@@ -311,6 +313,16 @@ pub(super) fn too_many_constraints(constraints: usize, coordinates: usize) -> St
 
 pub(super) const TOO_MANY_CONSTRAINTS_HELP: &str =
     "remove those that follow from the others, or add coordinates";
+
+pub(super) fn no_place(what: &str) -> String {
+    format!("{what} must be made of coordinates and time")
+}
+
+pub(super) const REPEATED_JOINT: &str = "this joint demands what another constraint does already";
+pub(super) const FORCE_OF_IMPLIED: &str =
+    "this joint has no force of its own, since the coordinates fulfil it by themselves";
+pub(super) const FORCE_OF_IMPLIED_HELP: &str =
+    "add coordinates that could leave the joint: the constraint then gets a multiplier, which is the force";
 
 pub(super) const REDUCED_CONSTRAINTS: &str = "a system with constraints cannot be reduced yet";
 pub(super) const CONSTRAINT_IS_HERE: &str = "a constraint is here";

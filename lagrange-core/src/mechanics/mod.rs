@@ -6,6 +6,7 @@
 mod algebra;
 mod chains;
 mod check;
+mod claims;
 mod constraints;
 mod contracted;
 mod cost;
@@ -16,6 +17,7 @@ mod events;
 mod expression;
 mod form;
 mod gauss;
+mod inertia;
 mod jacobian;
 mod kinematics;
 mod loads;
@@ -23,11 +25,13 @@ mod messages;
 mod model;
 mod operand;
 mod pivot;
+mod product;
 mod reactions;
 mod reduce;
 mod reductions;
 mod responses;
 mod roads;
+mod scene;
 mod scope;
 mod solve;
 mod squares;
@@ -41,9 +45,11 @@ pub use elaborate::elaborate;
 pub use equations::Equations;
 pub use model::{
     Action, Assignment, Constraint, Coordinate, Energies, Event, Held, Load, Model, Output, Parameter,
-    Product, Reaction, ReactionKind, Reduced, Reduction,
+    Reaction, ReactionKind, Reduced, Reduction,
 };
+pub use product::Product;
 pub use reductions::METHODS_OF_REDUCED;
 pub use responses::{Affine, ReactionEquations};
 pub use roads::{Road, RoadChoice, SingularMassMatrix};
+pub use scene::{BodyMotion, DrawnItem, OutlinedPart, Scene};
 pub use structure::{Conserved, MassStructure, Structure};

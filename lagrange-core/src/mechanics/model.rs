@@ -2,6 +2,8 @@
 
 use proc_macro2::Span;
 
+use super::product::Product;
+use super::scene::Scene;
 use crate::expr::{ExprId, Graph};
 use crate::syntax::ast::{Accuracy, Direction, Name};
 
@@ -26,6 +28,8 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// What coordinates and velocities must satisfy, in declaration order.
     pub constraints: Vec<Constraint>,
+    /// Names of constraints of joints that are left out, since the coordinates fulfil them by themselves.
+    pub implied: Vec<String>,
     /// The rate κ at which constraints are stabilised: c̈ + 2 κ ċ + κ² c = 0; constant in motion.
     pub stabilisation: Option<ExprId>,
     /// Declared events.
@@ -34,6 +38,8 @@ pub struct Model {
     pub reactions: Vec<Reaction>,
     /// Declared outputs.
     pub outputs: Vec<Output>,
+    /// Rigid bodies, as far as they are asked for.
+    pub scene: Scene,
     /// Velocities that are known to be rates, with what they are rates of: `(u, x)` with u = dx/dt.
     pub rates: Vec<(ExprId, ExprId)>,
     /// The user's names for expressions, in the order of preference.
@@ -233,105 +239,6 @@ impl ReactionKind {
     /// Whether it has a mode, which events switch.
     pub fn has_mode(self) -> bool {
         !matches!(self, ReactionKind::Smooth { .. })
-    }
-}
-
-/// Something that can be emitted beside accelerations and outputs.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Product {
-    /// `mass_matrix`
-    MassMatrix,
-    /// `forcing`
-    Forcing,
-    /// `bias`; only on demand
-    Bias,
-    /// `momenta`
-    Momenta,
-    /// `momentum_rates`; only on demand
-    MomentumRates,
-    /// `kinetic_energy`
-    KineticEnergy,
-    /// `potential_energy`
-    PotentialEnergy,
-    /// `energy`
-    Energy,
-    /// `inverse_dynamics`
-    InverseDynamics,
-    /// `constraints`; like the next three only for systems with constraints
-    Constraints,
-    /// `constraint_velocity`
-    ConstraintVelocity,
-    /// `constraint_jacobian`
-    ConstraintJacobian,
-    /// `constraint_forces`
-    ConstraintForces,
-    /// `jacobian`; only on demand
-    Jacobian,
-    /// `parameter_jacobian`; only with `jacobian` or on demand
-    ParameterJacobian,
-    /// `EQUATIONS_LATEX`; only on demand
-    Latex,
-}
-
-impl Product {
-    /// Every product, in the order in which they are emitted.
-    pub const ALL: [Product; 16] = [
-        Product::MassMatrix,
-        Product::Forcing,
-        Product::Bias,
-        Product::Momenta,
-        Product::MomentumRates,
-        Product::KineticEnergy,
-        Product::PotentialEnergy,
-        Product::Energy,
-        Product::InverseDynamics,
-        Product::Constraints,
-        Product::ConstraintVelocity,
-        Product::ConstraintJacobian,
-        Product::ConstraintForces,
-        Product::Jacobian,
-        Product::ParameterJacobian,
-        Product::Latex,
-    ];
-
-    /// Its name in `emit { … }`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Product::MassMatrix => "mass_matrix",
-            Product::Forcing => "forcing",
-            Product::Bias => "bias",
-            Product::Momenta => "momenta",
-            Product::MomentumRates => "momentum_rates",
-            Product::KineticEnergy => "kinetic_energy",
-            Product::PotentialEnergy => "potential_energy",
-            Product::Energy => "energy",
-            Product::InverseDynamics => "inverse_dynamics",
-            Product::Constraints => "constraints",
-            Product::ConstraintVelocity => "constraint_velocity",
-            Product::ConstraintJacobian => "constraint_jacobian",
-            Product::ConstraintForces => "constraint_forces",
-            Product::Jacobian => "jacobian",
-            Product::ParameterJacobian => "parameter_jacobian",
-            Product::Latex => "latex",
-        }
-    }
-
-    /// Whether only systems with constraints have it.
-    pub fn is_of_constraints(self) -> bool {
-        use Product::{ConstraintForces, ConstraintJacobian, ConstraintVelocity, Constraints};
-        matches!(self, Constraints | ConstraintVelocity | ConstraintJacobian | ConstraintForces)
-    }
-
-    /// Whether it is emitted without being asked for.
-    pub fn is_default(self) -> bool {
-        !matches!(
-            self,
-            Product::Bias
-                | Product::MomentumRates
-                | Product::Jacobian
-                | Product::ParameterJacobian
-                | Product::Latex
-        )
     }
 }
 

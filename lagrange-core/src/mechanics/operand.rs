@@ -1,6 +1,7 @@
 //! Scalars and vectors, and the operations of the language on them.
 
-use crate::expr::{ExprId, Graph};
+use crate::expr::{ExprId, Function, Graph};
+use crate::functions;
 use crate::number::Number;
 
 /// The value of an expression of the language.
@@ -55,6 +56,19 @@ pub(super) fn inner(graph: &mut Graph, a: &[ExprId], b: &[ExprId]) -> ExprId {
 /// Σ aᵢ²
 pub(super) fn norm_squared(graph: &mut Graph, a: &[ExprId]) -> ExprId {
     inner(graph, a, a)
+}
+
+/// (Σ aᵢ²)^½, without a root where all components but one are zero.
+pub(super) fn norm(graph: &mut Graph, a: &[ExprId]) -> ExprId {
+    let others = a.iter().copied().filter(|&component| !graph.is_zero(component)).collect::<Vec<_>>();
+    match others.as_slice() {
+        [] => graph.number(0),
+        &[single] => functions::apply(graph, Function::Abs, &[single]),
+        _ => {
+            let square = norm_squared(graph, a);
+            functions::apply(graph, Function::Sqrt, &[square])
+        }
+    }
 }
 
 /// a × b: the out-of-plane component for plane vectors, a vector in space.

@@ -8,6 +8,7 @@
 
 use super::messages;
 use super::model::{Energies, Held, Load, Model, Output, Reduced, Reduction};
+use super::scene::Scene;
 use crate::calculus::{Expansion, Series, gradient, transplant};
 use crate::diagnostics::Report;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
@@ -80,7 +81,8 @@ impl<'a> Reducer<'a> {
         for load in &model.loads {
             loads.extend(self.load(*load)?);
         }
-        let (outputs, rates, labels) = (self.outputs(model)?, self.rates(model), self.labels(model));
+        let (outputs, scene) = (self.outputs(model)?, self.scene(model)?);
+        let (rates, labels) = (self.rates(model), self.labels(model));
         let is_frozen = |i: &usize| self.reduction.frozen.iter().any(|held| held.coordinate == *i);
         let coordinates = model.coordinates.iter().enumerate().filter(|(i, _)| !is_frozen(i));
         let coordinates = coordinates.map(|(_, coordinate)| coordinate.clone()).collect();
@@ -95,10 +97,12 @@ impl<'a> Reducer<'a> {
             loads,
             // These are refused beside a reduction.
             constraints: Vec::new(),
+            implied: Vec::new(),
             stabilisation: None,
             events: Vec::new(),
             reactions: Vec::new(),
             outputs,
+            scene,
             rates,
             labels,
             accuracy: model.accuracy,
@@ -143,6 +147,16 @@ impl<'a> Reducer<'a> {
             output.uses_accelerations = output.components.iter().any(uses);
         }
         Ok(outputs)
+    }
+
+    /// So do bodies.
+    fn scene(&mut self, model: &Model) -> Result<Scene, Undefined> {
+        let mut scene = model.scene.clone();
+        for place in scene.places() {
+            let series = self.frozen.of(&mut self.graph, *place, 0);
+            *place = series.ok_or("the motion of bodies")?.closed;
+        }
+        Ok(scene)
     }
 
     fn rates(&mut self, model: &Model) -> Vec<(ExprId, ExprId)> {
@@ -211,6 +225,7 @@ fn places(model: &mut Model) -> Vec<&mut ExprId> {
     }
     places.extend(model.loads.iter_mut().flat_map(|load| [&mut load.velocity, &mut load.force]));
     places.extend(model.outputs.iter_mut().flat_map(|output| &mut output.components));
+    places.extend(model.scene.places());
     places.extend(model.rates.iter_mut().flat_map(|(velocity, position)| [velocity, position]));
     places.extend(model.labels.iter_mut().map(|(expression, _)| expression));
     places

@@ -18,6 +18,8 @@ pub(super) enum Kind {
     Coordinate,
     Abbreviation,
     Constraint,
+    /// A constraint of a joint that the coordinates fulfil by themselves.
+    Implied,
     /// An event without a force.
     Event,
     /// An event that is an impact; its name is that of the force of the contact, too.
@@ -35,7 +37,7 @@ impl Kind {
             Kind::Constant => "constant",
             Kind::Coordinate => "coordinate",
             Kind::Abbreviation => "`let`",
-            Kind::Constraint => "constraint",
+            Kind::Constraint | Kind::Implied => "constraint",
             Kind::Event | Kind::Contact => "event",
             Kind::Friction => "friction",
             Kind::Output => "output",
@@ -44,7 +46,7 @@ impl Kind {
 
     /// Whether expressions may mention a name of this kind.
     pub(super) fn has_value(self) -> bool {
-        !matches!(self, Kind::Event | Kind::Output)
+        !matches!(self, Kind::Implied | Kind::Event | Kind::Output)
     }
 
     /// Whether a name of this kind that nobody mentions is likely a mistake.

@@ -1,3 +1,5 @@
+mod scenes;
+
 use quote::quote;
 
 use super::{Derived, NumericSystem, expand, parse};

@@ -3,6 +3,7 @@
 //! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth are
 //! built, walked and dropped without recursion. Children have smaller ids than their parents.
 
+mod bodies;
 mod events;
 
 use proc_macro2::{Span, TokenStream};
@@ -11,6 +12,7 @@ use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
 use crate::number::Number;
+pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
 pub use events::{Action, Assignment, Direction, Event, Friction};
 
 /// A whole `system!` declaration.
@@ -30,6 +32,8 @@ pub struct Declaration {
     pub accuracy: Accuracy,
     /// Statements in source order, without those that could not be read.
     pub statements: Vec<Statement>,
+    /// Rigid bodies in source order; known also where plain statements have taken the place of theirs.
+    pub bodies: Vec<DeclaredBody>,
     /// The expressions that statements refer to.
     pub expressions: Expressions,
     /// Words in places that could not be read: names that may have been declared there.
@@ -80,7 +84,7 @@ impl Declaration {
 
 impl StatementKind {
     /// The names that expressions behind the statement may mention.
-    pub(super) fn declared_names(&self) -> Vec<&Name> {
+    pub fn declared_names(&self) -> Vec<&Name> {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
@@ -89,9 +93,19 @@ impl StatementKind {
             StatementKind::Let(name, _) | StatementKind::Constraint(name, _) => vec![name],
             StatementKind::Event(event) => vec![&event.name],
             StatementKind::Friction(friction) => vec![&friction.name],
+            StatementKind::Scene(statement) => statement.declared_name().into_iter().collect(),
             _ => Vec::new(),
         }
     }
+}
+
+/// A rigid body by its name.
+#[derive(Clone, Debug)]
+pub struct DeclaredBody {
+    /// Its name.
+    pub name: Name,
+    /// Its documentation, as attributes.
+    pub docs: TokenStream,
 }
 
 /// A name and where it stands.
@@ -154,9 +168,11 @@ pub struct Statement {
 impl StatementKind {
     /// Whether it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
-        use StatementKind::{Constraint, Coordinates, Event, Friction, Inputs, Output, Parameters, Reduce};
+        use StatementKind::{
+            Constraint, Coordinates, Event, Friction, Inputs, Output, Parameters, Reduce, Scene,
+        };
         matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Constraint(..) | Event(_))
-            || matches!(self, Friction(_) | Output(..) | Reduce(_))
+            || matches!(self, Friction(_) | Output(..) | Reduce(_) | Scene(SceneStatement::Body(_)))
     }
 }
 
@@ -213,6 +229,8 @@ pub enum StatementKind {
     Emit(Vec<EmitItem>),
     /// `reduce Name { freeze x = e; small theta; }`
     Reduce(Reduction),
+    /// Of plane rigid bodies.
+    Scene(SceneStatement),
 }
 
 /// A second type with fewer or simpler motions.

@@ -163,10 +163,27 @@ impl Cursor {
 
     /// The keyword that begins a statement here, if the next token is one.
     pub(super) fn statement_keyword(&self) -> Option<String> {
-        let is_named = matches!(self.peek_past(1), Some(TokenTree::Ident(_))) && self.equals_past(2);
-        self.ident().map(Ident::to_string).filter(|word| {
-            keywords::begins_statement(word) || is_named && keywords::begins_named_statement(word)
-        })
+        let begins = |word: &String| match keywords::soft_statement(word) {
+            Some(form) => self.at_soft_statement(form),
+            None => keywords::begins_statement(word),
+        };
+        self.ident().map(Ident::to_string).filter(begins)
+    }
+
+    /// Whether the next token is followed by what makes it begin a statement.
+    fn at_soft_statement(&self, form: keywords::Soft) -> bool {
+        let name = match self.peek_past(1) {
+            Some(TokenTree::Ident(name)) => Some(name.to_string()),
+            _ => None,
+        };
+        match form {
+            keywords::Soft::Definition => name.is_some() && self.equals_past(2),
+            keywords::Soft::Braces if name.is_some() => {
+                as_group(self.peek_past(2), Delimiter::Brace).is_some()
+            }
+            keywords::Soft::Braces => as_group(self.peek_past(1), Delimiter::Brace).is_some_and(is_labelled),
+            keywords::Soft::Joint => name.is_some_and(|name| !keywords::is_connective(&name)),
+        }
     }
 
     /// Whether a statement begins here, judged by its keyword and the token behind that.
@@ -217,6 +234,12 @@ pub(super) fn as_group(token: Option<&TokenTree>, delimiter: Delimiter) -> Optio
         Some(TokenTree::Group(group)) if group.delimiter() == delimiter => Some(group),
         _ => None,
     }
+}
+
+/// Whether a group begins with a word and a colon, as no block of an `if` does.
+fn is_labelled(group: &Group) -> bool {
+    let mut tokens = group.stream().into_iter();
+    matches!(tokens.next(), Some(TokenTree::Ident(_))) && is_punct(tokens.next().as_ref(), ':')
 }
 
 fn as_punct(token: Option<&TokenTree>) -> Option<&Punct> {

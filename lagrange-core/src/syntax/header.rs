@@ -50,6 +50,7 @@ fn declaration(
         accuracy: attributes.accuracy.map(|(level, _)| level).unwrap_or_default(),
         statements: Vec::new(),
         expressions: Expressions::default(),
+        bodies: Vec::new(),
         unreadable_words: HashMap::default(),
     }
 }

@@ -20,13 +20,44 @@ pub(super) const STATEMENTS: &[&str] = &[
     "output",
     "emit",
     "reduce",
+    "gravity",
+    "body",
+    "line",
+    "spring",
+    "damper",
+    "torsion_spring",
+    "torsion_damper",
+    "pin",
+    "slide",
+    "roll",
 ];
 
-/// Words that begin a statement only before a name and `=`, and are free as names elsewhere.
-const SOFT_STATEMENTS: &[&str] = &["friction"];
+/// Words that begin a statement only before certain tokens, and are free as names elsewhere.
+const SOFT_STATEMENTS: &[(&str, Soft)] = &[
+    ("friction", Soft::Definition),
+    ("line", Soft::Braces),
+    ("spring", Soft::Braces),
+    ("damper", Soft::Braces),
+    ("torsion_spring", Soft::Braces),
+    ("torsion_damper", Soft::Braces),
+    ("pin", Soft::Joint),
+    ("slide", Soft::Joint),
+    ("roll", Soft::Joint),
+];
 
-/// Words set aside for statements that do not exist yet.
-pub(super) const FUTURE_STATEMENTS: &[&str] = &["body", "gravity"];
+/// What follows a word that begins a statement only before certain tokens.
+#[derive(Clone, Copy)]
+pub(super) enum Soft {
+    /// A name and `=`.
+    Definition,
+    /// Braces, with or without a name before them.
+    Braces,
+    /// A name.
+    Joint,
+}
+
+/// Words that can follow a name within a statement.
+const CONNECTIVES: &[&str] = &["at", "on", "to", "as"];
 
 /// Functions of the language, also those that are only written behind a dot.
 const FUNCTIONS: &[&str] = &[
@@ -70,15 +101,19 @@ const RUST: &[&str] = &[
     "where", "while", "yield",
 ];
 
-/// Whether a word begins a statement wherever it stands, now or in future.
+/// Whether a word begins a statement wherever it stands.
 pub(super) fn begins_statement(word: &str) -> bool {
-    let is_known = STATEMENTS.contains(&word) || FUTURE_STATEMENTS.contains(&word);
-    is_known && !begins_named_statement(word)
+    STATEMENTS.contains(&word) && soft_statement(word).is_none()
 }
 
-/// Whether a word begins a statement before a name and `=`, but not elsewhere.
-pub(super) fn begins_named_statement(word: &str) -> bool {
-    SOFT_STATEMENTS.contains(&word)
+/// Before what a word begins a statement, if it does not everywhere.
+pub(super) fn soft_statement(word: &str) -> Option<Soft> {
+    SOFT_STATEMENTS.iter().find(|(soft, _)| *soft == word).map(|(_, form)| *form)
+}
+
+/// Whether a word can follow a name within a statement.
+pub(super) fn is_connective(word: &str) -> bool {
+    CONNECTIVES.contains(&word)
 }
 
 /// Whether a word is a keyword of Rust.

@@ -1,5 +1,7 @@
 //! What mistakes of writing are called, and what helps against them.
 
+pub(super) mod scenes;
+
 use proc_macro2::{Delimiter, TokenTree};
 
 use super::ast::Accuracy;
@@ -102,7 +104,7 @@ pub(super) const REPEATED_ATTRIBUTE_HELP: &str = "leave one of them out";
 
 pub(super) const STATEMENT: &str = "a statement";
 pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes have no meaning here";
-pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord`, `constraint`, `event`, `friction`, `output` and `reduce`; other comments begin with `//`";
+pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord`, `body`, `constraint`, `event`, `friction`, `output` and `reduce`; other comments begin with `//`";
 pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
 pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
 pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";
@@ -177,19 +179,6 @@ pub(super) fn frozen_without_value(name: &str) -> String {
 
 pub(super) fn frozen_without_value_help(name: &str) -> String {
     format!("write `freeze {} = 0;`", shortened(name))
-}
-
-pub(super) fn future_statement(keyword: &str) -> String {
-    format!("`{keyword}` statements are not available yet")
-}
-
-/// What can be done as long as there are no statements of that kind.
-pub(super) fn future_statement_help(keyword: &str) -> &'static str {
-    match keyword {
-        "body" => "write its energies in `kinetic` and `potential` statements",
-        "gravity" => "write `potential = gravitational_energy(m, g, h);` for each mass",
-        _ => "leave it out",
-    }
 }
 
 pub(super) fn unknown_statement(word: &str) -> String {

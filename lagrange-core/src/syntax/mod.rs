@@ -20,6 +20,20 @@
 //!             | "friction" NAME "=" sum "," limits ";"
 //!             | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
 //!             | "reduce" NAME "{" { reduction } "}" [ ";" ]
+//!             | "gravity" "=" sum ";"
+//!             | "body" NAME "{" { body-line } "}" [ ";" ]
+//!             | "line" NAME "{" { "on" ":" NAME ";" | ( "through" | "angle" ) ":" sum ";" } "}" [ ";" ]
+//!             | ( "spring" | "torsion_spring" ) [ NAME ]
+//!                   "{" { ( "from" | "to" | "stiffness" | "rest" ) ":" sum ";" } "}" [ ";" ]
+//!             | ( "damper" | "torsion_damper" ) [ NAME ]
+//!                   "{" { ( "from" | "to" | "damping" ) ":" sum ";" } "}" [ ";" ]
+//!             | "pin" [ NAME "=" ] sum "to" sum ";"
+//!             | "slide" [ NAME "=" ] sum "on" NAME ";"
+//!             | "roll" [ NAME "=" ] NAME "on" NAME [ "," "radius" ":" sum ] ";"
+//! body-line   = ( "mass" | "inertia" | "center" | "origin" | "centroid" | "angle" ) ":" sum ";"
+//!             | "shape" ":" solid ";"
+//!             | "compound" "{" { [ "hole" ] solid { "," ( "mass" | "at" | "angle" ) ":" sum } ";" } "}" [ ";" ]
+//! solid       = NAME "(" [ sum { "," sum } ] ")"
 //! reduction   = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
 //!             | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 //! action      = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
@@ -37,19 +51,24 @@
 
 pub mod ast;
 mod attributes;
+mod blocks;
+mod bodies;
 mod conditionals;
+mod connectors;
 mod cursor;
 mod definitions;
 mod events;
 mod expressions;
 mod friction;
 mod header;
+mod joints;
 mod keywords;
 mod literals;
 mod messages;
 mod names;
 mod operands;
 mod parser;
+pub mod print;
 mod recovery;
 mod reductions;
 mod statements;
@@ -61,7 +80,7 @@ mod unexpected;
 use proc_macro2::TokenStream;
 
 use crate::diagnostics::Report;
-use ast::Declaration;
+use ast::{Declaration, DeclaredBody, SceneStatement, StatementKind};
 use cursor::Cursor;
 use header::{default_header, header_ahead};
 pub use keywords::is_rust_keyword;
@@ -97,5 +116,12 @@ fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cu
     let statements = parser.statements(cursor);
     let expressions = std::mem::take(&mut parser.expressions);
     let unreadable_words = std::mem::take(&mut parser.unreadable_words);
-    Declaration { statements, expressions, unreadable_words, ..header }
+    let bodies = statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Scene(SceneStatement::Body(body)) => {
+            Some(DeclaredBody { name: body.name.clone(), docs: statement.docs.clone() })
+        }
+        _ => None,
+    });
+    let bodies = bodies.collect();
+    Declaration { statements, bodies, expressions, unreadable_words, ..header }
 }

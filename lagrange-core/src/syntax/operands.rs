@@ -108,7 +108,7 @@ impl Parser<'_> {
     }
 
     /// Reads arguments behind those that are given.
-    fn arguments(&mut self, group: &Group, given: Vec<AstId>) -> Parsed<Vec<AstId>> {
+    pub(super) fn arguments(&mut self, group: &Group, given: Vec<AstId>) -> Parsed<Vec<AstId>> {
         self.inside(group, |parser, cursor| {
             let mut arguments = given;
             while !cursor.at_end() {

@@ -1,6 +1,6 @@
 //! Statements that are not what they should be: what to report, and where to read on.
 
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::Ident;
 
 use super::cursor::Cursor;
 use super::keywords;
@@ -35,32 +35,9 @@ impl Parser<'_> {
         }
     }
 
-    /// Skips a statement of a kind that does not exist yet, if one begins here.
-    pub(super) fn future_statement(&mut self, cursor: &mut Cursor) -> bool {
-        let word = cursor.statement_keyword();
-        let Some(keyword) = word.filter(|word| keywords::FUTURE_STATEMENTS.contains(&word.as_str())) else {
-            return false;
-        };
-        let error = self.report.error(cursor.skip_one(), messages::future_statement(&keyword));
-        error.help(messages::future_statement_help(&keyword));
-        // Only the braces of a body end it; those of an `if` do not.
-        while keyword == "body" && !cursor.at_end() && !cursor.at(';') && !cursor.at_statement() {
-            let last = cursor.group(Delimiter::Brace).is_some();
-            cursor.skip_one();
-            if last {
-                cursor.eat(';');
-                return true;
-            }
-        }
-        cursor.skip_statement();
-        cursor.eat(';');
-        true
-    }
-
     pub(super) fn unknown_statement(&mut self, word: &Ident, cursor: &Cursor) -> Reported {
         let text = word.to_string();
-        let known = keywords::STATEMENTS.iter().chain(keywords::FUTURE_STATEMENTS).copied();
-        let help = match nearest(&text, known) {
+        let help = match nearest(&text, keywords::STATEMENTS.iter().copied()) {
             Some(keyword) => messages::meant(keyword),
             None if cursor.equals_past(0) => messages::meant_let(&text),
             None => messages::statements_are(keywords::STATEMENTS),

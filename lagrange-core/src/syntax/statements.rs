@@ -1,6 +1,8 @@
 //! Statements, one by one.
 
-use super::ast::{Action, AstId, Statement, StatementKind};
+use proc_macro2::Ident;
+
+use super::ast::{Action, AstId, ConnectorKind, SceneStatement, Statement, StatementKind};
 use super::cursor::Cursor;
 use super::messages;
 use super::parser::{Parsed, Parser};
@@ -36,7 +38,7 @@ impl Parser<'_> {
 
     /// Reads one statement with its semicolon; takes at least one token, if there is one.
     fn statement(&mut self, cursor: &mut Cursor) -> Option<StatementKind> {
-        if cursor.at_end() || cursor.eat(';').is_some() || self.future_statement(cursor) {
+        if cursor.at_end() || cursor.eat(';').is_some() {
             return None;
         }
         self.skipped = false;
@@ -76,8 +78,28 @@ impl Parser<'_> {
             "output" => Ok(StatementKind::Output(self.declared_name(cursor)?, self.assigned(cursor)?)),
             "emit" => Ok(StatementKind::Emit(self.emit(cursor)?)),
             "reduce" => Ok(StatementKind::Reduce(self.reduction(cursor)?)),
-            _ => Err(self.unknown_statement(&keyword, cursor)),
+            _ => match self.scene_statement(&keyword, cursor) {
+                Some(statement) => Ok(StatementKind::Scene(statement?)),
+                None => Err(self.unknown_statement(&keyword, cursor)),
+            },
         }
+    }
+
+    /// A statement about plane rigid bodies, if the word begins one.
+    fn scene_statement(&mut self, keyword: &Ident, cursor: &mut Cursor) -> Option<Parsed<SceneStatement>> {
+        let text = keyword.to_string();
+        if let Some(kind) = ConnectorKind::named(&text) {
+            return Some(self.connector(kind, cursor).map(SceneStatement::Connector));
+        }
+        Some(match text.as_str() {
+            "gravity" => self.assigned(cursor).map(SceneStatement::Gravity),
+            "body" => self.body(cursor).map(|body| SceneStatement::Body(Box::new(body))),
+            "line" => self.line_statement(cursor).map(SceneStatement::Line),
+            "pin" => self.pin(cursor).map(SceneStatement::Joint),
+            "slide" => self.slide(cursor).map(SceneStatement::Joint),
+            "roll" => self.roll(cursor).map(SceneStatement::Joint),
+            _ => return None,
+        })
     }
 
     /// `= e`, up to the end of the statement.
@@ -94,7 +116,7 @@ impl Parser<'_> {
 
     /// Reads the expression that ends the statement. What is unreadable is still a value, so that a name
     /// stays declared although its value is wrong.
-    fn value(&mut self, cursor: &mut Cursor) -> AstId {
+    pub(super) fn value(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
         match self.expression(cursor) {
             Ok(id) if cursor.at_statement_end() => return id,
@@ -123,12 +145,12 @@ impl Parser<'_> {
         Ok(StatementKind::Torque { moment, angle: self.value(cursor) })
     }
 
-    fn connective(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
+    pub(super) fn connective(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
         if cursor.eat_word(word).is_some() {
             return Ok(());
         }
         let wanted = format!("`{word}`");
-        let is_other = cursor.at('=') || cursor.at_word("at") || cursor.at_word("on");
+        let is_other = cursor.at('=') || ["at", "on", "to"].iter().any(|word| cursor.at_word(word));
         if is_other || cursor.at_statement_end() {
             let message = messages::expected(&wanted, cursor.peek());
             return Err(self.fail_with_help(cursor.here(), message, help));
@@ -142,6 +164,10 @@ fn ends_in_braces(kind: &StatementKind) -> bool {
     match kind {
         StatementKind::Emit(_) | StatementKind::Reduce(_) => true,
         StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),
+        StatementKind::Scene(statement) => {
+            use SceneStatement::{Body, Connector, Line};
+            matches!(statement, Body(_) | Line(_) | Connector(_))
+        }
         _ => false,
     }
 }

@@ -1,7 +1,9 @@
+mod bodies;
 mod expressions;
 mod header;
 mod limits;
 mod mistakes;
+mod print;
 mod statements;
 mod systems;
 
@@ -139,6 +141,7 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
             };
             format!("reduce {}{}", name.text, items.iter().map(item).collect::<String>())
         }
+        StatementKind::Scene(scene) => bodies::scene(declaration, scene),
     }
 }
 

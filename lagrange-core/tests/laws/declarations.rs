@@ -13,6 +13,7 @@ use proptest::sample::Index;
 use quote::quote;
 
 use crate::machines::machines;
+use crate::printing::SCENE;
 
 /// Where the crate is.
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -21,7 +22,7 @@ const CHILD: &str = "LAGRANGE_LAWS_CHILD";
 /// Longer declarations are not mutated: deriving them takes too long.
 const LONGEST_MUTATED: usize = 1_500;
 /// Words that mean something in many places.
-const WORDS: [&str; 30] = [
+const WORDS: [&str; 40] = [
     " 0 ",
     " - ",
     " 1/2 ",
@@ -52,6 +53,16 @@ const WORDS: [&str; 30] = [
     ";reduce B { small x, theta = m; }",
     "small q1;",
     "1e999",
+    ";gravity = (0, -1);",
+    ";body b { mass: 1; inertia: 2; center: (x, 0); angle: x; }",
+    ";body c { origin: (x, x^2); angle: t; compound { disk(1), mass: 2; hole disk(x), mass: 1, at: (x, 0); } }",
+    ";line l { on: b; angle: x; }",
+    ";spring { from: b; to: (0, 1); stiffness: 1; rest: 0; }",
+    ";pin b to c.point(0, 1);",
+    ";slide s = b on l;",
+    ";roll c on l, radius: x;",
+    " b.point(x, s.normal) ",
+    "; emit { motion, drawing, statements };",
 ];
 
 /// The declarations that are derived correctly.
@@ -117,7 +128,8 @@ fn mutations() -> impl Strategy<Value = Mutation> {
 
 /// A correct declaration with a few of its words or statements changed.
 fn mutated() -> impl Strategy<Value = String> {
-    let short = DECLARATIONS.iter().filter(|text| text.len() <= LONGEST_MUTATED).cloned();
+    let texts = DECLARATIONS.iter().map(String::as_str).chain([SCENE]);
+    let short = texts.filter(|text| text.len() <= LONGEST_MUTATED).map(str::to_owned);
     let text = prop::sample::select(short.collect::<Vec<_>>());
     let mutations = prop::collection::vec(mutations(), 1..4);
     (text, any::<bool>(), mutations).prop_map(|(text, by_statement, mutations)| {

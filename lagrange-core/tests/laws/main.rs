@@ -6,8 +6,10 @@ mod formulas;
 mod growth;
 mod machines;
 mod mechanics;
+mod printing;
 mod products;
 mod reductions;
+mod scenes;
 mod trees;
 
 use proptest::prelude::ProptestConfig;

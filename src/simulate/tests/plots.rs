@@ -49,6 +49,18 @@ fn columns_share_a_panel_and_a_legend() {
 }
 
 #[test]
+fn columns_are_drawn_against_another_one() {
+    let svg = written("against", |path| run().plot_against("x", &["x_dot", "energy"], path));
+    let one = written("against_one", |path| run().plot_against("x", &["x_dot"], path));
+    let drawn = points(&svg, &["x", "x_dot", "energy"]);
+    assert!(drawn > points(&one, &["x", "x_dot"]) && !one.contains("energy"));
+    for (x, y) in [("z", "energy"), ("x", "z")] {
+        let error = run().plot_against(x, &[y], "z.svg").expect_err("unknown");
+        assert!(matches!(error, PlotError::UnknownColumn(name) if name == "z"));
+    }
+}
+
+#[test]
 fn the_drift_of_the_energy_is_relative_and_readable() {
     let svg = written("energy", |path| run().plot_energy(path));
     assert_eq!(points(&svg, &["(E − E0)/|E0|"]), 201);

@@ -1,3 +1,4 @@
+use crate::bodies::plain;
 use crate::calculus::evaluate;
 use crate::diagnostics::Report;
 use crate::expr::{Dependencies, ExprId};
@@ -16,7 +17,7 @@ fn read(statements: &str) -> Result<Model, String> {
     let mut report = Report::default();
     let text = format!("{POINT}\n{statements}");
     let declaration = parse_text(&text, &mut report).expect("tokens");
-    let model = elaborate(&declaration, &mut report).filter(|_| !report.has_errors());
+    let model = elaborate(&plain(declaration, &mut report), &mut report).filter(|_| !report.has_errors());
     model.ok_or_else(|| report.to_string())
 }
 

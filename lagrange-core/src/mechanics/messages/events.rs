@@ -79,7 +79,7 @@ pub(in crate::mechanics) fn nonlinear_limit(name: &str) -> String {
     format!("the limit of the friction `{name}` is not linear in the forces on which it depends")
 }
 
-pub(in crate::mechanics) const NONLINEAR_LIMIT_HELP: &str = "write a sum of forces times coefficients, such as `mu * normal`, without `abs`: the force of a contact is never negative";
+pub(in crate::mechanics) const NONLINEAR_LIMIT_HELP: &str = "write a sum of forces times coefficients, such as `mu * normal`, without `abs`: the force of a contact never pulls, and where a constraint may, a contact belongs in its place";
 
 pub(in crate::mechanics) fn negative_limit(value: f64) -> String {
     format!("the friction limit {value} is negative")

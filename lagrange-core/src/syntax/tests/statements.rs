@@ -1,4 +1,4 @@
-use super::{errors, read, statements};
+use super::{read, statements};
 
 #[test]
 fn every_statement_has_its_form() {
@@ -103,21 +103,4 @@ fn statements_reach_from_keyword_to_semicolon() {
         .iter()
         .map(|statement| (statement.origin.start.start().column, statement.origin.end.end().column));
     assert_eq!(columns.collect::<Vec<_>>(), [(2, 11), (0, 10)]);
-}
-
-#[test]
-fn statements_for_later_are_refused_and_skipped() {
-    let text = "
-        gravity = (0, -g);
-        body rod { mass: m; coord: 3; }
-        body rod { mass: m };
-        coord x;";
-    let report = [
-        "error at 2:9: `gravity` statements are not available yet",
-        "error at 3:9: `body` statements are not available yet",
-        "error at 4:9: `body` statements are not available yet",
-    ];
-    assert_eq!(errors(text), report);
-    let (declaration, _) = super::read_wrong(text);
-    assert_eq!(statements(&declaration.expect("no lexical mistake")), ["coord x"]);
 }

@@ -5,7 +5,7 @@ use crate::diagnostics::Report;
 use crate::syntax::parse_text;
 
 /// Name and text of each system that is kept as test data.
-fn systems() -> Vec<(String, String)> {
+pub(super) fn systems() -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let directories = ["../tests/oracle", "../tests/constrained"].map(|directory| root.join(directory));
     let mut paths = directories

@@ -4,6 +4,7 @@
 
 use lagrange::Scalar;
 use lagrange::integrate::{RungeKutta4, integrate};
+use lagrange::scene::{Cause, Item, Scene};
 
 lagrange::system! {
     /// A point mass on a massless rod.
@@ -70,6 +71,33 @@ lagrange::system! {
     friction rub = dot(x), mu * ground;
 }
 
+lagrange::system! {
+    /// A rod that is pinned to the ground, in single precision.
+    #[scalar(f32)]
+    #[derive(Clone, Copy, Debug)]
+    pub struct Beam;
+
+    param m = 2.0, l = 1.0;
+    coord x, y, a;
+    gravity = (0, -9.81);
+    body rod { mass: m; shape: slender_rod(l); center: (x, y); angle: a; }
+    pin hinge = rod.point(-l / 2, 0) to (0, 0);
+    emit { motion, drawing }
+}
+
+/// How hard the ground holds a rod at rest at an angle.
+#[must_use]
+pub fn grip(beam: &Beam, angle: f32) -> f32 {
+    let (sin, cos) = Scalar::sin_cos(angle);
+    let mut grip = 0.0;
+    beam.items(0.0, &[0.5 * beam.l * cos, 0.5 * beam.l * sin, angle], &[0.0; 3], &mut |item| {
+        if let Item::Force { cause: Cause::Joint, force: [x, y], .. } = item {
+            grip = Scalar::hypot(x, y);
+        }
+    });
+    grip
+}
+
 /// The state of a parcel some seconds after it was thrown; `None` if its motion cannot be computed.
 #[must_use]
 pub fn thrown(parcel: &Parcel, state: [f64; 6], seconds: f64) -> Option<[f64; 6]> {
@@ -92,7 +120,9 @@ pub fn repulsion<S: Scalar>(chain: &Chain<S>, distance: S) -> S {
 
 #[cfg(test)]
 mod tests {
-    use super::{Chain, Parcel, Pendulum, SmallPendulum, angle_after_a_second, repulsion, thrown};
+    use super::{
+        Beam, Chain, Parcel, Pendulum, SmallPendulum, angle_after_a_second, grip, repulsion, thrown,
+    };
 
     #[test]
     fn parcels_come_to_rest_on_the_ground() {
@@ -100,6 +130,11 @@ mod tests {
         let [x, y, z, velocities @ ..] = state.expect("a motion");
         assert!(x > 0.45 && y == 0.0 && (z - x.sin()).abs() < 1e-15, "{x} {y} {z}");
         assert_eq!(velocities, [0.0; 3]);
+    }
+
+    #[test]
+    fn level_rods_hang_by_a_quarter_of_their_weight() {
+        assert!((grip(&Beam::default(), 0.0) - 0.25 * 2.0 * 9.81).abs() < 1e-4);
     }
 
     #[test]

@@ -25,11 +25,29 @@ mechanics::system! {
     output braking = -u * abs(dot(phi));
 }
 
+mechanics::system! {
+    /// A wheel that rolls along a line.
+    pub struct Wheel;
+
+    param r = 1/2;
+    coord x, y, a;
+    line floor {}
+    body wheel { mass: 2; shape: disk(r); center: (x, y); angle: a; }
+    roll wheel on floor;
+    emit { motion, drawing, statements }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Disk, Oscillator};
+    use super::{Disk, Oscillator, Wheel};
     use mechanics::integrate::{RungeKutta4, integrate};
     use mechanics::system::{EnergyFunction, OdeSystem};
+
+    #[test]
+    fn wheels_turn_about_the_place_where_they_touch() {
+        let motion = Wheel::default().wheel_motion(0.0, &[3.0, 0.5, 0.0], &[1.0, 0.0, -2.0]);
+        assert_eq!(motion.instant_center(), Some([3.0, 0.0]));
+    }
 
     fn energy_and_rate<T>(system: &T, y: &[f64; 2]) -> (f64, [f64; 2])
     where

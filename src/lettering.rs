@@ -1,4 +1,4 @@
-//! Letters made of strokes, so that pictures in pixels need no font.
+//! Letters made of strokes, so that pictures in pixels need no font: those of ASCII, Greek ones, and some signs.
 //!
 //! A glyph is drawn on a grid: column 0 is its left edge, row 2 the base line, row 7 the height of small letters, row 9
 //! that of capitals and digits. Strokes are separated by blanks, points are two digits, column and row. A stroke that
@@ -11,7 +11,7 @@ use std::vec::Vec;
 type Glyph = (char, f64, &'static str);
 
 /// A point in units of the height of capitals; x to the right, y upwards from the base line.
-pub(super) type Point = (f64, f64);
+pub(crate) type Point = (f64, f64);
 
 const BASE_LINE: f64 = 2.0;
 const CAPITALS: f64 = 7.0;
@@ -39,7 +39,7 @@ const SUPERSCRIPTS: [(char, char); 11] = [
 const UNKNOWN: Glyph = ('\u{fffd}', 5.0, "0209595202");
 
 #[rustfmt::skip]
-const GLYPHS: [Glyph; 98] = [
+const GLYPHS: [Glyph; 138] = [
     (' ', 2.0, ""),
     ('!', 0.0, "0904 0202"),
     ('"', 2.0, "0907 2927"),
@@ -138,10 +138,50 @@ const GLYPHS: [Glyph; 98] = [
     ('×', 4.0, "0347 0743"),
     ('−', 5.0, "0555"),
     ('·', 0.0, "0505"),
+    ('′', 1.0, "1907"),
+    ('°', 2.0, "@09292707"),
+    ('–', 5.0, "0555"),
+    ('…', 4.0, "0202 2222 4242"),
+    ('½', 7.0, "0829 2925 0279 ~44647252 4373"),
+    ('Γ', 5.0, "025959"),
+    ('Δ', 6.0, "02396202"),
+    ('Θ', 7.0, "@09797202 2555"),
+    ('Λ', 6.0, "023962"),
+    ('Ξ', 6.0, "0969 1656 0262"),
+    ('Π', 6.0, "02096962"),
+    ('Σ', 5.0, "5909350252"),
+    ('Υ', 6.0, "0935 6935 3532"),
+    ('Φ', 8.0, "@08888303 4942"),
+    ('Ψ', 6.0, "~09046469 3932"),
+    ('Ω', 7.0, "0222 ~22050A7A7552 5272"),
+    ('α', 5.0, "~574202074752"),
+    ('β', 5.0, "~0009494616 ~16565202"),
+    ('γ', 4.0, "~07172420 472420"),
+    ('δ', 5.0, "@06565202 ~5919164655"),
+    ('ε', 4.0, "~4647070525 ~2505024243"),
+    ('ζ', 4.0, "0949 ~4904024230"),
+    ('η', 4.0, "0702 ~04074744 4440"),
+    ('θ', 4.0, "@09494202 0646"),
+    ('ι', 1.0, "~070212"),
+    ('κ', 4.0, "0702 4704 1542"),
+    ('λ', 4.0, "~09194252 2602"),
+    ('μ', 4.0, "0700 ~04024244 4742"),
+    ('ν', 4.0, "0722 ~224447"),
+    ('ξ', 4.0, "~49090636 ~3606024230"),
+    ('π', 5.0, "0757 1712 4742"),
+    ('ρ', 5.0, "@07575202 0400"),
+    ('σ', 5.0, "@07474202 2757"),
+    ('ς', 4.0, "~4747070242"),
+    ('τ', 4.0, "0747 ~27222242"),
+    ('υ', 4.0, "~0702424247"),
+    ('φ', 6.0, "@07676202 3930"),
+    ('χ', 5.0, "0750 5700"),
+    ('ψ', 6.0, "~07026267 3930"),
+    ('ω', 6.0, "~1707023235 ~5767623235"),
 ];
 
 /// The strokes of a line of text, from its left end on the base line, and its width.
-pub(super) fn strokes(text: &str) -> (Vec<Vec<Point>>, f64) {
+pub(crate) fn strokes(text: &str) -> (Vec<Vec<Point>>, f64) {
     let (mut strokes, mut x, mut end) = (Vec::new(), 0.0, 0.0);
     for character in text.chars() {
         let superscript = SUPERSCRIPTS.iter().find(|(raised, _)| *raised == character);

@@ -1,0 +1,16 @@
+//! Where examples put their pictures.
+
+use std::fs::create_dir_all;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// The path of a picture in `target/gallery`, which is printed.
+///
+/// # Errors
+/// If the folder cannot be made.
+pub(crate) fn picture(name: &str) -> io::Result<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target").join("gallery");
+    create_dir_all(&folder)?;
+    println!("target/gallery/{name}");
+    Ok(folder.join(name))
+}

@@ -1,0 +1,202 @@
+//! What the names of a scene stand for, and names of plain statements that nobody else uses.
+
+use crate::collections::{HashMap, OrderedMap};
+use crate::diagnostics::{Report, nearest};
+use crate::syntax::ast::{
+    AstId, ConnectorKind, Declaration, Expression, Name, SceneStatement, StatementKind,
+};
+
+use super::messages;
+use super::terms::Pair;
+
+/// A rigid body whose statement has been read.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    pub(super) name: Name,
+    pub(super) mass: AstId,
+    pub(super) inertia: AstId,
+    /// The centre of mass.
+    pub(super) center: AstId,
+    /// The origin of the own coordinates.
+    pub(super) origin: Pair,
+    pub(super) angle: AstId,
+    /// The radius on which it rolls, if its shape is round.
+    pub(super) radius: Option<AstId>,
+}
+
+/// A line.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    pub(super) body: Option<usize>,
+    pub(super) through: Pair,
+    pub(super) angle: AstId,
+}
+
+/// A spring or damper.
+#[derive(Clone, Debug)]
+pub(super) struct Connector {
+    pub(super) kind: ConnectorKind,
+    /// The distance of its ends or the angle between them.
+    pub(super) length: AstId,
+    /// By which it pulls its ends together.
+    pub(super) tension: AstId,
+}
+
+/// A joint: the names that stand for its forces.
+#[derive(Clone, Debug)]
+pub(super) struct Joint {
+    /// The force on the first of what it holds.
+    pub(super) force: AstId,
+    /// Components with names of their own.
+    pub(super) parts: Vec<(&'static str, AstId)>,
+}
+
+/// What a name of a scene stands for.
+#[derive(Clone, Debug)]
+pub(super) enum Object {
+    Body(usize),
+    Line(usize),
+    Connector(Connector),
+    Joint(Joint),
+}
+
+impl Object {
+    /// In the user's words, with its article.
+    pub(super) fn describe(&self) -> &'static str {
+        match self {
+            Object::Body(_) => "a body",
+            Object::Line(_) => "a line",
+            Object::Connector(connector) => match connector.kind {
+                ConnectorKind::Spring => "a spring",
+                ConnectorKind::Damper => "a damper",
+                ConnectorKind::TorsionSpring => "a torsion spring",
+                ConnectorKind::TorsionDamper => "a torsion damper",
+            },
+            Object::Joint(_) => "a joint",
+        }
+    }
+}
+
+/// The names of a declaration.
+pub(super) struct Names {
+    /// Objects of the scene that were declared so far.
+    objects: OrderedMap<String, Object>,
+    /// Objects that are declared anywhere.
+    all_objects: OrderedMap<String, Name>,
+    /// Parameters and constants.
+    fixed: HashMap<String, ()>,
+    /// Everything that is declared anywhere but lines.
+    declared: HashMap<String, ()>,
+    /// Names that plain statements must not take.
+    taken: HashMap<String, ()>,
+    /// How many nameless statements there were of each kind.
+    nameless: HashMap<String, u32>,
+}
+
+impl Names {
+    pub(super) fn new(declaration: &Declaration) -> Names {
+        let mut all_objects = OrderedMap::default();
+        let (mut taken, mut fixed, mut declared) =
+            (HashMap::default(), HashMap::default(), HashMap::default());
+        for statement in &declaration.statements {
+            match &statement.kind {
+                StatementKind::Scene(scene) => {
+                    // A name that stands for something else already is not one that is used too early.
+                    let is_new = |name: &&Name| !taken.contains(&name.text);
+                    if let Some(name) = scene.declared_name().filter(is_new) {
+                        all_objects.insert(name.text.clone(), name.clone());
+                    }
+                }
+                StatementKind::Output(name, _) => drop(taken.insert(name.text.clone(), ())),
+                StatementKind::Parameters(list) | StatementKind::Constants(list) => {
+                    for row in list {
+                        fixed.insert(row.name.text.clone(), ());
+                    }
+                }
+                _ => {}
+            }
+            let is_line = matches!(&statement.kind, StatementKind::Scene(SceneStatement::Line(_)));
+            for name in statement.kind.declared_names() {
+                if !is_line {
+                    declared.insert(name.text.clone(), ());
+                }
+                taken.insert(name.text.clone(), ());
+            }
+        }
+        for (_, expression) in declaration.expressions.iter() {
+            if let Expression::Name(name) = expression {
+                taken.insert(name.clone(), ());
+            }
+        }
+        let objects = OrderedMap::default();
+        Names { objects, all_objects, fixed, declared, taken, nameless: HashMap::default() }
+    }
+
+    pub(super) fn declare(&mut self, name: &str, object: Object) {
+        self.objects.insert(name.to_owned(), object);
+    }
+
+    /// What was declared under a name so far.
+    pub(super) fn find(&self, name: &str) -> Option<&Object> {
+        self.objects.get(&name.to_owned())
+    }
+
+    /// Where an object of that name is declared, be it further down.
+    pub(super) fn anywhere(&self, name: &str) -> Option<&Name> {
+        self.all_objects.get(&name.to_owned())
+    }
+
+    /// Whether something else than a line has this name, be it further down.
+    pub(super) fn is_declared(&self, name: &str) -> bool {
+        self.declared.contains(&name.to_owned())
+    }
+
+    /// Whether a name stands for a number that does not change during the motion.
+    pub(super) fn is_fixed(&self, name: &str) -> bool {
+        name == "pi" || self.fixed.contains(&name.to_owned())
+    }
+
+    /// The name of an object like this one.
+    pub(super) fn nearest(&self, name: &str, accept: impl Fn(&Object) -> bool) -> Option<&str> {
+        let known = self.objects.iter().filter(|(_, object)| accept(object));
+        nearest(name, known.map(|(name, _)| name.as_str()))
+    }
+
+    /// A name like `wish` that nothing has.
+    pub(super) fn fresh(&mut self, wish: &str) -> String {
+        let mut name = wish.to_owned();
+        let mut count = 1;
+        while self.taken.contains(&name) {
+            count += 1;
+            name = format!("{wish}_{count}");
+        }
+        self.taken.insert(name.clone(), ());
+        name
+    }
+
+    /// `spring_1`, `spring_2`, … for statements without a name.
+    pub(super) fn of_nameless(&mut self, kind: &str) -> String {
+        let count = self.nameless.get(&kind.to_owned()).copied().unwrap_or(0) + 1;
+        self.nameless.insert(kind.to_owned(), count);
+        self.fresh(&format!("{kind}_{count}"))
+    }
+}
+
+/// Reports objects of the scene that share their name with something else.
+pub(super) fn report_repeated(declaration: &Declaration, report: &mut Report) {
+    let mut first: OrderedMap<String, (&Name, bool)> = OrderedMap::default();
+    for statement in &declaration.statements {
+        let is_object = matches!(statement.kind, StatementKind::Scene(_));
+        for name in statement.kind.declared_names() {
+            match first.get(&name.text) {
+                // Two plain names are reported where names are resolved.
+                Some((_, false)) if !is_object => {}
+                Some((before, _)) => {
+                    let error = report.error(name.span, messages::declared_twice(&name.text));
+                    error.related(before.span.into(), messages::FIRST_DECLARED);
+                }
+                None => drop(first.insert(name.text.clone(), (name, is_object))),
+            }
+        }
+    }
+}

@@ -1,0 +1,220 @@
+//! Rigid bodies: how they move, and what there is to draw of them.
+//!
+//! [`crate::bodies`] says which expressions matter; here they are evaluated and differentiated by time, and only if a product that
+//! needs them is asked for. The equations of motion know nothing of it.
+
+use super::elaborate::Elaborator;
+use super::messages;
+use super::messages::scene;
+use super::operand::Operand;
+use super::product::Product;
+use crate::bodies::{Drawn, DrawnKind, Motion, Outline, Plain};
+use crate::expr::ExprId;
+use crate::solids;
+use crate::syntax::ast::{AstId, Name, StatementKind};
+
+/// Rigid bodies, as far as they are asked for.
+#[derive(Clone, Default, Debug)]
+pub struct Scene {
+    /// How bodies move, in the order of their declaration.
+    pub motions: Vec<BodyMotion>,
+    /// What there is to draw, in the order in which it is handed out.
+    pub drawing: Vec<DrawnItem>,
+}
+
+/// How a body moves.
+#[derive(Clone, Debug)]
+pub struct BodyMotion {
+    /// The name of the body.
+    pub body: Name,
+    /// Mass, moment of inertia, centroid in own coordinates, centre, angle, velocity, angular velocity, acceleration, angular
+    /// acceleration; vectors take two places.
+    pub values: [ExprId; BodyMotion::VALUES],
+}
+
+impl BodyMotion {
+    /// How many numbers tell how a body moves.
+    pub const VALUES: usize = 13;
+}
+
+/// Something to be drawn.
+#[derive(Clone, Debug)]
+pub struct DrawnItem {
+    /// What it is.
+    pub kind: DrawnKind,
+    /// Its numbers in the order that its kind says; vectors take two places.
+    pub values: Vec<ExprId>,
+    /// The shape, if it is a body.
+    pub parts: Vec<OutlinedPart>,
+}
+
+/// A part of a body's shape.
+#[derive(Clone, Debug)]
+pub struct OutlinedPart {
+    /// A variant of `lagrange::scene::Outline`.
+    pub outline: &'static str,
+    /// Whether the dimensions are corners, of which each takes two places.
+    pub has_corners: bool,
+    /// The dimensions, then the origin of its coordinates, then the angle of its axes.
+    pub values: Vec<ExprId>,
+    /// Whether it is cut out.
+    pub is_hole: bool,
+}
+
+impl Scene {
+    /// Where it holds expressions.
+    pub(super) fn places(&mut self) -> Vec<&mut ExprId> {
+        let mut places = self.motions.iter_mut().flat_map(|motion| &mut motion.values).collect::<Vec<_>>();
+        for item in &mut self.drawing {
+            places.extend(&mut item.values);
+            places.extend(item.parts.iter_mut().flat_map(|part| &mut part.values));
+        }
+        places
+    }
+}
+
+/// What is declared of rigid bodies.
+#[derive(Default, Debug)]
+pub(super) struct Staged {
+    /// Their names.
+    bodies: Vec<Name>,
+    /// Whether anything could be drawn.
+    is_visible: bool,
+}
+
+impl Staged {
+    /// Whether there is too little for a product.
+    pub(super) fn lacks(&self, product: Product) -> bool {
+        match product {
+            Product::Motion => self.bodies.is_empty(),
+            Product::Drawing | Product::Statements => self.bodies.is_empty() && !self.is_visible,
+            _ => false,
+        }
+    }
+}
+
+impl Elaborator<'_> {
+    /// Takes what is known of bodies into the model, as far as it is asked for.
+    pub(super) fn scene(&mut self, plain: &Plain) {
+        let bodies = plain.motions.iter().map(|motion| motion.body.clone()).collect();
+        self.staged = Staged { bodies, is_visible: !plain.drawing.is_empty() };
+        let products = self.products();
+        let [moves, is_drawn] =
+            [Product::Motion, Product::Drawing].map(|product| products.contains(&product));
+        if moves || is_drawn {
+            let motions = plain.motions.iter().map(|motion| self.body_motion(motion)).collect::<Vec<_>>();
+            self.scene.motions = motions.into_iter().flatten().collect();
+        }
+        // Where the motion of a body is unknown, that was reported.
+        if is_drawn && self.scene.motions.len() == plain.motions.len() {
+            self.draw(&plain.drawing);
+        }
+    }
+
+    fn body_motion(&mut self, motion: &Motion) -> Option<BodyMotion> {
+        let known = [motion.mass, motion.inertia, motion.centroid, motion.center, motion.angle];
+        let [position, angle] = [motion.center, motion.angle].map(|syntax| self.evaluator.evaluate(syntax));
+        let [position, angle] = [(motion.center, position?), (motion.angle, angle?)];
+        let mut rate = |(syntax, value): &(AstId, Operand)| {
+            self.evaluator.rate(value, *syntax).map(|rate| (*syntax, rate))
+        };
+        let (velocity, spin) = (rate(&position)?, rate(&angle)?);
+        let (acceleration, change) = (rate(&velocity)?, rate(&spin)?);
+        let mut values = self.flat(&known)?;
+        for (_, operand) in [velocity, spin, acceleration, change] {
+            values.extend(operand.components());
+        }
+        let body = motion.body.clone();
+        let Ok(values) = values.try_into() else {
+            self.evaluator.report.error(body.span, scene::not_in_the_plane(&body.text));
+            return None;
+        };
+        Some(BodyMotion { body, values })
+    }
+
+    /// The components of values one after another.
+    fn flat(&mut self, values: &[AstId]) -> Option<Vec<ExprId>> {
+        let values = values.iter().map(|&value| self.evaluator.evaluate(value)).collect::<Vec<_>>();
+        let values = values.into_iter().collect::<Option<Vec<_>>>()?;
+        Some(values.iter().flat_map(|value| value.components().to_vec()).collect())
+    }
+
+    /// Forces of joints that the coordinates fulfil by themselves do not exist.
+    fn draw(&mut self, drawing: &[Drawn]) {
+        let constraints = self.constraints.iter().map(|(constraint, _)| constraint.name.clone());
+        let constraints = constraints.collect::<Vec<_>>();
+        let exists = |item: &&Drawn| item.needs.iter().all(|name| constraints.contains(name));
+        let items = drawing.iter().filter(exists).map(|item| self.item(item)).collect::<Vec<_>>();
+        self.scene.drawing = items.into_iter().flatten().collect();
+        self.scene.drawing.sort_by_key(|item| layer(&item.kind));
+    }
+
+    fn item(&mut self, item: &Drawn) -> Option<DrawnItem> {
+        let values = self.flat(&item.values)?;
+        // Forces in space have no place in the picture.
+        if values.len() != value_count(&item.kind) {
+            return None;
+        }
+        let parts = match &item.kind {
+            DrawnKind::Body { outlines, .. } => {
+                outlines.iter().map(|outline| self.outlined_part(outline)).collect::<Option<_>>()?
+            }
+            _ => Vec::new(),
+        };
+        Some(DrawnItem { kind: item.kind.clone(), values, parts })
+    }
+
+    fn outlined_part(&mut self, outline: &Outline) -> Option<OutlinedPart> {
+        let dimensions = self.flat(&outline.dimensions)?;
+        let has_corners = dimensions.len() > outline.dimensions.len();
+        let place = self.flat(&[outline.at, outline.angle])?;
+        // A solid that does not exist was reported where bodies became plain statements.
+        let variant = solids::by_name(&outline.solid)?.outline;
+        let values = [dimensions, place].concat();
+        Some(OutlinedPart { outline: variant, has_corners, values, is_hole: outline.is_hole })
+    }
+
+    /// No two methods have the same name.
+    pub(super) fn check_motion_names(&mut self) {
+        if !self.products().contains(&Product::Motion) {
+            return;
+        }
+        let has_redundant_motion = !self.constraints.is_empty();
+        let method = |body: &Name| format!("{}_motion", body.text);
+        for statement in &self.declaration.statements {
+            if let StatementKind::Output(name, _) = &statement.kind
+                && self.staged.bodies.iter().any(|body| method(body) == name.text)
+            {
+                let error = self.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+                error.help(messages::OTHER_NAME_HELP);
+            }
+        }
+        let taken = self.staged.bodies.iter().find(|body| has_redundant_motion && body.text == "redundant");
+        if let Some(body) = taken {
+            let error = self.evaluator.report.error(body.span, scene::reserved_body(&body.text));
+            error.help(messages::OTHER_NAME_HELP);
+        }
+    }
+}
+
+/// How many numbers there are of an item in the plane.
+fn value_count(kind: &DrawnKind) -> usize {
+    match kind {
+        DrawnKind::Body { .. } => 0,
+        DrawnKind::Joint { .. } => 2,
+        DrawnKind::Line { .. } | DrawnKind::Moment { .. } => 3,
+        DrawnKind::Force { .. } => 4,
+        DrawnKind::Connector { .. } => 5,
+    }
+}
+
+/// What is handed out first is drawn below the rest.
+fn layer(kind: &DrawnKind) -> u8 {
+    match kind {
+        DrawnKind::Line { .. } => 0,
+        DrawnKind::Body { .. } => 1,
+        DrawnKind::Connector { .. } => 2,
+        DrawnKind::Joint { .. } => 3,
+        DrawnKind::Force { .. } | DrawnKind::Moment { .. } => 4,
+    }
+}

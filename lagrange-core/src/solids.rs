@@ -1,0 +1,382 @@
+//! Solids with known moments of inertia: one row each.
+//!
+//! The coordinates of a solid are those of `lagrange::scene::Outline`. Moments of inertia are about the axis through the
+//! centre of mass that is normal to the plane, for a mass of one: squares of lengths.
+//!
+//! Sources: Meriam, Kraige, *Engineering Mechanics: Dynamics*, table D/4, for all but polygons; for those Steger, *On the
+//! calculation of arbitrary moments of polygons* (1996). `tests/api/inertia.rs` of `lagrange` derives each by integration.
+
+mod polygon;
+
+use crate::diagnostics;
+use crate::expr::{ExprId, Function, Graph};
+use crate::functions;
+use crate::number::Number;
+pub use polygon::double_area;
+
+/// Writes something down that follows from the size of a solid.
+pub type Formula<T> = fn(&mut Graph, &[ExprId]) -> T;
+
+/// A solid that inertia functions and shapes may name.
+#[derive(Clone, Copy, Debug)]
+pub struct Solid {
+    /// Its name: that of the function `name(m, …)` and of the shape `name(…)`.
+    pub name: &'static str,
+    /// What its size is given by.
+    pub dimensions: Dimensions,
+    /// The moment of inertia about the centre of mass for a mass of one, from as many scalars as there are dimensions. Of
+    /// corners these are the coordinates, one corner after the other, in either orientation.
+    pub inertia: Formula<ExprId>,
+    /// The centre of mass in the solid's coordinates, from the same scalars; `None` for the origin.
+    pub centroid: Option<Formula<[ExprId; 2]>>,
+    /// Whether there is no such solid, whatever those of the same scalars are that are NaN here because they are not known.
+    pub is_impossible: fn(&[f64]) -> bool,
+    /// What must hold instead, in the user's words.
+    pub condition: &'static str,
+    /// The variant of `lagrange::scene::Outline` that it is drawn as, which takes the same dimensions.
+    pub outline: &'static str,
+    /// The dimension that is the radius on which it rolls, if it is round.
+    pub radius: Option<usize>,
+}
+
+/// What the size of a solid is given by.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Dimensions {
+    /// Scalars of these names.
+    Scalars(&'static [&'static str]),
+    /// Corners, at least [`FEWEST_CORNERS`], each a vector.
+    Corners,
+}
+
+/// A polygon has no fewer corners.
+pub const FEWEST_CORNERS: usize = 3;
+
+impl Dimensions {
+    /// Whether that many are given rightly.
+    pub fn accept(self, count: usize) -> bool {
+        match self {
+            Dimensions::Scalars(names) => count == names.len(),
+            Dimensions::Corners => count >= FEWEST_CORNERS,
+        }
+    }
+
+    /// As they are written in a call.
+    pub fn written(self) -> String {
+        match self {
+            Dimensions::Scalars(names) => names.join(", "),
+            Dimensions::Corners => "p1, p2, p3, …".to_owned(),
+        }
+    }
+}
+
+impl Solid {
+    /// How it is written as a shape: `rectangle(a, b)`.
+    pub fn shape_usage(&self) -> String {
+        format!("{}({})", self.name, self.dimensions.written())
+    }
+
+    /// How its moment of inertia is called: `rectangle(m, a, b)`.
+    pub fn inertia_usage(&self) -> String {
+        match self.dimensions {
+            Dimensions::Scalars([]) => format!("{}(m)", self.name),
+            dimensions => format!("{}(m, {})", self.name, dimensions.written()),
+        }
+    }
+
+    /// How its centre of mass is called: `triangle_center(a, b, c)`.
+    pub fn center_usage(&self) -> String {
+        format!("{}{CENTER_SUFFIX}({})", self.name, self.dimensions.written())
+    }
+
+    /// The name of the function that gives its centre of mass, if that is not the origin: `triangle_center`.
+    pub fn center_function(&self) -> Option<String> {
+        self.centroid.map(|_| format!("{}{CENTER_SUFFIX}", self.name))
+    }
+}
+
+/// What follows the name of a solid in that of the function of its centre of mass.
+const CENTER_SUFFIX: &str = "_center";
+
+/// The solid of a name.
+pub fn by_name(name: &str) -> Option<&'static Solid> {
+    SOLIDS.iter().find(|solid| solid.name == name)
+}
+
+/// The solid whose centre of mass a function of this name gives.
+pub fn by_center_function(name: &str) -> Option<&'static Solid> {
+    by_name(name.strip_suffix(CENTER_SUFFIX)?).filter(|solid| solid.centroid.is_some())
+}
+
+/// The name of a solid that was probably meant.
+pub fn nearest(name: &str) -> Option<&'static str> {
+    diagnostics::nearest(name, SOLIDS.iter().map(|solid| solid.name))
+}
+
+const SLENDER_ROD: Solid = Solid {
+    name: "slender_rod",
+    dimensions: Dimensions::Scalars(&["l"]),
+    inertia: |g, x| sum_of_squares(g, x, 1, 12),
+    centroid: None,
+    is_impossible: has_negative,
+    condition: LENGTHS,
+    outline: "SlenderRod",
+    radius: None,
+};
+
+const SOLID_CYLINDER: Solid = Solid {
+    name: "solid_cylinder",
+    dimensions: Dimensions::Scalars(&["r"]),
+    inertia: |g, x| sum_of_squares(g, x, 1, 2),
+    centroid: None,
+    is_impossible: has_negative,
+    condition: LENGTHS,
+    outline: "Disk",
+    radius: Some(0),
+};
+
+const RECTANGLE: Solid = Solid {
+    name: "rectangle",
+    dimensions: Dimensions::Scalars(&["a", "b"]),
+    inertia: |g, x| sum_of_squares(g, x, 1, 12),
+    centroid: None,
+    is_impossible: has_negative,
+    condition: LENGTHS,
+    outline: "Rectangle",
+    radius: None,
+};
+
+const LENGTHS: &str = "lengths are not negative";
+const INNER_AND_OUTER: &str =
+    "the inner radius comes first; radii are not negative, and the outer one is the larger";
+
+fn has_negative(x: &[f64]) -> bool {
+    x.iter().any(|&length| length < 0.0)
+}
+
+/// Every solid; other names of one follow it.
+pub const SOLIDS: [Solid; 19] = [
+    Solid {
+        name: "point_mass",
+        dimensions: Dimensions::Scalars(&[]),
+        inertia: |g, _| g.number(0),
+        centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
+        outline: "PointMass",
+        radius: None,
+    },
+    SLENDER_ROD,
+    Solid { name: "rod", ..SLENDER_ROD },
+    SOLID_CYLINDER,
+    Solid { name: "disk", ..SOLID_CYLINDER },
+    Solid {
+        name: "hollow_cylinder",
+        dimensions: Dimensions::Scalars(&["inner", "outer"]),
+        inertia: |g, x| sum_of_squares(g, x, 1, 2),
+        centroid: None,
+        is_impossible: |x| has_negative(x) || x[0] > x[1],
+        condition: INNER_AND_OUTER,
+        outline: "Annulus",
+        radius: Some(1),
+    },
+    Solid {
+        name: "thin_ring",
+        dimensions: Dimensions::Scalars(&["r"]),
+        inertia: |g, x| g.square(x[0]),
+        centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
+        outline: "Ring",
+        radius: Some(0),
+    },
+    RECTANGLE,
+    Solid { name: "cuboid", ..RECTANGLE },
+    Solid {
+        name: "semicircular_disk",
+        dimensions: Dimensions::Scalars(&["r"]),
+        inertia: |g, x| {
+            let [_, s] = semicircular_center(g, x);
+            about_center(g, x[0], s)
+        },
+        centroid: Some(semicircular_center),
+        is_impossible: has_negative,
+        condition: LENGTHS,
+        outline: "SemicircularDisk",
+        radius: None,
+    },
+    Solid {
+        name: "circular_sector",
+        dimensions: Dimensions::Scalars(&["r", "angle"]),
+        inertia: |g, x| {
+            let [s, _] = sector_center(g, x);
+            about_center(g, x[0], s)
+        },
+        centroid: Some(sector_center),
+        is_impossible: |x| x[0] < 0.0 || x[1] <= 0.0 || x[1] > std::f64::consts::TAU,
+        condition: "the radius is a length, and the angle is positive and no more than a full turn, in radians",
+        outline: "CircularSector",
+        radius: None,
+    },
+    Solid {
+        name: "right_triangle",
+        dimensions: Dimensions::Scalars(&["a", "b"]),
+        inertia: |g, x| sum_of_squares(g, x, 1, 18),
+        centroid: Some(|g, x| [0, 1].map(|i| fraction(g, 1, x[i], 3))),
+        is_impossible: has_negative,
+        condition: LENGTHS,
+        outline: "RightTriangle",
+        radius: None,
+    },
+    Solid {
+        name: "triangle",
+        dimensions: Dimensions::Scalars(&["a", "b", "c"]),
+        inertia: |g, x| sum_of_squares(g, x, 1, 36),
+        centroid: Some(triangle_center),
+        is_impossible: |x| has_negative(x) || x.iter().any(|&side| 2.0 * side > x.iter().sum()),
+        condition: "sides are lengths, and none is longer than the other two together",
+        outline: "Triangle",
+        radius: None,
+    },
+    Solid {
+        name: "ellipse",
+        dimensions: Dimensions::Scalars(&["a", "b"]),
+        inertia: |g, x| sum_of_squares(g, x, 1, 4),
+        centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
+        outline: "Ellipse",
+        radius: None,
+    },
+    Solid {
+        name: "regular_polygon",
+        dimensions: Dimensions::Scalars(&["n", "r"]),
+        inertia: regular_polygon,
+        centroid: None,
+        is_impossible: |x| has_negative(x) || x[0] < 3.0 || x[0].fract() > 0.0,
+        condition: "the first number is that of corners, a whole number from 3 upwards, the second the radius of the circle on which they lie",
+        outline: "RegularPolygon",
+        radius: None,
+    },
+    Solid {
+        name: "solid_sphere",
+        dimensions: Dimensions::Scalars(&["r"]),
+        inertia: |g, x| sum_of_squares(g, x, 2, 5),
+        centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
+        outline: "Disk",
+        radius: Some(0),
+    },
+    Solid {
+        name: "hollow_sphere",
+        dimensions: Dimensions::Scalars(&["inner", "outer"]),
+        inertia: hollow_sphere,
+        centroid: None,
+        is_impossible: |x| has_negative(x) || x[0] > x[1] || x[1] <= 0.0,
+        condition: INNER_AND_OUTER,
+        outline: "Annulus",
+        radius: Some(1),
+    },
+    Solid {
+        name: "thin_sphere",
+        dimensions: Dimensions::Scalars(&["r"]),
+        inertia: |g, x| sum_of_squares(g, x, 2, 3),
+        centroid: None,
+        is_impossible: has_negative,
+        condition: LENGTHS,
+        outline: "Ring",
+        radius: Some(0),
+    },
+    Solid {
+        name: "polygon",
+        dimensions: Dimensions::Corners,
+        inertia: polygon::inertia,
+        centroid: Some(polygon::center),
+        is_impossible: |_| false,
+        condition: "corners are given in their order around the polygon and enclose an area",
+        outline: "Polygon",
+        radius: None,
+    },
+];
+
+/// x · numerator / denominator
+fn fraction(graph: &mut Graph, numerator: i64, x: ExprId, denominator: i64) -> ExprId {
+    let (multiple, denominator) = (graph.scale(Number::from(numerator), x), graph.number(denominator));
+    graph.divide(multiple, denominator)
+}
+
+/// Σ xᵢ² · numerator / denominator
+fn sum_of_squares(graph: &mut Graph, x: &[ExprId], numerator: i64, denominator: i64) -> ExprId {
+    let squares = x.iter().map(|&x| graph.square(x)).collect::<Vec<_>>();
+    let sum = graph.total(squares);
+    fraction(graph, numerator, sum, denominator)
+}
+
+/// r²/2 − s²: a sector of a disk is like the disk about the centre of the circle, which is s away from its centre of mass.
+fn about_center(graph: &mut Graph, r: ExprId, s: ExprId) -> ExprId {
+    let about_circle = sum_of_squares(graph, &[r], 1, 2);
+    let square = graph.square(s);
+    graph.subtract(about_circle, square)
+}
+
+/// (0, 4 r / 3π)
+fn semicircular_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
+    let (pi, r) = (graph.pi(), fraction(graph, 4, x[0], 3));
+    [graph.number(0), graph.divide(r, pi)]
+}
+
+/// (4 r sin(angle/2) / (3 angle), 0)
+fn sector_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
+    let half = fraction(graph, 1, x[1], 2);
+    let sine = functions::apply(graph, Function::Sin, &[half]);
+    let product = graph.multiply(x[0], sine);
+    let scaled = fraction(graph, 4, product, 3);
+    [graph.divide(scaled, x[1]), graph.number(0)]
+}
+
+/// A third of the sum of the corners (0, 0), (a, 0) and (p, q): p = (a² − b² + c²)/2a, and q = √(c² − p²) as by Heron.
+fn triangle_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
+    let [a, b, c] = [x[0], x[1], x[2]];
+    let [a2, b2, c2] = [a, b, c].map(|side| graph.square(side));
+    let twice = graph.scale(Number::TWO, a);
+    let numerator = graph.sum(Number::ZERO, [(a2, Number::ONE), (b2, Number::MINUS_ONE), (c2, Number::ONE)]);
+    let p = graph.divide(numerator, twice);
+    let signs = [[1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]];
+    let factors = signs.map(|signs| {
+        let terms = [a, b, c].into_iter().zip(signs);
+        graph.sum(Number::ZERO, terms.map(|(side, sign)| (side, Number::from(sign))))
+    });
+    let heron = graph.product(factors.map(|factor| (factor, Number::ONE)));
+    let root = functions::apply(graph, Function::Sqrt, &[heron]);
+    let q = graph.divide(root, twice);
+    let sum = graph.add(a, p);
+    [fraction(graph, 1, sum, 3), fraction(graph, 1, q, 3)]
+}
+
+/// r² (2 + cos(2π/n)) / 6
+fn regular_polygon(graph: &mut Graph, x: &[ExprId]) -> ExprId {
+    let pi = graph.pi();
+    let turn = graph.scale(Number::TWO, pi);
+    let angle = graph.divide(turn, x[0]);
+    let cosine = functions::apply(graph, Function::Cos, &[angle]);
+    let sum = graph.sum(Number::TWO, [(cosine, Number::ONE)]);
+    let square = graph.square(x[1]);
+    let product = graph.multiply(square, sum);
+    fraction(graph, 1, product, 6)
+}
+
+/// 2/5 (R⁵ − r⁵)/(R³ − r³) with R − r cancelled, which leaves 2/3 R² for a thin one.
+fn hollow_sphere(graph: &mut Graph, x: &[ExprId]) -> ExprId {
+    let homogeneous = |graph: &mut Graph, degree: i64| {
+        let terms =
+            (0..=degree).map(|i| graph.product([(x[0], Number::from(i)), (x[1], Number::from(degree - i))]));
+        let terms = terms.collect::<Vec<_>>();
+        graph.total(terms)
+    };
+    let (upper, lower) = (homogeneous(graph, 4), homogeneous(graph, 2));
+    let quotient = graph.divide(upper, lower);
+    fraction(graph, 2, quotient, 5)
+}
+
+#[cfg(test)]
+mod tests;

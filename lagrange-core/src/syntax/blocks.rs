@@ -1,0 +1,171 @@
+//! `{ label: e; label: e; }`: what is said of a body, a line or a spring.
+
+use proc_macro2::{Delimiter, Group, TokenTree};
+
+use super::ast::{AstId, Expression};
+use super::cursor::Cursor;
+use super::messages;
+use super::messages::scenes;
+use super::parser::{Parsed, Parser, Reported};
+use crate::diagnostics::{Origin, nearest};
+
+/// The labels that something can have, and those that were read.
+pub(super) struct Labels {
+    /// What is described, with its article.
+    owner: &'static str,
+    known: &'static [&'static str],
+    given: Vec<(&'static str, Origin)>,
+}
+
+impl Labels {
+    pub(super) fn new(owner: &'static str, known: &'static [&'static str]) -> Labels {
+        Labels { owner, known, given: Vec::new() }
+    }
+
+    fn place(&self, label: &str) -> Option<Origin> {
+        self.given.iter().find(|(given, _)| *given == label).map(|(_, origin)| *origin)
+    }
+}
+
+impl Parser<'_> {
+    /// Takes the braces of a statement. If they are missing, what might be meant is skipped.
+    pub(super) fn braces(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Group> {
+        if let Some(group) = cursor.eat_group(Delimiter::Brace) {
+            return Ok(group);
+        }
+        let message = messages::expected("`{`", cursor.peek());
+        let reported = self.fail_with_help(cursor.here(), message, help);
+        self.skip_braces(cursor);
+        Err(reported)
+    }
+
+    /// Skips a statement up to its braces, so that those are not read as if they stood alone.
+    pub(super) fn skip_braces(&mut self, cursor: &mut Cursor) {
+        self.skipped = true;
+        while !cursor.at_end() && !cursor.at(';') && !cursor.at_statement() {
+            if cursor.eat_group(Delimiter::Brace).is_some() {
+                return;
+            }
+            cursor.skip_one();
+        }
+    }
+
+    /// Reads lines between braces, each up to its semicolon; says whether all could be read.
+    pub(super) fn lines(
+        &mut self,
+        group: &Group,
+        mut read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<()>,
+    ) -> bool {
+        let mistakes = self.report.diagnostics().len();
+        let complete = self.inside(group, |parser, cursor| {
+            while !cursor.at_end() {
+                if cursor.eat(';').is_none() {
+                    parser.line(&mut read, cursor);
+                }
+            }
+            Ok(())
+        });
+        complete.is_ok() && self.report.diagnostics().len() == mistakes
+    }
+
+    fn line(&mut self, read: &mut impl FnMut(&mut Self, &mut Cursor) -> Parsed<()>, cursor: &mut Cursor) {
+        self.skipped = false;
+        if read(self, cursor).is_err() {
+            self.skip_line(cursor);
+        }
+        let ended = cursor.eat(';').is_some() || self.skipped;
+        if ended || is_brace(cursor.previous()) {
+            return;
+        }
+        if cursor.at_end() {
+            self.report.error(cursor.before().end, messages::MISSING_SEMICOLON);
+        } else if at_label(cursor) {
+            let error = self.report.error(cursor.before().end, messages::MISSING_SEMICOLON);
+            error.related(cursor.here(), scenes::NEXT_LABEL);
+        } else {
+            self.no_operator(cursor, "`;`");
+            self.skip_line(cursor);
+        }
+    }
+
+    fn skip_line(&mut self, cursor: &mut Cursor) {
+        self.skipped = true;
+        while !cursor.at_end() && !cursor.at(';') && !at_label(cursor) {
+            cursor.skip_one();
+        }
+        cursor.eat(';');
+    }
+
+    /// Reads a label with its colon. One that is misspelt counts as what it should be.
+    pub(super) fn label_of(&mut self, labels: &mut Labels, cursor: &mut Cursor) -> Parsed<&'static str> {
+        let (here, found) = (cursor.here(), cursor.peek().cloned());
+        let Some(word) = cursor.eat_ident().map(|word| word.to_string()) else {
+            let message = messages::expected(&scenes::label(labels.owner), found.as_ref());
+            let help = scenes::labels_are(labels.owner, labels.known);
+            return Err(self.fail_with_help(here, message, help));
+        };
+        let label = match labels.known.iter().find(|known| **known == word) {
+            Some(label) => label,
+            None => self.unknown_label(&word, here, labels)?,
+        };
+        if let Some(first) = labels.place(label) {
+            let error = self.report.error(here, messages::repeated_label(label));
+            error.related(first, messages::FIRST_HERE);
+            return Err(Reported);
+        }
+        labels.given.push((label, here));
+        Ok(label)
+    }
+
+    /// The label that a misspelt one stands for.
+    fn unknown_label(&mut self, word: &str, here: Origin, labels: &Labels) -> Parsed<&'static str> {
+        let meant = nearest(word, labels.known.iter().copied());
+        let help = match meant {
+            Some(label) => messages::meant(label),
+            None => scenes::labels_are(labels.owner, labels.known),
+        };
+        let reported = self.fail_with_help(here, scenes::unknown_label(word, labels.owner), help);
+        let meant = labels.known.iter().copied().find(|label| Some(*label) == meant);
+        meant.filter(|label| labels.place(label).is_none()).ok_or(reported)
+    }
+
+    /// Takes the colon behind a label. With another sign in its place the value is read all the same.
+    pub(super) fn colon(&mut self, label: &str, cursor: &mut Cursor) -> Parsed<()> {
+        if cursor.eat(':').is_some() {
+            return Ok(());
+        }
+        let message = messages::expected("`:`", cursor.peek());
+        let reported = self.fail_with_help(cursor.here(), message, scenes::labelled(label));
+        cursor.eat('=').map(|_| ()).ok_or(reported)
+    }
+
+    /// Reads the expression behind a label. What is unreadable is still a value.
+    pub(super) fn line_value(&mut self, cursor: &mut Cursor) -> AstId {
+        let start = cursor.position();
+        match self.expression(cursor) {
+            Ok(id) if cursor.at(';') || cursor.at_end() || at_label(cursor) => return id,
+            Ok(_) => self.no_operator(cursor, "`;`"),
+            Err(reported) => reported,
+        };
+        self.skip_line(cursor);
+        self.unreadable(cursor, start)
+    }
+
+    /// In the place of what is missing because it could not be read.
+    pub(super) fn missing(&mut self, value: &mut Option<AstId>, origin: Origin) {
+        if value.is_none() {
+            *value = Some(self.add(Expression::Invalid, origin).id);
+        }
+    }
+}
+
+/// Whether a word and a colon follow, not the two colons of a path.
+pub(super) fn at_label(cursor: &Cursor) -> bool {
+    let is_colon =
+        |ahead| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
+    cursor.ident().is_some() && is_colon(1) && !is_colon(2)
+}
+
+fn is_brace(token: Option<&TokenTree>) -> bool {
+    matches!(token, Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace)
+}

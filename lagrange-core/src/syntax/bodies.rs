@@ -1,0 +1,172 @@
+//! Statements that declare plane rigid bodies.
+
+use proc_macro2::Delimiter;
+
+use super::ast::{Body, Name, Part, Shape};
+use super::blocks::{Labels, at_label};
+use super::cursor::{Cursor, group_origin};
+use super::messages;
+use super::messages::scenes;
+use super::parser::{Parsed, Parser};
+
+/// What can be said of a body.
+const BODY: &[&str] = &["mass", "inertia", "center", "origin", "centroid", "angle", "shape", "compound"];
+/// What can be said of a part of a compound, behind what it is.
+const PART: &[&str] = &["mass", "at", "angle"];
+
+impl Parser<'_> {
+    /// `name { mass: e; … }`.
+    pub(super) fn body(&mut self, cursor: &mut Cursor) -> Parsed<Body> {
+        let name = self.scene_name(scenes::BODY_HELP, cursor)?;
+        let group = self.braces(scenes::BODY_HELP, cursor)?;
+        let mut body = empty_body(name);
+        let mut labels = Labels::new("a body", BODY);
+        let complete = self.lines(&group, |parser, cursor| parser.body_line(&mut body, &mut labels, cursor));
+        if !complete {
+            self.complete_body(&mut body);
+        }
+        Ok(body)
+    }
+
+    /// The name of something that goes on with braces.
+    pub(super) fn scene_name(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
+        let name = match cursor.group(Delimiter::Brace) {
+            None => self.declared_name(cursor),
+            Some(_) => {
+                let message = messages::expected("a name", cursor.peek());
+                Err(self.fail_with_help(cursor.here(), message, help))
+            }
+        };
+        if name.is_err() {
+            self.skip_braces(cursor);
+        }
+        name
+    }
+
+    fn body_line(&mut self, body: &mut Body, labels: &mut Labels, cursor: &mut Cursor) -> Parsed<()> {
+        let label = self.label_of(labels, cursor)?;
+        if label == "compound" {
+            body.parts = self.compound(cursor)?;
+            return Ok(());
+        }
+        self.colon(label, cursor)?;
+        if label == "shape" {
+            body.shape = Some(self.shape(cursor)?);
+            return Ok(());
+        }
+        let value = Some(self.line_value(cursor));
+        match label {
+            "mass" => body.mass = value,
+            "inertia" => body.inertia = value,
+            "center" => body.center = value,
+            "origin" => body.origin = value,
+            "centroid" => body.centroid = value,
+            _ => body.angle = value,
+        }
+        Ok(())
+    }
+
+    /// What could not be read may be what is missing, so that nothing more is to be said about it.
+    fn complete_body(&mut self, body: &mut Body) {
+        let origin = body.name.span.into();
+        if body.parts.is_empty() {
+            self.missing(&mut body.mass, origin);
+            self.missing(&mut body.inertia, origin);
+        }
+        if body.origin.is_none() {
+            self.missing(&mut body.center, origin);
+        }
+    }
+
+    /// `solid(e, e)`.
+    fn shape(&mut self, cursor: &mut Cursor) -> Parsed<Shape> {
+        let start = cursor.position();
+        if cursor.ident().is_none() {
+            let message = messages::expected("the name of a solid", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, scenes::SOLID_HELP));
+        }
+        let solid = self.name(cursor)?;
+        let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
+            let message = messages::expected("`(`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, scenes::SOLID_HELP));
+        };
+        let dimensions = self.arguments(&group, Vec::new())?;
+        Ok(Shape { solid, dimensions, origin: cursor.since(start) })
+    }
+
+    /// `compound { disk(r), mass: m; }`, from the brace on.
+    fn compound(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Part>> {
+        if cursor.at(':') {
+            let message = messages::expected("`{`", cursor.peek());
+            self.report.error(cursor.skip_one(), message).help(scenes::COMPOUND_HELP);
+        }
+        let group = self.braces(scenes::COMPOUND_HELP, cursor)?;
+        if group.stream().is_empty() {
+            let error = self.report.error(group_origin(&group), scenes::EMPTY_COMPOUND);
+            error.help(scenes::COMPOUND_HELP);
+        }
+        let mut parts = Vec::new();
+        self.lines(&group, |parser, cursor| {
+            parts.push(parser.part(cursor)?);
+            Ok(())
+        });
+        self.skipped = false;
+        Ok(parts)
+    }
+
+    /// `hole disk(r), mass: m, at: (a, b), angle: e`.
+    fn part(&mut self, cursor: &mut Cursor) -> Parsed<Part> {
+        let (start, mistakes) = (cursor.position(), self.report.diagnostics().len());
+        let is_hole = cursor.eat_word("hole").is_some();
+        let shape = self.shape(cursor)?;
+        let origin = shape.origin;
+        let mut part = Part { is_hole, shape, mass: None, at: None, angle: None, origin };
+        let mut labels = Labels::new("a part", PART);
+        while self.comma(cursor) && !cursor.at(';') && !cursor.at_end() {
+            if self.part_item(&mut part, &mut labels, cursor).is_err() {
+                self.skip_item(cursor);
+            }
+        }
+        if self.report.diagnostics().len() > mistakes {
+            self.missing(&mut part.mass, origin);
+        }
+        part.origin = cursor.since(start);
+        Ok(part)
+    }
+
+    /// Takes a comma; before a label it is missing.
+    fn comma(&mut self, cursor: &mut Cursor) -> bool {
+        let is_missing = at_label(cursor);
+        if is_missing {
+            let message = messages::expected("`,`", cursor.peek());
+            self.fail_with_help(cursor.here(), message, scenes::COMPOUND_HELP);
+        }
+        is_missing || cursor.eat(',').is_some()
+    }
+
+    fn part_item(&mut self, part: &mut Part, labels: &mut Labels, cursor: &mut Cursor) -> Parsed<()> {
+        let label = self.label_of(labels, cursor)?;
+        self.colon(label, cursor)?;
+        let value = Some(self.item_value(cursor));
+        match label {
+            "mass" => part.mass = value,
+            "at" => part.at = value,
+            _ => part.angle = value,
+        }
+        Ok(())
+    }
+}
+
+fn empty_body(name: Name) -> Body {
+    Body {
+        name,
+        mass: None,
+        inertia: None,
+        center: None,
+        origin: None,
+        centroid: None,
+        angle: None,
+        shape: None,
+        parts: Vec::new(),
+    }
+}

@@ -1,0 +1,101 @@
+//! Statements that declare lines, springs and dampers.
+
+use super::ast::{Connector, ConnectorKind, Line};
+use super::blocks::Labels;
+use super::cursor::Cursor;
+use super::messages::scenes;
+use super::parser::{Parsed, Parser};
+
+const LINE: &[&str] = &["on", "through", "angle"];
+const SPRING: &[&str] = &["from", "to", "stiffness", "rest"];
+const DAMPER: &[&str] = &["from", "to", "damping"];
+
+impl Parser<'_> {
+    /// `name { on: body; through: e; angle: e; }`.
+    pub(super) fn line_statement(&mut self, cursor: &mut Cursor) -> Parsed<Line> {
+        let name = self.scene_name(scenes::LINE_HELP, cursor)?;
+        let group = self.braces(scenes::LINE_HELP, cursor)?;
+        let mut line = Line { name, on: None, through: None, angle: None };
+        let mut labels = Labels::new("a line", LINE);
+        self.lines(&group, |parser, cursor| {
+            let label = parser.label_of(&mut labels, cursor)?;
+            parser.colon(label, cursor)?;
+            match label {
+                "on" => line.on = Some(parser.name(cursor)?),
+                "through" => line.through = Some(parser.line_value(cursor)),
+                _ => line.angle = Some(parser.line_value(cursor)),
+            }
+            Ok(())
+        });
+        Ok(line)
+    }
+
+    /// `name { from: e; to: e; … }`, with or without the name.
+    pub(super) fn connector(&mut self, kind: ConnectorKind, cursor: &mut Cursor) -> Parsed<Connector> {
+        let help = help(kind);
+        let name = match cursor.ident() {
+            None => None,
+            Some(_) => Some(self.scene_name(help, cursor)?),
+        };
+        let start = cursor.here();
+        let group = self.braces(help, cursor)?;
+        let mut connector =
+            Connector { kind, name, from: None, to: None, stiffness: None, rest: None, damping: None };
+        let mut labels = Labels::new(owner(kind), labels(kind));
+        let complete =
+            self.lines(&group, |parser, cursor| parser.connector_line(&mut connector, &mut labels, cursor));
+        if !complete {
+            let origin = connector.name.as_ref().map_or(start, |name| name.span.into());
+            let Connector { from, to, stiffness, damping, .. } = &mut connector;
+            let constant = if is_spring(kind) { stiffness } else { damping };
+            [from, to, constant].into_iter().for_each(|value| self.missing(value, origin));
+        }
+        Ok(connector)
+    }
+
+    fn connector_line(
+        &mut self,
+        connector: &mut Connector,
+        labels: &mut Labels,
+        cursor: &mut Cursor,
+    ) -> Parsed<()> {
+        let label = self.label_of(labels, cursor)?;
+        self.colon(label, cursor)?;
+        let value = Some(self.line_value(cursor));
+        match label {
+            "from" => connector.from = value,
+            "to" => connector.to = value,
+            "stiffness" => connector.stiffness = value,
+            "rest" => connector.rest = value,
+            _ => connector.damping = value,
+        }
+        Ok(())
+    }
+}
+
+fn is_spring(kind: ConnectorKind) -> bool {
+    matches!(kind, ConnectorKind::Spring | ConnectorKind::TorsionSpring)
+}
+
+/// What can be said of a connector.
+fn labels(kind: ConnectorKind) -> &'static [&'static str] {
+    if is_spring(kind) { SPRING } else { DAMPER }
+}
+
+fn owner(kind: ConnectorKind) -> &'static str {
+    match kind {
+        ConnectorKind::Spring => "a spring",
+        ConnectorKind::Damper => "a damper",
+        ConnectorKind::TorsionSpring => "a torsion spring",
+        ConnectorKind::TorsionDamper => "a torsion damper",
+    }
+}
+
+fn help(kind: ConnectorKind) -> &'static str {
+    match kind {
+        ConnectorKind::Spring => scenes::SPRING_HELP,
+        ConnectorKind::Damper => scenes::DAMPER_HELP,
+        ConnectorKind::TorsionSpring => scenes::TORSION_SPRING_HELP,
+        ConnectorKind::TorsionDamper => scenes::TORSION_DAMPER_HELP,
+    }
+}

@@ -1,0 +1,85 @@
+//! Statements that declare joints.
+
+use super::ast::{AstId, Joint, JointKind, Name};
+use super::blocks::Labels;
+use super::cursor::Cursor;
+use super::messages;
+use super::messages::scenes;
+use super::parser::{Parsed, Parser, Reported};
+
+impl Parser<'_> {
+    /// `name = p to q`, with or without the name.
+    pub(super) fn pin(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
+        let name = self.joint_name(cursor)?;
+        let first = self.expression(cursor)?;
+        self.joining("to", scenes::PIN_HELP, cursor)?;
+        Ok(Joint { name, kind: JointKind::Pin { first, second: self.value(cursor) } })
+    }
+
+    /// `name = p on line`, with or without the name.
+    pub(super) fn slide(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
+        let name = self.joint_name(cursor)?;
+        let point = self.expression(cursor)?;
+        self.joining("on", scenes::SLIDE_HELP, cursor)?;
+        let line = self.mentioned(scenes::SLIDE_HELP, cursor)?;
+        if !cursor.at_statement_end() {
+            return Err(self.misplaced("`;`", scenes::SLIDE_HELP, cursor));
+        }
+        Ok(Joint { name, kind: JointKind::Slide { point, line } })
+    }
+
+    /// `name = body on line, radius: e`, with or without the name and the radius.
+    pub(super) fn roll(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
+        let name = self.joint_name(cursor)?;
+        let body = self.mentioned(scenes::ROLL_HELP, cursor)?;
+        self.joining("on", scenes::ROLL_HELP, cursor)?;
+        let line = self.mentioned(scenes::ROLL_HELP, cursor)?;
+        let radius = self.radius(cursor)?;
+        Ok(Joint { name, kind: JointKind::Roll { body, line, radius } })
+    }
+
+    /// `, radius: e`, if it is there.
+    fn radius(&mut self, cursor: &mut Cursor) -> Parsed<Option<AstId>> {
+        if cursor.at_statement_end() {
+            return Ok(None);
+        }
+        if cursor.eat(',').is_none() {
+            return Err(self.misplaced("`,` or `;`", scenes::ROLL_HELP, cursor));
+        }
+        if cursor.ident().is_none() {
+            return Err(self.misplaced("`radius`", scenes::ROLL_HELP, cursor));
+        }
+        let label = self.label_of(&mut Labels::new("rolling", &["radius"]), cursor)?;
+        self.colon(label, cursor)?;
+        Ok(Some(self.value(cursor)))
+    }
+
+    /// The word between what is joined.
+    fn joining(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
+        match cursor.eat_word(word) {
+            Some(_) => Ok(()),
+            None => Err(self.misplaced(&format!("`{word}`"), help, cursor)),
+        }
+    }
+
+    fn joint_name(&mut self, cursor: &mut Cursor) -> Parsed<Option<Name>> {
+        if !cursor.equals_past(1) || cursor.ident().is_none() {
+            return Ok(None);
+        }
+        let name = self.declared_name(cursor)?;
+        cursor.eat_equals();
+        Ok(Some(name))
+    }
+
+    /// The name of a body or a line.
+    fn mentioned(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
+        match cursor.ident() {
+            Some(_) if !cursor.at_statement() => self.name(cursor),
+            _ => Err(self.misplaced("a name", help, cursor)),
+        }
+    }
+
+    fn misplaced(&mut self, wanted: &str, help: &str, cursor: &Cursor) -> Reported {
+        self.fail_with_help(cursor.here(), messages::expected(wanted, cursor.peek()), help)
+    }
+}

@@ -1,0 +1,181 @@
+//! Declarations as text: what is printed is read as the same statements.
+//!
+//! One statement stands on a line, and parentheses stand only where operators need them. Comments, documentation
+//! and the head of the declaration are left out.
+
+mod expressions;
+mod numbers;
+mod scenes;
+
+use super::ast::{
+    Action, AstId, Declaration, Definition, Direction, EmitItem, Event, Expressions, Friction, Name,
+    Reduction, ReductionKind, StatementKind,
+};
+
+/// The statements of a declaration, each on a line of its own.
+///
+/// What could not be read is a question mark, which has no meaning in the language.
+pub fn statements(declaration: &Declaration) -> String {
+    let mut printer = Printer { expressions: &declaration.expressions, out: String::new() };
+    for statement in &declaration.statements {
+        printer.statement(&statement.kind);
+        printer.text("\n");
+    }
+    printer.out
+}
+
+/// Writes text behind text.
+struct Printer<'a> {
+    expressions: &'a Expressions,
+    out: String,
+}
+
+impl Printer<'_> {
+    fn text(&mut self, text: &str) {
+        self.out.push_str(text);
+    }
+
+    /// Items with a comma between them.
+    fn list<T>(&mut self, items: &[T], mut print: impl FnMut(&mut Self, &T)) {
+        for (i, item) in items.iter().enumerate() {
+            self.text(if i == 0 { "" } else { ", " });
+            print(self, item);
+        }
+    }
+
+    /// A text and an expression.
+    fn labelled(&mut self, label: &str, value: AstId) {
+        self.text(label);
+        self.expression(value);
+    }
+
+    fn statement(&mut self, kind: &StatementKind) {
+        match kind {
+            StatementKind::Parameters(list) => self.definitions("param ", list),
+            StatementKind::Inputs(list) => self.definitions("input ", list),
+            StatementKind::Constants(list) => self.definitions("const ", list),
+            StatementKind::Coordinates(names) => {
+                self.text("coord ");
+                self.list(names, |printer, name| printer.text(&name.text));
+                self.text(";");
+            }
+            StatementKind::Let(name, value) => self.named("let ", name, *value),
+            StatementKind::LetTuple(names, value) => {
+                self.text("let (");
+                self.list(names, |printer, name| printer.text(&name.text));
+                self.between(") = ", *value, ";");
+            }
+            StatementKind::Kinetic(value) => self.between("kinetic = ", *value, ";"),
+            StatementKind::Potential(value) => self.between("potential = ", *value, ";"),
+            StatementKind::Lagrangian(value) => self.between("lagrangian = ", *value, ";"),
+            StatementKind::Dissipation(value) => self.between("dissipation = ", *value, ";"),
+            StatementKind::ForceOn(name, value) => self.named("force ", name, *value),
+            StatementKind::ForceAt { force, point } => {
+                self.labelled("force ", *force);
+                self.between(" at ", *point, ";");
+            }
+            StatementKind::Torque { moment, angle } => {
+                self.labelled("torque ", *moment);
+                self.between(" on ", *angle, ";");
+            }
+            StatementKind::Constraint(name, value) => self.named("constraint ", name, *value),
+            StatementKind::Stabilise(value) => self.between("stabilise = ", *value, ";"),
+            StatementKind::Event(event) => self.event(event),
+            StatementKind::Friction(friction) => self.friction(friction),
+            StatementKind::Output(name, value) => self.named("output ", name, *value),
+            StatementKind::Emit(items) => self.emit(items),
+            StatementKind::Reduce(reduction) => self.reduction(reduction),
+            StatementKind::Scene(statement) => self.scene(statement),
+        }
+    }
+
+    fn between(&mut self, before: &str, value: AstId, behind: &str) {
+        self.labelled(before, value);
+        self.text(behind);
+    }
+
+    /// `keyword name = value;`
+    fn named(&mut self, keyword: &str, name: &Name, value: AstId) {
+        self.text(keyword);
+        self.text(&name.text);
+        self.between(" = ", value, ";");
+    }
+
+    fn definitions(&mut self, keyword: &str, definitions: &[Definition]) {
+        self.text(keyword);
+        self.list(definitions, |printer, definition| printer.definition(&definition.name, definition.value));
+        self.text(";");
+    }
+
+    fn definition(&mut self, name: &Name, value: Option<AstId>) {
+        self.text(&name.text);
+        if let Some(value) = value {
+            self.labelled(" = ", value);
+        }
+    }
+
+    fn event(&mut self, event: &Event) {
+        self.text("event ");
+        self.text(&event.name.text);
+        self.labelled(" = ", event.value);
+        self.text(match event.direction {
+            Direction::Rising => ", rising => ",
+            Direction::Falling => ", falling => ",
+            Direction::Crossing => ", crossing => ",
+        });
+        match &event.action {
+            Action::Stop => self.text("stop;"),
+            Action::Record => self.text("record;"),
+            Action::Impact(restitution) => self.between("impact(", *restitution, ");"),
+            Action::Assign(assignments) => {
+                self.text("{");
+                for assignment in assignments {
+                    self.labelled(" ", assignment.target);
+                    self.between(" = ", assignment.value, ";");
+                }
+                self.text(" }");
+            }
+        }
+    }
+
+    fn friction(&mut self, friction: &Friction) {
+        self.text("friction ");
+        self.text(&friction.name.text);
+        self.labelled(" = ", friction.slip);
+        match friction.fixed {
+            None => self.labelled(", ", friction.kinetic),
+            Some(fixed) => {
+                self.labelled(", kinetic: ", friction.kinetic);
+                self.labelled(", static: ", fixed);
+            }
+        }
+        if let Some(width) = friction.width {
+            self.labelled(", smooth: ", width);
+        }
+        self.text(";");
+    }
+
+    fn emit(&mut self, items: &[EmitItem]) {
+        self.text("emit { ");
+        self.list(items, |printer, item| {
+            printer.text(if item.wanted { "" } else { "no " });
+            printer.text(&item.product.text);
+        });
+        self.text(" }");
+    }
+
+    fn reduction(&mut self, reduction: &Reduction) {
+        self.text("reduce ");
+        self.text(&reduction.name.text);
+        self.text(" {");
+        for line in reduction.items.chunk_by(|a, b| a.kind == b.kind) {
+            self.text(match line[0].kind {
+                ReductionKind::Frozen => " freeze ",
+                ReductionKind::Small => " small ",
+            });
+            self.list(line, |printer, item| printer.definition(&item.coordinate, item.value));
+            self.text(";");
+        }
+        self.text(" }");
+    }
+}

@@ -1,0 +1,117 @@
+//! Statements about plane rigid bodies as text.
+
+use super::Printer;
+use crate::syntax::ast::{AstId, Body, Connector, Joint, JointKind, Line, Name, Part, SceneStatement, Shape};
+
+impl Printer<'_> {
+    pub(super) fn scene(&mut self, statement: &SceneStatement) {
+        match statement {
+            SceneStatement::Gravity(value) => self.between("gravity = ", *value, ";"),
+            SceneStatement::Body(body) => self.body(body),
+            SceneStatement::Line(line) => self.line(line),
+            SceneStatement::Connector(connector) => self.connector(connector),
+            SceneStatement::Joint(joint) => self.joint(joint),
+        }
+    }
+
+    /// ` label: value;` for each value that is given.
+    fn given<const N: usize>(&mut self, values: [(&str, Option<AstId>); N]) {
+        for (label, value) in values {
+            if let Some(value) = value {
+                self.text(&format!(" {label}: "));
+                self.expression(value);
+                self.text(";");
+            }
+        }
+    }
+
+    fn body(&mut self, body: &Body) {
+        self.text(&format!("body {} {{", body.name.text));
+        self.given([
+            ("mass", body.mass),
+            ("inertia", body.inertia),
+            ("center", body.center),
+            ("origin", body.origin),
+            ("centroid", body.centroid),
+            ("angle", body.angle),
+        ]);
+        if let Some(shape) = &body.shape {
+            self.text(" shape: ");
+            self.shape(shape);
+            self.text(";");
+        }
+        if !body.parts.is_empty() {
+            self.text(" compound {");
+            body.parts.iter().for_each(|part| self.part(part));
+            self.text(" }");
+        }
+        self.text(" }");
+    }
+
+    fn shape(&mut self, shape: &Shape) {
+        self.text(&shape.solid.text);
+        self.text("(");
+        self.list(&shape.dimensions, |printer, dimension| printer.expression(*dimension));
+        self.text(")");
+    }
+
+    fn part(&mut self, part: &Part) {
+        self.text(if part.is_hole { " hole " } else { " " });
+        self.shape(&part.shape);
+        for (label, value) in [("mass", part.mass), ("at", part.at), ("angle", part.angle)] {
+            if let Some(value) = value {
+                self.text(&format!(", {label}: "));
+                self.expression(value);
+            }
+        }
+        self.text(";");
+    }
+
+    fn line(&mut self, line: &Line) {
+        self.text(&format!("line {} {{", line.name.text));
+        if let Some(on) = &line.on {
+            self.text(&format!(" on: {};", on.text));
+        }
+        self.given([("through", line.through), ("angle", line.angle)]);
+        self.text(" }");
+    }
+
+    fn connector(&mut self, connector: &Connector) {
+        self.text(connector.kind.name());
+        if let Some(name) = &connector.name {
+            self.text(&format!(" {}", name.text));
+        }
+        self.text(" {");
+        self.given([
+            ("from", connector.from),
+            ("to", connector.to),
+            ("stiffness", connector.stiffness),
+            ("rest", connector.rest),
+            ("damping", connector.damping),
+        ]);
+        self.text(" }");
+    }
+
+    fn joint(&mut self, joint: &Joint) {
+        let word = |word: &str, name: &Option<Name>| match name {
+            Some(name) => format!("{word} {} = ", name.text),
+            None => format!("{word} "),
+        };
+        match &joint.kind {
+            JointKind::Pin { first, second } => {
+                self.labelled(&word("pin", &joint.name), *first);
+                self.labelled(" to ", *second);
+            }
+            JointKind::Slide { point, line } => {
+                self.labelled(&word("slide", &joint.name), *point);
+                self.text(&format!(" on {}", line.text));
+            }
+            JointKind::Roll { body, line, radius } => {
+                self.text(&word("roll", &joint.name));
+                self.text(&format!("{} on {}", body.text, line.text));
+                radius.iter().for_each(|radius| self.labelled(", radius: ", *radius));
+            }
+        }
+        self.text(";");
+    }
+}

@@ -1,0 +1,97 @@
+//! Springs and dampers.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::vec;
+use std::vec::Vec;
+
+use crate::draw::geometry::{add, arc, direction, length, moved, polyline, subtract, times, turned};
+use crate::draw::picture::{Point, Segment};
+
+/// Windings of a spring, and how far they reach to both sides.
+const WINDINGS: usize = 8;
+const AMPLITUDE: f64 = 6.0;
+/// What is straight at either end, and the largest part of the length that it takes.
+const STRAIGHT: (f64, f64) = (10.0, 0.15);
+/// Length and half width of the cylinder of a damper, and where the piston is in it.
+const CYLINDER: (f64, f64) = (22.0, 6.0);
+const PISTON: f64 = 0.4;
+/// Radius and turns of a spiral.
+const SPIRAL: f64 = 15.0;
+const TURNS: f64 = 2.25;
+const POINTS: usize = 54;
+
+/// Along and across a line between two points; a frame of its own where both are the same.
+fn frame(from: Point, to: Point) -> (f64, impl Fn([f64; 2]) -> Point) {
+    let along = subtract(to, from);
+    let size = length(along);
+    let along = if size > 0.0 { times(1.0 / size, along) } else { [1.0, 0.0] };
+    (size, move |[x, y]: [f64; 2]| add(from, add(times(x, along), times(y, turned(along)))))
+}
+
+/// A zigzag that stretches with the distance.
+pub(super) fn coil(from: Point, to: Point) -> Vec<Segment> {
+    let (size, place) = frame(from, to);
+    let straight = STRAIGHT.0.min(STRAIGHT.1 * size);
+    let step = (size - 2.0 * straight) / (2 * WINDINGS) as f64;
+    let side = |k: usize| if k.is_multiple_of(2) { AMPLITUDE } else { -AMPLITUDE };
+    let mut points = vec![[0.0, 0.0], [straight, 0.0]];
+    points.extend((0..2 * WINDINGS).map(|k| [straight + (k as f64 + 0.5) * step, side(k)]));
+    points.extend([[size - straight, 0.0], [size, 0.0]]);
+    polyline(points.into_iter().map(place), false)
+}
+
+/// A cylinder at the first end and a piston at the second.
+pub(super) fn dashpot(from: Point, to: Point) -> Vec<Segment> {
+    let (size, place) = frame(from, to);
+    let (cylinder, half) = CYLINDER;
+    let cylinder = cylinder.min(0.6 * size);
+    let bottom = 0.5 * (size - cylinder);
+    let piston = bottom + PISTON * cylinder;
+    let top = bottom + cylinder;
+    let lines = [
+        vec![[0.0, 0.0], [bottom, 0.0]],
+        vec![[top, half], [bottom, half], [bottom, -half], [top, -half]],
+        vec![[piston, 0.7 * half], [piston, -0.7 * half]],
+        vec![[piston, 0.0], [size, 0.0]],
+    ];
+    lines.into_iter().flat_map(|line| polyline(line.into_iter().map(&place), false)).collect()
+}
+
+/// A spiral about a point.
+pub(super) fn spiral(at: Point) -> Vec<Segment> {
+    let point = |k: usize| {
+        let part = k as f64 / POINTS as f64;
+        add(at, times(SPIRAL * part, direction(-TURNS * TAU * part)))
+    };
+    polyline((0..=POINTS).map(point), false)
+}
+
+/// Two arcs about a point, one within the other.
+pub(super) fn drum(at: Point) -> Vec<Segment> {
+    let mut segments = Vec::new();
+    for (radius, from, to) in [(SPIRAL, FRAC_PI_2, TAU), (0.7 * SPIRAL, -FRAC_PI_2, PI)] {
+        segments.push(Segment::Move(times(radius, direction(from))));
+        segments.extend(arc([radius, radius], from, to));
+    }
+    moved(&segments, |[x, y]| [at[0] + x, at[1] - y])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{coil, dashpot};
+    use crate::draw::geometry::{flattened, length, subtract};
+
+    #[test]
+    fn springs_and_dampers_reach_from_end_to_end_however_long() {
+        for to in [[100.0, 0.0], [3.0, 4.0], [-50.0, 80.0], [0.0, 0.0]] {
+            for drawn in [coil([0.0, 0.0], to), dashpot([0.0, 0.0], to)] {
+                let points = flattened(&drawn, 1);
+                let ends = [points[0], points[points.len() - 1]];
+                assert_eq!(ends[0], [0.0, 0.0]);
+                assert!(length(subtract(ends[1], to)) < 1e-9, "{ends:?}");
+                assert!(points.iter().flatten().all(|x| x.is_finite()));
+            }
+        }
+        assert_eq!(coil([0.0, 0.0], [9.0, 0.0]).len(), coil([0.0, 0.0], [99.0, 7.0]).len());
+    }
+}

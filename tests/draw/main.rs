@@ -1,0 +1,10 @@
+//! Pictures of scenes that are written by hand: what they consist of, and that it is all in them.
+#![cfg(feature = "draw")]
+
+mod anchors;
+mod files;
+mod films;
+mod free_bodies;
+mod marks;
+mod refusals;
+mod scenes;

@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+"""Plays films in a real browser: `tools/browser_check.py film.html film.svg …`
+
+Starts chromium without a window, opens each file and does what a user does: waits, presses buttons and keys, moves the slider. The
+files must have something in them that moves. Needs Python 3 and chromium, nothing else: commands go through the browser's own pipe
+(https://chromedevtools.github.io/devtools-protocol/, option --remote-debugging-pipe). With `--pictures FOLDER` it leaves
+screenshots there, light and dark, of the start and of the middle.
+"""
+
+import argparse
+import base64
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+FLAGS = [
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync", "--window-size=900,1000", "--remote-debugging-pipe",
+]
+# What is drawn where: of everything that is seen in the picture its place on the screen and its shape.
+SEEN = """(() => {
+  const picture = document.querySelector("#picture svg") || document.documentElement;
+  const marks = [...picture.querySelectorAll("path, text")].map((mark) => [mark, getComputedStyle(mark)]);
+  return JSON.stringify(marks.filter(([, style]) => style.visibility === "visible").map(([mark, style]) => {
+    const box = mark.getBoundingClientRect();
+    return [box.x, box.y, box.width, box.height].map(Math.round).join(" ") + style.d + style.strokeDashoffset;
+  }));
+})()"""
+CURSOR = "document.querySelector('#cursor').getBoundingClientRect().x"
+
+
+class Browser:
+    """A browser at the other end of a pipe."""
+
+    def __init__(self, program):
+        self.profile = tempfile.mkdtemp()
+        commands_out, self.commands = os.pipe()
+        self.answers, answers_in = os.pipe()
+
+        def connect():
+            # The browser reads commands from 3 and answers on 4. Both are moved out of the way first.
+            reading, writing = os.dup(commands_out), os.dup(answers_in)
+            os.dup2(reading, 3)
+            os.dup2(writing, 4)
+
+        arguments = [program, *FLAGS, f"--user-data-dir={self.profile}", "about:blank"]
+        self.process = subprocess.Popen(
+            arguments, preexec_fn=connect, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        os.close(commands_out)
+        os.close(answers_in)
+        self.rest = b""
+        self.number = 0
+        self.session = None
+        target = self.send("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.send("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        self.problems = []
+        self.send("Runtime.enable")
+        self.send("Page.enable")
+
+    def send(self, method, **parameters):
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            message["sessionId"] = self.session
+        os.write(self.commands, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self.receive()
+            if answer.get("method") == "Runtime.exceptionThrown":
+                self.problems.append(answer["params"]["exceptionDetails"])
+            if answer.get("id") == self.number:
+                if "error" in answer:
+                    raise RuntimeError(f"{method}: {answer['error']}")
+                return answer["result"]
+
+    def receive(self):
+        while b"\0" not in self.rest:
+            part = os.read(self.answers, 1 << 16)
+            if not part:
+                raise RuntimeError("the browser went away")
+            self.rest += part
+        message, self.rest = self.rest.split(b"\0", 1)
+        return json.loads(message)
+
+    def evaluate(self, expression):
+        result = self.send("Runtime.evaluate", expression=expression, returnByValue=True)
+        if "exceptionDetails" in result:
+            raise RuntimeError(f"{expression}: {result['exceptionDetails']}")
+        return result["result"].get("value")
+
+    def open(self, path, features=(), has_scripts=True):
+        media = [{"name": name, "value": value} for name, value in features]
+        self.send("Emulation.setEmulatedMedia", features=media)
+        self.send("Emulation.setScriptExecutionDisabled", value=not has_scripts)
+        self.send("Page.navigate", url=path.resolve().as_uri())
+        self.wait(lambda: self.evaluate("document.readyState") == "complete", "the file is open")
+
+    def wait(self, condition, what):
+        for _ in range(100):
+            if condition():
+                return
+            time.sleep(0.1)
+        raise RuntimeError(f"never: {what}")
+
+    def press(self, key):
+        code = {" ": 32, "ArrowLeft": 37, "ArrowRight": 39, "Home": 36, "End": 35}[key]
+        for kind in ("rawKeyDown", "keyUp"):
+            self.send("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code)
+
+    def click(self, selector):
+        script = f"JSON.stringify(document.querySelector({json.dumps(selector)}).getBoundingClientRect())"
+        box = json.loads(self.evaluate(script))
+        middle = {"x": box["x"] + box["width"] / 2, "y": box["y"] + box["height"] / 2}
+        for kind in ("mousePressed", "mouseReleased"):
+            self.send("Input.dispatchMouseEvent", type=kind, button="left", clickCount=1, **middle)
+
+    def picture(self, path):
+        data = self.send("Page.captureScreenshot", format="png")["data"]
+        path.write_bytes(base64.b64decode(data))
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+        shutil.rmtree(self.profile, ignore_errors=True)
+
+
+class Checks:
+    def __init__(self, name):
+        self.name = name
+        self.failures = 0
+
+    def that(self, is_so, what):
+        print(f"{'ok  ' if is_so else 'FAIL'} {self.name}: {what}")
+        self.failures += not is_so
+
+
+def moves(browser, seconds=0.6):
+    """Whether something in the picture changes within this time."""
+    before = browser.evaluate(SEEN)
+    time.sleep(seconds)
+    return browser.evaluate(SEEN) != before
+
+
+def check_svg(browser, path, checks, pictures):
+    browser.open(path)
+    seek = "document.documentElement.{}"
+    checks.that(moves(browser), "plays by itself")
+    browser.evaluate(seek.format("pauseAnimations()"))
+    checks.that(not moves(browser), "stands still while paused")
+    duration = float(browser.evaluate("parseFloat(document.querySelector('[dur]').getAttribute('dur'))"))
+    seen = []
+    for part in (0.0, 0.5, 1.0, 1.5):
+        browser.evaluate(seek.format(f"setCurrentTime({part * duration})"))
+        seen.append(browser.evaluate(SEEN))
+        if part < 1.0 and pictures:
+            browser.picture(pictures / f"{path.stem}-svg-{part}.png")
+    checks.that(seen[0] != seen[1], "the middle differs from the start")
+    checks.that(seen[0] == seen[2] and seen[1] == seen[3], "starts again after its duration")
+
+
+def check_page(browser, path, checks, pictures):
+    browser.open(path, [("prefers-reduced-motion", "reduce")])
+    has_curves = browser.evaluate("film.chart !== null")
+    first = browser.evaluate(SEEN)
+    checks.that(not moves(browser), "waits where less motion is preferred")
+    checks.that(browser.evaluate("play.textContent") == "Play", "offers to play")
+    cursor = browser.evaluate(CURSOR) if has_curves else 0
+
+    browser.click("#play")
+    checks.that(moves(browser), "plays after a click")
+    browser.press(" ")
+    checks.that(not moves(browser), "space on the button pauses")
+    checks.that(browser.evaluate("play.textContent") == "Play" and browser.evaluate("now") > 0.3, "pauses where it is")
+    if has_curves:
+        checks.that(browser.evaluate(CURSOR) > cursor, "the cursor went along")
+
+    browser.evaluate("slider.value = duration / 2; slider.dispatchEvent(new Event('input'))")
+    middle = browser.evaluate(SEEN)
+    checks.that(middle != first, "the slider moves the picture")
+    checks.that(abs(browser.evaluate("now - duration / 2")) < 1e-3, "to where it is put")
+    if has_curves:
+        ends = json.loads(browser.evaluate("JSON.stringify(document.querySelector('.chart .axis').getBoundingClientRect())"))
+        there = ends["x"] + ends["width"] / 2
+        browser_cursor = browser.evaluate("document.querySelector('#cursor path').getBoundingClientRect().x")
+        checks.that(abs(browser_cursor - there) < 4, "and the cursor to the middle of the plot")
+        checks.that("NaN" not in browser.evaluate("document.querySelector('.legend').textContent"), "values are numbers")
+    if pictures:
+        browser.picture(pictures / f"{path.stem}-light.png")
+
+    browser.evaluate("document.activeElement.blur()")
+    browser.press("Home")
+    checks.that(browser.evaluate(SEEN) == first, "Home shows the first picture again")
+    browser.press("ArrowRight")
+    checks.that(browser.evaluate("now === elapsed[1]"), "an arrow goes to the next picture")
+    browser.press("ArrowLeft")
+    checks.that(browser.evaluate("now === 0"), "and back")
+    browser.press("End")
+    checks.that(browser.evaluate("now === duration"), "End shows the last picture")
+    browser.press(" ")
+    checks.that(browser.evaluate("isPlaying") and browser.evaluate("now < duration"), "space plays from the start again")
+
+    browser.evaluate("speed.value = '4'; show(0); repeat.checked = false")
+    before, then = browser.evaluate("now"), time.monotonic()
+    time.sleep(min(0.3, browser.evaluate("duration") / 16))
+    went, took = browser.evaluate("now") - before, time.monotonic() - then
+    checks.that(2 * took < went < 6 * took, f"four times as fast: {went:.2f} s in {took:.2f} s")
+    browser.wait(lambda: not browser.evaluate("isPlaying"), "the film ends")
+    checks.that(browser.evaluate("now === duration"), "stops at the end unless it repeats")
+
+    browser.open(path, [("prefers-color-scheme", "dark")])
+    checks.that(moves(browser), "plays by itself")
+    dark = browser.evaluate("getComputedStyle(document.body).backgroundColor")
+    checks.that(sum(int(part) for part in dark[4:-1].split(",")) < 150, "is dark where that is preferred")
+    if pictures:
+        browser.picture(pictures / f"{path.stem}-dark.png")
+
+    browser.open(path, has_scripts=False)
+    checks.that(browser.evaluate(SEEN) == first, "shows the first picture without scripts")
+    checks.that(browser.evaluate("document.querySelector('#controls').hidden"), "and no buttons that would do nothing")
+    if pictures:
+        browser.picture(pictures / f"{path.stem}-no-script.png")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("films", nargs="+", type=pathlib.Path)
+    parser.add_argument("--pictures", type=pathlib.Path)
+    parser.add_argument("--browser", default=shutil.which("chromium") or shutil.which("google-chrome"))
+    options = parser.parse_args()
+    if not options.browser:
+        sys.exit("no chromium found; on Debian: apt-get install chromium")
+    if options.pictures:
+        options.pictures.mkdir(parents=True, exist_ok=True)
+    kinds = {".svg": check_svg, ".html": check_page}
+    failures = 0
+    browser = Browser(options.browser)
+    try:
+        for film in options.films:
+            checks = Checks(film.name)
+            browser.problems = []
+            kinds[film.suffix](browser, film, checks, options.pictures)
+            checks.that(not browser.problems, f"no errors of scripts {browser.problems or ''}")
+            failures += checks.failures
+    finally:
+        browser.close()
+    sys.exit(failures > 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""Makes the pictures of docs/gallery again, by the commands in its README.md.
+
+    tools/gallery.py            writes the pictures into docs/gallery
+    tools/gallery.py --check    says which of them differ, and fails if one does
+    tools/gallery.py --check --made     the same of what lies in target/gallery already
+
+Each command is run as it stands there and writes its pictures to target/gallery. Text (SVG, HTML) may differ by a
+hundredth of a pixel in numbers, since elementary functions of platforms differ in their last bit; all else byte by byte.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+KEPT = ROOT / "docs" / "gallery"
+MADE = ROOT / "target" / "gallery"
+COMMAND = re.compile(r"`(cargo run .*?)`")
+PICTURE = re.compile(r"\]\((\w+\.\w+)\)")
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+LEEWAY = 0.011
+
+
+def main():
+    text = (KEPT / "README.md").read_text(encoding="utf-8")
+    for command in dict.fromkeys(COMMAND.findall(text)) if "--made" not in sys.argv[1:] else []:
+        print(command, flush=True)
+        subprocess.run(command.split(), cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    pictures = list(dict.fromkeys(PICTURE.findall(text)))
+    strangers = {path.name for path in KEPT.iterdir()} - set(pictures) - {"README.md"}
+    wrong = [f"{name} is not in README.md" for name in sorted(strangers)]
+    wrong += [problem for name in pictures if (problem := keep(name))]
+    for problem in wrong:
+        print(problem, file=sys.stderr)
+    return 1 if wrong else 0
+
+
+def keep(name):
+    """Copies a picture, or says how it differs if only that is asked for."""
+    made, kept = MADE / name, KEPT / name
+    if not made.is_file():
+        return f"{name} is written by no command"
+    if "--check" not in sys.argv[1:]:
+        shutil.copyfile(made, kept)
+        return None
+    if not kept.is_file():
+        return f"{name} is missing"
+    return None if same(made, kept) else f"{name} differs from what its command writes"
+
+
+def same(made, kept):
+    if made.suffix not in (".svg", ".html"):
+        return made.read_bytes() == kept.read_bytes()
+    made, kept = made.read_text(encoding="utf-8"), kept.read_text(encoding="utf-8")
+    if NUMBER.split(made) != NUMBER.split(kept):
+        return False
+    numbers = zip(NUMBER.findall(made), NUMBER.findall(kept))
+    return all(abs(float(a) - float(b)) <= LEEWAY for a, b in numbers)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
