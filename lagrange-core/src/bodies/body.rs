@@ -91,16 +91,8 @@ impl Translation<'_> {
             let claim = Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
             self.claims.push(claim);
         }
-        if stated.is_none() && statement.shape.is_none() && statement.angle.is_some() {
-            let error = self.report.error(name.span, messages::no_inertia(&name.text));
-            error.help(messages::NO_INERTIA_HELP);
-        }
-        if let (Some(centroid), Some(_), None, Some(_)) =
-            (statement.centroid, &statement.shape, stated, statement.angle)
-        {
-            let origin = self.expressions.origin(centroid);
-            let error = self.report.error(origin, messages::unknown_inertia(&name.text));
-            error.help(messages::UNKNOWN_INERTIA_HELP);
+        if stated.is_none() && statement.angle.is_some() {
+            self.report_unknown_inertia(statement);
         }
         let centroid = match statement.centroid {
             Some(centroid) => self.fixed_vector(centroid, &messages::centroid_of(&name.text)),
@@ -109,6 +101,23 @@ impl Translation<'_> {
         let radius = shape.as_ref().and_then(|(solid, dimensions)| Some(dimensions[solid.radius?]));
         let outlines = shape.map(|(solid, dimensions)| self.outline(solid, dimensions)).into_iter().collect();
         MassGeometry { mass, inertia: stated.or(of_shape), centroid, outlines, radius }
+    }
+
+    /// Reports a body that turns and states no moment of inertia, unless that of its shape is the one about its centre of mass.
+    fn report_unknown_inertia(&mut self, statement: &ast::Body) {
+        let name = &statement.name;
+        match (&statement.shape, statement.centroid) {
+            (None, _) => {
+                let error = self.report.error(name.span, messages::no_inertia(&name.text));
+                error.help(messages::NO_INERTIA_HELP);
+            }
+            (Some(_), Some(centroid)) => {
+                let origin = self.expressions.origin(centroid);
+                let error = self.report.error(origin, messages::unknown_inertia(&name.text));
+                error.help(messages::UNKNOWN_INERTIA_HELP);
+            }
+            (Some(_), None) => {}
+        }
     }
 
     fn mass(&mut self, statement: &ast::Body) -> AstId {

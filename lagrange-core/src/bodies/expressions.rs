@@ -187,10 +187,14 @@ impl Translation<'_> {
                 "force" => Some(connector.tension),
                 _ => None,
             },
-            Object::Joint(Joint { force, parts }) => match part.text.as_str() {
-                "force" => Some(*force),
-                part => parts.iter().find(|(name, _)| *name == part).map(|(_, id)| *id),
-            },
+            Object::Joint(Joint { force, parts }) => {
+                let found = match part.text.as_str() {
+                    "force" => Some(*force),
+                    part => parts.iter().find(|(name, _)| *name == part).map(|(_, id)| *id),
+                };
+                // Here, and not at the joint, it is missed if the coordinates fulfil the joint by themselves.
+                found.map(|force| self.terms().repeated(force))
+            }
         };
         found.unwrap_or_else(|| {
             let message = messages::no_part(name, object.describe(), &part.text);
@@ -225,7 +229,7 @@ impl Translation<'_> {
 
     fn plain_call(&mut self, function: &Name, arguments: &[AstId], id: AstId) -> AstId {
         if let Some((_, plain)) = OF_POINTS.iter().find(|(name, _)| *name == function.text) {
-            let arguments = arguments.iter().map(|&point| self.place_or_plain(point)).collect::<Vec<_>>();
+            let arguments = arguments.iter().map(|&point| self.place(point)).collect::<Vec<_>>();
             return self.terms().call(plain, &arguments);
         }
         let row = OF_BODIES.iter().chain(&OF_LINES).find(|(name, _)| *name == function.text);
@@ -242,14 +246,6 @@ impl Translation<'_> {
             Some((_, Object::Body(body))) if !is_of_lines => self.of_body(body, &function.text, rest),
             Some((_, Object::Line(line))) if is_of_lines => self.of_line(line, &function.text, rest),
             _ => self.not_an_object(function, *first, is_of_lines),
-        }
-    }
-
-    pub(super) fn place_or_plain(&mut self, id: AstId) -> AstId {
-        match self.object(id) {
-            Some((_, Object::Body(body))) => self.bodies[body].center,
-            Some((name, _)) => self.plain_name(&name, id),
-            None => self.become_of(id),
         }
     }
 

@@ -10,7 +10,7 @@ use crate::syntax::ast::AstId;
 
 impl Translation<'_> {
     pub(super) fn of_body(&mut self, body: usize, function: &str, arguments: &[AstId]) -> AstId {
-        let plain = arguments.iter().map(|&argument| self.place_or_plain(argument)).collect::<Vec<_>>();
+        let plain = arguments.iter().map(|&argument| self.place(argument)).collect::<Vec<_>>();
         match (function, plain.as_slice()) {
             ("point", &[x, y]) => {
                 let point = self.point(body, [x, y]);
@@ -107,7 +107,7 @@ impl Translation<'_> {
 
     pub(super) fn of_line(&mut self, line: usize, function: &str, arguments: &[AstId]) -> AstId {
         let Line { through, angle, .. } = self.lines[line].clone();
-        let point = self.place_or_plain(arguments[0]);
+        let point = self.place(arguments[0]);
         let mut terms = self.terms();
         let [tangent, normal] = terms.axes(angle);
         let direction = if function == "along" { tangent } else { normal };

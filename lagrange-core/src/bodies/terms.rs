@@ -41,6 +41,22 @@ impl<'e> Terms<'e> {
         self.add_node(Expression::Name(name.to_owned()))
     }
 
+    /// What was put together before, blamed on the place that these terms stand for; calls and numbers stay as they are.
+    pub(super) fn repeated(&mut self, id: AstId) -> AstId {
+        let expression = match self.expressions.get(id).clone() {
+            Expression::Tuple(parts) => {
+                Expression::Tuple(parts.into_iter().map(|part| self.repeated(part)).collect())
+            }
+            Expression::Negate(of) => Expression::Negate(self.repeated(of)),
+            Expression::Binary(operator, span, a, b) => {
+                Expression::Binary(operator, span, self.repeated(a), self.repeated(b))
+            }
+            name @ Expression::Name(_) => name,
+            _ => return id,
+        };
+        self.add_node(expression)
+    }
+
     pub(super) fn zero_pair(&mut self) -> Pair {
         [self.number(0), self.number(0)]
     }

@@ -184,6 +184,18 @@ fn a_joint_that_the_coordinates_fulfil_adds_nothing() {
 }
 
 #[test]
+fn a_force_that_is_missing_is_missed_where_it_is_used() {
+    let report = parse(
+        "coord a;
+        body rod { mass: 1; shape: slender_rod(2); center: (cos(a), sin(a)); angle: a; }
+        pin h = rod.point(-1, 0) to (0, 0);
+        output f = h.force;",
+    );
+    let report = report.expect_err("no force").to_string();
+    assert!(report.starts_with("error at 4:20: this joint has no force of its own"), "{report}");
+}
+
+#[test]
 fn functions_of_points_and_bodies_are_their_formulas() {
     let declared = "param j = 2;
         coord x, y, a;
