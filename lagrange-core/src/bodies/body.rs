@@ -165,11 +165,7 @@ impl Translation<'_> {
     }
 
     /// The centre of mass of a solid in its own coordinates, blamed on `place`.
-    pub(super) fn centroid_of(
-        &mut self,
-        shape: Option<&(&'static Solid, Vec<AstId>)>,
-        place: Origin,
-    ) -> Pair {
+    fn centroid_of(&mut self, shape: Option<&(&'static Solid, Vec<AstId>)>, place: Origin) -> Pair {
         let center = shape.and_then(|(solid, dimensions)| Some((solid.center_function()?, dimensions)));
         let mut terms = Terms::new(&mut self.expressions, place);
         match center {
@@ -182,7 +178,7 @@ impl Translation<'_> {
     }
 
     /// The centre of mass of a solid, under a name of its own where it is computed.
-    fn named_centroid(
+    pub(super) fn named_centroid(
         &mut self,
         name: &str,
         shape: Option<&(&'static Solid, Vec<AstId>)>,

@@ -25,7 +25,8 @@ struct Piece {
 impl Translation<'_> {
     pub(super) fn compound(&mut self, statement: &ast::Body) -> MassGeometry {
         self.report_beside_compound(statement);
-        let pieces = statement.parts.iter().map(|part| self.piece(part)).collect::<Vec<_>>();
+        let pieces =
+            statement.parts.iter().map(|part| self.piece(&statement.name.text, part)).collect::<Vec<_>>();
         let Some(pieces) = pieces.into_iter().collect::<Option<Vec<_>>>() else {
             let invalid = self.terms().invalid();
             let (centroid, outlines) = ([invalid, invalid], Vec::new());
@@ -61,7 +62,7 @@ impl Translation<'_> {
         }
     }
 
-    fn piece(&mut self, part: &Part) -> Option<Piece> {
+    fn piece(&mut self, body: &str, part: &Part) -> Option<Piece> {
         let shape = self.shape(&part.shape);
         let mass = self.mass_of_part(part);
         let at = match part.at {
@@ -75,10 +76,10 @@ impl Translation<'_> {
         let (solid, dimensions): (&'static Solid, Vec<AstId>) = shape?;
         let place = part.shape.origin;
         let (mass, inertia) = (mass?, self.inertia_of(solid, mass?, &dimensions, place));
-        let own = self.centroid_of(Some(&(solid, dimensions.clone())), place);
+        let name = format!("{body}_{}", solid.name);
+        let own = self.named_centroid(&name, Some(&(solid, dimensions.clone())), place);
+        let centroid = self.placed(&name, own, at, angle);
         let mut terms = self.terms();
-        let arm = terms.turned(own, angle);
-        let centroid = terms.plus_pair(at, arm);
         let outline = Outline {
             solid: solid.name.to_owned(),
             dimensions,
@@ -87,6 +88,19 @@ impl Translation<'_> {
             is_hole: part.is_hole,
         };
         Some(Piece { is_hole: part.is_hole, mass, inertia, centroid, outline })
+    }
+
+    /// Where the centre of mass of a part is in the body's coordinates, under a name of its own where the part is turned.
+    fn placed(&mut self, name: &str, own: Pair, at: Pair, angle: AstId) -> Pair {
+        let mut terms = self.terms();
+        let arm = terms.turned(own, angle);
+        let centroid = terms.plus_pair(at, arm);
+        if arm == own {
+            return centroid;
+        }
+        let centroid = terms.tuple(centroid);
+        let centroid = self.bind(&format!("{name}_center"), centroid);
+        self.terms().pair(centroid)
     }
 
     fn mass_of_part(&mut self, part: &Part) -> Option<AstId> {
