@@ -131,7 +131,8 @@ pub trait OdeSystem {
         Ok(Answer::new(Reaction::Continue))
     }
 
-    /// The system as a motion from this state starts: contacts closed and friction sticking where that fits the state.
+    /// The system as a motion from this state starts: contacts closed and friction sticking where that fits the state, and on the
+    /// sides of its [switches](crate::event::Switches) on which the state is.
     /// `None` if it is the same.
     ///
     /// # Errors
@@ -142,6 +143,15 @@ pub trait OdeSystem {
         Self: Sized,
     {
         Ok(None)
+    }
+
+    /// The same system with its [switches](crate::event::Switches) free, as it is for whoever looks at it; `None` if it has none.
+    #[inline]
+    fn freed(&self) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
     }
 }
 

@@ -96,7 +96,7 @@ impl Derived {
         let Derived { declaration, model, equations, reduced, report } = &mut self;
         let statements = plain_statements(declaration);
         let items = emit(declaration, model, equations, krate, statements.as_deref(), report);
-        let parts = emit_parts(declaration, reduced, krate, report);
+        let parts = emit_parts((declaration, model, equations), reduced, krate, report);
         items.zip(parts).map(|(items, parts)| quote!(#items #parts)).ok_or(self.report)
     }
 
@@ -128,7 +128,7 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
             let statements = plain_statements(&declaration);
             let items =
                 emit(&declaration, &mut model, &equations, krate, statements.as_deref(), &mut report)?;
-            let parts = emit_parts(&declaration, &mut parts, krate, &mut report)?;
+            let parts = emit_parts((&declaration, &model, &equations), &mut parts, krate, &mut report)?;
             Some(quote!(#items #parts))
         });
         let items = items.unwrap_or_else(|| emit::skeleton(&declaration, krate));
@@ -170,7 +170,7 @@ fn derive_parts(
 
 /// The items of the reduced types, with their conversions.
 fn emit_parts(
-    full: &Declaration,
+    full: (&Declaration, &Model, &Equations),
     parts: &mut [DerivedPart],
     krate: &TokenStream,
     report: &mut Report,
@@ -180,7 +180,8 @@ fn emit_parts(
         // What the statements of the whole system stand for is said there.
         items.extend(emit(declaration, &mut reduced.model, equations, krate, None, report)?);
         let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
-        items.extend(emit::conversions(full, declaration, reduced, krate).inspect_err(refused).ok()?);
+        let part = (&*declaration, &*reduced, &*equations);
+        items.extend(emit::conversions(full, part, krate).inspect_err(refused).ok()?);
     }
     Some(items)
 }

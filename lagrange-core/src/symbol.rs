@@ -25,6 +25,8 @@ pub enum Role {
     Multiplier(u32),
     /// The force of the contact or of the friction with the same index.
     Reaction(u32),
+    /// On which side of the switch with the same index an expression is evaluated: 1 or −1, or 0 on the surface itself.
+    Side(u32),
     /// A place holder inside one computation; never part of a result.
     Placeholder(u32),
 }

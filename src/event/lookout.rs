@@ -1,6 +1,6 @@
 //! Events ahead: the next one of several functions, kept until its turn comes.
 
-use super::declared::MOST_DECLARED;
+use super::declared::MOST_LOCATED;
 use super::direction::Direction;
 use super::watch::{Occurrence, Watch};
 use crate::integrate::{Cause, Stepper};
@@ -57,17 +57,35 @@ impl<S: Scalar, Y: Copy, const K: usize> Lookout<S, Y, K> {
 
 /// The events that the declaration of the system M states.
 pub(crate) struct Declarations<M: OdeSystem> {
-    lookout: Lookout<M::Scalar, M::State, MOST_DECLARED>,
+    lookout: Lookout<M::Scalar, M::State, MOST_LOCATED>,
+    /// The last change of a side.
+    change: Option<Change<M::Scalar>>,
 }
+
+/// A switch that changed its side.
+#[derive(Clone, Copy)]
+struct Change<S> {
+    event: usize,
+    time: S,
+    /// The value of its event right after.
+    value: S,
+    /// How often it had changed by then without having left its surface.
+    returns: u32,
+}
+
+/// A switch that returns so often without having left its surface stays there,
+const MOST_RETURNS: u32 = 5;
+/// which it has not if it was never farther from it than this many times as far as right after the change.
+const NEAR: f64 = 4.0;
 
 impl<M: OdeSystem> Declarations<M> {
     pub(crate) fn new(system: &M, t: M::Scalar, y: &M::State) -> Self {
-        let mut directions = [Direction::Crossing; MOST_DECLARED];
+        let mut directions = [Direction::Crossing; MOST_LOCATED];
         for (direction, event) in directions.iter_mut().zip(M::EVENTS) {
             *direction = event.direction;
         }
         let watch = Watch::new(directions, t, values(system, t, y)).with_switches(M::EVENTS);
-        Declarations { lookout: Lookout::new(watch) }
+        Declarations { lookout: Lookout::new(watch), change: None }
     }
 
     /// When the next of them in the last step happens.
@@ -82,7 +100,42 @@ impl<M: OdeSystem> Declarations<M> {
         if M::EVENTS.is_empty() {
             return Ok(None);
         }
-        self.lookout.look(system, stepper, |t, y| values(system, t, y))
+        let is_new = self.lookout.next.is_none();
+        let time = self.lookout.look(system, stepper, |t, y| values(system, t, y))?;
+        match self.lookout.next {
+            Some(next) if is_new && M::EVENTS[next.event].is_side => {
+                self.check_sliding(system, stepper, &next)?;
+            }
+            _ => {}
+        }
+        Ok(time)
+    }
+
+    /// Counts how often a switch returns to its surface without having left it.
+    ///
+    /// # Errors
+    /// If that is so often that the state slides along it.
+    fn check_sliding(
+        &mut self,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+        next: &Occurrence<M::Scalar, M::State>,
+    ) -> Result<(), Cause<M::Scalar>> {
+        let Occurrence { event, time, .. } = *next;
+        let returns = match self.change {
+            Some(last) if last.event == event && last.time == stepper.last_time() => {
+                let middle = M::Scalar::from_f64(0.5) * (last.time + time);
+                let between = values(system, middle, &stepper.interpolate(system, middle))[event];
+                let is_near = time == last.time || between <= M::Scalar::from_f64(NEAR) * last.value;
+                if is_near { last.returns + 1 } else { 0 }
+            }
+            _ => 0,
+        };
+        if returns >= MOST_RETURNS {
+            return Err(Cause::Slides { surface: M::EVENTS[event].name });
+        }
+        self.change = Some(Change { event, time, value: M::Scalar::ZERO, returns });
+        Ok(())
     }
 
     pub(crate) fn take(&mut self) -> Option<Occurrence<M::Scalar, M::State>> {
@@ -96,15 +149,19 @@ impl<M: OdeSystem> Declarations<M> {
 
     pub(crate) fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
         if !M::EVENTS.is_empty() {
-            self.lookout.restart(t, values(system, t, y));
+            let values = values(system, t, y);
+            if let Some(change) = &mut self.change {
+                change.value = values[change.event];
+            }
+            self.lookout.restart(t, values);
         }
     }
 }
 
 /// The values of all declared events, and of others that never happen.
-fn values<M: OdeSystem>(system: &M, t: M::Scalar, y: &M::State) -> [M::Scalar; MOST_DECLARED] {
-    let mut values = [M::Scalar::ONE; MOST_DECLARED];
-    let count = M::EVENTS.len().min(MOST_DECLARED);
+fn values<M: OdeSystem>(system: &M, t: M::Scalar, y: &M::State) -> [M::Scalar; MOST_LOCATED] {
+    let mut values = [M::Scalar::ONE; MOST_LOCATED];
+    let count = M::EVENTS.len().min(MOST_LOCATED);
     system.event_values(t, y, &mut values[..count]);
     values
 }
@@ -114,10 +171,10 @@ fn values<M: OdeSystem>(system: &M, t: M::Scalar, y: &M::State) -> [M::Scalar; M
 /// # Errors
 /// If it may not, or if there are more events than can be looked for.
 pub(crate) fn is_forwards<M: OdeSystem>(t: M::Scalar, end: M::Scalar) -> Result<(), Cause<M::Scalar>> {
-    if M::EVENTS.len() > MOST_DECLARED {
+    if M::EVENTS.len() > MOST_LOCATED {
         return Err(Cause::Setting("the system declares more events than can be looked for"));
     }
-    if end < t && M::EVENTS.iter().any(|event| event.is_switch) {
+    if end < t && M::EVENTS.iter().any(|event| event.is_switch && !event.is_side) {
         return Err(Cause::Setting("contacts and dry friction run forwards in time only"));
     }
     Ok(())

@@ -18,6 +18,7 @@ mod direction;
 mod locate;
 mod lookout;
 mod run;
+mod switches;
 mod watch;
 
 #[cfg(feature = "std")]
@@ -28,6 +29,9 @@ pub use self::direction::Direction;
 pub(crate) use self::lookout::{Declarations, Lookout, is_forwards};
 pub(crate) use self::run::integrate_declared;
 pub use self::run::{Reaction, integrate_with_events};
+pub use self::switches::{
+    SwitchedSystem, Switches, change_side, choose_sides, free_sides, next_switch_time, side_values,
+};
 #[cfg(feature = "std")]
 pub(crate) use self::watch::is_at_once;
 pub use self::watch::{Occurrence, Watch};

@@ -67,6 +67,11 @@ pub enum Cause<S> {
         /// How many were counted.
         events: u32,
     },
+    /// The state slides along a surface on which the equations are not smooth: on either side they lead back to it.
+    Slides {
+        /// The function that vanishes there and changes its sign, and the statement that holds it.
+        surface: &'static str,
+    },
     /// The zero of an event function could not be located.
     EventNotLocated {
         /// Which event, counted from zero: those of the declaration, then those given, in their order.
@@ -121,6 +126,11 @@ impl<S: Debug> Display for Cause<S> {
                     "events accumulate: the last {events} cannot be told apart in time; stop at such an event instead"
                 )
             }
+            Cause::Slides { surface } => write!(
+                f,
+                "the state stays where the sign of {surface} changes: on either side the equations lead back there, and they do \
+                 not say what holds it; dry friction is declared by `friction name = slip velocity, limit;`"
+            ),
             Cause::EventNotLocated { event, bisections } => {
                 write!(f, "the zero of event {event} could not be located in {bisections} bisections")
             }

@@ -18,6 +18,8 @@ pub(super) struct Record<'a, M: MechanicalSystem> {
     given: &'a M,
     /// The system as it is at present, if contacts or friction switched it.
     switched: Option<M>,
+    /// The same with its switches free.
+    freed: Option<M>,
     table: Table<M::Scalar>,
     observers: Vec<Observer<'a, M>>,
     /// Room for the columns of one sample.
@@ -47,6 +49,7 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
     ) -> Self {
         let mut record = Record {
             given,
+            freed: switched.as_ref().and_then(M::freed),
             switched,
             table: Table::new(names(&observers)),
             observers,
@@ -70,6 +73,7 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
     /// Goes on with this system, if it is another one.
     pub(super) fn switch(&mut self, system: Option<M>) {
         self.switched = system.or(self.switched.take());
+        self.freed = self.switched.as_ref().and_then(M::freed);
     }
 
     /// The names of the columns.
@@ -127,7 +131,7 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
     fn sample(&mut self, time: M::Scalar, state: &M::State) {
         self.row.clear();
         self.row.extend_from_slice(state.as_ref());
-        let system = self.switched.as_ref().unwrap_or(self.given);
+        let system = self.freed.as_ref().or(self.switched.as_ref()).unwrap_or(self.given);
         for observer in &mut self.observers {
             (observer.extend)(system, time, state, &mut self.row);
         }
@@ -140,8 +144,8 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
         if time != self.first.0 && self.table.times().last() != Some(&time) {
             self.sample(time, &state);
         }
-        let Record { table, dense, events, first, last, work, switched, .. } = self;
-        let system = switched.map(Arc::new);
+        let Record { table, dense, events, first, last, work, switched, freed, .. } = self;
+        let system = freed.or(switched).map(Arc::new);
         Trajectory { columns: table.into(), dense, events, work, ending, first, last, method, system }
     }
 }

@@ -100,7 +100,7 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
         loop {
             let next = self.watchers.next(record.system(), &mut self.stepper);
             let Some(first) = next? else { break };
-            let (time, state) = (first.time, first.state);
+            let (time, state, is_silent) = (first.time, first.state, first.event.is_none());
             let course = self.happen(record, first);
             if course.as_ref().is_ok_and(Course::goes_on) {
                 continue;
@@ -113,7 +113,9 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
             record.switch(switched);
             self.stepper.restart(record.system(), time, &state)?;
             self.watchers.restart(record.system(), time, &state);
-            record.jump(&state);
+            if !is_silent {
+                record.jump(&state);
+            }
             return Ok(ControlFlow::Continue(()));
         }
         let (time, state) = (self.stepper.time(), *self.stepper.state());

@@ -21,6 +21,7 @@ mod scalars;
 mod shadowing;
 mod simulation;
 mod states;
+mod switches;
 mod traits;
 
 /// Whether two numbers agree to a few units in the last place of `f64`.

@@ -186,7 +186,7 @@ fn names_of_the_surroundings_are_not_taken_for_others() {
     let a = Pendulum::acceleration(&pendulum, 0.0, &[0.5, 0.0], &[0.0, 1.0]);
     let expected = 9.81 / 2.0 * ::core::primitive::f64::sin(0.5) + ::core::primitive::f64::sin(1.0) / 2.0;
     crate::assert_close(a[0], expected);
-    let any = Any { m: 1.0, L: 2.0, G: 9.81 };
+    let any = Any { m: 1.0, L: 2.0, G: 9.81, switches: ::lagrange::event::Switches::FREE };
     crate::assert_close(
         Any::acceleration(&any, 0.0, &[0.5], &[0.0])[0],
         9.81 / 2.0 * ::core::primitive::f64::sin(0.5),

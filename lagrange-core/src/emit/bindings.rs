@@ -3,10 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::contacts::Touch;
 use super::method::{ArgumentNames, Arguments};
 use super::rust_body::Names;
-use super::shape::{Shape, identifier, local};
+use super::shape::{Shape, identifier, length, local};
 use super::system::Writer;
 use crate::mechanics::Model;
 use crate::symbol::Role;
@@ -16,6 +15,8 @@ impl Writer<'_> {
     pub(super) fn bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
         let ArgumentNames { time, positions, velocities, accelerations, state, residuals, .. } = &self.names;
         let fields = field_bindings(self.shape, self.model, used, names);
+        let sides = self.side_bindings(used, names, arguments);
+        let fields = quote!(#fields #sides);
         if arguments == Arguments::Whole {
             let indices = 0..self.model.coordinates.len() as u32;
             let roles = indices.clone().map(Role::Coordinate).chain(indices.map(Role::Velocity));
@@ -43,6 +44,27 @@ impl Writer<'_> {
         let reactions = quote!(self.reactions(#time, #positions, #velocities));
         let reactions = vector(reactions, self.model.reactions.len(), Role::Reaction);
         quote!(#fields #q #v #a #multipliers #reactions)
+    }
+
+    /// The sides of switches that a body uses.
+    fn side_bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> Option<TokenStream> {
+        let ArgumentNames { time, positions, velocities, state, .. } = &self.names;
+        let pattern = self.pattern((0..self.shape.switches.len() as u32).map(Role::Side), used, names)?;
+        let (krate, n) = (self.shape.krate, length(self.model.coordinates.len()));
+        Some(match arguments {
+            Arguments::Whole => quote! {
+                let #pattern = {
+                    let (positions, velocities) = #krate::system::split::<Self>(#state);
+                    self.sides(#time, &positions, &velocities)
+                };
+            },
+            // What does not depend on velocities may be given any.
+            Arguments::Positions => {
+                let scalar = self.shape.scalar();
+                quote!(let #pattern = self.sides(#time, #positions, &[<#scalar as #krate::Scalar>::ZERO; #n]);)
+            }
+            _ => quote!(let #pattern = self.sides(#time, #positions, #velocities);),
+        })
     }
 
     /// An array of the names of those roles that are used, if any is.
@@ -84,7 +106,7 @@ pub(super) fn field_bindings(
     if bound.is_empty() {
         return TokenStream::new();
     }
-    let has_modes = shape.touching.iter().any(|(_, touch)| *touch != Touch::Smooth);
-    let rest = (has_modes || bound.len() < shape.fields.len()).then(|| quote!(..));
+    let has_others = !shape.switches.is_empty() || shape.fields_of_modes().next().is_some();
+    let rest = (has_others || bound.len() < shape.fields.len()).then(|| quote!(..));
     quote!(let Self { #(#bound,)* #rest } = *self;)
 }

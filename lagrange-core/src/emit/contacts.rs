@@ -7,6 +7,7 @@ use super::docs::with_counts;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::shape::{Shape, doc, identifier, length, local};
+use super::switches::kept_switches;
 use super::system::Writer;
 use crate::expr::ExprId;
 use crate::mechanics::{Affine, ReactionKind};
@@ -177,9 +178,9 @@ pub(super) fn mode_fields(shape: &Shape<'_>) -> TokenStream {
 
 /// The fields that keep modes, with their defaults.
 pub(super) fn default_modes(shape: &Shape<'_>) -> TokenStream {
-    let fields = shape.touching.iter().filter(|(_, touch)| *touch != Touch::Smooth);
-    fields
-        .map(|(name, _)| {
+    shape
+        .fields_of_modes()
+        .map(|name| {
             let field = identifier(name);
             quote!(#field: ::core::default::Default::default(),)
         })
@@ -236,6 +237,7 @@ fn mode_members(shape: &Shape<'_>) -> TokenStream {
         })
     });
     let marker = shape.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData,));
+    let switches = kept_switches(shape);
     quote! {
         #[inline]
         fn modes(&self) -> [#krate::contact::Mode; #k] {
@@ -243,7 +245,7 @@ fn mode_members(shape: &Shape<'_>) -> TokenStream {
         }
         #[inline]
         fn in_modes(&self, #other: [#krate::contact::Mode; #k]) -> Self {
-            Self { #(#fields: self.#fields,)* #(#switched)* #marker }
+            Self { #(#fields: self.#fields,)* #(#switched)* #switches #marker }
         }
     }
 }

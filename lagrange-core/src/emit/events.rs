@@ -1,12 +1,13 @@
 //! What is emitted for declared events.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments, Returns};
 use super::shape::{Shape, length, local};
 use super::state::state_variables;
+use super::switches::{switch_events, timed_members};
 use super::system::Writer;
 use crate::mechanics::{Action, Assignment};
 use crate::syntax::ast::{self, Direction};
@@ -44,7 +45,7 @@ impl Writer<'_> {
         self.push_hidden(&format!("after_event_{event}"), returns, &body);
     }
 
-    fn push_hidden(&mut self, name: &str, returns: Returns, body: &TokenStream) {
+    pub(super) fn push_hidden(&mut self, name: &str, returns: Returns, body: &TokenStream) {
         let (name, scalar, n) =
             (format_ident!("{name}"), self.shape.scalar(), length(self.shape.coordinates.len()));
         let ArgumentNames { time, positions, velocities, .. } = &self.names;
@@ -66,7 +67,7 @@ impl Writer<'_> {
 /// The members of `OdeSystem` that belong to events.
 pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let names = shape.event_names();
-    if names.is_empty() {
+    if names.is_empty() && shape.switches.is_empty() {
         return TokenStream::new();
     }
     let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
@@ -78,6 +79,7 @@ pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             None => quote!(#krate::event::DeclaredEvent::switch(#name)),
         }
     });
+    let events = events.chain(switch_events(shape));
     let (values, event) = (local("values"), local("event"));
     let functions = (!shape.events.is_empty()).then(|| {
         let call = call(shape, parts, "event_functions");
@@ -89,13 +91,17 @@ pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     });
     let touching = (!shape.touching.is_empty())
         .then(|| quote!(#krate::contact::event_values(self, #time, #state, #values);));
-    let (reactions, begin) = (reactions(shape, parts), begin(shape, parts));
+    let switches = (!shape.switches.is_empty())
+        .then(|| quote!(#krate::event::side_values(self, #time, #state, #values);));
+    let (reactions, begin) = (reactions(shape, parts, &event), begin(shape, parts));
+    let timed = timed_members(shape, parts);
     quote! {
         const EVENTS: &'static [#krate::event::DeclaredEvent] = &[#(#events),*];
         #[inline]
         fn event_values(&self, #time: #scalar, #state: &[#scalar; #twice], #values: &mut [#scalar]) {
             #functions
             #touching
+            #switches
         }
         fn react(
             &self,
@@ -109,11 +115,12 @@ pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
         }
         #begin
+        #timed
     }
 }
 
 /// An arm for each event that does more than go on.
-fn reactions(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+fn reactions(shape: &Shape<'_>, parts: &Parts, event: &Ident) -> TokenStream {
     let (krate, state) = (shape.krate, &parts.names.state);
     let time = &parts.names.time;
     let answer = |reaction: TokenStream| quote!(::core::result::Result::Ok(#krate::event::Answer::new(#krate::event::Reaction::#reaction)));
@@ -130,25 +137,48 @@ fn reactions(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         Some(quote!(#index => #answer,))
     });
     let events = shape.events_of_reactions();
-    let touching = events.iter().flatten().map(|event| {
-        let event = length(*event);
-        quote!(#event => #krate::contact::react(self, #event, #time, #state),)
+    let touching = events.iter().flatten().map(|index| {
+        let index = length(*index);
+        quote!(#index => #krate::contact::react(self, #index, #time, #state),)
     });
-    declared.chain(touching).collect()
+    let first = length(shape.event_names().len());
+    let switches = (!shape.switches.is_empty())
+        .then(|| quote!(#first.. => #krate::event::change_side(self, #event, #time, #state),));
+    declared.chain(touching).chain(switches).collect()
 }
 
 fn begin(shape: &Shape<'_>, parts: &Parts) -> Option<TokenStream> {
     let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
     let ArgumentNames { time, state, .. } = &parts.names;
-    (!shape.touching.is_empty()).then(|| {
+    let contacts = quote!(#krate::contact::begin);
+    let sides = quote!(#krate::event::choose_sides(self, #time, #state));
+    let begun = match (shape.touching.is_empty(), shape.switches.is_empty()) {
+        (true, true) => return None,
+        (false, true) => quote!(#contacts(self, #time, #state)),
+        (true, false) => quote!(::core::result::Result::Ok(#sides)),
+        (false, false) => quote! {
+            let on_sides = #sides;
+            let system = ::core::option::Option::as_ref(&on_sides).unwrap_or(self);
+            ::core::result::Result::Ok(#contacts(system, #time, #state)?.or(on_sides))
+        },
+    };
+    let freed = (!shape.switches.is_empty()).then(|| {
+        quote! {
+            fn freed(&self) -> ::core::option::Option<Self> {
+                ::core::option::Option::Some(#krate::event::free_sides(self))
+            }
+        }
+    });
+    Some({
         quote! {
             fn begin(
                 &self,
                 #time: #scalar,
                 #state: &[#scalar; #twice],
             ) -> ::core::result::Result<::core::option::Option<Self>, #krate::integrate::Cause<#scalar>> {
-                #krate::contact::begin(self, #time, #state)
+                #begun
             }
+            #freed
         }
     })
 }

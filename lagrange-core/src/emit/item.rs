@@ -11,6 +11,7 @@ use super::method::{ArgumentNames, Method};
 use super::scene::motion_name;
 use super::shape::{Shape, doc, identifier, length, local};
 use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
+use super::switches::switches_declaration;
 use super::traits::trait_impls;
 
 /// Everything that differs between a derived system and a skeleton.
@@ -28,6 +29,8 @@ pub(super) struct Parts {
     pub(super) are_holonomic: Vec<bool>,
     /// The body of `ContactSystem::terms`.
     pub(super) terms: TokenStream,
+    /// The body of `SwitchedSystem::switch_times`, if there is a time to tell.
+    pub(super) switch_times: Option<TokenStream>,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
     /// Methods that say how bodies move.
@@ -119,7 +122,7 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             pub scalar: ::core::marker::PhantomData<#scalar>,
         }
     });
-    let fields = [fields, mode_fields(shape)].into_iter().collect::<TokenStream>();
+    let fields = [fields, mode_fields(shape)].into_iter().chain(switches_declaration(shape)).collect::<TokenStream>();
     let body = match fields.is_empty() && marker.is_none() {
         true => quote!(;),
         false => quote!({ #fields #marker }),

@@ -8,6 +8,8 @@ use super::shape::{Shape, length};
 /// What a method is a function of, beside the parameters.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Arguments {
+    /// None.
+    None,
     /// `t, q`
     Positions,
     /// `t, q, v`
@@ -56,6 +58,7 @@ impl Arguments {
     pub(super) fn vectors(self, names: &ArgumentNames) -> Vec<&Ident> {
         let ArgumentNames { positions, velocities, accelerations, state, residuals, .. } = names;
         match self {
+            Arguments::None => Vec::new(),
             Arguments::Positions => vec![positions],
             Arguments::State => vec![positions, velocities],
             Arguments::Motion => vec![positions, velocities, accelerations],

@@ -20,6 +20,7 @@ mod shape;
 mod size;
 mod skeleton;
 mod state;
+mod switches;
 mod system;
 mod traits;
 

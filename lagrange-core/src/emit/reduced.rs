@@ -4,15 +4,15 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::bindings::field_bindings;
-use super::contacts::Touch;
 use super::item::{rounded_exception, split_attributes};
 use super::rust_body::{Names, body};
 use super::shape::{Shape, doc, identifier, local};
 use super::skeleton::skeleton_of_type;
+use super::switches::free_switches;
 use super::system::Refusal;
 use super::text;
 use crate::collections::HashMap;
-use crate::mechanics::{Held, METHODS_OF_REDUCED, Reduced};
+use crate::mechanics::{Equations, Held, METHODS_OF_REDUCED, Model, Reduced};
 use crate::program::{Labels, Op, lower, optimise};
 use crate::syntax::ast::{Declaration, ScalarType, StatementKind};
 
@@ -70,12 +70,12 @@ const EXPANDED: [&str; 2] = [
 /// # Errors
 /// If a value is too large for the scalar.
 pub fn conversions(
-    full: &Declaration,
-    reduced_declaration: &Declaration,
-    reduced: &Reduced,
+    (full, model, equations): (&Declaration, &Model, &Equations),
+    (part, reduced, reduced_equations): (&Declaration, &Reduced, &Equations),
     krate: &TokenStream,
 ) -> Result<TokenStream, Refusal> {
-    let (full, part) = (Shape::new(full, krate), Shape::new(reduced_declaration, krate));
+    let full = Shape::new(full, krate).with_switches(&model.graph, equations);
+    let part = Shape::new(part, krate).with_switches(&reduced.model.graph, reduced_equations);
     let state_methods = state_methods(&full, &part, reduced)?;
     Ok(items(&full, &part, &state_methods))
 }
@@ -99,15 +99,15 @@ fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> Tok
 fn system_conversion(from: &Shape<'_>, to: &Shape<'_>) -> TokenStream {
     let (source, target, generics, bounds) = (from.name(), to.name(), to.generics(), to.bounds());
     let system = local("system");
-    let with_mode = to.touching.iter().filter(|(_, touch)| *touch != Touch::Smooth).map(|(name, _)| name);
-    let fields = to.fields.iter().chain(with_mode).map(|name| identifier(name)).collect::<Vec<_>>();
+    let fields = to.fields.iter().copied().chain(to.fields_of_modes()).map(identifier).collect::<Vec<_>>();
+    let switches = free_switches(to);
     let marker = to.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData));
     quote! {
         #[automatically_derived]
         impl #bounds ::core::convert::From<&#source #generics> for #target #generics {
             #[inline]
             fn from(#system: &#source #generics) -> Self {
-                Self { #(#fields: #system.#fields,)* #marker }
+                Self { #(#fields: #system.#fields,)* #switches #marker }
             }
         }
     }

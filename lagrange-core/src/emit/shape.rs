@@ -26,6 +26,10 @@ pub(super) struct Shape<'a> {
     pub(super) is_stabilised: bool,
     /// Contacts and friction.
     pub(super) touching: Vec<(&'a Name, Touch)>,
+    /// What messages call the switches whose sides runs fix.
+    pub(super) switches: Vec<String>,
+    /// A bit for each of them that depends on time alone.
+    pub(super) timed_switches: u64,
     /// Declared outputs with their number of components; one for a scalar.
     pub(super) outputs: Vec<(&'a Name, usize)>,
     /// The user's documentation of fields, coordinates and outputs.
@@ -44,6 +48,8 @@ impl<'a> Shape<'a> {
             events: Vec::new(),
             is_stabilised: false,
             touching: Vec::new(),
+            switches: Vec::new(),
+            timed_switches: 0,
             outputs: Vec::new(),
             docs: documentation(declaration),
         };
@@ -89,6 +95,12 @@ impl<'a> Shape<'a> {
         });
         let friction = self.touching.iter().filter(|(_, touch)| *touch == Touch::Friction);
         declared.chain(friction.map(|(name, _)| (*name, None))).collect()
+    }
+
+    /// The fields that keep modes.
+    pub(super) fn fields_of_modes(&self) -> impl Iterator<Item = &'a Name> {
+        let with_mode = self.touching.iter().filter(|(_, touch)| *touch != Touch::Smooth);
+        with_mode.map(|(name, _)| *name)
     }
 
     /// For each reaction the index of the event by which it changes its mode, if it has one.

@@ -14,6 +14,7 @@ use super::product::{Plan, plan};
 use super::rust_body::{Names, Scalar, body};
 use super::scene::statements_constant;
 use super::shape::{Shape, doc, identifier};
+use super::switches::free_switches;
 use super::size::Size;
 use crate::expr::ExprId;
 use crate::mechanics::{Equations, Model, Product};
@@ -49,7 +50,7 @@ pub fn system(
     statements: Option<&str>,
     krate: &TokenStream,
 ) -> Result<Emitted, Refusal> {
-    let shape = Shape::new(declaration, krate);
+    let shape = Shape::new(declaration, krate).with_switches(&model.graph, equations);
     let mut writer = Writer::new(&shape, model, equations, statements);
     writer.write_methods();
     let size = writer.size;
@@ -63,7 +64,7 @@ pub(super) struct Writer<'a> {
     pub(super) equations: &'a Equations,
     /// The plain statements, if others stand for rigid bodies.
     statements: Option<&'a str>,
-    labels: Labels,
+    pub(super) labels: Labels,
     scalar: Scalar,
     pub(super) names: ArgumentNames,
     pub(super) methods: Vec<Method>,
@@ -73,6 +74,8 @@ pub(super) struct Writer<'a> {
     pub(super) canonical: Vec<Method>,
     /// The body of `ContactSystem::terms`.
     pub(super) terms: TokenStream,
+    /// The body of `SwitchedSystem::switch_times`, if there is a time to tell.
+    pub(super) switch_times: Option<TokenStream>,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
     /// Methods that say how bodies move.
@@ -115,6 +118,7 @@ impl<'a> Writer<'a> {
             constrained: Vec::new(),
             canonical: Vec::new(),
             terms: TokenStream::new(),
+            switch_times: None,
             hidden: TokenStream::new(),
             motions: TokenStream::new(),
             items: None,
@@ -144,6 +148,7 @@ impl<'a> Writer<'a> {
             constrained,
             canonical,
             terms,
+            switch_times,
             hidden,
             motions,
             items,
@@ -160,6 +165,7 @@ impl<'a> Writer<'a> {
             canonical,
             are_holonomic,
             terms,
+            switch_times,
             hidden,
             motions,
             items,
@@ -181,6 +187,7 @@ impl<'a> Writer<'a> {
             (_, false) => self.write_touching(&docs),
         };
         self.write_events();
+        self.write_switches();
         for product in self.model.products.clone() {
             let fields = self.shape.fields.len();
             if let Some(Plan { docs, arguments, returns, roots }) =
@@ -221,8 +228,20 @@ impl<'a> Writer<'a> {
         counts
     }
 
-    /// A body that computes `roots` and makes its result of them, unless those before it are too large already.
+    /// A body that computes `roots` on the sides of the switches that the system is on, and makes its result of them, unless those
+    /// before it are too large already.
     pub(super) fn lowered(
+        &mut self,
+        roots: &[ExprId],
+        arguments: Arguments,
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> (TokenStream, OperationCounts) {
+        let roots = self.on_sides(roots);
+        self.lowered_as_declared(&roots, arguments, collect)
+    }
+
+    /// The same with conditions, kinks and jumps as they are declared.
+    pub(super) fn lowered_as_declared(
         &mut self,
         roots: &[ExprId],
         arguments: Arguments,
@@ -274,10 +293,10 @@ impl<'a> Writer<'a> {
             Ok(body) => {
                 self.functions.extend(&body.functions);
                 let (names, statements) = (self.shape.fields.iter().map(|n| identifier(n)), body.statements);
-                let modes = default_modes(self.shape);
+                let (modes, switches) = (default_modes(self.shape), free_switches(self.shape));
                 let (values, marker) = (body.outputs, self.shape.needs_marker());
                 let marker = marker.then(|| quote!(scalar: ::core::marker::PhantomData));
-                Some(quote!(#statements Self { #(#names: #values,)* #modes #marker }))
+                Some(quote!(#statements Self { #(#names: #values,)* #modes #switches #marker }))
             }
             Err(error) => {
                 self.unrepresentable.extend(error.constants);

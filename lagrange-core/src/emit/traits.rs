@@ -10,6 +10,7 @@ use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
 use super::scene::scene_impl;
 use super::shape::{Shape, length, local};
+use super::switches::switched_impl;
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -22,7 +23,8 @@ pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     });
     let constrained = constrained_impl(shape, parts);
     let (contact, scene) = (contact_impl(shape, parts), scene_impl(shape, parts));
-    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #scene)
+    let switched = switched_impl(shape, parts);
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene)
 }
 
 /// Whether there is a method of this name.

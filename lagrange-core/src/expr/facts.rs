@@ -48,7 +48,8 @@ impl Dependencies {
             Role::Input(_) => Dependencies::INPUT,
             Role::Time => Dependencies::TIME,
             Role::Coordinate(_) => Dependencies::COORDINATE,
-            Role::Velocity(_) => Dependencies::VELOCITY,
+            // The side may change with whatever the state does.
+            Role::Velocity(_) | Role::Side(_) => Dependencies::VELOCITY,
             Role::Acceleration(_) => Dependencies::ACCELERATION,
             Role::Multiplier(_) => Dependencies::MULTIPLIER,
             Role::Reaction(_) => Dependencies::REACTION,

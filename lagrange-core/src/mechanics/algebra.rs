@@ -30,11 +30,13 @@ pub(super) struct Algebra<'g> {
     pub(super) graph: &'g mut Graph,
     sums: Sums,
     angles: Angles,
+    /// Pivots whose vanishing conditions decide, as [`super::squares`] puts them in.
+    pub(super) guards: Vec<ExprId>,
 }
 
 impl<'g> Algebra<'g> {
     pub(super) fn new(graph: &'g mut Graph, sums: Sums) -> Algebra<'g> {
-        Algebra { graph, sums, angles: Angles::default() }
+        Algebra { graph, sums, angles: Angles::default(), guards: Vec::new() }
     }
 
     /// `Σ coefficient · term`

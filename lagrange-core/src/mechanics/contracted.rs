@@ -60,7 +60,13 @@ pub(super) fn solve_contracted(
         system.eliminate(i);
         labels.push((pivot, format!("pivot_{i}")));
     }
-    Some(Solution { values: system.accelerations(), labels, condition: None, elimination: None })
+    Some(Solution {
+        values: system.accelerations(),
+        labels,
+        guards: Vec::new(),
+        condition: None,
+        elimination: None,
+    })
 }
 
 /// One equation: Σ entry · acceleration + linear = 0.

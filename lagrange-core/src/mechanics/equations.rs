@@ -13,6 +13,7 @@ use super::responses::{ReactionEquations, reaction_forces};
 use super::roads::{Road, RoadChoice, Roads, SingularMassMatrix};
 use super::solve::{Solution, push_down, solve_dense};
 use super::structure::{Structure, vanishing};
+use super::switches::Switch;
 use crate::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
@@ -67,6 +68,8 @@ pub struct Equations {
     pub parameter_jacobian: Option<Rows>,
     /// What was found out about the system.
     pub structure: Structure,
+    /// Surfaces on which what determines the motion is not smooth.
+    pub switches: Vec<Switch>,
     /// Names for intermediate results, in the order of preference.
     pub labels: Vec<(ExprId, String)>,
 }
@@ -118,11 +121,13 @@ impl Equations {
             jacobian,
             parameter_jacobian,
             structure,
+            switches: Vec::new(),
             labels,
         };
         if model.accuracy == Accuracy::Strict {
             equations.contract(model);
         }
+        equations.switches = Switch::find(model, &equations.of_motion(model), &solution.guards);
         Ok(equations)
     }
 
@@ -134,6 +139,20 @@ impl Equations {
         let is_held = model.constraints.iter().all(|constraint| constraint.is_holonomic);
         let is_free = model.reactions.is_empty();
         self.structure.mass.is_constant && is_held && is_free && !free.iter().any(depends)
+    }
+
+    /// What determines how a motion goes on, whichever method integrates it.
+    fn of_motion(&self, model: &Model) -> Vec<ExprId> {
+        let (constraints, reactions) = (&self.constraints, &self.reactions);
+        let vectors = [&self.accelerations, &self.forcing, &constraints.multipliers, &constraints.drifts];
+        let vectors = vectors.into_iter().chain([&constraints.correction, &reactions.multipliers, &reactions.drifts]);
+        let matrices = [&self.mass_matrix, &constraints.jacobian, &reactions.responses, &reactions.rows];
+        let limits = reactions.kinetic.iter().chain(&reactions.fixed);
+        let rates = self.momentum_rates.iter().chain(&self.free_momentum_rates).flatten();
+        let mut roots = vectors.chain(matrices.into_iter().flatten()).flatten().chain(rates).copied().collect::<Vec<_>>();
+        roots.extend(limits.flat_map(|limit| limit.slopes.iter().chain([&limit.free])));
+        roots.extend(model.reactions.iter().map(|reaction| reaction.velocity));
+        roots
     }
 
     /// Writes what is emitted beside the accelerations with as little to cancel as is found.

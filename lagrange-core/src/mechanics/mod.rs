@@ -38,6 +38,7 @@ mod squares;
 mod stabilisation;
 mod structure;
 mod sweep;
+mod switches;
 
 pub use algebra::Sums;
 pub use constraints::ConstraintEquations;
@@ -53,3 +54,4 @@ pub use responses::{Affine, ReactionEquations};
 pub use roads::{Road, RoadChoice, SingularMassMatrix};
 pub use scene::{BodyMotion, DrawnItem, OutlinedPart, Scene};
 pub use structure::{Conserved, MassStructure, Structure};
+pub use switches::{Switch, one_sided};

@@ -24,6 +24,8 @@ pub(super) struct Solution {
     pub(super) values: Vec<ExprId>,
     /// Names for pivots, factors and biases.
     pub(super) labels: Vec<(ExprId, String)>,
+    /// Pivots at whose zeros the accelerations are computed another way, to the same values.
+    pub(super) guards: Vec<ExprId>,
     /// How much of the constraints the others leave, as [`Elimination::condition`] says; `None` if they are always independent.
     pub(super) condition: Option<ExprId>,
     /// The steps that led there, for other right-hand sides; `None` if the road took none.
@@ -48,7 +50,7 @@ impl Elimination {
     fn into_solution(self, graph: &mut Graph, unknowns: &[ExprId]) -> Solution {
         let (values, condition) = (self.values(graph, unknowns), self.condition(graph));
         let labels = labels(graph, &self.eliminated, unknowns);
-        Solution { values, labels, condition, elimination: Some(self) }
+        Solution { values, labels, guards: Vec::new(), condition, elimination: Some(self) }
     }
 
     /// The stationary point of the form.

@@ -139,6 +139,7 @@ fn somewhere(role: Role) -> f64 {
         Role::Multiplier(i) => (6, i),
         Role::Reaction(i) => (7, i),
         Role::Placeholder(i) => (8, i),
+        Role::Side(i) => (9, i),
     };
     0.5 + (f64::from(7 * index + kind + 1) * GOLDEN_RATIO).fract()
 }

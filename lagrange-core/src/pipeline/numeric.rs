@@ -113,7 +113,7 @@ impl NumericSystem {
             Role::Velocity(i) => entry(at.v, i),
             Role::Acceleration(i) => entry(at.a, i),
             Role::Multiplier(i) => entry(at.multipliers, i),
-            Role::Reaction(_) | Role::Placeholder(_) => f64::NAN,
+            Role::Reaction(_) | Role::Side(_) | Role::Placeholder(_) => f64::NAN,
         })
     }
 

@@ -27,7 +27,7 @@ impl Variability {
             Role::Parameter(_) => Variability::Constant,
             Role::Input(_) => Variability::Input,
             Role::Time | Role::Coordinate(_) | Role::Placeholder(_) => Variability::Position,
-            Role::Velocity(_) => Variability::Velocity,
+            Role::Velocity(_) | Role::Side(_) => Variability::Velocity,
             Role::Acceleration(_) | Role::Multiplier(_) | Role::Reaction(_) => Variability::Acceleration,
         }
     }

@@ -64,7 +64,13 @@ pub(super) fn substitute_back(
         let offset = back.composition.offset(back.algebra.graph, velocity);
         back.algebra.graph.subtract(value, offset)
     });
-    Solution { values: accelerations.collect(), labels: back.labels, condition: None, elimination: None }
+    Solution {
+        values: accelerations.collect(),
+        labels: back.labels,
+        guards: back.algebra.guards,
+        condition: None,
+        elimination: None,
+    }
 }
 
 struct Back<'g> {

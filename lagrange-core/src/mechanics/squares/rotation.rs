@@ -225,6 +225,7 @@ fn rotate_pair(
         return (lost, kept);
     }
     let guard = Guard { pivot: pull.pivot };
+    algebra.guards.push(pull.pivot);
     let lost = guard.left(algebra, carriers, &pair[1], lost);
     (Some(lost), guard.kept(algebra.graph, &pair[0], &kept))
 }

@@ -1,0 +1,153 @@
+//! Switches: surfaces in time and state on which a system is not smooth, and the sides of them on which it is computed.
+//!
+//! They are where a condition of `if` in a declaration changes, and the kinks of `abs`, `sign`, `min` and `max`. A step across one
+//! would lose the order of any method, and a push that is shorter than a step would be missed. So a run fixes the side of every
+//! switch: the equations are then smooth, and go on smoothly beyond the surface. Where a step has led beyond, the place is located like
+//! an event and the motion goes on from there on the other side. Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential
+//! Equations I*, 2nd ed., §II.6.
+//!
+//! With x = −10⁻⁹ at the end of a step that was computed for x > 0, the force −sign(x) was −1 all the step long; the step is cut
+//! at x = 0, and the next one has the force 1. If that leads back at once, as −sign(ẋ) does with ẋ = 0, the state would slide
+//! along the surface, where a function of time and state says nothing about the force: [`Cause::Slides`](crate::integrate::Cause::Slides).
+
+use core::array::from_fn;
+
+use super::declared::Answer;
+use super::run::Reaction;
+
+use crate::scalar::Scalar;
+use crate::system::{OdeSystem, Reacted};
+
+/// A surface counts as passed this many roundings of the state's largest component beyond it, lest rounding on it pass it again
+/// and again.
+const ROUNDINGS: f64 = 32.0;
+
+/// The sides of its switches on which a system is computed: fixed, as during a run, or free, which is as its state says.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
+pub struct Switches {
+    /// A bit for each switch whose side is fixed.
+    fixed: u64,
+    /// A bit for each of them that is on its positive side.
+    positive: u64,
+}
+
+impl Switches {
+    /// All of them free.
+    pub const FREE: Switches = Switches { fixed: 0, positive: 0 };
+
+    /// The side of each switch, 1 or −1: where it is fixed, and else the sign of its value.
+    #[inline]
+    pub fn signs<S: Scalar, const K: usize>(self, values: impl FnOnce() -> [S; K]) -> [S; K] {
+        if (0..K).all(|k| self.is_fixed(k)) {
+            return from_fn(|k| self.sign(k));
+        }
+        let values = values();
+        from_fn(|k| if self.is_fixed(k) { self.sign(k) } else { values[k].sign() })
+    }
+
+    fn is_fixed(self, k: usize) -> bool {
+        self.fixed >> k & 1 != 0
+    }
+
+    fn sign<S: Scalar>(self, k: usize) -> S {
+        if self.positive >> k & 1 != 0 { S::ONE } else { -S::ONE }
+    }
+
+    /// The same with the side of this switch fixed.
+    fn with(self, k: usize, is_positive: bool) -> Self {
+        let bit = 1 << k;
+        let positive = if is_positive { self.positive | bit } else { self.positive & !bit };
+        Switches { fixed: self.fixed | bit, positive }
+    }
+}
+
+/// A system with K switches. Emitted types implement it.
+pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
+    /// The index of the first of them among the declared events.
+    const FIRST: usize;
+    /// A bit for each switch that depends on time alone.
+    const TIMED: u64;
+
+    /// The sides on which it is computed.
+    fn switches(&self) -> Switches;
+
+    /// The same system on other sides.
+    #[must_use]
+    fn with_switches(&self, switches: Switches) -> Self;
+
+    /// The functions that vanish on the switches.
+    fn switch_values(&self, t: Self::Scalar, y: &Self::State) -> [Self::Scalar; K];
+
+    /// When each switch is passed, from its negative to its positive side, where that is known beforehand.
+    fn switch_times(&self) -> [Option<Self::Scalar>; K] {
+        [None; K]
+    }
+}
+
+/// The system on the sides on which a motion from this state starts. What is not finite there stays free.
+pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, y: &M::State) -> Option<M> {
+    let values = system.switch_values(t, y);
+    let fix = |switches: Switches, (k, value): (usize, M::Scalar)| match value.is_finite() {
+        true => switches.with(k, value >= M::Scalar::ZERO),
+        false => switches,
+    };
+    Some(system.with_switches(values.into_iter().enumerate().fold(Switches::FREE, fix)))
+}
+
+/// The system with its switches free.
+pub fn free_sides<M: SwitchedSystem<K>, const K: usize>(system: &M) -> M {
+    system.with_switches(Switches::FREE)
+}
+
+/// Writes the values of the events by which sides change, positive on the present sides.
+pub fn side_values<M: SwitchedSystem<K>, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    y: &M::State,
+    values: &mut [M::Scalar],
+) {
+    let (one, switches) = (M::Scalar::ONE, system.switches());
+    let size = y.as_ref().iter().fold(M::Scalar::ZERO, |size, entry| size.max(entry.abs()));
+    let width = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * size;
+    let found = system.switch_values(t, y);
+    for (k, (value, found)) in values[M::FIRST..].iter_mut().zip(found).enumerate() {
+        let width = if M::TIMED >> k & 1 != 0 { M::Scalar::ZERO } else { width };
+        *value = match (found.is_finite(), switches.is_fixed(k)) {
+            (true, true) => found.multiply_add(switches.sign(k), width),
+            // It has a side now.
+            (true, false) => -one,
+            // Where it is not defined, it either does not matter or shows in the rates.
+            (false, _) => one,
+        };
+    }
+}
+
+/// What comes of the event by which a side changes.
+///
+/// # Errors
+/// Never.
+pub fn change_side<M: SwitchedSystem<K>, const K: usize>(
+    system: &M,
+    event: usize,
+    t: M::Scalar,
+    y: &M::State,
+) -> Reacted<M> {
+    let (k, switches) = (event - M::FIRST, system.switches());
+    let is_positive = match switches.is_fixed(k) {
+        true => switches.positive >> k & 1 == 0,
+        false => system.switch_values(t, y)[k] >= M::Scalar::ZERO,
+    };
+    let system = Some(system.with_switches(switches.with(k, is_positive)));
+    Ok(Answer { system, ..Answer::new(Reaction::Continue) })
+}
+
+/// The next time after `t` and before `end`, which may lie before it, at which a switch is passed, as far as that is known beforehand.
+pub fn next_switch_time<M: SwitchedSystem<K>, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    end: M::Scalar,
+) -> Option<M::Scalar> {
+    let is_ahead = |time: &M::Scalar| if end < t { *time < t && *time > end } else { *time > t && *time < end };
+    let ahead = system.switch_times().into_iter().flatten().filter(is_ahead);
+    ahead.reduce(|one, other| if (other - t).abs() < (one - t).abs() { other } else { one })
+}

@@ -1,0 +1,252 @@
+//! Forces with jumps and kinks: none is missed, and methods keep their order.
+
+use lagrange::Simulate;
+use lagrange::event::{Direction, Switches};
+use lagrange::integrate::{
+    Cause, GaussLegendre4, ImplicitMidpoint, Method, RungeKutta4, StormerVerlet, Verner98, integrate,
+};
+
+lagrange::system! {
+    /// An oscillator that is pushed for a moment.
+    #[derive(Clone, Debug)]
+    struct Pushed;
+
+    param t0 = 20.0, dt = 0.05, f = 100.0;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = 1/2 * x^2;
+    force x = if t < t0 { 0 } else { if t < t0 + dt { f } else { 0 } };
+}
+
+/// The state after the push of an oscillator at rest.
+fn after_push(&Pushed { t0, dt, f, .. }: &Pushed, t: f64) -> [f64; 2] {
+    let since = t - t0;
+    [f * ((since - dt).cos() - since.cos()), f * (since.sin() - (since - dt).sin())]
+}
+
+#[test]
+fn a_push_shorter_than_a_step_is_not_missed() {
+    let pushed = Pushed::default();
+    for tolerance in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let run = pushed.simulate([0.0, 0.0]).until(40.0).every(0.25).tolerance(tolerance).run().unwrap();
+        for (&t, (&x, &v)) in run.times().iter().zip(run.x().iter().zip(run.x_dot())) {
+            let right = if t <= 20.0 { [0.0, 0.0] } else { after_push(&pushed, t) };
+            let error = (x - right[0]).abs() + (v - right[1]).abs();
+            assert!(error < 50.0 * tolerance + 1e-12, "{tolerance}, {t}: {x} {v}, {right:?}");
+        }
+        let plain = integrate(&pushed, 0.0, [0.0; 2], 40.0, &Verner98::tolerance(tolerance), |_, _| {});
+        assert!((plain.unwrap()[0] - after_push(&pushed, 40.0)[0]).abs() < 50.0 * tolerance + 1e-12);
+    }
+}
+
+#[test]
+fn an_event_at_the_jump_does_no_harm() {
+    let pushed = Pushed::default();
+    let run = pushed.simulate([0.0, 0.0]).until(40.0).event("jump", Direction::Rising, |s, t, _| t - s.t0);
+    let run = run.tolerance(1e-10).run().unwrap();
+    assert_eq!(run.events().len(), 1);
+    assert!((run.events()[0].time - 20.0).abs() < 1e-12);
+    assert!((run.last()[0] - after_push(&pushed, 40.0)[0]).abs() < 1e-8);
+}
+
+#[test]
+fn a_push_is_undone_backwards() {
+    let pushed = Pushed::default();
+    let end = after_push(&pushed, 40.0);
+    let run = pushed.simulate(end).from(40.0).until(0.0).tolerance(1e-12).run().unwrap();
+    assert!(run.last().iter().all(|entry| entry.abs() < 1e-9), "{:?}", run.last());
+}
+
+lagrange::system! {
+    /// A mass between two springs, of which it touches one at a time.
+    #[derive(Clone, Debug)]
+    struct Bilinear;
+
+    param soft = 1.0, hard = 4.0;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = if x < 0 { 1/2 * soft * x^2 } else { 1/2 * hard * x^2 };
+    emit { momentum_rates, jacobian }
+}
+
+/// Starts at x = 0 with velocity 1: half a period on the hard spring, half a one on the soft one.
+fn bilinear(t: f64) -> [f64; 2] {
+    let (hard, soft) = (std::f64::consts::PI / 2.0, std::f64::consts::PI);
+    let since = t % (hard + soft);
+    match since < hard {
+        true => [(2.0 * since).sin() / 2.0, (2.0 * since).cos()],
+        false => [-(since - hard).sin(), -(since - hard).cos()],
+    }
+}
+
+/// The power of the step with which the error falls, from h to h/8.
+fn order<K: Method<Bilinear>>(method: impl Fn(f64) -> K) -> f64 {
+    let error = |h: f64| {
+        let end = integrate(&Bilinear::default(), 0.0, [0.0, 1.0], 31.0, &method(h), |_, _| {}).unwrap();
+        let right = bilinear(31.0);
+        (end[0] - right[0]).hypot(end[1] - right[1])
+    };
+    (error(0.05) / error(0.00625)).log2() / 3.0
+}
+
+#[test]
+fn methods_keep_their_order_across_jumps_of_the_stiffness() {
+    let orders = [
+        ("RK4", order(|step| RungeKutta4 { step }), 4.0),
+        ("Gauss 4", order(|step| GaussLegendre4 { step }), 4.0),
+        ("midpoint", order(|step| ImplicitMidpoint { step }), 2.0),
+        ("Störmer–Verlet", order(|step| StormerVerlet { step }), 2.0),
+    ];
+    for (name, found, expected) in orders {
+        assert!((found - expected).abs() < 0.3, "{name}: {found}");
+    }
+}
+
+lagrange::system! {
+    /// A block on a rough belt, written with the sign of its slip velocity.
+    #[derive(Clone, Debug)]
+    struct Rubbed;
+
+    param k = 1.0, mu = 0.3;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = 1/2 * k * x^2;
+    force x = -mu * sign(dot(x));
+}
+
+#[test]
+fn a_state_that_slides_along_a_switch_is_told_of_friction() {
+    let rubbed = Rubbed::default();
+    let error = rubbed.simulate([1.0, 0.0]).until(20.0).tolerance(1e-10).run().unwrap_err();
+    assert!(matches!(error.cause, Cause::Slides { surface: "`dot(x)` in `force x`" }), "{error}");
+    let text = error.to_string();
+    assert!(text.contains("`dot(x)` in `force x`") && text.contains("friction name ="), "{text}");
+    // It turns at 1, −0.4 and then stays at −0.2: after two halves of a period.
+    let [x, v] = error.trajectory.last();
+    assert!((x + 0.2).abs() < 1e-9 && v.abs() < 1e-9, "{x} {v}");
+    assert!((error.trajectory.times().last().unwrap() - 2.0 * std::f64::consts::PI).abs() < 1e-8);
+    assert!(error.trajectory.work().steps < 200, "{}", error.trajectory.work().steps);
+    let rk4 = rubbed.simulate([1.0, 0.0]).until(20.0).method(RungeKutta4 { step: 0.01 }).run().unwrap_err();
+    assert!(matches!(rk4.cause, Cause::Slides { .. }), "{rk4}");
+}
+
+lagrange::system! {
+    /// A bead that is drawn to the origin by a constant force.
+    #[derive(Clone, Debug)]
+    struct Valley;
+
+    param slope = 2.0;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    potential = slope * abs(x) + max(y, -y);
+    output height = abs(x);
+    reduce Flat { freeze y = 0; }
+}
+
+#[test]
+fn kinks_of_magnitudes_and_extrema_are_passed_in_order() {
+    // From x = 1 it falls for a second, from y = −2 for two: periods of 4 s and 8 s.
+    let valley = Valley::default();
+    let run = valley.simulate([1.0, -2.0, 0.0, 0.0]).until(400.0).tolerance(1e-11).energy().run().unwrap();
+    let [x, y, vx, vy] = run.last();
+    assert!((x - 1.0).abs() + vx.abs() < 1e-8, "{x} {vx}");
+    assert!((y + 2.0).abs() + vy.abs() < 1e-8, "{y} {vy}");
+    assert!(run.column("energy").unwrap().iter().all(|energy| (energy - 4.0).abs() < 1e-9));
+    // 300 passages, after each of which steps grow again.
+    assert!(run.work().steps < 2000, "{}", run.work().steps);
+    let flat = Flat::from(&valley);
+    let end = flat.simulate([1.0, 0.0]).until(400.0).tolerance(1e-11).run().unwrap().last();
+    assert!((end[0] - 1.0).abs() < 1e-8);
+}
+
+#[test]
+fn what_is_looked_at_has_its_switches_free() {
+    let valley = Valley::default();
+    let run = valley.simulate([1.0, -2.0, 0.0, 0.0]).until(1.5).accelerations().run().unwrap();
+    let system = run.system_at_end().unwrap();
+    assert_eq!(system.switches, Switches::FREE);
+    assert_eq!(system.acceleration(0.0, &[0.5, 0.5], &[0.0; 2]), [-2.0, -1.0]);
+    assert_eq!(system.acceleration(0.0, &[-0.5, -0.5], &[0.0; 2]), [2.0, 1.0]);
+    assert_eq!(system.acceleration(0.0, &[0.0, 0.0], &[0.0; 2]), [0.0, 1.0]);
+    let jumps = run.column("x_ddot").unwrap();
+    assert!(jumps.contains(&-2.0) && jumps.contains(&2.0));
+}
+
+lagrange::system! {
+    /// A body that falls in air whose drag grows with the square of the velocity.
+    #[derive(Clone, Debug)]
+    struct Falling;
+
+    param c = 0.1, g = 9.81;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    potential = g * y;
+    force x = -c * abs(dot(x)) * dot(x);
+    force y = -c * abs(dot(y)) * dot(y);
+}
+
+#[test]
+fn drag_at_rest_and_along_what_does_not_move_costs_nothing() {
+    let falling = Falling::default();
+    let run = falling.simulate([0.0; 4]).until(3.0).tolerance(1e-12).run().unwrap();
+    let terminal = (falling.g / falling.c).sqrt();
+    let [x, y, vx, vy] = run.last();
+    let tau = terminal / falling.g;
+    assert_eq!([x, vx], [0.0; 2]);
+    assert!((vy + terminal * (3.0 / tau).tanh()).abs() < 1e-10);
+    assert!((y + terminal * tau * (3.0 / tau).cosh().ln()).abs() < 1e-10);
+    assert!(run.work().steps < 40, "{}", run.work().steps);
+    // Thrown up it stops at a time known in closed form.
+    let up = falling.simulate([0.0, 0.0, 0.0, 20.0]).until(5.0).tolerance(1e-12);
+    let up = up.event("top", Direction::Falling, |_, _, y| y[3]).run().unwrap();
+    assert!((up.events()[0].time - tau * (20.0 / terminal).atan()).abs() < 1e-11);
+}
+
+lagrange::system! {
+    /// A force that is not even defined where it does not act.
+    #[derive(Clone, Debug)]
+    struct Guarded;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    force x = if x > 0 { if ln(x) > 0 { -1 } else { -2 } } else { 0 };
+}
+
+#[test]
+fn conditions_within_branches_may_be_undefined_elsewhere() {
+    // From x = 1/2 with velocity 2: v² falls by 4 per length to x = 1 and then by 2: it turns at x = 2.
+    let guarded = Guarded::default();
+    let run = guarded.simulate([0.5, 2.0]).until(8.0).tolerance(1e-11);
+    let run = run.event("turn", Direction::Falling, |_, _, y| y[1]).run().unwrap();
+    assert_eq!(run.events().len(), 1);
+    assert!((run.events()[0].state[0] - 2.0).abs() < 1e-9, "{:?}", run.events()[0]);
+    // Back at x = 0 it has v² = 2 + 4, and keeps it.
+    assert!((run.last()[1] + 6.0_f64.sqrt()).abs() < 1e-9);
+}
+
+lagrange::system! {
+    /// An oscillator under a square wave.
+    #[derive(Clone, Debug)]
+    struct Switched<S>;
+
+    param w = 5.0;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = 1/2 * x^2;
+    force x = sign(sin(w * t));
+}
+
+#[test]
+fn a_square_wave_switches_in_every_half_period() {
+    // x is 1 − cos t and what each change of the force by ∓2 at t_k adds, ∓2 (1 − cos(t − t_k)).
+    let right = |t: f64| {
+        let jumps = (1..).map(|k| f64::from(k) * std::f64::consts::PI / 5.0).take_while(|&time| time < t);
+        let response = |since: f64| 1.0 - since.cos();
+        let changes = jumps.enumerate().map(|(k, time)| [-2.0, 2.0][k % 2] * response(t - time));
+        response(t) + changes.sum::<f64>()
+    };
+    let run = Switched::<f64>::default().simulate([0.0, 0.0]).until(20.0).every(0.5).tolerance(1e-10).run().unwrap();
+    for (&t, &x) in run.times().iter().zip(run.x()) {
+        assert!((x - right(t)).abs() < 1e-7, "{t}: {x} {}", right(t));
+    }
+}
