@@ -80,6 +80,14 @@ pub trait OdeSystem {
         None
     }
 
+    /// The first time after `t` on the way to `end` at which the right-hand side jumps or is not smooth, if that is known
+    /// beforehand: runs end a step there and start another one, none of whose evaluations is made at that very time. `end` may
+    /// lie before `t`; only a time between the two counts.
+    #[inline]
+    fn next_restart(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self::Scalar> {
+        None
+    }
+
     /// Whether states must satisfy something beside the equations, to which [`correct`](Self::correct) brings them.
     const IS_CONSTRAINED: bool = false;
 

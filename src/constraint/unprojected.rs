@@ -33,6 +33,11 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
     }
 
     #[inline]
+    fn next_restart(&self, t: M::Scalar, end: M::Scalar) -> Option<M::Scalar> {
+        self.0.next_restart(t, end)
+    }
+
+    #[inline]
     fn admit(&self, t: M::Scalar, y: &mut M::State) -> Result<(), Cause<M::Scalar>> {
         self.0.admit(t, y)
     }

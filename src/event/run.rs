@@ -5,7 +5,7 @@ use super::declared::Answer;
 use super::direction::Direction;
 use super::lookout::{Declarations, Lookout, is_forwards};
 use super::watch::{Occurrence, Watch, is_at_once};
-use crate::integrate::{Cause, IntegrationError, Method, Outcome, Stepper};
+use crate::integrate::{Cause, IntegrationError, Method, Outcome, Restarts, Stepper};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, Reacted};
 
@@ -126,12 +126,14 @@ where
     let current = switched.as_ref().unwrap_or(system);
     let mut stepper = method.start(current, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
     let mut events = Events { declared: Declarations::new(current, t0, stepper.state()), given };
+    let mut restarts = Restarts::new(t0, t_end, &[]);
     observe(t0, stepper.state());
     while stepper.time() != t_end {
         let current = switched.as_ref().unwrap_or(system);
-        stepper.step(current, t_end).map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
+        let stepped = restarts.step(current, &mut stepper);
+        stepped.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         let Some((time, state, course)) = events.turn(current, &mut stepper)? else {
-            observe(stepper.time(), stepper.state());
+            observe(restarts.time(&stepper), stepper.state());
             continue;
         };
         observe(time, &state);

@@ -3,6 +3,7 @@
 use crate::event::integrate_declared;
 use crate::integrate::error::{Cause, IntegrationError, Outcome};
 use crate::integrate::method::{Method, Stepper};
+use crate::integrate::restarts::Restarts;
 use crate::system::OdeSystem;
 
 /// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
@@ -57,10 +58,12 @@ where
     }
     let failed = |cause: Cause<M::Scalar>, time, state| IntegrationError { cause, time, state };
     let mut stepper = method.start(system, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
+    let mut restarts = Restarts::new(t0, t_end, &[]);
     observe(t0, stepper.state());
     while stepper.time() != t_end {
-        stepper.step(system, t_end).map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
-        observe(stepper.time(), stepper.state());
+        let stepped = restarts.step(system, &mut stepper);
+        stepped.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
+        observe(restarts.time(&stepper), stepper.state());
     }
     Ok(*stepper.state())
 }

@@ -45,6 +45,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
             sampling: Sampling::EveryStep,
             is_dense: false,
             max_steps: None,
+            restarts: Vec::new(),
             observers: Vec::new(),
             watchers: Vec::new(),
             reporter: None,
@@ -87,6 +88,7 @@ pub struct Simulation<'a, M: MechanicalSystem, K> {
     pub(super) sampling: Sampling<M::Scalar>,
     pub(super) is_dense: bool,
     pub(super) max_steps: Option<u64>,
+    pub(super) restarts: Vec<M::Scalar>,
     pub(super) observers: Vec<Observer<'a, M>>,
     pub(super) watchers: Vec<Watcher<'a, M>>,
     pub(super) reporter: Option<Reporter<'a, M::Scalar>>,
@@ -145,6 +147,7 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
             sampling: self.sampling,
             is_dense: self.is_dense,
             max_steps: self.max_steps,
+            restarts: self.restarts,
             observers: self.observers,
             watchers: self.watchers,
             reporter: self.reporter,
@@ -275,6 +278,15 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
     /// hundred million; others have none.
     pub fn max_steps(self, limit: u64) -> Self {
         Simulation { max_steps: Some(limit), ..self }
+    }
+
+    /// Ends a step at each of these times and starts another one there, for a force that jumps or has a kink at times known
+    /// beforehand. Times that are not between start and end do nothing; further ones may be added by asking again.
+    ///
+    /// No evaluation is made at such a time itself, so that it does not matter on which side of it a jump is defined to be.
+    pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
+        self.restarts.extend(times);
+        self
     }
 
     /// Calls back about 200 times during the run, as for a progress bar.

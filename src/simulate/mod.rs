@@ -28,6 +28,7 @@
 //! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
 //! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`observe`](Simulation::observe) anything |
 //! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |
+//! | name times at which forces jump | [`restart_at`](Simulation::restart_at) |
 //! | set limits, see progress | [`max_steps`](Simulation::max_steps), [`progress`](Simulation::progress), which can also cancel |
 //! | read | columns by name, [`state`](Trajectory::state), [`iter`](Trajectory::iter), [`at`](Trajectory::at), [`events`](Trajectory::events), [`work`](Trajectory::work) |
 //! | save | [`save_csv`](Trajectory::save_csv); `save_parquet` with the feature `parquet` |

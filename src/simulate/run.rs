@@ -1,11 +1,14 @@
 //! The run itself: steps, and what happens in them.
 
 use std::boxed::Box;
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
+use std::vec::Vec;
 
 use crate::event::{Course, is_forwards};
-use crate::integrate::{Cause, Method, Stepper};
+use crate::integrate::{Cause, Method, Restarts, Stepper};
+use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::dense::Dense;
 use crate::simulate::error::SimulationError;
@@ -29,11 +32,13 @@ where
     let (switched, begun) = begun.map_or_else(|cause| (None, Err(cause)), |switched| (switched, Ok(())));
     let mut record = Record::new((system, switched), simulation.observers, dense, start);
     let prepared = check_names(&record).and_then(|()| record.choose(simulation.sampling, end));
-    let result = prepared.and(begun).and_then(|()| {
+    let times = in_order(simulation.restarts, start.0, end);
+    let result = prepared.and(begun).and(times).and_then(|times| {
         let stepper = method.start(record.system(), start.0, &start.1, end)?;
         let watchers = Watchers::new(simulation.watchers, record.system(), (start.0, &start.1));
         let max_steps = simulation.max_steps.unwrap_or(u64::MAX);
-        let mut run = Run { stepper, watchers, end, max_steps, reporter: simulation.reporter };
+        let restarts = Restarts::new(start.0, end, &times);
+        let mut run = Run { stepper, restarts, watchers, end, max_steps, reporter: simulation.reporter };
         let result = run.follow(&mut record);
         record.work = run.stepper.work();
         result
@@ -55,6 +60,18 @@ fn admitted<M: MechanicalSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (
     }
 }
 
+/// Times of restart in the order in which a run from `start` to `end` meets them.
+fn in_order<S: Scalar>(mut times: Vec<S>, start: S, end: S) -> Result<Vec<S>, Cause<S>> {
+    if !times.iter().all(|time| time.is_finite()) {
+        return Err(Cause::Setting("times of restart must be finite"));
+    }
+    times.sort_by(|one, other| one.partial_cmp(other).unwrap_or(Ordering::Equal));
+    if end < start {
+        times.reverse();
+    }
+    Ok(times)
+}
+
 fn check_names<M: MechanicalSystem>(record: &Record<'_, M>) -> Result<(), Cause<M::Scalar>> {
     let names = record.names();
     if names.iter().collect::<BTreeSet<_>>().len() < names.len() {
@@ -67,15 +84,16 @@ fn check_names<M: MechanicalSystem>(record: &Record<'_, M>) -> Result<(), Cause<
 }
 
 /// A run in progress. The record knows the system as it is at present.
-struct Run<'a, M: MechanicalSystem, T> {
+struct Run<'a, 'r, M: MechanicalSystem, T> {
     stepper: T,
+    restarts: Restarts<'r, M::Scalar>,
     watchers: Watchers<'a, M>,
     end: M::Scalar,
     max_steps: u64,
     reporter: Option<Reporter<'a, M::Scalar>>,
 }
 
-impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
+impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
     /// Steps to the end, keeping what is asked for.
     fn follow(&mut self, record: &mut Record<'a, M>) -> Result<Ending, Cause<M::Scalar>> {
         while self.stepper.time() != self.end {
@@ -83,7 +101,7 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
             if work.steps + work.rejections >= self.max_steps {
                 return Err(Cause::TooManySteps { limit: self.max_steps });
             }
-            self.stepper.step(record.system(), self.end)?;
+            self.restarts.step(record.system(), &mut self.stepper)?;
             if self.react(record)?.is_break() {
                 return Ok(Ending::Stopped);
             }
@@ -118,7 +136,7 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, M, T> {
             }
             return Ok(ControlFlow::Continue(()));
         }
-        let (time, state) = (self.stepper.time(), *self.stepper.state());
+        let (time, state) = (self.restarts.time(&self.stepper), *self.stepper.state());
         record.keep(&mut self.stepper, time, &state);
         Ok(ControlFlow::Continue(()))
     }

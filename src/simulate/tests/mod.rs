@@ -7,6 +7,7 @@ mod limits;
 mod observers;
 #[cfg(feature = "plot")]
 mod plots;
+mod restarts;
 mod sampling;
 
 use crate::integrate::RungeKutta4;

@@ -1,0 +1,100 @@
+//! Times at which a step ends and a new one starts.
+//!
+//! A right-hand side that jumps, or whose derivatives do, at a time known beforehand is integrated up to that time and from
+//! there on. The methods themselves know nothing of it: each step is limited, and the method restarted from the state that it
+//! reached. Steps end two roundings of time before the jump and start two after it, so that every evaluation lies on one side
+//! of it, wherever its definition puts the instant itself.
+
+use crate::integrate::error::Cause;
+use crate::integrate::method::Stepper;
+use crate::scalar::Scalar;
+use crate::system::OdeSystem;
+
+/// Steps keep so many roundings of time away from a restart.
+const ROUNDINGS: f64 = 2.0;
+
+/// Restarts of a run: at the times that were given, and at those that the system names.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Restarts<'a, S> {
+    end: S,
+    is_backwards: bool,
+    /// In the order in which the run meets them.
+    given: &'a [S],
+    /// The one that the last step ended at, if it did.
+    due: Option<Restart<S>>,
+}
+
+/// A time of restart with the end of the step before it and the start of the step after it.
+#[derive(Clone, Copy, Debug)]
+struct Restart<S> {
+    before: S,
+    at: S,
+    after: S,
+}
+
+impl<'a, S: Scalar> Restarts<'a, S> {
+    /// Those of a run between these times, with `given` times in the order in which it meets them.
+    pub(crate) fn new(start: S, end: S, given: &'a [S]) -> Self {
+        Restarts { end, is_backwards: end < start, given, due: None }
+    }
+
+    /// Takes one step towards the end, to the next restart at most; restarts the method before it where that is due.
+    ///
+    /// What lies within the last step can be asked for until the next one is taken.
+    ///
+    /// # Errors
+    /// As [`Stepper::step`] and [`Stepper::restart`].
+    pub(crate) fn step<M>(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Result<(), Cause<S>>
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        if let Some(restart) = self.due_at(stepper.time()) {
+            let state = *stepper.state();
+            stepper.restart(system, restart.after, &state)?;
+        }
+        self.due = self.next(system, stepper.time());
+        stepper.step(system, self.due.map_or(self.end, |restart| restart.before))
+    }
+
+    /// The time that was reached: that of the restart if the last step ended there.
+    pub(crate) fn time<M>(&self, stepper: &impl Stepper<M>) -> S
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        self.due_at(stepper.time()).map_or(stepper.time(), |restart| restart.at)
+    }
+
+    /// The restart that is due where this time was reached.
+    fn due_at(&self, t: S) -> Option<Restart<S>> {
+        self.due.filter(|restart| restart.before == t)
+    }
+
+    /// The first restart after `t`.
+    fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S) -> Option<Restart<S>> {
+        let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
+        let given = self.given[past..].iter().find_map(|time| self.between(t, *time));
+        let named = system.next_restart(t, self.end).and_then(|time| self.between(t, time));
+        match (given, named) {
+            (Some(given), Some(named)) if self.is_ahead(given.at, named.at) => Some(given),
+            (given, None) => given,
+            (_, named) => named,
+        }
+    }
+
+    /// A restart at `at` on the way from `t`, if there is room for a step on both sides of it.
+    fn between(&self, t: S, at: S) -> Option<Restart<S>> {
+        let rounding = S::from_f64(ROUNDINGS) * S::epsilon() * t.abs().max(at.abs());
+        let gap = if self.is_backwards { -rounding } else { rounding };
+        let restart = Restart { before: at - gap, at, after: at + gap };
+        let has_room = self.is_ahead(t, restart.before) && self.is_ahead(restart.after, self.end);
+        has_room.then_some(restart)
+    }
+
+    /// Whether the run meets `later` after `time`; not so if one of them is NaN.
+    fn is_ahead(&self, time: S, later: S) -> bool {
+        if self.is_backwards { later < time } else { time < later }
+    }
+}
+
+#[cfg(test)]
+mod tests;
