@@ -88,6 +88,15 @@ pub trait OdeSystem {
         None
     }
 
+    /// The system as it goes on towards `end` from a time that [`next_restart`](Self::next_restart) named; `None` if it is the same.
+    #[inline]
+    fn beyond(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// Whether states must satisfy something beside the equations, to which [`correct`](Self::correct) brings them.
     const IS_CONSTRAINED: bool = false;
 

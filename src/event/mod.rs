@@ -30,7 +30,7 @@ pub(crate) use self::lookout::{Declarations, Lookout, is_forwards};
 pub(crate) use self::run::integrate_declared;
 pub use self::run::{Reaction, integrate_with_events};
 pub use self::switches::{
-    SwitchedSystem, Switches, change_side, choose_sides, free_sides, next_switch_time, side_values,
+    SwitchedSystem, Switches, beyond, change_side, choose_sides, free_sides, next_switch_time, side_values,
 };
 #[cfg(feature = "std")]
 pub(crate) use self::watch::is_at_once;

@@ -130,6 +130,10 @@ where
     observe(t0, stepper.state());
     while stepper.time() != t_end {
         let current = switched.as_ref().unwrap_or(system);
+        let resumed = restarts.resume(current, &mut stepper);
+        let resumed = resumed.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
+        switched = resumed.or(switched);
+        let current = switched.as_ref().unwrap_or(system);
         let stepped = restarts.step(current, &mut stepper);
         stepped.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         let Some((time, state, course)) = events.turn(current, &mut stepper)? else {

@@ -85,7 +85,11 @@ pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
 }
 
 /// The system on the sides on which a motion from this state starts. What is not finite there stays free.
-pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, y: &M::State) -> Option<M> {
+pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    y: &M::State,
+) -> Option<M> {
     let values = system.switch_values(t, y);
     let fix = |switches: Switches, (k, value): (usize, M::Scalar)| match value.is_finite() {
         true => switches.with(k, value >= M::Scalar::ZERO),
@@ -141,13 +145,23 @@ pub fn change_side<M: SwitchedSystem<K>, const K: usize>(
     Ok(Answer { system, ..Answer::new(Reaction::Continue) })
 }
 
+/// The system on the sides on which it goes on from `t` towards `end`, if `t` is a time at which a switch is passed.
+pub fn beyond<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, end: M::Scalar) -> Option<M> {
+    let times = system.switch_times();
+    let passed = (0..K).filter(|&k| times[k] == Some(t));
+    let before = system.switches();
+    let after = passed.fold(before, |switches, k| switches.with(k, end > t));
+    (after != before).then(|| system.with_switches(after))
+}
+
 /// The next time after `t` and before `end`, which may lie before it, at which a switch is passed, as far as that is known beforehand.
 pub fn next_switch_time<M: SwitchedSystem<K>, const K: usize>(
     system: &M,
     t: M::Scalar,
     end: M::Scalar,
 ) -> Option<M::Scalar> {
-    let is_ahead = |time: &M::Scalar| if end < t { *time < t && *time > end } else { *time > t && *time < end };
+    let is_ahead =
+        |time: &M::Scalar| if end < t { *time < t && *time > end } else { *time > t && *time < end };
     let ahead = system.switch_times().into_iter().flatten().filter(is_ahead);
     ahead.reduce(|one, other| if (other - t).abs() < (one - t).abs() { other } else { one })
 }

@@ -2,8 +2,8 @@
 //!
 //! A right-hand side that jumps, or whose derivatives do, at a time known beforehand is integrated up to that time and from
 //! there on. The methods themselves know nothing of it: each step is limited, and the method restarted from the state that it
-//! reached. Steps end two roundings of time before the jump and start two after it, so that every evaluation lies on one side
-//! of it, wherever its definition puts the instant itself.
+//! reached. A system with sides fixed goes on from that very time, on another side. Otherwise steps end two roundings of time before
+//! the jump and start two after it, so that every evaluation lies on one side of it, wherever its definition puts the instant itself.
 
 use crate::integrate::error::Cause;
 use crate::integrate::method::Stepper;
@@ -38,20 +38,30 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         Restarts { end, is_backwards: end < start, given, due: None }
     }
 
-    /// Takes one step towards the end, to the next restart at most; restarts the method before it where that is due.
+    /// Restarts the method where that is due, before a step; the system that goes on from there, if it is another one.
+    ///
+    /// # Errors
+    /// As [`Stepper::restart`].
+    pub(crate) fn resume<M>(&self, system: &M, stepper: &mut impl Stepper<M>) -> Result<Option<M>, Cause<S>>
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        let Some(restart) = self.due_at(stepper.time()) else { return Ok(None) };
+        let (other, state) = (system.beyond(restart.at, self.end), *stepper.state());
+        stepper.restart(other.as_ref().unwrap_or(system), restart.after, &state)?;
+        Ok(other)
+    }
+
+    /// Takes one step towards the end, to the next restart at most.
     ///
     /// What lies within the last step can be asked for until the next one is taken.
     ///
     /// # Errors
-    /// As [`Stepper::step`] and [`Stepper::restart`].
+    /// As [`Stepper::step`].
     pub(crate) fn step<M>(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Result<(), Cause<S>>
     where
         M: OdeSystem<Scalar = S>,
     {
-        if let Some(restart) = self.due_at(stepper.time()) {
-            let state = *stepper.state();
-            stepper.restart(system, restart.after, &state)?;
-        }
         self.due = self.next(system, stepper.time());
         stepper.step(system, self.due.map_or(self.end, |restart| restart.before))
     }
@@ -72,8 +82,11 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     /// The first restart after `t`.
     fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S) -> Option<Restart<S>> {
         let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
-        let given = self.given[past..].iter().find_map(|time| self.between(t, *time));
-        let named = system.next_restart(t, self.end).and_then(|time| self.between(t, time));
+        let given = self.given[past..].iter().find_map(|time| self.between(t, *time, ROUNDINGS));
+        let named = system.next_restart(t, self.end).and_then(|time| {
+            let is_on_sides = system.beyond(time, self.end).is_some();
+            self.between(t, time, if is_on_sides { 0.0 } else { ROUNDINGS })
+        });
         match (given, named) {
             (Some(given), Some(named)) if self.is_ahead(given.at, named.at) => Some(given),
             (given, None) => given,
@@ -81,9 +94,9 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         }
     }
 
-    /// A restart at `at` on the way from `t`, if there is room for a step on both sides of it.
-    fn between(&self, t: S, at: S) -> Option<Restart<S>> {
-        let rounding = S::from_f64(ROUNDINGS) * S::epsilon() * t.abs().max(at.abs());
+    /// A restart at `at` on the way from `t`, with so many roundings of time on both sides of it, if there is room for steps, too.
+    fn between(&self, t: S, at: S, roundings: f64) -> Option<Restart<S>> {
+        let rounding = S::from_f64(roundings) * S::epsilon() * t.abs().max(at.abs());
         let gap = if self.is_backwards { -rounding } else { rounding };
         let restart = Restart { before: at - gap, at, after: at + gap };
         let has_room = self.is_ahead(t, restart.before) && self.is_ahead(restart.after, self.end);

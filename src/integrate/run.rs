@@ -59,9 +59,14 @@ where
     let failed = |cause: Cause<M::Scalar>, time, state| IntegrationError { cause, time, state };
     let mut stepper = method.start(system, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
     let mut restarts = Restarts::new(t0, t_end, &[]);
+    let mut switched = None;
     observe(t0, stepper.state());
     while stepper.time() != t_end {
-        let stepped = restarts.step(system, &mut stepper);
+        let current = switched.as_ref().unwrap_or(system);
+        let resumed = restarts.resume(current, &mut stepper);
+        let resumed = resumed.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
+        switched = resumed.or(switched);
+        let stepped = restarts.step(switched.as_ref().unwrap_or(system), &mut stepper);
         stepped.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         observe(restarts.time(&stepper), stepper.state());
     }

@@ -72,8 +72,10 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
 
     /// Goes on with this system, if it is another one.
     pub(super) fn switch(&mut self, system: Option<M>) {
-        self.switched = system.or(self.switched.take());
-        self.freed = self.switched.as_ref().and_then(M::freed);
+        if let Some(system) = system {
+            self.freed = system.freed();
+            self.switched = Some(system);
+        }
     }
 
     /// The names of the columns.

@@ -101,6 +101,8 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
             if work.steps + work.rejections >= self.max_steps {
                 return Err(Cause::TooManySteps { limit: self.max_steps });
             }
+            let resumed = self.restarts.resume(record.system(), &mut self.stepper)?;
+            record.switch(resumed);
             self.restarts.step(record.system(), &mut self.stepper)?;
             if self.react(record)?.is_break() {
                 return Ok(Ending::Stopped);

@@ -122,7 +122,8 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             pub scalar: ::core::marker::PhantomData<#scalar>,
         }
     });
-    let fields = [fields, mode_fields(shape)].into_iter().chain(switches_declaration(shape)).collect::<TokenStream>();
+    let fields =
+        [fields, mode_fields(shape)].into_iter().chain(switches_declaration(shape)).collect::<TokenStream>();
     let body = match fields.is_empty() && marker.is_none() {
         true => quote!(;),
         false => quote!({ #fields #marker }),

@@ -52,7 +52,8 @@ impl Writer<'_> {
         let values = switches.iter().map(|switch| switch.value).collect::<Vec<_>>();
         let times = switches.iter().map(|switch| switch.time).collect::<Vec<_>>();
         let returns = Returns::Vector(values.len());
-        let (body, _) = self.lowered_as_declared(&values, Arguments::State, |results| returns.collect(results));
+        let (body, _) =
+            self.lowered_as_declared(&values, Arguments::State, |results| returns.collect(results));
         self.push_hidden("switch_functions", returns, &body);
         let (krate, field) = (self.shape.krate, self.shape.switches_field());
         let ArgumentNames { time, positions, velocities, .. } = &self.names;
@@ -143,6 +144,9 @@ pub(super) fn timed_members(shape: &Shape<'_>, parts: &Parts) -> Option<TokenStr
         quote! {
             fn next_restart(&self, #time: #scalar, #end: #scalar) -> #option<#scalar> {
                 #krate::event::next_switch_time(self, #time, #end)
+            }
+            fn beyond(&self, #time: #scalar, #end: #scalar) -> #option<Self> {
+                #krate::event::beyond(self, #time, #end)
             }
         }
     })

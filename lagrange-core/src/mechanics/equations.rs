@@ -145,11 +145,13 @@ impl Equations {
     fn of_motion(&self, model: &Model) -> Vec<ExprId> {
         let (constraints, reactions) = (&self.constraints, &self.reactions);
         let vectors = [&self.accelerations, &self.forcing, &constraints.multipliers, &constraints.drifts];
-        let vectors = vectors.into_iter().chain([&constraints.correction, &reactions.multipliers, &reactions.drifts]);
+        let vectors =
+            vectors.into_iter().chain([&constraints.correction, &reactions.multipliers, &reactions.drifts]);
         let matrices = [&self.mass_matrix, &constraints.jacobian, &reactions.responses, &reactions.rows];
         let limits = reactions.kinetic.iter().chain(&reactions.fixed);
         let rates = self.momentum_rates.iter().chain(&self.free_momentum_rates).flatten();
-        let mut roots = vectors.chain(matrices.into_iter().flatten()).flatten().chain(rates).copied().collect::<Vec<_>>();
+        let mut roots =
+            vectors.chain(matrices.into_iter().flatten()).flatten().chain(rates).copied().collect::<Vec<_>>();
         roots.extend(limits.flat_map(|limit| limit.slopes.iter().chain([&limit.free])));
         roots.extend(model.reactions.iter().map(|reaction| reaction.velocity));
         roots
