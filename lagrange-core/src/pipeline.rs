@@ -217,6 +217,7 @@ fn emit(
     let refused = |refusal: &Refusal| emit::report_refusal(declaration, refusal, report);
     let Emitted { items, size } = emitted.inspect_err(refused).ok()?;
     emit::report_cost(declaration, size, report);
+    emit::report_unlocated(declaration, equations, report);
     Some(items)
 }
 

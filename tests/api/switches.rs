@@ -329,3 +329,91 @@ fn contacts_friction_and_events_go_with_switches() {
     assert!((wall.time - 0.5 - at_wall).abs() < 1e-9, "{} {}", wall.time, 0.5 + at_wall);
     assert!(run.events().iter().all(|event| ["floor", "wall", "rub"].contains(&event.name.as_str())));
 }
+
+lagrange::system! {
+    /// A body under forces that are constant in three strips and during a push.
+    #[derive(Clone, Debug)]
+    struct Strips;
+
+    param a1 = 1, a2 = 1, a3 = 1, b1 = 0, b2 = 1, t1 = 1, t2 = 2, f = 1;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    force x = if x < b1 { a1 } else if x < b2 { a2 } else { a3 };
+    force x = if t < t1 { 0 } else if t < t2 { f } else { 0 };
+}
+
+impl Strips {
+    /// The force in a strip and an interval of time, counted from zero.
+    fn force(&self, strip: usize, interval: usize) -> f64 {
+        [self.a1, self.a2, self.a3][strip] + [0.0, self.f, 0.0][interval]
+    }
+
+    /// The motion in parabolas; `None` where a border is touched so slowly that rounding decides.
+    fn parabolas(&self, [mut x, mut v]: [f64; 2], end: f64) -> Option<[f64; 2]> {
+        let (borders, times) = ([self.b1, self.b2], [self.t1, self.t2, end]);
+        let mut strip = borders.iter().filter(|border| x >= **border).count();
+        let (mut t, mut interval) = (0.0, 0);
+        loop {
+            let a = self.force(strip, interval);
+            let left = times[interval] - t;
+            let next = (0..2).filter(|side| (strip > 0 && *side == 0) || (strip < 2 && *side == 1));
+            let next = next.filter_map(|side| {
+                let border = borders[if side == 0 { strip - 1 } else { strip }];
+                let duration = first_time_at(border - x, v, a, side == 1)?;
+                (duration < left).then_some((duration, side, border))
+            });
+            match next.min_by(|one, other| one.0.total_cmp(&other.0)) {
+                Some((duration, side, border)) => {
+                    (x, v, t) = (border, v + a * duration, t + duration);
+                    if v.abs() < 0.05 || (times[interval] - t).abs() < 1e-3 {
+                        return None;
+                    }
+                    strip = if side == 0 { strip - 1 } else { strip + 1 };
+                }
+                None => {
+                    (x, v, t) = (x + v * left + 0.5 * a * left * left, v + a * left, times[interval]);
+                    interval += 1;
+                    if interval == 3 {
+                        return Some([x, v]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// When a parabola reaches a distance on its way up or down.
+fn first_time_at(distance: f64, v: f64, a: f64, upwards: bool) -> Option<f64> {
+    let discriminant = v * v + 2.0 * a * distance;
+    let speed = if upwards { discriminant.sqrt() } else { -discriminant.sqrt() };
+    // There v + a s is the speed.
+    let duration = if (v + speed).abs() > 1e-9 { 2.0 * distance / (v + speed) } else { (speed - v) / a };
+    (duration > 0.0).then_some(duration)
+}
+
+#[test]
+fn random_strips_and_pushes_are_passed_exactly() {
+    let mut seed = 20_u64;
+    let mut random = |from: f64, to: f64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * ((seed >> 11) as f64 / (1_u64 << 53) as f64)
+    };
+    let mut compared = 0;
+    for _ in 0..400 {
+        let [a1, a2, a3] = [0; 3].map(|_| random(-2.0, 2.0));
+        let (t1, b1) = (random(0.5, 3.0), random(-1.0, 1.0));
+        let (t2, b2, f) = (t1 + random(0.002, 2.0), b1 + random(0.3, 2.0), random(-9.0, 9.0));
+        let strips = Strips { a1, a2, a3, b1, b2, t1, t2, f, ..Strips::default() };
+        let start = [random(-2.0, 3.0), random(-2.0, 2.0)];
+        let Some(right) = strips.parabolas(start, 8.0) else { continue };
+        compared += 1;
+        let close =
+            |found: [f64; 2]| found.iter().zip(right).all(|(found, right)| (found - right).abs() < 1e-8);
+        let found = strips.simulate(start).until(8.0).tolerance(1e-9).run().unwrap().last();
+        assert!(close(found), "{strips:?} from {start:?}: {found:?} {right:?}");
+        // Parabolas are exact for it in steps of any length.
+        let found = integrate(&strips, 0.0, start, 8.0, &RungeKutta4 { step: 0.2 }, |_, _| {}).unwrap();
+        assert!(close(found), "{strips:?} from {start:?}: {found:?} {right:?}");
+    }
+    assert!(compared > 200, "{compared}");
+}

@@ -111,7 +111,6 @@ pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         ) -> #krate::system::Reacted<Self> {
             match #event {
                 #reactions
-                _ => ::core::result::Result::Ok(#krate::event::Answer::new(#krate::event::Reaction::Continue)),
             }
         }
         #begin
@@ -119,7 +118,7 @@ pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     }
 }
 
-/// An arm for each event that does more than go on.
+/// An arm for each event that does more than go on, and one for all others.
 fn reactions(shape: &Shape<'_>, parts: &Parts, event: &Ident) -> TokenStream {
     let (krate, state) = (shape.krate, &parts.names.state);
     let time = &parts.names.time;
@@ -141,10 +140,11 @@ fn reactions(shape: &Shape<'_>, parts: &Parts, event: &Ident) -> TokenStream {
         let index = length(*index);
         quote!(#index => #krate::contact::react(self, #index, #time, #state),)
     });
-    let first = length(shape.event_names().len());
-    let switches = (!shape.switches.is_empty())
-        .then(|| quote!(#first.. => #krate::event::change_side(self, #event, #time, #state),));
-    declared.chain(touching).chain(switches).collect()
+    let others = match shape.switches.is_empty() {
+        true => answer(quote!(Continue)),
+        false => quote!(#krate::event::change_side(self, #event, #time, #state)),
+    };
+    declared.chain(touching).chain([quote!(_ => #others,)]).collect()
 }
 
 fn begin(shape: &Shape<'_>, parts: &Parts) -> Option<TokenStream> {

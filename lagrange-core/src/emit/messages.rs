@@ -1,4 +1,4 @@
-//! What is said about systems that are hard to compile.
+//! What is said about systems that are hard to compile or to integrate.
 
 pub(super) fn expensive(size: usize, checking: f64, optimising: f64, bytes: f64) -> String {
     format!(
@@ -17,6 +17,16 @@ pub(super) fn hopeless(limit: usize) -> String {
         "this system takes more than {limit} operations, which no compiler gets through in reasonable time"
     )
 }
+
+pub(super) fn unlocated_switches(all: usize, room: usize) -> String {
+    format!(
+        "the equations of motion have jumps or kinks on {all} surfaces, of which runs can locate {room}: steps across the others \
+         lose the order of their method"
+    )
+}
+
+pub(super) const UNLOCATED_HELP: &str = "they come from `if`, `abs`, `sign`, `min` and `max`; smooth functions such as `tanh` or `sqrt(x^2 + e^2)` have none; \
+     `#[allow(deprecated)]` on the struct silences this warning";
 
 pub(super) fn smaller() -> &'static str {
     "leave out methods with `emit { no … }`, or compute forces between many bodies in a loop and hand them in as \

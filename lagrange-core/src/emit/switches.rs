@@ -4,18 +4,36 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::item::Parts;
+use super::messages;
 use super::method::{ArgumentNames, Arguments, Returns};
 use super::shape::{Shape, length, local};
 use super::state::state_variables;
 use super::system::Writer;
 use super::text;
+use crate::diagnostics::Report;
 use crate::expr::{Dependencies, ExprId, Graph};
 use crate::mechanics::{Equations, Switch, one_sided};
+use crate::syntax::ast::Declaration;
 
 /// The most events, switches among them, that runs can look for.
 const MOST_EVENTS: usize = 64;
 /// Surfaces with longer texts are not written out in messages.
 const LONGEST_SURFACE: usize = 60;
+
+/// Warns of switches beyond those that runs can look for.
+pub fn report_unlocated(declaration: &Declaration, equations: &Equations, report: &mut Report) {
+    let (all, room) =
+        (equations.switches.len(), room_for_switches(&Shape::new(declaration, &TokenStream::new())));
+    if all > room {
+        let message = messages::unlocated_switches(all, room);
+        report.doubtful(declaration.name.span, message).help(messages::UNLOCATED_HELP);
+    }
+}
+
+/// How many switches runs can look for beside the events of the declaration.
+fn room_for_switches(shape: &Shape<'_>) -> usize {
+    MOST_EVENTS.saturating_sub(shape.event_names().len())
+}
 
 /// What messages call the surface of a switch.
 fn surface_name(graph: &Graph, switch: &Switch) -> String {
@@ -84,8 +102,7 @@ impl Writer<'_> {
 impl Shape<'_> {
     /// The same with the switches whose sides runs can fix.
     pub(super) fn with_switches(mut self, graph: &Graph, equations: &Equations) -> Self {
-        let room = MOST_EVENTS - self.event_names().len().min(MOST_EVENTS);
-        let located = equations.switches.iter().take(room);
+        let located = equations.switches.iter().take(room_for_switches(&self));
         let with_state = Dependencies::COORDINATE | Dependencies::VELOCITY;
         for (k, switch) in located.enumerate() {
             self.switches.push(surface_name(graph, switch));

@@ -61,12 +61,10 @@ pub fn one_sided(graph: &mut Graph, switches: &[Switch], roots: &[ExprId]) -> Ha
     let mut image: HashMap<ExprId, ExprId> = HashMap::default();
     for id in graph.reachable(roots) {
         let map = |child: ExprId| image.get(&child).copied().unwrap_or(child);
-        let side = surface(graph, id, &[]).and_then(|Surface { value, is_opposite }| {
-            let side = *sides.get(&value)?;
-            Some(if is_opposite { graph.negate(side) } else { side })
-        });
+        let surface = surface(graph, id, &[]);
+        let side = surface.and_then(|surface| Some((*sides.get(&surface.value)?, surface.is_opposite)));
         let new = match side {
-            Some(side) => on_side(graph, id, side, map),
+            Some((side, is_opposite)) => on_side(graph, id, side, is_opposite, map),
             None => rebuild(graph, id, map),
         };
         image.insert(id, new);
@@ -74,22 +72,29 @@ pub fn one_sided(graph: &mut Graph, switches: &[Switch], roots: &[ExprId]) -> Ha
     image
 }
 
-/// A node that is not smooth, on this side of its surface.
-fn on_side(graph: &mut Graph, id: ExprId, side: ExprId, map: impl Fn(ExprId) -> ExprId) -> ExprId {
+/// A node that is not smooth, on this side of its surface, or on the opposite one.
+fn on_side(
+    graph: &mut Graph,
+    id: ExprId,
+    side: ExprId,
+    is_opposite: bool,
+    map: impl Fn(ExprId) -> ExprId,
+) -> ExprId {
     let zero = graph.number(0);
-    match graph.node(id).clone() {
-        Node::Call(Function::Abs, arguments) => graph.multiply(side, map(arguments[0])),
-        Node::Call(Function::Min, arguments) => {
-            graph.choose(Relation::Less, side, zero, map(arguments[0]), map(arguments[1]))
+    let (left, right) = if is_opposite { (zero, side) } else { (side, zero) };
+    let (relation, then, otherwise) = match graph.node(id).clone() {
+        Node::Call(Function::Min, arguments) => (Relation::Less, arguments[0], arguments[1]),
+        Node::Call(Function::Max, arguments) => (Relation::Less, arguments[1], arguments[0]),
+        Node::Choose { relation, then, otherwise, .. } => (relation, then, otherwise),
+        node => {
+            let sign = if is_opposite { graph.negate(side) } else { side };
+            return match node {
+                Node::Call(Function::Abs, arguments) => graph.multiply(sign, map(arguments[0])),
+                _ => sign,
+            };
         }
-        Node::Call(Function::Max, arguments) => {
-            graph.choose(Relation::Less, side, zero, map(arguments[1]), map(arguments[0]))
-        }
-        Node::Choose { relation, then, otherwise, .. } => {
-            graph.choose(relation, side, zero, map(then), map(otherwise))
-        }
-        _ => side,
-    }
+    };
+    graph.choose(relation, left, right, map(then), map(otherwise))
 }
 
 /// The surface on which a node is not smooth, if it has one that a motion may pass.
@@ -108,21 +113,24 @@ fn surface(graph: &mut Graph, id: ExprId, guards: &[ExprId]) -> Option<Surface> 
     may_pass.then(|| normalised(graph, difference))
 }
 
-/// The surface of a difference, the same for all its multiples: the time, or else the first term, has the coefficient one.
+/// The surface of a difference, the same for all its multiples: the time, or else the first term that moves, has the coefficient
+/// one.
 fn normalised(graph: &mut Graph, difference: ExprId) -> Surface {
-    let leading = match graph.node(difference) {
+    let (scale, core) = graph.split_coefficient(difference);
+    let leading = match graph.node(core) {
         Node::Sum { terms, .. } => {
+            let moves = |(term, _): &&(ExprId, Number)| !graph.dependencies(*term).is_constant_in_motion();
             let timed = terms.iter().find(|(term, _)| is_time(graph, *term));
-            timed.or(terms.first()).map(|(_, coefficient)| coefficient.clone())
+            timed.or(terms.iter().find(moves)).map(|(_, coefficient)| coefficient.clone())
         }
         _ => None,
     };
     let leading = leading.unwrap_or(Number::ONE);
     let value = match leading.reciprocal() {
-        Some(inverse) => graph.scale(inverse, difference),
-        None => difference,
+        Some(inverse) => graph.scale(inverse, core),
+        None => core,
     };
-    Surface { value, is_opposite: leading.is_negative() }
+    Surface { value, is_opposite: leading.is_negative() != scale.is_negative() }
 }
 
 fn is_time(graph: &Graph, id: ExprId) -> bool {

@@ -42,9 +42,11 @@ fn printed<'a>(reference: &Reference, values: &'a Value, state: &'a Value, role:
         Role::Time => &state["t"],
         Role::Coordinate(i) => &state["q"][i as usize],
         Role::Velocity(i) => &state["v"][i as usize],
-        Role::Acceleration(_) | Role::Multiplier(_) | Role::Reaction(_) | Role::Placeholder(_) => {
-            &Value::Null
-        }
+        Role::Acceleration(_)
+        | Role::Multiplier(_)
+        | Role::Reaction(_)
+        | Role::Side(_)
+        | Role::Placeholder(_) => &Value::Null,
     };
     value.as_str().expect("a number in quotes")
 }

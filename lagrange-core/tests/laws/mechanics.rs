@@ -67,9 +67,11 @@ impl Laboratory {
             Role::Time => self.t,
             Role::Coordinate(i) => self.q[i as usize],
             Role::Velocity(i) => self.v[i as usize],
-            Role::Acceleration(_) | Role::Multiplier(_) | Role::Reaction(_) | Role::Placeholder(_) => {
-                f64::NAN
-            }
+            Role::Acceleration(_)
+            | Role::Multiplier(_)
+            | Role::Reaction(_)
+            | Role::Side(_)
+            | Role::Placeholder(_) => f64::NAN,
         })[0]
     }
 
