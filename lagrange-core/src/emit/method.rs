@@ -20,6 +20,8 @@ pub(super) enum Arguments {
     Whole,
     /// `t, q, v, residuals`
     Residuals,
+    /// `t, q, shares`, of which there is one for each coordinate
+    Shares,
 }
 
 /// What a method returns.
@@ -40,6 +42,7 @@ pub(super) struct ArgumentNames {
     pub(super) accelerations: Ident,
     pub(super) state: Ident,
     pub(super) residuals: Ident,
+    pub(super) shares: Ident,
     /// What takes the items of a scene.
     pub(super) visit: Ident,
 }
@@ -56,7 +59,7 @@ pub(super) struct Method {
 impl Arguments {
     /// Those that are vectors.
     pub(super) fn vectors(self, names: &ArgumentNames) -> Vec<&Ident> {
-        let ArgumentNames { positions, velocities, accelerations, state, residuals, .. } = names;
+        let ArgumentNames { positions, velocities, accelerations, state, residuals, shares, .. } = names;
         match self {
             Arguments::None => Vec::new(),
             Arguments::Positions => vec![positions],
@@ -64,6 +67,7 @@ impl Arguments {
             Arguments::Motion => vec![positions, velocities, accelerations],
             Arguments::Whole => vec![state],
             Arguments::Residuals => vec![positions, velocities, residuals],
+            Arguments::Shares => vec![positions, shares],
         }
     }
 }
