@@ -173,10 +173,12 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             let factor = signs[k] * expected[k];
             if rules[k] == Rule::Backwards { -factor } else { factor }
         };
+        // What is absent takes no part: rounding of nothing would have a sign, by which limits are judged.
+        let is_absent = |k: usize| rules[k] == Rule::Absent;
         let entry = |k: usize, j: usize| {
             let own = if j == k { S::ONE } else { S::ZERO };
             match rules[k] {
-                Rule::Absent => own,
+                _ if is_absent(k) || is_absent(j) => own,
                 Rule::Holds => self.matrix[k][j] / (units[k] * units[j]),
                 _ => own + factor(k) * self.terms.kinetic_slopes[k][j] * units[k] / units[j],
             }
@@ -189,7 +191,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         let matrix: [[S; K]; K] = array::from_fn(|k| array::from_fn(|j| entry(k, j)));
         let right = array::from_fn(right);
         let reactions = if self.is_exact { solve(&matrix, &right) } else { nearest(&matrix, &right) };
-        array::from_fn(|k| reactions[k] / units[k])
+        array::from_fn(|k| if is_absent(k) { S::ZERO } else { reactions[k] / units[k] })
     }
 }
 
