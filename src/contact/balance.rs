@@ -119,6 +119,37 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         self.matrix[k][k]
     }
 
+    /// G in row k and column j.
+    pub(super) fn entry(&self, k: usize, j: usize) -> S {
+        self.matrix[k][j]
+    }
+
+    /// Rate k without reactions.
+    pub(super) fn offset(&self, k: usize) -> S {
+        self.offsets[k]
+    }
+
+    /// The kinetic limit of friction k without reactions, and how it grows with each.
+    pub(super) fn limit(&self, k: usize) -> (S, &[S; K]) {
+        (self.presence * self.terms.kinetic[k], &self.terms.kinetic_slopes[k])
+    }
+
+    /// What rates are measured in; reactions are measured in its reciprocal.
+    pub(super) fn units(&self) -> [S; K] {
+        array::from_fn(|k| match self.response(k) {
+            response if response > S::ZERO => response.sqrt(),
+            _ => S::ONE,
+        })
+    }
+
+    /// Whether friction k has a limit if these reactions may act.
+    pub(super) fn has_limit(&self, k: usize, may_act: impl Fn(usize) -> bool) -> bool {
+        let Terms { kinetic, fixed, kinetic_slopes, static_slopes, .. } = self.terms;
+        let is_present = self.presence * (kinetic[k].abs() + fixed[k].abs()) != S::ZERO;
+        let grows = |j: usize| kinetic_slopes[k][j] != S::ZERO || static_slopes[k][j] != S::ZERO;
+        is_present || (0..K).any(|j| grows(j) && may_act(j))
+    }
+
     /// What friction k has at most while it slips, with the sign that comes out.
     pub(super) fn kinetic(&self, k: usize, reactions: &[S; K]) -> S {
         self.presence * self.terms.kinetic[k] + dot(&self.terms.kinetic_slopes[k], reactions)
@@ -165,10 +196,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
 
     /// The reactions under these rules if the limits have these signs.
     fn solve(&self, rules: &[Rule; K], signs: &[S; K], expected: &[S; K]) -> [S; K] {
-        let units: [S; K] = array::from_fn(|k| match self.response(k) {
-            response if response > S::ZERO => response.sqrt(),
-            _ => S::ONE,
-        });
+        let units = self.units();
         let factor = |k: usize| {
             let factor = signs[k] * expected[k];
             if rules[k] == Rule::Backwards { -factor } else { factor }
