@@ -29,6 +29,7 @@ pub(super) enum Rule {
 }
 
 /// Rates as they are without reactions, and how reactions change them.
+#[derive(Clone, Copy)]
 pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
     terms: &'a Terms<S, N, K>,
     /// G
@@ -85,6 +86,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         });
         let sizes = array::from_fn(|k| offsets[k].abs());
         Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: true }
+    }
+
+    /// The same where these contacts approach with a part of the largest rate.
+    pub(super) fn approached(mut self, part: S, contacts: &[bool; K]) -> Self {
+        let units = self.units();
+        let rates = self.offsets.iter().zip(&units);
+        let largest = rates.fold(S::ZERO, |largest, (rate, unit)| largest.max(rate.abs() / *unit));
+        for k in (0..K).filter(|k| contacts[*k]) {
+            self.offsets[k] = self.offsets[k] - part * largest * units[k];
+            self.sizes[k] = self.offsets[k].abs();
+        }
+        self
     }
 
     /// Of changes of the state that take away these values. Those of a state that is at rest but for rounding need not fit together.

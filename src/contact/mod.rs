@@ -43,6 +43,8 @@ mod correct;
 mod impact;
 mod least_norm;
 mod react;
+mod restitution;
+mod resume;
 mod settle;
 mod start;
 mod switch;

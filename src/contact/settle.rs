@@ -95,6 +95,11 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         None
     }
 
+    /// Reactions under these rules if they fit together, but for a little more than rounding.
+    pub(super) fn confirmed(&self, choices: &[Choice; K], rules: [Rule; K]) -> Option<Settled<S, K>> {
+        self.under(rules).filter(|settled| self.contradiction(choices, settled, NEARLY).is_none())
+    }
+
     fn try_all(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
         let count = |choice: &Choice| choice.rules().len() as u64;
         let combinations =
