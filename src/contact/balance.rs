@@ -29,6 +29,7 @@ pub(super) enum Rule {
 }
 
 /// Rates as they are without reactions, and how reactions change them.
+#[derive(Clone, Copy)]
 pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
     terms: &'a Terms<S, N, K>,
     /// G
@@ -87,6 +88,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: true }
     }
 
+    /// The same where these contacts approach with a part of the largest rate.
+    pub(super) fn approached(mut self, part: S, contacts: &[bool; K]) -> Self {
+        let units = self.units();
+        let rates = self.offsets.iter().zip(&units);
+        let largest = rates.fold(S::ZERO, |largest, (rate, unit)| largest.max(rate.abs() / *unit));
+        for k in (0..K).filter(|k| contacts[*k]) {
+            self.offsets[k] = self.offsets[k] - part * largest * units[k];
+            self.sizes[k] = self.offsets[k].abs();
+        }
+        self
+    }
+
     /// Of changes of the state that take away these values. Those of a state that is at rest but for rounding need not fit together.
     pub(super) fn of_values(terms: &'a Terms<S, N, K>, values: [S; K]) -> Self {
         let (offsets, sizes) = (values, values);
@@ -117,6 +130,37 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     /// By how much reaction k changes its own rate.
     pub(super) fn response(&self, k: usize) -> S {
         self.matrix[k][k]
+    }
+
+    /// G in row k and column j.
+    pub(super) fn entry(&self, k: usize, j: usize) -> S {
+        self.matrix[k][j]
+    }
+
+    /// Rate k without reactions.
+    pub(super) fn offset(&self, k: usize) -> S {
+        self.offsets[k]
+    }
+
+    /// The kinetic limit of friction k without reactions, and how it grows with each.
+    pub(super) fn limit(&self, k: usize) -> (S, &[S; K]) {
+        (self.presence * self.terms.kinetic[k], &self.terms.kinetic_slopes[k])
+    }
+
+    /// What rates are measured in; reactions are measured in its reciprocal.
+    pub(super) fn units(&self) -> [S; K] {
+        array::from_fn(|k| match self.response(k) {
+            response if response > S::ZERO => response.sqrt(),
+            _ => S::ONE,
+        })
+    }
+
+    /// Whether friction k has a limit if these reactions may act.
+    pub(super) fn has_limit(&self, k: usize, may_act: impl Fn(usize) -> bool) -> bool {
+        let Terms { kinetic, fixed, kinetic_slopes, static_slopes, .. } = self.terms;
+        let is_present = self.presence * (kinetic[k].abs() + fixed[k].abs()) != S::ZERO;
+        let grows = |j: usize| kinetic_slopes[k][j] != S::ZERO || static_slopes[k][j] != S::ZERO;
+        is_present || (0..K).any(|j| grows(j) && may_act(j))
     }
 
     /// What friction k has at most while it slips, with the sign that comes out.
@@ -165,18 +209,17 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
 
     /// The reactions under these rules if the limits have these signs.
     fn solve(&self, rules: &[Rule; K], signs: &[S; K], expected: &[S; K]) -> [S; K] {
-        let units: [S; K] = array::from_fn(|k| match self.response(k) {
-            response if response > S::ZERO => response.sqrt(),
-            _ => S::ONE,
-        });
+        let units = self.units();
         let factor = |k: usize| {
             let factor = signs[k] * expected[k];
             if rules[k] == Rule::Backwards { -factor } else { factor }
         };
+        // What is absent takes no part: rounding of nothing would have a sign, by which limits are judged.
+        let is_absent = |k: usize| rules[k] == Rule::Absent;
         let entry = |k: usize, j: usize| {
             let own = if j == k { S::ONE } else { S::ZERO };
             match rules[k] {
-                Rule::Absent => own,
+                _ if is_absent(k) || is_absent(j) => own,
                 Rule::Holds => self.matrix[k][j] / (units[k] * units[j]),
                 _ => own + factor(k) * self.terms.kinetic_slopes[k][j] * units[k] / units[j],
             }
@@ -189,7 +232,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         let matrix: [[S; K]; K] = array::from_fn(|k| array::from_fn(|j| entry(k, j)));
         let right = array::from_fn(right);
         let reactions = if self.is_exact { solve(&matrix, &right) } else { nearest(&matrix, &right) };
-        array::from_fn(|k| reactions[k] / units[k])
+        array::from_fn(|k| if is_absent(k) { S::ZERO } else { reactions[k] / units[k] })
     }
 }
 

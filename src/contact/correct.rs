@@ -15,7 +15,7 @@ const MOST_ROUNDS: u32 = 12;
 /// A gap is closed if it is smaller than this many roundings of the terms that make it.
 const ROUNDINGS: f64 = 64.0;
 /// Bodies that touch without pressing are put so many roundings apart.
-const SLIT: f64 = 4.0;
+const SLIT: f64 = 16.0;
 
 /// Brings a state onto the closed contacts and sticking friction: gaps to zero by the smallest change of the coordinates that the
 /// mechanism allows, measured by the mass matrix, and then their rates and slip velocities by the smallest change of the
@@ -121,16 +121,30 @@ pub(super) fn halt<S: Scalar, const N: usize, const K: usize>(
     change(terms, v, terms.rates, is_held);
 }
 
-/// Opens a gap by a few roundings if it is negative by no more than rounding, so that it is not found closed again at once.
+/// The energy that it takes at least to give these contacts the rates that they have.
+pub(super) fn energy<S: Scalar, const N: usize, const K: usize>(
+    terms: &Terms<S, N, K>,
+    is_held: [bool; K],
+) -> S {
+    let rules = is_held.map(|is_held| if is_held { Rule::Holds } else { Rule::Absent });
+    let shares = Balance::of_values(terms, terms.rates).reactions(&rules);
+    let twice = shares.iter().zip(&terms.rates).fold(S::ZERO, |sum, (share, rate)| sum - *share * *rate);
+    S::from_f64(0.5) * twice.abs()
+}
+
+/// Opens gaps that are zero but for rounding by a few roundings, so that they are not found closed again at once;
+/// together, and with those closed that are, since to open one may close another.
 pub(super) fn part<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     q: &mut [S; N],
-    k: usize,
+    are_touching: [bool; K],
+    are_closed: [bool; K],
 ) {
-    if terms.gaps[k] < S::ZERO {
-        let mut values = [S::ZERO; K];
-        values[k] = terms.gaps[k] - S::from_f64(SLIT) * S::epsilon() * terms.size_of(k, q);
-        change(terms, q, values, array::from_fn(|j| j == k));
+    let slits: [S; K] = array::from_fn(|k| S::from_f64(SLIT) * S::epsilon() * terms.size_of(k, q));
+    let is_parted: [bool; K] = array::from_fn(|k| are_touching[k] && terms.gaps[k] < slits[k]);
+    if is_parted != [false; K] {
+        let values = array::from_fn(|k| if is_parted[k] { terms.gaps[k] - slits[k] } else { S::ZERO });
+        change(terms, q, values, array::from_fn(|k| is_parted[k] || are_closed[k]));
     }
 }
 

@@ -19,13 +19,16 @@
 use core::array;
 
 use super::balance::{Balance, Rule};
-use super::settle::Choice;
+use super::settle::{Choice, Settled};
 use super::{Mode, Terms};
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 
 /// The part of restitution is found to so many binary digits where it must be found.
 const MOST_BISECTIONS: u32 = 40;
+/// The speed of approach at which a jam is looked for, as a part of the largest slip velocity.
+const APPROACH: f64 = 1e-4;
+const NO_IMPULSES: &str = "no impulses of contacts and friction fit the impact";
 /// Energies are equal if they differ by fewer roundings of what is exchanged.
 const ROUNDINGS: f64 = 256.0;
 
@@ -52,40 +55,74 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         is_touching: &[bool; K],
         restitutions: &[S; K],
     ) -> Result<Collision<S, N, K>, Cause<S>> {
-        let choices = array::from_fn(|k| match modes[k] {
-            Mode::Contact(_) if is_touching[k] => Choice::Touch,
-            Mode::Friction(_) | Mode::Smooth if self.has_impulses(k) => Choice::Rest,
-            _ => Choice::Only(Rule::Absent),
-        });
-        let collision = self.collide(v, &choices, restitutions)?;
-        let creates = |collision: &Collision<S, N, K>| collision.energy_loss < -self.rounding(collision);
-        if !creates(&collision) || restitutions.iter().any(|e| *e > S::ONE) {
+        let choices = self.choices(modes, is_touching);
+        if !Balance::of_impulses(self, restitutions).is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        // Without restitution there are impulses and nothing is created, so that there is a largest part of it with which that is so.
+        let part = |part: S| {
+            let collision = self.collide(v, &choices, &restitutions.map(|e| part * e))?;
+            (collision.energy_loss >= -self.rounding(&collision)).then_some(collision)
+        };
+        if let Some(collision) = part(S::ONE) {
             return Ok(collision);
         }
-        // Without restitution nothing is created, so that there is a largest part of it with which nothing is.
-        let part = |part: S| self.collide(v, &choices, &restitutions.map(|e| part * e));
         let (mut below, mut above) = (S::ZERO, S::ONE);
         for _ in 0..MOST_BISECTIONS {
             let middle = S::from_f64(0.5) * (below + above);
-            let is_above = creates(&part(middle)?);
-            *(if is_above { &mut above } else { &mut below }) = middle;
+            *(if part(middle).is_none() { &mut above } else { &mut below }) = middle;
         }
-        part(below)
+        part(below).or_else(|| part(S::ZERO)).ok_or(Cause::Stuck(NO_IMPULSES))
     }
 
-    /// The impact with these coefficients of restitution.
+    /// The impact without approach by which contacts that are `pressed` jam, if there is one: that to which impacts tend as the speed
+    /// of approach falls to zero, and which leaves another motion.
+    pub(super) fn jam(
+        &self,
+        v: &[S; N],
+        modes: &[Mode; K],
+        is_pressed: &[bool; K],
+    ) -> Option<Collision<S, N, K>> {
+        let choices = self.choices(modes, is_pressed);
+        let mut stopped = *self;
+        for k in (0..K).filter(|k| is_pressed[*k]) {
+            stopped.rates[k] = S::ZERO;
+        }
+        let balance = Balance::of_impulses(&stopped, &[S::ZERO; K]);
+        let found = balance.approached(S::from_f64(APPROACH), is_pressed).settle(&choices)?;
+        let jam = stopped.collision(v, &balance, balance.confirmed(&choices, found.rules)?, &[S::ZERO; K]);
+        let is_felt = jam.energy_loss > self.rounding(&jam);
+        is_felt.then_some(jam)
+    }
+
+    /// What contacts that take part and friction may do in an impact.
+    fn choices(&self, modes: &[Mode; K], is_touching: &[bool; K]) -> [Choice; K] {
+        array::from_fn(|k| match modes[k] {
+            Mode::Contact(_) if is_touching[k] => Choice::Touch,
+            Mode::Friction(_) | Mode::Smooth if self.has_impulses(k) => Choice::Rest,
+            _ => Choice::Only(Rule::Absent),
+        })
+    }
+
+    /// The impact with these coefficients of restitution, if impulses fit.
     fn collide(
         &self,
         v: &[S; N],
         choices: &[Choice; K],
         restitutions: &[S; K],
-    ) -> Result<Collision<S, N, K>, Cause<S>> {
+    ) -> Option<Collision<S, N, K>> {
         let balance = Balance::of_impulses(self, restitutions);
-        if !balance.is_finite() {
-            return Err(Cause::NotFinite);
-        }
-        let settled = balance.settle(choices);
-        let settled = settled.ok_or(Cause::Stuck("no impulses of contacts and friction fit the impact"))?;
+        let settled = balance.settle(choices)?;
+        Some(self.collision(v, &balance, settled, restitutions))
+    }
+
+    fn collision(
+        &self,
+        v: &[S; N],
+        balance: &Balance<'_, S, N, K>,
+        settled: Settled<S, K>,
+        restitutions: &[S; K],
+    ) -> Collision<S, N, K> {
         let impulses = settled.reactions;
         let mut energy_loss = S::ZERO;
         for (k, &impulse) in impulses.iter().enumerate() {
@@ -94,7 +131,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         }
         let is_thrown_back = |k: usize| self.rates[k] * restitutions[k] < S::ZERO;
         let is_still = array::from_fn(|k| settled.rules[k] == Rule::Holds && !is_thrown_back(k));
-        Ok(Collision { velocities: self.added(v, &impulses), impulses, energy_loss, is_still })
+        Collision { velocities: self.added(v, &impulses), impulses, energy_loss, is_still }
     }
 
     /// What is rounding beside the energy that impulses exchange.

@@ -23,7 +23,7 @@ pub(super) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) ->
 }
 
 /// What is rounding beside one: a little below the three quarters of all digits.
-fn negligible<S: Scalar>() -> S {
+pub(super) fn negligible<S: Scalar>() -> S {
     let root = S::epsilon().sqrt();
     root * root.sqrt()
 }

@@ -38,10 +38,13 @@
 //! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5.
 
 mod balance;
+mod complementarity;
 mod correct;
 mod impact;
 mod least_norm;
 mod react;
+mod restitution;
+mod resume;
 mod settle;
 mod start;
 mod switch;

@@ -1,14 +1,11 @@
 //! What happens where a mode ends.
 
-use core::array;
-
-use super::balance::{Balance, Rule, reactions};
+use super::balance::{Rule, reactions};
 use super::correct::{close, correct, halt, part};
-use super::impact::Collision;
+use super::resume::Moment;
 use super::start::{Position, holds};
 use super::{Contact, ContactSystem, Friction, Happening, Impact, Mode, Terms};
 use crate::event::{Answer, Reaction};
-use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::system::{Reacted, join, split};
 
@@ -19,7 +16,7 @@ use crate::system::{Reacted, join, split};
 /// gap, are taken together: the contact closes, and the time at which the series ends is told.
 ///
 /// # Errors
-/// If no impulses, or no forces after it, fit.
+/// If no impulses, or no forces after it, fit, or if a coefficient of restitution is not from 0 to 1.
 pub fn react<M, const N: usize, const K: usize>(
     system: &M,
     event: usize,
@@ -46,26 +43,7 @@ where
     }
 }
 
-/// A part of the time that has passed: what bounces take less than is not resolved.
-const SHORT: f64 = 1e-9;
-/// Hops are not resolved that are lower than this many roundings of the terms of the gap: how long they take would be rounding,
-const ROUNDINGS: f64 = 256.0;
-/// and times that are smaller than so many of the time.
-const TIMES: f64 = 64.0;
-
-/// A system at a state.
-struct Moment<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
-    system: &'a M,
-    t: M::Scalar,
-    q: [M::Scalar; N],
-    v: [M::Scalar; N],
-}
-
 impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K> {
-    fn terms(&self, v: &[M::Scalar; N]) -> Terms<M::Scalar, N, K> {
-        self.system.terms(self.t, &self.q, v)
-    }
-
     /// The contact of this index touches.
     fn hit(mut self, k: usize) -> Reacted<M> {
         let modes = self.system.modes();
@@ -83,86 +61,41 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         if position.is_still[k] || terms.rates[k] >= M::Scalar::ZERO {
             return self.graze(k, &terms, &position);
         }
-        let (collision, rest, settled) = self.collide(&terms, position)?;
+        let restitutions = terms.checked_restitutions(&modes, &M::REACTIONS)?;
+        let collision = terms.impact(&self.v, &modes, &position.is_touching, &restitutions)?;
+        let resumed = self.resume(&terms, collision.velocities, position.is_touching, collision.is_still)?;
         let impact = Impact { impulse: collision.impulses[k], energy_loss: collision.energy_loss };
-        let happening = match settled[k] {
-            Mode::Contact(Contact::Closed) => Happening::Closed { at: self.t + rest[k], impact },
+        let happening = match resumed.modes[k] {
+            Mode::Contact(Contact::Closed) => Happening::Closed { at: self.t + resumed.rest[k], impact },
             _ => Happening::Impact(impact),
         };
-        Ok(self.answer(settled, &collision.velocities, happening))
+        Ok(self.answer(resumed.modes, &resumed.velocities, happening))
     }
 
     /// A contact that touches and does not approach: it closes if it is pressed. Else nothing happens, but that the body is put
     /// onto the side on which it was.
     fn graze(&self, k: usize, terms: &Terms<M::Scalar, N, K>, position: &Position<K>) -> Reacted<M> {
         let modes = self.system.modes();
-        let settled = terms.settle(&modes, position, None)?;
-        if settled == modes {
+        let is_still = core::array::from_fn(|j| position.is_still[j] && (j == k || holds(modes[j])));
+        let resumed = self.resume(terms, self.v, position.is_touching, is_still)?;
+        if resumed.modes == modes {
             let mut q = self.q;
-            part(terms, &mut q, k);
+            let is_open = |j: usize| modes[j] == Mode::Contact(Contact::Open);
+            let are_touching = core::array::from_fn(|j| is_open(j) && position.is_touching[j]);
+            part(terms, &mut q, are_touching, modes.map(|mode| mode == Mode::Contact(Contact::Closed)));
             return Ok(Answer::new(Reaction::Replace(join::<M>(&q, &self.v))));
         }
         let none = Impact { impulse: M::Scalar::ZERO, energy_loss: M::Scalar::ZERO };
-        let mut v = self.v;
-        halt(terms, &mut v, settled.map(holds));
-        Ok(self.answer(settled, &v, Happening::Closed { at: self.t, impact: none }))
-    }
-
-    /// The impact, with bounces that end soon taken together, how long they take, and the modes after it.
-    fn collide(
-        &self,
-        terms: &Terms<M::Scalar, N, K>,
-        Position { is_touching: touching, .. }: Position<K>,
-    ) -> Result<Collided<M::Scalar, N, K>, Cause<M::Scalar>> {
-        let modes = self.system.modes();
-        let mut restitutions = restitutions(terms, &modes)?;
-        let mut rest = [M::Scalar::ZERO; K];
-        loop {
-            let mut collision = terms.impact(&self.v, &modes, &touching, &restitutions)?;
-            let after = self.terms(&collision.velocities);
-            let mut position = Position::of(&after, &modes, (self.t, &self.q, &collision.velocities));
-            position.is_touching = touching;
-            for (is_still, stays) in position.is_still.iter_mut().zip(collision.is_still) {
-                *is_still |= stays;
-            }
-            let settled = after.settle(&modes, &position, None)?;
-            let soon = self.first_at_rest(terms, &restitutions, &after, &settled);
-            let Some((j, time)) = soon.filter(|(j, _)| touching[*j]) else {
-                let is_held = array::from_fn(|j| holds(settled[j]) || collision.is_still[j]);
-                halt(&after, &mut collision.velocities, is_held);
-                return Ok((collision, rest, settled));
-            };
-            (rest[j], restitutions[j]) = (time, M::Scalar::ZERO);
-        }
-    }
-
-    /// The first of the contacts that were thrown back but will soon have come to rest, and when.
-    fn first_at_rest(
-        &self,
-        before: &Terms<M::Scalar, N, K>,
-        restitutions: &[M::Scalar; K],
-        after: &Terms<M::Scalar, N, K>,
-        settled: &[Mode; K],
-    ) -> Option<(usize, M::Scalar)> {
-        let zero = M::Scalar::ZERO;
-        let forces = reactions(after, settled);
-        let balance = Balance::of_forces(after);
-        (0..K).find_map(|k| {
-            let is_thrown_back = before.rates[k] * restitutions[k] < zero && after.rates[k] > zero;
-            let pull = -balance.rate(k, &forces);
-            let size = after.size_of(k, &self.q);
-            let hops = Hops { speed: after.rates[k], pull, restitution: restitutions[k] };
-            hops.rest(self.t, size).filter(|_| is_thrown_back).map(|time| (k, time))
-        })
+        let at = self.t + resumed.rest[k];
+        Ok(self.answer(resumed.modes, &resumed.velocities, Happening::Closed { at, impact: none }))
     }
 
     /// The force of a closed contact has fallen to zero.
     fn end(&self, k: usize, rule: Rule) -> Reacted<M> {
-        let modes = self.system.modes();
-        let terms = self.terms(&self.v);
-        let settled = terms.settle(&modes, &self.held(&terms), Some((k, rule)))?;
+        let (mut v, terms) = (self.v, self.terms(&self.v));
+        let settled = self.settle(&mut v, &mut self.held(&terms), Some((k, rule)))?;
         let happening = if rule == Rule::Absent { Happening::Opened } else { Happening::Slipped };
-        Ok(self.answer(settled, &self.v, happening))
+        Ok(self.answer(settled, &v, happening))
     }
 
     /// Friction that held has reached its limit: it slips against its force.
@@ -183,15 +116,15 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         let mut is_held = modes.map(holds);
         is_held[k] = position.is_still[k];
         halt(&terms, &mut self.v, is_held);
-        let terms = self.terms(&self.v);
-        let settled = terms.settle(&modes, &position, None)?;
+        let mut v = self.v;
+        let settled = self.settle(&mut v, &mut position, None)?;
         let happening = match (modes[k], settled[k]) {
             (_, Mode::Friction(Friction::Sticks)) => Happening::Stuck,
             // What slips without friction and what slips with it pass into each other smoothly.
             (Mode::Friction(Friction::Slips), _) | (_, Mode::Friction(Friction::Slips)) => Happening::Zero,
             _ => Happening::Slipped,
         };
-        Ok(self.answer(settled, &self.v, happening))
+        Ok(self.answer(settled, &v, happening))
     }
 
     /// Which gaps and rates are zero, those that are held at zero among them.
@@ -212,45 +145,5 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
     ) -> Answer<M, M::Scalar, M::State> {
         let reaction = Reaction::Replace(join::<M>(&self.q, v));
         Answer { reaction, system: Some(self.system.in_modes(modes)), happening }
-    }
-}
-
-/// Coefficients of restitution of contacts; zero for friction.
-fn restitutions<S: Scalar, const N: usize, const K: usize>(
-    terms: &Terms<S, N, K>,
-    modes: &[Mode; K],
-) -> Result<[S; K], Cause<S>> {
-    let mut restitutions = [S::ZERO; K];
-    for k in (0..K).filter(|k| matches!(modes[*k], Mode::Contact(_))) {
-        restitutions[k] = terms.restitutions[k];
-        if !(restitutions[k] >= S::ZERO && restitutions[k].is_finite()) {
-            return Err(Cause::Setting(
-                "a coefficient of restitution must not be negative and must be finite",
-            ));
-        }
-    }
-    Ok(restitutions)
-}
-
-/// An impact, how long bounces that were taken together last, and modes.
-type Collided<S, const N: usize, const K: usize> = (Collision<S, N, K>, [S; K], [Mode; K]);
-
-/// Hops of a body that is pulled back evenly: each lasts 2 v/a, and e times as long as the one before.
-struct Hops<S> {
-    speed: S,
-    pull: S,
-    restitution: S,
-}
-
-impl<S: Scalar> Hops<S> {
-    /// When they have ended, if that is soon.
-    fn rest(&self, t: S, size: S) -> Option<S> {
-        let Hops { speed, pull, restitution } = *self;
-        let is_pulled = pull > S::ZERO && restitution < S::ONE;
-        let time = (speed + speed) / (pull * (S::ONE - restitution));
-        let height = speed * speed / (pull + pull);
-        let is_short = time <= t.abs() * S::from_f64(SHORT).max(S::from_f64(TIMES) * S::epsilon());
-        let is_low = height <= S::from_f64(ROUNDINGS) * S::epsilon() * size;
-        (is_pulled && (is_short || is_low)).then_some(time)
     }
 }

@@ -33,10 +33,12 @@ pub(super) struct Settled<S, const K: usize> {
     pub(super) reactions: [S; K],
 }
 
-/// More combinations are not tried.
-const MOST_COMBINATIONS: u64 = 20_000;
+/// Combinations are not tried if there are more.
+const MOST_COMBINATIONS: u64 = 1_296;
 /// Rounding errors of a sum are this many times those of its largest terms.
 const ROUNDINGS: f64 = 16.0;
+/// What Lemke's method finds fits but for so many.
+const NEARLY: f64 = 65_536.0;
 
 impl Choice {
     fn rules(self) -> &'static [Rule] {
@@ -55,30 +57,63 @@ impl Choice {
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Rules out of these choices that fit together, if there are any.
     pub(super) fn settle(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
-        self.pivot(choices).or_else(|| self.try_all(choices))
+        let choices = &self.possible(choices);
+        self.pivot(choices, choices.map(|choice| choice.rules()[0]))
+            .or_else(|| self.complement(choices))
+            .or_else(|| self.try_all(choices))
     }
 
-    fn pivot(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
-        let mut rules = choices.map(|choice| choice.rules()[0]);
+    /// The choices without friction that has no limit, whatever contacts do.
+    fn possible(&self, choices: &[Choice; K]) -> [Choice; K] {
+        let mut possible = *choices;
+        // Limits may hold what was declared before.
+        for k in 0..K {
+            let may_act = |j: usize| j != k && possible[j] != Choice::Only(Rule::Absent);
+            if possible[k] == Choice::Rest && !self.has_limit(k, may_act) {
+                possible[k] = Choice::Only(Rule::Absent);
+            }
+        }
+        possible
+    }
+
+    /// What Lemke's method finds, made exact.
+    fn complement(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+        let found = self.complementary(choices)?;
+        let is_near = || self.contradiction(choices, &found, NEARLY).is_none();
+        self.pivot(choices, found.rules).or_else(|| is_near().then_some(found))
+    }
+
+    /// From these rules on.
+    fn pivot(&self, choices: &[Choice; K], mut rules: [Rule; K]) -> Option<Settled<S, K>> {
         for _ in 0..=8 + 4 * K {
             let settled = self.under(rules)?;
-            let Some((k, rule)) = self.contradiction(choices, &settled) else { return Some(settled) };
+            let Some((k, rule)) = self.contradiction(choices, &settled, ROUNDINGS) else {
+                return Some(settled);
+            };
             rules[k] = rule;
         }
         None
+    }
+
+    /// Reactions under these rules if they fit together, but for a little more than rounding.
+    pub(super) fn confirmed(&self, choices: &[Choice; K], rules: [Rule; K]) -> Option<Settled<S, K>> {
+        self.under(rules).filter(|settled| self.contradiction(choices, settled, NEARLY).is_none())
     }
 
     fn try_all(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
         let count = |choice: &Choice| choice.rules().len() as u64;
         let combinations =
             choices.iter().fold(1, |product: u64, choice| product.saturating_mul(count(choice)));
-        (0..combinations.min(MOST_COMBINATIONS)).find_map(|mut number| {
+        if combinations > MOST_COMBINATIONS {
+            return None;
+        }
+        (0..combinations).find_map(|mut number| {
             let rules = choices.map(|choice| {
                 let rule = choice.rules()[(number % count(&choice)) as usize];
                 number /= count(&choice);
                 rule
             });
-            self.under(rules).filter(|settled| self.contradiction(choices, settled).is_none())
+            self.under(rules).filter(|settled| self.contradiction(choices, settled, ROUNDINGS).is_none())
         })
     }
 
@@ -88,21 +123,26 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         is_finite.then_some(Settled { rules, reactions })
     }
 
-    /// The first reaction that contradicts its rule, and the rule to try instead.
-    fn contradiction(&self, choices: &[Choice; K], settled: &Settled<S, K>) -> Option<(usize, Rule)> {
+    /// The first reaction that contradicts its rule by more than so many roundings, and the rule to try instead.
+    fn contradiction(
+        &self,
+        choices: &[Choice; K],
+        settled: &Settled<S, K>,
+        roundings: f64,
+    ) -> Option<(usize, Rule)> {
         (0..K).find_map(|k| {
             let other = match choices[k] {
                 Choice::Only(_) => None,
-                Choice::Touch => self.touch(k, settled),
-                Choice::Rest => self.rest(k, settled),
+                Choice::Touch => self.touch(k, settled, roundings),
+                Choice::Rest => self.rest(k, settled, roundings),
             };
             other.map(|rule| (k, rule))
         })
     }
 
     /// A contact that presses by no more than rounding is open.
-    fn touch(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>) -> Option<Rule> {
-        let rounding = S::from_f64(ROUNDINGS) * S::epsilon() * self.size(k, reactions);
+    fn touch(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>, roundings: f64) -> Option<Rule> {
+        let rounding = S::from_f64(roundings) * S::epsilon() * self.size(k, reactions);
         match rules[k] {
             Rule::Holds if reactions[k] * self.response(k) <= rounding => Some(Rule::Absent),
             Rule::Absent if self.rate(k, reactions) < -(rounding + rounding) => Some(Rule::Holds),
@@ -110,8 +150,8 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         }
     }
 
-    fn rest(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>) -> Option<Rule> {
-        let rounding = S::from_f64(ROUNDINGS) * S::epsilon() * self.size(k, reactions);
+    fn rest(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>, roundings: f64) -> Option<Rule> {
+        let rounding = S::from_f64(roundings) * S::epsilon() * self.size(k, reactions);
         let (rate, reaction) = (self.rate(k, reactions), reactions[k]);
         match rules[k] {
             Rule::Holds if (reaction.abs() - self.fixed(k, reactions)) * self.response(k) > rounding => {

@@ -15,6 +15,8 @@ use crate::system::split;
 /// Gaps and rates are zero if they are smaller than this many roundings of what they would be if each coordinate were off by its
 /// size, as constraints are measured: a gap that is a coordinate has no other terms beside which it could be small.
 const ROUNDINGS: f64 = 4096.0;
+const NO_FORCES: &str = "no forces in contacts and friction fit the state: friction is too strong there for rigid bodies that slip this \
+                         way (the paradox of Painlevé)";
 
 /// The system as a motion from this state starts: contacts that touch and press are closed, friction at rest sticks if it can
 /// and slips the way it is driven otherwise. `None` if it is in these modes already.
@@ -67,8 +69,10 @@ impl<const K: usize> Position<K> {
             let size = terms.size_of(k, &lengths) + terms.speed_of(k, v) * t.abs();
             share(k) * terms.size_of(k, q) + rounding * size
         });
-        let slow: [S; K] =
-            array::from_fn(|k| share(k) * terms.speed_of(k, v) + rounding * terms.size_of(k, &speeds));
+        let slow: [S; K] = array::from_fn(|k| {
+            let size = terms.size_of(k, &speeds) + terms.acceleration_of(k) * t.abs();
+            share(k) * terms.speed_of(k, v) + rounding * size
+        });
         let is_contact = |k: usize| matches!(modes[k], Mode::Contact(_));
         Position {
             is_touching: array::from_fn(|k| is_contact(k) && terms.gaps[k].abs() <= near[k]),
@@ -118,9 +122,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         if !balance.is_finite() {
             return Err(Cause::NotFinite);
         }
-        let settled = balance
-            .settle(&choices)
-            .ok_or(Cause::Stuck("no forces in contacts and friction fit the state"))?;
+        let settled = balance.settle(&choices).ok_or(Cause::Stuck(NO_FORCES))?;
         let mut result = *modes;
         for k in 0..K {
             let is_limited = balance.fixed(k, &settled.reactions) > nothing();

@@ -75,7 +75,12 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// What rounding may make of slip velocity k where it is held at zero: of the velocities, and of accelerations in the time that
     /// has passed.
     fn slip_noise(&self, k: usize, t: S, v: &[S; N]) -> S {
-        let accelerations = self.size_of(k, &self.free) + self.drifts[k].abs();
-        S::from_f64(ROUNDINGS) * S::epsilon() * (self.size_of(k, &sizes(v)) + accelerations * t.abs())
+        let size = self.size_of(k, &sizes(v)) + self.acceleration_of(k) * t.abs();
+        S::from_f64(ROUNDINGS) * S::epsilon() * size
+    }
+
+    /// How large the terms are of the rate of rate k without reactions.
+    pub(super) fn acceleration_of(&self, k: usize) -> S {
+        self.size_of(k, &self.free) + self.drifts[k].abs()
     }
 }

@@ -133,8 +133,11 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
             check(found)?;
             let earliest =
                 self.earliest(t, found, accuracy(from, to), |t| values(t, &stepper.interpolate(system, t)))?;
-            if let Some((event, time)) = earliest {
-                self.detectors[event].learn(found[event]);
+            if let Some(first) = earliest {
+                // What has changed its sign twice by then shows at the zeros between.
+                let values = |t| values(t, &stepper.interpolate(system, t));
+                let (event, time, after) = self.first_of_all((first, found), accuracy(from, to), values)?;
+                self.detectors[event].learn(after);
                 self.reached = time;
                 return Ok(Some(Occurrence { event, time, state: stepper.interpolate(system, time) }));
             }
@@ -196,6 +199,24 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
             }
         }
         Ok(earliest)
+    }
+
+    /// The earliest zero, and the value after it, from one that is before `t`, where the functions have the values `found`.
+    fn first_of_all(
+        &self,
+        ((mut event, mut time), mut found): ((usize, S), [S; K]),
+        accuracy: S,
+        mut values: impl FnMut(S) -> [S; K],
+    ) -> Result<(usize, S, S), Cause<S>> {
+        for _ in 0..K {
+            let at_zero = values(time);
+            let other = self.earliest(time, at_zero, accuracy, &mut values)?;
+            let Some(other) = other.filter(|(_, other)| (time - *other).abs() > accuracy + accuracy) else {
+                break;
+            };
+            ((event, time), found) = (other, at_zero);
+        }
+        Ok((event, time, found[event]))
     }
 
     /// Remembers the signs of these values.

@@ -57,6 +57,13 @@ pub enum Cause<S> {
     },
     /// A state violates a constraint, and cannot be brought onto it.
     Violated(Violation<S>),
+    /// A coefficient of restitution that is not from 0 to 1.
+    Restitution {
+        /// The name of the contact.
+        contact: &'static str,
+        /// What it is.
+        value: S,
+    },
     /// No motion goes on from here, in words: no contact forces or friction fit the state.
     Stuck(&'static str),
     /// A method of another crate failed, in words.
@@ -99,6 +106,10 @@ impl<S: Debug> Display for Cause<S> {
         match self {
             Cause::Setting(what) | Cause::Stuck(what) | Cause::Adapted(what) => f.write_str(what),
             Cause::Violated(violation) => write!(f, "{violation}"),
+            Cause::Restitution { contact, value } => write!(
+                f,
+                "the coefficient of restitution of contact `{contact}` is {value:?}; it must be from 0 to 1"
+            ),
             Cause::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
             Cause::StepUnderflow { step } => {
                 write!(

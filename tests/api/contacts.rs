@@ -132,3 +132,59 @@ fn smooth_friction_has_no_mode_and_follows_the_hyperbolic_tangent() {
     crate::assert_close(a, -0.3 * 9.81 * 0.4_f64.tanh());
     assert!(Smooth::EVENTS.is_empty());
 }
+
+lagrange::system! {
+    /// A block on two rough feet.
+    #[derive(Clone, Debug)]
+    struct Footed;
+
+    param m = 1.0, a = 0.3, b = 0.5, g = 9.81, mu = 1.0;
+    coord x, y, phi;
+    gravity = (0, -g);
+    line floor { angle: 0; }
+    body block { mass: m; center: (x, y); angle: phi; shape: rectangle(2 * a, 2 * b); }
+    event left = floor.distance(block.point(-a, -b)), falling => impact(0);
+    event right = floor.distance(block.point(a, -b)), falling => impact(0);
+    friction rub_left = dot(floor.along(block.point(-a, -b))), mu * left;
+    friction rub_right = dot(floor.along(block.point(a, -b))), mu * right;
+}
+
+lagrange::system! {
+    /// The same on one of them.
+    #[derive(Clone, Debug)]
+    struct OneFooted;
+
+    param m = 1.0, a = 0.3, b = 0.5, g = 9.81, mu = 1.0;
+    coord x, y, phi;
+    gravity = (0, -g);
+    line floor { angle: 0; }
+    body block { mass: m; center: (x, y); angle: phi; shape: rectangle(2 * a, 2 * b); }
+    event right = floor.distance(block.point(a, -b)), falling => impact(0);
+    friction rub_right = dot(floor.along(block.point(a, -b))), mu * right;
+}
+
+/// A foot in the air changes nothing, however rough the floor and whatever its friction would do there.
+#[test]
+fn an_open_contact_takes_no_part() {
+    let mut seed = 0_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    };
+    let slips = [Friction::Slips, Friction::SlipsForwards, Friction::SlipsBackwards, Friction::Sticks];
+    for case in 0..2000 {
+        let mu = [0.3, 1.0, 2.0, 10.0][case % 4];
+        let (rub_left, rub_right) = (slips[case / 4 % 3], slips[case / 12 % 4]);
+        let right = if case / 48 % 4 == 0 { Contact::Open } else { Contact::Closed };
+        let (q, v) = ([0.0, 0.5, 0.1 * random()], [random(), random(), random()]);
+        let one = OneFooted { mu, right, rub_right, ..OneFooted::default() };
+        let two = Footed { mu, right, rub_left, rub_right, ..Footed::default() };
+        let (found, wanted) = (two.acceleration(0.0, &q, &v), one.acceleration(0.0, &q, &v));
+        for (found, wanted) in found.into_iter().zip(wanted) {
+            let size = wanted.abs().max(1.0);
+            assert!((found - wanted).abs() < 1e-12 * size, "{found} for {wanted} at {q:?} {v:?}");
+        }
+        let [left, _, rub_left, _] = two.reactions(0.0, &q, &v);
+        assert_eq!([left, rub_left], [0.0; 2]);
+    }
+}

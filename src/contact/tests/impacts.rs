@@ -71,9 +71,14 @@ fn grazing_does_nothing() {
 }
 
 #[test]
-fn a_negative_coefficient_of_restitution_is_refused() {
-    for e in [-0.5, f64::NAN, f64::INFINITY] {
-        assert!(matches!(Ball::new(e).react(0, 1.0, &[0.0, -1.0]), Err(Cause::Setting(_))), "{e}");
+fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_refused_by_name() {
+    for e in [-0.5, -1e-300, 1.0 + f64::EPSILON, f64::NAN, f64::INFINITY] {
+        let refused = Ball::new(e).react(0, 1.0, &[0.0, -1.0]);
+        let Err(Cause::Restitution { contact: "floor", value }) = refused else { panic!("{refused:?}") };
+        assert_eq!(value.to_bits(), e.to_bits());
+    }
+    for e in [-0.0, 0.0, 1.0] {
+        assert!(Ball::new(e).react(0, 1.0, &[0.0, -1.0]).is_ok(), "{e}");
     }
 }
 

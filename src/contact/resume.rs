@@ -1,0 +1,171 @@
+//! With which velocities and in which modes a motion goes on where a mode has ended.
+//!
+//! Impacts that follow each other ever faster end after a finite time. A contact that is thrown up with speed s and pulled back with
+//! acceleration a returns after τ = 2 s/a; where contacts hit in turn, as the corners of a box that rocks to rest, it was another one that
+//! threw it up. Of the energy E = ½ ṡᵀ G⁻¹ ṡ with which the contacts of such a group approached each other, the impact leaves the part
+//! r², so that the hops to come last about τ/(1 − r), which is exact for one contact, where r is the coefficient of restitution. Once
+//! that is too short to be resolved, the rates of all contacts of the group are halted together, by the smallest change of the velocities
+//! in the measure of the mass matrix, which takes energy and never gives any.
+//!
+//! Where no forces fit, since friction is too strong for the way in which a contact slips, the contact jams: an impact without
+//! approach, after which friction holds.
+//!
+//! Sources: Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5, §7; Génot, Brogliato, "New results on Painlevé paradoxes", *European
+//! Journal of Mechanics A* 18 (1999) 653–677; Champneys, Várkonyi, "The Painlevé paradox in contact mechanics", *IMA Journal of
+//! Applied Mathematics* 81 (2016) 538–588.
+
+use core::array;
+
+use super::balance::{Balance, Rule, reactions};
+use super::correct::{energy, halt};
+use super::start::{Position, holds};
+use super::{ContactSystem, Mode, Terms};
+use crate::integrate::Cause;
+use crate::scalar::Scalar;
+
+/// A part of the time that has passed: what bounces take less than is not resolved.
+const SHORT: f64 = 1e-9;
+/// Hops are not resolved that are lower than this many roundings of the terms of the gap: how long they take would be rounding,
+const ROUNDINGS: f64 = 256.0;
+/// and times that are smaller than so many of the time.
+const TIMES: f64 = 64.0;
+
+/// A system at a state.
+pub(super) struct Moment<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
+    pub(super) system: &'a M,
+    pub(super) t: M::Scalar,
+    pub(super) q: [M::Scalar; N],
+    pub(super) v: [M::Scalar; N],
+}
+
+/// How a motion goes on.
+pub(super) struct Resumed<S, const N: usize, const K: usize> {
+    pub(super) velocities: [S; N],
+    pub(super) modes: [Mode; K],
+    /// How long bounces that were taken together last.
+    pub(super) rest: [S; K],
+}
+
+impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K> {
+    pub(super) fn terms(&self, v: &[M::Scalar; N]) -> Terms<M::Scalar, N, K> {
+        self.system.terms(self.t, &self.q, v)
+    }
+
+    /// From these velocities on, which an impact has left that made the rates `is_still` zero. `before` is known of the velocities
+    /// that it found.
+    pub(super) fn resume(
+        &self,
+        before: &Terms<M::Scalar, N, K>,
+        mut velocities: [M::Scalar; N],
+        is_touching: [bool; K],
+        mut is_still: [bool; K],
+    ) -> Result<Resumed<M::Scalar, N, K>, Cause<M::Scalar>> {
+        let mut rest = [M::Scalar::ZERO; K];
+        loop {
+            let after = self.terms(&velocities);
+            let mut position = Position::of(&after, &self.system.modes(), (self.t, &self.q, &velocities));
+            position.is_touching = is_touching;
+            for (is_slow, is_still) in position.is_still.iter_mut().zip(is_still) {
+                *is_slow |= is_still;
+            }
+            let modes = self.settle(&mut velocities, &mut position, None)?;
+            let after = self.terms(&velocities);
+            let ending = self.ending(before, &after, &modes, &position);
+            let is_held = array::from_fn(|k| holds(modes[k]) || is_still[k] || ending[k].is_some());
+            halt(&after, &mut velocities, is_held);
+            if ending.iter().all(Option::is_none) {
+                return Ok(Resumed { velocities, modes, rest });
+            }
+            for (k, time) in ending.into_iter().enumerate() {
+                is_still[k] |= holds(modes[k]) || time.is_some();
+                rest[k] = time.unwrap_or(rest[k]);
+            }
+        }
+    }
+
+    /// Contacts that leave but will have come to rest soon, and when.
+    fn ending(
+        &self,
+        before: &Terms<M::Scalar, N, K>,
+        after: &Terms<M::Scalar, N, K>,
+        modes: &[Mode; K],
+        position: &Position<K>,
+    ) -> [Option<M::Scalar>; K] {
+        let one = M::Scalar::ONE;
+        let forces = reactions(after, modes);
+        let balance = Balance::of_forces(after);
+        let hops: [Option<Hop<M::Scalar>>; K] = array::from_fn(|k| {
+            let is_elastic = before.rates[k] < M::Scalar::ZERO && before.restitutions[k] >= one;
+            let leaves = position.is_touching[k] && !position.is_still[k] && !is_elastic;
+            let hop = Hop { speed: after.rates[k], pull: -balance.rate(k, &forces) };
+            (leaves && hop.returns()).then_some(hop)
+        });
+        let limit =
+            self.t.abs() * M::Scalar::from_f64(SHORT).max(M::Scalar::from_f64(TIMES) * M::Scalar::epsilon());
+        let is_short = |k: usize| hops[k].as_ref().is_some_and(|hop| hop.time() <= limit);
+        let approached = |k: usize| position.is_touching[k] && before.rates[k] < M::Scalar::ZERO;
+        let left = part_left(before, after, array::from_fn(|k| is_short(k) || approached(k)));
+        array::from_fn(|k| {
+            let hop = hops[k].as_ref()?;
+            let time = if left < one { hop.time() / (one - left) } else { hop.time() };
+            let is_resolved = !(left < one && time <= limit);
+            let is_low = hop.height()
+                <= M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * after.size_of(k, &self.q);
+            (!is_resolved || is_low).then_some(time)
+        })
+    }
+
+    /// Modes that fit together, after a jam if none do. The mode that reaction `ended` had has just come to its end.
+    pub(super) fn settle(
+        &self,
+        v: &mut [M::Scalar; N],
+        position: &mut Position<K>,
+        ended: Option<(usize, Rule)>,
+    ) -> Result<[Mode; K], Cause<M::Scalar>> {
+        let (terms, modes) = (self.terms(v), self.system.modes());
+        match terms.settle(&modes, position, ended) {
+            Err(Cause::Stuck(what)) => {
+                let is_pressed = array::from_fn(|k| position.is_touching[k] && position.is_still[k]);
+                let jam = terms.jam(v, &modes, &is_pressed).ok_or(Cause::Stuck(what))?;
+                *v = jam.velocities;
+                for (is_still, stays) in position.is_still.iter_mut().zip(jam.is_still) {
+                    *is_still |= stays;
+                }
+                let terms = self.terms(v);
+                halt(&terms, v, jam.is_still);
+                self.terms(v).settle(&modes, position, None)
+            }
+            settled => settled,
+        }
+    }
+}
+
+/// The square root of the part of the energy of approach in these contacts that an impact has left.
+fn part_left<S: Scalar, const N: usize, const K: usize>(
+    before: &Terms<S, N, K>,
+    after: &Terms<S, N, K>,
+    group: [bool; K],
+) -> S {
+    let (left, all) = (energy(after, group), energy(before, group));
+    if all > S::ZERO { (left / all).sqrt() } else { S::ONE }
+}
+
+/// A hop of a body that is pulled back evenly.
+struct Hop<S> {
+    speed: S,
+    pull: S,
+}
+
+impl<S: Scalar> Hop<S> {
+    fn returns(&self) -> bool {
+        self.speed > S::ZERO && self.pull > S::ZERO
+    }
+
+    fn time(&self) -> S {
+        (self.speed + self.speed) / self.pull
+    }
+
+    fn height(&self) -> S {
+        self.speed * self.speed / (self.pull + self.pull)
+    }
+}
