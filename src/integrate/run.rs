@@ -61,7 +61,7 @@ where
     let mut restarts = Restarts::new(t0, t_end, &[]);
     observe(t0, stepper.state());
     while stepper.time() != t_end {
-        let stepped = restarts.step(system, &mut stepper);
+        let stepped = restarts.step(system, &mut stepper, |_, _| false);
         stepped.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         observe(restarts.time(&stepper), stepper.state());
     }

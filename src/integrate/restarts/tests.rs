@@ -87,7 +87,7 @@ fn given_times_and_those_of_the_system_are_merged() {
         let mut restarts = Restarts::new(start, end, given);
         let mut times = Vec::new();
         while stepper.time() != end && times.len() < 20 {
-            restarts.step(&system, &mut stepper).expect("finite");
+            restarts.step(&system, &mut stepper, |_, _| true).expect("finite");
             times.push(restarts.time(&stepper));
         }
         assert_eq!(times, wanted);
@@ -100,7 +100,7 @@ fn nothing_is_tried_in_vain() {
         let mut stepper = Verner98::tolerance(1e-12).start(&system, -0.5, &[0.0; 2], 4.5).expect("starts");
         let mut restarts = Restarts::new(-0.5, 4.5, &[]);
         while stepper.time() != 4.5 {
-            restarts.step(&system, &mut stepper).expect("finite");
+            restarts.step(&system, &mut stepper, |_, _| true).expect("finite");
         }
         assert_eq!(stepper.work().rejections, 0);
         assert_near(*stepper.state(), half_past(4), "the end");
