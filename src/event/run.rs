@@ -126,6 +126,7 @@ where
     let current = switched.as_ref().unwrap_or(system);
     let mut stepper = method.start(current, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
     let mut events = Events { declared: Declarations::new(current, t0, stepper.state()), given };
+    let has_events = E > 0 || !M::EVENTS.is_empty();
     let mut restarts = Restarts::new(t0, t_end, &[]);
     observe(t0, stepper.state());
     while stepper.time() != t_end {
@@ -134,7 +135,7 @@ where
         let resumed = resumed.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         switched = resumed.or(switched);
         let current = switched.as_ref().unwrap_or(system);
-        let stepped = restarts.step(current, &mut stepper);
+        let stepped = restarts.step(current, &mut stepper, |_, _| has_events);
         stepped.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         let Some((time, state, course)) = events.turn(current, &mut stepper)? else {
             observe(restarts.time(&stepper), stepper.state());

@@ -28,6 +28,14 @@ pub enum Cause<S> {
     Setting(&'static str),
     /// The initial state, a time or the rate of the state is NaN or infinite.
     NotFinite,
+    /// Errors of the initial state, measured by the tolerance, are not numbers or too large for them, so that no first step can be
+    /// chosen.
+    NoFirstStep {
+        /// The error that is tolerated as a part of the state.
+        relative: S,
+        /// The error that is tolerated in the units of the state.
+        absolute: S,
+    },
     /// The step that the tolerance asks for is lost in the rounding of time.
     StepUnderflow {
         /// That step.
@@ -111,6 +119,11 @@ impl<S: Debug> Display for Cause<S> {
                 "the coefficient of restitution of contact `{contact}` is {value:?}; it must be from 0 to 1"
             ),
             Cause::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
+            Cause::NoFirstStep { relative, absolute } => write!(
+                f,
+                "no first step fits the tolerance, {relative:?} of the state and {absolute:?} beside it: the state is too small or \
+                 its rates are too large for that; tolerate a larger absolute error"
+            ),
             Cause::StepUnderflow { step } => {
                 write!(
                     f,

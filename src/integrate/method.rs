@@ -28,6 +28,17 @@ pub trait Method<M: OdeSystem + ?Sized> {
         y: &M::State,
         end: M::Scalar,
     ) -> Result<Self::Stepper, Cause<M::Scalar>>;
+
+    /// The same method with no step longer than this.
+    ///
+    /// # Errors
+    /// If the lengths of its steps are a setting already.
+    fn with_longest_step(self, _longest: M::Scalar) -> Result<Self, Cause<M::Scalar>>
+    where
+        Self: Sized,
+    {
+        Err(Cause::Setting("all steps of this method have the length that it was given: shorten that one"))
+    }
 }
 
 /// An integration in progress.
@@ -55,6 +66,18 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// The error is of the order of the method's own; a method that needs further evaluations for this makes
     /// them when first asked after a step.
     fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State;
+
+    /// Whether [`interpolate`](Stepper::interpolate) is as accurate within the last step as the step itself, as far as the method
+    /// can tell. If not, the step is taken back: time and state are those before it, and the next attempt is shorter.
+    ///
+    /// To be asked once after a step, before anything within it is, and before the step is made use of.
+    fn confirm(&mut self, _system: &M) -> bool {
+        true
+    }
+
+    /// Lets no more steps than this be tried from the first start on, rejected ones included. Methods that reject no steps leave
+    /// the counting to those who drive them.
+    fn limit_steps(&mut self, _most: u64) {}
 
     /// Goes on from another state at another time, as after an impact. The work done so far still counts.
     ///

@@ -54,16 +54,29 @@ impl<'a, S: Scalar> Restarts<'a, S> {
 
     /// Takes one step towards the end, to the next restart at most.
     ///
-    /// What lies within the last step can be asked for until the next one is taken.
+    /// What lies within the last step can be asked for until the next one is taken. `is_of_interest` tells of a step between two
+    /// times whether it will be: such a step is repeated, shorter, until what lies within it is as accurate as its end.
     ///
     /// # Errors
     /// As [`Stepper::step`].
-    pub(crate) fn step<M>(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Result<(), Cause<S>>
+    pub(crate) fn step<M>(
+        &mut self,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+        is_of_interest: impl Fn(S, S) -> bool,
+    ) -> Result<(), Cause<S>>
     where
         M: OdeSystem<Scalar = S>,
     {
         self.due = self.next(system, stepper.time());
-        stepper.step(system, self.due.map_or(self.end, |restart| restart.before))
+        let limit = self.due.map_or(self.end, |restart| restart.before);
+        loop {
+            stepper.step(system, limit)?;
+            let is_asked = is_of_interest(stepper.last_time(), stepper.time());
+            if !is_asked || stepper.confirm(system) {
+                return Ok(());
+            }
+        }
     }
 
     /// The time that was reached: that of the restart if the last step ended there.

@@ -46,6 +46,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
             is_dense: false,
             max_steps: None,
             restarts: Vec::new(),
+            longest_step: None,
             observers: Vec::new(),
             watchers: Vec::new(),
             reporter: None,
@@ -89,6 +90,7 @@ pub struct Simulation<'a, M: MechanicalSystem, K> {
     pub(super) is_dense: bool,
     pub(super) max_steps: Option<u64>,
     pub(super) restarts: Vec<M::Scalar>,
+    pub(super) longest_step: Option<M::Scalar>,
     pub(super) observers: Vec<Observer<'a, M>>,
     pub(super) watchers: Vec<Watcher<'a, M>>,
     pub(super) reporter: Option<Reporter<'a, M::Scalar>>,
@@ -148,6 +150,7 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
             is_dense: self.is_dense,
             max_steps: self.max_steps,
             restarts: self.restarts,
+            longest_step: self.longest_step,
             observers: self.observers,
             watchers: self.watchers,
             reporter: self.reporter,
@@ -278,6 +281,13 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
     /// hundred million; others have none.
     pub fn max_steps(self, limit: u64) -> Self {
         Simulation { max_steps: Some(limit), ..self }
+    }
+
+    /// Takes no step longer than this, so that nothing that lasts about a quarter of it is stepped over. By default steps of the
+    /// adaptive method are no longer than a twentieth of the run, and a two-hundredth while the system is at rest. For methods
+    /// whose steps have a length of their own it is an error.
+    pub fn longest_step(self, longest: M::Scalar) -> Self {
+        Simulation { longest_step: Some(longest), ..self }
     }
 
     /// Ends a step at each of these times and starts another one there, for a force that jumps or has a kink at times known

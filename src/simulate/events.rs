@@ -92,6 +92,11 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
         }
     }
 
+    /// Whether there is nothing to look for.
+    pub(super) fn is_empty(&self) -> bool {
+        M::EVENTS.is_empty() && self.given.is_empty()
+    }
+
     /// The next event in the last step, with what comes of it; of those at the same time the one given first, and declared ones
     /// before all others.
     pub(super) fn next(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Next<M> {

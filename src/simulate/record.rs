@@ -97,6 +97,15 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
         Ok(())
     }
 
+    /// Whether states before `to` that lie within the step to it will be kept.
+    pub(super) fn looks_before(&self, to: M::Scalar) -> bool {
+        let is_sampled = match self.samples {
+            Samples::Grid(mut grid) => grid.up_to(to).is_some_and(|time| time != to),
+            Samples::EveryStep | Samples::None => false,
+        };
+        is_sampled || self.dense.is_some()
+    }
+
     /// Keeps what is asked for of the last step up to `to`, where this is the state.
     pub(super) fn keep(&mut self, stepper: &mut impl Stepper<M>, to: M::Scalar, state: &M::State) {
         match self.samples {

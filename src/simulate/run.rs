@@ -26,17 +26,24 @@ where
     K: Method<M>,
 {
     let Simulation { system, end, method, .. } = simulation;
+    let (order, name) = (method.order(), method.name());
+    let method = match simulation.longest_step {
+        Some(longest) => method.with_longest_step(longest),
+        None => Ok(method),
+    };
     let start = admitted(system, simulation.start);
-    let dense = simulation.is_dense.then(|| Dense::new(method.order()));
+    let dense = simulation.is_dense.then(|| Dense::new(order));
     let begun = is_forwards::<M>(start.0, end).and_then(|()| system.begin(start.0, &start.1));
     let (switched, begun) = begun.map_or_else(|cause| (None, Err(cause)), |switched| (switched, Ok(())));
     let mut record = Record::new((system, switched), simulation.observers, dense, start);
     let prepared = check_names(&record).and_then(|()| record.choose(simulation.sampling, end));
     let times = in_order(simulation.restarts, start.0, end);
     let result = prepared.and(begun).and(times).and_then(|times| {
-        let stepper = method.start(record.system(), start.0, &start.1, end)?;
-        let watchers = Watchers::new(simulation.watchers, record.system(), (start.0, &start.1));
+        let method = method?;
         let max_steps = simulation.max_steps.unwrap_or(u64::MAX);
+        let mut stepper = method.start(record.system(), start.0, &start.1, end)?;
+        stepper.limit_steps(max_steps);
+        let watchers = Watchers::new(simulation.watchers, record.system(), (start.0, &start.1));
         let restarts = Restarts::new(start.0, end, &times);
         let mut run = Run { stepper, restarts, watchers, end, max_steps, reporter: simulation.reporter };
         let result = run.follow(&mut record);
@@ -44,7 +51,7 @@ where
         result
     });
     let ending = *result.as_ref().unwrap_or(&Ending::Failed);
-    let trajectory = record.close(ending, method.name());
+    let trajectory = record.close(ending, name);
     match result {
         Ok(_) => Ok(trajectory),
         Err(cause) => Err(SimulationError { cause, trajectory: Box::new(trajectory) }),
@@ -103,7 +110,9 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
             }
             let resumed = self.restarts.resume(record.system(), &mut self.stepper)?;
             record.switch(resumed);
-            self.restarts.step(record.system(), &mut self.stepper)?;
+            let has_watchers = !self.watchers.is_empty();
+            let is_of_interest = |_, to| has_watchers || record.looks_before(to);
+            self.restarts.step(record.system(), &mut self.stepper, is_of_interest)?;
             if self.react(record)?.is_break() {
                 return Ok(Ending::Stopped);
             }

@@ -39,16 +39,45 @@ where
     S: Scalar,
     Y: StateVector<S>,
 {
-    let (one, two) = (S::ONE, S::from_f64(2.0));
-    let (x, both) = (two * s - one, s * (one - s));
-    let bend = BEND.map(|(rate, coefficients)| {
-        let value = coefficients.iter().rev().fold(S::ZERO, |sum, c| sum.multiply_add(x, S::from_f64(*c)));
-        (rate, both * value)
-    });
-    let (bend, chord) = (weighted(rates, bend), ADVANCE.weighted(rates));
+    let both = s * (S::ONE - s);
+    let bend = weighted(rates, BEND.map(|(rate, coefficients)| (rate, both * polynomial(coefficients, s).0)));
+    let chord = ADVANCE.weighted(rates);
     let mut y = span.y;
     for (y, (bend, chord)) in y.as_mut().iter_mut().zip(bend.as_ref().iter().zip(chord.as_ref())) {
         *y = *y + span.h * s.multiply_add(*chord, *bend);
     }
     y
+}
+
+/// By how much the rate of the interpolant at the part `s` of the step differs from that of the system at the state there.
+pub(super) fn defect<M>(
+    system: &M,
+    span: &Span<M::Scalar, M::State>,
+    s: M::Scalar,
+    rates: &[M::State; RATES],
+) -> M::State
+where
+    M: OdeSystem + ?Sized,
+{
+    let (one, two) = (M::Scalar::ONE, M::Scalar::from_f64(2.0));
+    let slopes = BEND.map(|(rate, coefficients)| {
+        let (value, slope) = polynomial(coefficients, s);
+        (rate, (one - two * s) * value + s * (one - s) * slope)
+    });
+    let (bend, chord) = (weighted(rates, slopes), ADVANCE.weighted(rates));
+    let mut defect = system.rhs(s.multiply_add(span.h, span.t), &interpolate(span, s, rates));
+    for (defect, (bend, chord)) in defect.as_mut().iter_mut().zip(bend.as_ref().iter().zip(chord.as_ref())) {
+        *defect = *chord + *bend - *defect;
+    }
+    defect
+}
+
+/// A polynomial about the middle of the step, at the part `s` of it, and its derivative there.
+fn polynomial<S: Scalar, const N: usize>(coefficients: [f64; N], s: S) -> (S, S) {
+    let two = S::from_f64(2.0);
+    let x = two * s - S::ONE;
+    let (value, slope) = coefficients.iter().rev().fold((S::ZERO, S::ZERO), |(value, slope), c| {
+        (value.multiply_add(x, S::from_f64(*c)), slope.multiply_add(x, value))
+    });
+    (value, two * slope)
 }

@@ -37,7 +37,9 @@ pub struct Verner98<S> {
     pub absolute: S,
     /// Length of the first step to try; estimated if not given.
     pub first_step: Option<S>,
-    /// No step is longer.
+    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that was in view there, and a
+    /// two-hundredth while the state stays where it is: what is still to come then does not show in the errors. Forces that act
+    /// for a shorter time than about a quarter of a step may be stepped over.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,
@@ -74,6 +76,13 @@ impl<S: Scalar> Verner98<S> {
     }
 }
 
+/// No step is longer than this part of the way, unless that is a setting,
+const LONGEST: f64 = 1.0 / 20.0;
+/// nor than this part of it while the state stays where it is:
+const LONGEST_AT_REST: f64 = 1.0 / 200.0;
+/// while a step changes it by less than this part of what is tolerated.
+const AT_REST: f64 = 1e-3;
+
 impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
     type Stepper = VernerStepper<M>;
 
@@ -94,6 +103,11 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
     ) -> Result<Self::Stepper, Cause<M::Scalar>> {
         self.check()?;
         VernerStepper::start(*self, system, t, y, end)
+    }
+
+    fn with_longest_step(self, longest: M::Scalar) -> Result<Self, Cause<M::Scalar>> {
+        let method = Verner98 { longest_step: Some(longest), ..self };
+        method.check().map(|()| method)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Verner98;
 use super::control::Control;
-use super::dense::{Span, complete, interpolate};
+use super::dense::{Span, complete, defect, interpolate};
 use super::stage::RATES;
 use super::stiffness::{STABLE, Stiffness};
 use super::tableau::{
@@ -29,6 +29,14 @@ const NEAR: f64 = 0.7;
 const FAST: f64 = 100.0;
 /// and that motion goes on if it changes the state by at least this part of it in a step.
 const SLOWEST: f64 = 1e-9;
+/// The parts of a step after which the defect of the interpolant is looked at: the middle of the widest gap between stages, and
+/// near the end, where it is large if the motion is smooth.
+const CHECKED: [f64; 2] = [0.34, 0.94];
+/// The interpolant is refused if its defect times the step is larger than this times what is tolerated. On smooth motions the defect
+/// at the places above is a third to a half of the estimated error of the step, and the error within the step less than that.
+const LARGEST_DEFECT: f64 = 2.0;
+/// Rounding leaves a defect of less than this many roundings of the rates.
+const ROUNDINGS: f64 = 256.0;
 /// Where the rate at the end of a step, which begins the next one, has its place.
 const END: usize = 16;
 
@@ -42,6 +50,9 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
     stiffness: Stiffness,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
+    /// Clock and state before the last step.
+    before: (Clock<M::Scalar>, Compensated<M::State>),
+    is_at_rest: bool,
     /// The last step, and its rates.
     last: Span<M::Scalar, M::State>,
     rates: [M::State; RATES],
@@ -89,13 +100,16 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         end: M::Scalar,
     ) -> Result<Self, Cause<M::Scalar>> {
         check_finite(end, y)?;
+        let (clock, state) = (Clock::new(t, M::Scalar::ZERO), Compensated::new(*y));
         let mut stepper = VernerStepper {
             settings,
             span: end - t,
             control: Control::new(M::Scalar::ZERO),
             stiffness: Stiffness::default(),
-            clock: Clock::new(t, M::Scalar::ZERO),
-            state: Compensated::new(*y),
+            clock,
+            state,
+            before: (clock, state),
+            is_at_rest: false,
             last: Span { t, y: *y, h: M::Scalar::ZERO },
             rates: [M::State::ZERO; RATES],
             known: Known::End,
@@ -116,11 +130,12 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
 
     /// The next step to try, or that it is lost in rounding.
     fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, Cause<M::Scalar>> {
-        let length = self.settings.longest_step.map_or(self.control.step, |most| self.control.step.min(most));
+        let length = self.control.step.min(self.settings.longest(self.span, self.is_at_rest));
         let t = self.clock.time();
         let mut clock = self.clock.with_step(if limit < t { -length } else { length });
         let h = clock.advance(limit);
-        if t + M::Scalar::from_f64(FINEST) * length == t && t != limit {
+        let is_lost = t + M::Scalar::from_f64(FINEST) * length == t && t != limit;
+        if is_lost || !(length > M::Scalar::ZERO) {
             return Err(Cause::StepUnderflow { step: length });
         }
         Ok(Attempt { h, clock })
@@ -158,6 +173,26 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.rates[END]
     }
 
+    /// Finds the rates that the interpolant needs, unless they are known.
+    fn complete(&mut self, system: &M) {
+        if self.known < Known::All {
+            self.end_rate(system);
+            complete(system, &self.last, &mut self.rates);
+            self.known = Known::All;
+            self.work.evaluations += 9;
+        }
+    }
+
+    /// By how much the interpolant of the last step is less accurate than it may be, for which one is just enough.
+    fn excess(&self, system: &M) -> M::Scalar {
+        let Span { y, h, .. } = &self.last;
+        let norm = |error: &M::State| self.settings.norm(*h, error, y, self.state.value());
+        let rounding = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * norm(&self.rates[0]);
+        let defects = CHECKED.map(|s| norm(&defect(system, &self.last, M::Scalar::from_f64(s), &self.rates)));
+        defects.into_iter().fold(M::Scalar::ZERO, M::Scalar::max)
+            / (M::Scalar::from_f64(LARGEST_DEFECT) + rounding)
+    }
+
     /// Forgets the last step, whose rates are about to be lost.
     fn forget_last(&mut self) {
         let t = self.clock.time();
@@ -192,6 +227,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.work.steps += 1;
         self.control.accept(h.abs(), error);
         self.last = Span { t: self.clock.time(), y, h };
+        self.is_at_rest = self.settings.is_at_rest(h, &ADVANCE.weighted(&self.rates), &y);
+        self.before = (self.clock, self.state);
         (self.clock, self.state, self.known) = (clock, state, Known::Stages);
         Ok(Verdict::Taken)
     }
@@ -284,13 +321,31 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
         if t == self.last.t {
             return self.last.y;
         }
-        if self.known < Known::All {
-            self.end_rate(system);
-            complete(system, &self.last, &mut self.rates);
-            self.known = Known::All;
-            self.work.evaluations += 9;
-        }
+        self.complete(system);
         corrected(system, t, interpolate(&self.last, (t - self.last.t) / self.last.h, &self.rates))
+    }
+
+    fn confirm(&mut self, system: &M) -> bool {
+        let h = self.last.h;
+        if h == M::Scalar::ZERO {
+            return true;
+        }
+        self.complete(system);
+        let excess = self.excess(system);
+        self.work.evaluations += CHECKED.len() as u64;
+        if excess <= M::Scalar::ONE {
+            return true;
+        }
+        (self.clock, self.state) = self.before;
+        (self.rates[END], self.known) = (self.rates[0], Known::End);
+        self.forget_last();
+        self.work.steps -= 1;
+        self.reject(h, excess);
+        false
+    }
+
+    fn limit_steps(&mut self, most: u64) {
+        self.settings.max_steps = self.settings.max_steps.min(most);
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
@@ -298,10 +353,16 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
         let rate = system.rhs(t, y);
         self.work.evaluations += 1;
         check_finite(t, &rate)?;
-        let step = self.settings.first_step.unwrap_or_else(|| {
-            self.work.evaluations += 1;
-            self.settings.first_step(system, t, y, &rate, self.span)
-        });
+        self.is_at_rest = self.settings.is_at_rest(self.settings.longest(self.span, true), &rate, y);
+        let step = match self.settings.first_step {
+            Some(first) => first,
+            None if self.span == M::Scalar::ZERO => M::Scalar::ZERO,
+            None => {
+                self.work.evaluations += 1;
+                let bounds = (self.settings.longest(self.span, self.is_at_rest), self.span < M::Scalar::ZERO);
+                self.settings.first_step(system, (t, y), &rate, bounds)?
+            }
+        };
         self.control = Control::new(step);
         self.clock = Clock::new(t, M::Scalar::ZERO);
         self.state = Compensated::new(*y);

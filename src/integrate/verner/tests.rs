@@ -1,5 +1,7 @@
 //! The pair on hand-written systems whose solutions are known.
 
+mod pulses;
+
 use std::vec::Vec;
 
 use super::Verner98;

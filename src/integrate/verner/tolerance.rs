@@ -1,6 +1,8 @@
 //! Errors and rates measured by what is tolerated.
 
-use super::Verner98;
+use super::{AT_REST, LONGEST, LONGEST_AT_REST, Verner98};
+use crate::integrate::error::Cause;
+use crate::integrate::stability::combined;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
 
@@ -22,42 +24,61 @@ impl<S: Scalar> Verner98<S> {
         (sum / S::from_f64(from.as_ref().len() as f64)).sqrt()
     }
 
-    /// A first step whose error is small in all likelihood, not longer than `span`.
-    pub(super) fn first_step<M>(&self, system: &M, t: S, y: &M::State, rate: &M::State, span: S) -> S
+    /// The longest step that is tried on a way of this length, with the state moving or at rest.
+    pub(super) fn longest(&self, span: S, is_at_rest: bool) -> S {
+        let part = if is_at_rest { LONGEST_AT_REST } else { LONGEST };
+        self.longest_step.unwrap_or(span.abs() * S::from_f64(part))
+    }
+
+    /// Whether a step of the length `h` at this rate changes the state by next to nothing.
+    pub(super) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> bool {
+        self.norm(h, rate, y, y) < S::from_f64(AT_REST)
+    }
+
+    /// A first step whose error is small in all likelihood, not longer than `longest`, from a state at this rate.
+    ///
+    /// # Errors
+    /// If there is none because errors measured by the tolerance are no numbers.
+    pub(super) fn first_step<M>(
+        &self,
+        system: &M,
+        (t, y): (S, &M::State),
+        rate: &M::State,
+        (longest, is_backwards): (S, bool),
+    ) -> Result<S, Cause<S>>
     where
         M: OdeSystem<Scalar = S> + ?Sized,
     {
-        let (one, small) = (S::ONE, S::from_f64(1e-5));
-        let size = self.norm(one, y, y, y);
-        let speed = self.norm(one, rate, y, y);
+        let small = S::from_f64(1e-5);
+        let (size, speed) = (self.norm(S::ONE, y, y, y), self.norm(S::ONE, rate, y, y));
         let guess =
             if size < small || speed < small { S::from_f64(1e-6) } else { S::from_f64(0.01) * size / speed };
-        let guess = guess.min(span.abs());
-        let h = if span < S::ZERO { -guess } else { guess };
-        let mut ahead = *y;
-        for (y, rate) in ahead.as_mut().iter_mut().zip(rate.as_ref()) {
-            *y = rate.multiply_add(h, *y);
-        }
-        let mut bend = system.rhs(t + h, &ahead);
-        for (bend, rate) in bend.as_mut().iter_mut().zip(rate.as_ref()) {
-            *bend = *bend - *rate;
-        }
-        let bend = self.norm(one / guess, &bend, y, y);
+        let guess = guess.min(longest);
+        let bend = self.bend(system, (t, y), rate, if is_backwards { -guess } else { guess });
         let fastest = speed.max(bend);
         let length = if fastest <= S::from_f64(1e-15) {
             (guess * S::from_f64(1e-3)).max(S::from_f64(1e-6))
         } else {
             (S::from_f64(0.01) / fastest).powf(S::from_f64(1.0 / 9.0))
         };
-        let length = length.min(S::from_f64(100.0) * guess);
-        let longest = self.longest_step.unwrap_or(length).min(span.abs());
+        let length = length.min(S::from_f64(100.0) * guess).min(longest);
         // The guess may have left the domain of the system.
-        if length <= longest {
-            length
-        } else if length.is_finite() {
-            longest
-        } else {
-            guess.min(longest)
+        let first = if length > S::ZERO && length.is_finite() { length } else { guess };
+        if first > S::ZERO && first.is_finite() && speed.is_finite() {
+            return Ok(first);
         }
+        Err(Cause::NoFirstStep { relative: self.relative, absolute: self.absolute })
+    }
+
+    /// How fast rates change, measured over an Euler step of the length `h`.
+    fn bend<M>(&self, system: &M, (t, y): (S, &M::State), rate: &M::State, h: S) -> S
+    where
+        M: OdeSystem<Scalar = S> + ?Sized,
+    {
+        let mut bend = system.rhs(t + h, &combined(y, h, rate));
+        for (bend, rate) in bend.as_mut().iter_mut().zip(rate.as_ref()) {
+            *bend = *bend - *rate;
+        }
+        self.norm(S::ONE / h.abs(), &bend, y, y)
     }
 }

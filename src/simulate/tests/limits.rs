@@ -8,6 +8,7 @@ use std::vec::Vec;
 use super::{Broken, Oscillator, START, assert_exact};
 use crate::integrate::{Cause, RungeKutta4};
 use crate::simulate::{Ending, Progress, Simulate};
+use crate::system::{MechanicalSystem, OdeSystem, Unnamed};
 
 #[test]
 fn a_failure_keeps_the_samples_so_far() {
@@ -118,4 +119,57 @@ fn a_cancelled_run_returns_what_it_has() {
     assert_exact(&trajectory, 1e-4);
     let complete = Oscillator.simulate(START).until(1.0).run().expect("runs");
     assert_eq!(complete.ending(), Ending::Reached);
+}
+
+#[test]
+fn the_longest_step_is_limited_where_steps_have_no_length_of_their_own() {
+    let longest = |limit: f64| {
+        let run =
+            Oscillator.simulate(START).until(20.0).tolerance(1e-3).longest_step(limit).run().expect("runs");
+        run.times().windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max)
+    };
+    assert!((longest(0.25) - 0.25).abs() < 1e-12);
+    assert!(longest(20.0) > 1.0, "without a limit of its own a run takes at least twenty steps");
+    let refused = |run: Result<_, crate::simulate::SimulationError<Oscillator>>| {
+        run.map(|_: crate::simulate::Trajectory<_>| ()).expect_err("refused").cause
+    };
+    for limit in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let run = Oscillator.simulate(START).until(1.0).longest_step(limit).run();
+        assert!(matches!(refused(run), Cause::Setting(_)), "{limit}");
+    }
+    let fixed = Oscillator.simulate(START).until(1.0).method(RungeKutta4 { step: 0.1 });
+    let cause = refused(fixed.longest_step(0.5).run());
+    assert!(matches!(cause, Cause::Setting(what) if what.contains("shorten")), "{cause}");
+}
+
+/// ẍ = 0, or NaN after the start: every step is rejected.
+struct Wall;
+
+impl OdeSystem for Wall {
+    type Scalar = f64;
+    type State = [f64; 2];
+
+    fn rhs(&self, t: f64, [_, v]: &[f64; 2]) -> [f64; 2] {
+        [*v, if t > 0.0 { f64::NAN } else { 0.0 }]
+    }
+}
+
+impl MechanicalSystem for Wall {
+    type Coordinates = [f64; 1];
+    type Columns<C> = Unnamed<C>;
+    const COORDINATES: &'static [&'static str] = &["x"];
+
+    fn acceleration(&self, t: f64, [x]: &[f64; 1], [v]: &[f64; 1]) -> [f64; 1] {
+        [self.rhs(t, &[*x, *v])[1]]
+    }
+}
+
+#[test]
+fn steps_that_are_rejected_count() {
+    let error = Wall.simulate(START).until(1.0).max_steps(20).run().expect_err("gives up");
+    assert_eq!(error.cause, Cause::TooManySteps { limit: 20 });
+    assert_eq!(error.trajectory.work().rejections, 20);
+    let error = Wall.simulate(START).until(1.0).run().expect_err("gives up by itself");
+    assert_eq!(error.cause, Cause::NotFinite);
+    assert!(error.trajectory.work().rejections < 1000);
 }
