@@ -33,6 +33,7 @@ mod responses;
 mod roads;
 mod scene;
 mod scope;
+mod smoothness;
 mod solve;
 mod squares;
 mod stabilisation;
