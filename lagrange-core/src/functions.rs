@@ -47,7 +47,7 @@ pub struct Row {
 }
 
 /// Every function, in the order of [`Function`].
-pub const ROWS: [Row; 19] = [
+pub const ROWS: [Row; 20] = [
     Row {
         function: Function::Sin,
         name: "sin",
@@ -231,7 +231,7 @@ pub const ROWS: [Row; 19] = [
         latex: r"\left|#1\right|",
         rust: "abs",
         value: |x| x[0].abs(),
-        partials: |g, x, _| vec![apply(g, Function::Sign, x)],
+        partials: |g, x, _| vec![apply(g, Function::MagnitudeSlope, x)],
     },
     Row {
         function: Function::Sign,
@@ -242,16 +242,7 @@ pub const ROWS: [Row; 19] = [
         at_zero: Some(0),
         latex: r"\operatorname{sign}\left(#1\right)",
         rust: "sign",
-        // Zero and NaN are their own signs.
-        value: |x| {
-            if x[0] > 0.0 {
-                1.0
-            } else if x[0] < 0.0 {
-                -1.0
-            } else {
-                x[0]
-            }
-        },
+        value: |x| sign(x[0]),
         partials: |g, _, _| vec![g.number(0)],
     },
     Row {
@@ -310,7 +301,31 @@ pub const ROWS: [Row; 19] = [
         value: |x| x[0].hypot(x[1]),
         partials: |g, x, f| vec![g.divide(x[0], f), g.divide(x[1], f)],
     },
+    // Written as the sign, which has its value; only products tell them apart.
+    Row {
+        function: Function::MagnitudeSlope,
+        name: "sign",
+        arity: 1,
+        parity: Parity::Odd,
+        domain: "everywhere",
+        at_zero: Some(0),
+        latex: r"\operatorname{sign}\left(#1\right)",
+        rust: "sign",
+        value: |x| sign(x[0]),
+        partials: |g, _, _| vec![g.number(0)],
+    },
 ];
+
+/// ±1; zero and NaN are their own signs.
+fn sign(x: f64) -> f64 {
+    if x > 0.0 {
+        1.0
+    } else if x < 0.0 {
+        -1.0
+    } else {
+        x
+    }
+}
 
 /// What is known of `function`.
 pub fn row(function: Function) -> &'static Row {
@@ -333,6 +348,11 @@ pub fn apply(graph: &mut Graph, function: Function, arguments: &[ExprId]) -> Exp
         Function::Min | Function::Max => {
             if let Some(known) = known_extremum(graph, function, arguments[0], arguments[1]) {
                 return known;
+            }
+        }
+        Function::Hypot => {
+            if let Some(zero) = arguments.iter().position(|&side| graph.is_zero(side)) {
+                return apply(graph, Function::Abs, &[arguments[1 - zero]]);
             }
         }
         _ => {}
@@ -389,7 +409,9 @@ fn known_value(graph: &Graph, row: &Row, argument: ExprId) -> Option<Number> {
     if let Some(number) = graph.as_number(argument) {
         return match row.function {
             Function::Abs => Some(number.abs()),
-            Function::Sign => Some(number.abs().reciprocal().map_or(Number::ZERO, |r| &r * number)),
+            Function::Sign | Function::MagnitudeSlope => {
+                Some(number.abs().reciprocal().map_or(Number::ZERO, |r| &r * number))
+            }
             _ if number.is_zero() => row.at_zero.map(Number::from),
             _ => None,
         };

@@ -140,6 +140,11 @@ impl Number {
         }
     }
 
+    /// Whether this is an odd integer.
+    pub fn is_odd(&self) -> bool {
+        self.is_integer() && !self.is_even()
+    }
+
     /// The value, if it is an integer that fits.
     pub fn to_i32(&self) -> Option<i32> {
         self.to_integer().and_then(|integer| i32::try_from(integer).ok())

@@ -126,7 +126,7 @@ pub fn side_values<M: SwitchedSystem<K>, const K: usize>(
     }
 }
 
-/// What comes of the event by which a side changes.
+/// What comes of a declared event without a reaction of its own: a side changes, or the motion just goes on.
 ///
 /// # Errors
 /// Never.
@@ -136,7 +136,8 @@ pub fn change_side<M: SwitchedSystem<K>, const K: usize>(
     t: M::Scalar,
     y: &M::State,
 ) -> Reacted<M> {
-    let (k, switches) = (event - M::FIRST, system.switches());
+    let Some(k) = event.checked_sub(M::FIRST) else { return Ok(Answer::new(Reaction::Continue)) };
+    let switches = system.switches();
     let is_positive = match switches.is_fixed(k) {
         true => switches.positive >> k & 1 == 0,
         false => system.switch_values(t, y)[k] >= M::Scalar::ZERO,

@@ -326,7 +326,9 @@ fn degree_of_power(graph: &Graph, base: Series, exponent: &Number) -> usize {
 /// The series of a function that bends sharply or jumps where the arguments take their values, if it does.
 fn at_kink(graph: &mut Graph, function: Function, arguments: &[Series]) -> Option<Option<Series>> {
     match (function, arguments) {
-        (Function::Sign, [argument]) if vanishes(graph, argument.parts[0]) => Some(None),
+        (Function::Sign | Function::MagnitudeSlope, [argument]) if vanishes(graph, argument.parts[0]) => {
+            Some(None)
+        }
         (Function::Abs, [argument]) if vanishes(graph, argument.parts[0]) => {
             Some(power_at_zero(graph, *argument, &Number::ONE))
         }

@@ -4,16 +4,16 @@
 //! Equal operands are collected. A nested operand of the same kind is opened only if that makes
 //! something vanish, `(x + y) - x = y` or `(x·y)/x = y`: otherwise it is worth more as a shared part.
 
-use super::{ExprId, Graph, Node};
+use super::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
 /// Nested operands longer than this are never opened: looking into them would cost more than it finds.
-const LONGEST_OPENED: usize = 8;
+pub(super) const LONGEST_OPENED: usize = 8;
 /// Products of more factors than this are nested, so that derivatives of long products stay short.
 const LONGEST_PRODUCT: usize = 16;
 
 /// An operand and its coefficient or exponent.
-type Weighted = (ExprId, Number);
+pub(super) type Weighted = (ExprId, Number);
 
 impl Graph {
     /// `constant + Σ coefficient · term`
@@ -105,8 +105,8 @@ impl Graph {
     /// `Π base ^ exponent`
     ///
     /// Numbers are folded, equal bases collected, cancelling nested products opened. Powers of powers are
-    /// combined where both sides have the same domain: `(x²)^½` stays, and so does `x^½ · x^½` unless `x`
-    /// is known not to be negative.
+    /// combined where both sides have the same domain: `x^½ · x^½` stays unless `x` is known not to be negative. Magnitudes
+    /// have none but odd powers: `(x²)^½` is `|x|` and `|x|²` is `x²`, which has a second derivative at 0.
     pub fn product(&mut self, factors: impl IntoIterator<Item = Weighted>) -> ExprId {
         let mut coefficient = Number::ONE;
         let mut collected = Vec::new();
@@ -117,11 +117,11 @@ impl Graph {
             return self.number(Number::ZERO);
         }
         self.merge_factors(&mut coefficient, &mut collected);
-        while let Some(position) = self.cancelling_product(&collected) {
-            let (nested, exponent) = collected.swap_remove(position);
-            let Node::Product(factors) = self.node(nested).clone() else { break };
-            for (base, inner) in &factors {
-                self.push_factor(&mut coefficient, &mut collected, *base, inner * &exponent);
+        while let Some(replacement) =
+            self.opened_product(&mut collected).or_else(|| self.opened_magnitude(&mut collected))
+        {
+            for (base, exponent) in replacement {
+                self.push_factor(&mut coefficient, &mut collected, base, exponent);
             }
             self.merge_factors(&mut coefficient, &mut collected);
         }
@@ -158,13 +158,18 @@ impl Graph {
         (rest.0 != *base).then_some((number, Some(rest)))
     }
 
-    /// `(base^p)^e = base^(p·e)` where both have the same domain.
+    /// `(base^p)^e = base^(p·e)` where both have the same domain; `|base|^e = base^e` for even e.
     fn flatten_power(&self, base: ExprId, exponent: Number) -> Weighted {
         if let Node::Product(factors) = self.node(base)
             && let [(inner, power)] = &**factors
             && (exponent.is_integer() || !power.is_even() || self.is_nonnegative(*inner))
         {
             return (*inner, power * &exponent);
+        }
+        if let Node::Call(Function::Abs, arguments) = self.node(base)
+            && exponent.is_even()
+        {
+            return (arguments[0], exponent);
         }
         (base, exponent)
     }
@@ -184,7 +189,13 @@ impl Graph {
         }
     }
 
-    /// A nested product one of whose factors cancels against the rest.
+    /// Takes out a nested product one of whose factors cancels against the rest; its factors.
+    fn opened_product(&self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+        let (nested, exponent) = factors.swap_remove(self.cancelling_product(factors)?);
+        let Node::Product(inner) = self.node(nested) else { return None };
+        Some(inner.iter().map(|(base, power)| (*base, power * &exponent)).collect())
+    }
+
     fn cancelling_product(&self, factors: &[Weighted]) -> Option<usize> {
         vanishing(factors, |id| match self.node(id) {
             Node::Product(inner) if inner.len() <= LONGEST_OPENED => Some(&**inner),

@@ -70,6 +70,8 @@ impl BitOr for Dependencies {
 pub(super) struct Facts {
     pub(super) dependencies: Dependencies,
     pub(super) nonnegative: bool,
+    /// x, if the slope s of |x| is a factor with an odd exponent, be it in |x| = s x, or x = s |x| beside other terms with s.
+    pub(super) slope: Option<ExprId>,
 }
 
 impl Facts {
@@ -79,7 +81,7 @@ impl Facts {
             _ => Dependencies::NONE,
         };
         node.for_each_child(|child| dependencies = dependencies | graph.dependencies(child));
-        Facts { dependencies, nonnegative: is_nonnegative(graph, node) }
+        Facts { dependencies, nonnegative: is_nonnegative(graph, node), slope: slope(graph, node) }
     }
 }
 
@@ -99,5 +101,24 @@ fn is_nonnegative(graph: &Graph, node: &Node) -> bool {
         Node::Call(Function::Abs | Function::Exp | Function::Cosh | Function::Hypot, _) => true,
         Node::Call(_, _) => false,
         Node::Choose { then, otherwise, .. } => known(then) && known(otherwise),
+    }
+}
+
+fn slope(graph: &Graph, node: &Node) -> Option<ExprId> {
+    match node {
+        Node::Call(Function::MagnitudeSlope | Function::Abs, arguments) => Some(arguments[0]),
+        Node::Product(factors) => {
+            let mut slopes =
+                factors.iter().filter_map(|(base, exponent)| Some((graph.slope_factor(*base)?, exponent)));
+            slopes.find(|(_, exponent)| exponent.is_odd()).map(|(of, _)| of)
+        }
+        Node::Sum { constant, terms } if constant.is_zero() => {
+            let of = terms.iter().find_map(|(term, _)| graph.slope_factor(*term))?;
+            let has_slope = |(term, _): &(ExprId, Number)| {
+                graph.slope_factor(*term) == Some(of) || graph.has_odd_power(*term, of)
+            };
+            terms.iter().all(has_slope).then_some(of)
+        }
+        _ => None,
     }
 }

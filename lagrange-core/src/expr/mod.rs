@@ -12,6 +12,7 @@
 
 mod combine;
 mod facts;
+mod magnitude;
 
 use indexmap::IndexSet;
 use rustc_hash::FxBuildHasher;
@@ -91,6 +92,8 @@ pub enum Function {
     Max,
     Power,
     Hypot,
+    /// The slope of `abs`: the sign, but with a square that is one, so that second derivatives of f(|x|) are right at 0.
+    MagnitudeSlope,
 }
 
 /// One expression; operands are ids of the same graph.

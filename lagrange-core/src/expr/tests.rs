@@ -1,4 +1,4 @@
-use super::{ExprId, Graph, Relation};
+use super::{ExprId, Function, Graph, Relation};
 use crate::number::Number;
 use crate::symbol::Role;
 
@@ -135,4 +135,62 @@ fn sizes_are_compared_without_counting_shared_parts_twice() {
     assert!(g.is_larger_than(power, size - 1));
     assert!(!g.is_larger_than(power, size));
     assert!(g.is_larger_than(a, 0) && !g.is_larger_than(a, 1));
+}
+
+#[test]
+fn even_powers_of_magnitudes_are_powers() {
+    let (mut g, [a, b, c, _]) = letters();
+    let half = Number::ratio(1, 2).expect("no zero");
+    let [magnitude, other] = [a, b].map(|x| g.call(Function::Abs, &[x]));
+    let square = g.square(a);
+    assert_eq!(g.square(magnitude), square);
+    assert_eq!(g.multiply(magnitude, magnitude), square);
+    assert_eq!(g.power(square, half.clone()), magnitude);
+    let fourth = g.power(a, Number::from(4));
+    assert_eq!(g.power(fourth, half.clone()), square);
+    assert_eq!(g.power(magnitude, Number::from(-4)), g.reciprocal(fourth));
+    let cube = g.power(magnitude, Number::from(3));
+    assert_ne!(cube, g.power(a, Number::from(3)), "odd powers are magnitudes");
+    let hypotenuse = g.call(Function::Hypot, &[a, b]);
+    let squares = [square, g.square(b)];
+    assert_eq!(g.square(hypotenuse), g.total(squares));
+    // |a b| |a| = a² |b|, also where the product is nested and has a coefficient.
+    let nested = {
+        let bc = g.multiply(b, c);
+        let product = g.multiply(a, bc);
+        g.scale(Number::from(3), product)
+    };
+    let nested = g.call(Function::Abs, &[nested]);
+    let found = g.product([(nested, Number::ONE), (magnitude, Number::ONE), (other, Number::ONE)]);
+    let rest = g.call(Function::Abs, &[c]);
+    let expected = g.product([(a, Number::TWO), (b, Number::TWO), (rest, Number::ONE)]);
+    assert_eq!(found, g.scale(Number::from(3), expected));
+    let doubled = g.scale(Number::TWO, square);
+    let two = g.number(2);
+    let root = g.power(two, half.clone());
+    assert_eq!(g.power(doubled, half), g.multiply(root, magnitude));
+}
+
+#[test]
+fn slopes_of_a_magnitude_have_the_square_one() {
+    let (mut g, [a, b, c, d]) = letters();
+    let [slope, other] = [a, b].map(|x| g.call(Function::MagnitudeSlope, &[x]));
+    let one = g.number(1);
+    assert_eq!(g.square(slope), one);
+    let [left, right] = [c, d].map(|x| g.multiply(slope, x));
+    assert_eq!(g.multiply(left, right), g.multiply(c, d));
+    assert_eq!(g.square(left), g.square(c));
+    // In sums whose terms all have it, too.
+    let nested = g.multiply(left, b);
+    let sum = g.add(nested, right);
+    let expected = {
+        let product = g.multiply(c, b);
+        g.add(product, d)
+    };
+    assert_eq!(g.multiply(slope, sum), expected);
+    let three = g.product([(slope, Number::ONE), (left, Number::ONE), (right, Number::ONE)]);
+    assert_eq!(three, g.product([(slope, Number::ONE), (c, Number::ONE), (d, Number::ONE)]));
+    assert_ne!(g.multiply(slope, other), one);
+    let sign = g.call(Function::Sign, &[a]);
+    assert_ne!(g.square(sign), one, "a sign that was written is zero at zero");
 }

@@ -5,6 +5,7 @@ use super::messages;
 use super::messages::scene;
 use super::model::{Energies, Model, Reduction};
 use super::product::Product;
+use super::smoothness::without_kinks;
 use crate::calculus::{AccelerationTerms, Rates, gradient};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
@@ -33,6 +34,7 @@ impl Elaborator<'_> {
             Energies::Separate { kinetic, potential } => self.evaluator.graph.subtract(kinetic, potential),
             Energies::Lagrangian => self.total(|elaborator| &elaborator.lagrangian),
         };
+        let lagrangian = without_kinks(&mut self.evaluator.graph, lagrangian);
         self.check_inertia(lagrangian);
         if self.evaluator.report.has_errors() {
             return None;
@@ -203,6 +205,7 @@ impl Elaborator<'_> {
     fn check_inertia(&mut self, lagrangian: ExprId) {
         let velocities = self.coordinates.iter().map(|(c, _)| c.velocity).collect::<Vec<_>>();
         let momenta = gradient(&mut self.evaluator.graph, lagrangian, &velocities);
+        self.check_smoothness(lagrangian, &momenta);
         let mut needs_input_rate = false;
         for ((coordinate, span), momentum) in self.coordinates.iter().zip(momenta) {
             let dependencies = self.evaluator.graph.dependencies(momentum);
@@ -230,6 +233,7 @@ impl Elaborator<'_> {
 
     fn into_model(mut self, energies: Energies, lagrangian: ExprId) -> Model {
         let dissipation = self.total(|elaborator| &elaborator.dissipation);
+        let dissipation = self.with_limits(dissipation);
         let products = self.products();
         let mut labels = self.labels;
         // Rates of what has a name occur in the equations whether or not the user wrote them.

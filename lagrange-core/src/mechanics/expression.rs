@@ -342,6 +342,19 @@ impl<'a> Evaluator<'a> {
         (self.origin(culprit), name)
     }
 
+    /// The smallest part of an expression of which another one is a part; `None` if it is none of its parts.
+    pub(super) fn place_of(&self, root: AstId, part: ExprId) -> Option<Origin> {
+        let holds = |id: AstId| {
+            let components = self.value(id).map_or_else(Vec::new, |value| value.components().to_vec());
+            self.graph.reachable(&components).contains(&part)
+        };
+        let mut place = Some(root).filter(|&root| holds(root))?;
+        while let Some(inner) = self.operands(place).into_iter().find(|&operand| holds(operand)) {
+            place = inner;
+        }
+        Some(self.origin(place))
+    }
+
     /// The name itself if it is a symbol, else that of a symbol of these kinds that it abbreviates.
     fn symbol_behind(&self, name: &str, id: AstId, kinds: Dependencies) -> String {
         let roots = self.value(id).map(|value| value.components().to_vec()).unwrap_or_default();

@@ -184,6 +184,11 @@ pub(super) fn no_inertia(name: &str) -> String {
 
 pub(super) const NO_INERTIA_HELP: &str = "add its kinetic energy, or make it a `param` or an `input`";
 
+pub(super) const MOMENTA_JUMP: &str =
+    "energies need second derivatives by velocities, but here a momentum jumps where this changes its branch";
+
+pub(super) const MOMENTA_JUMP_HELP: &str = "write an even power, such as `1/2*m*norm(v)^2`, or a `force`, `dissipation` or `friction` for what acts against a motion";
+
 pub(super) fn not_a_coordinate(name: &str) -> String {
     format!("`{name}` is not a coordinate")
 }

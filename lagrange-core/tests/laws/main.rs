@@ -1,12 +1,15 @@
 //! Laws that hold whatever the declaration, checked on random ones. `PROPTEST_CASES` scales how many.
 
+mod dampers;
 mod declarations;
 mod expressions;
 mod formulas;
 mod growth;
 mod machines;
+mod magnitudes;
 mod mechanics;
 mod mechanisms;
+mod polynomials;
 mod printing;
 mod products;
 mod reductions;

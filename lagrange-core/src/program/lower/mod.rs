@@ -15,7 +15,7 @@ use super::builder::Builder;
 use super::ir::{Float, Op, Program, ValueId};
 use super::labels::Labels;
 use crate::collections::HashMap;
-use crate::expr::{ExprId, Graph, Node};
+use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 use sharing::Sharing;
 
@@ -111,7 +111,11 @@ impl Lowering<'_> {
             Node::Product(_) => return self.product(&Number::ONE, id),
             Node::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|&argument| self.plain(argument)).collect();
-                self.builder.push(Op::Call(*function, arguments))
+                let function = match function {
+                    Function::MagnitudeSlope => Function::Sign,
+                    function => *function,
+                };
+                self.builder.push(Op::Call(function, arguments))
             }
             Node::Choose { relation, left, right, then, otherwise } => {
                 let [left, right] = [self.plain(*left), self.plain(*right)];

@@ -1,0 +1,206 @@
+//! Powers of magnitudes in products: |x|, √x², hypot, and the slope of |x|.
+//!
+//! Even powers of a magnitude are polynomials: |x|² = x², (√x²)⁴ = x⁴, hypot(x, y)² = x² + y². Written with the magnitude they
+//! would have the wrong second derivative where it vanishes, because the sign of zero is zero. What is left, f(|x|) in general, is
+//! differentiated by [`Function::MagnitudeSlope`], s = d|x|/dx, whose square is one: f″ s² is f″ at zero, too.
+
+use super::combine::{LONGEST_OPENED, Weighted};
+use super::{ExprId, Function, Graph, Node};
+use crate::collections::HashMap;
+use crate::number::Number;
+
+impl Graph {
+    /// x, if the slope of |x| is a factor of the expression with an odd exponent.
+    pub(super) fn slope_factor(&self, id: ExprId) -> Option<ExprId> {
+        self.facts[id.index()].slope
+    }
+
+    /// Takes out factors that are magnitudes in disguise; what they are.
+    pub(super) fn opened_magnitude(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+        self.opened_root(factors)
+            .or_else(|| self.opened_power(factors))
+            .or_else(|| self.opened_hypotenuse(factors))
+            .or_else(|| self.joined_magnitudes(factors))
+            .or_else(|| self.paired_slopes(factors))
+    }
+
+    /// (c Π xᵖ)ᵉ = cᵉ Π |x|ᵖᵉ for even p and positive c.
+    fn opened_root(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+        let is_root_of_even = |(base, exponent): &Weighted| {
+            if exponent.is_integer() {
+                return false;
+            }
+            let (coefficient, core) = self.split_coefficient(*base);
+            let Node::Product(inner) = self.node(core) else { return false };
+            !coefficient.is_negative() && inner.iter().all(|(_, power)| power.is_even())
+        };
+        let (base, exponent) = factors.swap_remove(factors.iter().position(is_root_of_even)?);
+        let (coefficient, core) = self.split_coefficient(base);
+        let Node::Product(inner) = self.node(core).clone() else { return None };
+        let mut opened = vec![(self.number(coefficient), exponent.clone())];
+        for (base, power) in &inner {
+            opened.push((self.magnitude(*base), power * &exponent));
+        }
+        Some(opened)
+    }
+
+    /// (Π b)ᵉ = Π bᵉ where a root or a hypotenuse among the factors vanishes thereby.
+    fn opened_power(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+        let hides_root = |(base, exponent): &Weighted| {
+            let Node::Product(inner) = self.node(*base) else { return false };
+            let vanishes = |(part, power): &Weighted| match self.node(*part) {
+                Node::Call(Function::Hypot, _) => (power * exponent).is_even(),
+                _ => !power.is_integer() && !power.is_negative() && (power * exponent).is_integer(),
+            };
+            exponent.is_integer() && !exponent.is_one() && inner.iter().any(vanishes)
+        };
+        let (base, exponent) = factors.swap_remove(factors.iter().position(hides_root)?);
+        let Node::Product(inner) = self.node(base) else { return None };
+        Some(inner.iter().map(|(part, power)| (*part, power * &exponent)).collect())
+    }
+
+    /// |x| of an expression without a coefficient.
+    fn magnitude(&mut self, id: ExprId) -> ExprId {
+        if self.is_nonnegative(id) { id } else { self.call(Function::Abs, &[id]) }
+    }
+
+    /// hypot(a, b)ᵉ = (a² + b²)^(e/2) for even e.
+    fn opened_hypotenuse(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+        let is_even_power = |(base, exponent): &Weighted| {
+            exponent.is_even() && matches!(self.node(*base), Node::Call(Function::Hypot, _))
+        };
+        let (base, exponent) = factors.swap_remove(factors.iter().position(is_even_power)?);
+        let Node::Call(_, sides) = self.node(base).clone() else { return None };
+        let squares = [self.square(sides[0]), self.square(sides[1])];
+        Some(vec![(self.total(squares), exponent * Number::ratio(1, 2)?)])
+    }
+
+    /// |a| |b| = |a b| where both have a factor in common, as in |k v| |v| = |k| v².
+    fn joined_magnitudes(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+        let magnitudes = factors.iter().filter_map(|(base, exponent)| match self.node(*base) {
+            Node::Call(Function::Abs, arguments) if exponent.is_odd() => Some((*base, arguments[0])),
+            _ => None,
+        });
+        let magnitudes = magnitudes.collect::<Vec<_>>();
+        let pairs =
+            magnitudes.iter().enumerate().flat_map(|(n, a)| magnitudes[..n].iter().map(move |b| (a, b)));
+        let (a, b) = pairs.map(|(a, b)| (*a, *b)).find(|(a, b)| self.have_common_factor(a.1, b.1))?;
+        for (_, exponent) in factors.iter_mut().filter(|(base, _)| *base == a.0 || *base == b.0) {
+            *exponent = &*exponent - &Number::ONE;
+        }
+        let coefficients = [a, b].map(|(_, argument)| self.split_coefficient(argument).0);
+        let parts = [self.whole_powers(a.1), self.whole_powers(b.1)].concat();
+        let product = self.product(parts);
+        let mut replacement = self.parts_of_magnitude(product);
+        for coefficient in coefficients {
+            replacement.push((self.number(coefficient.abs()), Number::ONE));
+        }
+        Some(replacement)
+    }
+
+    fn have_common_factor(&self, a: ExprId, b: ExprId) -> bool {
+        let [a, b] = [a, b].map(|id| self.whole_powers(id));
+        a.iter().any(|(base, _)| b.iter().any(|(other, _)| base == other))
+    }
+
+    /// Whether a power of this with an odd exponent is a factor.
+    pub(super) fn has_odd_power(&self, id: ExprId, of: ExprId) -> bool {
+        self.whole_powers(id).iter().any(|(base, exponent)| *base == of && exponent.is_odd())
+    }
+
+    /// The factors of an expression and of products among them, without its coefficient.
+    fn whole_powers(&self, id: ExprId) -> Vec<Weighted> {
+        let (mut found, mut pending) = (Vec::new(), vec![(self.split_coefficient(id).1, Number::ONE)]);
+        while let Some((base, exponent)) = pending.pop() {
+            match self.node(base) {
+                Node::Product(inner)
+                    if exponent.is_integer() && pending.len() + found.len() < LONGEST_OPENED =>
+                {
+                    pending.extend(inner.iter().map(|(part, power)| (*part, power * &exponent)));
+                }
+                _ => found.push((base, exponent)),
+            }
+        }
+        found
+    }
+
+    /// The factors of |x| of a product: even powers as they are, one magnitude of the rest.
+    fn parts_of_magnitude(&mut self, id: ExprId) -> Vec<Weighted> {
+        let (mut parts, rest) =
+            self.whole_powers(id).into_iter().partition::<Vec<_>, _>(|(_, power)| power.is_even());
+        let rest = self.product(rest);
+        let (coefficient, core) = self.split_coefficient(rest);
+        parts.push((self.number(coefficient.abs()), Number::ONE));
+        parts.push((self.magnitude(core), Number::ONE));
+        parts
+    }
+
+    /// Takes out the slopes of |x| that stand in several factors, or in a factor with an even exponent: s² = 1.
+    fn paired_slopes(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+        let mut odd: Vec<ExprId> = Vec::new();
+        let whole = factors.iter().filter(|(_, exponent)| exponent.is_integer());
+        let paired = whole.filter_map(|(base, exponent)| {
+            let of = self.slope_factor(*base)?;
+            if exponent.is_even() || odd.contains(&of) {
+                return Some(of);
+            }
+            odd.push(of);
+            None
+        });
+        let of = paired.collect::<Vec<_>>().first().copied()?;
+        let has_slope =
+            |(base, exponent): &Weighted| exponent.is_integer() && self.slope_factor(*base) == Some(of);
+        let (with, without) = factors.drain(..).partition::<Vec<_>, _>(has_slope);
+        *factors = without;
+        let count = with.iter().filter(|(_, exponent)| exponent.is_odd()).count();
+        let mut replacement = Vec::with_capacity(with.len() + 1);
+        for (base, exponent) in with {
+            replacement.push((self.without_slope(base, of), exponent));
+        }
+        if count % 2 == 1 {
+            replacement.push((self.call(Function::MagnitudeSlope, &[of]), Number::ONE));
+        }
+        Some(replacement)
+    }
+
+    /// An expression divided by the slope of |x|, which is a factor of it.
+    fn without_slope(&mut self, root: ExprId, of: ExprId) -> ExprId {
+        let mut image: HashMap<ExprId, ExprId> = HashMap::default();
+        for id in self.reachable_until(&[root], |id| self.slope_factor(id) != Some(of)) {
+            if self.slope_factor(id) == Some(of) {
+                let quotient = self.node_without_slope(id, of, &image);
+                image.insert(id, quotient);
+            }
+        }
+        image.get(&root).copied().unwrap_or(root)
+    }
+
+    fn node_without_slope(&mut self, id: ExprId, of: ExprId, image: &HashMap<ExprId, ExprId>) -> ExprId {
+        match self.node(id).clone() {
+            Node::Product(mut factors) => {
+                let has_slope = |(base, exponent): &&mut Weighted| exponent.is_odd() && image.contains(base);
+                if let Some((base, _)) = factors.iter_mut().find(has_slope) {
+                    *base = image.get(base).copied().unwrap_or(*base);
+                }
+                self.product(factors)
+            }
+            Node::Sum { terms, .. } => {
+                let mut divided = Vec::with_capacity(terms.len());
+                for (term, coefficient) in terms {
+                    let term = image.get(&term).copied().unwrap_or_else(|| self.with_magnitude(term, of));
+                    divided.push((term, coefficient));
+                }
+                self.sum(Number::ZERO, divided)
+            }
+            Node::Call(Function::Abs, _) => of,
+            _ => self.number(1),
+        }
+    }
+
+    /// A product with a factor x in which |x| has its place.
+    fn with_magnitude(&mut self, term: ExprId, of: ExprId) -> ExprId {
+        let mut factors = self.whole_powers(term);
+        factors.extend([(of, Number::MINUS_ONE), (self.magnitude(of), Number::ONE)]);
+        self.product(factors)
+    }
+}
