@@ -28,6 +28,8 @@ pub(super) struct Parts {
     pub(super) are_holonomic: Vec<bool>,
     /// The body of `ContactSystem::terms`.
     pub(super) terms: TokenStream,
+    /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state.
+    pub(super) restitutions_vary: Vec<bool>,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
     /// Methods that say how bodies move.

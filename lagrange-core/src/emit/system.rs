@@ -73,6 +73,8 @@ pub(super) struct Writer<'a> {
     pub(super) canonical: Vec<Method>,
     /// The body of `ContactSystem::terms`.
     pub(super) terms: TokenStream,
+    /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state.
+    pub(super) restitutions_vary: Vec<bool>,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
     /// Methods that say how bodies move.
@@ -115,6 +117,7 @@ impl<'a> Writer<'a> {
             constrained: Vec::new(),
             canonical: Vec::new(),
             terms: TokenStream::new(),
+            restitutions_vary: Vec::new(),
             hidden: TokenStream::new(),
             motions: TokenStream::new(),
             items: None,
@@ -144,6 +147,7 @@ impl<'a> Writer<'a> {
             constrained,
             canonical,
             terms,
+            restitutions_vary,
             hidden,
             motions,
             items,
@@ -160,6 +164,7 @@ impl<'a> Writer<'a> {
             canonical,
             are_holonomic,
             terms,
+            restitutions_vary,
             hidden,
             motions,
             items,
