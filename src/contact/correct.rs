@@ -3,9 +3,9 @@
 use core::array;
 
 use super::balance::{Balance, Rule};
-use super::start::holds;
+use super::start::{holds, lengths};
 use super::{Contact, ContactSystem, Mode, Terms};
-use crate::constraint::{Violated, Violation, sizes};
+use crate::constraint::{Violated, Violation};
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::system::{join, split};
@@ -73,7 +73,7 @@ where
         }
     }
     // Gaps that are coordinates have no terms beside which they could be small: what counts is then the size of the coordinates.
-    if widest(&system.terms(t, &closed, v), &sizes(q), is_closed).is_none() {
+    if widest(&system.terms(t, &closed, v), &lengths(q), is_closed).is_none() {
         *q = closed;
         return Ok(());
     }

@@ -132,6 +132,10 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     /// Names of the reactions.
     const REACTIONS: [&'static str; K];
 
+    /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state: such a one is judged at
+    /// impacts only, others where a motion starts, too.
+    const RESTITUTIONS_VARY: [bool; K] = [false; K];
+
     /// The modes, in the order of declaration.
     fn modes(&self) -> [Mode; K];
 

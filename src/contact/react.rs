@@ -61,7 +61,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         if position.is_still[k] || terms.rates[k] >= M::Scalar::ZERO {
             return self.graze(k, &terms, &position);
         }
-        let restitutions = terms.checked_restitutions(&modes, &M::REACTIONS)?;
+        let restitutions = terms.restitutions::<M>(&modes, |j| position.is_touching[j])?;
         let collision = terms.impact(&self.v, &modes, &position.is_touching, &restitutions)?;
         let resumed = self.resume(&terms, collision.velocities, position.is_touching, collision.is_still)?;
         let impact = Impact { impulse: collision.impulses[k], energy_loss: collision.energy_loss };

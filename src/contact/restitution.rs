@@ -1,6 +1,6 @@
 //! Coefficients of restitution, which are from 0 to 1.
 
-use super::{Mode, Terms};
+use super::{ContactSystem, Mode, Terms};
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 
@@ -8,17 +8,20 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// Coefficients of restitution of contacts; zero for friction.
     ///
     /// # Errors
-    /// If one is not from 0 to 1, with its name.
-    pub(super) fn checked_restitutions(
+    /// If one that is `judged` is not from 0 to 1.
+    pub(super) fn restitutions<M>(
         &self,
         modes: &[Mode; K],
-        names: &[&'static str; K],
-    ) -> Result<[S; K], Cause<S>> {
+        is_judged: impl Fn(usize) -> bool,
+    ) -> Result<[S; K], Cause<S>>
+    where
+        M: ContactSystem<N, K>,
+    {
         let mut restitutions = [S::ZERO; K];
         for k in (0..K).filter(|k| matches!(modes[*k], Mode::Contact(_))) {
             let value = self.restitutions[k];
-            if !(value >= S::ZERO && value <= S::ONE) {
-                return Err(Cause::Restitution { contact: names[k], value });
+            if is_judged(k) && !(value >= S::ZERO && value <= S::ONE) {
+                return Err(Cause::Restitution { contact: M::REACTIONS[k], value });
             }
             restitutions[k] = value;
         }

@@ -24,7 +24,8 @@ const NO_FORCES: &str = "no forces in contacts and friction fit the state: frict
 /// A contact that touches and approaches stays open: its event is the impact, at once.
 ///
 /// # Errors
-/// If a gap is negative, if something is not finite, or if no modes fit.
+/// If a gap is negative, if a coefficient of restitution that does not depend on the state is not from 0 to 1, if something is not
+/// finite, or if no modes fit.
 pub fn begin<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -39,6 +40,7 @@ where
     if !(is_finite(&terms.gaps) && is_finite(&terms.rates)) {
         return Err(Cause::NotFinite);
     }
+    terms.restitutions::<M>(&modes, |k| !M::RESTITUTIONS_VARY[k])?;
     let position = Position::of(&terms, &modes, (t, &q, &v));
     if let Some(k) = position.is_beyond.iter().position(|is_beyond| *is_beyond) {
         return Err(violated(M::REACTIONS[k], terms.gaps[k]));
@@ -64,7 +66,7 @@ impl<const K: usize> Position<K> {
     ) -> Self {
         let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
         let share = |k: usize| if holds(modes[k]) { S::epsilon().sqrt() } else { rounding };
-        let (lengths, speeds) = (sizes(q), sizes(v));
+        let (lengths, speeds) = (lengths(q), sizes(v));
         let near: [S; K] = array::from_fn(|k| {
             let size = terms.size_of(k, &lengths) + terms.speed_of(k, v) * t.abs();
             share(k) * terms.size_of(k, q) + rounding * size
@@ -80,6 +82,12 @@ impl<const K: usize> Position<K> {
             is_still: array::from_fn(|k| terms.rates[k].abs() <= slow[k]),
         }
     }
+}
+
+/// What coordinates are measured by where gaps are judged. If all of them are zero nothing tells how large they might be but their
+/// unit, as in the tolerances of methods.
+pub(super) fn lengths<S: Scalar, const N: usize>(q: &[S; N]) -> [S; N] {
+    if q.iter().all(|entry| *entry == S::ZERO) { [S::ONE; N] } else { sizes(q) }
 }
 
 /// Whether this mode keeps a rate at zero.

@@ -1,7 +1,9 @@
 //! Contacts, friction and events of declarations, as methods of the emitted types.
 
+use lagrange::Simulate;
 use lagrange::contact::{Contact, Friction};
 use lagrange::event::Direction;
+use lagrange::integrate::Cause;
 use lagrange::system::OdeSystem;
 
 lagrange::system! {
@@ -187,4 +189,49 @@ fn an_open_contact_takes_no_part() {
         let [left, _, rub_left, _] = two.reactions(0.0, &q, &v);
         assert_eq!([left, rub_left], [0.0; 2]);
     }
+}
+
+lagrange::system! {
+    /// A ball between a floor and a ceiling, which bounce by parameters and by speed.
+    #[derive(Clone, Debug)]
+    struct Restituted;
+
+    param g = 9.81, e = 0.5, share = 1.0, loss = 0.1;
+    coord y;
+    kinetic = 1/2 * dot(y)^2;
+    potential = g * y;
+    event floor = y, falling => impact(e * share);
+    event ceiling = 1 - y, falling => impact(1 - loss * dot(y));
+}
+
+/// A parameter is judged before the first step, what depends on the state where it acts.
+#[test]
+fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_an_error() {
+    let cause = |ball: Restituted, start: [f64; 2]| {
+        ball.simulate(start).until(3.0).run().map_err(|error| {
+            assert_eq!(error.time() == 0.0, error.trajectory.len() == 1);
+            (error.cause, error.to_string(), error.time())
+        })
+    };
+    for (e, share) in [(1.01, 1.0), (-0.01, 1.0), (f64::NAN, 1.0), (0.6, 2.0), (f64::INFINITY, 1.0)] {
+        let refused = cause(Restituted { e, share, ..Restituted::default() }, [0.5, 0.0]);
+        let Err((Cause::Restitution { contact: "floor", value }, said, 0.0)) = refused else {
+            panic!("{refused:?}")
+        };
+        assert_eq!(value.to_bits(), (e * share).to_bits());
+        let wanted =
+            format!("the coefficient of restitution of contact `floor` is {value:?}; it must be from 0 to 1");
+        assert!(said.starts_with(&wanted), "{said}");
+    }
+    for (e, share) in [(1.0, 1.0), (0.0, 1.0), (-0.5, -1.0), (2.0, 0.5)] {
+        assert!(cause(Restituted { e, share, ..Restituted::default() }, [0.5, 0.0]).is_ok(), "{e} {share}");
+    }
+    // Downwards its formula for the ceiling exceeds one, upwards at 4 m/s it is −1 for the second of these.
+    assert!(cause(Restituted::default(), [0.5, -1.0]).is_ok());
+    let refused = cause(Restituted { loss: 0.5, ..Restituted::default() }, [0.0, 6.0]);
+    let Err((Cause::Restitution { contact: "ceiling", value }, _, time)) = refused else {
+        panic!("{refused:?}")
+    };
+    let speed = (36.0_f64 - 2.0 * 9.81).sqrt();
+    assert!((value - (1.0 - 0.5 * speed)).abs() < 1e-9 && (time - (6.0 - speed) / 9.81).abs() < 1e-9);
 }

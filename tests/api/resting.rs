@@ -154,3 +154,28 @@ fn a_start_is_not_refused_because_a_gradient_is_rounding() {
     let [p, q, ..] = run.last();
     assert!((p - 1.0).abs() < 1e-6 && q.abs() < 1e-6, "{:?}", run.last());
 }
+
+lagrange::system! {
+    /// A ball on a shelf whose height is a sum of lengths.
+    #[derive(Clone, Debug)]
+    struct Shelf;
+
+    param g = 9.81, a = 0.1, b = 0.2, c = 0.3;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    potential = g * y;
+    event shelf = y + c - (a + b), falling => impact(1/2);
+}
+
+/// Rounding of lengths that are parameters is all that is left of the gap where the coordinates are zero.
+#[test]
+fn a_start_where_all_coordinates_are_zero_may_be_rounding_below_the_floor() {
+    for (a, b, c) in [(0.1, 0.2, 0.3), (0.1, 0.7, 0.8), (1.1, 2.2, 3.3), (0.3, 0.3, 0.6)] {
+        let shelf = Shelf { a, b, c, ..Shelf::default() };
+        let run = shelf.simulate([0.0; 4]).until(1.0).run();
+        let end = run.unwrap_or_else(|error| panic!("{error} for {a}, {b}, {c}")).last();
+        assert!(end.iter().all(|entry| entry.abs() < 1e-15), "{end:?}");
+    }
+    let below = Shelf { c: 0.3 - 1e-9, ..Shelf::default() };
+    assert!(below.simulate([0.0; 4]).until(1.0).run().is_err());
+}

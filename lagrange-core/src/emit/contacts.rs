@@ -51,6 +51,7 @@ impl Writer<'_> {
             self.write_hooks();
         }
         self.terms = self.touching_terms();
+        self.restitutions_vary = self.varying_restitutions();
         let krate = self.shape.krate;
         let ArgumentNames { time, positions, velocities, .. } = &self.names;
         let system = quote!(#krate::contact::ContactSystem);
@@ -109,6 +110,16 @@ impl Writer<'_> {
         let (docs, name) = (with_counts(lines, counts), format_ident!("{name}"));
         let returns = Returns::Vector(count);
         self.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
+    }
+
+    /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state.
+    fn varying_restitutions(&self) -> Vec<bool> {
+        let graph = &self.model.graph;
+        let varies = |kind: &ReactionKind| match kind {
+            ReactionKind::Contact { restitution, .. } => graph.dependencies(*restitution).may_change(),
+            _ => false,
+        };
+        self.model.reactions.iter().map(|reaction| varies(&reaction.kind)).collect()
     }
 
     /// The body of `ContactSystem::terms`.
@@ -197,10 +208,15 @@ pub(super) fn contact_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let ArgumentNames { time, positions, velocities, .. } = &parts.names;
     let (terms, modes, event_of) = (&parts.terms, mode_members(shape), event_of(shape));
     let names = shape.touching.iter().map(|(name, _)| &name.text);
+    let vary = &parts.restitutions_vary;
+    let vary = vary
+        .contains(&true)
+        .then(|| quote!(const RESTITUTIONS_VARY: [::core::primitive::bool; #k] = [#(#vary),*];));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::contact::ContactSystem<#n, #k> for #name #generics {
             const REACTIONS: [&'static ::core::primitive::str; #k] = [#(#names),*];
+            #vary
             #modes
             #[inline]
             fn terms(

@@ -31,6 +31,8 @@ pub(super) struct Parts {
     pub(super) terms: TokenStream,
     /// The body of `SwitchedSystem::switch_times`, if there is a time to tell.
     pub(super) switch_times: Option<TokenStream>,
+    /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state.
+    pub(super) restitutions_vary: Vec<bool>,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
     /// Methods that say how bodies move.

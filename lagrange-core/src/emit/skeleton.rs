@@ -89,6 +89,7 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
         are_holonomic: vec![true; m],
         terms: quote!(::core::unreachable!()),
         switch_times: None,
+        restitutions_vary: Vec::new(),
         hidden: hidden.iter().map(|method| method.of_trait(&shape, &names)).collect(),
         motions: skeleton_of_motions(&shape, &names),
         items: shape.asks_for(Product::Drawing).then(TokenStream::new),

@@ -77,6 +77,8 @@ pub(super) struct Writer<'a> {
     pub(super) terms: TokenStream,
     /// The body of `SwitchedSystem::switch_times`, if there is a time to tell.
     pub(super) switch_times: Option<TokenStream>,
+    /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state.
+    pub(super) restitutions_vary: Vec<bool>,
     /// Methods that only others call.
     pub(super) hidden: TokenStream,
     /// Methods that say how bodies move.
@@ -120,6 +122,7 @@ impl<'a> Writer<'a> {
             canonical: Vec::new(),
             terms: TokenStream::new(),
             switch_times: None,
+            restitutions_vary: Vec::new(),
             hidden: TokenStream::new(),
             motions: TokenStream::new(),
             items: None,
@@ -150,6 +153,7 @@ impl<'a> Writer<'a> {
             canonical,
             terms,
             switch_times,
+            restitutions_vary,
             hidden,
             motions,
             items,
@@ -167,6 +171,7 @@ impl<'a> Writer<'a> {
             are_holonomic,
             terms,
             switch_times,
+            restitutions_vary,
             hidden,
             motions,
             items,

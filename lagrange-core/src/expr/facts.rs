@@ -42,6 +42,11 @@ impl Dependencies {
         self.0 & !Dependencies::PARAMETER.0 == 0
     }
 
+    /// Whether the value may change by itself during a motion: with time or the state, while inputs stay what they are.
+    pub fn may_change(self) -> bool {
+        self.0 & !(Dependencies::PARAMETER.0 | Dependencies::INPUT.0) != 0
+    }
+
     fn of_role(role: Role) -> Dependencies {
         match role {
             Role::Parameter(_) => Dependencies::PARAMETER,

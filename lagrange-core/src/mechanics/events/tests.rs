@@ -186,9 +186,34 @@ fn ends_of_the_range_of_restitution_are_possible() {
     for restitution in ["0", "1", "0.5", "mu", "h", "mu * abs(dot(y))"] {
         model(&format!("event floor = y, falling => impact({restitution});"));
     }
-    for restitution in ["-1/100", "1.01", "pi", "-pi"] {
+    for restitution in
+        ["sin(1)", "exp(-1/1000)", "1 - 1/1000000", "sqrt(2) / 2", "min(2, 1)", "if 1 < 2 { 1 } else { 3 }"]
+    {
+        model(&format!("event floor = y, falling => impact({restitution});"));
+    }
+    for restitution in [
+        "-1/100",
+        "1.01",
+        "pi",
+        "-pi",
+        "exp(1/1000)",
+        "1 + 1/1000000",
+        "sqrt(2)",
+        "-sin(1)",
+        "max(2, 1)",
+        "1 - 5/4",
+        "tan(1)",
+    ] {
         let found = mistake(&format!("event floor = y, falling => impact({restitution});"));
-        assert!(found.contains("is not between 0 and 1"), "{found}");
+        assert!(found.contains("is not between 0 and 1"), "{restitution}: {found}");
+    }
+    for restitution in ["bounce", "2 * bounce - 1/2", "exp(-bounce)"] {
+        let declared = |value: &str| {
+            format!("const bounce = {value}; event floor = y, falling => impact({restitution});")
+        };
+        model(&declared("3/5"));
+        let found = mistake(&declared("-9/8"));
+        assert!(found.contains("is not between 0 and 1"), "{restitution}: {found}");
     }
 }
 
