@@ -64,6 +64,25 @@ fn imports_are_explicit_and_failures_are_handled() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
+/// A loop over tokens that forgets to take one asks for memory until there is none. So all of them are in
+/// `Cursor` and in `Parser::turns`, which see to it; others empty a stack.
+#[test]
+fn loops_over_tokens_are_in_one_place() {
+    let mut wrong = Vec::new();
+    for Source { path, code, .. } in sources().into_iter().filter(|source| source.path.starts_with("syntax/"))
+    {
+        let is_place = ["syntax/cursor.rs", "syntax/recovery.rs"].contains(&path.as_str());
+        for line in code.lines().map(str::trim).filter(|_| !is_place) {
+            let is_loop = ["while ", "loop {", "loop "].iter().any(|word| line.starts_with(word))
+                || [" while ", " loop {"].iter().any(|word| line.contains(word));
+            if is_loop && !line.contains(".pop") {
+                wrong.push(format!("{path} has `{line}`"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
 #[test]
 fn no_code_is_unsafe() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,9 +1,10 @@
 //! Attributes of the struct: those of the language are consumed, all others are kept.
 
-use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 
 use super::ast::{Accuracy, Name};
 use super::cursor::{Cursor, group_origin};
+use super::keywords;
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
 use crate::diagnostics::{Origin, nearest};
@@ -23,9 +24,9 @@ impl Parser<'_> {
     /// Reads the attributes before the struct.
     pub(super) fn attributes(&mut self, cursor: &mut Cursor) -> Attributes {
         let mut attributes = Attributes::default();
-        while cursor.at('#') {
-            let _ = self.attribute(cursor, &mut attributes);
-        }
+        self.each_at('#', cursor, |parser, cursor| {
+            let _ = parser.attribute(cursor, &mut attributes);
+        });
         attributes
     }
 
@@ -35,13 +36,14 @@ impl Parser<'_> {
         let start = cursor.position();
         let mut attributes = TokenStream::new();
         let mut only_docs = true;
-        while cursor.at('#') {
+        self.each_at('#', cursor, |_, cursor| {
             attributes.extend(cursor.advance());
             only_docs &= cursor.eat('!').is_none();
             let group = cursor.eat_group(Delimiter::Bracket);
-            only_docs &= group.as_ref().is_some_and(|group| Cursor::inside(group).at_word("doc"));
+            let is_doc = |group: &Group| Cursor::inside(group).at_word("doc") && is_attribute(group);
+            only_docs &= group.as_ref().is_some_and(is_doc);
             attributes.extend(group.map(TokenTree::Group));
-        }
+        });
         let origin = (cursor.position() > start).then(|| cursor.since(start));
         (if only_docs { attributes } else { TokenStream::new() }, origin)
     }
@@ -57,6 +59,10 @@ impl Parser<'_> {
             return Err(self.fail_with_help(span, messages::INNER_ATTRIBUTE, help));
         }
         self.inside(&group, Self::shallow)?;
+        if !is_attribute(&group) {
+            let origin = group_origin(&group);
+            return Err(self.fail_with_help(origin, messages::ATTRIBUTE_FORM, messages::ATTRIBUTE_FORM_HELP));
+        }
         let mut content = Cursor::inside(&group);
         match content.eat_ident() {
             Some(name) if name == "scalar" => self.scalar(&name, &mut content, attributes),
@@ -136,6 +142,58 @@ impl Parser<'_> {
     }
 }
 
+/// Whether an attribute has the shape that Rust asks for: a path alone, before brackets or before `=` and a literal
+/// or a macro. Emitted as it stands, any other would make all emitted items unreadable.
+fn is_attribute(group: &Group) -> bool {
+    let content = Cursor::inside(group);
+    let tokens = content.rest();
+    let Some(length) = path_length(tokens) else { return false };
+    match &tokens[length..] {
+        [] | [TokenTree::Group(_)] => true,
+        [equals, value @ ..] => is_punct(equals, '=') && is_attribute_value(value),
+    }
+}
+
+fn is_attribute_value(tokens: &[TokenTree]) -> bool {
+    match (tokens, path_length(tokens)) {
+        ([TokenTree::Literal(_)], _) => true,
+        (_, Some(length)) => {
+            matches!(&tokens[length..], [exclamation, TokenTree::Group(_)] if is_punct(exclamation, '!'))
+        }
+        _ => false,
+    }
+}
+
+/// How many tokens the path takes with which these begin.
+fn path_length(tokens: &[TokenTree]) -> Option<usize> {
+    let is_colon = |token: &TokenTree| is_punct(token, ':');
+    let (first, rest) = tokens.split_first()?;
+    let links =
+        rest.chunks_exact(3).take_while(|link| link[..2].iter().all(is_colon) && is_segment(&link[2]));
+    is_segment(first).then(|| 1 + 3 * links.count())
+}
+
+/// Whether a token can stand in a path.
+fn is_segment(token: &TokenTree) -> bool {
+    let TokenTree::Ident(word) = token else { return false };
+    let word = word.to_string();
+    !keywords::is_rust_keyword(&word) || ["crate", "self", "super", "unsafe"].contains(&word.as_str())
+}
+
+fn is_punct(token: &TokenTree, character: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
+}
+
+/// Whether what stands behind `pub` restricts it as Rust allows.
+pub(super) fn is_restriction(group: &Group) -> bool {
+    let content = Cursor::inside(group);
+    match content.rest() {
+        [TokenTree::Ident(word)] => word == "crate" || word == "self" || word == "super",
+        [TokenTree::Ident(word), path @ ..] => word == "in" && path_length(path) == Some(path.len()),
+        _ => false,
+    }
+}
+
 fn only_word(group: &Group) -> Option<Ident> {
     let mut content = Cursor::inside(group);
     content.eat_ident().filter(|_| content.at_end())
@@ -143,16 +201,13 @@ fn only_word(group: &Group) -> Option<Ident> {
 
 /// The last segment of each path in a list of traits.
 fn traits(list: &Group) -> Vec<Name> {
-    let mut content = Cursor::inside(list);
-    let mut traits = Vec::new();
-    let mut last: Option<(String, Span)> = None;
-    while let Some(token) = content.advance() {
-        if let TokenTree::Ident(ident) = &token {
-            last = Some((ident.to_string(), ident.span()));
-        }
-        if content.at(',') || content.at_end() {
-            traits.extend(last.take().map(|(text, span)| Name { text, span }));
-        }
-    }
-    traits
+    let content = Cursor::inside(list);
+    let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
+    let last_word = |path: &[TokenTree]| {
+        path.iter().rev().find_map(|token| match token {
+            TokenTree::Ident(word) => Some(Name { text: word.to_string(), span: word.span() }),
+            _ => None,
+        })
+    };
+    content.rest().split(is_comma).filter_map(last_word).collect()
 }

@@ -42,12 +42,9 @@ impl Parser<'_> {
     /// Skips a statement up to its braces, so that those are not read as if they stood alone.
     pub(super) fn skip_braces(&mut self, cursor: &mut Cursor) {
         self.skipped = true;
-        while !cursor.at_end() && !cursor.at(';') && !cursor.at_statement() {
-            if cursor.eat_group(Delimiter::Brace).is_some() {
-                return;
-            }
-            cursor.skip_one();
-        }
+        let is_brace = |cursor: &Cursor| cursor.group(Delimiter::Brace).is_some();
+        cursor.skip_to(|cursor| cursor.at(';') || cursor.at_statement() || is_brace(cursor));
+        cursor.eat_group(Delimiter::Brace);
     }
 
     /// Reads lines between braces, each up to its semicolon; says whether all could be read.
@@ -58,11 +55,11 @@ impl Parser<'_> {
     ) -> bool {
         let mistakes = self.report.diagnostics().len();
         let complete = self.inside(group, |parser, cursor| {
-            while !cursor.at_end() {
+            parser.each(cursor, |parser, cursor| {
                 if cursor.eat(';').is_none() {
                     parser.line(&mut read, cursor);
                 }
-            }
+            });
             Ok(())
         });
         complete.is_ok() && self.report.diagnostics().len() == mistakes
@@ -90,9 +87,7 @@ impl Parser<'_> {
 
     fn skip_line(&mut self, cursor: &mut Cursor) {
         self.skipped = true;
-        while !cursor.at_end() && !cursor.at(';') && !at_label(cursor) {
-            cursor.skip_one();
-        }
+        cursor.skip_to(|cursor| cursor.at(';') || at_label(cursor));
         cursor.eat(';');
     }
 

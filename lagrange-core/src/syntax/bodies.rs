@@ -8,6 +8,7 @@ use super::cursor::{Cursor, group_origin};
 use super::messages;
 use super::messages::scenes;
 use super::parser::{Parsed, Parser};
+use super::recovery::Turn;
 
 /// What can be said of a body.
 const BODY: &[&str] = &["mass", "inertia", "center", "origin", "centroid", "angle", "shape", "compound"];
@@ -122,11 +123,15 @@ impl Parser<'_> {
         let origin = shape.origin;
         let mut part = Part { is_hole, shape, mass: None, at: None, angle: None, origin };
         let mut labels = Labels::new("a part", PART);
-        while self.comma(cursor) && !cursor.at(';') && !cursor.at_end() {
-            if self.part_item(&mut part, &mut labels, cursor).is_err() {
-                self.skip_item(cursor);
+        self.turns(cursor, |parser, cursor| {
+            if !parser.comma(cursor) || cursor.at(';') || cursor.at_end() {
+                return Ok(Turn::Last);
             }
-        }
+            if parser.part_item(&mut part, &mut labels, cursor).is_err() {
+                parser.skip_item(cursor);
+            }
+            Ok(Turn::Next)
+        })?;
         if self.report.diagnostics().len() > mistakes {
             self.missing(&mut part.mass, origin);
         }

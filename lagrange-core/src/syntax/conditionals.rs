@@ -7,6 +7,7 @@ use super::cursor::{Cursor, as_group, group_origin};
 use super::expressions::Operand;
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
+use super::recovery::Turn;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
 
@@ -21,12 +22,11 @@ impl Parser<'_> {
     /// Reads a chain that begins with the `if` here.
     pub(super) fn conditional(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
         let mut branches = Vec::new();
-        let last = loop {
-            branches.push(self.branch(cursor)?);
-            if !cursor.at_word("if") {
-                break self.block(cursor)?;
-            }
-        };
+        self.turns(cursor, |parser, cursor| {
+            branches.push(parser.branch(cursor)?);
+            Ok(Turn::next_if(cursor.at_word("if")))
+        })?;
+        let last = self.block(cursor)?;
         let nest = |otherwise: Operand, branch: Branch| {
             let Branch { start, condition, then } = branch;
             let expression = Expression::If { condition, then, otherwise: otherwise.id };

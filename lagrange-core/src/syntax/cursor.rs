@@ -37,6 +37,11 @@ impl Cursor {
         self.tokens.get(self.next + count)
     }
 
+    /// All tokens that are left, without taking them.
+    pub(super) fn rest(&self) -> &[TokenTree] {
+        self.tokens.get(self.next..).unwrap_or_default()
+    }
+
     /// The last token that was taken.
     pub(super) fn previous(&self) -> Option<&TokenTree> {
         self.tokens.get(self.next.checked_sub(1)?)
@@ -100,6 +105,11 @@ impl Cursor {
     pub(super) fn eat(&mut self, punctuation: char) -> Option<Span> {
         let found = self.at(punctuation);
         found.then(|| self.skip_one().end)
+    }
+
+    /// Takes as many of this punctuation character as follow each other; says where they stood.
+    pub(super) fn eat_all(&mut self, punctuation: char) -> impl Iterator<Item = Span> {
+        std::iter::from_fn(move || self.eat(punctuation))
     }
 
     /// Takes an `=` that is not the beginning of `==` or `=>`.
@@ -200,18 +210,21 @@ impl Cursor {
         self.at(';') || self.at_end() || self.statement_keyword().is_some()
     }
 
-    /// Skips to what ends the current statement: its `;`, the next statement or the last token.
-    pub(super) fn skip_statement(&mut self) {
-        while !self.at_end() && !self.at(';') && !self.at_statement() {
+    /// Skips to the first place that fits, or to the end.
+    pub(super) fn skip_to(&mut self, fits: impl Fn(&Cursor) -> bool) {
+        while !self.at_end() && !fits(self) {
             self.next += 1;
         }
     }
 
+    /// Skips to what ends the current statement: its `;`, the next statement or the last token.
+    pub(super) fn skip_statement(&mut self) {
+        self.skip_to(|cursor| cursor.at(';') || cursor.at_statement());
+    }
+
     /// Skips to the next `,`, but not beyond the current statement.
     pub(super) fn skip_item(&mut self) {
-        while !self.at_end() && !self.at(',') && !self.at(';') && !self.at_statement() {
-            self.next += 1;
-        }
+        self.skip_to(|cursor| cursor.at(',') || cursor.at(';') || cursor.at_statement());
     }
 }
 

@@ -7,6 +7,7 @@ use super::cursor::{Cursor, group_origin};
 use super::keywords::is_rust_keyword;
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
+use super::recovery::Turn;
 
 impl Parser<'_> {
     /// `a, b = 1.0`.
@@ -59,24 +60,23 @@ impl Parser<'_> {
         mut read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
     ) -> Vec<T> {
         let mut items = Vec::new();
-        loop {
-            self.skipped = false;
+        let _ = self.turns(cursor, |parser, cursor| {
+            parser.skipped = false;
             let start = cursor.position();
-            match read(self, cursor) {
+            match read(parser, cursor) {
                 Ok(item) => items.push(item),
                 Err(Reported) => {
-                    self.skip_item(cursor);
-                    self.leave_out(cursor, start);
+                    parser.skip_item(cursor);
+                    parser.leave_out(cursor, start);
                 }
             }
-            if !self.skipped && !at_item_end(cursor) {
-                self.no_operator(cursor, "`,` or `;`");
-                self.skip_item(cursor);
+            if !parser.skipped && !at_item_end(cursor) {
+                parser.no_operator(cursor, "`,` or `;`");
+                parser.skip_item(cursor);
             }
-            if cursor.eat(',').is_none() || at_list_end(cursor) {
-                return items;
-            }
-        }
+            Ok(Turn::next_if(cursor.eat(',').is_some() && !at_list_end(cursor)))
+        });
+        items
     }
 
     /// Reads an expression up to the next comma or the end of the statement.
@@ -104,10 +104,11 @@ impl Parser<'_> {
     }
 
     fn component_names(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Name>> {
-        let mut names = vec![self.declared_name(cursor)?];
-        while cursor.eat(',').is_some() && !cursor.at_end() {
-            names.push(self.declared_name(cursor)?);
-        }
+        let mut names = Vec::new();
+        self.turns(cursor, |parser, cursor| {
+            names.push(parser.declared_name(cursor)?);
+            Ok(Turn::next_if(cursor.eat(',').is_some() && !cursor.at_end()))
+        })?;
         if cursor.at_end() {
             return Ok(names);
         }
@@ -133,17 +134,27 @@ impl Parser<'_> {
 
     fn emit_items(&mut self, cursor: &mut Cursor) -> Parsed<Vec<EmitItem>> {
         let mut items = Vec::new();
-        while !cursor.at_end() {
-            // Without a name behind it, `no` is the name.
-            let wanted =
-                !matches!(cursor.peek_past(1), Some(TokenTree::Ident(_))) || cursor.eat_word("no").is_none();
-            items.push(EmitItem { product: self.name(cursor)?, wanted });
-            if cursor.eat(',').is_none() && !cursor.at_end() {
-                let message = messages::expected("`,` or `}`", cursor.peek());
-                return Err(self.fail_with_help(cursor.here(), message, messages::EMIT_HELP));
-            }
-        }
+        self.turns(cursor, |parser, cursor| {
+            items.extend(parser.emit_item(cursor)?);
+            Ok(Turn::next_if(!cursor.at_end()))
+        })?;
         Ok(items)
+    }
+
+    /// `a,` or `no b,`, the last one with or without a comma; `None` at the end.
+    fn emit_item(&mut self, cursor: &mut Cursor) -> Parsed<Option<EmitItem>> {
+        if cursor.at_end() {
+            return Ok(None);
+        }
+        // Without a name behind it, `no` is the name.
+        let wanted =
+            !matches!(cursor.peek_past(1), Some(TokenTree::Ident(_))) || cursor.eat_word("no").is_none();
+        let item = EmitItem { product: self.name(cursor)?, wanted };
+        if cursor.eat(',').is_none() && !cursor.at_end() {
+            let message = messages::expected("`,` or `}`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, messages::EMIT_HELP));
+        }
+        Ok(Some(item))
     }
 }
 

@@ -127,20 +127,35 @@ impl Parser<'_> {
     /// `dot(x) = e; y = e;`
     fn assignments(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Assignment>> {
         let mut assignments = Vec::new();
-        while !cursor.at_end() {
+        self.each(cursor, |parser, cursor| {
             if cursor.eat(';').is_some() {
-                continue;
+                return;
             }
-            self.skipped = false;
-            match self.assignment(cursor) {
+            if cursor.at_statement() {
+                return parser.statement_in_event(cursor);
+            }
+            parser.skipped = false;
+            match parser.assignment(cursor) {
                 Ok(assignment) => assignments.push(assignment),
-                Err(_) => self.skip_statement(cursor),
+                Err(Reported) => parser.skip_statement(cursor),
             }
-            if cursor.eat(';').is_none() && !self.skipped {
-                self.missing_semicolon(cursor);
+            if cursor.eat(';').is_none() && !parser.skipped {
+                parser.missing_semicolon(cursor);
             }
-        }
+        });
         Ok(assignments)
+    }
+
+    /// Reports a statement between the braces and skips it. What it declares is not reported as unknown.
+    fn statement_in_event(&mut self, cursor: &mut Cursor) {
+        let start = cursor.position();
+        if let Some(keyword) = cursor.eat_ident() {
+            let help = messages::statement_in_event_help(&keyword.to_string());
+            self.fail_with_help(keyword.span(), messages::STATEMENT_IN_EVENT, help);
+        }
+        cursor.skip_statement();
+        self.leave_out(cursor, start);
+        cursor.eat(';');
     }
 
     fn assignment(&mut self, cursor: &mut Cursor) -> Parsed<Assignment> {

@@ -8,7 +8,8 @@ use proc_macro2::Span;
 use super::ast::{AstId, BinaryOperator, Expression};
 use super::cursor::Cursor;
 use super::messages;
-use super::parser::{Parsed, Parser};
+use super::parser::{Parsed, Parser, Reported};
+use super::recovery::Turn;
 use crate::diagnostics::Origin;
 
 /// A readable piece of an expression, and the tokens it covers including its parentheses.
@@ -42,21 +43,22 @@ impl Parser<'_> {
 
     fn operators(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
         let mut waiting = Vec::new();
-        loop {
-            while let Some(minus) = cursor.eat('-') {
-                waiting.push(Waiting::Negate(minus));
-            }
-            let mut left = self.operand(cursor)?;
-            let next = self.operator(cursor)?;
+        let mut whole = None;
+        self.turns(cursor, |parser, cursor| {
+            waiting.extend(cursor.eat_all('-').map(Waiting::Negate));
+            let mut left = parser.operand(cursor)?;
+            let next = parser.operator(cursor)?;
             let complete = |top: &mut Waiting| next.is_none_or(|(operator, _)| ends_before(top, operator));
             while let Some(top) = waiting.pop_if(complete) {
-                left = self.apply(top, left);
+                left = parser.apply(top, left);
             }
             match next {
-                None => return Ok(left),
+                None => whole = Some(left),
                 Some((operator, span)) => waiting.push(Waiting::Binary(left, operator, span)),
             }
-        }
+            Ok(Turn::next_if(next.is_some()))
+        })?;
+        whole.ok_or(Reported)
     }
 
     /// Takes a binary operator, if one stands here.

@@ -6,6 +6,7 @@ use super::ast::{AstId, Friction, Name};
 use super::cursor::Cursor;
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
+use super::recovery::Turn;
 use crate::diagnostics::{Origin, nearest};
 
 /// What the labels behind the slip velocity can be.
@@ -40,16 +41,17 @@ impl Parser<'_> {
     /// What stands behind the slip velocity.
     fn labelled_values(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Labelled>> {
         let mut values = Vec::new();
-        while !cursor.at(';') && !cursor.at_end() && !cursor.at_statement() {
-            let value = self.labelled(cursor)?;
+        self.turns(cursor, |parser, cursor| {
+            if cursor.at(';') || cursor.at_end() || cursor.at_statement() {
+                return Ok(Turn::Last);
+            }
+            let value = parser.labelled(cursor)?;
             if find(&values, value.0).is_some() {
-                return Err(self.repeated_value(value.0, value.2));
+                return Err(parser.repeated_value(value.0, value.2));
             }
             values.push(value);
-            if cursor.eat(',').is_none() {
-                break;
-            }
-        }
+            Ok(Turn::next_if(cursor.eat(',').is_some()))
+        })?;
         Ok(values)
     }
 

@@ -1,9 +1,9 @@
 //! The head of a declaration: attributes, visibility and the struct.
 
-use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 
 use super::ast::{Declaration, Expressions, Name, ScalarType};
-use super::attributes::Attributes;
+use super::attributes::{Attributes, is_restriction};
 use super::cursor::{Cursor, group_origin};
 use super::keywords;
 use super::messages;
@@ -23,16 +23,14 @@ pub(super) fn default_header() -> Declaration {
 
 /// Whether a struct follows, perhaps behind attributes and a visibility.
 pub(super) fn header_ahead(cursor: &Cursor) -> bool {
-    let mut ahead = 0;
-    loop {
-        match cursor.peek_past(ahead) {
-            Some(TokenTree::Ident(word)) if word == "struct" => return true,
-            Some(TokenTree::Ident(word)) if word != "pub" => return false,
-            Some(TokenTree::Punct(punct)) if !matches!(punct.as_char(), '#' | '!') => return false,
-            Some(TokenTree::Literal(_)) | None => return false,
-            Some(_) => ahead += 1,
-        }
-    }
+    let decides = |token: &TokenTree| match token {
+        TokenTree::Ident(word) if word == "struct" => Some(true),
+        TokenTree::Ident(word) => (word != "pub").then_some(false),
+        TokenTree::Punct(punct) => (!matches!(punct.as_char(), '#' | '!')).then_some(false),
+        TokenTree::Literal(_) => Some(false),
+        TokenTree::Group(_) => None,
+    };
+    cursor.rest().iter().find_map(decides).unwrap_or(false)
 }
 
 fn declaration(
@@ -96,15 +94,22 @@ impl Parser<'_> {
                 return name;
             }
         }
-        while !cursor.at_end() && !cursor.at(';') && cursor.group(Delimiter::Brace).is_none() {
-            cursor.skip_one();
-        }
+        cursor.skip_to(|cursor| cursor.at(';') || cursor.group(Delimiter::Brace).is_some());
         let error = self.report.error(cursor.since(start), messages::TYPE_PARAMETERS);
         error.help(messages::TYPE_PARAMETERS_HELP);
         name
     }
 
     fn scalar_type(&mut self, attributes: &Attributes, parameter: Option<Name>) -> ScalarType {
+        let number_types = [("f32", ScalarType::F32), ("f64", ScalarType::F64)];
+        let number_type = |name: &Name| number_types.into_iter().find(|(number, _)| *number == name.text);
+        if let Some((name, (number, scalar))) =
+            parameter.as_ref().and_then(|name| Some((name, number_type(name)?)))
+        {
+            let message = messages::number_type_as_parameter(number);
+            self.report.error(name.span, message).help(messages::number_type_help(number));
+            return scalar;
+        }
         match (parameter, attributes.scalar) {
             (None, Some((true, _))) => ScalarType::F32,
             (None, _) => ScalarType::F64,
@@ -138,6 +143,17 @@ impl Parser<'_> {
         }
     }
 
+    fn restriction(&mut self, group: &Group) -> Parsed<()> {
+        self.inside(group, Self::shallow)?;
+        match is_restriction(group) {
+            true => Ok(()),
+            false => {
+                let origin = group_origin(group);
+                Err(self.fail_with_help(origin, messages::VISIBILITY, messages::VISIBILITY_HELP))
+            }
+        }
+    }
+
     /// `pub`, `pub(…)`, what a `macro_rules!` macro passes on as a visibility, or nothing.
     fn visibility(&mut self, cursor: &mut Cursor) -> TokenStream {
         if let Some(fragment) = cursor.eat_group(Delimiter::None) {
@@ -148,7 +164,7 @@ impl Parser<'_> {
         }
         let public = cursor.advance();
         let restriction = cursor.eat_group(Delimiter::Parenthesis);
-        let restriction = restriction.filter(|group| self.inside(group, Self::shallow).is_ok());
+        let restriction = restriction.filter(|group| self.restriction(group).is_ok());
         public.into_iter().chain(restriction.map(TokenTree::Group)).collect()
     }
 }

@@ -39,6 +39,11 @@ pub(super) fn expected(wanted: &str, token: Option<&TokenTree>) -> String {
     format!("expected {wanted}, found {}", found(token))
 }
 
+/// For a token that nothing can be made of.
+pub(super) fn misplaced(token: Option<&TokenTree>) -> String {
+    format!("{} has no meaning here", found(token))
+}
+
 /// For what can stand behind an expression.
 pub(super) fn expected_operator_or(wanted: &str, token: Option<&TokenTree>) -> String {
     let conjunction = if wanted.contains(" or ") { "," } else { " or" };
@@ -70,7 +75,21 @@ pub(super) const STRUCT_BODY: &str = "fields come from `param` and `input` state
 pub(super) const TYPE_PARAMETERS: &str = "only one plain type parameter, the number type, is possible here";
 pub(super) const TYPE_PARAMETERS_HELP: &str =
     "write `struct Name<S>;`; that `S` is a number need not be said";
+
+pub(super) fn number_type_as_parameter(number: &str) -> String {
+    format!("`{number}` is a number type and cannot be a parameter")
+}
+
+pub(super) fn number_type_help(number: &str) -> String {
+    format!("write `#[scalar({number})]` above the struct and leave out `<{number}>`")
+}
+
 pub(super) const ATTRIBUTE: &str = "expected `[` behind `#`";
+pub(super) const ATTRIBUTE_FORM: &str = "this is no attribute of Rust";
+pub(super) const ATTRIBUTE_FORM_HELP: &str =
+    "write `#[name]`, `#[name(…)]` or `#[name = \"…\"]`, or `///` for documentation";
+pub(super) const VISIBILITY: &str = "this restricts no visibility";
+pub(super) const VISIBILITY_HELP: &str = "write `pub`, `pub(crate)`, `pub(super)` or `pub(in path)`";
 pub(super) const INNER_ATTRIBUTE: &str = "attributes that begin with `#!` have no place here";
 pub(super) const INNER_ATTRIBUTE_HELP: &str = "write `#[…]`, or `///` for documentation";
 pub(super) const SCALAR_FORM: &str = "`scalar` names the number type";
@@ -130,6 +149,12 @@ pub(super) const RESTITUTION_HELP: &str =
 pub(super) const NOTHING_ASSIGNED: &str = "nothing changes between these braces";
 pub(super) const NOTHING_ASSIGNED_HELP: &str =
     "write `{ dot(x) = -dot(x); }`, or `record` for an event that changes nothing";
+
+pub(super) const STATEMENT_IN_EVENT: &str = "an event only assigns coordinates and velocities";
+
+pub(super) fn statement_in_event_help(keyword: &str) -> String {
+    format!("write the `{keyword}` before the event; between the braces stands `dot(x) = e;` or `x = e;`")
+}
 
 pub(super) fn event_without_direction(name: &str) -> String {
     format!("the event {} does not say which zeros count", quoted(name))

@@ -8,15 +8,20 @@ use super::expressions::Operand;
 use super::keywords;
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
+use super::recovery::Turn;
 use crate::diagnostics::Origin;
 
 impl Parser<'_> {
     /// Reads an operand with the calls and components behind it.
     pub(super) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
         let mut operand = self.atom(cursor)?;
-        while cursor.eat('.').is_some() {
-            operand = self.behind_dot(operand, cursor)?;
-        }
+        self.turns(cursor, |parser, cursor| {
+            if cursor.eat('.').is_none() {
+                return Ok(Turn::Last);
+            }
+            operand = parser.behind_dot(operand, cursor)?;
+            Ok(Turn::Next)
+        })?;
         Ok(operand)
     }
 
@@ -111,10 +116,10 @@ impl Parser<'_> {
     pub(super) fn arguments(&mut self, group: &Group, given: Vec<AstId>) -> Parsed<Vec<AstId>> {
         self.inside(group, |parser, cursor| {
             let mut arguments = given;
-            while !cursor.at_end() {
+            parser.each(cursor, |parser, cursor| {
                 arguments.push(parser.element(cursor));
                 cursor.eat(',');
-            }
+            });
             Ok(arguments)
         })
     }
@@ -127,9 +132,7 @@ impl Parser<'_> {
             Ok(_) => self.no_operator(cursor, "`,` or `)`"),
             Err(reported) => reported,
         };
-        while !cursor.at_end() && !cursor.at(',') {
-            cursor.skip_one();
-        }
+        cursor.skip_to(|cursor| cursor.at(','));
         self.unreadable(cursor, start)
     }
 
@@ -151,16 +154,14 @@ impl Parser<'_> {
         if cursor.at_end() {
             return Err(self.fail(origin, messages::EMPTY_PARENTHESES));
         }
-        let mut elements = vec![self.element(cursor)];
-        let mut commas = 0;
-        while cursor.eat(',').is_some() {
-            commas += 1;
-            if !cursor.at_end() {
-                elements.push(self.element(cursor));
-            }
-        }
+        let mut elements = Vec::new();
+        let mut has_comma = false;
+        self.each(cursor, |parser, cursor| {
+            elements.push(parser.element(cursor));
+            has_comma |= cursor.eat(',').is_some();
+        });
         match elements.len() {
-            1 if commas == 0 => Ok(Elements::Single(elements[0])),
+            1 if !has_comma => Ok(Elements::Single(elements[0])),
             2 | 3 => Ok(Elements::Vector(elements)),
             1 => {
                 let help = messages::ONE_COMPONENT_HELP;

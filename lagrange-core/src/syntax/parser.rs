@@ -87,9 +87,9 @@ impl<'r> Parser<'r> {
 
     /// Checks that tokens which are kept as they are can be walked by recursion.
     pub(super) fn shallow(&mut self, cursor: &mut Cursor) -> Parsed<()> {
-        while let Some(token) = cursor.advance() {
+        for token in cursor.rest() {
             if let TokenTree::Group(group) = token {
-                self.inside(&group, Self::shallow)?;
+                self.inside(group, Self::shallow)?;
             }
         }
         Ok(())

@@ -31,19 +31,19 @@ impl Parser<'_> {
 
     fn reduction_lines(&mut self, cursor: &mut Cursor) -> Parsed<Vec<ReductionItem>> {
         let mut items = Vec::new();
-        while !cursor.at_end() {
+        self.each(cursor, |parser, cursor| {
             if cursor.eat(';').is_some() {
-                continue;
+                return;
             }
-            self.skipped = false;
-            match self.reduction_line(cursor) {
+            parser.skipped = false;
+            match parser.reduction_line(cursor) {
                 Ok(line) => items.extend(line),
-                Err(_) => self.skip_statement(cursor),
+                Err(_) => parser.skip_statement(cursor),
             }
-            if cursor.eat(';').is_none() && !self.skipped {
-                self.missing_semicolon(cursor);
+            if cursor.eat(';').is_none() && !parser.skipped {
+                parser.missing_semicolon(cursor);
             }
-        }
+        });
         Ok(items)
     }
 

@@ -11,29 +11,30 @@ impl Parser<'_> {
     /// Reads statements up to the end of the input. Those that cannot be read are reported and left out.
     pub(super) fn statements(&mut self, cursor: &mut Cursor) -> Vec<Statement> {
         let mut statements = Vec::new();
-        while !cursor.at_end() {
-            let (docs, attributes) = self.documentation(cursor);
-            let start = cursor.position();
-            let kind = self.statement(cursor);
-            let documents_nothing = match &kind {
-                Some(kind) => !kind.is_documented(),
-                None => cursor.position() == start,
-            };
-            if let Some(origin) = attributes.filter(|_| docs.is_empty() || documents_nothing) {
-                let error = self.report.error(origin, messages::ATTRIBUTE_ON_STATEMENT);
-                error.help(messages::ATTRIBUTE_ON_STATEMENT_HELP);
-            }
-            match kind {
-                Some(kind) => {
-                    for name in kind.declared_names() {
-                        self.declared_names.insert(name.text.clone(), ());
-                    }
-                    statements.push(Statement { kind, origin: cursor.since(start), docs });
-                }
-                None => self.leave_out(cursor, start),
-            }
-        }
+        self.each(cursor, |parser, cursor| statements.extend(parser.documented_statement(cursor)));
         statements
+    }
+
+    fn documented_statement(&mut self, cursor: &mut Cursor) -> Option<Statement> {
+        let (docs, attributes) = self.documentation(cursor);
+        let start = cursor.position();
+        let kind = self.statement(cursor);
+        let documents_nothing = match &kind {
+            Some(kind) => !kind.is_documented(),
+            None => cursor.position() == start,
+        };
+        if let Some(origin) = attributes.filter(|_| docs.is_empty() || documents_nothing) {
+            let error = self.report.error(origin, messages::ATTRIBUTE_ON_STATEMENT);
+            error.help(messages::ATTRIBUTE_ON_STATEMENT_HELP);
+        }
+        let Some(kind) = kind else {
+            self.leave_out(cursor, start);
+            return None;
+        };
+        for name in kind.declared_names() {
+            self.declared_names.insert(name.text.clone(), ());
+        }
+        Some(Statement { kind, origin: cursor.since(start), docs })
     }
 
     /// Reads one statement with its semicolon; takes at least one token, if there is one.

@@ -117,3 +117,64 @@ fn wrong_heads_leave_a_skeleton() {
         assert_eq!(statements(&declaration), ["coord x"], "{head}");
     }
 }
+
+/// Emitted as they stand, they would make everything emitted unreadable.
+#[test]
+fn what_is_no_attribute_of_rust_is_refused() {
+    for attribute in [
+        "[derive *]",
+        "[derive Clone]",
+        "[doc \"text\"]",
+        "[doc = ]",
+        "[doc = 1 2]",
+        "[do = 1]",
+        "[= 1]",
+        "[]",
+        "[a::]",
+        "[a:b]",
+        "[a::b c]",
+        "[a(b) c]",
+        "[::a]",
+        "[a = b]",
+        "[a = b!]",
+    ] {
+        let report = read_wrong(&format!("#{attribute} struct Rod;")).1;
+        assert!(report.starts_with("error at 1:2: this is no attribute of Rust"), "{attribute}\n{report}");
+    }
+    for attribute in [
+        "[doc = \"text\"]",
+        "[doc = include_str!(\"a\")]",
+        "[doc = core::concat!(\"a\")]",
+        "[a]",
+        "[a::b]",
+        "[a::b(c d)]",
+        "[a[1]]",
+        "[a{b}]",
+        "[unsafe(no_mangle)]",
+        "[a = 1]",
+    ] {
+        read(&format!("#{attribute} struct Rod;"));
+    }
+}
+
+#[test]
+fn what_restricts_no_visibility_is_refused() {
+    for restriction in ["(crate crate)", "(in)", "(rod)", "()", "(in crate::)"] {
+        let report = read_wrong(&format!("pub{restriction} struct Rod;")).1;
+        assert!(report.starts_with("error at 1:4: this restricts no visibility"), "{restriction}\n{report}");
+    }
+    for restriction in ["", "(crate)", "(self)", "(super)", "(in super::rod)"] {
+        read(&format!("pub{restriction} struct Rod;"));
+    }
+}
+
+#[test]
+fn a_number_type_is_no_type_parameter() {
+    for (number, scalar) in [("f32", "F32"), ("f64", "F64")] {
+        let (declaration, report) = read_wrong(&format!("pub struct Rod<{number}>;"));
+        let message = format!("error at 1:16: `{number}` is a number type and cannot be a parameter");
+        let help = format!("help: write `#[scalar({number})]` above the struct and leave out `<{number}>`");
+        assert!(report.starts_with(&message) && report.contains(&help), "{report}");
+        assert_eq!(format!("{:?}", declaration.expect("a head").scalar), scalar);
+    }
+}

@@ -3,9 +3,14 @@ use std::thread;
 use proptest::prelude::{ProptestConfig, any, prop_assert, proptest};
 use proptest::strategy::Strategy;
 
+use proc_macro2::TokenStream;
+
 use crate::diagnostics::Report;
 use crate::syntax::ast::Expression;
+use crate::syntax::cursor::Cursor;
+use crate::syntax::keywords::{STATEMENTS, soft_statement};
 use crate::syntax::parse_text;
+use crate::syntax::parser::Parser;
 
 const LONG: usize = 100_000;
 
@@ -78,6 +83,63 @@ fn deep_nesting_of_any_kind_is_harmless() {
     assert_eq!(read(deep_attribute), (0, 1));
     let deep_visibility = format!("pub{}{} struct A;", "(".repeat(LONG), ")".repeat(LONG));
     assert_eq!(read(deep_visibility), (0, 1));
+}
+
+/// Turns that take nothing: each token is complained about and skipped.
+#[test]
+fn a_loop_ends_whatever_its_turns_do() {
+    let mut report = Report::default();
+    let tokens = "a ; (b c) let d = 1 # x".parse::<TokenStream>().expect("tokens");
+    let count = tokens.clone().into_iter().count();
+    let cursor = &mut Cursor::new(tokens);
+    Parser::new(&mut report).each(cursor, |_, _| {});
+    assert!(cursor.at_end());
+    assert_eq!(report.diagnostics().len(), count);
+}
+
+/// Wherever something else is read, the beginning of a statement is read or complained about.
+#[test]
+fn a_statement_has_a_place_only_among_statements() {
+    let places = [
+        "event hit = x, rising => { @ }",
+        "event hit = x, rising => { dot(x) = 1; @ }",
+        "event hit = x, rising => { dot(x) = @ }",
+        "reduce Rod { @ }",
+        "reduce Rod { small @ }",
+        "emit { @ }",
+        "body rod { @ }",
+        "body rod { mass: @ }",
+        "body rod { compound { @ } }",
+        "body rod { compound { disk(1), @ } }",
+        "line floor { @ }",
+        "spring { @ }",
+        "let y = sin(@);",
+        "let y = (1, @);",
+        "let (y, @) = x;",
+        "let y = if x < @ { @ } else { @ };",
+        "friction rub = x, @",
+        "param m = @",
+        "coord @",
+        "roll wheel on @",
+    ];
+    for keyword in STATEMENTS {
+        for rest in ["", "v", "v = x", "v = x;", "= x; v = 1;", "v { a: b; }", "{ a: b; }", "v to w;", ": 1;"]
+        {
+            for place in places {
+                let text = place.replace('@', &format!("{keyword} {rest}"));
+                let (_, mistakes) = read(text.clone());
+                // Products are known to those who emit them.
+                let is_word = is_soft(keyword) || place.starts_with("emit");
+                assert!(mistakes > 0 || is_word, "{text}");
+                assert!(mistakes < 20, "{text}");
+            }
+        }
+    }
+}
+
+/// Whether a word has a meaning of the user's in most places.
+fn is_soft(keyword: &str) -> bool {
+    soft_statement(keyword).is_some()
 }
 
 /// Texts that look like declarations from afar.

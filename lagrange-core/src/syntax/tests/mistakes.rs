@@ -293,3 +293,20 @@ fn what_is_left_out_hides_no_mistake_with_names_that_are_known() {
     ];
     assert_eq!(errors(text), report);
 }
+
+#[test]
+fn events_say_what_stands_between_their_braces() {
+    let text =
+        "coord x;\nevent wall = x - 3, rising => { let v = dot(x); dot(x) = -v / 2; }\nkinetic = x * y;";
+    let (declaration, report) = read_wrong(text);
+    let expected = "\
+error at 2:33: an event only assigns coordinates and velocities
+  help: write the `let` before the event; between the braces stands `dot(x) = e;` or `x = e;`
+";
+    assert_eq!(report, expected);
+    let expected = ["coord x", "event wall (- x 3) Rising ((dot x) ?)", "kinetic (* x y)"];
+    assert_eq!(statements(&declaration.expect("tokens")), expected);
+    let text = "event wall = x, rising => { kinetic = 1; x = 2; potential = 3 }";
+    let places = ["error at 1:29: an event only assigns", "error at 1:49: an event only assigns"];
+    assert!(errors(text).iter().zip(places).all(|(error, place)| error.starts_with(place)));
+}
