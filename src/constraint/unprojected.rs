@@ -37,6 +37,10 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
         self.0.next_restart(t, end)
     }
 
+    fn beyond(&self, t: M::Scalar, end: M::Scalar) -> Option<Self> {
+        self.0.beyond(t, end).map(Unprojected)
+    }
+
     #[inline]
     fn admit(&self, t: M::Scalar, y: &mut M::State) -> Result<(), Cause<M::Scalar>> {
         self.0.admit(t, y)
@@ -61,6 +65,10 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
 
     fn begin(&self, t: M::Scalar, y: &M::State) -> Result<Option<Self>, Cause<M::Scalar>> {
         Ok(self.0.begin(t, y)?.map(Unprojected))
+    }
+
+    fn freed(&self) -> Option<Self> {
+        self.0.freed().map(Unprojected)
     }
 }
 

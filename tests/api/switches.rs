@@ -1,6 +1,7 @@
 //! Forces with jumps and kinks: none is missed, and methods keep their order.
 
 use lagrange::Simulate;
+use lagrange::constraint::Unprojected;
 use lagrange::event::{Direction, Switches};
 use lagrange::integrate::{
     Cause, GaussLegendre4, ImplicitMidpoint, Method, RungeKutta4, StormerVerlet, Verner98, integrate,
@@ -296,6 +297,10 @@ fn constrained_systems_have_switches_too() {
     let expected = v2 * s + 0.25 * s * s;
     assert!((run.last()[0] - expected).abs() < 1e-8, "{:?} {expected}", run.last());
     assert!((run.last()[0] - run.last()[1]).abs() < 1e-14);
+    let unprojected = Unprojected(Leaning::default());
+    let run = unprojected.simulate([1.0, 1.0, -1.0, -1.0]).until(4.0).tolerance(1e-11).run().unwrap();
+    assert!((run.last()[0] - expected).abs() < 1e-8);
+    assert_eq!(run.system_at_end().unwrap().0.switches, Switches::FREE);
 }
 
 lagrange::system! {
