@@ -2,6 +2,7 @@
 
 use super::declared::MOST_LOCATED;
 use super::direction::Direction;
+use super::locate::locate;
 use super::watch::{Occurrence, Watch};
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
@@ -101,14 +102,15 @@ impl<M: OdeSystem> Declarations<M> {
             return Ok(None);
         }
         let is_new = self.lookout.next.is_none();
-        let time = self.lookout.look(system, stepper, |t, y| values(system, t, y))?;
-        match self.lookout.next {
-            Some(next) if is_new && M::EVENTS[next.event].is_side => {
-                self.check_sliding(system, stepper, &next)?;
-            }
-            _ => {}
+        self.lookout.look(system, stepper, |t, y| values(system, t, y))?;
+        if let Some(next) = self.lookout.next
+            && is_new
+            && M::EVENTS[next.event].is_side
+        {
+            self.check_sliding(system, stepper, &next)?;
+            self.lookout.next = Some(on_surface(system, stepper, next));
         }
-        Ok(time)
+        Ok(self.lookout.time())
     }
 
     /// Counts how often a switch returns to its surface without having left it.
@@ -158,12 +160,43 @@ impl<M: OdeSystem> Declarations<M> {
     }
 }
 
-/// The values of all declared events, and of others that never happen.
+/// A switch is looked for this many roundings of the state's largest component beyond its surface, lest rounding on the surface
+/// pass it again and again.
+const ROUNDINGS: f64 = 32.0;
+
+/// The values of all declared events, and of others that never happen. Those of switches are zero a little beyond their surfaces.
 fn values<M: OdeSystem>(system: &M, t: M::Scalar, y: &M::State) -> [M::Scalar; MOST_LOCATED] {
+    let mut values = exact_values(system, t, y);
+    if M::EVENTS.iter().any(|event| event.is_side) {
+        let size = y.as_ref().iter().fold(M::Scalar::ZERO, |size, entry| size.max(entry.abs()));
+        let width = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * size;
+        let sides = values.iter_mut().zip(M::EVENTS).filter(|(_, event)| event.is_side);
+        sides.for_each(|(value, _)| *value = *value + width);
+    }
+    values
+}
+
+fn exact_values<M: OdeSystem>(system: &M, t: M::Scalar, y: &M::State) -> [M::Scalar; MOST_LOCATED] {
     let mut values = [M::Scalar::ONE; MOST_LOCATED];
     let count = M::EVENTS.len().min(MOST_LOCATED);
     system.event_values(t, y, &mut values[..count]);
     values
+}
+
+/// The event of a switch where it passes its surface, as well as times are spaced. What is passed late, however little, adds up: a
+/// body that bounces in a valley with a kink would gain energy.
+fn on_surface<M: OdeSystem>(
+    system: &M,
+    stepper: &mut impl Stepper<M>,
+    beyond: Occurrence<M::Scalar, M::State>,
+) -> Occurrence<M::Scalar, M::State> {
+    let from = stepper.last_time();
+    let mut value = |t: M::Scalar| exact_values(system, t, &stepper.interpolate(system, t))[beyond.event];
+    let (before, after) = ((from, value(from)), (beyond.time, value(beyond.time)));
+    let is_bracket = before.1 > M::Scalar::ZERO && after.1 < M::Scalar::ZERO;
+    let located = if is_bracket { locate(before, after, M::Scalar::ZERO, value) } else { None };
+    let time = located.unwrap_or(beyond.time);
+    Occurrence { time, state: stepper.interpolate(system, time), ..beyond }
 }
 
 /// Whether a run may go this way: not backwards through impacts and friction, whose past does not follow from the present.

@@ -18,10 +18,6 @@ use super::run::Reaction;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, Reacted};
 
-/// A surface counts as passed this many roundings of the state's largest component beyond it, lest rounding on it pass it again
-/// and again.
-const ROUNDINGS: f64 = 32.0;
-
 /// The sides of its switches on which a system is computed: fixed, as during a run, or free, which is as its state says.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
 pub struct Switches {
@@ -65,8 +61,6 @@ impl Switches {
 pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
     /// The index of the first of them among the declared events.
     const FIRST: usize;
-    /// A bit for each switch that depends on time alone.
-    const TIMED: u64;
 
     /// The sides on which it is computed.
     fn switches(&self) -> Switches;
@@ -111,13 +105,10 @@ pub fn side_values<M: SwitchedSystem<K>, const K: usize>(
     values: &mut [M::Scalar],
 ) {
     let (one, switches) = (M::Scalar::ONE, system.switches());
-    let size = y.as_ref().iter().fold(M::Scalar::ZERO, |size, entry| size.max(entry.abs()));
-    let width = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * size;
     let found = system.switch_values(t, y);
     for (k, (value, found)) in values[M::FIRST..].iter_mut().zip(found).enumerate() {
-        let width = if M::TIMED >> k & 1 != 0 { M::Scalar::ZERO } else { width };
         *value = match (found.is_finite(), switches.is_fixed(k)) {
-            (true, true) => found.multiply_add(switches.sign(k), width),
+            (true, true) => switches.sign::<M::Scalar>(k) * found,
             // It has a side now.
             (true, false) => -one,
             // Where it is not defined, it either does not matter or shows in the rates.

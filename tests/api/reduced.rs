@@ -170,7 +170,7 @@ fn quadratic_drag_vanishes_to_first_order_and_acts_on_what_drifts() {
     let still = Still { c: 0.5 };
     assert_eq!(still.acceleration(0.0, &[0.0, 0.0], &[3.0, 4.0]), [0.0, 0.0]);
     // F = −c |v| v with v = (ẋ, ε): −c ẋ (ẋ + ½ ε²/ẋ) and −c ẋ ε
-    let [x, y] = Drifting { c: 0.5 }.acceleration(0.0, &[0.0, 0.0], &[2.0, 0.1]);
+    let [x, y] = Drifting { c: 0.5, ..Drifting::default() }.acceleration(0.0, &[0.0, 0.0], &[2.0, 0.1]);
     assert!((x + 0.5 * (4.0 + 0.005)).abs() < 1e-6 && (y + 0.1).abs() < 1e-6, "{x} {y}");
 }
 

@@ -28,8 +28,6 @@ pub(super) struct Shape<'a> {
     pub(super) touching: Vec<(&'a Name, Touch)>,
     /// What messages call the switches whose sides runs fix.
     pub(super) switches: Vec<String>,
-    /// A bit for each of them that depends on time alone.
-    pub(super) timed_switches: u64,
     /// Declared outputs with their number of components; one for a scalar.
     pub(super) outputs: Vec<(&'a Name, usize)>,
     /// The user's documentation of fields, coordinates and outputs.
@@ -49,7 +47,6 @@ impl<'a> Shape<'a> {
             is_stabilised: false,
             touching: Vec::new(),
             switches: Vec::new(),
-            timed_switches: 0,
             outputs: Vec::new(),
             docs: documentation(declaration),
         };

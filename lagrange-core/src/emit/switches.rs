@@ -1,6 +1,6 @@
 //! What is emitted for switches: a field that fixes their sides, the functions that vanish on them, and what runs ask.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::item::Parts;
@@ -11,7 +11,7 @@ use super::state::state_variables;
 use super::system::Writer;
 use super::text;
 use crate::diagnostics::Report;
-use crate::expr::{Dependencies, ExprId, Graph};
+use crate::expr::{ExprId, Graph};
 use crate::mechanics::{Equations, Switch, one_sided};
 use crate::syntax::ast::Declaration;
 
@@ -103,12 +103,7 @@ impl Shape<'_> {
     /// The same with the switches whose sides runs can fix.
     pub(super) fn with_switches(mut self, graph: &Graph, equations: &Equations) -> Self {
         let located = equations.switches.iter().take(room_for_switches(&self));
-        let with_state = Dependencies::COORDINATE | Dependencies::VELOCITY;
-        for (k, switch) in located.enumerate() {
-            self.switches.push(surface_name(graph, switch));
-            let is_timed = !graph.dependencies(switch.value).intersects(with_state);
-            self.timed_switches |= u64::from(is_timed) << k;
-        }
+        self.switches = located.map(|switch| surface_name(graph, switch)).collect();
         self
     }
 
@@ -182,7 +177,6 @@ pub(super) fn switched_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let variables = state_variables(shape);
     let (positions, velocities) = variables.split_at(shape.coordinates.len());
     let option = quote!(::core::option::Option);
-    let timed = Literal::u64_unsuffixed(shape.timed_switches);
     let times = parts.switch_times.as_ref().map(|times| {
         quote! {
             fn switch_times(&self) -> [#option<#scalar>; #k] {
@@ -194,7 +188,6 @@ pub(super) fn switched_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         #[automatically_derived]
         impl #bounds #krate::event::SwitchedSystem<#k> for #name #generics {
             const FIRST: ::core::primitive::usize = #first;
-            const TIMED: ::core::primitive::u64 = #timed;
             fn switches(&self) -> #krate::event::Switches {
                 self.#field
             }

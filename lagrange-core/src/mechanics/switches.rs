@@ -102,7 +102,7 @@ fn surface(graph: &mut Graph, id: ExprId, guards: &[ExprId]) -> Option<Surface> 
     let difference = match graph.node(id).clone() {
         Node::Choose { left, right, .. } if graph.is_zero(right) && guards.contains(&left) => return None,
         Node::Choose { left, right, .. } => graph.subtract(left, right),
-        Node::Call(Function::Abs | Function::Sign, arguments) => arguments[0],
+        Node::Call(Function::Abs | Function::Sign | Function::MagnitudeSlope, arguments) => arguments[0],
         Node::Call(Function::Min | Function::Max, arguments) => graph.subtract(arguments[0], arguments[1]),
         _ => return None,
     };
@@ -110,7 +110,8 @@ fn surface(graph: &mut Graph, id: ExprId, guards: &[ExprId]) -> Option<Surface> 
     let moving = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY;
     let unknown = Dependencies::ACCELERATION | Dependencies::MULTIPLIER | Dependencies::REACTION;
     let may_pass = dependencies.intersects(moving) && !dependencies.intersects(unknown);
-    may_pass.then(|| normalised(graph, difference))
+    // What is never negative touches its surface at most, as a length where it is zero.
+    may_pass.then(|| normalised(graph, difference)).filter(|surface| !graph.is_nonnegative(surface.value))
 }
 
 /// The surface of a difference, the same for all its multiples: the time, or else the first term that moves, has the coefficient
