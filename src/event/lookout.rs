@@ -107,8 +107,9 @@ impl<M: OdeSystem> Declarations<M> {
             && is_new
             && M::EVENTS[next.event].is_side
         {
+            let next = on_surface(system, stepper, next);
             self.check_sliding(system, stepper, &next)?;
-            self.lookout.next = Some(on_surface(system, stepper, next));
+            self.lookout.next = Some(next);
         }
         Ok(self.lookout.time())
     }
