@@ -2,6 +2,7 @@
 
 use super::messages;
 use super::names::{Body, Connector, Object};
+use super::terms::{Pair, Terms};
 use super::translation::Translation;
 use super::{Cause, Drawn, DrawnKind};
 use crate::syntax::ast;
@@ -108,8 +109,8 @@ impl Translation<'_> {
         let (strained, pull) = match kind == ConnectorKind::Spring && stretch == length {
             true => (span, terms.scale(factor, spread)),
             false => {
-                let along = spread.map(|component| terms.divide(component, length));
-                (stretch, terms.scale(tension, along))
+                let pull = pull_along(&mut terms, kind, [factor, tension, length], spread);
+                (stretch, pull)
             }
         };
         self.push_energy(kind, factor, strained);
@@ -202,6 +203,23 @@ impl Translation<'_> {
             }
         }
     }
+}
+
+/// The force along the vector between both ends, with which each draws the other. A damper has a limit where they meet.
+fn pull_along(
+    terms: &mut Terms<'_>,
+    kind: ConnectorKind,
+    [factor, tension, length]: [AstId; 3],
+    spread: Pair,
+) -> Pair {
+    let along = spread.map(|component| terms.divide(component, length));
+    let pull = terms.scale(tension, along);
+    if kind != ConnectorKind::Damper {
+        return pull;
+    }
+    let speed = terms.rate_pair(spread);
+    let limit = terms.scale(factor, speed);
+    terms.if_positive(length, pull, limit)
 }
 
 /// The word that begins the statement.

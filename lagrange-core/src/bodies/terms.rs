@@ -6,8 +6,9 @@
 use proc_macro2::Span;
 
 use crate::diagnostics::Origin;
+use crate::expr::Relation;
 use crate::number::Number;
-use crate::syntax::ast::{AstId, BinaryOperator, Expression, Expressions, Name};
+use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Expressions, Name};
 
 /// A vector in the plane.
 pub(super) type Pair = [AstId; 2];
@@ -219,6 +220,14 @@ impl<'e> Terms<'e> {
     pub(super) fn axes(&mut self, angle: AstId) -> [Pair; 2] {
         let along = self.direction(angle);
         [along, self.quarter_turn(along)]
+    }
+
+    /// One vector where a scalar is positive, another one elsewhere.
+    pub(super) fn if_positive(&mut self, scalar: AstId, then: Pair, otherwise: Pair) -> Pair {
+        let zero = self.number(0);
+        let condition = Condition { left: zero, relation: Relation::Less, right: scalar };
+        let mut choose = |then, otherwise| self.add_node(Expression::If { condition, then, otherwise });
+        [choose(then[0], otherwise[0]), choose(then[1], otherwise[1])]
     }
 
     /// How far one point is from another in a direction.

@@ -233,6 +233,7 @@ impl Elaborator<'_> {
 
     fn into_model(mut self, energies: Energies, lagrangian: ExprId) -> Model {
         let dissipation = self.total(|elaborator| &elaborator.dissipation);
+        let dissipation = self.with_limits(dissipation);
         let products = self.products();
         let mut labels = self.labels;
         // Rates of what has a name occur in the equations whether or not the user wrote them.

@@ -10,6 +10,7 @@ mod claims;
 mod constraints;
 mod contracted;
 mod cost;
+mod damping;
 mod elaborate;
 mod elimination;
 mod equations;
