@@ -13,6 +13,7 @@ mod fixed_steps;
 mod hybrid;
 mod inertia;
 mod methods;
+mod pivots;
 mod products;
 mod projection;
 mod reduced;

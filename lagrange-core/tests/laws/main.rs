@@ -8,6 +8,7 @@ mod growth;
 mod machines;
 mod magnitudes;
 mod mechanics;
+mod pivots;
 mod polynomials;
 mod printing;
 mod products;
