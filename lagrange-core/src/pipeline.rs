@@ -1,6 +1,7 @@
 //! The whole of it on one screen: text or tokens → declaration → plain statements → model → equations → items.
 
 mod numeric;
+mod second_way;
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -265,7 +265,7 @@ impl<S: Scalar, const D: usize> Ignored<S, D> {
 }
 
 /// Factors that bring the largest entry of each row of a symmetric matrix near one, if columns are multiplied by them, too.
-fn equilibration<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [S; D] {
+pub(super) fn equilibration<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [S; D] {
     let mut scales = [S::ONE; D];
     for _ in 0..SCALINGS {
         let before = scales;
@@ -286,11 +286,11 @@ fn reciprocal<S: Scalar>(x: S) -> S {
 }
 
 /// What is rounding in a matrix of K rows that is scaled.
-fn roundings<S: Scalar, const K: usize>() -> S {
+pub(super) fn roundings<S: Scalar, const K: usize>() -> S {
     S::from_f64(ROUNDINGS * K as f64) * S::epsilon()
 }
 
-fn finite<S: Scalar, const K: usize>(rows: &[[S; K]]) -> bool {
+pub(super) fn finite<S: Scalar, const K: usize>(rows: &[[S; K]]) -> bool {
     rows.iter().all(|row| row.iter().all(|entry| entry.is_finite()))
 }
 

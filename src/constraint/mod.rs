@@ -42,6 +42,7 @@
 //! *Stabilization of constraints and integrals of motion in dynamical systems*, Computer Methods in Applied Mechanics and
 //! Engineering 1 (1972), 1–16.
 
+mod indefinite;
 mod least_norm;
 pub(crate) mod orthogonal;
 mod projection;
@@ -53,6 +54,7 @@ mod unprojected;
 mod values;
 mod violation;
 
+pub use self::indefinite::indefinite_motion;
 pub use self::least_norm::{
     RedundantMotion, least_norm, rank_tolerance, redundant_correction, redundant_motion,
 };

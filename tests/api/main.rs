@@ -14,6 +14,7 @@ mod hybrid;
 mod inertia;
 mod long_rope;
 mod methods;
+mod pivots;
 mod products;
 mod projection;
 mod reduced;

@@ -6,6 +6,7 @@ mod contacts;
 mod diagnostics;
 mod docs;
 mod events;
+mod indefinite;
 mod item;
 mod jacobian;
 mod layout;

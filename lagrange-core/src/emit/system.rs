@@ -188,7 +188,10 @@ impl<'a> Writer<'a> {
         let accelerations = self.equations.accelerations.clone();
         let docs = ["Accelerations in the order of the coordinates."];
         self.counts = match (self.model.constraints.is_empty(), self.model.reactions.is_empty()) {
-            (true, true) => self.add("acceleration", &docs, Arguments::State, n, &accelerations),
+            (true, true) => match self.equations.pivot_growth {
+                Some(growth) => self.write_indefinite(&docs, growth),
+                None => self.add("acceleration", &docs, Arguments::State, n, &accelerations),
+            },
             (false, true) => self.write_constrained(&docs),
             (_, false) => self.write_touching(&docs),
         };

@@ -6,6 +6,7 @@ use super::cost::cost;
 use super::elimination::Elimination;
 use super::form::QuadraticForm;
 use super::gauss::{SplitLagrangian, Terms, gauss_form, linear_form};
+use super::indefinite::pivot_growth;
 use super::jacobian::{Derivatives, Forms};
 use super::model::{Energies, Model};
 use super::product::Product;
@@ -41,6 +42,9 @@ pub struct Equations {
     pub constraints: ConstraintEquations,
     /// What belongs to contacts and friction, whose forces the accelerations above leave out.
     pub reactions: ReactionEquations,
+    /// By how much rounding grows through pivots of the mass matrix that may vanish although it is regular, squared; `None` where none
+    /// may, and of systems with constraints, contacts or friction, which say so elsewhere.
+    pub pivot_growth: Option<ExprId>,
     /// How they are computed.
     pub road: Road,
     /// Whether the road over squares was open: whatever is quadratic in the velocities is a sum of squares of rates.
@@ -85,6 +89,8 @@ impl Equations {
         let forcing = forcing(&mut model.graph, &forms.pushed, &velocities);
         let (form, pushed) = (forms.form.clone(), forms.pushed.clone());
         let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
+        let is_free = model.constraints.is_empty() && model.reactions.is_empty();
+        let pivot_growth = is_free.then(|| pivot_growth(&mut model.graph, &mass_matrix, &solution)).flatten();
         let multipliers = solution.values.split_off(velocities.len());
         let (reactions, constraints) = match kept_elimination(model, &forms, &mut solution)? {
             Some(steps) => {
@@ -103,6 +109,7 @@ impl Equations {
         let touching = reaction_forces(model, &reactions);
         let mut equations = Equations {
             accelerations: solution.values,
+            pivot_growth,
             road,
             is_sum_of_squares: !split.has_other_inertia,
             costs,

@@ -18,6 +18,7 @@ mod events;
 mod expression;
 mod form;
 mod gauss;
+mod indefinite;
 mod inertia;
 mod jacobian;
 mod kinematics;

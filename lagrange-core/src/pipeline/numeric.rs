@@ -4,6 +4,7 @@ use crate::calculus::evaluate;
 use crate::collections::HashMap;
 use crate::expr::ExprId;
 use crate::mechanics::{Energies, Equations, Model, Product};
+use crate::pipeline::second_way::motion;
 use crate::pipeline::{Derived, DerivedPart};
 use crate::program::{Labels, Program, lower, optimise, run};
 use crate::symbol::Role;
@@ -20,6 +21,8 @@ pub struct NumericSystem {
     size: usize,
     accelerations: Program,
     multipliers: Program,
+    /// What the second way starts from; nothing for large systems.
+    undivided: Program,
     products: Vec<(Product, Program)>,
     outputs: Vec<(String, Program)>,
 }
@@ -32,6 +35,19 @@ struct Instant<'a> {
     v: &'a [f64],
     a: &'a [f64],
     multipliers: &'a [f64],
+}
+
+/// Systems with more coordinates have no second way here: writing down their matrices may cost more than all else.
+const LARGEST_SECOND_WAY: usize = 40;
+
+/// M and A in rows, f and b; nothing for large systems.
+fn undivided(equations: &Equations) -> Vec<ExprId> {
+    let Equations { mass_matrix, forcing, constraints, .. } = equations;
+    if forcing.len() > LARGEST_SECOND_WAY {
+        return Vec::new();
+    }
+    let matrices = [mass_matrix.concat(), constraints.jacobian.concat()].concat();
+    [&matrices[..], forcing, &constraints.drifts].concat()
 }
 
 impl NumericSystem {
@@ -83,6 +99,7 @@ impl NumericSystem {
             size: model.coordinates.len(),
             accelerations: lowered(&equations.accelerations),
             multipliers: lowered(&equations.constraints.multipliers),
+            undivided: lowered(&undivided(equations)),
             products: products.collect(),
             outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
         }
@@ -119,12 +136,34 @@ impl NumericSystem {
 
     /// q̈
     pub fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
-        self.run(&self.accelerations, Instant { t, q, v, a: &[], multipliers: &[] })
+        let at = Instant { t, q, v, a: &[], multipliers: &[] };
+        let found = self.run(&self.accelerations, at);
+        match found.iter().all(|a| a.is_finite()) {
+            true => found,
+            false => self.second_way(at).0,
+        }
     }
 
     /// The multipliers in the order of the constraints.
     pub fn multipliers(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
-        self.run(&self.multipliers, Instant { t, q, v, a: &[], multipliers: &[] })
+        let at = Instant { t, q, v, a: &[], multipliers: &[] };
+        let found = self.run(&self.multipliers, at);
+        let are_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+        match found.is_empty() || are_finite(&found) && are_finite(&self.run(&self.accelerations, at)) {
+            true => found,
+            false => self.second_way(at).1,
+        }
+    }
+
+    /// Accelerations and multipliers from the undivided equations.
+    fn second_way(&self, at: Instant<'_>) -> (Vec<f64>, Vec<f64>) {
+        let values = self.run(&self.undivided, at);
+        if values.is_empty() {
+            return (self.run(&self.accelerations, at), self.run(&self.multipliers, at));
+        }
+        let mut motion = motion(self.size, values.len() / (self.size + 1) - self.size, &values);
+        let multipliers = motion.split_off(self.size);
+        (motion, multipliers)
     }
 
     /// ẏ = [v, q̈] for y = [q, v].

@@ -9,6 +9,7 @@ mod machines;
 mod magnitudes;
 mod mechanics;
 mod mechanisms;
+mod pivots;
 mod polynomials;
 mod printing;
 mod products;

@@ -1,0 +1,30 @@
+//! Accelerations where a pivot of a regular mass matrix vanishes.
+
+use super::least_norm::{equilibration, finite, roundings};
+use super::orthogonal::Factors;
+use crate::scalar::Scalar;
+
+/// The accelerations a of M a = f with a symmetric mass matrix M, in rows, that need not be definite, by orthogonal factors; NaN if it
+/// is singular or not everything is finite. Rows and columns are scaled alike before the rank is decided on.
+///
+/// ```
+/// use lagrange::constraint::indefinite_motion;
+///
+/// assert_eq!(indefinite_motion(&[[0.0, 1.0], [1.0, 0.0]], &[2.0, 3.0]), [3.0, 2.0]);
+/// assert!(indefinite_motion(&[[1.0, 1.0], [1.0, 1.0]], &[2.0, 2.0])[0].is_nan());
+/// ```
+pub fn indefinite_motion<S: Scalar, const N: usize>(mass: &[[S; N]; N], forcing: &[S; N]) -> [S; N] {
+    if !(finite(mass) && finite(&[*forcing])) {
+        return [S::NAN; N];
+    }
+    let scales = equilibration(mass);
+    // Columns are rows: the matrix is symmetric.
+    let scaled: [[S; N]; N] =
+        core::array::from_fn(|j| core::array::from_fn(|i| scales[i] * mass[i][j] * scales[j]));
+    let factors = Factors::new(scaled, roundings::<S, N>());
+    if factors.rank() < N {
+        return [S::NAN; N];
+    }
+    let solution = factors.combination(core::array::from_fn(|i| scales[i] * forcing[i]));
+    core::array::from_fn(|i| scales[i] * solution[i])
+}
