@@ -111,6 +111,11 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         self.matrix.iter().chain([&self.offsets]).flatten().all(|entry| entry.is_finite())
     }
 
+    /// Whether reactions are impulses.
+    pub(super) fn is_of_impulses(&self) -> bool {
+        self.is_exact && self.presence == S::ZERO
+    }
+
     /// What rate k is under these reactions.
     pub(super) fn rate(&self, k: usize, reactions: &[S; K]) -> S {
         self.offsets[k] + self.change(k, reactions)

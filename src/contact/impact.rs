@@ -26,6 +26,8 @@ use crate::scalar::Scalar;
 
 /// The part of restitution is found to so many binary digits where it must be found.
 const MOST_BISECTIONS: u32 = 40;
+/// The same where there are no impulses with all of it.
+const FEW_BISECTIONS: u32 = 6;
 /// The speed of approach at which a jam is looked for, as a part of the largest slip velocity.
 const APPROACH: f64 = 1e-4;
 const NO_IMPULSES: &str = "no impulses of contacts and friction fit the impact";
@@ -59,20 +61,28 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         if !Balance::of_impulses(self, restitutions).is_finite() {
             return Err(Cause::NotFinite);
         }
-        // Without restitution there are impulses and nothing is created, so that there is a largest part of it with which that is so.
-        let part = |part: S| {
-            let collision = self.collide(v, &choices, &restitutions.map(|e| part * e))?;
-            (collision.energy_loss >= -self.rounding(&collision)).then_some(collision)
-        };
-        if let Some(collision) = part(S::ONE) {
+        let part = |part: S| self.collide(v, &choices, &restitutions.map(|e| part * e));
+        let creates = |collision: &Collision<S, N, K>| collision.energy_loss < -self.rounding(collision);
+        if let Some(collision) = part(S::ONE).filter(|collision| !creates(collision)) {
             return Ok(collision);
         }
-        let (mut below, mut above) = (S::ZERO, S::ONE);
-        for _ in 0..MOST_BISECTIONS {
-            let middle = S::from_f64(0.5) * (below + above);
-            *(if part(middle).is_none() { &mut above } else { &mut below }) = middle;
+        // Without restitution there are impulses and nothing is created, so that there is a largest part of it with which that is so.
+        let half = S::from_f64(0.5);
+        let (mut below, mut above, mut most) = (S::ZERO, S::ONE, MOST_BISECTIONS);
+        for round in 0..MOST_BISECTIONS {
+            if round >= most {
+                break;
+            }
+            let middle = half * (below + above);
+            match part(middle) {
+                Some(collision) if creates(&collision) => above = middle,
+                Some(_) => below = middle,
+                // Impulses grow without bound towards where there are none: half of the way there is kept, and is not worth many rounds.
+                None => (below, above, most) = (below.min(half * middle), half * middle, FEW_BISECTIONS),
+            }
         }
-        part(below).or_else(|| part(S::ZERO)).ok_or(Cause::Stuck(NO_IMPULSES))
+        let found = part(below).filter(|collision| !creates(collision)).or_else(|| part(S::ZERO));
+        found.ok_or(Cause::Stuck(NO_IMPULSES))
     }
 
     /// The impact without approach by which contacts that are `pressed` jam, if there is one: that to which impacts tend as the speed

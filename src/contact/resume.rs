@@ -123,21 +123,32 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         ended: Option<(usize, Rule)>,
     ) -> Result<[Mode; K], Cause<M::Scalar>> {
         let (terms, modes) = (self.terms(v), self.system.modes());
-        match terms.settle(&modes, position, ended) {
-            Err(Cause::Stuck(what)) => {
-                let is_pressed = array::from_fn(|k| position.is_touching[k] && position.is_still[k]);
-                let jam = terms.jam(v, &modes, &is_pressed).ok_or(Cause::Stuck(what))?;
-                *v = jam.velocities;
-                for (is_still, stays) in position.is_still.iter_mut().zip(jam.is_still) {
-                    *is_still |= stays;
-                }
-                let terms = self.terms(v);
-                halt(&terms, v, jam.is_still);
-                self.terms(v).settle(&modes, position, None)
+        let settled = terms.settle(&modes, position, ended);
+        let fits = match &settled {
+            Ok(settled) => {
+                !ended.is_some_and(|(k, rule)| rule == Rule::Absent && is_drawn_in(&terms, settled, k))
             }
-            settled => settled,
+            Err(cause) => !matches!(cause, Cause::Stuck(_)),
+        };
+        let is_pressed = array::from_fn(|k| position.is_touching[k] && position.is_still[k]);
+        let Some(jam) = (!fits).then(|| terms.jam(v, &modes, &is_pressed)).flatten() else { return settled };
+        *v = jam.velocities;
+        for (is_still, stays) in position.is_still.iter_mut().zip(jam.is_still) {
+            *is_still |= stays;
         }
+        halt(&self.terms(v), v, jam.is_still);
+        self.terms(v).settle(&modes, position, None)
     }
+}
+
+/// Whether a contact that has opened would close again at once.
+fn is_drawn_in<S: Scalar, const N: usize, const K: usize>(
+    terms: &Terms<S, N, K>,
+    modes: &[Mode; K],
+    k: usize,
+) -> bool {
+    let (balance, forces) = (Balance::of_forces(terms), reactions(terms, modes));
+    balance.rate(k, &forces) < -S::epsilon().sqrt() * balance.size(k, &forces)
 }
 
 /// The square root of the part of the energy of approach in these contacts that an impact has left.

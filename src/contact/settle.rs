@@ -37,6 +37,8 @@ pub(super) struct Settled<S, const K: usize> {
 const MOST_COMBINATIONS: u64 = 1_296;
 /// Rounding errors of a sum are this many times those of its largest terms.
 const ROUNDINGS: f64 = 16.0;
+/// Impulses that the motion does not determine hold rates together but for so many.
+const HELD: f64 = 1_048_576.0;
 /// What Lemke's method finds fits but for so many.
 const NEARLY: f64 = 65_536.0;
 
@@ -120,7 +122,12 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     fn under(&self, rules: [Rule; K]) -> Option<Settled<S, K>> {
         let reactions = self.reactions(&rules);
         let is_finite = reactions.iter().all(|reaction| reaction.is_finite());
-        is_finite.then_some(Settled { rules, reactions })
+        let is_held = |k: usize| {
+            let rounding = S::from_f64(HELD) * S::epsilon() * self.size(k, &reactions);
+            rules[k] != Rule::Holds || self.rate(k, &reactions).abs() <= rounding
+        };
+        let fits = is_finite && (!self.is_of_impulses() || (0..K).all(is_held));
+        fits.then_some(Settled { rules, reactions })
     }
 
     /// The first reaction that contradicts its rule by more than so many roundings, and the rule to try instead.

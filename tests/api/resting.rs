@@ -179,3 +179,43 @@ fn a_start_where_all_coordinates_are_zero_may_be_rounding_below_the_floor() {
     let below = Shelf { c: 0.3 - 1e-9, ..Shelf::default() };
     assert!(below.simulate([0.0; 4]).until(1.0).run().is_err());
 }
+
+lagrange::system! {
+    /// A block that rocks on its two feet.
+    #[derive(Clone, Debug)]
+    struct Rocking;
+
+    param m = 2.0, a = 0.3, b = 0.5, g = 9.81, mu = 1.5;
+    coord x, y, phi;
+    gravity = (0, -g);
+    line floor { angle: 0; }
+    body block { mass: m; center: (x, y); angle: phi; shape: rectangle(2 * a, 2 * b); }
+    event left = floor.distance(block.point(-a, -b)), falling => impact(0);
+    event right = floor.distance(block.point(a, -b)), falling => impact(0);
+    friction rub_left = dot(floor.along(block.point(-a, -b))), mu * left;
+    friction rub_right = dot(floor.along(block.point(a, -b))), mu * right;
+}
+
+/// A block that rocks without slipping keeps the part r = 1 − 3/2 sin² α of its rate at each impact, where α is the angle at its
+/// corner (Housner, *Bull. Seismol. Soc. Am.* 53 (1963) 403–417), and so comes to rest on both feet after infinitely many.
+#[test]
+fn a_block_that_rocks_from_foot_to_foot_comes_to_rest_on_both() {
+    for (a, mu) in [(0.3_f64, 1.0), (0.3, 2.0), (0.15, 0.8), (0.15, 1.2)] {
+        let block = Rocking { a, mu, ..Rocking::default() };
+        let phi = 0.3 * a;
+        let start = [0.0, 0.5 * f64::cos(phi) + a * f64::sin(phi), phi, 0.0, 0.0, 0.0];
+        let run = block.simulate(start).until(6.0).tolerance(1e-12).max_steps(2_000).run();
+        let run = run.unwrap_or_else(|error| panic!("{error} with {a} and {mu}"));
+        let left = 1.0 - 1.5 * a * a / (a * a + 0.25);
+        let rates = run.events().iter().map(|event| event.state[5].abs()).collect::<Vec<_>>();
+        assert!(rates.len() > 20, "{} impacts", rates.len());
+        for pair in rates[..rates.len() - 1].windows(2).filter(|pair| pair[1] > 1e-4) {
+            assert!((pair[1] / pair[0] - left).abs() < 1e-7, "{} for {left}", pair[1] / pair[0]);
+        }
+        let [_, y, phi, velocities @ ..] = run.last();
+        assert!((y - 0.5).abs() < 1e-12 && phi.abs() < 1e-12, "{y} {phi}");
+        assert!(velocities.iter().all(|v| v.abs() < 1e-14), "{velocities:?}");
+        let block = run.system_at_end().expect("it touches");
+        assert_eq!((block.left, block.right), (Contact::Closed, Contact::Closed));
+    }
+}

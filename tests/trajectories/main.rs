@@ -20,3 +20,4 @@ mod projected;
 mod references;
 mod stiff;
 mod systems;
+mod throws;

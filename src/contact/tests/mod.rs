@@ -1,5 +1,6 @@
 //! Contacts, impacts and friction on systems that are written by hand.
 
+mod complementarity;
 mod friction;
 mod impacts;
 mod least_norm;
