@@ -23,6 +23,7 @@ mod kinematics;
 mod loads;
 mod messages;
 mod model;
+mod numbers;
 mod operand;
 mod pivot;
 mod product;
@@ -38,6 +39,7 @@ mod squares;
 mod stabilisation;
 mod structure;
 mod sweep;
+mod unresolved;
 
 pub use algebra::Sums;
 pub use constraints::ConstraintEquations;

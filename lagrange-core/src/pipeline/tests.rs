@@ -1,4 +1,6 @@
+mod numbers;
 mod scenes;
+mod unresolved;
 
 use quote::quote;
 
