@@ -1,3 +1,4 @@
+mod attributes;
 mod numbers;
 mod scenes;
 mod unresolved;
