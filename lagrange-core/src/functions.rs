@@ -46,6 +46,13 @@ pub struct Row {
     pub partials: fn(&mut Graph, &[ExprId], ExprId) -> Vec<ExprId>,
 }
 
+impl Row {
+    /// Whether it is defined everywhere.
+    pub fn is_total(&self) -> bool {
+        self.domain == "everywhere"
+    }
+}
+
 /// Every function, in the order of [`Function`].
 pub const ROWS: [Row; 20] = [
     Row {

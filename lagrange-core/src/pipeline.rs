@@ -120,7 +120,9 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     let items = parse_tokens(tokens, &mut report).map(|declaration| {
         let plain = plain(declaration, &mut report);
         let model = elaborate(&plain, &mut report);
-        let declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
+        let mut declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
+        let attributes = declaration.attributes;
+        declaration.attributes = emit::of_struct(&attributes, report.diagnostics());
         let items = model.and_then(|mut model| {
             emit::report_hopeless_model(&declaration, &model, &mut report)?;
             let road = RoadChoice::Cheapest;
@@ -133,7 +135,7 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
             Some(quote!(#items #parts))
         });
         let items = items.unwrap_or_else(|| emit::skeleton(&declaration, krate));
-        (items, declaration.attributes)
+        (items, attributes)
     });
     let (items, attributes) = items.unwrap_or_default();
     let diagnostics = emit::diagnostics(report.diagnostics(), &attributes);

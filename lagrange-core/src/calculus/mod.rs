@@ -13,7 +13,7 @@ mod transplant;
 
 pub use adjoint::{adjoint, gradient};
 pub use degree::{Degree, Degrees, homogeneity};
-pub use evaluate::evaluate;
+pub use evaluate::{evaluate, node_value};
 pub use expansion::{Expansion, Series};
 pub use jacobian::jacobian;
 pub use local::{partials, second_partials};

@@ -137,6 +137,11 @@ impl Report {
         &mut self.diagnostics[last]
     }
 
+    /// The mistake of this number, counted from zero in the order in which they are found, to add what is learnt later.
+    pub fn diagnostic_mut(&mut self, number: usize) -> Option<&mut Diagnostic> {
+        self.diagnostics.get_mut(number)
+    }
+
     /// Whether anything in it is an error.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)

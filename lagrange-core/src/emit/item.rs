@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
+use super::attributes::{conditions, deprecated_exception};
 use super::constrained::projections;
 use super::contacts::mode_fields;
 use super::method::{ArgumentNames, Method};
@@ -64,12 +65,18 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let functions = (!parts.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
     let names = name_exception(shape);
     let rounded = rounded_exception(parts.has_rounded_constants);
+    let attributes = &shape.declaration.attributes;
+    let (conditions, deprecated) = (conditions(attributes), deprecated_exception(attributes));
     quote! {
         #system
+        #conditions
         #state
+        #conditions
         #columns
+        #conditions
         #names
         #rounded
+        #deprecated
         const _: () = {
             #import
             #functions
@@ -85,6 +92,14 @@ pub(super) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {
     is_needed.then(
         || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
     )
+}
+
+/// Lets the names of types go with that of the struct, which alone is warned of.
+pub(super) fn type_name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
+    let name = shape.declaration.name.text.trim_matches('_');
+    let is_camel_case = !name.starts_with(char::is_lowercase) && !name.contains('_');
+    let exception = quote!(#[allow(non_camel_case_types, reason = "the name goes with that of the system")]);
+    (!is_camel_case).then_some(exception)
 }
 
 /// Lets names keep the letters that they have in formulas.

@@ -1,5 +1,6 @@
 //! Programs and expressions as text in other languages. No algebra happens here.
 
+mod attributes;
 mod bindings;
 mod constrained;
 mod contacts;
@@ -31,6 +32,7 @@ pub mod latex;
 pub mod rust_body;
 pub mod text;
 
+pub use attributes::of_struct;
 pub use diagnostics::{diagnostics, report_refusal};
 pub use docs::{documentation, equations_latex};
 pub use reduced::{conversions, reduced_declarations};

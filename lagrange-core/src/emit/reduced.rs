@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::attributes::{conditions, deprecated_exception};
 use super::bindings::field_bindings;
 use super::item::{rounded_exception, split_attributes};
 use super::rust_body::{Names, body};
@@ -85,7 +86,11 @@ fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> Tok
     let states = state_conversion(full, part);
     let scalar = part.scalar_path();
     let import = part.generics().is_empty().then(|| quote!(use #scalar;));
+    let attributes = &full.declaration.attributes;
+    let (conditions, deprecated) = (conditions(attributes), deprecated_exception(attributes));
     quote! {
+        #conditions
+        #deprecated
         const _: () = {
             #import
             #(#systems)*

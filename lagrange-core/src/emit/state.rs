@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::item::name_exception;
+use super::item::{name_exception, type_name_exception};
 use super::rust_body::Names;
 use super::shape::{Shape, doc, length};
 
@@ -17,12 +17,14 @@ pub(super) fn state_struct(shape: &Shape<'_>) -> TokenStream {
         .map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text)))
         .chain(shape.coordinates.iter().map(|name| doc(&format!("Velocity of `{}`.", name.text))));
     let (fields, names) = (shape.state_fields(), name_exception(shape));
+    let type_name = type_name_exception(shape);
     let allow = (!generics.is_empty()).then(
         || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
     );
     quote! {
         #title
         #names
+        #type_name
         #allow
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
@@ -85,8 +87,10 @@ pub(super) fn state_variables(shape: &Shape<'_>) -> Vec<Ident> {
 pub(super) fn columns_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, visibility) = (shape.columns_name(), &shape.declaration.visibility);
     let title = doc(&format!("Columns of a table of states of [`{}`].", shape.declaration.name.text));
+    let type_name = type_name_exception(shape);
     quote! {
         #title
+        #type_name
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         #visibility struct #name<C>(C);
     }

@@ -18,6 +18,7 @@ impl Elaborator<'_> {
         self.check_state_names();
         self.check_reductions();
         self.check_energies();
+        self.check_magnitudes();
         self.check_products();
         self.check_output_names();
         self.check_motion_names();

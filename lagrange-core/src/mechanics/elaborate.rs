@@ -6,6 +6,7 @@ use super::claims::check_claims;
 use super::expression::Evaluator;
 use super::messages;
 use super::model::{Constraint, Coordinate, Event, Load, Model, Output, Parameter, Reaction, Reduction};
+use super::numbers::{holds, largest};
 use super::operand::Operand;
 use super::product::Product;
 use super::reduce::reduce;
@@ -17,9 +18,7 @@ use crate::diagnostics::Report;
 use crate::diagnostics::nearest;
 use crate::expr::{Dependencies, ExprId};
 use crate::symbol::Role;
-use crate::syntax::ast::{
-    AstId, Declaration, Definition, EmitItem, Name, ScalarType, Statement, StatementKind,
-};
+use crate::syntax::ast::{AstId, Declaration, Definition, EmitItem, Name, Statement, StatementKind};
 
 /// Methods that every system has; no output may take their names.
 const GENERATED_METHODS: [&str; 7] =
@@ -47,6 +46,7 @@ pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
     }
     check_claims(&mut elaborator, &plain.claims);
     elaborator.scene(plain);
+    elaborator.evaluator.count_unresolved();
     let (mut model, reductions) = elaborator.finish()?;
     let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, report)).collect::<Vec<_>>();
     model.reduced = reduced.into_iter().collect::<Option<Vec<_>>>()?;
@@ -185,11 +185,8 @@ impl<'a> Elaborator<'a> {
     fn default_value(&mut self, name: &Name, syntax: AstId) -> Option<ExprId> {
         let value = self.constant_scalar(syntax, "a default")?;
         let numeric = evaluate(&self.evaluator.graph, &[value], |_| f64::NAN)[0];
-        let (scalar, largest) = match self.declaration.scalar {
-            ScalarType::F32 => ("f32", f64::from(f32::MAX)),
-            _ => ("f64", f64::MAX),
-        };
-        if numeric.abs() > largest {
+        if !holds(&self.declaration.scalar, numeric) {
+            let (scalar, largest) = largest(&self.declaration.scalar);
             let message = messages::number_too_large(&name.text, scalar);
             let error = self.evaluator.report.error(self.evaluator.origin(syntax), message);
             error.help(messages::largest_help(scalar, largest));

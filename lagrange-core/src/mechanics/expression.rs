@@ -4,14 +4,15 @@
 //! is collected once and not pair by pair.
 
 use super::messages;
+use super::numbers::Constants;
 use super::operand::Operand;
 use super::scope::{Kind, Scope};
+use super::unresolved::Unresolved;
 use crate::calculus::{AccelerationTerms, Rates};
 use crate::collections::{HashMap, OrderedMap};
 use crate::diagnostics::{Origin, Report};
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::functions;
-use crate::number::Number;
 use crate::symbol::Role;
 use crate::syntax::ast::{AstId, BinaryOperator, Condition, Declaration, Expression, Name};
 
@@ -20,7 +21,7 @@ pub(super) struct Evaluator<'a> {
     pub(super) graph: Graph,
     pub(super) scope: Scope,
     pub(super) report: &'a mut Report,
-    declaration: &'a Declaration,
+    pub(super) declaration: &'a Declaration,
     rates: Rates,
     /// What each `dot(…)` evaluated to: velocity and position.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
@@ -28,6 +29,8 @@ pub(super) struct Evaluator<'a> {
     pub(super) unsuitable: HashMap<Vec<AstId>, ()>,
     /// Joints of which it was reported that they have no force.
     forceless_joints: HashMap<String, ()>,
+    pub(super) constants: Constants,
+    pub(super) unresolved: Unresolved,
     /// Operands by expression; `None` where something was wrong and has been reported.
     values: HashMap<AstId, Option<Operand>>,
     /// What is claimed to be a vector: that it is none is reported there, not for each of its components.
@@ -45,6 +48,8 @@ impl<'a> Evaluator<'a> {
             named_rates: OrderedMap::default(),
             unsuitable: HashMap::default(),
             forceless_joints: HashMap::default(),
+            constants: Constants::default(),
+            unresolved: Unresolved::default(),
             values: HashMap::default(),
             claimed_vectors: HashMap::default(),
         }
@@ -71,7 +76,7 @@ impl<'a> Evaluator<'a> {
             if pending.len() == before {
                 pending.pop();
                 if !self.values.contains(&id) {
-                    let value = self.evaluate_node(id).filter(|value| self.is_short(value, id));
+                    let value = self.evaluate_node(id).filter(|value| self.is_sound(value, id));
                     self.values.insert(id, value);
                 }
             }
@@ -83,24 +88,8 @@ impl<'a> Evaluator<'a> {
         self.values.get(&id).cloned().flatten()
     }
 
-    /// Whether the numbers in a value are short enough to go on with; reports it if not. Exact numbers grow
-    /// with every operation, twofold in each of `a1 = a0*a0 + 1/7`, `a2 = a1*a1 + 1/7`, ….
-    fn is_short(&mut self, value: &Operand, id: AstId) -> bool {
-        let is_short = |&component: &ExprId| {
-            let (coefficient, core) = self.graph.split_coefficient(component);
-            coefficient.is_short() && self.graph.as_number(core).is_none_or(Number::is_short)
-        };
-        let short = value.components().iter().all(is_short);
-        if !short {
-            self.report
-                .error(self.origin(id), messages::NUMBER_TOO_LONG)
-                .help(messages::NUMBER_TOO_LONG_HELP);
-        }
-        short
-    }
-
     /// The expressions that must have values before `id` has one: the leaves of a chain.
-    fn operands(&self, id: AstId) -> Vec<AstId> {
+    pub(super) fn operands(&self, id: AstId) -> Vec<AstId> {
         match self.syntax(id) {
             Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
             Expression::Binary(BinaryOperator::Power, _, base, exponent) => vec![*base, *exponent],
@@ -164,11 +153,10 @@ impl<'a> Evaluator<'a> {
             self.report.error(origin, messages::function_as_value(name));
             return None;
         }
-        if self.is_declared_elsewhere(name, origin) {
-            return None;
+        if !self.is_known_unresolved(name, origin) && !self.is_declared_elsewhere(name, origin) {
+            let help = self.help_for_unknown(name);
+            self.report_unknown(name, origin, help);
         }
-        let help = self.help_for_unknown(name);
-        self.report.error(origin, messages::unknown_name(name)).help(help);
         None
     }
 
@@ -176,31 +164,6 @@ impl<'a> Evaluator<'a> {
     fn is_first_of_joint(&mut self, constraint: &str) -> bool {
         let joint = constraint.rsplit_once('_').map_or(constraint, |(joint, _)| joint);
         self.forceless_joints.insert(joint.to_owned(), ()).is_none()
-    }
-
-    fn help_for_unknown(&self, name: &str) -> String {
-        let is_coordinate = |name: &str| self.scope.find(name).is_some_and(|e| e.kind == Kind::Coordinate);
-        for (suffix, function) in [("_ddot", "ddot"), ("_dot", "dot")] {
-            // The state has fields of these names.
-            if let Some(coordinate) = name.strip_suffix(suffix).filter(|name| is_coordinate(name)) {
-                return messages::write_call(&format!("{function}({coordinate})"));
-            }
-        }
-        match self.scope.nearest(name, Kind::has_value) {
-            Some(nearest) => messages::did_you_mean(nearest),
-            None => messages::DECLARE_FIRST.to_owned(),
-        }
-    }
-
-    /// Whether an unknown name is declared further down, which is reported here, or may have been declared
-    /// where the declaration could not be read.
-    pub(super) fn is_declared_elsewhere(&mut self, name: &str, origin: Origin) -> bool {
-        if let Some(declaration) = self.declaration.find(name) {
-            let error = self.report.error(origin, messages::used_too_early(name)).help(messages::ORDER_HELP);
-            error.related(declaration.into(), messages::DECLARED_HERE);
-            return true;
-        }
-        self.declaration.unreadable_words.contains(&name.to_owned())
     }
 
     fn evaluate_power(&mut self, base: AstId, exponent: AstId) -> Option<Operand> {

@@ -6,6 +6,7 @@
 use proc_macro2::Span;
 
 use super::elaborate::Elaborator;
+use super::expression::Evaluator;
 use super::messages;
 use super::model::Load;
 use super::operand::Operand;
@@ -29,22 +30,27 @@ impl Elaborator<'_> {
 
     /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of something else.
     pub(super) fn report_no_coordinate(&mut self, name: &Name, usage: &str) {
-        let is_unknown = self.evaluator.scope.find(&name.text).is_none();
-        if is_unknown && self.evaluator.is_declared_elsewhere(&name.text, name.span.into()) {
+        let (text, origin) = (&name.text, name.span.into());
+        let is_unknown = self.evaluator.scope.find(text).is_none();
+        let is_told = |evaluator: &mut Evaluator| {
+            evaluator.is_known_unresolved(text, origin) || evaluator.is_declared_elsewhere(text, origin)
+        };
+        if is_unknown && is_told(&mut self.evaluator) {
             return;
         }
         let scope = &self.evaluator.scope;
-        let message = match scope.find(&name.text) {
-            Some(_) => messages::not_a_coordinate(&name.text),
-            None => messages::unknown_name(&name.text),
-        };
         let coordinates = self.coordinates.iter().map(|(coordinate, _)| coordinate.name.as_str());
         let help = match scope.nearest(&name.text, |kind| kind == Kind::Coordinate) {
             Some(nearest) => messages::did_you_mean(nearest),
             None if scope.find(&name.text).is_some() => usage.to_owned(),
             None => messages::coordinates_are(&coordinates.collect::<Vec<_>>(), usage),
         };
-        self.evaluator.report.error(name.span, message).help(help);
+        match is_unknown {
+            true => self.evaluator.report_unknown(text, origin, help),
+            false => {
+                self.evaluator.report.error(name.span, messages::not_a_coordinate(text)).help(help);
+            }
+        }
     }
 
     pub(super) fn force_at(&mut self, force: AstId, point: AstId) {

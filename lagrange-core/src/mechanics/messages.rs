@@ -28,6 +28,14 @@ pub(super) fn unknown_name(name: &str) -> String {
     format!("unknown name `{name}`")
 }
 
+/// Behind what is said of a name that has no meaning in several places.
+pub(super) fn and_elsewhere(others: usize) -> String {
+    match others {
+        1 => ", here and in one other place".to_owned(),
+        others => format!(", here and in {others} other places"),
+    }
+}
+
 pub(super) fn unknown_function(name: &str) -> String {
     format!("unknown function `{name}`")
 }
@@ -119,6 +127,17 @@ pub(super) fn varying_power_of_negative(base: &str) -> String {
 
 pub(super) const NEGATIVE_BASE_HELP: &str =
     "make the base positive; the sign in `-2^x` applies to the power, that in `(-2)^x` to the base";
+
+pub(super) const NOT_REAL: &str = "this is not a real number";
+
+pub(super) fn defined_where(function: &str, domain: &str) -> String {
+    format!("`{function}` is defined {domain}")
+}
+
+pub(super) fn excessive(is_constant: bool, scalar: &str) -> String {
+    let what = if is_constant { "this number" } else { "a number in this expression" };
+    format!("{what} is too large for `{scalar}`")
+}
 
 pub(super) fn no_component(component: &str, kind: &str) -> String {
     format!("there is no component `{component}` in {kind}")

@@ -25,6 +25,7 @@ mod kinematics;
 mod loads;
 mod messages;
 mod model;
+mod numbers;
 mod operand;
 mod pivot;
 mod product;
@@ -43,6 +44,7 @@ mod stabilisation;
 mod structure;
 mod sweep;
 mod switches;
+mod unresolved;
 
 pub use algebra::Sums;
 pub use constraints::ConstraintEquations;

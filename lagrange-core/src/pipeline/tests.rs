@@ -1,4 +1,7 @@
+mod attributes;
+mod numbers;
 mod scenes;
+mod unresolved;
 
 use quote::quote;
 

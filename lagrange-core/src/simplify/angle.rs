@@ -106,13 +106,17 @@ impl Angles {
     /// The linear combination that an expression is.
     pub(super) fn read(&mut self, graph: &Graph, id: ExprId) -> Angle {
         let mut angle = Angle::default();
-        let mut pending = vec![(id, Number::ONE)];
-        while let Some((id, scale)) = pending.pop() {
+        // Parents are larger than children: what several sums share is opened once, with all its coefficients added up.
+        let mut pending = BTreeMap::from([(id, Number::ONE)]);
+        while let Some((id, scale)) = pending.pop_last() {
             match graph.node(id) {
                 Node::Number(value) => angle.constant = &angle.constant + &(value * &scale),
                 Node::Sum { constant, terms } => {
                     angle.constant = &angle.constant + &(constant * &scale);
-                    pending.extend(terms.iter().map(|(term, c)| (*term, c * &scale)));
+                    for (term, c) in terms {
+                        let total = pending.entry(*term).or_insert(Number::ZERO);
+                        *total = &*total + &(c * &scale);
+                    }
                 }
                 _ => angle.add_part(id, &scale),
             }

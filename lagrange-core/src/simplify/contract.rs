@@ -105,12 +105,13 @@ fn read(
             }
             _ => None,
         };
-        match (wave, exponent.to_i32()) {
-            (Some(wave), Some(power @ 1..)) => waves.extend((0..power).map(|_| wave.clone())),
+        match (wave, exponent.to_i32().map(usize::try_from)) {
+            (Some(_), Some(Ok(power))) if power > MOST_WAVES - waves.len() => return None,
+            (Some(wave), Some(Ok(power))) => waves.extend(std::iter::repeat_n(wave, power)),
             _ => cofactor.push((*base, exponent.clone())),
         }
     }
-    (waves.len() <= MOST_WAVES).then(|| (Monomial::new(cofactor), WaveProduct { coefficient, waves }))
+    Some((Monomial::new(cofactor), WaveProduct { coefficient, waves }))
 }
 
 /// The sum of the products in as few products as are found.

@@ -257,3 +257,45 @@ fn nothing_that_may_vanish_on_the_way_is_divided_by() {
     assert_eq!(safe_quotient(&mut g, numerator, denominator), Some(expected));
     assert_eq!(safe_quotient(&mut g, n, denominator), None);
 }
+
+/// Written out, such powers would take more memory than there is.
+#[test]
+fn powers_without_bound_stay_as_they_are() {
+    let mut g = Graph::new();
+    let Letters { masses: [m, _], angles: [a, b, _] } = letters(&mut g);
+    for exponent in [5, 1_000_000_000, i64::from(i32::MAX), i64::MAX] {
+        let (cosine, sine) = (cos(&mut g, a), sin(&mut g, b));
+        let (left, right) = (g.power(cosine, exponent.into()), g.power(sine, (exponent - 1).into()));
+        let product = g.product([(cosine, exponent.into()), (sine, exponent.into()), (m, Number::ONE)]);
+        let terms = [(left, 1), (right, -2), (product, 3)];
+        let expected = g.sum(Number::ZERO, terms.map(|(id, coefficient)| (id, Number::from(coefficient))));
+        assert_eq!(contracted(&mut g, &terms), expected);
+    }
+    let squares = [cos(&mut g, a), sin(&mut g, a)].map(|wave| (g.square(wave), 1));
+    let one = g.number(1);
+    assert_eq!(contracted(&mut g, &squares), one);
+}
+
+/// Written out, the angles have 2⁶⁰ terms.
+#[test]
+fn sums_that_angles_share_are_read_once() {
+    let mut g = Graph::new();
+    let Letters { angles: [a, b, _], .. } = letters(&mut g);
+    let (mut u, mut v) = (a, b);
+    for _ in 0..60 {
+        let wave = sin(&mut g, u);
+        let terms = |second: i64, third: i64| {
+            [(u, Number::ONE), (v, Number::from(second)), (wave, Number::from(third))]
+        };
+        (u, v) = (g.sum(Number::ZERO, terms(2, 1)), g.sum(Number::ZERO, terms(-3, 5)));
+    }
+    let [left, right] =
+        [(cos(&mut g, u), cos(&mut g, v)), (sin(&mut g, u), sin(&mut g, v))].map(|(x, y)| g.multiply(x, y));
+    let difference = g.subtract(u, v);
+    let angle = contracted(&mut g, &[(left, 1), (right, 1)]);
+    let Node::Call(Function::Cos, argument) = g.node(angle).clone() else { panic!("one cosine is left") };
+    let error = g.subtract(argument[0], difference);
+    let [value, scale] =
+        [error, difference].map(|id| evaluate(&g, &[id], |role| value(&[0.4, -0.7, 0.0], role))[0]);
+    assert!(value.abs() < 1e-12 * scale.abs(), "{value} beside {scale}");
+}

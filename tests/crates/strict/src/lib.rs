@@ -11,6 +11,7 @@
 #![forbid(unsafe_code)]
 
 pub mod arguments;
+pub mod attributes;
 pub mod bodies;
 pub mod friction;
 pub mod letters;
