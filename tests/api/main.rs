@@ -25,6 +25,7 @@ mod simulation;
 mod states;
 mod switches;
 mod traits;
+mod wrappers;
 
 /// Whether two numbers agree to a few units in the last place of `f64`.
 #[track_caller]
