@@ -9,7 +9,7 @@ type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 
 /// A system that contains another one and has equations of its own: with a control, with losses, or with more unknowns.
 ///
-/// Constraints, projection, events, contacts and friction are those of the inner system; a type that contains a system and
+/// Constraints, projection, events, contacts, friction and switches are those of the inner system; a type that contains a system and
 /// implements [`OdeSystem`] by itself has none of them unless it forwards each. Whoever implements this trait has
 /// `OdeSystem` by it, and, if the state is that of the inner system, [`MechanicalSystem`] and [`EnergyFunction`] where the inner
 /// system has them. Accelerations are then those of [`outer_rhs`](Wrapper::outer_rhs), the energy is that of the inner system. Traits that say
@@ -70,7 +70,8 @@ pub trait Wrapper: Sized {
     /// The system inside, in its present modes.
     fn inner(&self) -> &Self::Inner;
 
-    /// The same around the inner system in other modes: with other contacts closed, other friction sticking.
+    /// The same around the inner system in other modes: with other contacts closed, other friction sticking, on other sides of its
+    /// [switches](crate::event::Switches).
     #[must_use]
     fn around(&self, inner: Self::Inner) -> Self;
 
@@ -103,6 +104,15 @@ impl<W: Wrapper> OdeSystem for W {
     #[inline]
     fn jacobian(&self, t: Number<W>, y: &W::State) -> Option<StateMatrix<W>> {
         self.outer_jacobian(t, y)
+    }
+
+    #[inline]
+    fn next_restart(&self, t: Number<W>, end: Number<W>) -> Option<Number<W>> {
+        self.inner().next_restart(t, end)
+    }
+
+    fn beyond(&self, t: Number<W>, end: Number<W>) -> Option<W> {
+        self.inner().beyond(t, end).map(|inner| self.around(inner))
     }
 
     const IS_CONSTRAINED: bool = W::Inner::IS_CONSTRAINED;
@@ -141,6 +151,10 @@ impl<W: Wrapper> OdeSystem for W {
 
     fn begin(&self, t: Number<W>, y: &W::State) -> Result<Option<W>, Cause<Number<W>>> {
         Ok(self.inner().begin(t, &part::<W>(y))?.map(|inner| self.around(inner)))
+    }
+
+    fn freed(&self) -> Option<W> {
+        self.inner().freed().map(|inner| self.around(inner))
     }
 }
 

@@ -6,6 +6,7 @@ use lagrange::event::{Direction, Switches};
 use lagrange::integrate::{
     Cause, GaussLegendre4, ImplicitMidpoint, Method, RungeKutta4, StormerVerlet, Verner98, integrate,
 };
+use lagrange::system::Wrapper;
 
 lagrange::system! {
     /// An oscillator that is pushed for a moment.
@@ -421,4 +422,33 @@ fn random_strips_and_pushes_are_passed_exactly() {
         assert!(close(found), "{strips:?} from {start:?}: {found:?} {right:?}");
     }
     assert!(compared > 200, "{compared}");
+}
+
+/// The oscillator with losses, which its declaration does not have.
+struct Damped(Pushed);
+
+impl Wrapper for Damped {
+    type Inner = Pushed;
+    type State = [f64; 2];
+
+    fn inner(&self) -> &Pushed {
+        &self.0
+    }
+
+    fn around(&self, inner: Pushed) -> Damped {
+        Damped(inner)
+    }
+
+    fn outer_rhs(&self, t: f64, y: &[f64; 2]) -> [f64; 2] {
+        let [x_dot, x_ddot] = self.0.rhs(t, y);
+        [x_dot, x_ddot - 2.0 * x_dot]
+    }
+}
+
+#[test]
+fn a_system_around_another_keeps_its_switches() {
+    // Critically damped: a step of the force at s = 0 leads to x = f (1 − (1 + s) e⁻ˢ).
+    let response = |since: f64| 100.0 * (1.0 - (1.0 + since) * (-since).exp());
+    let run = Damped(Pushed::default()).simulate([0.0, 0.0]).until(25.0).tolerance(1e-10).run().unwrap();
+    assert!((run.last()[0] - (response(5.0) - response(4.95))).abs() < 1e-8);
 }
