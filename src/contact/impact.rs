@@ -11,7 +11,12 @@
 //! against the slip that remains; limits that do not grow with reactions are finite forces and give no impulse.
 //!
 //! With friction, or with several contacts of different restitution, Newton's law of restitution may create energy (the
-//! paradox of Kane and Levinson). Then all coefficients are reduced in proportion until it does not.
+//! paradox of Kane and Levinson), or there may be no impulses, as for a body wedged between more walls than it has freedoms. Then all
+//! coefficients are reduced in proportion until there are, and no energy is created. Without restitution there always are impulses
+//! ([`complementarity`](super::complementarity)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving surfaces.
+//!
+//! A jam is what is left of such an impact as the approach falls to zero. It differs from nothing only where friction is so strong
+//! that a contact which slips would be drawn in.
 //! Sources: Moreau, "Unilateral contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and Applications*
 //! (1988); Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory and
 //! Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
@@ -66,13 +71,20 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         if let Some(collision) = part(S::ONE).filter(|collision| !creates(collision)) {
             return Ok(collision);
         }
-        // Without restitution there are impulses and nothing is created, so that there is a largest part of it with which that is so.
+        self.reduced(&part, creates).ok_or(Cause::Stuck(NO_IMPULSES))
+    }
+
+    /// The impact with the largest part of the restitution with which there are impulses and no energy is created, as there are and it
+    /// is not with none of it.
+    fn reduced(
+        &self,
+        part: impl Fn(S) -> Option<Collision<S, N, K>>,
+        creates: impl Fn(&Collision<S, N, K>) -> bool,
+    ) -> Option<Collision<S, N, K>> {
         let half = S::from_f64(0.5);
-        let (mut below, mut above, mut most) = (S::ZERO, S::ONE, MOST_BISECTIONS);
-        for round in 0..MOST_BISECTIONS {
-            if round >= most {
-                break;
-            }
+        let (mut below, mut above) = (S::ZERO, S::ONE);
+        let (mut round, mut most) = (0, MOST_BISECTIONS);
+        while round < most {
             let middle = half * (below + above);
             match part(middle) {
                 Some(collision) if creates(&collision) => above = middle,
@@ -80,9 +92,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
                 // Impulses grow without bound towards where there are none: half of the way there is kept, and is not worth many rounds.
                 None => (below, above, most) = (below.min(half * middle), half * middle, FEW_BISECTIONS),
             }
+            round += 1;
         }
-        let found = part(below).filter(|collision| !creates(collision)).or_else(|| part(S::ZERO));
-        found.ok_or(Cause::Stuck(NO_IMPULSES))
+        part(below).filter(|collision| !creates(collision)).or_else(|| part(S::ZERO))
     }
 
     /// The impact without approach by which contacts that are `pressed` jam, if there is one: that to which impacts tend as the speed
