@@ -33,8 +33,9 @@ use crate::scalar::Scalar;
 const MOST_BISECTIONS: u32 = 40;
 /// The same where there are no impulses with all of it.
 const FEW_BISECTIONS: u32 = 6;
-/// The speed of approach at which a jam is looked for, as a part of the largest slip velocity.
-const APPROACH: f64 = 1e-4;
+/// Speeds of approach at which a jam is looked for, as parts of the largest slip velocity: the smaller ones for contacts of which one
+/// slips much more slowly than another.
+const APPROACHES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 const NO_IMPULSES: &str = "no impulses of contacts and friction fit the impact";
 /// Energies are equal if they differ by fewer roundings of what is exchanged.
 const ROUNDINGS: f64 = 256.0;
@@ -111,10 +112,13 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             stopped.rates[k] = S::ZERO;
         }
         let balance = Balance::of_impulses(&stopped, &[S::ZERO; K]);
-        let found = balance.approached(S::from_f64(APPROACH), is_pressed).settle(&choices)?;
-        let jam = stopped.collision(v, &balance, balance.confirmed(&choices, found.rules)?, &[S::ZERO; K]);
-        let is_felt = jam.energy_loss > self.rounding(&jam);
-        is_felt.then_some(jam)
+        APPROACHES.into_iter().find_map(|approach| {
+            let found = balance.approached(S::from_f64(approach), is_pressed).settle(&choices)?;
+            let impulses = balance.confirmed(&choices, found.rules)?;
+            let jam = stopped.collision(v, &balance, impulses, &[S::ZERO; K]);
+            let is_felt = jam.energy_loss > self.rounding(&jam);
+            is_felt.then_some(jam)
+        })
     }
 
     /// What contacts that take part and friction may do in an impact.
