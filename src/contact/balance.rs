@@ -88,11 +88,12 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: true }
     }
 
-    /// The same where these contacts approach with a part of the largest rate.
+    /// The same where these contacts approach with a part of the largest slip velocity that their friction meets.
     pub(super) fn approached(mut self, part: S, contacts: &[bool; K]) -> Self {
         let units = self.units();
-        let rates = self.offsets.iter().zip(&units);
-        let largest = rates.fold(S::ZERO, |largest, (rate, unit)| largest.max(rate.abs() / *unit));
+        let meets_friction = |k: &usize| !contacts[*k] && self.has_limit(*k, |j| contacts[j]);
+        let slips = (0..K).filter(meets_friction).map(|k| self.offsets[k].abs() / units[k]);
+        let largest = slips.fold(S::ZERO, S::max);
         for k in (0..K).filter(|k| contacts[*k]) {
             self.offsets[k] = self.offsets[k] - part * largest * units[k];
             self.sizes[k] = self.offsets[k].abs();

@@ -227,7 +227,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         let mut tableau = Tableau { rows, columns, cover: Variable::Cover };
         tableau.perturb();
         for k in (0..K).filter(|k| problem.is_equation(*k)) {
-            let row = &mut tableau.rows[k][0];
+            let row = &tableau.rows[k][0];
             if row.slopes[k][0].abs() <= negligible() {
                 return None;
             }
@@ -326,8 +326,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
         let is_reversed = free < S::ZERO && self.choices[k] != Choice::Only(Rule::Smooth);
         let sign = if is_reversed { -sign } else { sign };
         row.value = sign * free * self.units[k];
-        for j in 0..K {
-            self.add(&mut row, j, sign * slopes[j] * self.units[k] / self.units[j]);
+        for (j, slope) in slopes.iter().enumerate() {
+            self.add(&mut row, j, sign * *slope * self.units[k] / self.units[j]);
         }
         row
     }

@@ -11,7 +11,12 @@
 //! against the slip that remains; limits that do not grow with reactions are finite forces and give no impulse.
 //!
 //! With friction, or with several contacts of different restitution, Newton's law of restitution may create energy (the
-//! paradox of Kane and Levinson). Then all coefficients are reduced in proportion until it does not.
+//! paradox of Kane and Levinson), or there may be no impulses, as for a body wedged between more walls than it has freedoms. Then all
+//! coefficients are reduced in proportion until there are, and no energy is created. Without restitution there always are impulses
+//! ([`complementarity`](super::complementarity)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving surfaces.
+//!
+//! A jam is what is left of such an impact as the approach falls to zero. It differs from nothing only where friction is so strong
+//! that a contact which slips would be drawn in.
 //! Sources: Moreau, "Unilateral contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and Applications*
 //! (1988); Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory and
 //! Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
@@ -28,8 +33,9 @@ use crate::scalar::Scalar;
 const MOST_BISECTIONS: u32 = 40;
 /// The same where there are no impulses with all of it.
 const FEW_BISECTIONS: u32 = 6;
-/// The speed of approach at which a jam is looked for, as a part of the largest slip velocity.
-const APPROACH: f64 = 1e-4;
+/// Speeds of approach at which a jam is looked for, as parts of the largest slip velocity: the smaller ones for contacts of which one
+/// slips much more slowly than another.
+const APPROACHES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 const NO_IMPULSES: &str = "no impulses of contacts and friction fit the impact";
 /// Energies are equal if they differ by fewer roundings of what is exchanged.
 const ROUNDINGS: f64 = 256.0;
@@ -66,13 +72,20 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         if let Some(collision) = part(S::ONE).filter(|collision| !creates(collision)) {
             return Ok(collision);
         }
-        // Without restitution there are impulses and nothing is created, so that there is a largest part of it with which that is so.
+        self.reduced(&part, creates).ok_or(Cause::Stuck(NO_IMPULSES))
+    }
+
+    /// The impact with the largest part of the restitution with which there are impulses and no energy is created, as there are and it
+    /// is not with none of it.
+    fn reduced(
+        &self,
+        part: impl Fn(S) -> Option<Collision<S, N, K>>,
+        creates: impl Fn(&Collision<S, N, K>) -> bool,
+    ) -> Option<Collision<S, N, K>> {
         let half = S::from_f64(0.5);
-        let (mut below, mut above, mut most) = (S::ZERO, S::ONE, MOST_BISECTIONS);
-        for round in 0..MOST_BISECTIONS {
-            if round >= most {
-                break;
-            }
+        let (mut below, mut above) = (S::ZERO, S::ONE);
+        let (mut round, mut most) = (0, MOST_BISECTIONS);
+        while round < most {
             let middle = half * (below + above);
             match part(middle) {
                 Some(collision) if creates(&collision) => above = middle,
@@ -80,9 +93,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
                 // Impulses grow without bound towards where there are none: half of the way there is kept, and is not worth many rounds.
                 None => (below, above, most) = (below.min(half * middle), half * middle, FEW_BISECTIONS),
             }
+            round += 1;
         }
-        let found = part(below).filter(|collision| !creates(collision)).or_else(|| part(S::ZERO));
-        found.ok_or(Cause::Stuck(NO_IMPULSES))
+        part(below).filter(|collision| !creates(collision)).or_else(|| part(S::ZERO))
     }
 
     /// The impact without approach by which contacts that are `pressed` jam, if there is one: that to which impacts tend as the speed
@@ -99,10 +112,13 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             stopped.rates[k] = S::ZERO;
         }
         let balance = Balance::of_impulses(&stopped, &[S::ZERO; K]);
-        let found = balance.approached(S::from_f64(APPROACH), is_pressed).settle(&choices)?;
-        let jam = stopped.collision(v, &balance, balance.confirmed(&choices, found.rules)?, &[S::ZERO; K]);
-        let is_felt = jam.energy_loss > self.rounding(&jam);
-        is_felt.then_some(jam)
+        APPROACHES.into_iter().find_map(|approach| {
+            let found = balance.approached(S::from_f64(approach), is_pressed).settle(&choices)?;
+            let impulses = balance.confirmed(&choices, found.rules)?;
+            let jam = stopped.collision(v, &balance, impulses, &[S::ZERO; K]);
+            let is_felt = jam.energy_loss > self.rounding(&jam);
+            is_felt.then_some(jam)
+        })
     }
 
     /// What contacts that take part and friction may do in an impact.

@@ -20,16 +20,17 @@
 //! # What is assumed
 //!
 //! - **Modes are chosen together.** Where a mode ends, all contacts that touch and all friction at rest are settled anew: contacts
-//!   press or part, friction holds or slips the way it is driven. If strong friction leaves no choice that fits (the paradox of
-//!   Painlevé), the run ends with [`Cause::Stuck`](crate::integrate::Cause::Stuck).
+//!   press or part, friction holds or slips the way it is driven. If friction is so strong that no forces fit (the paradox of
+//!   Painlevé), the contact jams: an impact without approach stops its slip. A motion that would have to start there, or that a jam
+//!   does not free, ends with [`Cause::Stuck`](crate::integrate::Cause::Stuck).
 //! - **Contacts that touch are hit together**, at one instant. Two equal balls that touch and are hit elastically by a third leave
 //!   with 2/3 of its speed, and it returns with 1/3; a hair's breadth apart, they are hit one after the other, and the last one
 //!   leaves with all of it, as in Newton's cradle. An impact in several contacts is told by the event of the first, with
 //!   the impulse there and the energy that was lost in all.
-//! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law between impulses. Restitution
-//!   is reduced where it would create energy.
-//! - **Infinitely many bounces** are taken together once the rest of them would last no longer than 10⁻⁹ of the time: the contact
-//!   closes, and [`Happening::Closed`] tells when the last bounce ends.
+//! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law between impulses. Without
+//!   restitution there always are impulses that obey it. Restitution is reduced where it would create energy or leave none.
+//! - **Infinitely many bounces** are taken together once the rest of them would last no longer than 10⁻⁹ of the time, those of several
+//!   contacts that are hit in turn as well: the contacts close, and [`Happening::Closed`] tells when the last bounce ends.
 //! - **Forces that the motion does not determine**, as those of a table on four legs, are the shortest that fit.
 //! - **Friction without a limit**, as in a contact that is open, just [slips](Friction::Slips).
 //! - **Time runs forwards**: what was before an impact or before something came to rest does not follow from what is after it.
@@ -161,7 +162,7 @@ pub struct Impact<S> {
     /// The impulse in the contact, in N s for SI units; never negative.
     pub impulse: S,
     /// The kinetic energy that was lost, in all contacts that were hit at once and by friction; with moving surfaces, as seen from
-    /// them. Never negative but for rounding, unless a coefficient of restitution exceeds one.
+    /// them. Never negative but for rounding.
     pub energy_loss: S,
 }
 

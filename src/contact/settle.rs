@@ -7,8 +7,9 @@
 //! ```
 //!
 //! One rule is changed at a time, that of the first reaction that contradicts its rule, which ends at the answer if friction does
-//! not couple strongly (Murty's least-index pivoting); all combinations are tried where it does not. With strong friction
-//! there may be none: the paradox of Painlevé.
+//! not couple strongly (Murty's least-index pivoting). Where it does not, [Lemke's method](super::complementarity) finds rules, and
+//! where limits of friction change their signs, so that it may not, all combinations are tried if they are few. With friction that
+//! slips and is strong there may be none: the paradox of Painlevé.
 //! Sources: Murty, *Linear Complementarity, Linear and Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody
 //! Dynamics with Unilateral Contacts*, §5.3, §6.
 
