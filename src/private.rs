@@ -10,6 +10,19 @@ pub fn sin_cos_each<S: Scalar, const N: usize>(angles: [S; N]) -> [(S, S); N] {
     S::sin_cos_each(angles)
 }
 
+/// A matrix in rows of its entries that are not zero, each with its row and column.
+///
+/// # Panics
+/// If an index is too large.
+#[inline]
+pub fn matrix<S: Scalar, const N: usize, const M: usize>(entries: &[(usize, usize, S)]) -> [[S; N]; M] {
+    let mut matrix = [[S::ZERO; N]; M];
+    for &(row, column, entry) in entries {
+        matrix[row][column] = entry;
+    }
+    matrix
+}
+
 /// Functions under their bare names, so that generated formulas read like formulas.
 macro_rules! functions {
     ($($name:ident($first:ident $(, $other:ident: $kind:ty)*) -> $result:ty;)*) => {

@@ -6,6 +6,7 @@ before every run. Prints medians, as the tables of docs/performance.md.
 
     tools/compile_time.py [REPETITIONS]           chains, checked and optimised, beside chains written by hand
     tools/compile_time.py --large [REPETITIONS]   large declarations, with the memory that they take
+    tools/compile_time.py --pinned [REPETITIONS]  chains of pinned bodies, checked, with the memory that they take
 """
 
 import os
@@ -72,6 +73,18 @@ def product(n):
     return ["pub struct Product;", "coord x;", "kinetic = 1/2 * dot(x)^2;", f"potential = {factors};"], "Product", 1
 
 
+def pinned(n):
+    """A chain of n rods pinned to each other, each with its place and its angle as coordinates."""
+    lines = ["pub struct Pinned;", "param m, l, g;", "gravity = (0, -g);"]
+    for i in range(n):
+        lines += [
+            f"coord x{i}, y{i}, a{i};",
+            f"body b{i} {{ mass: m; center: (x{i}, y{i}); angle: a{i}; shape: slender_rod(l); }}",
+            f"pin p{i} = {f'b{i - 1}.point(l/2, 0)' if i else '(0, 0)'} to b{i}.point(-l/2, 0);",
+        ]
+    return lines, "Pinned", 3 * n
+
+
 def chain(kind, n):
     lines = [line.replace("pub(crate)", "pub") for line in declaration(kind, n)]
     return lines, type_name(kind, n), n
@@ -85,6 +98,10 @@ LARGE = {
     "16,700 nested definitions": nested(16_700),
     "20,000 distinct factors": product(20_000),
 }
+
+
+# Bodies of chains with pins.
+PINNED = [24, 48, 96, 192, 384, 768]
 
 
 def declared(system, methods):
@@ -177,13 +194,22 @@ def measure_large(crate, repetitions):
         print(f"| {title} | " + " | ".join(f"{seconds:.1f} s, {memory:.1f} GB" for seconds, memory in cells) + " |")
 
 
+def measure_pinned(crate, repetitions):
+    results = crate.measure({n: (declared(pinned(n), None), CHECK) for n in PINNED}, repetitions)
+    print("| pinned bodies | coordinates | constraints | `cargo check` |")
+    print("|---|---|---|---|")
+    for n, (seconds, memory) in results.items():
+        print(f"| {n} | {3 * n} | {2 * n} | {seconds:.1f} s, {memory:.1f} GB |")
+
+
 def main():
     arguments = sys.argv[1:]
-    is_large = "--large" in arguments
-    repetitions = next((int(word) for word in arguments if word.isdigit()), 1 if is_large else 9)
+    modes = {"--large": (measure_large, 1), "--pinned": (measure_pinned, 1)}
+    measure, usual = next((modes[word] for word in arguments if word in modes), (measure_chains, 9))
+    repetitions = next((int(word) for word in arguments if word.isdigit()), usual)
     with tempfile.TemporaryDirectory() as name:
         crate = Crate(Path(name))
-        (measure_large if is_large else measure_chains)(crate, repetitions)
+        measure(crate, repetitions)
 
 
 if __name__ == "__main__":

@@ -58,7 +58,7 @@ pub use self::least_norm::{
 };
 pub(crate) use self::projection::UNDETERMINED;
 pub use self::projection::{admit, consistent_velocity, correct, project, restore};
-pub use self::regular::{are_finite, are_regular, weighed};
+pub use self::regular::{are_finite, are_regular, weighed, weighed_entries};
 pub(crate) use self::residuals::sizes;
 pub use self::unprojected::Unprojected;
 pub use self::values::ConstraintValues;

@@ -22,6 +22,22 @@ pub fn weighed<S: Scalar, const N: usize, const M: usize>(rows: &[[S; N]; M], sh
     rows.map(|row| row.iter().zip(shares).fold(S::ZERO, |sum, (entry, &share)| sum + entry.abs() * share))
 }
 
+/// The same for the entries `(i, j, Aᵢⱼ)` of a matrix that are not zero, by rows.
+///
+/// # Panics
+/// If an index is too large.
+#[inline]
+pub fn weighed_entries<S: Scalar, const N: usize, const M: usize>(
+    entries: &[(usize, usize, S)],
+    shares: &[S; N],
+) -> [S; M] {
+    let mut scales = [S::ZERO; M];
+    for &(row, column, entry) in entries {
+        scales[row] = scales[row] + entry.abs() * shares[column];
+    }
+    scales
+}
+
 #[cfg(test)]
 mod tests {
     use super::{are_finite, are_regular};

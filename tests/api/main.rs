@@ -12,6 +12,7 @@ mod events;
 mod fixed_steps;
 mod hybrid;
 mod inertia;
+mod long_rope;
 mod methods;
 mod products;
 mod projection;

@@ -8,6 +8,7 @@ use super::method::{ArgumentNames, Arguments};
 use super::rust_body::Names;
 use super::shape::{Shape, identifier, local};
 use super::system::Writer;
+use crate::collections::HashMap;
 use crate::mechanics::Model;
 use crate::symbol::Role;
 
@@ -53,6 +54,7 @@ impl Writer<'_> {
         names: &mut Names,
     ) -> Option<TokenStream> {
         let symbols = self.model.graph.symbols();
+        let used = used.iter().map(|role| (*role, ())).collect::<HashMap<_, _>>();
         let is_used = |role: &Role| used.contains(role);
         let pattern = roles.clone().map(|role| match is_used(&role) {
             true => names.role(symbols, role),
@@ -71,6 +73,7 @@ pub(super) fn field_bindings(
     names: &mut Names,
 ) -> TokenStream {
     let symbols = model.graph.symbols();
+    let used = used.iter().map(|role| (*role, ())).collect::<HashMap<_, _>>();
     let roles = (0..model.parameters.len() as u32).map(Role::Parameter);
     let roles = roles.chain((0..model.inputs.len() as u32).map(Role::Input));
     let bound = shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));

@@ -36,6 +36,7 @@ impl Writer<'_> {
     pub(super) fn write_hooks(&mut self) {
         self.write_correction();
         self.write_position_residuals();
+        self.write_sparse_scales();
         self.write_free_momentum_rates();
         if self.is_guarded() {
             self.write_redundant_correction();
@@ -116,7 +117,13 @@ impl Writer<'_> {
         self.push_constrained("position_residuals", Arguments::Positions, returns, body);
     }
 
-    fn push_constrained(&mut self, name: &str, arguments: Arguments, returns: Returns, body: TokenStream) {
+    pub(super) fn push_constrained(
+        &mut self,
+        name: &str,
+        arguments: Arguments,
+        returns: Returns,
+        body: TokenStream,
+    ) {
         let name = format_ident!("{name}");
         self.constrained.push(Method { name, docs: TokenStream::new(), arguments, returns, body });
     }
@@ -247,7 +254,9 @@ pub(super) fn constrained_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream 
     let ArgumentNames { time, positions, velocities, .. } = &parts.names;
     let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
     let methods = parts.constrained.iter().map(|method| method.of_trait(shape, &parts.names));
-    let (names, shares) = (shape.constraints.iter().map(|name| &name.text), local("shares"));
+    let names = shape.constraints.iter().map(|name| &name.text);
+    let has_scales = parts.constrained.iter().any(|method| method.name == "residual_scales");
+    let scales = (!has_scales).then(|| dense_scales(shape, parts));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::constraint::ConstrainedSystem for #name #generics {
@@ -261,16 +270,26 @@ pub(super) fn constrained_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream 
             fn velocity_residuals(#parameters) -> [#scalar; #m] {
                 self.constraint_velocity(#time, #positions, #velocities)
             }
-            #[inline]
-            fn residual_scales(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #n],
-                #shares: &[#scalar; #n],
-            ) -> [#scalar; #m] {
-                #krate::constraint::weighed(&self.constraint_jacobian(#time, #positions), #shares)
-            }
+            #scales
             #(#methods)*
+        }
+    }
+}
+
+/// `residual_scales` by way of the Jacobian of the constraints.
+fn dense_scales(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (krate, scalar, shares) = (shape.krate, shape.scalar(), local("shares"));
+    let (n, m) = (length(shape.coordinates.len()), length(shape.constraints.len()));
+    let ArgumentNames { time, positions, .. } = &parts.names;
+    quote! {
+        #[inline]
+        fn residual_scales(
+            &self,
+            #time: #scalar,
+            #positions: &[#scalar; #n],
+            #shares: &[#scalar; #n],
+        ) -> [#scalar; #m] {
+            #krate::constraint::weighed(&self.constraint_jacobian(#time, #positions), #shares)
         }
     }
 }

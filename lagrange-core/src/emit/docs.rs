@@ -44,9 +44,12 @@ const TOO_LONG: &str =
 /// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
 /// short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
+    if model.coordinates.len() > MOST_COORDINATES {
+        return None;
+    }
     let right = right_sides(model, equations);
     let all = equations.mass_matrix.iter().flatten().chain(&right).copied().collect::<Vec<_>>();
-    if model.coordinates.len() > MOST_COORDINATES || model.graph.reachable(&all).len() > LARGEST_SYSTEM {
+    if model.graph.reachable(&all).len() > LARGEST_SYSTEM {
         return None;
     }
     let right = readable(&mut model.graph, &right);

@@ -218,7 +218,7 @@ fn default_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 
 /// Distinct names for the arguments; the user's names come first.
 pub(super) fn argument_names(mut allocate: impl FnMut(&str) -> Ident) -> ArgumentNames {
-    let (residuals, visit) = (allocate("residuals"), allocate("visit"));
+    let (residuals, shares, visit) = (allocate("residuals"), allocate("shares"), allocate("visit"));
     let mut either = |short: &str, long: &str| {
         let name = allocate(short);
         if name == short { name } else { allocate(long) }
@@ -230,6 +230,7 @@ pub(super) fn argument_names(mut allocate: impl FnMut(&str) -> Ident) -> Argumen
         accelerations: either("a", "accelerations"),
         state: either("y", "state"),
         residuals,
+        shares,
         visit,
     }
 }

@@ -18,6 +18,8 @@ pub(super) enum Arguments {
     Whole,
     /// `t, q, v, residuals`
     Residuals,
+    /// `t, q, shares`, of which there is one for each coordinate
+    Shares,
 }
 
 /// What a method returns.
@@ -38,6 +40,7 @@ pub(super) struct ArgumentNames {
     pub(super) accelerations: Ident,
     pub(super) state: Ident,
     pub(super) residuals: Ident,
+    pub(super) shares: Ident,
     /// What takes the items of a scene.
     pub(super) visit: Ident,
 }
@@ -54,13 +57,14 @@ pub(super) struct Method {
 impl Arguments {
     /// Those that are vectors.
     pub(super) fn vectors(self, names: &ArgumentNames) -> Vec<&Ident> {
-        let ArgumentNames { positions, velocities, accelerations, state, residuals, .. } = names;
+        let ArgumentNames { positions, velocities, accelerations, state, residuals, shares, .. } = names;
         match self {
             Arguments::Positions => vec![positions],
             Arguments::State => vec![positions, velocities],
             Arguments::Motion => vec![positions, velocities, accelerations],
             Arguments::Whole => vec![state],
             Arguments::Residuals => vec![positions, velocities, residuals],
+            Arguments::Shares => vec![positions, shares],
         }
     }
 }

@@ -19,6 +19,7 @@ mod scene;
 mod shape;
 mod size;
 mod skeleton;
+mod sparse;
 mod state;
 mod system;
 mod traits;

@@ -4,8 +4,12 @@
 //! The rates were measured with `tools/compile_time.py --large`; `docs/performance.md` shows from what.
 
 use super::messages;
+use crate::calculus::{Degree, Degrees};
+use crate::collections::HashMap;
 use crate::diagnostics::Report;
+use crate::expr::Node;
 use crate::mechanics::{Model, Product};
+use crate::number::Number;
 use crate::program::OperationCounts;
 use crate::syntax::ast::Declaration;
 
@@ -48,22 +52,44 @@ pub fn report_cost(declaration: &Declaration, Size(size): Size, report: &mut Rep
 }
 
 /// Reports a model from which more would follow than can be emitted, before anything is derived from it: methods
-/// hold about as many operations as energies have expressions, and matrices an entry for each row and column. `None` if there is no point in deriving.
+/// hold about as many operations as energies have expressions, Jacobians an entry for each row and column, and mass matrices one for
+/// every two velocities that move the same part. `None` if there is no point in deriving.
 pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
     let (coordinates, fields) = (model.coordinates.len(), model.parameters.len() + model.inputs.len());
-    let matrices = [
-        (Product::MassMatrix, coordinates),
-        (Product::Jacobian, 4 * coordinates),
-        (Product::ParameterJacobian, 2 * fields),
-    ];
-    let wanted = matrices.into_iter().filter(|(product, _)| model.products.contains(product));
+    let jacobians = [(Product::Jacobian, 4 * coordinates), (Product::ParameterJacobian, 2 * fields)];
+    let wanted = jacobians.into_iter().filter(|(product, _)| model.products.contains(product));
     let entries =
         wanted.map(|(_, columns)| coordinates.saturating_mul(columns)).fold(0, usize::saturating_add);
+    let has_matrix = model.products.contains(&Product::MassMatrix);
+    let entries = entries.saturating_add(if has_matrix { coupled_by_one_square(model) } else { 0 });
     if Size(model.graph.len().max(entries)).is_hopeless() {
         report_hopeless(declaration, report);
         return None;
     }
     Some(())
+}
+
+/// A lower bound of the entries of the mass matrix: the square of the largest number of velocities that one square of the Lagrangian
+/// is made of, among those that a look of bounded length finds.
+fn coupled_by_one_square(model: &Model) -> usize {
+    let graph = &model.graph;
+    let mut degrees = Degrees::default();
+    degrees.classify(graph, &[model.lagrangian]);
+    let is_velocity = model.velocities().into_iter().map(|v| (v, ())).collect::<HashMap<_, _>>();
+    let (mut most, mut looked_at) = (0, 0);
+    for id in graph.reachable(&[model.lagrangian]).into_iter().rev() {
+        let Node::Product(factors) = graph.node(id) else { continue };
+        let squares = factors.iter().filter(|(_, exponent)| *exponent == Number::TWO).map(|(base, _)| *base);
+        for base in squares.filter(|base| degrees.of(graph, *base) == Degree::Affine) {
+            let parts = graph.reachable_until(&[base], |part| is_velocity.contains(&part));
+            most = most.max(parts.iter().filter(|part| is_velocity.contains(part)).count());
+            looked_at += parts.len();
+        }
+        if looked_at > LARGEST || Size(most * most).is_hopeless() {
+            break;
+        }
+    }
+    most * most
 }
 
 /// Reports a system that is too large to be compiled.

@@ -15,6 +15,7 @@ use super::rust_body::{Names, Scalar, body};
 use super::scene::statements_constant;
 use super::shape::{Shape, doc, identifier};
 use super::size::Size;
+use super::sparse::Sparse;
 use crate::expr::ExprId;
 use crate::mechanics::{Equations, Model, Product};
 use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
@@ -210,7 +211,10 @@ impl<'a> Writer<'a> {
         returns: Returns,
         roots: &[ExprId],
     ) -> OperationCounts {
-        let (body, counts) = self.lowered(roots, arguments, |results| returns.collect(results));
+        let (body, counts) = match Sparse::of(&self.model.graph, returns, roots) {
+            Some(sparse) => self.lowered_sparse(&sparse, arguments),
+            None => self.lowered(roots, arguments, |results| returns.collect(results)),
+        };
         let output = self.shape.outputs.iter().find(|(output, _)| output.text == name);
         let (name, docs) = match output {
             Some((output, _)) => (identifier(output), self.shape.docs(output, &docs.concat())),

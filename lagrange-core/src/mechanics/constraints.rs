@@ -206,24 +206,22 @@ pub(super) fn join_multipliers(model: &mut Model, form: &mut QuadraticForm) {
 
 /// A in rows: ∂ċ/∂v of each constraint, from the form that was pushed down to the velocities.
 fn constraint_jacobian(model: &mut Model, pushed: &QuadraticForm) -> Vec<Vec<ExprId>> {
-    let velocities = model.velocities();
-    let graph = &mut model.graph;
-    let mut entry = |velocity, multiplier| {
-        let weight = pushed.coefficient(graph, velocity, multiplier);
-        graph.negate(weight)
-    };
-    let row = |constraint: &Constraint| velocities.iter().map(|&v| entry(v, constraint.multiplier)).collect();
-    model.constraints.iter().map(row).collect()
+    let (velocities, multipliers) = (model.velocities(), model.multipliers());
+    pushed.matrix(&mut model.graph, &Number::MINUS_ONE, &multipliers, &velocities)
 }
 
 /// Aᵀλ
 fn constraint_forces(model: &mut Model, jacobian: &[Vec<ExprId>], multipliers: &[ExprId]) -> Vec<ExprId> {
     let (count, graph) = (model.coordinates.len(), &mut model.graph);
-    let force = |i: usize| {
-        let terms =
-            jacobian.iter().zip(multipliers).map(|(row, &multiplier)| graph.multiply(row[i], multiplier));
+    let mut columns = vec![Vec::new(); count];
+    for (row, &multiplier) in jacobian.iter().zip(multipliers) {
+        let entries = columns.iter_mut().zip(row).filter(|(_, slope)| !graph.is_zero(**slope));
+        entries.for_each(|(column, &slope)| column.push((slope, multiplier)));
+    }
+    let force = |column: Vec<(ExprId, ExprId)>| {
+        let terms = column.into_iter().map(|(slope, multiplier)| graph.multiply(slope, multiplier));
         let terms = terms.collect::<Vec<_>>();
         graph.total(terms)
     };
-    (0..count).map(force).collect()
+    columns.into_iter().map(force).collect()
 }

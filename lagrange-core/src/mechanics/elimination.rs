@@ -3,6 +3,7 @@
 use super::cost::cost;
 use super::form::QuadraticForm;
 use super::pivot::{Eliminated, eliminate, eliminate_pair};
+use super::queue::{Queue, Waiting};
 use super::sweep::{Multiples, Step, Sweep};
 use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Function, Graph};
@@ -83,24 +84,24 @@ impl Elimination {
         unknowns: &[ExprId],
         order: Multipliers,
     ) -> Option<Elimination> {
-        let (mut multipliers, mut velocities) = separated(graph, unknowns);
+        let (multipliers, velocities) = separated(graph, unknowns);
+        let [unknowns, partners] = [velocities, multipliers].map(|ids| Queue::new(&form, &ids));
+        let mut waiting = Waiting { unknowns, partners };
         let mut elimination = Elimination::default();
-        elimination.eliminate_massless(graph, &mut form, &mut velocities, &mut multipliers)?;
-        let mut partners = multipliers;
+        elimination.eliminate_massless(graph, &mut form, &mut waiting)?;
         // A multiplier may still share terms with velocities that its constraint does not hold.
-        let held = partners.iter().map(|&id| (id, form.near(id).collect::<Vec<_>>()));
+        let held = waiting.partners.ids().map(|id| (id, form.near(id).collect::<Vec<_>>()));
         let held = held.collect::<HashMap<_, _>>();
-        while !velocities.is_empty() {
-            elimination.eliminate_next(graph, &mut form, &mut velocities, &mut partners)?;
+        while !waiting.unknowns.is_empty() {
+            elimination.eliminate_next(graph, &mut form, &mut waiting)?;
             if order == Multipliers::Early {
-                let is_free = |id: &ExprId| !velocities.contains(id);
-                let is_complete = |_: &Graph, _: &QuadraticForm, id: ExprId| {
-                    held.get(&id).is_some_and(|held| held.iter().all(is_free))
+                let is_complete = |_: &Graph, _: &QuadraticForm, velocities: &Queue, id: ExprId| {
+                    held.get(&id).is_some_and(|held| !held.iter().any(|&v| velocities.contains(v)))
                 };
-                elimination.eliminate_complete(graph, &mut form, &mut partners, is_complete)?;
+                elimination.eliminate_complete(graph, &mut form, &mut waiting, is_complete)?;
             }
         }
-        elimination.eliminate_all(graph, &mut form, partners)?;
+        elimination.eliminate_all(graph, &mut form, waiting.partners)?;
         Some(elimination)
     }
 
@@ -113,17 +114,23 @@ impl Elimination {
         mut form: QuadraticForm,
         unknowns: &[ExprId],
     ) -> Option<Elimination> {
-        let (mut multipliers, velocities) = separated(graph, unknowns);
-        let mut sweep = Sweep::new(graph, &form.variables(), &velocities, Multiples::Merged);
+        let (multipliers, velocities) = separated(graph, unknowns);
+        // What stands in no product couples nothing, and no velocity need wait for it: first of all the potential, which is often
+        // made of all bodies.
+        let (heads, first): (Vec<_>, Vec<_>) =
+            form.variables().into_iter().partition(|&id| form.is_coupled(id));
+        let mut sweep = Sweep::new(graph, [&heads, &first], &velocities, Multiples::Merged);
+        let mut waiting = Waiting { partners: Queue::new(&form, &multipliers), ..Waiting::default() };
         let mut elimination = Elimination::default();
         loop {
             if let Some(velocity) = sweep.next_leaf() {
                 let step = eliminate(graph, &mut form, velocity)?;
                 elimination.push(graph, step);
-                let is_complete = |graph: &Graph, form: &QuadraticForm, id: ExprId| {
+                waiting.follow(&mut form);
+                let is_complete = |graph: &Graph, form: &QuadraticForm, _: &Queue, id: ExprId| {
                     form.near(id).all(|j| is_multiplier(graph, j))
                 };
-                elimination.eliminate_complete(graph, &mut form, &mut multipliers, is_complete)?;
+                elimination.eliminate_complete(graph, &mut form, &mut waiting, is_complete)?;
             } else if let Some(step) = sweep.next_step() {
                 form.apply(graph, &step);
                 elimination.moves.push(Move::Substitute(step));
@@ -136,7 +143,7 @@ impl Elimination {
         if elimination.eliminated.iter().filter(is_velocity).count() < velocities.len() {
             return None;
         }
-        elimination.eliminate_all(graph, &mut form, multipliers)?;
+        elimination.eliminate_all(graph, &mut form, waiting.partners)?;
         Some(elimination)
     }
 
@@ -145,14 +152,15 @@ impl Elimination {
         &mut self,
         graph: &mut Graph,
         form: &mut QuadraticForm,
-        velocities: &mut Vec<ExprId>,
-        multipliers: &mut Vec<ExprId>,
+        waiting: &mut Waiting,
     ) -> Option<()> {
-        while let Some(position) = velocities.iter().position(|&v| !form.has_square(v)) {
-            let partner = |&id: &ExprId| form.has_pair(velocities[position], id) && !form.has_square(id);
-            let Some(multiplier) = multipliers.iter().position(partner) else { break };
-            let (velocity, multiplier) = (velocities.remove(position), multipliers.remove(multiplier));
+        while let Some(velocity) = waiting.unknowns.first_squareless() {
+            let partner = waiting.partners.first_near(form, velocity, |id| !form.has_square(id));
+            let Some(multiplier) = partner else { break };
+            waiting.unknowns.remove(velocity);
+            waiting.partners.remove(multiplier);
             self.push_held(graph, form, velocity, multiplier)?;
+            waiting.follow(form);
         }
         Some(())
     }
@@ -175,76 +183,89 @@ impl Elimination {
         Some(())
     }
 
-    /// Eliminates the multipliers to whose squares the velocities have added all that they can.
+    /// Eliminates the partners, multipliers, to whose squares the velocities have added all that they can.
     fn eliminate_complete(
         &mut self,
         graph: &mut Graph,
         form: &mut QuadraticForm,
-        multipliers: &mut Vec<ExprId>,
-        is_complete: impl Fn(&Graph, &QuadraticForm, ExprId) -> bool,
+        waiting: &mut Waiting,
+        is_complete: impl Fn(&Graph, &QuadraticForm, &Queue, ExprId) -> bool,
     ) -> Option<()> {
+        // What was not complete is not until something happens to it.
+        let mut candidates = waiting.partners.take_touched();
         loop {
-            let is_ready = |id: ExprId| form.has_square(id) && is_complete(graph, form, id);
-            let complete = multipliers.iter().enumerate().filter(|(_, id)| is_ready(**id));
-            let Some((position, &id)) = complete.min_by_key(|(_, id)| form.degree(**id)) else {
-                return Some(());
-            };
+            let is_ready =
+                |id: ExprId| form.has_square(id) && is_complete(graph, form, &waiting.unknowns, id);
+            let complete = candidates.iter().copied().filter(|&id| is_ready(id));
+            let key = |&id: &ExprId| (form.degree(id), waiting.partners.place(id));
+            let Some(id) = complete.min_by_key(key) else { return Some(()) };
             if !form.drop_vanished_square(graph, id) {
-                multipliers.remove(position);
+                candidates.remove(&id);
+                waiting.partners.remove(id);
                 let step = eliminate(graph, form, id)?;
                 self.push(graph, step);
             }
+            waiting.follow(form);
+            candidates.append(&mut waiting.partners.take_touched());
         }
     }
 
-    fn eliminate_all(
-        &mut self,
-        graph: &mut Graph,
-        form: &mut QuadraticForm,
-        mut remaining: Vec<ExprId>,
-    ) -> Option<()> {
-        while !remaining.is_empty() {
-            self.eliminate_next(graph, form, &mut remaining, &mut Vec::new())?;
+    fn eliminate_all(&mut self, graph: &mut Graph, form: &mut QuadraticForm, remaining: Queue) -> Option<()> {
+        let mut waiting = Waiting { unknowns: remaining, ..Waiting::default() };
+        while !waiting.unknowns.is_empty() {
+            self.eliminate_next(graph, form, &mut waiting)?;
         }
         Some(())
     }
 
-    /// Eliminates one of these unknowns; rows with the fewest neighbours go first. What has no square of its own goes with another,
-    /// or with one of `partners`, which is taken out of them. A constraint of which nothing is left follows from others.
+    /// Eliminates one of the unknowns; rows with the fewest neighbours go first. What has no square of its own goes with another,
+    /// or with one of the partners. A constraint of which nothing is left follows from others.
     fn eliminate_next(
         &mut self,
         graph: &mut Graph,
         form: &mut QuadraticForm,
-        remaining: &mut Vec<ExprId>,
-        partners: &mut Vec<ExprId>,
+        waiting: &mut Waiting,
     ) -> Option<()> {
-        let candidates = remaining.iter().enumerate().filter(|(_, v)| form.has_square(**v));
-        if let Some((position, &v)) = candidates.min_by_key(|(_, v)| form.degree(**v)) {
+        match waiting.unknowns.least_coupled() {
             // What was left of the square may have cancelled; another row, or a pair, goes first then.
-            if !form.drop_vanished_square(graph, v) {
-                remaining.remove(position);
+            Some(v) if form.drop_vanished_square(graph, v) => {}
+            Some(v) => {
+                waiting.unknowns.remove(v);
                 let step = eliminate(graph, form, v)?;
                 self.push(graph, step);
             }
-            return Some(());
+            None => self.eliminate_squareless(graph, form, waiting)?,
         }
-        let first = remaining.remove(0);
+        waiting.follow(form);
+        Some(())
+    }
+
+    /// Eliminates an unknown if none has a square.
+    fn eliminate_squareless(
+        &mut self,
+        graph: &mut Graph,
+        form: &mut QuadraticForm,
+        waiting: &mut Waiting,
+    ) -> Option<()> {
+        let first = waiting.unknowns.first_squareless()?;
+        waiting.unknowns.remove(first);
         if is_multiplier(graph, first) && form.degree(first) == 0 {
             self.redundant.push(first);
             return Some(());
         }
-        let is_near = |&id: &ExprId| form.has_pair(first, id);
-        if let Some(position) = remaining.iter().position(is_near) {
-            self.push_pair(eliminate_pair(graph, form, first, remaining.remove(position))?);
+        if let Some(second) = waiting.unknowns.first_near(form, first, |_| true) {
+            waiting.unknowns.remove(second);
+            self.push_pair(eliminate_pair(graph, form, first, second)?);
             return Some(());
         }
-        let partner = partners.remove(partners.iter().position(is_near)?);
+        let partner = waiting.partners.first_near(form, first, |_| true)?;
+        waiting.partners.remove(partner);
         if !form.has_square(partner) {
             return self.push_held(graph, form, first, partner);
         }
         // What holds the velocity, which lost its square on the way, gives it another.
-        remaining.push(first);
         let step = eliminate(graph, form, partner)?;
+        waiting.unknowns.push(form, first);
         self.push(graph, step);
         Some(())
     }

@@ -14,6 +14,7 @@ use super::roads::{Road, RoadChoice, Roads, SingularMassMatrix};
 use super::solve::{Solution, push_down, solve_dense};
 use super::structure::{Structure, vanishing};
 use crate::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
+use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
 use crate::simplify::{self, Angles};
@@ -77,7 +78,7 @@ impl Equations {
         let split = SplitLagrangian::new(model);
         let velocities = model.velocities();
         let forms = forms(model, &split);
-        let mass_matrix = mass_matrix(&mut model.graph, &forms.pushed, &velocities);
+        let mass_matrix = forms.pushed.matrix(&mut model.graph, &Number::ONE, &velocities, &velocities);
         let forcing = forcing(&mut model.graph, &forms.pushed, &velocities);
         let (form, pushed) = (forms.form.clone(), forms.pushed.clone());
         let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
@@ -211,7 +212,13 @@ fn jacobians(
 /// Removes couplings that vanish without showing it, as between polar coordinates that were written down by
 /// way of Cartesian ones: r sin θ cos θ − r cos θ sin θ.
 fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities: &[ExprId]) {
-    let above_diagonal = |(n, &i): (usize, &ExprId)| velocities[n + 1..].iter().map(move |&j| (i, j));
+    let places = velocities.iter().enumerate().map(|(n, &v)| (v, n)).collect::<HashMap<_, _>>();
+    let above_diagonal = |(n, &i): (usize, &ExprId)| {
+        let near = pushed.near(i).filter_map(|j| Some((*places.get(&j)?, j)));
+        let mut near = near.filter(|(place, _)| *place > n).collect::<Vec<_>>();
+        near.sort_unstable();
+        near.into_iter().map(move |(_, j)| (i, j))
+    };
     let pairs = velocities.iter().enumerate().flat_map(above_diagonal).collect::<Vec<_>>();
     let couplings = pairs.iter().map(|&(i, j)| pushed.coefficient(graph, i, j)).collect::<Vec<_>>();
     let vanishing = vanishing(graph, &couplings);
@@ -251,11 +258,6 @@ fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, unknowns: &[ExprId]
     pairs.iter().zip(quadratic).for_each(|(&(i, j), &value)| form.add_pair(graph, i, j, value));
     unknowns.iter().zip(linear).for_each(|(&id, &value)| form.add_linear(graph, id, value));
     Some(form)
-}
-
-fn mass_matrix(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Vec<Vec<ExprId>> {
-    let row = |i: &ExprId| velocities.iter().map(|&j| pushed.coefficient(graph, *i, j)).collect();
-    velocities.iter().map(row).collect()
 }
 
 fn forcing(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Vec<ExprId> {
@@ -340,7 +342,7 @@ fn weighted_by_degree(graph: &mut Graph, sum: ExprId) -> Option<Vec<(ExprId, Num
 fn labels(model: &Model, mass_matrix: &[Vec<ExprId>], solution: &Solution) -> Vec<(ExprId, String)> {
     let accelerations = solution.values.iter().zip(&model.coordinates);
     let accelerations = accelerations.map(|(id, coordinate)| (*id, format!("{}_ddot", coordinate.name)));
-    let derived = matrix_labels(mass_matrix).into_iter().chain(accelerations);
+    let derived = matrix_labels(&model.graph, mass_matrix).into_iter().chain(accelerations);
     let derived = derived.chain(solution.labels.iter().cloned());
     // A symbol or the sine of an angle says itself what it is, unless the user has named it.
     let says_itself = |id| matches!(model.graph.node(id), Node::Symbol(_) | Node::Call(..));
@@ -348,10 +350,11 @@ fn labels(model: &Model, mass_matrix: &[Vec<ExprId>], solution: &Solution) -> Ve
     labels.filter(|(id, _)| model.graph.as_number(*id).is_none()).collect()
 }
 
-fn matrix_labels(matrix: &[Vec<ExprId>]) -> Vec<(ExprId, String)> {
+fn matrix_labels(graph: &Graph, matrix: &[Vec<ExprId>]) -> Vec<(ExprId, String)> {
     let mut labels = Vec::new();
     for (i, row) in matrix.iter().enumerate() {
-        labels.extend(row.iter().enumerate().skip(i).map(|(j, &entry)| (entry, format!("m_{i}_{j}"))));
+        let entries = row.iter().enumerate().skip(i).filter(|(_, entry)| !graph.is_zero(**entry));
+        labels.extend(entries.map(|(j, &entry)| (entry, format!("m_{i}_{j}"))));
     }
     labels
 }

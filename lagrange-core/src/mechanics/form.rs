@@ -30,6 +30,8 @@ pub(super) struct QuadraticForm {
     pairs: BTreeMap<(ExprId, ExprId), Contributions>,
     neighbours: HashMap<ExprId, BTreeSet<ExprId>>,
     linear: BTreeMap<ExprId, Contributions>,
+    /// What shared terms with variables that have been removed, and what has lost its square.
+    changed: BTreeSet<ExprId>,
 }
 
 impl QuadraticForm {
@@ -69,7 +71,12 @@ impl QuadraticForm {
 
     /// Whether any term holds xᵢ.
     pub(super) fn contains(&self, i: ExprId) -> bool {
-        self.neighbours.get(&i).is_some_and(|near| !near.is_empty()) || self.linear.contains_key(&i)
+        self.is_coupled(i) || self.linear.contains_key(&i)
+    }
+
+    /// Whether a square or product holds xᵢ.
+    pub(super) fn is_coupled(&self, i: ExprId) -> bool {
+        self.neighbours.get(&i).is_some_and(|near| !near.is_empty())
     }
 
     /// The variables that occur.
@@ -80,17 +87,17 @@ impl QuadraticForm {
 
     /// The number of other variables that share a term with this one.
     pub(super) fn degree(&self, i: ExprId) -> usize {
-        self.near(i).count()
+        self.neighbours.get(&i).map_or(0, |near| near.len() - usize::from(near.contains(&i)))
+    }
+
+    /// The variables whose squares and neighbours may be others since this was last called, because of what was removed.
+    pub(super) fn take_changed(&mut self) -> BTreeSet<ExprId> {
+        std::mem::take(&mut self.changed)
     }
 
     /// Whether xᵢ² occurs.
     pub(super) fn has_square(&self, i: ExprId) -> bool {
         self.pairs.contains_key(&(i, i))
-    }
-
-    /// Whether xᵢ xⱼ occurs.
-    pub(super) fn has_pair(&self, i: ExprId, j: ExprId) -> bool {
-        self.pairs.contains_key(&(i.min(j), i.max(j)))
     }
 
     /// Wᵢⱼ
@@ -106,6 +113,30 @@ impl QuadraticForm {
     /// Wᵢⱼ for all of these.
     pub(super) fn couplings(&self, graph: &mut Graph, i: ExprId) -> Vec<ExprId> {
         self.near(i).map(|j| self.coefficient(graph, i, j)).collect()
+    }
+
+    /// sign·Wᵢⱼ in rows, one for each of `rows` and in it one entry for each of `columns`.
+    pub(super) fn matrix(
+        &self,
+        graph: &mut Graph,
+        sign: &Number,
+        rows: &[ExprId],
+        columns: &[ExprId],
+    ) -> Vec<Vec<ExprId>> {
+        let zero = graph.number(0);
+        let places = columns.iter().enumerate().map(|(place, &j)| (j, place)).collect::<HashMap<_, _>>();
+        let row = |&i: &ExprId| {
+            let mut row = vec![zero; columns.len()];
+            let near = self.neighbours.get(&i).into_iter().flatten();
+            let mut near = near.filter_map(|&j| Some((*places.get(&j)?, j))).collect::<Vec<_>>();
+            near.sort_unstable();
+            for (place, j) in near {
+                let weight = self.coefficient(graph, i, j);
+                row[place] = graph.scale(sign.clone(), weight);
+            }
+            row
+        };
+        rows.iter().map(row).collect()
     }
 
     /// cᵢ
@@ -126,6 +157,7 @@ impl QuadraticForm {
         let vanished = graph.is_zero(square);
         if vanished {
             self.pairs.remove(&(i, i));
+            self.changed.insert(i);
         }
         vanished
     }
@@ -138,6 +170,7 @@ impl QuadraticForm {
         for j in near.into_iter().filter(|&j| j != i) {
             let value = total(graph, self.pairs.remove(&(i.min(j), i.max(j))));
             self.neighbours.get_or_insert_with(j, BTreeSet::new).remove(&i);
+            self.changed.insert(j);
             if !graph.is_zero(value) {
                 pairs.push((j, value));
             }

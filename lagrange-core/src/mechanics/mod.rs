@@ -26,6 +26,7 @@ mod model;
 mod operand;
 mod pivot;
 mod product;
+mod queue;
 mod reactions;
 mod reduce;
 mod reductions;

@@ -11,7 +11,7 @@ use crate::number::Number;
 
 /// Pushes everything down to the generalised velocities.
 pub(super) fn push_down(graph: &mut Graph, mut form: QuadraticForm, velocities: &[ExprId]) -> QuadraticForm {
-    let mut sweep = Sweep::new(graph, &form.variables(), velocities, Multiples::Kept);
+    let mut sweep = Sweep::new(graph, [&form.variables(), &[]], velocities, Multiples::Kept);
     while let Some(step) = sweep.next_step() {
         form.apply(graph, &step);
     }

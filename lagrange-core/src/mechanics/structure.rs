@@ -75,6 +75,9 @@ fn mass_structure(model: &Model, matrix: &[Vec<ExprId>]) -> MassStructure {
 
 /// Connected components of the coupling, each in ascending order.
 fn blocks(model: &Model, matrix: &[Vec<ExprId>]) -> Vec<Vec<usize>> {
+    let is_coupled = |entry: &ExprId| !model.graph.is_zero(*entry);
+    let near = matrix.iter().map(|row| (0..row.len()).filter(|&j| is_coupled(&row[j])).collect::<Vec<_>>());
+    let near = near.collect::<Vec<_>>();
     let mut block_of = vec![None; matrix.len()];
     let mut blocks = Vec::new();
     for start in 0..matrix.len() {
@@ -86,7 +89,7 @@ fn blocks(model: &Model, matrix: &[Vec<ExprId>]) -> Vec<Vec<usize>> {
         while let Some(i) = pending.pop() {
             if block_of[i].replace(blocks.len()).is_none() {
                 members.push(i);
-                pending.extend((0..matrix.len()).filter(|&j| !model.graph.is_zero(matrix[i][j])));
+                pending.extend(&near[i]);
             }
         }
         members.sort_unstable();
@@ -178,10 +181,14 @@ fn held_velocities(model: &Model) -> HashMap<ExprId, ()> {
 /// Whether the power of multipliers, λᵀA v, is zero: whether what constraints demand of velocities is linear in them, A v = 0.
 fn constraints_do_no_work(model: &mut Model) -> bool {
     let velocities = model.velocities();
+    let is_velocity = velocities.into_iter().map(|velocity| (velocity, ())).collect::<HashMap<_, _>>();
     let demands = model.constraints.iter().map(|constraint| constraint.velocity).collect::<Vec<_>>();
     let drifts = demands.into_iter().map(|demand| {
-        let row = gradient(&mut model.graph, demand, &velocities);
-        let products = row.iter().zip(&velocities).map(|(&a, &v)| model.graph.multiply(a, v));
+        // A constraint usually holds few of all velocities.
+        let mut held = model.graph.reachable_until(&[demand], |id| is_velocity.contains(&id));
+        held.retain(|id| is_velocity.contains(id));
+        let row = gradient(&mut model.graph, demand, &held);
+        let products = row.iter().zip(&held).map(|(&a, &v)| model.graph.multiply(a, v));
         let products = products.collect::<Vec<_>>();
         let linear = model.graph.total(products);
         let opposite = model.graph.negate(linear);

@@ -58,26 +58,28 @@ pub(super) struct Sweep {
 }
 
 impl Sweep {
-    /// The sweep from `heads`, which must be affine, to `velocities`.
+    /// The sweep from heads, which must be affine, to `velocities`. What the heads `first` are made of goes before all
+    /// that it does not wait for.
     pub(super) fn new(
         graph: &mut Graph,
-        heads: &[ExprId],
+        [heads, first]: [&[ExprId]; 2],
         velocities: &[ExprId],
         multiples: Multiples,
     ) -> Sweep {
+        let all = [heads, first].concat();
         let velocities = velocities.iter().map(|&v| (v, ())).collect::<HashMap<_, _>>();
         let mut sweep = Sweep {
-            variables: affine_variables(graph, heads, &velocities),
+            variables: affine_variables(graph, &all, &velocities),
             inner: BTreeSet::new(),
             leaves: BTreeSet::new(),
             velocities,
         };
         sweep.count_users();
         if multiples == Multiples::Merged {
-            sweep.skip_multiples_of_multiples(graph, heads);
+            sweep.skip_multiples_of_multiples(graph, &all);
             sweep.count_users();
         }
-        sweep.rank(heads);
+        sweep.rank([heads, first]);
         for id in sweep.ids() {
             if sweep.variables.get(&id).is_some_and(|variable| variable.users == 0) {
                 sweep.make_ready(id);
@@ -126,12 +128,15 @@ impl Sweep {
 
     /// Ranks variables in depth-first order, parts before wholes and the farthest part first. Processing
     /// by falling rank then finishes one body before it turns to the body that carries it.
-    fn rank(&mut self, heads: &[ExprId]) {
-        let mut heads = heads.to_vec();
-        heads.sort_unstable_by_key(|&id| (self.height(id), id));
+    fn rank(&mut self, heads: [&[ExprId]; 2]) {
+        let by_height = |heads: &[ExprId]| {
+            let mut heads = heads.to_vec();
+            heads.sort_unstable_by_key(|&id| (self.height(id), id));
+            heads
+        };
         let mut visited: HashMap<ExprId, bool> = HashMap::default();
         let mut ranked = 0;
-        let mut pending = heads;
+        let mut pending = heads.map(by_height).concat();
         pending.reverse();
         while let Some(&id) = pending.last() {
             match visited.get(&id) {

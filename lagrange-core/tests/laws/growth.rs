@@ -1,15 +1,23 @@
-//! How equations grow with the number of bodies, counted in operations and expressions: in proportion, on chains
-//! and on trees.
+//! How equations grow with the number of bodies, counted in operations, expressions and emitted tokens: in proportion, on chains
+//! and on trees, in generalised coordinates and with pins between bodies.
 
 use std::fmt::Write;
 
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::mechanics::{Road, RoadChoice};
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
+use proc_macro2::{TokenStream, TokenTree};
+use quote::quote;
+
+use super::mechanisms::Mechanism;
 
 const CHAINS: [usize; 4] = [20, 50, 100, 200];
 /// Small random trees are flat, and cheaper by a road that large ones do not take.
 const TREES: [usize; 3] = [100, 200, 400];
+/// Large enough that trees have bodies with many pins, which couple all that they hold.
+const PINNED: [usize; 2] = [48, 144];
+/// Their mass matrices are so large that zeros are not written.
+const EMITTED: [usize; 2] = [36, 144];
 
 /// n point masses on massless rods under gravity, each hanging from its parent, 0 being the support.
 fn pendulums(n: usize, relative: bool, parent: impl Fn(usize) -> usize) -> String {
@@ -55,10 +63,12 @@ struct Cost {
     expressions: usize,
 }
 
-fn cost(bodies: usize, text: &str) -> Cost {
-    let Derived { model, equations, .. } = parse(text)
-        .and_then(|system| system.derive(RoadChoice::Cheapest))
-        .unwrap_or_else(|report| panic!("{report}"));
+fn derived(text: &str, road: RoadChoice) -> Derived {
+    parse(text).and_then(|system| system.derive(road)).unwrap_or_else(|report| panic!("{report}"))
+}
+
+fn cost(bodies: usize, text: &str, road: RoadChoice) -> Cost {
+    let Derived { model, equations, .. } = derived(text, road);
     let program =
         optimise(&lower(&model.graph, &equations.accelerations, &Labels::default()), model.accuracy);
     let couplings = equations.mass_matrix.iter().flatten().filter(|&&entry| !model.graph.is_zero(entry));
@@ -81,7 +91,11 @@ fn is_linear(costs: &[Cost], cost: impl Fn(&Cost) -> usize) -> Result<(), Vec<us
 }
 
 fn assert_linear(sizes: &[usize], declaration: impl Fn(usize) -> String) {
-    let costs = sizes.iter().map(|&n| cost(n, &declaration(n))).collect::<Vec<_>>();
+    assert_linear_on(RoadChoice::Cheapest, sizes, declaration);
+}
+
+fn assert_linear_on(road: RoadChoice, sizes: &[usize], declaration: impl Fn(usize) -> String) {
+    let costs = sizes.iter().map(|&n| cost(n, &declaration(n), road)).collect::<Vec<_>>();
     assert_eq!(is_linear(&costs, |cost| cost.operations), Ok(()), "operations");
     assert_eq!(is_linear(&costs, |cost| cost.values), Ok(()), "values");
     assert_eq!(is_linear(&costs, |cost| cost.expressions), Ok(()), "expressions");
@@ -105,4 +119,51 @@ fn random_trees_in_absolute_angles_grow_in_proportion() {
 #[test]
 fn random_trees_in_relative_angles_grow_in_proportion() {
     assert_linear(&TREES, |n| tree(n, true));
+}
+
+/// Mechanisms in which the places and the angles of all bars are coordinates.
+const MECHANISMS: [fn(usize) -> Mechanism; 3] =
+    [Mechanism::chain, Mechanism::random_tree, Mechanism::four_bars];
+
+#[test]
+fn pinned_bodies_grow_in_proportion_on_every_road() {
+    for mechanism in MECHANISMS {
+        let declaration = |n| mechanism(n).declaration("standard", |i| i);
+        assert_linear(&PINNED, declaration);
+        assert_linear_on(RoadChoice::Always(Road::Dense), &PINNED, declaration);
+        assert_linear_on(RoadChoice::Always(Road::Recursive), &PINNED, declaration);
+    }
+}
+
+#[test]
+fn pinned_bodies_may_be_declared_in_any_order() {
+    // Multiples of a number that shares no factor with the sizes, which are made of twos and threes.
+    let declaration = |n| Mechanism::chain(n).declaration("standard", |i| (i * 5 + 2) % n);
+    assert_linear(&PINNED, declaration);
+}
+
+#[test]
+fn strict_pinned_bodies_cost_at_most_twice_as_much() {
+    for mechanism in MECHANISMS {
+        let [standard, strict] = ["standard", "strict"]
+            .map(|level| cost(48, &mechanism(48).declaration(level, |i| i), RoadChoice::Cheapest).operations);
+        assert!(strict <= 2 * standard, "{strict} operations beside {standard}");
+    }
+}
+
+fn count(tokens: TokenStream) -> usize {
+    let count_tree = |tree| match tree {
+        TokenTree::Group(group) => 1 + count(group.stream()),
+        _ => 1,
+    };
+    tokens.into_iter().map(count_tree).sum()
+}
+
+#[test]
+fn what_is_emitted_for_pinned_bodies_grows_in_proportion() {
+    let per_body = EMITTED.map(|n| {
+        let derived = derived(&Mechanism::chain(n).declaration("standard", |i| i), RoadChoice::Cheapest);
+        count(derived.emit(&quote!(lagrange)).unwrap_or_else(|report| panic!("{report}"))) / n
+    });
+    assert!(per_body[1] * 4 <= per_body[0] * 5, "{per_body:?} tokens");
 }

@@ -6,6 +6,7 @@ mod formulas;
 mod growth;
 mod machines;
 mod mechanics;
+mod mechanisms;
 mod printing;
 mod products;
 mod reductions;

@@ -46,7 +46,7 @@ pub(super) fn solve_squares(
     sums: Sums,
 ) -> Result<Solution, Obstacle> {
     let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables()).collect::<Vec<_>>();
-    let mut sweep = Sweep::new(graph, &heads, velocities, Multiples::Merged);
+    let mut sweep = Sweep::new(graph, [&heads, &[]], velocities, Multiples::Merged);
     let mut elimination = Elimination::new(graph, &sweep, split, loads, sums);
     let mut order = leaves(&mut sweep);
     order.sort_by_cached_key(|&velocity| elimination.moved_by(velocity));
