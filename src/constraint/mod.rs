@@ -1,8 +1,9 @@
 //! Constraints at run time: residuals, and the way back onto them.
 //!
 //! Accelerations of a constrained system keep c̈ = 0, so that rounding and the errors of a method let c and ċ drift away
-//! from zero. After each accepted step a state is therefore put back: with the mass matrix as metric, to the nearest
-//! positions that satisfy c(t, q) = 0, and then to the nearest velocities that satisfy ċ(t, q, v) = 0. This is *projection*;
+//! from zero. After each accepted step a state is therefore put back, with the mass matrix as metric: to positions that satisfy
+//! c(t, q) = 0, by corrections each of which is as small as can be, and then to the nearest velocities that satisfy
+//! ċ(t, q, v) = 0. From nearby these positions are the nearest, too; from afar [`project`] goes on to those. This is *projection*;
 //! it is what [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types does, and all methods of
 //! [`integrate`](crate::integrate) ask for it.
 //!
@@ -43,6 +44,7 @@
 //! Engineering 1 (1972), 1–16.
 
 mod least_norm;
+mod nearest;
 pub(crate) mod orthogonal;
 mod projection;
 mod regular;
@@ -108,5 +110,14 @@ pub trait ConstrainedSystem: MechanicalSystem {
         q: &Self::Coordinates,
         v: &Self::Coordinates,
         residuals: &Self::Multipliers,
+    ) -> Self::Coordinates;
+
+    /// M(t, q, v) times a change of the coordinates.
+    fn mass_times(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Coordinates,
+        change: &Self::Coordinates,
     ) -> Self::Coordinates;
 }

@@ -5,6 +5,7 @@
 //! until the next one, by the same gradients, would be smaller. Constraints are linear in velocities: one correction does there.
 //! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the module above.
 
+use super::nearest::{Search, difference};
 use super::residuals::{
     beyond, largest, of_positions_together, of_velocities, of_velocities_together, size, worst,
 };
@@ -18,8 +19,10 @@ type Vector<M> = <M as MechanicalSystem>::Coordinates;
 type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
 type StepOf<M> = Step<Number<M>, Vector<M>>;
 
-/// More corrections than this are no use.
+/// More corrections than this are no use within a motion,
 const MOST: u32 = 20;
+/// and more than this from far away.
+const MOST_FROM_AFAR: u32 = 200;
 /// The root of a rounding, times this, is the part of the coordinates below which the square of a correction is left alone.
 const NEGLIGIBLE: f64 = 1e-2;
 /// The part of velocities up to which rounding of a correction is lost in theirs.
@@ -43,8 +46,13 @@ const ADMITTED: f64 = 1e-6;
 /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix measures distances:
 /// first positions, then velocities.
 ///
-/// Near the constraints each correction squares the error; one or two do within a motion, and far away more are made, up to 20,
-/// and shortened where they overshoot. Constraints that depend on each other are satisfied together or not at all: what is left
+/// Near the constraints each correction squares the error; one or two do within a motion, and far away more are made, up to 200,
+/// and shortened where they overshoot. From where they end, positions go along the constraints as long as that brings them nearer to
+/// where they were. So δ = q − q₀ ends normal to what the constraints allow, M δ = Aᵀμ with the mass matrix and the gradients at q: a
+/// local minimum of the distance √(δᵀM δ), and the only one near the constraints. Where constraints on velocities hold the system,
+/// too, it goes along them as it does in motions.
+///
+/// Constraints that depend on each other are satisfied together or not at all: what is left
 /// of a residual must be a small part, √ε (1.5·10⁻⁸ for `f64`), of its scale.
 ///
 /// The scale of a residual is what it would be if every coordinate were off by its size: Σⱼ |Aᵢⱼ| sⱼ. The size sⱼ of a coordinate
@@ -62,7 +70,8 @@ pub fn project<M: ConstrainedSystem + ?Sized>(
     v: &mut M::Coordinates,
 ) -> Result<(), Violation<M::Scalar>> {
     let (mut positions, mut velocities) = (*q, *v);
-    let is_found = bring(system, t, &mut positions, &mut velocities)
+    let is_found = bring_nearest(system, t, &mut positions, v)
+        && bring_velocities(system, t, &positions, &mut velocities)
         && beyond(M::Scalar::epsilon().sqrt(), system, t, (&positions, &velocities)).is_none();
     if !is_found {
         return Err(worst(system, t, (q, v)));
@@ -164,16 +173,35 @@ fn bring<M: ConstrainedSystem + ?Sized>(
     q: &mut M::Coordinates,
     v: &mut M::Coordinates,
 ) -> bool {
-    bring_positions(system, t, q, v) && bring_velocities(system, t, q, v)
+    bring_positions(system, t, q, v, MOST) && bring_velocities(system, t, q, v)
 }
 
-/// Brings positions onto the constraints, if corrections converge.
+/// Brings positions to the nearest ones on the constraints, if corrections converge. Small corrections are as short as can be.
+fn bring_nearest<M: ConstrainedSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &mut M::Coordinates,
+    v: &M::Coordinates,
+) -> bool {
+    let from = *q;
+    if !bring_positions(system, t, q, v, MOST_FROM_AFAR) {
+        return false;
+    }
+    if largest(difference(&from, q).as_ref()) > negligible(q.as_ref()) {
+        let onto = |q: &mut M::Coordinates| bring_positions(system, t, q, v, MOST);
+        *q = Search { system, t, v, from: &from }.nearest(*q, onto);
+    }
+    true
+}
+
+/// Brings positions onto the constraints, if that many corrections do.
 #[inline]
 fn bring_positions<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     q: &mut M::Coordinates,
     v: &M::Coordinates,
+    most: u32,
 ) -> bool {
     let residuals = system.position_residuals(t, q);
     if are_zero(residuals.as_ref()) {
@@ -189,7 +217,7 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
     if is_magnified(step.length, largest(q.as_ref()), part) {
         return true;
     }
-    newton(system, t, v, step).map(|found| *q = found).is_some()
+    newton(system, t, v, step, most).map(|found| *q = found).is_some()
 }
 
 /// Whether a correction is out of proportion to what it is to remove, which is next to nothing: constraints are on the point of
@@ -208,10 +236,11 @@ fn newton<M: ConstrainedSystem + ?Sized>(
     t: M::Scalar,
     v: &M::Coordinates,
     first: StepOf<M>,
+    most: u32,
 ) -> Option<M::Coordinates> {
     let mut step = first;
     let negligible = negligible(step.from.as_ref());
-    for _ in 1..MOST {
+    for _ in 1..most {
         let (to, residuals, next) = shortened(system, t, v, &step)?;
         if next.length <= negligible {
             return Some(next.end(M::Scalar::ONE));

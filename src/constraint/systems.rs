@@ -147,6 +147,11 @@ impl<L: Mechanism<N, D>, const N: usize, const D: usize> ConstrainedSystem for S
     fn correction(&self, t: f64, q: &[f64; N], _v: &[f64; N], residuals: &[f64; D]) -> [f64; N] {
         redundant_correction(&self.mass(), &self.0.jacobian(t, q), residuals)
     }
+
+    fn mass_times(&self, _t: f64, _q: &[f64; N], _v: &[f64; N], change: &[f64; N]) -> [f64; N] {
+        let masses = self.0.masses();
+        core::array::from_fn(|i| masses[i] * change[i])
+    }
 }
 
 /// A point mass on a massless rod of the length one, in Cartesian coordinates.

@@ -132,4 +132,15 @@ impl<M: ConstrainedSystem> ConstrainedSystem for Unprojected<M> {
     ) -> M::Coordinates {
         self.0.correction(t, q, v, residuals)
     }
+
+    #[inline]
+    fn mass_times(
+        &self,
+        t: M::Scalar,
+        q: &M::Coordinates,
+        v: &M::Coordinates,
+        change: &M::Coordinates,
+    ) -> M::Coordinates {
+        self.0.mass_times(t, q, v, change)
+    }
 }

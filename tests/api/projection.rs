@@ -126,3 +126,71 @@ fn a_loop_with_a_crank_too_many_turns_all_around() {
         assert!((found - wanted).abs() < 1e-7, "{found} for {wanted}");
     }
 }
+
+lagrange::system! {
+    /// A point mass in polar coordinates on the line x = d.
+    #[derive(Clone, Debug)]
+    struct Polar;
+
+    param m = 3.0, d = 1.0;
+    coord r, theta;
+    kinetic = 1/2 * m * (dot(r)^2 + r^2 * dot(theta)^2);
+    constraint line = r * cos(theta) - d;
+}
+
+lagrange::system! {
+    /// A point mass on an ellipse.
+    #[derive(Clone, Debug)]
+    struct Ellipse<S>;
+
+    param m = 1.0, a = 2.0, b = 1/2, rest = 1.0;
+    coord x, y;
+    kinetic = kinetic_energy(m, dot((x, y)));
+    constraint ellipse = (x / a)^2 + (y / b)^2 - rest;
+    emit { no momenta, no mass_matrix, no energy }
+}
+
+#[test]
+fn the_way_to_the_projected_state_is_normal_to_the_constraint_by_the_mass_there() {
+    let polar = Polar::default();
+    for (r, theta) in [(3.0, 0.4), (0.5, -0.9), (2.0, 1.2), (1.5, 0.1)] {
+        let (mut q, mut v) = ([r, theta], [0.3, -0.2]);
+        polar.project(0.0, &mut q, &mut v).expect("a line can be reached");
+        let (sin, cos) = q[1].sin_cos();
+        assert!((q[0] * cos - 1.0).abs() < 1e-14, "{q:?}");
+        // M δ beside the gradient (cos θ, −r sin θ).
+        let product = (q[0] - r) * -q[0] * sin - q[0] * q[0] * (q[1] - theta) * cos;
+        assert!(product.abs() < 1e-12, "{product} at {q:?} from {r}, {theta}");
+        assert!((v[0] * cos - q[0] * sin * v[1]).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn a_point_far_from_an_ellipse_is_projected_to_its_nearest_point() {
+    let ellipse = Ellipse::<f64>::default();
+    let (p, mut v) = ([1.5, 1.0], [0.0; 2]);
+    let mut q = p;
+    ellipse.project(0.0, &mut q, &mut v).expect("an ellipse can be reached");
+    // No other point of the ellipse is nearer.
+    let square = |q: [f64; 2]| (q[0] - p[0]).powi(2) + (q[1] - p[1]).powi(2);
+    let points = (0..100_000).map(|k| {
+        let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 1e5).sin_cos();
+        square([2.0 * cos, 0.5 * sin])
+    });
+    let least = points.fold(f64::INFINITY, f64::min);
+    assert!((0.0..1e-8).contains(&(least - square(q))), "{least} {q:?}");
+    // (q − p) beside the gradient.
+    let product = (q[0] - p[0]) * q[1] / 0.25 - (q[1] - p[1]) * q[0] / 4.0;
+    assert!(product.abs() < 1e-13, "{product}");
+    let (mut single, mut rest) = ([1.5_f32, 1.0], [0.0; 2]);
+    Ellipse::<f32>::default().project(0.0, &mut single, &mut rest).expect("the same");
+    assert!((f64::from(single[0]) - q[0]).abs() < 1e-5 && (f64::from(single[1]) - q[1]).abs() < 1e-5);
+}
+
+#[test]
+fn where_there_is_no_state_that_satisfies_the_constraint_nothing_is_changed() {
+    let nothing = Ellipse { rest: -1.0, ..Ellipse::<f64>::default() };
+    let (mut q, mut v) = ([1.5, 1.0], [0.1, 0.2]);
+    let violation = nothing.project(0.0, &mut q, &mut v).expect_err("no point at all");
+    assert_eq!((violation.constraint, q, v), ("ellipse", [1.5, 1.0], [0.1, 0.2]));
+}

@@ -7,6 +7,7 @@ use super::item::Parts;
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::shape::{Shape, length, local};
 use super::system::Writer;
+use crate::calculus::gradient;
 use crate::expr::ExprId;
 use crate::program::OperationCounts;
 
@@ -37,6 +38,7 @@ impl Writer<'_> {
         self.write_correction();
         self.write_position_residuals();
         self.write_sparse_scales();
+        self.write_mass_times();
         self.write_free_momentum_rates();
         if self.is_guarded() {
             self.write_redundant_correction();
@@ -104,6 +106,21 @@ impl Writer<'_> {
         let otherwise = quote!(self.redundant_correction(#time, #positions, #velocities, #residuals));
         let (body, _) = self.guarded(&roots, Arguments::Residuals, &otherwise);
         self.push_constrained("correction", Arguments::Residuals, Returns::Vector(roots.len()), body);
+    }
+
+    /// What `ConstrainedSystem::mass_times` does: M a is the gradient of a · ∂L/∂v by the velocities, which takes as long as the momenta.
+    fn write_mass_times(&mut self) {
+        let (lagrangian, velocities) = (self.model.lagrangian, self.model.velocities());
+        let changes = self.model.coordinates.iter().map(|c| c.acceleration).collect::<Vec<_>>();
+        let graph = &mut self.model.graph;
+        let momenta = gradient(graph, lagrangian, &velocities);
+        let products = momenta.iter().zip(&changes).map(|(&p, &change)| graph.multiply(p, change));
+        let products = products.collect::<Vec<_>>();
+        let product = graph.total(products);
+        let roots = gradient(graph, product, &velocities);
+        let returns = Returns::Vector(roots.len());
+        let (body, _) = self.lowered(&roots, Arguments::Motion, |results| returns.collect(results));
+        self.push_constrained("mass_times", Arguments::Motion, returns, body);
     }
 
     fn write_position_residuals(&mut self) {
@@ -213,8 +230,8 @@ pub(super) fn projections(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let ArgumentNames { time, positions, velocities, .. } = &parts.names;
     let violation = quote!(#krate::constraint::Violation<#scalar>);
     quote! {
-        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix measures
-        /// distances: first positions, then velocities.
+        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix where they
+        /// are found measures distances: first positions, then velocities.
         ///
         /// # Errors
         /// If that does not succeed; both are then what they were.

@@ -107,7 +107,9 @@ fn skeleton_of_constraints(n: usize, m: usize) -> Vec<Method> {
         return Vec::new();
     }
     let residuals = placeholder(local("position_residuals"), Arguments::Positions, Returns::Vector(m));
-    vec![residuals, placeholder(local("correction"), Arguments::Residuals, Returns::Vector(n))]
+    let [correction, mass_times] = [("correction", Arguments::Residuals), ("mass_times", Arguments::Motion)]
+        .map(|(name, arguments)| placeholder(local(name), arguments, Returns::Vector(n)));
+    vec![residuals, correction, mass_times]
 }
 
 fn skeleton_of_events(shape: &Shape<'_>) -> Vec<Method> {

@@ -217,3 +217,168 @@ impl Mechanism<2, 1> for Ground {
         [0.0]
     }
 }
+
+/// A point mass of different masses by direction on an ellipse that may breathe: x²/a² + y²/b² = (1 + t)².
+#[derive(Clone, Copy, Debug)]
+struct Ellipse {
+    masses: [f64; 2],
+    axes: [f64; 2],
+}
+
+impl Mechanism<2, 1> for Ellipse {
+    type State = [f64; 4];
+
+    const NAMES: &'static [&'static str] = &["ellipse"];
+
+    fn masses(&self) -> [f64; 2] {
+        self.masses
+    }
+
+    fn positions(&self, t: f64, q: &[f64; 2]) -> [f64; 1] {
+        let [x, y] = [q[0] / self.axes[0], q[1] / self.axes[1]];
+        [x * x + y * y - (1.0 + t) * (1.0 + t)]
+    }
+
+    fn jacobian(&self, _t: f64, q: &[f64; 2]) -> [[f64; 2]; 1] {
+        [[2.0 * q[0] / self.axes[0].powi(2), 2.0 * q[1] / self.axes[1].powi(2)]]
+    }
+
+    fn rates(&self, t: f64, _q: &[f64; 2]) -> [f64; 1] {
+        [-2.0 * (1.0 + t)]
+    }
+
+    fn drift(&self, _t: f64, _q: &[f64; 2], v: &[f64; 2]) -> [f64; 1] {
+        [2.0 * (v[0] / self.axes[0]).powi(2) + 2.0 * (v[1] / self.axes[1]).powi(2) - 2.0]
+    }
+}
+
+/// The nearest point of x²/a² + y²/b² = 1 from outside or inside, by bisection for the multiplier: with M (q₀ − q) = μ A and
+/// masses as weights, qᵢ = mᵢ aᵢ² pᵢ/(mᵢ aᵢ² + μ) and Σ (qᵢ/aᵢ)² = 1, whose largest root is the global minimum (Eberly, *Distance from
+/// a point to an ellipse*, 2013).
+fn nearest_on_ellipse(masses: [f64; 2], axes: [f64; 2], p: [f64; 2]) -> [f64; 2] {
+    let weights = [0, 1].map(|i| masses[i] * axes[i] * axes[i]);
+    let at = |mu: f64| [0, 1].map(|i| weights[i] * p[i] / (weights[i] + mu));
+    let sum = |mu: f64| at(mu).iter().zip(axes).map(|(q, a)| (q / a) * (q / a)).sum::<f64>();
+    // The sum falls from infinity behind the last pole.
+    let (mut low, mut high) = (-weights[0].min(weights[1]), 1.0);
+    while sum(high) > 1.0 {
+        high *= 2.0;
+    }
+    for _ in 0..200 {
+        let middle = (low + high) / 2.0;
+        if sum(middle) > 1.0 { low = middle } else { high = middle }
+    }
+    at((low + high) / 2.0)
+}
+
+#[test]
+fn the_nearest_point_of_an_ellipse_is_found_from_far_away() {
+    let axes = [2.0, 0.5];
+    for masses in [[1.0, 1.0], [1.0, 30.0], [30.0, 1.0]] {
+        for breath in [0.0, 0.25] {
+            let ellipse = System::<_, 2, 1>(Ellipse { masses, axes });
+            let now = axes.map(|axis| axis * (1.0 + breath));
+            for k in 0..40 {
+                let (distance, angle) = ([0.7, 1.1, 2.0, 5.0][k % 4], 0.05 + 0.157 * k as f64);
+                let p = [now[0] * distance * angle.cos(), now[1] * distance * angle.sin()];
+                let (mut q, mut v) = (p, [0.4, -0.2]);
+                project(&ellipse, breath, &mut q, &mut v).expect("an ellipse can be reached");
+                let expected = nearest_on_ellipse(masses, now, p);
+                let squares = [q, expected].map(|q: [f64; 2]| {
+                    (0..2).map(|i| masses[i] * (q[i] - p[i]) * (q[i] - p[i])).sum::<f64>()
+                });
+                assert!(
+                    (q[0] - expected[0]).abs().max((q[1] - expected[1]).abs()) < 1e-10,
+                    "{masses:?}, {p:?}: {q:?} at {} for {expected:?} at {}",
+                    squares[0],
+                    squares[1]
+                );
+                assert!(ellipse.residual(breath, &[q[0], q[1], v[0], v[1]]) < 1e-12, "{p:?}: {q:?} {v:?}");
+            }
+        }
+    }
+}
+
+/// A chain of three points on rods of the length one, the first on a rod from the origin.
+#[derive(Clone, Copy, Debug)]
+struct Chain;
+
+impl Mechanism<6, 3> for Chain {
+    type State = [f64; 12];
+
+    const NAMES: &'static [&'static str] = &["first", "second", "third"];
+
+    fn masses(&self) -> [f64; 6] {
+        [1.0, 1.0, 0.2, 0.2, 5.0, 5.0]
+    }
+
+    fn positions(&self, _t: f64, q: &[f64; 6]) -> [f64; 3] {
+        let square = |x: f64, y: f64| x * x + y * y - 1.0;
+        [square(q[0], q[1]), square(q[2] - q[0], q[3] - q[1]), square(q[4] - q[2], q[5] - q[3])]
+    }
+
+    fn jacobian(&self, _t: f64, q: &[f64; 6]) -> [[f64; 6]; 3] {
+        let mut rows = [[0.0; 6]; 3];
+        for k in 0..3 {
+            for i in 0..2 {
+                let along = 2.0 * (q[2 * k + i] - if k == 0 { 0.0 } else { q[2 * k + i - 2] });
+                rows[k][2 * k + i] = along;
+                if k > 0 {
+                    rows[k][2 * k + i - 2] = -along;
+                }
+            }
+        }
+        rows
+    }
+
+    fn drift(&self, _t: f64, _q: &[f64; 6], v: &[f64; 6]) -> [f64; 3] {
+        let square = |x: f64, y: f64| 2.0 * (x * x + y * y);
+        [square(v[0], v[1]), square(v[2] - v[0], v[3] - v[1]), square(v[4] - v[2], v[5] - v[3])]
+    }
+}
+
+/// The distance of a chain with these angles from a point, squared.
+fn square_of_chain(angles: &[f64; 3], p: &[f64; 6]) -> f64 {
+    let (mut end, mut square) = ([0.0; 2], 0.0);
+    for (k, angle) in angles.iter().enumerate() {
+        end = [end[0] + angle.cos(), end[1] + angle.sin()];
+        square += Chain.masses()[2 * k] * ((end[0] - p[2 * k]).powi(2) + (end[1] - p[2 * k + 1]).powi(2));
+    }
+    square
+}
+
+#[test]
+fn no_small_turn_of_a_chain_brings_it_nearer_than_where_it_was_projected() {
+    let chain = System::<_, 6, 3>(Chain);
+    for seed in 1..40_u32 {
+        let number = |k: u32| f64::from((seed * 7919 + k * 104_729) % 1009) / 1009.0 - 0.5;
+        let p: [f64; 6] = core::array::from_fn(|i| 5.0 * number(i as u32));
+        let (mut q, mut v) = (p, [0.0; 6]);
+        if project(&chain, 0.0, &mut q, &mut v).is_err() {
+            assert_eq!(q, p);
+            continue;
+        }
+        let angles: [f64; 3] = core::array::from_fn(|k| {
+            let from = if k == 0 { [0.0; 2] } else { [q[2 * k - 2], q[2 * k - 1]] };
+            (q[2 * k + 1] - from[1]).atan2(q[2 * k] - from[0])
+        });
+        let here = square_of_chain(&angles, &p);
+        for k in 0..3 {
+            let turned = |by: f64| {
+                let mut turned = angles;
+                turned[k] += by;
+                square_of_chain(&turned, &p)
+            };
+            let slope = (turned(1e-4) - turned(-1e-4)) / 2e-4;
+            assert!(slope.abs() < 1e-6 * here.max(1.0), "{seed}, {k}: {slope} at {here}");
+            assert!(turned(1e-3) > here - 1e-9 && turned(-1e-3) > here - 1e-9, "{seed}, {k}");
+        }
+    }
+}
+
+#[test]
+fn what_is_on_the_constraints_stays_to_the_bit() {
+    let (mut q, mut v) = ([0.6, -0.8], [0.8, 0.6]);
+    project(&PENDULUM, 0.0, &mut q, &mut v).expect("nothing to do");
+    assert_eq!((q, v), ([0.6, -0.8], [0.8, 0.6]));
+}

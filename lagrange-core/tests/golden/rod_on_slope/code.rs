@@ -473,8 +473,8 @@ const _: () = {
                 angular_acceleration: a_ddot,
             }
         }
-        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix measures
-        /// distances: first positions, then velocities.
+        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix where they
+        /// are found measures distances: first positions, then velocities.
         ///
         /// # Errors
         /// If that does not succeed; both are then what they were.
@@ -836,6 +836,20 @@ const _: () = {
             let (sin_a, cos_a) = sin_cos(a);
             let const_0 = 0.4722222222222222 * l;
             [multiply_add(-const_0, cos_a, x), multiply_add(-const_0, sin_a, y) - 1.0]
+        }
+        #[inline]
+        fn mass_times(
+            &self,
+            t: f64,
+            q: &[f64; 3],
+            v: &[f64; 3],
+            accelerations: &[f64; 3],
+        ) -> [f64; 3] {
+            let Self { m, l, .. } = *self;
+            let [x_ddot, y_ddot, a_ddot] = *accelerations;
+            let const_0 = 0.9 * m;
+            let l_sq = l * l;
+            [const_0 * x_ddot, const_0 * y_ddot, 0.07959722222222222 * m * l_sq * a_ddot]
         }
     }
     #[automatically_derived]

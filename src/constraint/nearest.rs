@@ -1,0 +1,192 @@
+//! From positions on the constraints to the nearest ones.
+//!
+//! The distance from q₀ is √(δᵀM δ) with δ = q − q₀, M being the mass matrix at q. Its slope along the constraints is minus the
+//! tangential part of q₀ − q, what is left of it without its part M-orthogonal to what the constraints allow: the *pull*. Conjugate gradients
+//! follow it, with each step brought back onto the constraints and directions carried along by projection. Steps end where the
+//! slope has nearly vanished rather than where the distance is least: differences of distances lose half of the digits.
+//! Sources: Absil, Mahony, Sepulchre, *Optimization Algorithms on Matrix Manifolds*, §8.3; Nocedal, Wright, *Numerical
+//! Optimization*, 2nd ed., §§3.5, 5.2.
+
+use super::ConstrainedSystem;
+use super::residuals::largest;
+use crate::scalar::Scalar;
+use crate::system::{MechanicalSystem, OdeSystem, StateVector};
+
+type Number<M> = <M as OdeSystem>::Scalar;
+type Vector<M> = <M as MechanicalSystem>::Coordinates;
+
+/// More steps than this are no use.
+const MOST: u32 = 100;
+/// More lengths of one step are not tried.
+const MOST_LENGTHS: u32 = 20;
+/// A pull of so many roundings of the positions is none.
+const ROUNDINGS: f64 = 8.0;
+/// A step ends where no more than this part of the slope at its beginning is left.
+const LEFT: f64 = 0.1;
+/// A length beyond all that were tried is at most so many times the last one.
+const STRETCH: f64 = 4.0;
+/// A length between two others keeps this part of what is between them from both.
+const MARGIN: f64 = 0.1;
+
+/// A search for the positions on the constraints nearest to `from`. The velocities are those of the mass matrix.
+pub(super) struct Search<'a, M: ConstrainedSystem + ?Sized> {
+    pub(super) system: &'a M,
+    pub(super) t: M::Scalar,
+    pub(super) v: &'a M::Coordinates,
+    pub(super) from: &'a M::Coordinates,
+}
+
+/// Positions on the constraints.
+struct Point<Q> {
+    q: Q,
+    /// The tangential part of the way to where the search began.
+    pull: Q,
+}
+
+/// Where a step along a direction ends.
+struct End<S, Q> {
+    point: Point<Q>,
+    /// The direction, carried there.
+    direction: Q,
+    length: S,
+    /// How fast the distance still falls.
+    slope: S,
+}
+
+impl<M: ConstrainedSystem + ?Sized> Search<'_, M> {
+    /// The nearest positions, from `found` on the constraints, to which `onto` brings others if it can.
+    pub(super) fn nearest(&self, found: Vector<M>, onto: impl Fn(&mut Vector<M>) -> bool) -> Vector<M> {
+        let mut point = self.point(found);
+        let mut direction = point.pull;
+        let mut length = Number::<M>::ONE;
+        for _ in 0..MOST {
+            let size = largest(point.q.as_ref()).max(largest(self.from.as_ref()));
+            let is_pulled =
+                largest(point.pull.as_ref()) > Number::<M>::from_f64(ROUNDINGS) * epsilon::<M>() * size;
+            let slope = self.product(&point.q, &point.pull, &direction);
+            // Neither may be something that is not a number.
+            if !(is_pulled && slope > Number::<M>::ZERO) {
+                break;
+            }
+            let Some(end) = self.step(&point, &direction, (slope, length), &onto) else { break };
+            direction = self.conjugate(&point, &end);
+            (point, length) = (end.point, end.length);
+        }
+        point.q
+    }
+
+    fn point(&self, q: Vector<M>) -> Point<Vector<M>> {
+        Point { q, pull: self.tangential(&q, &difference(self.from, &q)) }
+    }
+
+    /// The step along a direction at whose end the distance hardly falls any more; if there is none, because the way back onto the
+    /// constraints leads elsewhere, the longest one found that leads nearer.
+    fn step(
+        &self,
+        start: &Point<Vector<M>>,
+        direction: &Vector<M>,
+        (slope, first): (Number<M>, Number<M>),
+        onto: impl Fn(&mut Vector<M>) -> bool,
+    ) -> Option<End<Number<M>, Vector<M>>> {
+        // The longest length that is too short and the shortest that is too long, with the slopes there.
+        let (mut short, mut long) = ((Number::<M>::ZERO, slope), None);
+        let (mut length, mut nearer) = (first, None);
+        for _ in 0..MOST_LENGTHS {
+            let mut q = start.q;
+            add(&mut q, length, direction);
+            let end = onto(&mut q).then(|| self.end(q, direction, length));
+            match end.filter(|end| !self.is_farther(&start.q, &end.point.q)) {
+                Some(end) if end.slope.abs() <= Number::<M>::from_f64(LEFT) * slope => return Some(end),
+                Some(end) if end.slope > Number::<M>::ZERO => {
+                    short = (length, end.slope);
+                    nearer = Some(end);
+                }
+                Some(end) => long = Some((length, end.slope)),
+                None => long = Some((length, -slope)),
+            }
+            length = between(short, long);
+        }
+        nearer
+    }
+
+    fn end(&self, q: Vector<M>, direction: &Vector<M>, length: Number<M>) -> End<Number<M>, Vector<M>> {
+        let point = self.point(q);
+        let direction = self.tangential(&q, direction);
+        let slope = self.product(&q, &point.pull, &direction);
+        End { point, direction, length, slope }
+    }
+
+    /// Whether a point is farther away by more than rounding, both measured by the mass matrix of one of them.
+    fn is_farther(&self, start: &Vector<M>, end: &Vector<M>) -> bool {
+        let [before, after] = [start, end].map(|q| {
+            let way = difference(self.from, q);
+            self.product(start, &way, &way)
+        });
+        let rounding = Number::<M>::from_f64(ROUNDINGS) * epsilon::<M>();
+        // What is not a number is nowhere.
+        let is_near = after <= before + rounding * before;
+        !is_near
+    }
+
+    /// The direction of the next step, after Polak and Ribière; the pull itself where that would lead away.
+    fn conjugate(&self, start: &Point<Vector<M>>, end: &End<Number<M>, Vector<M>>) -> Vector<M> {
+        let End { point, direction, .. } = end;
+        let before = self.product(&start.q, &start.pull, &start.pull);
+        let change = difference(&point.pull, &self.tangential(&point.q, &start.pull));
+        let part = self.product(&point.q, &point.pull, &change) / before;
+        let mut next = point.pull;
+        if part > Number::<M>::ZERO {
+            add(&mut next, part, direction);
+        }
+        let is_nearer = self.product(&point.q, &point.pull, &next) > Number::<M>::ZERO;
+        if is_nearer { next } else { point.pull }
+    }
+
+    /// What is left of a change of positions without its part normal to the constraints.
+    fn tangential(&self, q: &Vector<M>, change: &Vector<M>) -> Vector<M> {
+        let Search { system, t, v, .. } = self;
+        let mut residuals = system.velocity_residuals(*t, q, &Vector::<M>::ZERO);
+        let moved = system.velocity_residuals(*t, q, change);
+        for (residual, moved) in residuals.as_mut().iter_mut().zip(moved.as_ref()) {
+            *residual = *residual - *moved;
+        }
+        difference(change, &system.correction(*t, q, v, &residuals))
+    }
+
+    /// aᵀM b
+    fn product(&self, q: &Vector<M>, a: &Vector<M>, b: &Vector<M>) -> Number<M> {
+        let weighed = self.system.mass_times(self.t, q, self.v, b);
+        let products = a.as_ref().iter().zip(weighed.as_ref());
+        products.fold(Number::<M>::ZERO, |sum, (a, b)| a.multiply_add(*b, sum))
+    }
+}
+
+/// The length at which the slope would vanish if it were linear between two that are known, or beyond them if it is not negative yet.
+fn between<S: Scalar>((short, falls): (S, S), long: Option<(S, S)>) -> S {
+    let Some((long, rises)) = long else {
+        return S::from_f64(STRETCH) * short;
+    };
+    let part = falls / (falls - rises);
+    let part = part.max(S::from_f64(MARGIN)).min(S::from_f64(1.0 - MARGIN));
+    (long - short).multiply_add(part, short)
+}
+
+/// a − b
+#[inline]
+pub(super) fn difference<S: Scalar, Q: StateVector<S>>(a: &Q, b: &Q) -> Q {
+    let mut difference = *a;
+    for (entry, b) in difference.as_mut().iter_mut().zip(b.as_ref()) {
+        *entry = *entry - *b;
+    }
+    difference
+}
+
+fn add<S: Scalar, Q: StateVector<S>>(to: &mut Q, part: S, change: &Q) {
+    for (entry, change) in to.as_mut().iter_mut().zip(change.as_ref()) {
+        *entry = change.multiply_add(part, *entry);
+    }
+}
+
+fn epsilon<M: OdeSystem + ?Sized>() -> M::Scalar {
+    M::Scalar::epsilon()
+}
