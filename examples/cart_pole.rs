@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 use common::compare;
 use lagrange::Simulate;
 use lagrange::integrate::{Verner98, integrate};
-use lagrange::system::OdeSystem;
+use lagrange::system::Wrapper;
 
 lagrange::system! {
     /// A cart that carries a pendulum, pushed by a force u; θ is measured from the lower position.
@@ -80,11 +80,19 @@ struct Balanced {
     plant: CartPole,
 }
 
-impl OdeSystem for Balanced {
-    type Scalar = f64;
+impl Wrapper for Balanced {
+    type Inner = CartPole;
     type State = [f64; 6];
 
-    fn rhs(&self, t: f64, y: &[f64; 6]) -> [f64; 6] {
+    fn inner(&self) -> &CartPole {
+        &self.plant
+    }
+
+    fn around(&self, plant: CartPole) -> Balanced {
+        Balanced { plant }
+    }
+
+    fn outer_rhs(&self, t: f64, y: &[f64; 6]) -> [f64; 6] {
         let [x, theta, x_dot, theta_dot, ..] = *y;
         let deviation = [x, theta - PI, x_dot, theta_dot];
         let u = GAINS.iter().zip(deviation).map(|(gain, deviation)| gain * deviation).sum::<f64>();

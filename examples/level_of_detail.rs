@@ -16,7 +16,7 @@ use common::compare;
 use counted::{Counted, Counts, counted};
 use lagrange::Scalar;
 use lagrange::integrate::{Method, Stepper, Verner98};
-use lagrange::system::OdeSystem;
+use lagrange::system::{OdeSystem, Wrapper};
 
 lagrange::system! {
     /// An overhead crane: a trolley, a hook on ropes and a load on slings; angles from the vertical.
@@ -62,11 +62,19 @@ const SMALL: f64 = 0.02;
 /// The end of the scene in seconds.
 const END: f64 = 60.0;
 
-impl OdeSystem for Driven {
-    type Scalar = f64;
+impl Wrapper for Driven {
+    type Inner = Crane<f64>;
     type State = [f64; 6];
 
-    fn rhs(&self, t: f64, y: &[f64; 6]) -> [f64; 6] {
+    fn inner(&self) -> &Crane<f64> {
+        &self.crane
+    }
+
+    fn around(&self, crane: Crane<f64>) -> Driven {
+        Driven { crane }
+    }
+
+    fn outer_rhs(&self, t: f64, y: &[f64; 6]) -> [f64; 6] {
         let wanted = if t < TRAVEL { 1.5 * (std::f64::consts::PI * t / TRAVEL).sin().powi(2) } else { 0.0 };
         Crane { drive: GAIN * (wanted - y[3]), ..self.crane.clone() }.rhs(t, y)
     }

@@ -10,6 +10,10 @@ use crate::event::{Answer, DeclaredEvent, Reaction};
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 
+mod wrapper;
+
+pub use wrapper::Wrapper;
+
 /// A vector whose length is part of its type, such as `[S; K]`.
 pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
     /// A square matrix in rows, such as `[[S; K]; K]`.
@@ -62,6 +66,9 @@ pub type CoordinateMatrix<M> =
 ///
 /// assert_eq!(Decay { rate: 2.0 }.rhs(0.0, &[3.0]), [-6.0]);
 /// ```
+///
+/// The members beside [`rhs`](Self::rhs) stand for a system that has nothing but its equations. A type that contains another system
+/// implements [`Wrapper`] instead, which keeps the constraints and events of that.
 pub trait OdeSystem {
     /// The number type.
     type Scalar: Scalar;

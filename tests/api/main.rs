@@ -23,6 +23,7 @@ mod shadowing;
 mod simulation;
 mod states;
 mod traits;
+mod wrappers;
 
 /// Whether two numbers agree to a few units in the last place of `f64`.
 #[track_caller]

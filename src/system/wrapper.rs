@@ -1,0 +1,204 @@
+//! Systems that contain another and change its equations.
+
+use super::{EnergyFunction, MechanicalSystem, OdeSystem, Reacted, StateMatrix, StateVector, join, split};
+use crate::event::{Answer, DeclaredEvent, Reaction};
+use crate::integrate::Cause;
+
+type Number<W> = <<W as Wrapper>::Inner as OdeSystem>::Scalar;
+type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
+
+/// A system that contains another one and has equations of its own: with a control, with losses, or with more unknowns.
+///
+/// Constraints, projection, events, contacts and friction are those of the inner system; a type that contains a system and
+/// implements [`OdeSystem`] by itself has none of them unless it forwards each. Whoever implements this trait has
+/// `OdeSystem` by it, and, if the state is that of the inner system, [`MechanicalSystem`] and [`EnergyFunction`] where the inner
+/// system has them. Accelerations are then those of [`outer_rhs`](Wrapper::outer_rhs), the energy is that of the inner system. Traits that say
+/// more of the equations, such as [`CanonicalSystem`](super::CanonicalSystem), are not forwarded.
+///
+/// The state begins with that of the inner system; what comes behind it is added, and stays as it is where the inner system puts
+/// its state onto constraints or replaces it at events.
+///
+/// ```
+/// use lagrange::Simulate;
+/// use lagrange::system::{OdeSystem, Wrapper};
+///
+/// lagrange::system! {
+///     /// A point mass on a rod, pushed by a force u.
+///     #[derive(Clone, Debug)]
+///     struct Rod;
+///     coord x, y;
+///     input u;
+///     kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+///     potential = 9.81 * y;
+///     force x = u;
+///     constraint length = hypot(x, y) - 1;
+///     event level = y, rising => stop;
+/// }
+///
+/// /// The rod, pushed the way in which it moves.
+/// struct Pushed(Rod);
+///
+/// impl Wrapper for Pushed {
+///     type Inner = Rod;
+///     type State = [f64; 4];
+///
+///     fn inner(&self) -> &Rod {
+///         &self.0
+///     }
+///
+///     fn around(&self, inner: Rod) -> Pushed {
+///         Pushed(inner)
+///     }
+///
+///     fn outer_rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
+///         Rod { u: 2.0 * y[2].signum(), ..self.0.clone() }.rhs(t, y)
+///     }
+/// }
+///
+/// // From rest below it swings higher and higher, on the rod all the time, and stops at the level.
+/// let motion = Pushed(Rod::default()).simulate([0.0, -1.0, 1e-3, 0.0]).until(60.0).run()?;
+/// let [x, y, ..] = motion.last();
+/// assert!((x.hypot(y) - 1.0).abs() < 1e-14 && y.abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub trait Wrapper: Sized {
+    /// The system inside.
+    type Inner: OdeSystem;
+    /// The state of the inner system, or a longer vector that begins with it.
+    type State: StateVector<Number<Self>>;
+
+    /// The system inside, in its present modes.
+    fn inner(&self) -> &Self::Inner;
+
+    /// The same around the inner system in other modes: with other contacts closed, other friction sticking.
+    #[must_use]
+    fn around(&self, inner: Self::Inner) -> Self;
+
+    /// The right-hand side f(t, y) of ẏ = f(t, y).
+    ///
+    /// Where constraints hold the inner system, accelerations must keep to them; the inner system does that under other inputs and
+    /// parameters, too.
+    fn outer_rhs(&self, t: Number<Self>, y: &Self::State) -> Self::State;
+
+    /// ∂f/∂y in rows, if it is known. That of the inner system is another one where the equations differ.
+    #[inline]
+    fn outer_jacobian(
+        &self,
+        _t: Number<Self>,
+        _y: &Self::State,
+    ) -> Option<<Self::State as StateVector<Number<Self>>>::Square> {
+        None
+    }
+}
+
+impl<W: Wrapper> OdeSystem for W {
+    type Scalar = Number<W>;
+    type State = W::State;
+
+    #[inline]
+    fn rhs(&self, t: Number<W>, y: &W::State) -> W::State {
+        self.outer_rhs(t, y)
+    }
+
+    #[inline]
+    fn jacobian(&self, t: Number<W>, y: &W::State) -> Option<StateMatrix<W>> {
+        self.outer_jacobian(t, y)
+    }
+
+    const IS_CONSTRAINED: bool = W::Inner::IS_CONSTRAINED;
+
+    #[inline]
+    fn correct(&self, t: Number<W>, y: &mut W::State) -> Result<(), Cause<Number<W>>> {
+        change::<W>(y, |part| self.inner().correct(t, part))
+    }
+
+    #[inline]
+    fn admit(&self, t: Number<W>, y: &mut W::State) -> Result<(), Cause<Number<W>>> {
+        change::<W>(y, |part| self.inner().admit(t, part))
+    }
+
+    #[inline]
+    fn restore(&self, t: Number<W>, y: &mut W::State) -> Result<(), Cause<Number<W>>> {
+        change::<W>(y, |part| self.inner().restore(t, part))
+    }
+
+    const EVENTS: &'static [DeclaredEvent] = W::Inner::EVENTS;
+
+    #[inline]
+    fn event_values(&self, t: Number<W>, y: &W::State, values: &mut [Number<W>]) {
+        self.inner().event_values(t, &part::<W>(y), values);
+    }
+
+    fn react(&self, event: usize, t: Number<W>, y: &W::State) -> Reacted<W> {
+        let Answer { reaction, system, happening } = self.inner().react(event, t, &part::<W>(y))?;
+        let reaction = match reaction {
+            Reaction::Continue => Reaction::Continue,
+            Reaction::Stop => Reaction::Stop,
+            Reaction::Replace(part) => Reaction::Replace(replaced::<W>(y, &part)),
+        };
+        Ok(Answer { reaction, system: system.map(|inner| self.around(inner)), happening })
+    }
+
+    fn begin(&self, t: Number<W>, y: &W::State) -> Result<Option<W>, Cause<Number<W>>> {
+        Ok(self.inner().begin(t, &part::<W>(y))?.map(|inner| self.around(inner)))
+    }
+}
+
+impl<W, M> MechanicalSystem for W
+where
+    W: Wrapper<Inner = M, State = <M as OdeSystem>::State>,
+    M: MechanicalSystem,
+{
+    type Coordinates = M::Coordinates;
+    type Columns<C> = M::Columns<C>;
+
+    const COORDINATES: &'static [&'static str] = M::COORDINATES;
+
+    #[inline]
+    fn acceleration(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Coordinates {
+        let (_, accelerations) = split::<M>(&self.outer_rhs(t, &join::<M>(q, v)));
+        accelerations
+    }
+}
+
+impl<W, M> EnergyFunction for W
+where
+    W: Wrapper<Inner = M, State = <M as OdeSystem>::State>,
+    M: EnergyFunction,
+{
+    #[inline]
+    fn energy(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Scalar {
+        self.inner().energy(t, q, v)
+    }
+}
+
+/// The state of the inner system.
+#[inline]
+fn part<W: Wrapper>(y: &W::State) -> InnerState<W> {
+    const { assert!(size_of::<InnerState<W>>() <= size_of::<W::State>(), "the state is shorter than that inside") };
+    let mut part = InnerState::<W>::ZERO;
+    let count = part.as_ref().len();
+    part.as_mut().copy_from_slice(&y.as_ref()[..count]);
+    part
+}
+
+/// The state with that of the inner system in its place.
+#[inline]
+fn replaced<W: Wrapper>(y: &W::State, part: &InnerState<W>) -> W::State {
+    let mut y = *y;
+    let part = part.as_ref();
+    y.as_mut()[..part.len()].copy_from_slice(part);
+    y
+}
+
+/// Changes the state of the inner system, if that succeeds.
+#[inline]
+fn change<W: Wrapper>(
+    y: &mut W::State,
+    change: impl FnOnce(&mut InnerState<W>) -> Result<(), Cause<Number<W>>>,
+) -> Result<(), Cause<Number<W>>> {
+    let mut part = part::<W>(y);
+    change(&mut part)?;
+    *y = replaced::<W>(y, &part);
+    Ok(())
+}
