@@ -17,6 +17,7 @@ mod naming;
 mod numerals;
 mod product;
 mod reduced;
+mod redundant;
 mod scene;
 mod shape;
 mod size;

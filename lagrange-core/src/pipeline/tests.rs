@@ -178,35 +178,42 @@ fn twenty_thousand_terms_are_derived_and_emitted() {
     assert!(derived.emit(&quote!(::lagrange)).is_ok());
 }
 
-/// What the macro makes of a struct with free particles on lines.
-fn particles(count: usize, emitted: &str) -> String {
-    let numbers = 0..count;
-    let coordinates = numbers.clone().map(|i| format!("coord x{i};")).collect::<String>();
-    let energies = numbers.map(|i| format!("kinetic = dot(x{i})^2;")).collect::<String>();
-    let text =
-        format!("#[allow(deprecated)] struct Particles; {coordinates} {energies} emit {{ {emitted} }};");
-    let tokens = text.parse().expect("tokens");
+/// What the macro makes of a struct with these statements that may be large.
+fn expanded(statements: &str) -> String {
+    let tokens = format!("#[allow(deprecated)] struct Large; {statements}").parse().expect("tokens");
     expand(tokens, &quote!(::lagrange)).to_string()
 }
 
 #[test]
 fn a_mass_matrix_of_two_million_entries_is_refused_before_it_is_derived() {
-    let refused = particles(1415, "mass_matrix");
+    let names = (0..1415).map(|i| format!("x{i}")).collect::<Vec<_>>();
+    let (list, sum) = (names.join(", "), names.join(" + "));
+    let refused = expanded(&format!("coord {list}; kinetic = dot({sum})^2;"));
     assert!(refused.contains("compile_error") && refused.contains("more than 2000000 operations"));
-    assert!(refused.contains("struct Particles"), "the skeleton stands in for it");
+    assert!(refused.contains("struct Large"), "the skeleton stands in for it");
+}
+
+#[test]
+fn zeros_of_a_large_mass_matrix_count_for_nothing() {
+    let coordinates = (0..300).map(|i| format!("coord x{i}; kinetic = dot(x{i})^2;")).collect::<String>();
+    let emitted = expanded(&coordinates);
+    assert!(emitted.contains("fn mass_matrix") && !emitted.contains("LargeSystem"));
 }
 
 #[test]
 fn only_large_systems_are_warned_of_and_the_struct_can_allow_it() {
-    let ordinary = particles(10, "mass_matrix");
-    assert!(!ordinary.contains("LargeSystem"));
-    // 90,000 entries take as long to compile as operations.
-    let large = particles(300, "mass_matrix");
+    let nested = |depth: usize, emitted: &str| {
+        let steps = (1..=depth).map(|i| format!("let z{i} = sin(z{}) + 2 * z{};", i - 1, i - 1));
+        let steps = steps.collect::<String>();
+        expanded(&format!("coord x; let z0 = x; {steps} kinetic = dot(x)^2; potential = z{depth}; {emitted}"))
+    };
+    assert!(!nested(10, "").contains("LargeSystem"));
+    let large = nested(4000, "");
     assert!(
         large.contains("# [allow (deprecated)] const _ : () = { # [deprecated"),
         "under the struct's levels"
     );
-    let without = particles(300, "no mass_matrix");
+    let without = nested(4000, "emit { no forcing, no energy, no inverse_dynamics }");
     assert!(!without.contains("LargeSystem"));
 }
 
