@@ -139,8 +139,7 @@ fn residual(y: &[f64]) -> f64 {
 #[test]
 fn a_wrapped_system_moves_as_one_with_the_same_equations() {
     let method = Verner98::tolerance(1e-11);
-    let declared =
-        Controlled::default().simulate(START).until(2.0).method(method.clone()).run().expect("runs");
+    let declared = Controlled::default().simulate(START).until(2.0).method(method).run().expect("runs");
     let wrapped = Driven(Rod::default()).simulate(START).until(2.0).method(method).run().expect("runs");
     let (expected, found) = (declared.last(), wrapped.last());
     for (found, expected) in found.iter().zip(&expected) {
