@@ -199,7 +199,8 @@ pub trait MechanicalSystem: OdeSystem {
     const COORDINATES: &'static [&'static str];
 
     /// The accelerations at time `t`, coordinates `q` and velocities `v`; not finite where the mass matrix
-    /// is singular.
+    /// is singular in some states only. Masses of emitted types must not be zero: what all terms of an equation share is
+    /// divided out, and a pendulum without mass would move as one with it.
     fn acceleration(
         &self,
         t: Self::Scalar,

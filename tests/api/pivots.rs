@@ -48,18 +48,18 @@ fn a_regular_matrix_may_have_pivots_that_vanish() {
     for x in [0.0, 1e-300, 1e-12, -1e-7, 1e-5, 0.4, -1.3] {
         // sin x ẍ + ½ cos x ẋ² + ÿ + 1 = 0 and ẍ + y = 0
         let expected = [-y, -1.0 - 0.5 * f64::cos(x) * v * v + f64::sin(x) * y];
-        assert_near(&Indefinite::default().acceleration(0.0, &[x, y], &[v, 0.7]), &expected);
+        assert_near(&Indefinite.acceleration(0.0, &[x, y], &[v, 0.7]), &expected);
     }
     for [x, y] in [[0.0, 0.0], [0.0, 3.0], [3.0, 0.0], [1e-9, 2.0], [2.0, 3.0]] {
         // x ẍ + ÿ = −½ ẋ² − 1 and ẍ + y ÿ = −½ ẏ² − 2
         let (f, g) = (-0.5 * 0.09 - 1.0, -0.5 * 0.49 - 2.0);
         let determinant = x * y - 1.0;
         let expected = [(f * y - g) / determinant, (x * g - f) / determinant];
-        assert_near(&Saddle::default().acceleration(0.0, &[x, y], &[0.3, 0.7]), &expected);
+        assert_near(&Saddle.acceleration(0.0, &[x, y], &[0.3, 0.7]), &expected);
     }
     // Here the matrix is singular, and at the other state not everything is known.
-    let singular = Saddle::default().acceleration(0.0, &[1.0, 1.0], &[0.0; 2]);
-    let unknown = Saddle::default().acceleration(0.0, &[0.0, 1.0], &[f64::NAN, 0.0]);
+    let singular = Saddle.acceleration(0.0, &[1.0, 1.0], &[0.0; 2]);
+    let unknown = Saddle.acceleration(0.0, &[0.0, 1.0], &[f64::NAN, 0.0]);
     assert!([singular, unknown].iter().flatten().all(|a| a.is_nan()), "{singular:?}, {unknown:?}");
 }
 
@@ -74,7 +74,7 @@ fn constraints_make_up_for_inertia_that_is_missing() {
     let (mut q, mut v) = ([0.5, 0.3], [1.0, 2.0]);
     free.project(0.0, &mut q, &mut v).expect("y is where it is");
     assert_near(&[q, v].concat(), &[0.3, 0.3, 2.0, 2.0]);
-    let switched = Switched::default();
+    let switched = Switched;
     assert_near(&switched.acceleration(0.0, &[2.0; 2], &[0.5; 2]), &[-1.0, -1.0]);
     assert_near(&switched.acceleration(0.0, &[0.5; 2], &[0.5; 2]), &[-0.5, -0.5]);
     assert_near(&switched.multipliers(0.0, &[2.0; 2], &[0.5; 2]), &[0.0]);

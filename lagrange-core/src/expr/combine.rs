@@ -105,7 +105,7 @@ impl Graph {
     /// `Π base ^ exponent`
     ///
     /// Numbers are folded, equal bases collected, cancelling nested products opened. Powers of powers are
-    /// combined where both sides have the same domain: `x^½ · x^½` stays unless `x` is known not to be negative. Magnitudes
+    /// combined where both sides have the same domain: `(x³)^⅓` stays and `x^½ · x^½` does unless `x` is known not to be negative. Magnitudes
     /// have none but odd powers: `(x²)^½` is `|x|` and `|x|²` is `x²`, which has a second derivative at 0.
     pub fn product(&mut self, factors: impl IntoIterator<Item = Weighted>) -> ExprId {
         let mut coefficient = Number::ONE;
@@ -162,7 +162,9 @@ impl Graph {
     fn flatten_power(&self, base: ExprId, exponent: Number) -> Weighted {
         if let Node::Product(factors) = self.node(base)
             && let [(inner, power)] = &**factors
-            && (exponent.is_integer() || !power.is_even() || self.is_nonnegative(*inner))
+            && (exponent.is_integer()
+                || !(power * &exponent).is_integer() && !power.is_even()
+                || self.is_nonnegative(*inner))
         {
             return (*inner, power * &exponent);
         }

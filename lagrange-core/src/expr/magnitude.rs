@@ -44,13 +44,16 @@ impl Graph {
         Some(opened)
     }
 
-    /// (Π b)ᵉ = Π bᵉ where a root or a hypotenuse among the factors vanishes thereby.
+    /// (Π b)ᵉ = Π bᵉ where a root of what is not negative, or a hypotenuse, vanishes thereby.
     fn opened_power(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let hides_root = |(base, exponent): &Weighted| {
             let Node::Product(inner) = self.node(*base) else { return false };
             let vanishes = |(part, power): &Weighted| match self.node(*part) {
                 Node::Call(Function::Hypot, _) => (power * exponent).is_even(),
-                _ => !power.is_integer() && !power.is_negative() && (power * exponent).is_integer(),
+                _ => {
+                    let is_root = !power.is_integer() && !power.is_negative() && self.is_nonnegative(*part);
+                    is_root && (power * exponent).is_integer()
+                }
             };
             exponent.is_integer() && !exponent.is_one() && inner.iter().any(vanishes)
         };
@@ -76,7 +79,7 @@ impl Graph {
     }
 
     /// |a| |b| = |a b| where both have a factor in common, as in |k v| |v| = |k| v².
-    fn joined_magnitudes(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+    fn joined_magnitudes(&mut self, factors: &mut [Weighted]) -> Option<Vec<Weighted>> {
         let magnitudes = factors.iter().filter_map(|(base, exponent)| match self.node(*base) {
             Node::Call(Function::Abs, arguments) if exponent.is_odd() => Some((*base, arguments[0])),
             _ => None,

@@ -194,3 +194,18 @@ fn slopes_of_a_magnitude_have_the_square_one() {
     let sign = g.call(Function::Sign, &[a]);
     assert_ne!(g.square(sign), one, "a sign that was written is zero at zero");
 }
+
+/// A root is real from zero upwards, odd roots included.
+#[test]
+fn roots_of_odd_powers_keep_their_domain() {
+    let (mut g, [a, ..]) = letters();
+    let [third, fifth] = [3, 5].map(|n| Number::ratio(1, n).expect("no zero"));
+    let cube = g.power(a, Number::from(3));
+    assert_ne!(g.power(cube, third.clone()), a);
+    assert_eq!(g.power(cube, fifth), g.power(a, Number::ratio(3, 5).expect("no zero")));
+    let two_thirds = g.power(a, Number::ratio(2, 3).expect("no zero"));
+    assert_ne!(g.power(two_thirds, Number::ratio(3, 2).expect("no zero")), a);
+    let magnitude = g.call(Function::Abs, &[a]);
+    let cube = g.power(magnitude, Number::from(3));
+    assert_eq!(g.power(cube, third), magnitude, "a magnitude is not negative");
+}

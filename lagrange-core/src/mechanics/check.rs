@@ -35,6 +35,7 @@ impl Elaborator<'_> {
             Energies::Separate { kinetic, potential } => self.evaluator.graph.subtract(kinetic, potential),
             Energies::Lagrangian => self.total(|elaborator| &elaborator.lagrangian),
         };
+        self.check_signs();
         let lagrangian = without_kinks(&mut self.evaluator.graph, lagrangian);
         self.check_inertia(lagrangian);
         if self.evaluator.report.has_errors() {

@@ -34,8 +34,14 @@ pub(super) const UNKNOWNS: &[Dependencies] =
 pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
     let mut elaborator = Elaborator::new(plain, report);
     for claim in &plain.claims {
-        if let Claim::PlaneVector { value, .. } = claim {
-            elaborator.evaluator.claimed_vectors.insert(*value, ());
+        match claim {
+            Claim::PlaneVector { value, .. } => {
+                elaborator.evaluator.claimed_vectors.insert(*value, ());
+            }
+            Claim::PositiveMass { mass: claimed, .. } | Claim::Inertia { inertia: claimed, .. } => {
+                elaborator.evaluator.claimed_masses.insert(*claimed, ());
+            }
+            _ => {}
         }
     }
     for statement in &plain.declaration.statements {

@@ -35,6 +35,8 @@ pub(super) struct Evaluator<'a> {
     values: HashMap<AstId, Option<Operand>>,
     /// What is claimed to be a vector: that it is none is reported there, not for each of its components.
     pub(super) claimed_vectors: HashMap<AstId, ()>,
+    /// What is claimed to be a mass or a moment of inertia of a body: that it is negative is reported there.
+    pub(super) claimed_masses: HashMap<AstId, ()>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -52,6 +54,7 @@ impl<'a> Evaluator<'a> {
             unresolved: Unresolved::default(),
             values: HashMap::default(),
             claimed_vectors: HashMap::default(),
+            claimed_masses: HashMap::default(),
         }
     }
 

@@ -4,7 +4,9 @@ use super::expression::Evaluator;
 use super::inertia;
 use super::messages;
 use super::operand::{Operand, cross, half_square, inner, norm};
+use crate::calculus::evaluate;
 use crate::diagnostics::nearest;
+use crate::expr::{Dependencies, ExprId};
 use crate::functions;
 use crate::syntax::ast::{AstId, Name};
 
@@ -82,10 +84,25 @@ impl Evaluator<'_> {
                 let weight =
                     self.scalar(arguments[0], &format!("the first argument of `{name}`", name = name.text))?;
                 let components = self.value(arguments[1])?;
+                if name.text == "kinetic_energy" {
+                    self.check_mass(arguments[0], weight)?;
+                }
                 Some(Operand::Scalar(half_square(&mut self.graph, weight, components.components())))
             }
             _ => self.evaluate_elementary(&name.text, arguments, call),
         }
+    }
+
+    /// Reports a mass or moment of inertia that is negative whatever the parameters are.
+    fn check_mass(&mut self, syntax: AstId, mass: ExprId) -> Option<()> {
+        let is_judged =
+            self.graph.dependencies(mass) == Dependencies::NONE && !self.claimed_masses.contains(&syntax);
+        if !is_judged || evaluate(&self.graph, &[mass], |_| f64::NAN)[0] >= 0.0 {
+            return Some(());
+        }
+        let error = self.report.error(self.origin(syntax), messages::NEGATIVE_INERTIA);
+        error.help(messages::NEGATIVE_INERTIA_HELP);
+        None
     }
 
     fn report_no_function(&mut self, name: &Name) {

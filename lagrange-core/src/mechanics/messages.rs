@@ -203,6 +203,15 @@ pub(super) fn no_inertia(name: &str) -> String {
 
 pub(super) const NO_INERTIA_HELP: &str = "add its kinetic energy, or make it a `param` or an `input`";
 
+pub(super) const NEGATIVE_INERTIA: &str = "this mass or moment of inertia is negative";
+
+pub(super) fn negative_kinetic_energy(name: &str) -> String {
+    format!("the kinetic energy of this falls as `{name}` moves faster, but inertia is positive")
+}
+
+pub(super) const NEGATIVE_INERTIA_HELP: &str =
+    "mind the sign; a Lagrangian that is not T − V can be given as `lagrangian = …;`";
+
 pub(super) const MOMENTA_JUMP: &str =
     "energies need second derivatives by velocities, but here a momentum jumps where this changes its branch";
 

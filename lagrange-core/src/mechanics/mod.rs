@@ -37,6 +37,7 @@ mod responses;
 mod roads;
 mod scene;
 mod scope;
+mod signs;
 mod smoothness;
 mod solve;
 mod squares;

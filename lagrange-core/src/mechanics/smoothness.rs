@@ -96,7 +96,8 @@ fn moving_factors(graph: &Graph, id: ExprId) -> Vec<ExprId> {
         match graph.node(id) {
             _ if !is_moving(graph, id) => {}
             Node::Product(factors) => {
-                pending.extend(factors.iter().filter(|(_, e)| !e.is_even()).map(|(base, _)| *base))
+                let odd = factors.iter().filter(|(_, exponent)| !exponent.is_even());
+                pending.extend(odd.map(|(base, _)| *base));
             }
             _ => found.push(id),
         }

@@ -32,7 +32,7 @@ fn solve(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let smallest = ROUNDINGS * size as f64 * f64::EPSILON;
     for k in 0..size {
         let (i, j) = largest(&rows, k);
-        if !(rows[i][j].abs() > smallest) {
+        if rows[i][j].abs() <= smallest {
             return None;
         }
         rows.swap(k, i);

@@ -245,3 +245,15 @@ fn reduced_types_keep_attributes_but_not_documentation() {
     let items = derived.emit(&quote!(::lagrange)).expect("constants that fit").to_string();
     assert_eq!(items.matches("hidden").count(), 2);
 }
+
+/// One rule for roots: real from zero upwards, be they odd or even.
+#[test]
+fn roots_of_odd_powers_are_real_where_their_radicands_are_not_negative() {
+    let text = "coord x; kinetic = dot(x)^2; output a = (x^3)^(1/3); output b = (x^5)^(1/5) + (x^2)^(1/2);";
+    let system = NumericSystem::new(&derived(text));
+    for (name, expected) in [("a", 0.7), ("b", 1.4)] {
+        let [below, above] =
+            [-0.7, 0.7].map(|x| system.output(name, 0.0, &[x], &[0.0]).expect("declared")[0]);
+        assert!(below.is_nan() && (above - expected).abs() < 1e-15, "{name}: {below}, {above}");
+    }
+}

@@ -204,8 +204,11 @@ fn slope(equations: &Equations, mass: &[Vec<Number>], a: &[Number], at: &Point, 
     solve(mass, &right.collect::<Vec<_>>()).expect("it was regular")
 }
 
+/// The accelerations, and every product with its value.
+type Truth = (Vec<Number>, Vec<(Product, Vec<Number>)>);
+
 /// Every product with its exact value.
-fn truth(system: &System, at: &Point) -> Option<(Vec<Number>, Vec<(Product, Vec<Number>)>)> {
+fn truth(system: &System, at: &Point) -> Option<Truth> {
     let equations = Equations::new(system);
     let mass = equations.mass.iter().map(|row| values(row, at)).collect::<Vec<_>>();
     let forcing = values(&equations.forcing, at);

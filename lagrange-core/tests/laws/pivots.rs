@@ -61,7 +61,7 @@ fn determinant(m: &[Vec<f64>]) -> f64 {
         return 1.0;
     }
     let minor = |j: usize| m[1..].iter().map(|row| [&row[..j], &row[j + 1..]].concat()).collect::<Vec<_>>();
-    let sign = |j: usize| if j % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |j: usize| if j.is_multiple_of(2) { 1.0 } else { -1.0 };
     (0..m.len()).map(|j| sign(j) * m[0][j] * determinant(&minor(j))).sum()
 }
 
