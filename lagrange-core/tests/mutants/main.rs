@@ -61,14 +61,17 @@ fn every_mutant_is_emitted_or_complained_about() {
         accepted += usize::from(matches!(verdict.answer, Some(Answer::Accepted | Answer::Clean)));
         match &verdict.failure {
             Some(failure) => failures.push(format!("case {}: {failure}\n{}", verdict.case, verdict.text)),
-            None => clean.extend((verdict.answer == Some(Answer::Clean)).then_some(verdict.case)),
+            None if verdict.answer == Some(Answer::Clean) && verdict.case % WHOLE == 0 => {
+                clean.push(verdict.case);
+            }
+            None => {}
         }
     }
-    println!("{count} mutants, {accepted} of them accepted, {} without a warning", clean.len());
+    println!("{count} mutants, {accepted} of them accepted, {} emitted without a warning", clean.len());
     println!("slowest: {:.3} s, case {}", slowest.seconds, slowest.case);
     println!("largest: {:.1} MB, case {}", largest.bytes as f64 / 1e6, largest.case);
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n\n"));
-    assert!(count < 1_000 || clean.len() > count / 50, "{} of {count} are accepted", clean.len());
+    assert!(count < 1_000 || accepted > count / 50, "{accepted} of {count} are accepted");
     compiled::without_warnings(&clean, |case| mutant(&shared, case));
 }
 
