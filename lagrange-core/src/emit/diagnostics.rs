@@ -28,11 +28,12 @@ pub fn diagnostics(diagnostics: &[Diagnostic], attributes: &TokenStream) -> Toke
         Severity::Error | Severity::Unused(_) => None,
     });
     let mut notices = notices.collect::<TokenStream>();
-    let mut warnings = (!unused.is_empty()).then(|| warnings(&unused, attributes)).unwrap_or_default();
     // With errors there may be warnings that were not looked for.
-    if errors.is_empty() && warnings.is_empty() {
-        warnings = nothing(expectations(attributes, &UNUSED[..1]));
-    }
+    let warnings = match () {
+        () if !unused.is_empty() => warnings(&unused, attributes),
+        () if errors.is_empty() => nothing(expectations(attributes, &UNUSED[..1])),
+        () => TokenStream::new(),
+    };
     if errors.is_empty() && notices.is_empty() {
         notices = nothing(expectations(attributes, NOTICE));
     }

@@ -177,7 +177,8 @@ fn path_length(tokens: &[TokenTree]) -> Option<usize> {
 fn is_segment(token: &TokenTree) -> bool {
     let TokenTree::Ident(word) = token else { return false };
     let word = word.to_string();
-    !keywords::is_rust_keyword(&word) || ["crate", "self", "super", "unsafe"].contains(&word.as_str())
+    let is_name = word != "_" && !keywords::is_rust_keyword(&word);
+    is_name || ["crate", "self", "super", "unsafe"].contains(&word.as_str())
 }
 
 fn is_punct(token: &TokenTree, character: char) -> bool {

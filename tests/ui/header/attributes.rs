@@ -23,4 +23,12 @@ lagrange::system! {
     kinetic = 1/2 * dot(x)^2;
 }
 
+lagrange::system! {
+    #[derive *]
+    pub(crate crate) struct Malformed;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+}
+
 fn main() {}

@@ -33,4 +33,11 @@ lagrange::system! {
     kinetic = 1/2 * dot(x)^2;
 }
 
+lagrange::system! {
+    pub struct Single<f32>;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+}
+
 fn main() {}

@@ -128,6 +128,7 @@ fn what_is_no_attribute_of_rust_is_refused() {
         "[doc = ]",
         "[doc = 1 2]",
         "[do = 1]",
+        "[_ = 1]",
         "[= 1]",
         "[]",
         "[a::]",

@@ -1,0 +1,98 @@
+//! All declarations of the repository as lists of tokens.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
+
+/// Where declarations are, from the root of the repository.
+const PLACES: [&str; 7] = [
+    "lagrange-core/tests/mutants",
+    "README.md",
+    "examples",
+    "lagrange-core/tests/golden",
+    "lagrange-core/tests/laws",
+    "src",
+    "tests",
+];
+/// What is put before a bare list of statements.
+const HEAD: [&str; 4] = ["pub", "struct", "Machine", ";"];
+/// What begins a declaration in Rust and in documentation.
+const MACRO: &str = "system! {";
+
+/// A declaration of the repository, right or wrong.
+pub(crate) struct Declaration {
+    /// Its tokens; brackets are tokens, too.
+    pub(crate) pieces: Vec<String>,
+}
+
+/// Those of at most so many characters, in the order of their files.
+pub(crate) fn declarations(longest: usize) -> Vec<Declaration> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut texts = PLACES.iter().flat_map(|place| texts(&root.join(place))).collect::<Vec<_>>();
+    texts.retain(|text| text.len() <= longest);
+    let tokens = texts.iter().filter_map(|text| text.parse::<TokenStream>().ok());
+    let pieces = tokens.map(|tokens| {
+        let mut pieces = Vec::new();
+        flatten(tokens, &mut pieces);
+        if !pieces.iter().any(|piece| piece == "struct") {
+            pieces.splice(0..0, HEAD.map(str::to_owned));
+        }
+        pieces
+    });
+    pieces.map(|pieces| Declaration { pieces }).collect()
+}
+
+fn texts(path: &Path) -> Vec<String> {
+    if path.is_dir() {
+        let entries = fs::read_dir(path).expect("a directory");
+        let mut entries = entries.map(|entry| entry.expect("an entry").path()).collect::<Vec<PathBuf>>();
+        entries.sort();
+        return entries.iter().flat_map(|entry| texts(entry)).collect();
+    }
+    let read = || fs::read_to_string(path).expect("readable text");
+    match path.extension().and_then(|extension| extension.to_str()) {
+        Some("lag") => vec![read()],
+        Some("rs" | "md") => read().split(MACRO).skip(1).filter_map(body).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// What stands before the brace that closes the macro.
+fn body(text: &str) -> Option<String> {
+    let mut open = 1;
+    let end = text.find(|character| {
+        open += i32::from(character == '{') - i32::from(character == '}');
+        open == 0
+    });
+    // In documentation comments of Rust every line begins with a mark.
+    let unmarked = |line: &str| line.trim_start().trim_start_matches("//!").to_owned() + "\n";
+    end.map(|end| text[..end].lines().map(unmarked).collect())
+}
+
+fn flatten(tokens: TokenStream, pieces: &mut Vec<String>) {
+    let mut operator = String::new();
+    for token in tokens {
+        match token {
+            TokenTree::Punct(punct) => {
+                operator.push(punct.as_char());
+                if punct.spacing() == Spacing::Alone {
+                    pieces.push(std::mem::take(&mut operator));
+                }
+            }
+            TokenTree::Group(group) => {
+                let [open, close] = match group.delimiter() {
+                    Delimiter::Parenthesis => ["(", ")"],
+                    Delimiter::Bracket => ["[", "]"],
+                    Delimiter::Brace => ["{", "}"],
+                    Delimiter::None => ["", ""],
+                };
+                pieces.push(open.to_owned());
+                flatten(group.stream(), pieces);
+                pieces.push(close.to_owned());
+            }
+            other => pieces.push(other.to_string()),
+        }
+    }
+    pieces.extend((!operator.is_empty()).then_some(operator));
+}

@@ -1,0 +1,127 @@
+//! No text makes the compiler panic, hang, grow or emit what is no Rust: all declarations of the repository, changed at
+//! random in a few places.
+//!
+//! Case n is the same in every run. `LAGRANGE_MUTANTS` says which ones to take, as a number or as a range:
+//!
+//! ```sh
+//! LAGRANGE_MUTANTS=1000000 cargo test --release -p lagrange-core --test mutants
+//! LAGRANGE_MUTANTS=4711..4712 cargo test --release -p lagrange-core --test mutants
+//! ```
+//!
+//! `LAGRANGE_MUTANTS_COMPILED=200` builds that many of the accepted ones with `cargo check`, warnings denied.
+//!
+//! A test binary of its own, since it replaces the allocator.
+
+mod compiled;
+mod corpus;
+mod guard;
+mod mutation;
+mod random;
+
+use std::ops::Range;
+use std::sync::Arc;
+use std::{env, panic};
+
+use lagrange_core::pipeline::{expand, parse};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use corpus::Declaration;
+use guard::{Answer, Case, Verdict};
+use random::Random;
+
+/// How many are taken in every run of the tests.
+const USUAL: usize = 20_000;
+/// One of so many is derived and emitted, too: unoptimised, that takes ten times as long as to read and check it.
+const WHOLE: usize = if cfg!(debug_assertions) { 16 } else { 1 };
+/// Optimised builds also take long declarations, whose derivation takes others seconds.
+const LONGEST: usize = if cfg!(debug_assertions) { 700 } else { 6_000 };
+
+#[test]
+fn every_mutant_is_emitted_or_complained_about() {
+    let cases = cases(env::var("LAGRANGE_MUTANTS").ok().as_deref());
+    let corpus = corpus::declarations(LONGEST);
+    assert!(corpus.len() > 100, "{} declarations found", corpus.len());
+    let (mut clean, mut accepted) = (Vec::new(), 0);
+    let count = cases.len();
+    panic::set_hook(Box::new(|_| {}));
+    let shared = Arc::new(corpus);
+    let corpus = Arc::clone(&shared);
+    let verdicts = guard::run(cases, move |case| examined(mutant(&corpus, case), case % WHOLE == 0));
+    drop(panic::take_hook());
+    let mut failures = Vec::new();
+    let (mut slowest, mut largest) = (Verdict::default(), Verdict::default());
+    for verdict in verdicts {
+        if verdict.seconds > slowest.seconds {
+            slowest = verdict.clone();
+        }
+        if verdict.bytes > largest.bytes {
+            largest = verdict.clone();
+        }
+        accepted += usize::from(matches!(verdict.answer, Some(Answer::Accepted | Answer::Clean)));
+        match &verdict.failure {
+            Some(failure) => failures.push(format!("case {}: {failure}\n{}", verdict.case, verdict.text)),
+            None if verdict.answer == Some(Answer::Clean) && verdict.case % WHOLE == 0 => {
+                clean.push(verdict.case);
+            }
+            None => {}
+        }
+    }
+    println!("{count} mutants, {accepted} of them accepted, {} emitted without a warning", clean.len());
+    println!("slowest: {:.3} s, case {}", slowest.seconds, slowest.case);
+    println!("largest: {:.1} MB, case {}", largest.bytes as f64 / 1e6, largest.case);
+    assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n\n"));
+    assert!(count < 1_000 || accepted > count / 50, "{accepted} of {count} are accepted");
+    compiled::without_warnings(&clean, |case| mutant(&shared, case));
+}
+
+/// The cases that are asked for, the usual ones if none are.
+fn cases(wanted: Option<&str>) -> Range<usize> {
+    let number = |text: &str| text.parse().expect("LAGRANGE_MUTANTS is a number or a range");
+    match wanted.map(|wanted| wanted.split_once("..").ok_or(wanted)) {
+        None => 0..USUAL,
+        Some(Err(count)) => 0..number(count),
+        Some(Ok((from, to))) => number(from)..number(to),
+    }
+}
+
+/// A declaration with a few changes, the same for each number in every run; the first are the declarations themselves.
+fn mutant(corpus: &[Declaration], case: usize) -> String {
+    if let Some(declaration) = corpus.get(case) {
+        return mutation::text(&declaration.pieces);
+    }
+    let random = &mut Random::new(case as u64);
+    let mut pieces = random.choice(corpus).pieces.clone();
+    // Most with a single change, so that many are accepted.
+    for _ in 0..*random.choice(&[1, 1, 1, 2, 3]) {
+        mutation::change(&mut pieces, corpus, random);
+    }
+    mutation::text(&pieces)
+}
+
+/// What is to be done with a text: everything, or no more than to read and check it.
+fn examined(text: String, is_whole: bool) -> Case {
+    Case { judge: if is_whole { expanded } else { checked }, text }
+}
+
+/// What is emitted has to be Rust.
+fn expanded(text: &str) -> Result<Answer, String> {
+    let Ok(tokens) = text.parse::<TokenStream>() else { return checked(text) };
+    let emitted = expand(tokens, &quote!(::lagrange)).to_string();
+    syn::parse_file(&emitted).map_err(|error| format!("the output is no Rust: {error}"))?;
+    let has = |word: &str| emitted.contains(word);
+    Ok(match () {
+        () if has("compile_error") => Answer::Refused,
+        () if has("deprecated") || has("const _ : fn ()") => Answer::Accepted,
+        () => Answer::Clean,
+    })
+}
+
+fn checked(text: &str) -> Result<Answer, String> {
+    match parse(text) {
+        Err(report) if report.has_errors() => Ok(Answer::Refused),
+        Err(_) => Err("refused without an error".to_owned()),
+        Ok(system) if system.report.diagnostics().is_empty() => Ok(Answer::Clean),
+        Ok(_) => Ok(Answer::Accepted),
+    }
+}
