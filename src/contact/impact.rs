@@ -72,7 +72,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         if let Some(collision) = part(S::ONE).filter(|collision| !creates(collision)) {
             return Ok(collision);
         }
-        self.reduced(&part, creates).ok_or(Cause::Stuck(NO_IMPULSES))
+        self.reduced(part, creates).ok_or(Cause::Stuck(NO_IMPULSES))
     }
 
     /// The impact with the largest part of the restitution with which there are impulses and no energy is created, as there are and it

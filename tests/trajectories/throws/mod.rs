@@ -22,7 +22,6 @@ const MOST_STEPS: u64 = 5_000;
 const USUAL: u64 = 70;
 
 /// What came of a throw.
-#[derive(Debug)]
 struct Outcome {
     throw: String,
     failure: Option<String>,
@@ -112,7 +111,8 @@ fn bodies_thrown_onto_rough_ground_go_on() {
     for outcome in (0..count).map(thrown) {
         (steps, rise, depth) = (steps.max(outcome.steps), rise.max(outcome.rise), depth.max(outcome.depth));
         if !outcome.is_as_it_should_be() {
-            failed.push(outcome);
+            let Outcome { throw, failure, steps, rise, depth } = outcome;
+            failed.push(format!("{throw}: {failure:?}, {steps} steps, {rise:e} up, {depth:e} deep"));
         }
     }
     println!("{count} throws: at most {steps} steps, energy rises by {rise:e}, {depth:e} deep");
