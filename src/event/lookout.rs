@@ -19,7 +19,7 @@ impl<S: Scalar, Y: Copy, const K: usize> Lookout<S, Y, K> {
         Lookout { watch, next: None }
     }
 
-    /// When the next event in the last step happens.
+    /// When the next event in the last step of a run to `end` happens.
     ///
     /// # Errors
     /// As [`Watch::next`].
@@ -27,6 +27,7 @@ impl<S: Scalar, Y: Copy, const K: usize> Lookout<S, Y, K> {
         &mut self,
         system: &M,
         stepper: &mut impl Stepper<M>,
+        end: S,
         values: impl FnMut(S, &Y) -> [S; K],
     ) -> Result<Option<S>, Cause<S>>
     where
@@ -34,6 +35,9 @@ impl<S: Scalar, Y: Copy, const K: usize> Lookout<S, Y, K> {
     {
         if self.next.is_none() {
             self.next = self.watch.next(system, stepper, values)?;
+        }
+        if self.next.is_none() && stepper.time() == end {
+            self.next = self.watch.next_at_end(end, stepper.state());
         }
         Ok(self.time())
     }
@@ -70,7 +74,7 @@ impl<M: OdeSystem> Declarations<M> {
         Declarations { lookout: Lookout::new(watch) }
     }
 
-    /// When the next of them in the last step happens.
+    /// When the next of them in the last step of a run to `end` happens.
     ///
     /// # Errors
     /// As [`Watch::next`].
@@ -78,11 +82,12 @@ impl<M: OdeSystem> Declarations<M> {
         &mut self,
         system: &M,
         stepper: &mut impl Stepper<M>,
+        end: M::Scalar,
     ) -> Result<Option<M::Scalar>, Cause<M::Scalar>> {
         if M::EVENTS.is_empty() {
             return Ok(None);
         }
-        self.lookout.look(system, stepper, |t, y| values(system, t, y))
+        self.lookout.look(system, stepper, end, |t, y| values(system, t, y))
     }
 
     pub(crate) fn take(&mut self) -> Option<Occurrence<M::Scalar, M::State>> {
