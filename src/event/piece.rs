@@ -97,11 +97,11 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         (first, mut sign): (usize, S),
         detector: &Detector<S>,
     ) -> Sight<S> {
-        for j in first.max(1)..POINTS {
-            if detector.direction.counts(sign, values[j]) {
+        for (j, value) in values.iter().enumerate().skip(first.max(1)) {
+            if detector.direction.counts(sign, *value) {
                 return Sight::Between { from: self.times[j - 1], to: self.times[j], sign };
             }
-            sign = if values[j] == S::ZERO { sign } else { values[j] };
+            sign = if *value == S::ZERO { sign } else { *value };
         }
         Sight::Nothing
     }

@@ -6,16 +6,11 @@ use super::direction::Direction;
 use super::locate::{ACCURACY, MOST_ROUNDS, Sample, locate};
 use super::piece::{Piece, Sight};
 use super::polynomial::{POINTS, points};
+use super::search::Search;
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
 use crate::system::OdeSystem;
 
-/// A step is cut into pieces that are no shorter than this part of it,
-const SHORTEST: f64 = 1.0 / 4096.0;
-/// and, once so many of these did not tell whether there is a zero, as with noise,
-const MOST_UNCLEAR: u32 = 64;
-/// no shorter than this.
-const SHORTEST_IF_UNCLEAR: f64 = 1.0 / 16.0;
 /// The part of a step after which the state has left what it was replaced by.
 const SHORTLY: f64 = 1e-10;
 /// A step is halved so often in search of a hop that is shorter.
@@ -51,54 +46,6 @@ pub struct Watch<S, const K: usize> {
     /// How often it was, each time no later than rounding can tell, and the last event before.
     repetitions: u32,
     last: usize,
-}
-
-/// How a step is looked at: in pieces, the shorter the more a function changes.
-#[derive(Clone, Copy, Debug)]
-struct Search<S> {
-    /// Start and end of the step.
-    from: S,
-    to: S,
-    /// The next piece to try, as a part of the step.
-    part: S,
-    /// How many pieces were as short as they may be and did not tell.
-    unclear: u32,
-}
-
-impl<S: Scalar> Search<S> {
-    fn new(from: S, to: S) -> Self {
-        Search { from, to, part: S::ONE, unclear: 0 }
-    }
-
-    /// The end of the next piece, which begins at `start`.
-    fn end(&self, start: S) -> S {
-        let (end, left) = (start + self.part * (self.to - self.from), self.to - start);
-        let is_last = self.part == S::ONE || (end - start).abs() >= left.abs() || end == start;
-        if is_last { self.to } else { end }
-    }
-
-    fn is_shortest(&self) -> bool {
-        let shortest = if self.unclear < MOST_UNCLEAR { SHORTEST } else { SHORTEST_IF_UNCLEAR };
-        self.part <= S::from_f64(shortest)
-    }
-
-    fn shorten(&mut self) {
-        self.part = self.part / S::from_f64(2.0);
-    }
-
-    /// A piece was looked at up to an event.
-    fn pause(&mut self) {
-        self.unclear += u32::from(self.is_shortest());
-        if self.unclear >= MOST_UNCLEAR {
-            self.part = self.part.max(S::from_f64(SHORTEST_IF_UNCLEAR));
-        }
-    }
-
-    /// A piece was looked at to its end.
-    fn go_on(&mut self) {
-        self.pause();
-        self.part = (self.part + self.part).min(S::ONE);
-    }
 }
 
 /// Which function has an event, and when.
@@ -185,7 +132,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         (from, to): (S, S),
         mut values: impl FnMut(S) -> [S; K],
     ) -> Result<Option<Suspect<S>>, Cause<S>> {
-        if (self.search.from, self.search.to) != (from, to) {
+        if !self.search.is_of(from, to) {
             self.search = Search::new(from, to);
         }
         let is_past = |t: S, reached: S| if to < from { t >= reached } else { t <= reached };
@@ -312,7 +259,8 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         mut value: impl FnMut(S) -> S,
     ) -> Option<(Sample<S>, Sample<S>)> {
         let after = (to, value(to));
-        if !(after.1 * sign < S::ZERO) {
+        let is_change = after.1 * sign < S::ZERO;
+        if !is_change {
             return None;
         }
         let before = if from == self.reached { detector.here } else { value(from) };
