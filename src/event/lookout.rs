@@ -20,7 +20,7 @@ impl<S: Scalar, Y: Copy, const K: usize> Lookout<S, Y, K> {
         Lookout { watch, next: None }
     }
 
-    /// When the next event in the last step happens.
+    /// When the next event in the last step of a run to `end` happens.
     ///
     /// # Errors
     /// As [`Watch::next`].
@@ -28,6 +28,7 @@ impl<S: Scalar, Y: Copy, const K: usize> Lookout<S, Y, K> {
         &mut self,
         system: &M,
         stepper: &mut impl Stepper<M>,
+        end: S,
         values: impl FnMut(S, &Y) -> [S; K],
     ) -> Result<Option<S>, Cause<S>>
     where
@@ -35,6 +36,9 @@ impl<S: Scalar, Y: Copy, const K: usize> Lookout<S, Y, K> {
     {
         if self.next.is_none() {
             self.next = self.watch.next(system, stepper, values)?;
+        }
+        if self.next.is_none() && stepper.time() == end {
+            self.next = self.watch.next_at_end(end, stepper.state());
         }
         Ok(self.time())
     }
@@ -89,7 +93,7 @@ impl<M: OdeSystem> Declarations<M> {
         Declarations { lookout: Lookout::new(watch), change: None }
     }
 
-    /// When the next of them in the last step happens.
+    /// When the next of them in the last step of a run to `end` happens.
     ///
     /// # Errors
     /// As [`Watch::next`].
@@ -97,12 +101,13 @@ impl<M: OdeSystem> Declarations<M> {
         &mut self,
         system: &M,
         stepper: &mut impl Stepper<M>,
+        end: M::Scalar,
     ) -> Result<Option<M::Scalar>, Cause<M::Scalar>> {
         if M::EVENTS.is_empty() {
             return Ok(None);
         }
         let is_new = self.lookout.next.is_none();
-        self.lookout.look(system, stepper, |t, y| values(system, t, y))?;
+        self.lookout.look(system, stepper, end, |t, y| values(system, t, y))?;
         if let Some(next) = self.lookout.next
             && is_new
             && M::EVENTS[next.event].is_side

@@ -125,7 +125,7 @@ where
     let mut switched = begun.map_err(|cause| failed(cause, t0, y0))?;
     let current = switched.as_ref().unwrap_or(system);
     let mut stepper = method.start(current, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
-    let mut events = Events { declared: Declarations::new(current, t0, stepper.state()), given };
+    let mut events = Events { end: t_end, declared: Declarations::new(current, t0, stepper.state()), given };
     let has_events = E > 0 || !M::EVENTS.is_empty();
     let mut restarts = Restarts::new(t0, t_end, &[]);
     observe(t0, stepper.state());
@@ -155,6 +155,7 @@ where
 
 /// All events of a run.
 struct Events<M: OdeSystem, V, R, const E: usize> {
+    end: M::Scalar,
     declared: Declarations<M>,
     given: Given<M::Scalar, M::State, V, R, E>,
 }
@@ -182,10 +183,9 @@ where
     fn turn(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Outcome<M, Option<Turn<M>>> {
         loop {
             let found = self.look(system, stepper);
-            let found = found.map_err(|cause| IntegrationError {
-                cause,
-                time: stepper.time(),
-                state: *stepper.state(),
+            let found = found.map_err(|cause| {
+                let time = stepper.last_time();
+                IntegrationError { cause, time, state: stepper.interpolate(system, time) }
             })?;
             let Some((kind, time)) = found else { return Ok(None) };
             let Some(event) = self.take(kind) else { return Ok(None) };
@@ -241,8 +241,8 @@ where
     /// The next event in the last step: which it is, and when.
     fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Next<M> {
         let from = stepper.last_time();
-        let declared = self.declared.look(system, stepper)?;
-        let given = self.given.lookout.look(system, stepper, &mut self.given.values);
+        let declared = self.declared.look(system, stepper, self.end)?;
+        let given = self.given.lookout.look(system, stepper, self.end, &mut self.given.values);
         let given = given.map_err(|cause| cause.of_event_after(M::EVENTS.len()))?;
         Ok(match (declared, given) {
             (Some(one), Some(other)) if (other - from).abs() < (one - from).abs() => {

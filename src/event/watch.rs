@@ -1,14 +1,16 @@
 //! Looking for zeros within steps.
 
 use super::declared::DeclaredEvent;
+use super::detector::Detector;
 use super::direction::Direction;
 use super::locate::{ACCURACY, MOST_ROUNDS, Sample, locate};
+use super::piece::{Piece, Sight};
+use super::polynomial::{POINTS, points};
+use super::search::Search;
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
 use crate::system::OdeSystem;
 
-/// Into how many parts a step is cut in search of changes of sign.
-const PARTS: u32 = 8;
 /// The part of a step after which the state has left what it was replaced by.
 const SHORTLY: f64 = 1e-10;
 /// A step is halved so often in search of a hop that is shorter.
@@ -29,76 +31,67 @@ pub struct Occurrence<S, Y> {
     pub state: Y,
 }
 
-/// What is remembered of one function.
-#[derive(Clone, Copy, Debug)]
-struct Detector<S> {
-    direction: Direction,
-    /// Whether the function counts as positive from where it was started or restarted: that of a contact or friction.
-    is_switch: bool,
-    /// The last value that was not zero; zero if there was none.
-    value: S,
-    /// Whether the function counts as positive without having been found so since the last start.
-    is_armed: bool,
-}
-
-impl<S: Scalar> Detector<S> {
-    /// Remembers the value at a start.
-    fn begin(&mut self, value: S) {
-        self.is_armed = self.is_switch && value.is_finite();
-        self.value = if self.is_armed { S::ONE } else { value };
-    }
-
-    /// Remembers the sign of a value; zero has none.
-    fn learn(&mut self, value: S) {
-        if value != S::ZERO {
-            (self.value, self.is_armed) = (value, false);
-        }
-    }
-}
-
 /// Memory of K functions from step to step.
 #[derive(Clone, Copy, Debug)]
 pub struct Watch<S, const K: usize> {
     detectors: [Detector<S>; K],
     /// Up to where the last step was looked at.
     reached: S,
+    /// The step that is looked at, and how.
+    search: Search<S>,
     /// Where the functions were started, or last restarted.
     started: S,
     /// Whether the state was replaced there.
     is_replaced: bool,
-    /// How often it was, each time no later than rounding can tell.
+    /// How often it was, each time no later than rounding can tell, and the last event before.
     repetitions: u32,
+    last: usize,
+}
+
+/// Which function has an event, and when.
+type Suspect<S> = (usize, S);
+
+/// The first event in a piece.
+enum First<S> {
+    /// There is none.
+    None,
+    /// That of this function at this time.
+    At(usize, S),
+    /// None of this function, which goes on through the zero that it had when the state was replaced.
+    Passing(usize),
+    /// A shorter piece would tell.
+    Unclear,
 }
 
 impl<S: Scalar, const K: usize> Watch<S, K> {
     /// Starts at time `t`, where the functions have these values.
     pub fn new(directions: [Direction; K], t: S, values: [S; K]) -> Self {
-        let mut detectors = directions.map(|direction| Detector {
-            direction,
-            is_switch: false,
-            value: S::ZERO,
-            is_armed: false,
-        });
-        for (detector, value) in detectors.iter_mut().zip(values) {
-            detector.value = value;
+        let detectors = core::array::from_fn(|k| Detector::new(directions[k], values[k]));
+        Watch {
+            detectors,
+            reached: t,
+            search: Search::new(t, t),
+            started: t,
+            is_replaced: false,
+            repetitions: 0,
+            last: 0,
         }
-        Watch { detectors, reached: t, started: t, is_replaced: false, repetitions: 0 }
     }
 
     /// The same with functions that [switch](crate::event::DeclaredEvent::is_switch) the first modes of a system.
     pub(crate) fn with_switches(mut self, declared: &[DeclaredEvent]) -> Self {
         for (detector, event) in self.detectors.iter_mut().zip(declared) {
             detector.is_switch = event.is_switch;
-            detector.begin(detector.value);
+            detector.begin(self.started, detector.here);
         }
         self
     }
 
     /// The next event in the stepper's last step, after those that were returned before.
     ///
-    /// To be called after each step until there is no more; `values` gives all functions at a time and state. The time
-    /// returned is at most 10⁻¹³ of the step, or one unit in the last place of time, beyond the change of sign, and the
-    /// value there is zero or has the sign that it changes to.
+    /// To be called after each step until there is no more, and after [`Stepper::confirm`]; `values` gives all functions at a time and
+    /// state. The time returned is at most 10⁻¹³ of the step, or one unit in the last place of time, beyond the change of sign, and
+    /// the value there is zero or has the sign that it changes to.
     ///
     /// # Errors
     /// If a function is NaN or infinite, or does not settle in 200 evaluations, or if states were replaced many times at
@@ -115,36 +108,82 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         if K == 0 {
             return Ok(None);
         }
-        check(self.detectors.map(|detector| detector.value))?;
+        check(self.detectors.map(|detector| detector.here))?;
         let (from, to) = (stepper.last_time(), stepper.time());
         if core::mem::take(&mut self.is_replaced) {
             let shortly = from + S::from_f64(SHORTLY) * (to - from);
             self.learn_shortly(values(shortly, &stepper.interpolate(system, shortly)))?;
             self.check_repetitions()?;
         }
+        let found = self.search_step((from, to), |t| values(t, &stepper.interpolate(system, t)))?;
+        Ok(found.map(|(event, time)| Occurrence { event, time, state: stepper.interpolate(system, time) }))
+    }
+
+    /// The next function that is exactly zero at the end of a run, where this is the state, and that would have an event there if the
+    /// run went on through it. To be asked after the last step, when there are no other events left.
+    pub fn next_at_end<Y: Copy>(&mut self, time: S, state: &Y) -> Option<Occurrence<S, Y>> {
+        let event = self.detectors.iter_mut().position(Detector::ends_on_zero)?;
+        Some(Occurrence { event, time, state: *state })
+    }
+
+    /// Which function has the next event in this step, and when.
+    fn search_step(
+        &mut self,
+        (from, to): (S, S),
+        mut values: impl FnMut(S) -> [S; K],
+    ) -> Result<Option<Suspect<S>>, Cause<S>> {
+        if !self.search.is_of(from, to) {
+            self.search = Search::new(from, to);
+        }
         let is_past = |t: S, reached: S| if to < from { t >= reached } else { t <= reached };
-        for part in 1..=PARTS {
-            let s = S::from_f64(f64::from(part) / f64::from(PARTS));
-            let t = if part == PARTS { to } else { from + (to - from) * s };
-            if is_past(t, self.reached) {
-                continue;
+        while !is_past(to, self.reached) {
+            let (start, end) = (self.reached, self.search.end(self.reached));
+            let piece = self.sample((start, end), &mut values);
+            let is_shortest = self.search.is_shortest();
+            if let Some(bad) = piece.values.iter().find(|values| check(**values).is_err())
+                && is_shortest
+            {
+                check(*bad)?;
             }
-            let found = values(t, &stepper.interpolate(system, t));
-            check(found)?;
-            let earliest =
-                self.earliest(t, found, accuracy(from, to), |t| values(t, &stepper.interpolate(system, t)))?;
-            if let Some(first) = earliest {
-                // What has changed its sign twice by then shows at the zeros between.
-                let values = |t| values(t, &stepper.interpolate(system, t));
-                let (event, time, after) = self.first_of_all((first, found), accuracy(from, to), values)?;
-                self.detectors[event].learn(after);
-                self.reached = time;
-                return Ok(Some(Occurrence { event, time, state: stepper.interpolate(system, time) }));
+            let first = self.earliest(&piece, accuracy(from, to), &mut values)?;
+            match first {
+                First::Unclear => self.search.shorten(),
+                First::Passing(event) => self.detectors[event].go_on(),
+                First::At(event, time) => {
+                    // What was found at once was known: another look at noise would find something else.
+                    let there = if time == start { piece.values[0] } else { values(time) };
+                    self.search.pause();
+                    self.fire(event, time, there)?;
+                    return Ok(Some((event, time)));
+                }
+                First::None => {
+                    let last = piece.values[POINTS - 1];
+                    self.detectors.iter_mut().zip(last).for_each(|(detector, value)| detector.learn(value));
+                    self.reached = end;
+                    self.search.go_on();
+                }
             }
-            self.learn(found)?;
-            self.reached = t;
         }
         Ok(None)
+    }
+
+    /// The functions between two times, at the first of which they are known.
+    fn sample(&self, (start, end): (S, S), values: &mut impl FnMut(S) -> [S; K]) -> Piece<S, K> {
+        let mut times = points::<S>().map(|part| start + part * (end - start));
+        times[POINTS - 1] = end;
+        let here = self.detectors.map(|detector| detector.here);
+        let values = core::array::from_fn(|j| if j == 0 { here } else { values(times[j]) });
+        Piece { times, values }
+    }
+
+    /// The function has its event at `time`, where these are the values.
+    fn fire(&mut self, event: usize, time: S, values: [S; K]) -> Result<(), Cause<S>> {
+        check(values)?;
+        for (k, (detector, value)) in self.detectors.iter_mut().zip(values).enumerate() {
+            if k == event { detector.fire(time, value) } else { detector.pass(value) }
+        }
+        (self.reached, self.last) = (time, event);
+        Ok(())
     }
 
     /// The next event, if it happens at the same time as one that was just returned, as far as times are located: to be
@@ -171,61 +210,67 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         Ok(next)
     }
 
-    /// The earliest zero between where the search has got and `t`, where the functions have these values.
+    /// The first event in a piece.
     fn earliest(
         &self,
-        t: S,
-        found: [S; K],
+        piece: &Piece<S, K>,
         accuracy: S,
-        mut values: impl FnMut(S) -> [S; K],
-    ) -> Result<Option<(usize, S)>, Cause<S>> {
-        let mut earliest: Option<(usize, S)> = None;
+        values: &mut impl FnMut(S) -> [S; K],
+    ) -> Result<First<S>, Cause<S>> {
+        let is_shortest = self.search.is_shortest();
+        if piece.values.iter().any(|values| check(*values).is_err()) {
+            return Ok(First::Unclear);
+        }
+        // What had no time to leave zero since the last event was not meant to go on through it.
+        let passable = (self.repetitions <= 1).then_some(self.started);
+        let mut first: First<S> = First::None;
         for (event, detector) in self.detectors.iter().enumerate() {
-            if !detector.direction.counts(detector.value, found[event]) {
-                continue;
-            }
-            let end = (t, found[event]);
-            let bracket = match detector.is_armed {
-                true => self.hop(end, |t| values(t)[event]),
-                false => Some(((self.reached, detector.value), end)),
+            let time = match piece.sight(event, detector, passable, is_shortest) {
+                Sight::Nothing => continue,
+                Sight::AtOnce => self.reached,
+                Sight::Between { from, to, sign } => {
+                    match self.bracket((from, to), (detector, sign.sign()), |t| values(t)[event]) {
+                        Some((before, after)) => locate(before, after, accuracy, |t| values(t)[event])
+                            .ok_or(Cause::EventNotLocated { event, bisections: MOST_ROUNDS })?,
+                        None if is_shortest => continue,
+                        None => return Ok(First::Unclear),
+                    }
+                }
+                Sight::Unclear => return Ok(First::Unclear),
+                Sight::Passing => return Ok(First::Passing(event)),
             };
-            let time = bracket
-                .and_then(|(before, after)| locate(before, after, accuracy, |t| values(t)[event]))
-                .ok_or(Cause::EventNotLocated { event, bisections: MOST_ROUNDS })?;
-            let is_earlier =
-                earliest.is_none_or(|(_, other)| (time - self.reached).abs() < (other - self.reached).abs());
+            let is_earlier = match first {
+                First::At(_, other) => (time - self.reached).abs() < (other - self.reached).abs(),
+                First::None | First::Unclear | First::Passing(_) => true,
+            };
             if is_earlier {
-                earliest = Some((event, time));
+                first = First::At(event, time);
             }
         }
-        Ok(earliest)
+        Ok(first)
     }
 
-    /// The earliest zero, and the value after it, from one that is before `t`, where the functions have the values `found`.
-    fn first_of_all(
+    /// Places at which the function has this sign and the other one, between these times or, if it is only taken to have the first,
+    /// from the start on; `None` if it does not have the other one at the end.
+    fn bracket(
         &self,
-        ((mut event, mut time), mut found): ((usize, S), [S; K]),
-        accuracy: S,
-        mut values: impl FnMut(S) -> [S; K],
-    ) -> Result<(usize, S, S), Cause<S>> {
-        for _ in 0..K {
-            let at_zero = values(time);
-            let other = self.earliest(time, at_zero, accuracy, &mut values)?;
-            let Some(other) = other.filter(|(_, other)| (time - *other).abs() > accuracy + accuracy) else {
-                break;
-            };
-            ((event, time), found) = (other, at_zero);
+        (from, to): (S, S),
+        (detector, sign): (&Detector<S>, S),
+        mut value: impl FnMut(S) -> S,
+    ) -> Option<(Sample<S>, Sample<S>)> {
+        let after = (to, value(to));
+        let is_change = after.1 * sign < S::ZERO;
+        if !is_change {
+            return None;
         }
-        Ok((event, time, found[event]))
-    }
-
-    /// Remembers the signs of these values.
-    fn learn(&mut self, values: [S; K]) -> Result<(), Cause<S>> {
-        check(values)?;
-        for (detector, value) in self.detectors.iter_mut().zip(values) {
-            detector.learn(value);
+        let before = if from == self.reached { detector.here } else { value(from) };
+        if before * sign > S::ZERO {
+            return Some(((from, before), after));
         }
-        Ok(())
+        if detector.is_armed() && detector.sign * sign > S::ZERO {
+            return self.hop((after, sign), value);
+        }
+        Some(((from, sign), after))
     }
 
     /// Remembers the signs of these values, found right after the state was replaced. Switches wait for a value that is not
@@ -233,18 +278,19 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
     fn learn_shortly(&mut self, values: [S; K]) -> Result<(), Cause<S>> {
         check(values)?;
         for (detector, value) in self.detectors.iter_mut().zip(values) {
-            if !detector.is_armed {
-                detector.learn(value);
+            if !detector.is_armed() && value != S::ZERO {
+                detector.sign = value;
             }
         }
         Ok(())
     }
 
-    /// Between the start and `t`, where a function that counted as positive at the start is not: the latest place at which it was
-    /// found positive and the place after it, halving the time from the start. If it never was, it passed zero at the start.
+    /// Between the start and `t`, where a function that counted as of this sign at the start has the other one: the latest place at
+    /// which it was found to have it and the place after it, halving the time from the start. If it never had, it passed zero at
+    /// the start.
     fn hop(
         &self,
-        (mut t, mut found): Sample<S>,
+        ((mut t, mut found), sign): (Sample<S>, S),
         mut value: impl FnMut(S) -> S,
     ) -> Option<(Sample<S>, Sample<S>)> {
         for _ in 0..MOST_HALVINGS {
@@ -253,12 +299,12 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
                 break;
             }
             let at = value(middle);
-            if at > S::ZERO {
+            if at * sign > S::ZERO {
                 return Some(((middle, at), (t, found)));
             }
             (t, found) = (middle, at);
         }
-        found.is_finite().then_some(((t, S::ONE), (t, found)))
+        found.is_finite().then_some(((t, sign), (t, found)))
     }
 
     /// Goes on from time `t`, where the method was restarted from another state in which the functions have these values.
@@ -269,16 +315,17 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         let is_same = self.repetitions > 0 && distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
         self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
         for (detector, value) in self.detectors.iter_mut().zip(values) {
-            detector.begin(value);
+            detector.begin(t, value);
         }
         (self.reached, self.started, self.is_replaced) = (t, t, true);
+        self.search = Search::new(t, t);
     }
 
     fn check_repetitions(&self) -> Result<(), Cause<S>> {
         if self.repetitions < MOST_REPETITIONS {
             return Ok(());
         }
-        Err(Cause::EventsAccumulate { events: self.repetitions })
+        Err(Cause::EventsAccumulate { events: self.repetitions, event: self.last })
     }
 }
 

@@ -46,6 +46,13 @@ pub enum Cause<S> {
         /// How many that is.
         limit: u64,
     },
+    /// More samples were asked for than can be kept.
+    TooManySamples {
+        /// How many there would be.
+        samples: S,
+        /// How many there may be.
+        most: S,
+    },
     /// An explicit method whose steps are limited by stability and not by accuracy.
     Stiff {
         /// About the longest step that is stable.
@@ -81,6 +88,8 @@ pub enum Cause<S> {
     EventsAccumulate {
         /// How many were counted.
         events: u32,
+        /// Which event the last of them was, counted from zero: those of the declaration, then those given, in their order.
+        event: usize,
     },
     /// The state slides along a surface on which the equations are not smooth: on either side they lead back to it.
     Slides {
@@ -103,6 +112,9 @@ impl<S> Cause<S> {
             Cause::EventNotFinite { event } => Cause::EventNotFinite { event: others + event },
             Cause::EventNotLocated { event, bisections } => {
                 Cause::EventNotLocated { event: others + event, bisections }
+            }
+            Cause::EventsAccumulate { events, event } => {
+                Cause::EventsAccumulate { events, event: others + event }
             }
             other => other,
         }
@@ -131,6 +143,10 @@ impl<S: Debug> Display for Cause<S> {
                 )
             }
             Cause::TooManySteps { limit } => write!(f, "all {limit} steps that are allowed were taken"),
+            Cause::TooManySamples { samples, most } => write!(
+                f,
+                "{samples:?} samples would be kept, more than {most:?}: take a longer interval, or `.ends_only()`"
+            ),
             Cause::Stiff { limit } => write!(
                 f,
                 "the system is stiff: steps longer than about {limit:?} are unstable; take an implicit method"
@@ -144,12 +160,11 @@ impl<S: Debug> Display for Cause<S> {
                 f.write_str("the mass matrix is singular: velocities do not follow from momenta here")
             }
             Cause::EventNotFinite { event } => write!(f, "the function of event {event} is NaN or infinite"),
-            Cause::EventsAccumulate { events } => {
-                write!(
-                    f,
-                    "events accumulate: the last {events} cannot be told apart in time; stop at such an event instead"
-                )
-            }
+            Cause::EventsAccumulate { events, event } => write!(
+                f,
+                "events accumulate: the last {events} of event {event} cannot be told apart in time; stop there, or declare a body \
+                 that comes to rest with `impact(…)`, which closes the contact"
+            ),
             Cause::Slides { surface } => write!(
                 f,
                 "the state stays where the sign of {surface} changes: on either side the equations lead back there, and they do \

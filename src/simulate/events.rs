@@ -65,6 +65,7 @@ struct Lookouts<'a, M: MechanicalSystem> {
 
 /// All events: those of the declaration, and those that watchers look for.
 pub(super) struct Watchers<'a, M: MechanicalSystem> {
+    end: M::Scalar,
     declared: Declarations<M>,
     given: Vec<Lookouts<'a, M>>,
 }
@@ -80,13 +81,19 @@ enum Whose {
 type Ahead<M> = Result<Option<(Whose, <M as OdeSystem>::Scalar)>, Cause<<M as OdeSystem>::Scalar>>;
 
 impl<'a, M: MechanicalSystem> Watchers<'a, M> {
-    /// Starts to watch at a time and state.
-    pub(super) fn new(watchers: Vec<Watcher<'a, M>>, system: &M, (t, y): (M::Scalar, &M::State)) -> Self {
+    /// Starts to watch a run to `end` at a time and state.
+    pub(super) fn new(
+        watchers: Vec<Watcher<'a, M>>,
+        system: &M,
+        (t, y): (M::Scalar, &M::State),
+        end: M::Scalar,
+    ) -> Self {
         let start = |mut watcher: Watcher<'a, M>| {
             let watch = Watch::new([watcher.direction], t, [(watcher.value)(system, t, y)]);
             Lookouts { watcher, lookout: Lookout::new(watch) }
         };
         Watchers {
+            end,
             declared: Declarations::new(system, t, y),
             given: watchers.into_iter().map(start).collect(),
         }
@@ -158,9 +165,9 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
     fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Ahead<M> {
         let from = stepper.last_time();
         let since = |time: M::Scalar| (time - from).abs();
-        let mut earliest = self.declared.look(system, stepper)?.map(|time| (Whose::Declared, time));
+        let mut earliest = self.declared.look(system, stepper, self.end)?.map(|time| (Whose::Declared, time));
         for (index, Lookouts { watcher, lookout }) in self.given.iter_mut().enumerate() {
-            let found = lookout.look(system, stepper, |t, y| [(watcher.value)(system, t, y)]);
+            let found = lookout.look(system, stepper, self.end, |t, y| [(watcher.value)(system, t, y)]);
             let found = found.map_err(|cause| cause.of_event_after(M::EVENTS.len() + index))?;
             let Some(time) = found else { continue };
             if earliest.is_none_or(|(_, other)| since(time) < since(other)) {

@@ -43,7 +43,7 @@ where
         let max_steps = simulation.max_steps.unwrap_or(u64::MAX);
         let mut stepper = method.start(record.system(), start.0, &start.1, end)?;
         stepper.limit_steps(max_steps);
-        let watchers = Watchers::new(simulation.watchers, record.system(), (start.0, &start.1));
+        let watchers = Watchers::new(simulation.watchers, record.system(), (start.0, &start.1), end);
         let restarts = Restarts::new(start.0, end, &times);
         let mut run = Run { stepper, restarts, watchers, end, max_steps, reporter: simulation.reporter };
         let result = run.follow(&mut record);

@@ -24,6 +24,8 @@ pub(super) struct Grid<S> {
     index: u64,
 }
 
+/// No more samples than this are kept: beyond it a run would fill any memory.
+const MOST_SAMPLES: f64 = 1e8;
 /// A time this part of the interval away from the end is the end.
 const SNAP: f64 = 1e-9;
 
@@ -36,7 +38,12 @@ impl<S: Scalar> Grid<S> {
         if start + interval == start || end - interval == end {
             return Err(Cause::Setting("the interval between samples is lost in the rounding of time"));
         }
-        Ok(Grid { start, interval, end, index: 1 })
+        let samples = (end - start) / interval;
+        let most = S::from_f64(MOST_SAMPLES);
+        if samples.is_finite() && samples <= most {
+            return Ok(Grid { start, interval, end, index: 1 });
+        }
+        Err(Cause::TooManySamples { samples, most })
     }
 
     /// The next time, if it comes before the end and not after `reached`.

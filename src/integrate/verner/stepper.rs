@@ -135,7 +135,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let mut clock = self.clock.with_step(if limit < t { -length } else { length });
         let h = clock.advance(limit);
         let is_lost = t + M::Scalar::from_f64(FINEST) * length == t && t != limit;
-        if is_lost || !(length > M::Scalar::ZERO) {
+        let is_step = length > M::Scalar::ZERO;
+        if is_lost || !is_step {
             return Err(Cause::StepUnderflow { step: length });
         }
         Ok(Attempt { h, clock })

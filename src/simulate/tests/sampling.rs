@@ -107,3 +107,14 @@ fn intervals_that_make_no_sense_are_refused() {
         assert_eq!(error.trajectory.times(), vec![1.0]);
     }
 }
+
+#[test]
+fn more_samples_than_can_be_kept_are_refused_with_their_number() {
+    for (until, interval, samples) in [(2.0, 1e-9, 2e9), (1e15, 0.1, 1e16), (-1e15, 0.1, 1e16)] {
+        let error = Oscillator.simulate(START).until(until).every(interval).run().expect_err("too many");
+        let Cause::TooManySamples { samples: found, .. } = error.cause else { panic!("{error}") };
+        assert!((found / samples - 1.0).abs() < 1e-9, "{found}");
+        assert!(std::format!("{error}").contains(".ends_only()"), "{error}");
+        assert_eq!(error.trajectory.work().steps, 0);
+    }
+}

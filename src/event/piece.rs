@@ -1,0 +1,128 @@
+//! A piece of a step: values of functions in it, and the first event that they tell.
+
+use super::detector::{Claim, Detector};
+use super::polynomial::{Change, POINTS, Polynomial};
+use crate::scalar::Scalar;
+
+/// A function that rose since it was started at this part of its present rate, or more, did not start at rest.
+const STEADY: f64 = 0.8;
+
+/// Times in a piece and the values of all functions there.
+pub(super) struct Piece<S, const K: usize> {
+    pub(super) times: [S; POINTS],
+    pub(super) values: [[S; K]; POINTS],
+}
+
+/// Where a function has an event in a piece.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Sight<S> {
+    /// Nowhere.
+    Nothing,
+    /// At the start of the piece.
+    AtOnce,
+    /// Between two times, as far as the polynomial tells, from numbers of this sign to those of the other.
+    Between { from: S, to: S, sign: S },
+    /// Nowhere: a function that was at zero when the state was replaced goes on to the side that it had reached.
+    Passing,
+    /// A shorter piece would tell.
+    Unclear,
+}
+
+impl<S: Scalar, const K: usize> Piece<S, K> {
+    /// What the values of function `k` tell. In a piece that cannot be made shorter signs must do where they are not clear.
+    /// `passable` is where the functions were last started, if what was at zero there may go on through it.
+    pub(super) fn sight(
+        &self,
+        k: usize,
+        detector: &Detector<S>,
+        passable: Option<S>,
+        is_shortest: bool,
+    ) -> Sight<S> {
+        // What was turned round left at its zero, as well as that was located.
+        let zero = if detector.claim == Claim::Turned { detector.start } else { S::ZERO };
+        let values: [S; POINTS] = core::array::from_fn(|j| self.values[j][k] - zero);
+        let Some((first, mut sign)) = beginning(&values, detector) else { return Sight::Nothing };
+        if !detector.is_armed() && detector.direction.counts(sign, values[0]) {
+            return Sight::AtOnce;
+        }
+        if values.iter().all(|value| *value == values[0]) {
+            return Sight::Nothing;
+        }
+        let polynomial = Polynomial::new(&values);
+        if detector.claim == Claim::Turned
+            && passable.is_some_and(|started| self.passes(&polynomial, detector, started))
+        {
+            return Sight::Passing;
+        }
+        let mut x = self.part(first);
+        loop {
+            match polynomial.next_change(sign, x, x == S::ZERO && detector.has_fired_at(self.times[0])) {
+                Change::Nowhere => return self.at_its_end(&values, sign, detector),
+                Change::Between(from, to) if polynomial.is_trusted() => {
+                    if detector.direction.counts(sign, -sign) {
+                        return Sight::Between { from: self.time(from), to: self.time(to), sign };
+                    }
+                    (sign, x) = (-sign, to);
+                }
+                Change::Unclear if polynomial.is_exact() => return self.at_its_end(&values, sign, detector),
+                _ if !is_shortest => return Sight::Unclear,
+                _ => return self.by_signs(&values, (first, sign), detector),
+            }
+        }
+    }
+
+    /// Whether a function that was at zero when it was started goes on in the direction in which it passed zero, and was not turned
+    /// round: at once, and then with no more than a part of its rate gained since.
+    fn passes(&self, polynomial: &Polynomial<S>, detector: &Detector<S>, started: S) -> bool {
+        let [from, to] = [self.times[0], self.times[POINTS - 1]];
+        let rise = polynomial.rise(-detector.sign);
+        let since = (from - started) / (to - from);
+        let risen = (detector.here - detector.start) * -detector.sign.sign();
+        rise > S::ZERO && risen >= S::from_f64(STEADY) * rise * since
+    }
+
+    /// An event just before the end of the piece, where a function of this sign may have changed it by less than can be told from
+    /// rounding.
+    fn at_its_end(&self, values: &[S; POINTS], sign: S, detector: &Detector<S>) -> Sight<S> {
+        if detector.claim == Claim::Switch {
+            return Sight::Nothing;
+        }
+        self.by_signs(values, (POINTS - 1, sign), detector)
+    }
+
+    /// The first values next to each other between which there is an event.
+    fn by_signs(
+        &self,
+        values: &[S; POINTS],
+        (first, mut sign): (usize, S),
+        detector: &Detector<S>,
+    ) -> Sight<S> {
+        for (j, value) in values.iter().enumerate().skip(first.max(1)) {
+            if detector.direction.counts(sign, *value) {
+                return Sight::Between { from: self.times[j - 1], to: self.times[j], sign };
+            }
+            sign = if *value == S::ZERO { sign } else { *value };
+        }
+        Sight::Nothing
+    }
+
+    /// The time at a part of the piece.
+    fn time(&self, part: S) -> S {
+        let [from, to] = [self.times[0], self.times[POINTS - 1]];
+        if part == S::ONE { to } else { from + part * (to - from) }
+    }
+
+    /// The part of the piece that ends at the time of this index.
+    fn part(&self, index: usize) -> S {
+        let [from, to] = [self.times[0], self.times[POINTS - 1]];
+        (self.times[index] - from) / (to - from)
+    }
+}
+
+/// From which of the values on a sign counts, and which; `None` if they are all zero.
+fn beginning<S: Scalar>(values: &[S; POINTS], detector: &Detector<S>) -> Option<(usize, S)> {
+    if detector.sign != S::ZERO {
+        return Some((0, detector.sign));
+    }
+    values.iter().position(|value| *value != S::ZERO).map(|first| (first, values[first]))
+}

@@ -1,0 +1,234 @@
+//! What a function does along a piece of a step, as far as a polynomial through a few of its values tells.
+//!
+//! Values at Chebyshev points give a polynomial of degree eight; the last of its Chebyshev coefficients tell how far it can be
+//! trusted. Its Bernstein coefficients enclose it, so that a part of the piece in which it does not change its sign is
+//! recognised as such, and parts in which it may are halved until it changes its sign once or is too small to tell.
+//! Sources: Trefethen, *Approximation Theory and Approximation Practice*, §3, §8; Farouki, "The Bernstein polynomial basis: a
+//! centennial retrospective", *Computer Aided Geometric Design* 29 (2012) 379–419, §5.
+
+use crate::scalar::Scalar;
+
+/// The degree of polynomials.
+const DEGREE: usize = 8;
+/// How many values make one.
+pub(super) const POINTS: usize = DEGREE + 1;
+/// cos(π k/8) for k from 0 to 4.
+const COSINES: [f64; 5] =
+    [1.0, 0.923_879_532_511_286_7, core::f64::consts::FRAC_1_SQRT_2, 0.382_683_432_365_089_8, 0.0];
+/// Bernstein coefficients of Chebyshev polynomials: that of index j of the polynomial of degree k in row j, column k.
+const BERNSTEIN: [[f64; POINTS]; POINTS] = bernstein();
+/// The error is taken for so many times the last two Chebyshev coefficients, which stand for those that were cut off,
+const CUT_OFF: f64 = 4.0;
+/// and a polynomial is trusted where these are a smaller part of its largest value than this.
+const TRUSTED: f64 = 1e-3;
+/// Rounding of values changes Bernstein coefficients by less than so many roundings of the largest value.
+const ROUNDINGS: f64 = 512.0;
+/// A piece is not cut into smaller parts than this in search of a change of sign.
+const NARROWEST: f64 = 1e-12;
+/// A polynomial that is not trusted may be wrong by this part of its largest value.
+const DOUBT: f64 = 0.25;
+/// Noise of values that leaves this much in the last Chebyshev coefficients leaves so many times more in the slope at an end.
+const NOISE: f64 = 64.0;
+/// A function at rest rises or falls, as values say, by less than this part of the largest one.
+const AT_REST: f64 = 1e-9;
+
+/// The parts of a piece at which values are asked for: Chebyshev points of the second kind.
+pub(super) fn points<S: Scalar>() -> [S; POINTS] {
+    core::array::from_fn(|j| S::from_f64(0.5 - 0.5 * cosine(j)))
+}
+
+/// A polynomial on the unit interval.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Polynomial<S> {
+    bernstein: [S; POINTS],
+    scale: S,
+    /// Rounding, and what was cut off.
+    rounding: S,
+    cut_off: S,
+}
+
+/// Where a polynomial changes its sign.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Change<S> {
+    /// Nowhere.
+    Nowhere,
+    /// Between these places; only once where it is clear of zero.
+    Between(S, S),
+    /// It comes so near to zero, or ends so near to it, that its error decides.
+    Unclear,
+}
+
+impl<S: Scalar> Polynomial<S> {
+    /// The polynomial that has these values at [`points`].
+    pub(super) fn new(values: &[S; POINTS]) -> Self {
+        let chebyshev = chebyshev(values);
+        let bernstein = BERNSTEIN.map(|row| {
+            row.iter()
+                .zip(chebyshev)
+                .fold(S::ZERO, |sum, (weight, c)| c.multiply_add(S::from_f64(*weight), sum))
+        });
+        let scale = values.iter().fold(S::ZERO, |scale, value| scale.max(value.abs()));
+        let rounding = S::from_f64(ROUNDINGS) * S::epsilon() * scale;
+        let cut_off = S::from_f64(CUT_OFF) * (chebyshev[DEGREE - 1].abs() + chebyshev[DEGREE].abs());
+        Polynomial { bernstein, scale, rounding, cut_off }
+    }
+
+    /// Whether it can be trusted where it changes its sign.
+    pub(super) fn is_trusted(&self) -> bool {
+        self.cut_off <= S::from_f64(CUT_OFF * TRUSTED) * self.scale
+    }
+
+    /// Whether it is as good as values are.
+    pub(super) fn is_exact(&self) -> bool {
+        self.cut_off <= self.rounding
+    }
+
+    /// How it rises at its start towards numbers of the sign of `sign`, by so much in the whole piece; zero if that may be noise, or
+    /// less than a motion that starts at rest gains.
+    pub(super) fn rise(&self, sign: S) -> S {
+        let rise = sign.sign() * (self.bernstein[1] - self.bernstein[0]);
+        let at_rest = S::from_f64(AT_REST).max(S::from_f64(ROUNDINGS) * S::epsilon()) * self.scale;
+        let noise = self.rounding + S::from_f64(NOISE) * self.cut_off + at_rest;
+        if rise > noise { S::from_f64(DEGREE as f64) * rise } else { S::ZERO }
+    }
+
+    fn error(&self) -> S {
+        let cut_off =
+            if self.is_trusted() { self.cut_off } else { self.cut_off.max(S::from_f64(DOUBT) * self.scale) };
+        self.rounding + cut_off
+    }
+
+    /// Where it next changes to the sign opposite to that of `sign`, from the place `x` on.
+    ///
+    /// `is_zero` says that its zero at `x` is known, which then does not matter if the polynomial can be trusted.
+    pub(super) fn next_change(&self, sign: S, mut x: S, is_zero: bool) -> Change<S> {
+        let (error, narrowest) = (self.error(), S::from_f64(NARROWEST));
+        let half = S::from_f64(0.5);
+        let is_known = is_zero || self.part(sign, x, S::ONE)[0].abs() <= self.rounding;
+        let mut was_clear = !(is_known && self.is_trusted());
+        let (mut width, mut is_near, mut is_unclear) = (S::ONE - x, false, false);
+        let mut clear = x;
+        while x < S::ONE {
+            let part = self.part(sign, x, x + width);
+            let is_last = part.iter().all(|b| b.abs() <= error) || width <= narrowest;
+            if part.iter().all(|b| *b > error) {
+                is_unclear |= was_clear && is_near;
+                (was_clear, is_near, clear) = (true, false, x + width);
+            } else if part[DEGREE] < -error
+                && changes(&part, error) <= 1
+                && (is_steady(&part) || self.is_exact())
+            {
+                let is_certain = !is_unclear || self.is_exact();
+                return if is_certain { Change::Between(clear, x + width) } else { Change::Unclear };
+            } else if is_last {
+                // What turns so near to zero may hide two zeros, even behind a known one.
+                is_unclear |= !is_steady(&part);
+                is_near = true;
+            } else {
+                width = half * width;
+                continue;
+            }
+            x = x + width;
+            width = (width + width).min(S::ONE - x);
+        }
+        if is_unclear || is_near { Change::Unclear } else { Change::Nowhere }
+    }
+
+    /// The Bernstein coefficients on a part of the unit interval, with the sign turned if that of `sign` is negative.
+    fn part(&self, sign: S, from: S, to: S) -> [S; POINTS] {
+        let mut part = if sign > S::ZERO { self.bernstein } else { self.bernstein.map(|b| -b) };
+        // De Casteljau's scheme, from the left to what lies beyond `from`, then from the right to what lies before `to`.
+        if from > S::ZERO {
+            for round in 1..POINTS {
+                for j in 0..POINTS - round {
+                    part[j] = part[j] + from * (part[j + 1] - part[j]);
+                }
+            }
+        }
+        let end = (to - from) / (S::ONE - from);
+        for round in 1..POINTS {
+            for j in (round..POINTS).rev() {
+                part[j] = part[j - 1] + end * (part[j] - part[j - 1]);
+            }
+        }
+        part
+    }
+}
+
+/// Whether coefficients, and so the polynomial, only rise or only fall.
+fn is_steady<S: Scalar>(part: &[S; POINTS]) -> bool {
+    part.windows(2).all(|pair| pair[0] <= pair[1]) || part.windows(2).all(|pair| pair[0] >= pair[1])
+}
+
+/// How often coefficients change their sign, those aside that are no larger than the error.
+fn changes<S: Scalar>(part: &[S; POINTS], error: S) -> u32 {
+    let (mut changes, mut last) = (0, S::ZERO);
+    for b in part.iter().filter(|b| b.abs() > error) {
+        if last * *b < S::ZERO {
+            changes += 1;
+        }
+        last = b.sign();
+    }
+    changes
+}
+
+/// cos(π k/8)
+const fn cosine(k: usize) -> f64 {
+    match k % 16 {
+        k @ 0..=4 => COSINES[k],
+        k @ 5..=8 => -COSINES[8 - k],
+        k @ 9..=12 => -COSINES[k - 8],
+        k => COSINES[16 - k],
+    }
+}
+
+/// The Chebyshev coefficients of the polynomial that has these values at [`points`]; on the interval from −1 to 1 these are
+/// −cos(π j/8).
+fn chebyshev<S: Scalar>(values: &[S; POINTS]) -> [S; POINTS] {
+    core::array::from_fn(|k| {
+        let mut sum = S::ZERO;
+        for (j, value) in values.iter().enumerate() {
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let end = if j == 0 || j == DEGREE { 0.5 } else { 1.0 };
+            sum = value.multiply_add(S::from_f64(sign * end * cosine(j * k)), sum);
+        }
+        let share = if k == 0 || k == DEGREE { 1.0 } else { 2.0 };
+        sum * S::from_f64(share / DEGREE as f64)
+    })
+}
+
+/// On the unit interval, Σᵢ (−1)^(k−i) C(2k, 2i) C(n−k, j−i)/C(n, j). Source: Farouki, §5.3; Rababah, "Transformation of
+/// Chebyshev–Bernstein polynomial basis", *Computational Methods in Applied Mathematics* 3 (2003) 608–622.
+const fn bernstein() -> [[f64; POINTS]; POINTS] {
+    let mut table = [[0.0; POINTS]; POINTS];
+    let mut j = 0;
+    while j < POINTS {
+        let mut k = 0;
+        while k < POINTS {
+            let mut i = 0;
+            while i <= k && i <= j {
+                if j - i <= DEGREE - k {
+                    let sign = if (k - i) % 2 == 0 { 1.0 } else { -1.0 };
+                    table[j][k] += sign * binomial(2 * k, 2 * i) * binomial(DEGREE - k, j - i);
+                }
+                i += 1;
+            }
+            table[j][k] /= binomial(DEGREE, j);
+            k += 1;
+        }
+        j += 1;
+    }
+    table
+}
+
+const fn binomial(n: usize, k: usize) -> f64 {
+    let (mut value, mut i) = (1.0, 0);
+    while i < k {
+        value = value * (n - i) as f64 / (i + 1) as f64;
+        i += 1;
+    }
+    value
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,66 @@
+//! How a step is cut into pieces in search of zeros.
+
+use crate::scalar::Scalar;
+
+/// A step is cut into pieces that are no shorter than this part of it,
+const SHORTEST: f64 = 1.0 / 4096.0;
+/// and, once so many of these did not tell whether there is a zero, as with noise,
+const MOST_UNCLEAR: u32 = 64;
+/// no shorter than this.
+const SHORTEST_IF_UNCLEAR: f64 = 1.0 / 16.0;
+
+/// How a step is looked at: in pieces, the shorter the more a function changes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Search<S> {
+    /// Start and end of the step.
+    from: S,
+    to: S,
+    /// The next piece to try, as a part of the step.
+    part: S,
+    /// How many pieces were as short as they may be and did not tell.
+    unclear: u32,
+}
+
+impl<S: Scalar> Search<S> {
+    /// Begins with the whole step.
+    pub(super) fn new(from: S, to: S) -> Self {
+        Search { from, to, part: S::ONE, unclear: 0 }
+    }
+
+    /// The end of the next piece, which begins at `start`.
+    pub(super) fn end(&self, start: S) -> S {
+        let (end, left) = (start + self.part * (self.to - self.from), self.to - start);
+        let is_last = self.part == S::ONE || (end - start).abs() >= left.abs() || end == start;
+        if is_last { self.to } else { end }
+    }
+
+    /// Whether it is about this step.
+    pub(super) fn is_of(&self, from: S, to: S) -> bool {
+        (self.from, self.to) == (from, to)
+    }
+
+    /// Whether the next piece is as short as it may be.
+    pub(super) fn is_shortest(&self) -> bool {
+        let shortest = if self.unclear < MOST_UNCLEAR { SHORTEST } else { SHORTEST_IF_UNCLEAR };
+        self.part <= S::from_f64(shortest)
+    }
+
+    /// Tries half of the piece.
+    pub(super) fn shorten(&mut self) {
+        self.part = self.part / S::from_f64(2.0);
+    }
+
+    /// A piece was looked at up to an event.
+    pub(super) fn pause(&mut self) {
+        self.unclear += u32::from(self.is_shortest());
+        if self.unclear >= MOST_UNCLEAR {
+            self.part = self.part.max(S::from_f64(SHORTEST_IF_UNCLEAR));
+        }
+    }
+
+    /// A piece was looked at to its end.
+    pub(super) fn go_on(&mut self) {
+        self.pause();
+        self.part = (self.part + self.part).min(S::ONE);
+    }
+}
