@@ -107,7 +107,8 @@ impl<M: OdeSystem> Declarations<M> {
             return Ok(None);
         }
         let is_new = self.lookout.next.is_none();
-        self.lookout.look(system, stepper, end, |t, y| values(system, t, y))?;
+        let found = self.lookout.look(system, stepper, end, |t, y| values(system, t, y));
+        found.map_err(|cause| cause.named(M::EVENTS))?;
         if let Some(next) = self.lookout.next
             && is_new
             && M::EVENTS[next.event].is_side

@@ -325,7 +325,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         if self.repetitions < MOST_REPETITIONS {
             return Ok(());
         }
-        Err(Cause::EventsAccumulate { events: self.repetitions, event: self.last })
+        Err(Cause::EventsAccumulate { events: self.repetitions, event: self.last, name: None })
     }
 }
 

@@ -4,6 +4,7 @@ use core::error::Error;
 use core::fmt::{Debug, Display, Formatter};
 
 use crate::constraint::Violation;
+use crate::event::DeclaredEvent;
 use crate::system::OdeSystem;
 
 /// What came of an integration of the system M.
@@ -90,6 +91,8 @@ pub enum Cause<S> {
         events: u32,
         /// Which event the last of them was, counted from zero: those of the declaration, then those given, in their order.
         event: usize,
+        /// What it is called in the declaration, if it stands there.
+        name: Option<&'static str>,
     },
     /// The state slides along a surface on which the equations are not smooth: on either side they lead back to it.
     Slides {
@@ -113,8 +116,18 @@ impl<S> Cause<S> {
             Cause::EventNotLocated { event, bisections } => {
                 Cause::EventNotLocated { event: others + event, bisections }
             }
-            Cause::EventsAccumulate { events, event } => {
-                Cause::EventsAccumulate { events, event: others + event }
+            Cause::EventsAccumulate { events, event, name } => {
+                Cause::EventsAccumulate { events, event: others + event, name }
+            }
+            other => other,
+        }
+    }
+
+    /// The same, with the name of the event if it is one of these.
+    pub(crate) fn named(self, declared: &'static [DeclaredEvent]) -> Self {
+        match self {
+            Cause::EventsAccumulate { events, event, .. } => {
+                Cause::EventsAccumulate { events, event, name: declared.get(event).map(|event| event.name) }
             }
             other => other,
         }
@@ -160,11 +173,17 @@ impl<S: Debug> Display for Cause<S> {
                 f.write_str("the mass matrix is singular: velocities do not follow from momenta here")
             }
             Cause::EventNotFinite { event } => write!(f, "the function of event {event} is NaN or infinite"),
-            Cause::EventsAccumulate { events, event } => write!(
-                f,
-                "events accumulate: the last {events} of event {event} cannot be told apart in time; stop there, or declare a body \
-                 that comes to rest with `impact(…)`, which closes the contact"
-            ),
+            Cause::EventsAccumulate { events, event, name } => {
+                write!(f, "events accumulate: the last {events} of event ")?;
+                match name {
+                    Some(name) => write!(f, "`{name}`")?,
+                    None => write!(f, "{event}")?,
+                }
+                f.write_str(
+                    " cannot be told apart in time; stop there, or declare a body that comes to rest with `impact(…)`, which \
+                     closes the contact",
+                )
+            }
             Cause::Slides { surface } => write!(
                 f,
                 "the state stays where the sign of {surface} changes: on either side the equations lead back there, and they do \

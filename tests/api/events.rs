@@ -128,3 +128,22 @@ fn a_string_becomes_slack_where_its_force_would_turn() {
     assert!((x.hypot(y) - ball.l).abs() < 1e-12);
     assert_eq!(run.events()[0].name, "slack");
 }
+
+#[test]
+fn resets_that_accumulate_are_named() {
+    lagrange::system! {
+        struct Dropped;
+        coord y;
+        kinetic = 1/2 * dot(y)^2;
+        potential = 9.81 * y;
+        event floor = y, falling => { dot(y) = -dot(y) / 2; }
+    }
+    let error = Dropped::default()
+        .simulate([1.0, 0.0])
+        .until(30.0)
+        .run()
+        .expect_err("it does not fall through the floor");
+    let message = error.to_string();
+    assert!(message.contains("event `floor`") && message.contains("`impact(…)`"), "{message}");
+    assert!(error.trajectory.y().iter().all(|y| *y > -1e-9));
+}

@@ -74,7 +74,7 @@ fn constraints_make_up_for_inertia_that_is_missing() {
     let (mut q, mut v) = ([0.5, 0.3], [1.0, 2.0]);
     free.project(0.0, &mut q, &mut v).expect("y is where it is");
     assert_near(&[q, v].concat(), &[0.3, 0.3, 2.0, 2.0]);
-    let switched = Switched;
+    let switched = Switched::default();
     assert_near(&switched.acceleration(0.0, &[2.0; 2], &[0.5; 2]), &[-1.0, -1.0]);
     assert_near(&switched.acceleration(0.0, &[0.5; 2], &[0.5; 2]), &[-0.5, -0.5]);
     assert_near(&switched.multipliers(0.0, &[2.0; 2], &[0.5; 2]), &[0.0]);

@@ -34,12 +34,22 @@ lagrange::system! {
 
 #[cfg(test)]
 mod tests {
+    use lagrange::event::Switches;
+
     use super::{AnyBlock, Block};
 
     #[test]
     fn the_branch_of_the_position_is_taken() {
-        let block =
-            Block { m: 2.0, k: 4.0, mu: 0.0, r: 0.1, belt: 0.3, e: 1.0, brake: 0.0, ..Block::default() };
+        let block = Block {
+            m: 2.0,
+            k: 4.0,
+            mu: 0.0,
+            r: 0.1,
+            belt: 0.3,
+            e: 1.0,
+            brake: 0.0,
+            switches: Switches::FREE,
+        };
         assert!((block.acceleration(0.0, &[0.05], &[0.0])[0] + 0.1).abs() < 1e-15);
         assert_eq!(block.acceleration(0.0, &[0.3], &[0.0]).map(f64::abs).map(f64::to_bits), [0]);
         let any = AnyBlock::<f32>::default();
