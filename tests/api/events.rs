@@ -138,11 +138,8 @@ fn resets_that_accumulate_are_named() {
         potential = 9.81 * y;
         event floor = y, falling => { dot(y) = -dot(y) / 2; }
     }
-    let error = Dropped::default()
-        .simulate([1.0, 0.0])
-        .until(30.0)
-        .run()
-        .expect_err("it does not fall through the floor");
+    let error =
+        Dropped.simulate([1.0, 0.0]).until(30.0).run().expect_err("it does not fall through the floor");
     let message = error.to_string();
     assert!(message.contains("event `floor`") && message.contains("`impact(…)`"), "{message}");
     assert!(error.trajectory.y().iter().all(|y| *y > -1e-9));

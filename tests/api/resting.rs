@@ -210,7 +210,9 @@ fn a_block_that_rocks_from_foot_to_foot_comes_to_rest_on_both() {
         let rates = run.events().iter().map(|event| event.state[5].abs()).collect::<Vec<_>>();
         assert!(rates.len() > 20, "{} impacts", rates.len());
         for pair in rates[..rates.len() - 1].windows(2).filter(|pair| pair[1] > 1e-4) {
-            assert!((pair[1] / pair[0] - left).abs() < 1e-7, "{} for {left}", pair[1] / pair[0]);
+            // What rounding leaves of the energy weighs the more the less of it there is.
+            let rounding = 1e-10 + 1e-13 / (pair[0] * pair[0]);
+            assert!((pair[1] / pair[0] - left).abs() < rounding, "{} for {left}", pair[1] / pair[0]);
         }
         let [_, y, phi, velocities @ ..] = run.last();
         assert!((y - 0.5).abs() < 1e-12 && phi.abs() < 1e-12, "{y} {phi}");

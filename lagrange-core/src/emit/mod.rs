@@ -39,7 +39,7 @@ pub use docs::{documentation, equations_latex};
 pub use reduced::{conversions, reduced_declarations};
 pub use size::{Size, report_cost, report_hopeless_model};
 pub use skeleton::skeleton;
-pub use switches::report_unlocated;
+pub use switches::{on_sides, report_unlocated};
 pub use system::{Emitted, Refusal, system};
 
 #[cfg(test)]

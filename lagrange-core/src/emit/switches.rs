@@ -13,6 +13,7 @@ use super::text;
 use crate::diagnostics::Report;
 use crate::expr::{ExprId, Graph};
 use crate::mechanics::{Equations, Switch, one_sided};
+use crate::program::Labels;
 use crate::syntax::ast::Declaration;
 
 /// The most events, switches among them, that runs can look for.
@@ -47,18 +48,28 @@ fn surface_name(graph: &Graph, switch: &Switch) -> String {
     }
 }
 
+/// Expressions with the sides of switches as symbols; names go over to what takes the place of what has them.
+pub fn on_sides(
+    graph: &mut Graph,
+    labels: &mut Labels,
+    switches: &[Switch],
+    roots: &[ExprId],
+) -> Vec<ExprId> {
+    if switches.is_empty() {
+        return roots.to_vec();
+    }
+    let image = one_sided(graph, switches, roots);
+    let names = labels.iter().filter_map(|(id, name)| Some((*image.get(&id)?, name.to_owned())));
+    let names = names.collect::<Vec<_>>();
+    names.into_iter().for_each(|(id, name)| labels.insert(id, name));
+    roots.iter().map(|root| image.get(root).copied().unwrap_or(*root)).collect()
+}
+
 impl Writer<'_> {
-    /// The expressions on the sides of the switches that the system is on; names go over to what takes their place.
+    /// The expressions on the sides of the switches that the system is on.
     pub(super) fn on_sides(&mut self, roots: &[ExprId]) -> Vec<ExprId> {
         let switches = &self.equations.switches[..self.shape.switches.len()];
-        if switches.is_empty() {
-            return roots.to_vec();
-        }
-        let image = one_sided(&mut self.model.graph, switches, roots);
-        let names = self.labels.iter().filter_map(|(id, name)| Some((*image.get(&id)?, name.to_owned())));
-        let names = names.collect::<Vec<_>>();
-        names.into_iter().for_each(|(id, name)| self.labels.insert(id, name));
-        roots.iter().map(|root| image.get(root).copied().unwrap_or(*root)).collect()
+        on_sides(&mut self.model.graph, &mut self.labels, switches, roots)
     }
 
     /// The functions that vanish on the switches, the sides that follow from them, and times at which switches are passed.

@@ -2,7 +2,9 @@
 
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
-use crate::expr::ExprId;
+use crate::emit::on_sides;
+use crate::expr::{ExprId, Function};
+use crate::functions::row;
 use crate::mechanics::{Energies, Equations, Model, Product};
 use crate::pipeline::second_way::motion;
 use crate::pipeline::{Derived, DerivedPart};
@@ -19,6 +21,8 @@ pub struct NumericSystem {
     parameters: Vec<f64>,
     inputs: Vec<f64>,
     size: usize,
+    /// The functions whose signs are the sides of the switches.
+    switches: Program,
     accelerations: Program,
     multipliers: Program,
     /// What the second way starts from; nothing for large systems.
@@ -65,7 +69,13 @@ impl NumericSystem {
         // A named value is kept apart, so that only with the same names the results are those of emitted code.
         let mut labels = Labels::default();
         equations.labels.iter().for_each(|(expression, name)| labels.insert(*expression, name.as_str()));
-        let lowered = |roots: &[ExprId]| optimise(&lower(&model.graph, roots, &labels), model.accuracy);
+        let mut graph = model.graph.clone();
+        let switches = equations.switches.iter().map(|switch| switch.value).collect::<Vec<_>>();
+        let switches = optimise(&lower(&graph, &switches, &labels), model.accuracy);
+        let mut lowered = |roots: &[ExprId]| {
+            let roots = on_sides(&mut graph, &mut labels, &equations.switches, roots);
+            optimise(&lower(&graph, &roots, &labels), model.accuracy)
+        };
         let default = |default: Option<ExprId>| {
             default.map_or(f64::NAN, |value| evaluate(&model.graph, &[value], |_| f64::NAN)[0])
         };
@@ -91,16 +101,21 @@ impl NumericSystem {
             (Product::Jacobian, equations.jacobian.as_ref().map(|rows| rows.concat())),
             (Product::ParameterJacobian, equations.parameter_jacobian.as_ref().map(|rows| rows.concat())),
         ];
+        let [accelerations, multipliers, undivided] =
+            [&equations.accelerations, &equations.constraints.multipliers, &undivided(equations)]
+                .map(|roots| lowered(roots));
         let products = products.into_iter().filter_map(|(product, roots)| Some((product, lowered(&roots?))));
+        let products = products.collect();
         NumericSystem {
             names: named.collect(),
             parameters: model.parameters.iter().map(|p| default(p.default)).collect(),
             inputs: model.inputs.iter().map(|p| default(p.default)).collect(),
             size: model.coordinates.len(),
-            accelerations: lowered(&equations.accelerations),
-            multipliers: lowered(&equations.constraints.multipliers),
-            undivided: lowered(&undivided(equations)),
-            products: products.collect(),
+            switches,
+            accelerations,
+            multipliers,
+            undivided,
+            products,
             outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
         }
     }
@@ -121,6 +136,13 @@ impl NumericSystem {
     }
 
     fn run(&self, program: &Program, at: Instant<'_>) -> Vec<f64> {
+        let sign = row(Function::Sign).value;
+        let values = if self.switches.is_empty() { Vec::new() } else { self.run_on(&self.switches, at, &[]) };
+        let sides = values.into_iter().map(|value| sign(&[value])).collect::<Vec<_>>();
+        self.run_on(program, at, &sides)
+    }
+
+    fn run_on(&self, program: &Program, at: Instant<'_>, sides: &[f64]) -> Vec<f64> {
         let entry = |values: &[f64], i: u32| values.get(i as usize).copied().unwrap_or(f64::NAN);
         run(program, |role| match role {
             Role::Parameter(i) => entry(&self.parameters, i),
@@ -130,7 +152,8 @@ impl NumericSystem {
             Role::Velocity(i) => entry(at.v, i),
             Role::Acceleration(i) => entry(at.a, i),
             Role::Multiplier(i) => entry(at.multipliers, i),
-            Role::Reaction(_) | Role::Side(_) | Role::Placeholder(_) => f64::NAN,
+            Role::Side(i) => entry(sides, i),
+            Role::Reaction(_) | Role::Placeholder(_) => f64::NAN,
         })
     }
 

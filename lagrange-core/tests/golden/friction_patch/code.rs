@@ -341,7 +341,6 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::event::SwitchedSystem<3> for FrictionPatch {
         const FIRST: ::core::primitive::usize = 0;
-        const TIMED: ::core::primitive::u64 = 0;
         fn switches(&self) -> ::lagrange::event::Switches {
             self.switches
         }
