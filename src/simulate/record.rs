@@ -107,23 +107,38 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
     }
 
     /// Keeps what is asked for of the last step up to `to`, where this is the state.
-    pub(super) fn keep(&mut self, stepper: &mut impl Stepper<M>, to: M::Scalar, state: &M::State) {
+    ///
+    /// After each sample within the step `goes_on` is asked. The result is whether the run does: otherwise it ends at the last sample.
+    pub(super) fn keep(
+        &mut self,
+        stepper: &mut impl Stepper<M>,
+        (to, state): (M::Scalar, &M::State),
+        mut goes_on: impl FnMut(M::Scalar) -> bool,
+    ) -> bool {
+        let mut reached = (to, *state);
         match self.samples {
             Samples::EveryStep => self.sample(to, state),
             Samples::Grid(mut grid) => {
                 while let Some(time) = grid.up_to(to) {
                     let state = if time == to { *state } else { stepper.interpolate(self.system(), time) };
                     self.sample(time, &state);
+                    if time != to && !goes_on(time) {
+                        reached = (time, state);
+                        break;
+                    }
                 }
                 self.samples = Samples::Grid(grid);
             }
             Samples::None => {}
         }
+        let has_gone_on = reached.0 == to;
+        let to = reached.0;
         if let Some(dense) = &mut self.dense {
             let system = self.switched.as_ref().unwrap_or(self.given);
             dense.push((stepper.last_time(), to), |t| stepper.interpolate(system, t));
         }
-        self.last = (to, *state);
+        self.last = reached;
+        has_gone_on
     }
 
     /// Goes on from another state at the time that was reached.

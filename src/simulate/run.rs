@@ -113,8 +113,8 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
             let has_watchers = !self.watchers.is_empty();
             let is_of_interest = |_, to| has_watchers || record.looks_before(to);
             self.restarts.step(record.system(), &mut self.stepper, is_of_interest)?;
-            if self.react(record)?.is_break() {
-                return Ok(Ending::Stopped);
+            if let ControlFlow::Break(ending) = self.react(record)? {
+                return Ok(ending);
             }
             let is_cancelled = !self.report(record.first.0);
             if is_cancelled && self.stepper.time() != self.end {
@@ -124,8 +124,8 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
         Ok(Ending::Reached)
     }
 
-    /// Keeps the last step, up to the event that ends it if there is one; whether that ends the run.
-    fn react(&mut self, record: &mut Record<'a, M>) -> Result<ControlFlow<()>, Cause<M::Scalar>> {
+    /// Keeps the last step, up to the event that ends it if there is one; how the run ends, if it does thereby.
+    fn react(&mut self, record: &mut Record<'a, M>) -> Result<ControlFlow<Ending>, Cause<M::Scalar>> {
         loop {
             let next = self.watchers.next(record.system(), &mut self.stepper);
             let Some(first) = next? else { break };
@@ -134,9 +134,11 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
             if course.as_ref().is_ok_and(Course::goes_on) {
                 continue;
             }
-            record.keep(&mut self.stepper, time, &state);
+            if !self.keep(record, time, &state) {
+                return Ok(ControlFlow::Break(Ending::Cancelled));
+            }
             let Some(resumed) = course?.resume(record.system(), time) else {
-                return Ok(ControlFlow::Break(()));
+                return Ok(ControlFlow::Break(Ending::Stopped));
             };
             let (state, switched) = resumed?;
             record.switch(switched);
@@ -148,8 +150,20 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
             return Ok(ControlFlow::Continue(()));
         }
         let (time, state) = (self.restarts.time(&self.stepper), *self.stepper.state());
-        record.keep(&mut self.stepper, time, &state);
-        Ok(ControlFlow::Continue(()))
+        match self.keep(record, time, &state) {
+            true => Ok(ControlFlow::Continue(())),
+            false => Ok(ControlFlow::Break(Ending::Cancelled)),
+        }
+    }
+
+    /// Keeps what is asked for of the last step, and reports while that goes on; whether the run does.
+    fn keep(&mut self, record: &mut Record<'a, M>, time: M::Scalar, state: &M::State) -> bool {
+        let (start, end, steps) = (record.first.0, self.end, self.stepper.work().steps);
+        let reporter = &mut self.reporter;
+        record.keep(&mut self.stepper, (time, state), |time| {
+            let progress = Progress { start, time, end, steps };
+            reporter.as_mut().is_none_or(|reporter| reporter.step(progress))
+        })
     }
 
     /// What comes of an event and of the others at the same time, which follow each other, each from the state that the last one

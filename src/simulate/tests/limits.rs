@@ -103,6 +103,20 @@ fn a_run_that_gets_nowhere_is_reported_more_and_more_seldom() {
 }
 
 #[test]
+fn a_run_is_cancelled_within_a_long_step() {
+    let method = RungeKutta4 { step: 2.0 };
+    let run = Oscillator.simulate(START).until(2.0).method(method).every(1e-5);
+    let run = run.progress(|progress| match progress.time < 0.5 {
+        true => ControlFlow::Continue(()),
+        false => ControlFlow::Break(()),
+    });
+    let kept = run.run().expect("cancelled is no failure");
+    assert_eq!(kept.ending(), Ending::Cancelled);
+    assert_eq!((kept.work().steps, kept.len()), (1, 50_001));
+    assert_eq!((kept.end_time(), kept.times().last()), (0.5, Some(&0.5)));
+}
+
+#[test]
 fn a_cancelled_run_returns_what_it_has() {
     let simulation = Oscillator.simulate(START).until(10.0).every(0.3);
     let trajectory =
