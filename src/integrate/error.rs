@@ -123,13 +123,12 @@ impl<S> Cause<S> {
         }
     }
 
-    /// The same, with the name of the event if it is one of these.
+    /// The same, with the name of the event if it is one of these. Where switches accumulate the state slides.
     pub(crate) fn named(self, declared: &'static [DeclaredEvent]) -> Self {
-        match self {
-            Cause::EventsAccumulate { events, event, .. } => {
-                Cause::EventsAccumulate { events, event, name: declared.get(event).map(|event| event.name) }
-            }
-            other => other,
+        let Cause::EventsAccumulate { events, event, .. } = self else { return self };
+        match declared.get(event) {
+            Some(side) if side.is_side => Cause::Slides { surface: side.name },
+            found => Cause::EventsAccumulate { events, event, name: found.map(|event| event.name) },
         }
     }
 }

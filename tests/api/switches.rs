@@ -452,3 +452,25 @@ fn a_system_around_another_keeps_its_switches() {
     let run = Damped(Pushed::default()).simulate([0.0, 0.0]).until(25.0).tolerance(1e-10).run().unwrap();
     assert!((run.last()[0] - (response(5.0) - response(4.95))).abs() < 1e-8);
 }
+
+lagrange::system! {
+    /// Two blocks on rough ground, each on a spring, that do not know of each other.
+    #[derive(Clone, Debug)]
+    struct TwoRubbed;
+
+    param k = 1.0, mu = 0.3;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    potential = 1/2 * k * (x^2 + y^2);
+    force x = -mu * sign(dot(x));
+    force y = -mu * sign(dot(y));
+}
+
+#[test]
+fn states_that_slide_along_two_switches_stand_still_in_no_run() {
+    let rubbed = TwoRubbed::default();
+    for start in [[1.0, 1.0, 0.0, 0.0], [0.1, -0.2, 0.0, 0.0], [0.2, 0.1, 1e-3, 1e-3]] {
+        let error = rubbed.simulate(start).until(20.0).tolerance(1e-9).max_steps(5_000).run().unwrap_err();
+        assert!(matches!(error.cause, Cause::Slides { .. }), "{error} from {start:?}");
+    }
+}
