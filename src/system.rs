@@ -10,8 +10,10 @@ use crate::event::{Answer, DeclaredEvent, Reaction};
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 
+mod ports;
 mod wrapper;
 
+pub use ports::{ControlledSystem, OutputSystem};
 pub use wrapper::Wrapper;
 
 /// A vector whose length is part of its type, such as `[S; K]`.

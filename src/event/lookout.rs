@@ -58,6 +58,11 @@ impl<S: Scalar, Y: Copy, const K: usize> Lookout<S, Y, K> {
         self.next = None;
         self.watch.restart(t, values);
     }
+
+    /// Goes on where the functions jumped to these values.
+    pub(crate) fn jump(&mut self, values: [S; K]) {
+        self.watch.jump(values);
+    }
 }
 
 /// The events that the declaration of the system M states.
@@ -163,6 +168,13 @@ impl<M: OdeSystem> Declarations<M> {
                 change.value = values[change.event];
             }
             self.lookout.restart(t, values);
+        }
+    }
+
+    /// Goes on where the system is another one, with other inputs.
+    pub(crate) fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State) {
+        if !M::EVENTS.is_empty() {
+            self.lookout.jump(values(system, t, y));
         }
     }
 }

@@ -135,7 +135,7 @@ where
         let resumed = resumed.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         switched = resumed.or(switched);
         let current = switched.as_ref().unwrap_or(system);
-        let stepped = restarts.step(current, &mut stepper, |_, _| has_events);
+        let stepped = restarts.step(current, &mut stepper, None, |_, _| has_events);
         stepped.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         let Some((time, state, course)) = events.turn(current, &mut stepper)? else {
             observe(restarts.time(&stepper), stepper.state());

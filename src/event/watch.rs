@@ -321,6 +321,12 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         self.search = Search::new(t, t);
     }
 
+    /// Goes on from the place that was reached, where the functions jumped to these values: a zero that one of them passed by
+    /// that is an event there.
+    pub(crate) fn jump(&mut self, values: [S; K]) {
+        self.detectors.iter_mut().zip(values).for_each(|(detector, value)| detector.pass(value));
+    }
+
     fn check_repetitions(&self) -> Result<(), Cause<S>> {
         if self.repetitions < MOST_REPETITIONS {
             return Ok(());

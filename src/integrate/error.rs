@@ -54,6 +54,18 @@ pub enum Cause<S> {
         /// How many there may be.
         most: S,
     },
+    /// A control gave an input that is NaN or infinite.
+    InputNotFinite {
+        /// The name of the input.
+        name: &'static str,
+    },
+    /// An output was asked for that the system does not declare.
+    UnknownOutput {
+        /// What was asked for.
+        name: &'static str,
+        /// The outputs that there are, or their components.
+        known: &'static [&'static str],
+    },
     /// An explicit method whose steps are limited by stability and not by accuracy.
     Stiff {
         /// About the longest step that is stable.
@@ -159,6 +171,16 @@ impl<S: Debug> Display for Cause<S> {
                 f,
                 "{samples:?} samples would be kept, more than {most:?}: take a longer interval, or `.ends_only()`"
             ),
+            Cause::InputNotFinite { name } => {
+                write!(f, "the control gave an input `{name}` that is NaN or infinite")
+            }
+            Cause::UnknownOutput { name, known } => {
+                write!(f, "there is no output `{name}`; there are")?;
+                known
+                    .iter()
+                    .enumerate()
+                    .try_for_each(|(index, name)| write!(f, "{} `{name}`", if index == 0 { "" } else { "," }))
+            }
             Cause::Stiff { limit } => write!(
                 f,
                 "the system is stiff: steps longer than about {limit:?} are unstable; take an implicit method"

@@ -52,7 +52,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         Ok(other)
     }
 
-    /// Takes one step towards the end, to the next restart at most.
+    /// Takes one step towards the end, to the next restart at most; `instant` is one more.
     ///
     /// What lies within the last step can be asked for until the next one is taken. `is_of_interest` tells of a step between two
     /// times whether it will be: such a step is repeated, shorter, until what lies within it is as accurate as its end.
@@ -63,12 +63,13 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         &mut self,
         system: &M,
         stepper: &mut impl Stepper<M>,
+        instant: Option<S>,
         is_of_interest: impl Fn(S, S) -> bool,
     ) -> Result<(), Cause<S>>
     where
         M: OdeSystem<Scalar = S>,
     {
-        self.due = self.next(system, stepper.time());
+        self.due = self.next(system, stepper.time(), instant);
         let limit = self.due.map_or(self.end, |restart| restart.before);
         loop {
             stepper.step(system, limit)?;
@@ -87,23 +88,45 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         self.due_at(stepper.time()).map_or(stepper.time(), |restart| restart.at)
     }
 
+    /// The time from which the motion goes on: after the restart if the last step ended there.
+    pub(crate) fn beyond<M>(&self, stepper: &impl Stepper<M>) -> S
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        self.due_at(stepper.time()).map_or(stepper.time(), |restart| restart.after)
+    }
+
+    /// Whether the last step ended at a restart, so that [`resume`](Self::resume) restarts the method.
+    pub(crate) fn is_due<M>(&self, stepper: &impl Stepper<M>) -> bool
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        self.due_at(stepper.time()).is_some()
+    }
+
     /// The restart that is due where this time was reached.
     fn due_at(&self, t: S) -> Option<Restart<S>> {
         self.due.filter(|restart| restart.before == t)
     }
 
     /// The first restart after `t`.
-    fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S) -> Option<Restart<S>> {
+    fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S, instant: Option<S>) -> Option<Restart<S>> {
         let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
         let given = self.given[past..].iter().find_map(|time| self.between(t, *time, ROUNDINGS));
         let named = system.next_restart(t, self.end).and_then(|time| {
             let is_on_sides = system.beyond(time, self.end).is_some();
             self.between(t, time, if is_on_sides { 0.0 } else { ROUNDINGS })
         });
-        match (given, named) {
+        let instant = instant.and_then(|time| self.between(t, time, 0.0));
+        let known = match (given, named) {
             (Some(given), Some(named)) if self.is_ahead(given.at, named.at) => Some(given),
             (given, None) => given,
             (_, named) => named,
+        };
+        match (known, instant) {
+            (Some(known), Some(instant)) if self.is_ahead(instant.at, known.before) => Some(instant),
+            (None, instant) => instant,
+            (known, _) => known,
         }
     }
 

@@ -66,7 +66,7 @@ where
         let resumed = restarts.resume(current, &mut stepper);
         let resumed = resumed.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         switched = resumed.or(switched);
-        let stepped = restarts.step(switched.as_ref().unwrap_or(system), &mut stepper, |_, _| false);
+        let stepped = restarts.step(switched.as_ref().unwrap_or(system), &mut stepper, None, |_, _| false);
         stepped.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
         observe(restarts.time(&stepper), stepper.state());
     }

@@ -6,8 +6,9 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use crate::event::{Direction, Reaction};
-use crate::integrate::{Method, Verner98};
+use crate::integrate::{Cause, Method, Verner98};
 use crate::scalar::Scalar;
+use crate::simulate::control::{Controller, Drive, Undriven};
 use crate::simulate::error::SimulationError;
 use crate::simulate::events::{Event, Watcher};
 use crate::simulate::progress::{Progress, Reporter, Verdict};
@@ -42,6 +43,10 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
             start: (self.time, self.state),
             end,
             method: Verner98::tolerance(default_tolerance()),
+            drive: Undriven,
+            controllers: Vec::new(),
+            records_inputs: false,
+            fault: None,
             sampling: Sampling::EveryStep,
             is_dense: false,
             max_steps: None,
@@ -62,7 +67,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
 
 /// A run that can be started: what to integrate, how, and what to keep of it.
 ///
-/// K is the method. `.tolerance(…)` and `.absolute_tolerance(…)` exist for the default method only; other methods come
+/// K is the method, D what drives the inputs. `.tolerance(…)` and `.absolute_tolerance(…)` exist for the default method only; other methods come
 /// with settings of their own:
 ///
 /// ```compile_fail,E0599
@@ -81,11 +86,17 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
 /// simulation.method(RungeKutta4 { step: 1e-3 }).tolerance(1e-9).run().unwrap();
 /// ```
 #[must_use = "nothing happens before `.run()`"]
-pub struct Simulation<'a, M: MechanicalSystem, K> {
+pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven> {
     pub(super) system: &'a M,
     pub(super) start: (M::Scalar, M::State),
     pub(super) end: M::Scalar,
     pub(super) method: K,
+    pub(super) drive: D,
+    pub(super) controllers: Vec<Controller<'a, M>>,
+    /// Whether each input has its column.
+    pub(super) records_inputs: bool,
+    /// A setting that makes no sense.
+    pub(super) fault: Option<Cause<M::Scalar>>,
     pub(super) sampling: Sampling<M::Scalar>,
     pub(super) is_dense: bool,
     pub(super) max_steps: Option<u64>,
@@ -103,7 +114,7 @@ pub(super) struct Observer<'a, M: MechanicalSystem> {
 }
 
 /// Adds one value for each column of an observer to a row.
-type Extend<'a, M> = Box<
+pub(super) type Extend<'a, M> = Box<
     dyn FnMut(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State, &mut Vec<<M as OdeSystem>::Scalar>)
         + 'a,
 >;
@@ -119,7 +130,7 @@ fn default_tolerance<S: Scalar>() -> S {
     S::from_f64(TOLERANCE).max(S::from_f64(ROUNDINGS) * S::epsilon())
 }
 
-impl<M: MechanicalSystem> Simulation<'_, M, Verner98<M::Scalar>> {
+impl<M: MechanicalSystem, D> Simulation<'_, M, Verner98<M::Scalar>, D> {
     /// The error that is tolerated in a step: relative to a component of the state where that is larger than one,
     /// absolute where it is smaller. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
     ///
@@ -138,14 +149,24 @@ impl<M: MechanicalSystem> Simulation<'_, M, Verner98<M::Scalar>> {
     }
 }
 
-impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
+impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     /// Integrates by this method instead of the adaptive one.
-    pub fn method<N: Method<M>>(self, method: N) -> Simulation<'a, M, N> {
+    pub fn method<N: Method<D::Closed>>(self, method: N) -> Simulation<'a, M, N, D> {
+        self.exchange(|_, drive| (method, drive))
+    }
+
+    /// The same with another method, another drive.
+    pub(super) fn exchange<N, E>(self, exchange: impl FnOnce(K, D) -> (N, E)) -> Simulation<'a, M, N, E> {
+        let (method, drive) = exchange(self.method, self.drive);
         Simulation {
             system: self.system,
             start: self.start,
             end: self.end,
             method,
+            drive,
+            controllers: self.controllers,
+            records_inputs: self.records_inputs,
+            fault: self.fault,
             sampling: self.sampling,
             is_dense: self.is_dense,
             max_steps: self.max_steps,
@@ -234,7 +255,7 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
         self.with(names, Box::new(extend))
     }
 
-    fn with(mut self, names: Vec<String>, extend: Extend<'a, M>) -> Self {
+    pub(super) fn with(mut self, names: Vec<String>, extend: Extend<'a, M>) -> Self {
         self.observers.push(Observer { names, extend });
         self
     }
@@ -313,7 +334,7 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K> {
     /// What the method met, or a setting that makes no sense, with the trajectory so far.
     pub fn run(self) -> Result<Trajectory<M>, SimulationError<M>>
     where
-        K: Method<M>,
+        K: Method<D::Closed>,
     {
         run(self)
     }

@@ -10,6 +10,7 @@ use crate::event::{
 };
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
+use crate::simulate::control::ClosedLoop;
 use crate::system::{MechanicalSystem, OdeSystem, Reacted};
 
 /// Something that happened during a run.
@@ -44,18 +45,24 @@ pub(super) struct Watcher<'a, M: MechanicalSystem> {
     pub(super) react: React<'a, M>,
 }
 
+impl<M: MechanicalSystem> Watcher<'_, M> {
+    fn value(&mut self, system: &impl ClosedLoop<M>, t: M::Scalar, y: &M::State) -> M::Scalar {
+        system.ask(t, y, |plant| (self.value)(plant, t, y))
+    }
+}
+
 /// A zero of a function, and what comes of it.
-pub(super) struct Happened<M: MechanicalSystem> {
+pub(super) struct Happened<C: MechanicalSystem> {
     /// The event that it is, unless it turned out to be none.
-    pub(super) event: Option<Found<M>>,
-    pub(super) time: M::Scalar,
+    pub(super) event: Option<Found<C>>,
+    pub(super) time: C::Scalar,
     /// The state then, before any reaction.
-    pub(super) state: M::State,
-    pub(super) answer: Reacted<M>,
+    pub(super) state: C::State,
+    pub(super) answer: Reacted<C>,
 }
 
 /// The next of them, if there is one.
-type Next<M> = Result<Option<Happened<M>>, Cause<<M as OdeSystem>::Scalar>>;
+type Next<C> = Result<Option<Happened<C>>, Cause<<C as OdeSystem>::Scalar>>;
 
 /// A watcher with its memory.
 struct Lookouts<'a, M: MechanicalSystem> {
@@ -64,9 +71,9 @@ struct Lookouts<'a, M: MechanicalSystem> {
 }
 
 /// All events: those of the declaration, and those that watchers look for.
-pub(super) struct Watchers<'a, M: MechanicalSystem> {
+pub(super) struct Watchers<'a, M: MechanicalSystem, C: MechanicalSystem> {
     end: M::Scalar,
-    declared: Declarations<M>,
+    declared: Declarations<C>,
     given: Vec<Lookouts<'a, M>>,
 }
 
@@ -80,16 +87,16 @@ enum Whose {
 /// Which event is ahead, and when.
 type Ahead<M> = Result<Option<(Whose, <M as OdeSystem>::Scalar)>, Cause<<M as OdeSystem>::Scalar>>;
 
-impl<'a, M: MechanicalSystem> Watchers<'a, M> {
+impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Watchers<'a, M, C> {
     /// Starts to watch a run to `end` at a time and state.
     pub(super) fn new(
         watchers: Vec<Watcher<'a, M>>,
-        system: &M,
+        system: &C,
         (t, y): (M::Scalar, &M::State),
         end: M::Scalar,
     ) -> Self {
         let start = |mut watcher: Watcher<'a, M>| {
-            let watch = Watch::new([watcher.direction], t, [(watcher.value)(system, t, y)]);
+            let watch = Watch::new([watcher.direction], t, [watcher.value(system, t, y)]);
             Lookouts { watcher, lookout: Lookout::new(watch) }
         };
         Watchers {
@@ -101,12 +108,12 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
 
     /// Whether there is nothing to look for.
     pub(super) fn is_empty(&self) -> bool {
-        M::EVENTS.is_empty() && self.given.is_empty()
+        C::EVENTS.is_empty() && self.given.is_empty()
     }
 
     /// The next event in the last step, with what comes of it; of those at the same time the one given first, and declared ones
     /// before all others.
-    pub(super) fn next(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Next<M> {
+    pub(super) fn next(&mut self, system: &C, stepper: &mut impl Stepper<C>) -> Next<C> {
         let Some((whose, _)) = self.look(system, stepper)? else { return Ok(None) };
         let Some(event) = self.take(whose) else { return Ok(None) };
         Ok(Some(self.answer(system, whose, event)))
@@ -116,18 +123,18 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
     /// contacts and friction do is not among them: they have been settled, or are once the motion goes on.
     pub(super) fn next_at_once(
         &mut self,
-        system: &M,
-        course: &Course<M>,
-        stepper: &mut impl Stepper<M>,
+        system: &C,
+        course: &Course<C>,
+        stepper: &mut impl Stepper<C>,
         time: M::Scalar,
-    ) -> Next<M> {
+    ) -> Next<C> {
         let (from, to) = (stepper.last_time(), stepper.time());
         loop {
             let next = self.look(system, stepper)?;
             let next = next.filter(|(_, other)| is_at_once(time, *other, from, to));
             let Some((whose, _)) = next else { return Ok(None) };
             let Some(event) = self.take(whose) else { return Ok(None) };
-            if matches!(whose, Whose::Declared) && M::EVENTS[event.event].is_switch {
+            if matches!(whose, Whose::Declared) && C::EVENTS[event.event].is_switch {
                 continue;
             }
             let state = course.state().unwrap_or(event.state);
@@ -138,14 +145,14 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
 
     fn answer(
         &mut self,
-        system: &M,
+        system: &C,
         whose: Whose,
         Occurrence { event, time, state }: Occurrence<M::Scalar, M::State>,
-    ) -> Happened<M> {
+    ) -> Happened<C> {
         let found = |name, happening| Event { name, time, state, happening };
         match whose {
             Whose::Declared => {
-                let (answer, declared) = (system.react(event, time, &state), &M::EVENTS[event]);
+                let (answer, declared) = (system.react(event, time, &state), &C::EVENTS[event]);
                 let happening = answer.as_ref().map_or(Happening::Zero, |answer| answer.happening);
                 // A contact may touch without an impact and without closing.
                 let is_none = declared.is_switch && happening == Happening::Zero;
@@ -155,20 +162,21 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
             Whose::Given(index) => {
                 let watcher = &mut self.given[index].watcher;
                 let event = found(watcher.name.clone(), Happening::Zero);
-                let answer = Ok(Answer::new((watcher.react)(system, &event)));
+                let reaction = system.ask(time, &state, |plant| (watcher.react)(plant, &event));
+                let answer = Ok(Answer::new(reaction));
                 Happened { event: Some(event), time, state, answer }
             }
         }
     }
 
     /// The earliest of the next events, and its time.
-    fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Ahead<M> {
+    fn look(&mut self, system: &C, stepper: &mut impl Stepper<C>) -> Ahead<M> {
         let from = stepper.last_time();
         let since = |time: M::Scalar| (time - from).abs();
         let mut earliest = self.declared.look(system, stepper, self.end)?.map(|time| (Whose::Declared, time));
         for (index, Lookouts { watcher, lookout }) in self.given.iter_mut().enumerate() {
-            let found = lookout.look(system, stepper, self.end, |t, y| [(watcher.value)(system, t, y)]);
-            let found = found.map_err(|cause| cause.of_event_after(M::EVENTS.len() + index))?;
+            let found = lookout.look(system, stepper, self.end, |t, y| [watcher.value(system, t, y)]);
+            let found = found.map_err(|cause| cause.of_event_after(C::EVENTS.len() + index))?;
             let Some(time) = found else { continue };
             if earliest.is_none_or(|(_, other)| since(time) < since(other)) {
                 earliest = Some((Whose::Given(index), time));
@@ -185,10 +193,18 @@ impl<'a, M: MechanicalSystem> Watchers<'a, M> {
     }
 
     /// Goes on from another state.
-    pub(super) fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
+    pub(super) fn restart(&mut self, system: &C, t: M::Scalar, y: &M::State) {
         self.declared.restart(system, t, y);
         for Lookouts { watcher, lookout } in &mut self.given {
-            lookout.restart(t, [(watcher.value)(system, t, y)]);
+            lookout.restart(t, [watcher.value(system, t, y)]);
+        }
+    }
+
+    /// Goes on with other inputs.
+    pub(super) fn jump(&mut self, system: &C, t: M::Scalar, y: &M::State) {
+        self.declared.jump(system, t, y);
+        for Lookouts { watcher, lookout } in &mut self.given {
+            lookout.jump([watcher.value(system, t, y)]);
         }
     }
 }

@@ -26,7 +26,8 @@
 //! |---|---|
 //! | ask for accuracy | [`tolerance`](Simulation::tolerance), or another [`method`](Simulation::method) |
 //! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
-//! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`observe`](Simulation::observe) anything |
+//! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`outputs`](Simulation::outputs), [`observe`](Simulation::observe) anything |
+//! | set inputs | [`drive`](Simulation::drive) by a law, or by a controller that is [`sampled`](Simulation::sampled) |
 //! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |
 //! | name times at which forces jump | [`restart_at`](Simulation::restart_at) |
 //! | set limits, see progress | [`max_steps`](Simulation::max_steps), [`progress`](Simulation::progress), which can also cancel |
@@ -40,6 +41,7 @@
 //! and inner loops goes without heap through [`integrate()`](crate::integrate::integrate).
 
 mod builder;
+mod control;
 mod csv;
 mod dense;
 mod error;
@@ -48,6 +50,7 @@ mod events;
 mod parquet;
 #[cfg(feature = "plot")]
 mod plots;
+mod ports;
 mod progress;
 mod record;
 mod run;
@@ -61,6 +64,7 @@ use crate::scalar::Scalar;
 use crate::system::MechanicalSystem;
 
 pub use self::builder::{Simulation, Start};
+pub use self::control::{ClosedLoop, Drive, Driven, Law, Undriven};
 pub use self::error::SimulationError;
 pub use self::events::Event;
 pub use self::progress::{Progress, Verdict};

@@ -6,6 +6,7 @@ use std::vec::Vec;
 
 use crate::integrate::{Cause, Stepper, Work};
 use crate::simulate::builder::Observer;
+use crate::simulate::control::ClosedLoop;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::sampling::{Grid, Sampling};
@@ -14,12 +15,12 @@ use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::system::MechanicalSystem;
 
 /// What is kept of a run while it goes on.
-pub(super) struct Record<'a, M: MechanicalSystem> {
-    given: &'a M,
-    /// The system as it is at present, if contacts or friction switched it.
-    switched: Option<M>,
+pub(super) struct Record<'a, 'c, M: MechanicalSystem, C> {
+    given: &'c C,
+    /// The system as it is at present, if contacts, friction or a controller changed it.
+    switched: Option<C>,
     /// The same with its switches free.
-    freed: Option<M>,
+    freed: Option<C>,
     table: Table<M::Scalar>,
     observers: Vec<Observer<'a, M>>,
     /// Room for the columns of one sample.
@@ -39,17 +40,17 @@ enum Samples<S> {
     None,
 }
 
-impl<'a, M: MechanicalSystem> Record<'a, M> {
+impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
     /// Starts with the initial state as the first sample; the system may be another one there than that which was given.
     pub(super) fn new(
-        (given, switched): (&'a M, Option<M>),
+        (given, switched): (&'c C, Option<C>),
         observers: Vec<Observer<'a, M>>,
         dense: Option<Dense<M::Scalar, M::State>>,
         start: (M::Scalar, M::State),
     ) -> Self {
         let mut record = Record {
             given,
-            freed: switched.as_ref().and_then(M::freed),
+            freed: switched.as_ref().and_then(C::freed),
             switched,
             table: Table::new(names(&observers)),
             observers,
@@ -66,12 +67,12 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
     }
 
     /// The system as it is at present.
-    pub(super) fn system(&self) -> &M {
+    pub(super) fn system(&self) -> &C {
         self.switched.as_ref().unwrap_or(self.given)
     }
 
     /// Goes on with this system, if it is another one.
-    pub(super) fn switch(&mut self, system: Option<M>) {
+    pub(super) fn switch(&mut self, system: Option<C>) {
         if let Some(system) = system {
             self.freed = system.freed();
             self.switched = Some(system);
@@ -91,7 +92,9 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
     ) -> Result<(), Cause<M::Scalar>> {
         self.samples = match sampling {
             Sampling::EveryStep => Samples::EveryStep,
-            Sampling::Every(interval) => Samples::Grid(Grid::new(self.first.0, end, interval)?),
+            Sampling::Every(interval) => {
+                Samples::Grid(Grid::new(self.first.0, end, interval)?.that_can_be_kept()?)
+            }
             Sampling::Ends => Samples::None,
         };
         Ok(())
@@ -111,7 +114,7 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
     /// After each sample within the step `goes_on` is asked. The result is whether the run does: otherwise it ends at the last sample.
     pub(super) fn keep(
         &mut self,
-        stepper: &mut impl Stepper<M>,
+        stepper: &mut impl Stepper<C>,
         (to, state): (M::Scalar, &M::State),
         mut goes_on: impl FnMut(M::Scalar) -> bool,
     ) -> bool {
@@ -149,6 +152,14 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
         }
     }
 
+    /// Goes on from this time and state with other inputs: a sample that was kept there has these.
+    pub(super) fn act(&mut self, time: M::Scalar, state: &M::State) {
+        if self.table.times().last() == Some(&time) {
+            self.table.pop();
+            self.sample(time, state);
+        }
+    }
+
     pub(super) fn event(&mut self, event: Event<M::Scalar, M::State>) {
         self.events.push(event);
     }
@@ -158,9 +169,10 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
         self.row.clear();
         self.row.extend_from_slice(state.as_ref());
         let system = self.freed.as_ref().or(self.switched.as_ref()).unwrap_or(self.given);
-        for observer in &mut self.observers {
-            (observer.extend)(system, time, state, &mut self.row);
-        }
+        let (observers, row) = (&mut self.observers, &mut self.row);
+        system.ask(time, state, |plant| {
+            observers.iter_mut().for_each(|observer| (observer.extend)(plant, time, state, row));
+        });
         self.table.push(time, &self.row);
     }
 
@@ -171,7 +183,7 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
             self.sample(time, &state);
         }
         let Record { table, dense, events, first, last, work, switched, freed, .. } = self;
-        let system = freed.or(switched).map(Arc::new);
+        let system = freed.or(switched).map(|closed| Arc::new(closed.into_plant()));
         Trajectory { columns: table.into(), dense, events, work, ending, first, last, method, system }
     }
 }

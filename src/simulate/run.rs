@@ -10,6 +10,7 @@ use crate::event::{Course, is_forwards};
 use crate::integrate::{Cause, Method, Restarts, Stepper};
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
+use crate::simulate::control::{ClosedLoop, Controllers, Drive};
 use crate::simulate::dense::Dense;
 use crate::simulate::error::SimulationError;
 use crate::simulate::events::{Happened, Watchers};
@@ -17,15 +18,29 @@ use crate::simulate::progress::{Progress, Reporter};
 use crate::simulate::record::Record;
 use crate::simulate::table::TIME;
 use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::system::MechanicalSystem;
+use crate::system::{MechanicalSystem, OdeSystem};
 
 /// Integrates from start to end.
-pub(super) fn run<M, K>(simulation: Simulation<'_, M, K>) -> Result<Trajectory<M>, SimulationError<M>>
+pub(super) fn run<M, K, D>(simulation: Simulation<'_, M, K, D>) -> Result<Trajectory<M>, SimulationError<M>>
 where
     M: MechanicalSystem,
-    K: Method<M>,
+    D: Drive<M>,
+    K: Method<D::Closed>,
 {
-    let Simulation { system, end, method, .. } = simulation;
+    let (system, drive) = (simulation.system, simulation.drive.clone());
+    drive.close(system, |closed| run_closed(closed, simulation))
+}
+
+fn run_closed<M, K, D>(
+    system: &D::Closed,
+    simulation: Simulation<'_, M, K, D>,
+) -> Result<Trajectory<M>, SimulationError<M>>
+where
+    M: MechanicalSystem,
+    D: Drive<M>,
+    K: Method<D::Closed>,
+{
+    let Simulation { end, method, .. } = simulation;
     let (order, name) = (method.order(), method.name());
     let method = match simulation.longest_step {
         Some(longest) => method.with_longest_step(longest),
@@ -33,19 +48,22 @@ where
     };
     let start = admitted(system, simulation.start);
     let dense = simulation.is_dense.then(|| Dense::new(order));
-    let begun = is_forwards::<M>(start.0, end).and_then(|()| system.begin(start.0, &start.1));
-    let (switched, begun) = begun.map_or_else(|cause| (None, Err(cause)), |switched| (switched, Ok(())));
-    let mut record = Record::new((system, switched), simulation.observers, dense, start);
+    let mut controllers = Controllers::new(simulation.controllers, end);
+    let begun = begin(system, &mut controllers, start, end);
+    let (begun, fault) = begun.map_or_else(|cause| (None, Some(cause)), |begun| (begun, None));
+    let mut record = Record::new((system, begun), simulation.observers, dense, start);
     let prepared = check_names(&record).and_then(|()| record.choose(simulation.sampling, end));
+    let prepared = simulation.fault.or(fault).map_or(prepared, Err);
     let times = in_order(simulation.restarts, start.0, end);
-    let result = prepared.and(begun).and(times).and_then(|times| {
+    let result = prepared.and(times).and_then(|times| {
         let method = method?;
         let max_steps = simulation.max_steps.unwrap_or(u64::MAX);
         let mut stepper = method.start(record.system(), start.0, &start.1, end)?;
         stepper.limit_steps(max_steps);
         let watchers = Watchers::new(simulation.watchers, record.system(), (start.0, &start.1), end);
         let restarts = Restarts::new(start.0, end, &times);
-        let mut run = Run { stepper, restarts, watchers, end, max_steps, reporter: simulation.reporter };
+        let reporter = simulation.reporter;
+        let mut run = Run { stepper, restarts, controllers, watchers, end, max_steps, reporter };
         let result = run.follow(&mut record);
         record.work = run.stepper.work();
         result
@@ -58,8 +76,22 @@ where
     }
 }
 
+/// The system as the motion starts, if it is another one than that which was given: with the inputs that controllers set at the
+/// start, and in the modes that fit.
+fn begin<M: MechanicalSystem, C: ClosedLoop<M>>(
+    system: &C,
+    controllers: &mut Controllers<'_, M>,
+    (t, y): (M::Scalar, M::State),
+    end: M::Scalar,
+) -> Result<Option<C>, Cause<M::Scalar>> {
+    is_forwards::<C>(t, end)?;
+    let acted = controllers.begin(system.plant(), (t, &y))?.map(|plant| system.with_plant(plant));
+    let begun = acted.as_ref().unwrap_or(system).begin(t, &y)?;
+    Ok(begun.or(acted))
+}
+
 /// The start as methods take it: on the constraints if it nearly satisfies them. What is wrong with it methods say.
-fn admitted<M: MechanicalSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scalar, M::State) {
+fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scalar, M::State) {
     let mut admitted = y;
     match system.admit(t, &mut admitted) {
         Ok(()) => (t, admitted),
@@ -79,7 +111,9 @@ fn in_order<S: Scalar>(mut times: Vec<S>, start: S, end: S) -> Result<Vec<S>, Ca
     Ok(times)
 }
 
-fn check_names<M: MechanicalSystem>(record: &Record<'_, M>) -> Result<(), Cause<M::Scalar>> {
+fn check_names<M: MechanicalSystem>(
+    record: &Record<'_, '_, M, impl ClosedLoop<M>>,
+) -> Result<(), Cause<M::Scalar>> {
     let names = record.names();
     if names.iter().collect::<BTreeSet<_>>().len() < names.len() {
         return Err(Cause::Setting("two columns have the same name"));
@@ -91,28 +125,31 @@ fn check_names<M: MechanicalSystem>(record: &Record<'_, M>) -> Result<(), Cause<
 }
 
 /// A run in progress. The record knows the system as it is at present.
-struct Run<'a, 'r, M: MechanicalSystem, T> {
+struct Run<'a, 'r, M: MechanicalSystem, C: MechanicalSystem, T> {
     stepper: T,
     restarts: Restarts<'r, M::Scalar>,
-    watchers: Watchers<'a, M>,
+    controllers: Controllers<'a, M>,
+    watchers: Watchers<'a, M, C>,
     end: M::Scalar,
     max_steps: u64,
     reporter: Option<Reporter<'a, M::Scalar>>,
 }
 
-impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
+impl<'a, M: MechanicalSystem, C: ClosedLoop<M>, T: Stepper<C>> Run<'a, '_, M, C, T> {
     /// Steps to the end, keeping what is asked for.
-    fn follow(&mut self, record: &mut Record<'a, M>) -> Result<Ending, Cause<M::Scalar>> {
+    fn follow(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<Ending, Cause<M::Scalar>> {
         while self.stepper.time() != self.end {
             let work = self.stepper.work();
             if work.steps + work.rejections >= self.max_steps {
                 return Err(Cause::TooManySteps { limit: self.max_steps });
             }
+            self.control(record)?;
             let resumed = self.restarts.resume(record.system(), &mut self.stepper)?;
             record.switch(resumed);
             let has_watchers = !self.watchers.is_empty();
             let is_of_interest = |_, to| has_watchers || record.looks_before(to);
-            self.restarts.step(record.system(), &mut self.stepper, is_of_interest)?;
+            let instant = self.controllers.next();
+            self.restarts.step(record.system(), &mut self.stepper, instant, is_of_interest)?;
             if let ControlFlow::Break(ending) = self.react(record)? {
                 return Ok(ending);
             }
@@ -124,8 +161,25 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
         Ok(Ending::Reached)
     }
 
+    /// Lets controllers act whose instants have been reached.
+    fn control(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<(), Cause<M::Scalar>> {
+        let (time, state) = (self.restarts.time(&self.stepper), *self.stepper.state());
+        let beyond = self.restarts.beyond(&self.stepper);
+        let Some(plant) = self.controllers.act(record.system().plant(), beyond, (time, &state))? else {
+            return Ok(());
+        };
+        let system = record.system().with_plant(plant);
+        record.switch(Some(system));
+        record.act(time, &state);
+        self.watchers.jump(record.system(), time, &state);
+        match self.restarts.is_due(&self.stepper) {
+            true => Ok(()),
+            false => self.stepper.restart(record.system(), time, &state),
+        }
+    }
+
     /// Keeps the last step, up to the event that ends it if there is one; how the run ends, if it does thereby.
-    fn react(&mut self, record: &mut Record<'a, M>) -> Result<ControlFlow<Ending>, Cause<M::Scalar>> {
+    fn react(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<ControlFlow<Ending>, Cause<M::Scalar>> {
         loop {
             let next = self.watchers.next(record.system(), &mut self.stepper);
             let Some(first) = next? else { break };
@@ -157,7 +211,7 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
     }
 
     /// Keeps what is asked for of the last step, and reports while that goes on; whether the run does.
-    fn keep(&mut self, record: &mut Record<'a, M>, time: M::Scalar, state: &M::State) -> bool {
+    fn keep(&mut self, record: &mut Record<'a, '_, M, C>, time: M::Scalar, state: &M::State) -> bool {
         let (start, end, steps) = (record.first.0, self.end, self.stepper.work().steps);
         let reporter = &mut self.reporter;
         record.keep(&mut self.stepper, (time, state), |time| {
@@ -170,9 +224,9 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
     /// left.
     fn happen(
         &mut self,
-        record: &mut Record<'a, M>,
-        first: Happened<M>,
-    ) -> Result<Course<M>, Cause<M::Scalar>> {
+        record: &mut Record<'a, '_, M, C>,
+        first: Happened<C>,
+    ) -> Result<Course<C>, Cause<M::Scalar>> {
         let time = first.time;
         let mut course = Course::new();
         let mut next = Some(first);

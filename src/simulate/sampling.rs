@@ -32,16 +32,21 @@ const SNAP: f64 = 1e-9;
 impl<S: Scalar> Grid<S> {
     pub(super) fn new(start: S, end: S, interval: S) -> Result<Self, Cause<S>> {
         if !(interval > S::ZERO && interval.is_finite()) {
-            return Err(Cause::Setting("the interval between samples must be positive and finite"));
+            return Err(Cause::Setting("the interval of sampling must be positive and finite"));
         }
         let interval = if end < start { -interval } else { interval };
         if start + interval == start || end - interval == end {
-            return Err(Cause::Setting("the interval between samples is lost in the rounding of time"));
+            return Err(Cause::Setting("the interval of sampling is lost in the rounding of time"));
         }
-        let samples = (end - start) / interval;
+        Ok(Grid { start, interval, end, index: 1 })
+    }
+
+    /// The same if its times can be kept.
+    pub(super) fn that_can_be_kept(self) -> Result<Self, Cause<S>> {
+        let samples = (self.end - self.start) / self.interval;
         let most = S::from_f64(MOST_SAMPLES);
         if samples.is_finite() && samples <= most {
-            return Ok(Grid { start, interval, end, index: 1 });
+            return Ok(self);
         }
         Err(Cause::TooManySamples { samples, most })
     }

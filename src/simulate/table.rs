@@ -32,6 +32,14 @@ impl<S: Copy> Table<S> {
         }
     }
 
+    /// Takes the last sample away.
+    pub(super) fn pop(&mut self) {
+        self.times.pop();
+        self.columns.iter_mut().for_each(|column| {
+            column.pop();
+        });
+    }
+
     /// How many samples there are.
     pub fn len(&self) -> usize {
         self.times.len()

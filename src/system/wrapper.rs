@@ -75,6 +75,13 @@ pub trait Wrapper: Sized {
     #[must_use]
     fn around(&self, inner: Self::Inner) -> Self;
 
+    /// Asks the inner system as it is at this time and state: with the inputs that a control gives it there, for instance. Events,
+    /// contacts and the energy are computed by it, and by what [`inner`](Wrapper::inner) returns unless that is said here.
+    #[inline]
+    fn present<R>(&self, _t: Number<Self>, _y: &Self::State, ask: impl FnOnce(&Self::Inner) -> R) -> R {
+        ask(self.inner())
+    }
+
     /// The right-hand side f(t, y) of ẏ = f(t, y).
     ///
     /// Where constraints hold the inner system, accelerations must keep to them; the inner system does that under other inputs and
@@ -119,28 +126,29 @@ impl<W: Wrapper> OdeSystem for W {
 
     #[inline]
     fn correct(&self, t: Number<W>, y: &mut W::State) -> Result<(), Cause<Number<W>>> {
-        change::<W>(y, |part| self.inner().correct(t, part))
+        change(self, t, y, |inner, part| inner.correct(t, part))
     }
 
     #[inline]
     fn admit(&self, t: Number<W>, y: &mut W::State) -> Result<(), Cause<Number<W>>> {
-        change::<W>(y, |part| self.inner().admit(t, part))
+        change(self, t, y, |inner, part| inner.admit(t, part))
     }
 
     #[inline]
     fn restore(&self, t: Number<W>, y: &mut W::State) -> Result<(), Cause<Number<W>>> {
-        change::<W>(y, |part| self.inner().restore(t, part))
+        change(self, t, y, |inner, part| inner.restore(t, part))
     }
 
     const EVENTS: &'static [DeclaredEvent] = W::Inner::EVENTS;
 
     #[inline]
     fn event_values(&self, t: Number<W>, y: &W::State, values: &mut [Number<W>]) {
-        self.inner().event_values(t, &part::<W>(y), values);
+        self.present(t, y, |inner| inner.event_values(t, &part::<W>(y), values));
     }
 
     fn react(&self, event: usize, t: Number<W>, y: &W::State) -> Reacted<W> {
-        let Answer { reaction, system, happening } = self.inner().react(event, t, &part::<W>(y))?;
+        let answer = self.present(t, y, |inner| inner.react(event, t, &part::<W>(y)));
+        let Answer { reaction, system, happening } = answer?;
         let reaction = match reaction {
             Reaction::Continue => Reaction::Continue,
             Reaction::Stop => Reaction::Stop,
@@ -150,7 +158,8 @@ impl<W: Wrapper> OdeSystem for W {
     }
 
     fn begin(&self, t: Number<W>, y: &W::State) -> Result<Option<W>, Cause<Number<W>>> {
-        Ok(self.inner().begin(t, &part::<W>(y))?.map(|inner| self.around(inner)))
+        let begun = self.present(t, y, |inner| inner.begin(t, &part::<W>(y)))?;
+        Ok(begun.map(|inner| self.around(inner)))
     }
 
     fn freed(&self) -> Option<W> {
@@ -182,7 +191,7 @@ where
 {
     #[inline]
     fn energy(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Scalar {
-        self.inner().energy(t, q, v)
+        self.present(t, &join::<M>(q, v), |inner| inner.energy(t, q, v))
     }
 }
 
@@ -208,11 +217,13 @@ fn replaced<W: Wrapper>(y: &W::State, part: &InnerState<W>) -> W::State {
 /// Changes the state of the inner system, if that succeeds.
 #[inline]
 fn change<W: Wrapper>(
+    wrapper: &W,
+    t: Number<W>,
     y: &mut W::State,
-    change: impl FnOnce(&mut InnerState<W>) -> Result<(), Cause<Number<W>>>,
+    change: impl FnOnce(&W::Inner, &mut InnerState<W>) -> Result<(), Cause<Number<W>>>,
 ) -> Result<(), Cause<Number<W>>> {
     let mut part = part::<W>(y);
-    change(&mut part)?;
+    wrapper.present(t, y, |inner| change(inner, &mut part))?;
     *y = replaced::<W>(y, &part);
     Ok(())
 }

@@ -7,6 +7,7 @@ mod columns;
 mod constrained_references;
 mod constraints;
 mod contacts;
+mod control;
 mod declarations;
 mod events;
 mod fixed_steps;
@@ -26,6 +27,9 @@ mod states;
 mod switches;
 mod traits;
 mod wrappers;
+
+#[path = "../references/mod.rs"]
+mod references;
 
 /// Whether two numbers agree to a few units in the last place of `f64`.
 #[track_caller]

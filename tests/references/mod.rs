@@ -1,6 +1,7 @@
-//! Reference trajectories of 30 digits, which `tools/references.py` and `tools/mechanisms.py` compute.
+//! Reference trajectories of 30 digits, which `tools/references.py` and `tools/mechanisms.py` compute, and of 20 digits by `tools/control.py`.
 
-const TABLES: [&str; 2] = [include_str!("states.csv"), include_str!("mechanisms.csv")];
+const TABLES: [&str; 3] =
+    [include_str!("states.csv"), include_str!("mechanisms.csv"), include_str!("control.csv")];
 
 /// What the decimals of a declaration stand for in a reference.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -9,6 +9,7 @@ use super::attributes::{conditions, deprecated_exception};
 use super::constrained::projections;
 use super::contacts::mode_fields;
 use super::method::{ArgumentNames, Method};
+use super::ports::{inputs_impls, inputs_struct, outputs_impl};
 use super::scene::motion_name;
 use super::shape::{Shape, doc, identifier, length, local};
 use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
@@ -59,6 +60,7 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let implementations = [inherent_impl(shape, parts), default_impl(shape, parts)];
     let conversions = [state_conversions(shape), columns_impls(shape)];
     let traits = trait_impls(shape, parts);
+    let ports = [inputs_impls(shape), outputs_impl(shape, parts)].into_iter().flatten();
     let scalar = shape.scalar_path();
     let import = shape.generics().is_empty().then(|| quote!(use #scalar;));
     let (krate, functions) = (shape.krate, parts.functions.iter().map(|name| local(name)));
@@ -67,12 +69,14 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let rounded = rounded_exception(parts.has_rounded_constants);
     let attributes = &shape.declaration.attributes;
     let (conditions, deprecated) = (conditions(attributes), deprecated_exception(attributes));
+    let inputs = inputs_struct(shape).map(|inputs| quote!(#conditions #inputs));
     quote! {
         #system
         #conditions
         #state
         #conditions
         #columns
+        #inputs
         #conditions
         #names
         #rounded
@@ -83,6 +87,7 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             #(#implementations)*
             #(#conversions)*
             #traits
+            #(#ports)*
         };
     }
 }

@@ -111,6 +111,15 @@ impl Method {
 }
 
 impl Returns {
+    /// How many numbers that are.
+    pub(super) fn count(self) -> usize {
+        match self {
+            Returns::Scalar => 1,
+            Returns::Vector(n) => n,
+            Returns::Matrix(rows, columns) => rows * columns,
+        }
+    }
+
     pub(super) fn tokens(self, scalar: &TokenStream) -> TokenStream {
         match self {
             Returns::Scalar => scalar.clone(),

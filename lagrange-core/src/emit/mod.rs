@@ -15,6 +15,7 @@ mod messages;
 mod method;
 mod naming;
 mod numerals;
+mod ports;
 mod product;
 mod reduced;
 mod redundant;

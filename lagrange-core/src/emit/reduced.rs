@@ -259,7 +259,10 @@ pub(super) fn skeletons(declaration: &Declaration, krate: &TokenStream) -> Token
     let mut taken = HashMap::default();
     let mut is_new = |name: &str| {
         let mut insert = |name: String| taken.insert(name, ()).is_none();
-        insert(name.to_owned()) & insert(format!("{name}State")) & insert(format!("{name}Columns"))
+        insert(name.to_owned())
+            & insert(format!("{name}State"))
+            & insert(format!("{name}Columns"))
+            & insert(format!("{name}Inputs"))
     };
     is_new(&declaration.name.text);
     if let ScalarType::Generic(name) = &declaration.scalar {

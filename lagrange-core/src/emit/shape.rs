@@ -130,11 +130,24 @@ impl<'a> Shape<'a> {
 
     /// What a field is.
     pub(super) fn kind_of_field(&self, name: &Name) -> &'static str {
-        let is_input = self.declaration.statements.iter().any(|statement| match &statement.kind {
+        if self.is_input(name) { "Input" } else { "Parameter" }
+    }
+
+    /// Whether a field is an input.
+    pub(super) fn is_input(&self, name: &Name) -> bool {
+        self.declaration.statements.iter().any(|statement| match &statement.kind {
             StatementKind::Inputs(list) => list.iter().any(|definition| definition.name.text == name.text),
             _ => false,
-        });
-        if is_input { "Input" } else { "Parameter" }
+        })
+    }
+
+    /// These fields, those of modes among them, in a literal of the struct, as they are in `self`; with the marker, if there is one.
+    pub(super) fn kept_fields(&self, keeps: impl Fn(&Name) -> bool) -> TokenStream {
+        let fields = self.fields.iter().copied().chain(self.fields_of_modes());
+        let fields = fields.filter(|name| keeps(name)).map(identifier);
+        let marker = self.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData,));
+        let fields = fields.map(|field| quote!(#field: self.#field,)).collect::<TokenStream>();
+        quote!(#fields #marker)
     }
 
     /// The user's documentation of a declared name, or else `line`.

@@ -184,7 +184,7 @@ pub(super) fn switched_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (krate, field, k) = (shape.krate, shape.switches_field(), length(shape.switches.len()));
     let (first, twice) = (length(shape.event_names().len()), length(2 * shape.coordinates.len()));
     let ArgumentNames { time, state, .. } = &parts.names;
-    let (switches, others) = (local("switches"), other_fields(shape));
+    let (switches, others) = (local("switches"), shape.kept_fields(|_| true));
     let variables = state_variables(shape);
     let (positions, velocities) = variables.split_at(shape.coordinates.len());
     let option = quote!(::core::option::Option);
@@ -212,12 +212,4 @@ pub(super) fn switched_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             #times
         }
     }
-}
-
-/// All other fields in a literal of the struct, as they are in `self`.
-fn other_fields(shape: &Shape<'_>) -> TokenStream {
-    let fields = shape.fields.iter().copied().chain(shape.fields_of_modes()).map(super::shape::identifier);
-    let marker = shape.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData,));
-    let fields = fields.map(|field| quote!(#field: self.#field,)).collect::<TokenStream>();
-    quote!(#fields #marker)
 }

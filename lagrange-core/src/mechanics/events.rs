@@ -43,7 +43,7 @@ impl Elaborator<'_> {
         let kinds = &[Dependencies::REACTION];
         self.forbid(kinds, (syntax, value), messages::EVENT_FUNCTION, messages::EVENT_FUNCTION_HELP)?;
         let state = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY;
-        let changing = state | Dependencies::ACCELERATION | Dependencies::MULTIPLIER;
+        let changing = state | Dependencies::INPUT | Dependencies::ACCELERATION | Dependencies::MULTIPLIER;
         if self.evaluator.graph.dependencies(value).intersects(changing) {
             return Some(value);
         }

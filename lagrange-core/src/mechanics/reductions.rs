@@ -86,7 +86,7 @@ impl Elaborator<'_> {
         let new = &syntax.name;
         let clashes = |&(name, _): &(&str, Span)| {
             let belongs = |name: &str, to: &str| {
-                ["State", "Columns"].iter().any(|suffix| name.strip_suffix(suffix) == Some(to))
+                ["State", "Columns", "Inputs"].iter().any(|suffix| name.strip_suffix(suffix) == Some(to))
             };
             name == new.text || belongs(name, &new.text) || belongs(&new.text, name)
         };

@@ -17,7 +17,7 @@ use crate::symbol::{Role, SymbolId};
 /// A surface on which the equations of motion are not smooth.
 #[derive(Clone, Debug)]
 pub struct Switch {
-    /// What is zero there, a function of t, q and v. It increases with time if it depends on time alone.
+    /// What is zero there, a function of t, q, v and inputs. It increases with time if it depends on time alone.
     pub value: ExprId,
     /// The symbol of its side: the sign of `value`.
     pub side: ExprId,
@@ -107,9 +107,8 @@ fn surface(graph: &mut Graph, id: ExprId, guards: &[ExprId]) -> Option<Surface> 
         _ => return None,
     };
     let dependencies = graph.dependencies(difference);
-    let moving = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY;
     let unknown = Dependencies::ACCELERATION | Dependencies::MULTIPLIER | Dependencies::REACTION;
-    let may_pass = dependencies.intersects(moving) && !dependencies.intersects(unknown);
+    let may_pass = dependencies.intersects(moving()) && !dependencies.intersects(unknown);
     // What is never negative touches its surface at most, as a length where it is zero.
     may_pass.then(|| normalised(graph, difference)).filter(|surface| !graph.is_nonnegative(surface.value))
 }
@@ -143,8 +142,12 @@ fn is_time(graph: &Graph, id: ExprId) -> bool {
 fn passed_at(graph: &mut Graph, value: ExprId) -> Option<ExprId> {
     let time = graph.symbol("t", Role::Time);
     let rest = graph.subtract(time, value);
-    let changes = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY;
-    (!graph.dependencies(rest).intersects(changes)).then_some(rest)
+    (!graph.dependencies(rest).intersects(moving())).then_some(rest)
+}
+
+/// What may change in motion. Inputs do where a control computes them from the state.
+fn moving() -> Dependencies {
+    Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY | Dependencies::INPUT
 }
 
 /// For each surface in the declaration the first statement that holds it.

@@ -88,7 +88,7 @@ fn given_times_and_those_of_the_system_are_merged() {
         let mut times = Vec::new();
         while stepper.time() != end && times.len() < 20 {
             restarts.resume(&system, &mut stepper).expect("finite");
-            restarts.step(&system, &mut stepper, |_, _| true).expect("finite");
+            restarts.step(&system, &mut stepper, None, |_, _| true).expect("finite");
             times.push(restarts.time(&stepper));
         }
         assert_eq!(times, wanted);
@@ -102,7 +102,7 @@ fn nothing_is_tried_in_vain() {
         let mut restarts = Restarts::new(-0.5, 4.5, &[]);
         while stepper.time() != 4.5 {
             restarts.resume(&system, &mut stepper).expect("finite");
-            restarts.step(&system, &mut stepper, |_, _| true).expect("finite");
+            restarts.step(&system, &mut stepper, None, |_, _| true).expect("finite");
         }
         assert_eq!(stepper.work().rejections, 0);
         assert_near(*stepper.state(), half_past(4), "the end");

@@ -7,7 +7,7 @@ lagrange::system! {
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
     event floor = y, falling => impact(0);
     event never = m - l, falling => stop;
-    event steered = u, rising => record;
+    event fixed = m * l, rising => record;
     event pair = (x, y), rising => record;
     event opens = floor, falling => record;
     event late = jump, falling => record;

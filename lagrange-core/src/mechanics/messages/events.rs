@@ -10,7 +10,7 @@ pub(in crate::mechanics) fn constant_event(name: &str) -> String {
 }
 
 pub(in crate::mechanics) const CONSTANT_EVENT_HELP: &str =
-    "write what passes zero during the motion as a function of time, coordinates or velocities";
+    "write what passes zero during the motion as a function of time, coordinates, velocities or inputs";
 
 pub(in crate::mechanics) const ASSIGNED_VALUE: &str = "the value after an event";
 pub(in crate::mechanics) const NOT_ASSIGNABLE: &str = "nothing can be assigned to this";

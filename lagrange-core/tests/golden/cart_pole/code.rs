@@ -49,6 +49,17 @@ pub struct CartPoleState {
 /// Columns of a table of states of [`CartPole`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct CartPoleColumns<C>(C);
+/// Inputs of [`CartPole`].
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct CartPoleInputs {
+    /// Input `u`.
+    pub u: ::core::primitive::f64,
+}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
@@ -332,6 +343,52 @@ const _: () = {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
             self.energy(t, q, v)
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 1]> for CartPoleInputs {
+        #[inline]
+        fn from([u]: [f64; 1]) -> Self {
+            Self { u }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<CartPoleInputs> for [f64; 1] {
+        #[inline]
+        fn from(inputs: CartPoleInputs) -> Self {
+            [inputs.u]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::ControlledSystem for CartPole {
+        type Inputs = CartPoleInputs;
+        type InputVector = [f64; 1];
+        type NamedState = CartPoleState;
+        const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
+        #[inline]
+        fn inputs(&self) -> CartPoleInputs {
+            CartPoleInputs { u: self.u }
+        }
+        #[inline]
+        fn with_inputs(&self, inputs: CartPoleInputs) -> Self {
+            Self {
+                u: inputs.u,
+                mc: self.mc,
+                mp: self.mp,
+                l: self.l,
+                c: self.c,
+                g: self.g,
+            }
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::OutputSystem for CartPole {
+        type Outputs = [f64; 2];
+        const OUTPUTS: &'static [&'static ::core::primitive::str] = &["tip.x", "tip.y"];
+        #[inline]
+        fn outputs(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let [output_0, output_1] = self.tip(t, q, v);
+            [output_0, output_1]
         }
     }
 };

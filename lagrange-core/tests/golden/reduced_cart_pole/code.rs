@@ -49,6 +49,17 @@ pub struct CartPoleState {
 /// Columns of a table of states of [`CartPole`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct CartPoleColumns<C>(C);
+/// Inputs of [`CartPole`].
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct CartPoleInputs {
+    /// Input `u`.
+    pub u: ::core::primitive::f64,
+}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
@@ -258,6 +269,52 @@ const _: () = {
             self.energy(t, q, v)
         }
     }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 1]> for CartPoleInputs {
+        #[inline]
+        fn from([u]: [f64; 1]) -> Self {
+            Self { u }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<CartPoleInputs> for [f64; 1] {
+        #[inline]
+        fn from(inputs: CartPoleInputs) -> Self {
+            [inputs.u]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::ControlledSystem for CartPole {
+        type Inputs = CartPoleInputs;
+        type InputVector = [f64; 1];
+        type NamedState = CartPoleState;
+        const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
+        #[inline]
+        fn inputs(&self) -> CartPoleInputs {
+            CartPoleInputs { u: self.u }
+        }
+        #[inline]
+        fn with_inputs(&self, inputs: CartPoleInputs) -> Self {
+            Self {
+                u: inputs.u,
+                mc: self.mc,
+                mp: self.mp,
+                l: self.l,
+                c: self.c,
+                g: self.g,
+            }
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::OutputSystem for CartPole {
+        type Outputs = [f64; 2];
+        const OUTPUTS: &'static [&'static ::core::primitive::str] = &["tip.x", "tip.y"];
+        #[inline]
+        fn outputs(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let [output_0, output_1] = self.tip(t, q, v);
+            [output_0, output_1]
+        }
+    }
 };
 /// The pendulum of a cart that is held at the end of its track.
 ///
@@ -306,6 +363,17 @@ pub struct ParkedState {
 /// Columns of a table of states of [`Parked`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct ParkedColumns<C>(C);
+/// Inputs of [`Parked`].
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ParkedInputs {
+    /// Input `u`.
+    pub u: ::core::primitive::f64,
+}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
@@ -481,6 +549,52 @@ const _: () = {
             self.energy(t, q, v)
         }
     }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 1]> for ParkedInputs {
+        #[inline]
+        fn from([u]: [f64; 1]) -> Self {
+            Self { u }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<ParkedInputs> for [f64; 1] {
+        #[inline]
+        fn from(inputs: ParkedInputs) -> Self {
+            [inputs.u]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::ControlledSystem for Parked {
+        type Inputs = ParkedInputs;
+        type InputVector = [f64; 1];
+        type NamedState = ParkedState;
+        const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
+        #[inline]
+        fn inputs(&self) -> ParkedInputs {
+            ParkedInputs { u: self.u }
+        }
+        #[inline]
+        fn with_inputs(&self, inputs: ParkedInputs) -> Self {
+            Self {
+                u: inputs.u,
+                mc: self.mc,
+                mp: self.mp,
+                l: self.l,
+                c: self.c,
+                g: self.g,
+            }
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::OutputSystem for Parked {
+        type Outputs = [f64; 2];
+        const OUTPUTS: &'static [&'static ::core::primitive::str] = &["tip.x", "tip.y"];
+        #[inline]
+        fn outputs(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 2] {
+            let [output_0, output_1] = self.tip(t, q, v);
+            [output_0, output_1]
+        }
+    }
 };
 const _: () = {
     use ::core::primitive::f64;
@@ -609,6 +723,17 @@ pub struct LinearState {
 /// Columns of a table of states of [`Linear`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct LinearColumns<C>(C);
+/// Inputs of [`Linear`].
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct LinearInputs {
+    /// Input `u`.
+    pub u: ::core::primitive::f64,
+}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin_cos};
@@ -803,6 +928,52 @@ const _: () = {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
             self.energy(t, q, v)
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 1]> for LinearInputs {
+        #[inline]
+        fn from([u]: [f64; 1]) -> Self {
+            Self { u }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<LinearInputs> for [f64; 1] {
+        #[inline]
+        fn from(inputs: LinearInputs) -> Self {
+            [inputs.u]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::ControlledSystem for Linear {
+        type Inputs = LinearInputs;
+        type InputVector = [f64; 1];
+        type NamedState = LinearState;
+        const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
+        #[inline]
+        fn inputs(&self) -> LinearInputs {
+            LinearInputs { u: self.u }
+        }
+        #[inline]
+        fn with_inputs(&self, inputs: LinearInputs) -> Self {
+            Self {
+                u: inputs.u,
+                mc: self.mc,
+                mp: self.mp,
+                l: self.l,
+                c: self.c,
+                g: self.g,
+            }
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::OutputSystem for Linear {
+        type Outputs = [f64; 2];
+        const OUTPUTS: &'static [&'static ::core::primitive::str] = &["tip.x", "tip.y"];
+        #[inline]
+        fn outputs(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            let [output_0, output_1] = self.tip(t, q, v);
+            [output_0, output_1]
         }
     }
 };

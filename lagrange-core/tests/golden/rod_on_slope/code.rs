@@ -82,6 +82,17 @@ pub struct RodOnSlopeState {
 /// Columns of a table of states of [`RodOnSlope`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct RodOnSlopeColumns<C>(C);
+/// Inputs of [`RodOnSlope`].
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RodOnSlopeInputs {
+    /// Input `u`.
+    pub u: ::core::primitive::f64,
+}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{abs, multiply_add, sin_cos, sqrt};
@@ -965,6 +976,42 @@ const _: () = {
                 at: [x, y],
                 force: [u, 0.0],
             });
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 1]> for RodOnSlopeInputs {
+        #[inline]
+        fn from([u]: [f64; 1]) -> Self {
+            Self { u }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<RodOnSlopeInputs> for [f64; 1] {
+        #[inline]
+        fn from(inputs: RodOnSlopeInputs) -> Self {
+            [inputs.u]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::ControlledSystem for RodOnSlope {
+        type Inputs = RodOnSlopeInputs;
+        type InputVector = [f64; 1];
+        type NamedState = RodOnSlopeState;
+        const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
+        #[inline]
+        fn inputs(&self) -> RodOnSlopeInputs {
+            RodOnSlopeInputs { u: self.u }
+        }
+        #[inline]
+        fn with_inputs(&self, inputs: RodOnSlopeInputs) -> Self {
+            Self {
+                u: inputs.u,
+                m: self.m,
+                l: self.l,
+                k: self.k,
+                g: self.g,
+                slope: self.slope,
+            }
         }
     }
 };

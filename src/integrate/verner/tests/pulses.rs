@@ -58,7 +58,7 @@ fn sampled(system: &Struck, end: f64, tolerance: f64, interval: f64) -> (f64, Wo
     let (mut worst, mut next) = (0.0_f64, 1_u32);
     let mut restarts = Restarts::new(0.0, end, &[]);
     while stepper.time() != end {
-        restarts.step(system, &mut stepper, |_, to| interval * f64::from(next) < to).expect("finite");
+        restarts.step(system, &mut stepper, None, |_, to| interval * f64::from(next) < to).expect("finite");
         while interval * f64::from(next) <= stepper.time() {
             let t = interval * f64::from(next);
             worst = worst.max(distance(stepper.interpolate(system, t), system.exact(t)));
@@ -101,7 +101,7 @@ fn smooth_motions_pay_two_evaluations_for_a_step_that_is_looked_into() {
             let mut stepper = method.start(&Oscillator, 0.0, &[1.0, 0.0], 50.0).expect("starts");
             let mut restarts = Restarts::new(0.0, 50.0, &[]);
             while stepper.time() != 50.0 {
-                restarts.step(&Oscillator, &mut stepper, |_, _| is_looked_into).expect("finite");
+                restarts.step(&Oscillator, &mut stepper, None, |_, _| is_looked_into).expect("finite");
             }
             stepper.work()
         };

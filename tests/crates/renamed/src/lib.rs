@@ -64,7 +64,7 @@ mod tests {
         let method = RungeKutta4 { step: period / 1000.0 };
         let end = integrate(&oscillator, 0.0, [0.5, 0.0], period, &method, |_, _| {}).expect("finite");
         assert!((end[0] - 0.5).abs() < 1e-9);
-        let disk = Disk::<f64> { j: 0.5, u: 3.0 };
+        let disk = Disk { j: 0.5, u: 3.0, ..Disk::<f64>::default() };
         assert_eq!(disk.acceleration(0.0, &[0.0], &[1.0]), [2.0]);
         assert_eq!(disk.braking(0.0, &[0.0], &[-2.0]), -6.0);
     }

@@ -1,0 +1,307 @@
+//! Inputs during a run: laws that hold at every instant, and controllers that are sampled.
+
+use std::boxed::Box;
+use std::fmt::{Debug, Formatter};
+use std::rc::Rc;
+use std::vec::Vec;
+
+use crate::constraint::ConstraintValues;
+use crate::integrate::Cause;
+use crate::scalar::Scalar;
+use crate::simulate::sampling::Grid;
+use crate::system::{
+    CanonicalSystem, ControlledSystem, CoordinateMatrix, MechanicalSystem, OdeSystem, StateMatrix, Wrapper,
+    join,
+};
+
+/// What sets the inputs of the system M at every instant of a run: nothing, or a [`Law`].
+pub trait Drive<M: MechanicalSystem>: Clone {
+    /// What methods integrate.
+    type Closed: ClosedLoop<M>;
+
+    /// Hands over the closed loop.
+    fn close<R>(&self, system: &M, run: impl FnOnce(&Self::Closed) -> R) -> R;
+}
+
+/// Inputs stay as they are, or as sampled controllers set them.
+#[derive(Clone, Copy, Debug)]
+pub struct Undriven;
+
+/// A law that gives the inputs for each time and state.
+pub struct Law<F>(Rc<F>);
+
+impl<F> Law<F> {
+    pub(super) fn new(law: F) -> Self {
+        Law(Rc::new(law))
+    }
+}
+
+impl<F> Clone for Law<F> {
+    fn clone(&self) -> Self {
+        Law(Rc::clone(&self.0))
+    }
+}
+
+impl<F> Debug for Law<F> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Law")
+    }
+}
+
+impl<M: MechanicalSystem> Drive<M> for Undriven {
+    type Closed = M;
+
+    fn close<R>(&self, system: &M, run: impl FnOnce(&M) -> R) -> R {
+        run(system)
+    }
+}
+
+impl<M, F> Drive<M> for Law<F>
+where
+    M: ControlledSystem,
+    F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
+{
+    type Closed = Driven<M, F>;
+
+    fn close<R>(&self, system: &M, run: impl FnOnce(&Driven<M, F>) -> R) -> R {
+        run(&Driven { plant: system.with_inputs(system.inputs()), law: Rc::clone(&self.0) })
+    }
+}
+
+/// A system M, the plant, in a closed loop.
+pub trait ClosedLoop<M: MechanicalSystem>:
+    MechanicalSystem<Scalar = M::Scalar, State = M::State, Coordinates = M::Coordinates> + Sized
+{
+    /// The plant in its present modes, with the inputs that it has by itself.
+    fn plant(&self) -> &M;
+
+    /// The same loop around another plant.
+    fn with_plant(&self, plant: M) -> Self;
+
+    /// The plant.
+    fn into_plant(self) -> M;
+
+    /// Asks the plant with the inputs that it has at this time and state.
+    fn ask<R>(&self, t: M::Scalar, y: &M::State, question: impl FnOnce(&M) -> R) -> R;
+}
+
+impl<M: MechanicalSystem> ClosedLoop<M> for M {
+    #[inline]
+    fn plant(&self) -> &M {
+        self
+    }
+
+    #[inline]
+    fn with_plant(&self, plant: M) -> M {
+        plant
+    }
+
+    #[inline]
+    fn into_plant(self) -> M {
+        self
+    }
+
+    #[inline]
+    fn ask<R>(&self, _t: M::Scalar, _y: &M::State, question: impl FnOnce(&M) -> R) -> R {
+        question(self)
+    }
+}
+
+/// A system whose inputs follow a law.
+pub struct Driven<M, F> {
+    plant: M,
+    law: Rc<F>,
+}
+
+impl<M, F> ClosedLoop<M> for Driven<M, F>
+where
+    M: ControlledSystem,
+    F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
+{
+    fn plant(&self) -> &M {
+        &self.plant
+    }
+
+    fn with_plant(&self, plant: M) -> Self {
+        Driven { plant, law: Rc::clone(&self.law) }
+    }
+
+    fn into_plant(self) -> M {
+        self.plant
+    }
+
+    #[inline]
+    fn ask<R>(&self, t: M::Scalar, y: &M::State, question: impl FnOnce(&M) -> R) -> R {
+        self.present(t, y, question)
+    }
+}
+
+impl<M, F> Wrapper for Driven<M, F>
+where
+    M: ControlledSystem,
+    F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
+{
+    type Inner = M;
+    type State = M::State;
+
+    #[inline]
+    fn inner(&self) -> &M {
+        &self.plant
+    }
+
+    /// With the plant's own inputs, on which the law may build, and not those that it had at a time and state.
+    fn around(&self, inner: M) -> Self {
+        self.with_plant(inner.with_inputs(self.plant.inputs()))
+    }
+
+    #[inline]
+    fn present<R>(&self, t: M::Scalar, y: &M::State, ask: impl FnOnce(&M) -> R) -> R {
+        ask(&self.plant.with_inputs((self.law)(&self.plant, t, M::NamedState::from(*y))))
+    }
+
+    #[inline]
+    fn outer_rhs(&self, t: M::Scalar, y: &M::State) -> M::State {
+        self.present(t, y, |plant| plant.rhs(t, y))
+    }
+
+    /// That of the plant with fixed inputs, and difference quotients of what the law adds.
+    fn outer_jacobian(&self, t: M::Scalar, y: &M::State) -> Option<StateMatrix<M>> {
+        self.present(t, y, |fixed| {
+            let mut jacobian = fixed.jacobian(t, y)?;
+            for column in 0..y.as_ref().len() {
+                let (ahead, width) = moved::<M>(y, column);
+                let others = self.present(t, &ahead, M::inputs);
+                let (with, without) = (fixed.with_inputs(others).rhs(t, y), fixed.rhs(t, y));
+                let change =
+                    with.as_ref().iter().zip(without.as_ref()).map(|(with, without)| *with - *without);
+                for (row, change) in jacobian.as_mut().iter_mut().zip(change) {
+                    row.as_mut()[column] = row.as_ref()[column] + change / width;
+                }
+            }
+            Some(jacobian)
+        })
+    }
+}
+
+/// The state with one entry moved by about half of all its digits, and by how much.
+fn moved<M: MechanicalSystem>(y: &M::State, entry: usize) -> (M::State, M::Scalar) {
+    let mut moved = *y;
+    let value = y.as_ref()[entry];
+    moved.as_mut()[entry] = value + M::Scalar::epsilon().sqrt() * M::Scalar::ONE.max(value.abs());
+    let width = moved.as_ref()[entry] - value;
+    (moved, width)
+}
+
+impl<M, F> CanonicalSystem for Driven<M, F>
+where
+    M: ControlledSystem + CanonicalSystem,
+    F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
+{
+    #[inline]
+    fn momenta(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Coordinates {
+        self.present(t, &join::<M>(q, v), |plant| plant.momenta(t, q, v))
+    }
+
+    #[inline]
+    fn momentum_rates(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Coordinates {
+        self.present(t, &join::<M>(q, v), |plant| plant.momentum_rates(t, q, v))
+    }
+
+    fn mass_matrix(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> CoordinateMatrix<Self> {
+        self.present(t, &join::<M>(q, v), |plant| plant.mass_matrix(t, q, v))
+    }
+
+    fn free_momentum_rates(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Coordinates {
+        self.present(t, &join::<M>(q, v), |plant| plant.free_momentum_rates(t, q, v))
+    }
+
+    const SAYS_CONSTRAINTS: bool = M::SAYS_CONSTRAINTS;
+
+    fn constraint_values(
+        &self,
+        t: M::Scalar,
+        q: &M::Coordinates,
+        v: &M::Coordinates,
+    ) -> ConstraintValues<M::Scalar, M::Coordinates> {
+        self.present(t, &join::<M>(q, v), |plant| plant.constraint_values(t, q, v))
+    }
+}
+
+/// The system with the inputs that a controller gives it.
+type Act<'a, M> = Box<
+    dyn FnMut(
+            &M,
+            <M as OdeSystem>::Scalar,
+            &<M as OdeSystem>::State,
+        ) -> Result<M, Cause<<M as OdeSystem>::Scalar>>
+        + 'a,
+>;
+
+/// A controller that acts every so often and holds its inputs in between.
+pub(super) struct Controller<'a, M: MechanicalSystem> {
+    period: M::Scalar,
+    act: Act<'a, M>,
+    /// Its instants after the start, once the run has begun.
+    instants: Option<Grid<M::Scalar>>,
+}
+
+impl<'a, M: MechanicalSystem> Controller<'a, M> {
+    pub(super) fn new(period: M::Scalar, act: Act<'a, M>) -> Self {
+        Controller { period, act, instants: None }
+    }
+}
+
+/// The controllers of a run.
+pub(super) struct Controllers<'a, M: MechanicalSystem> {
+    controllers: Vec<Controller<'a, M>>,
+    end: M::Scalar,
+}
+
+impl<'a, M: MechanicalSystem> Controllers<'a, M> {
+    /// Those of a run to this end.
+    pub(super) fn new(controllers: Vec<Controller<'a, M>>, end: M::Scalar) -> Self {
+        Controllers { controllers, end }
+    }
+
+    /// The next instant at which one acts.
+    pub(super) fn next(&self) -> Option<M::Scalar> {
+        let instants = self.controllers.iter().filter_map(|controller| controller.instants?.up_to(self.end));
+        let since = |time: M::Scalar| (self.end - time).abs();
+        instants.reduce(|one, other| if since(other) > since(one) { other } else { one })
+    }
+
+    /// All act at the start.
+    ///
+    /// # Errors
+    /// If a period makes no sense, or an input is not finite.
+    pub(super) fn begin(&mut self, system: &M, (t, y): (M::Scalar, &M::State)) -> Acted<M> {
+        for controller in &mut self.controllers {
+            controller.instants = Some(Grid::new(t, self.end, controller.period)?);
+        }
+        self.ask(|_| true, system, (t, y))
+    }
+
+    /// Those act whose instants have been reached.
+    pub(super) fn act(&mut self, system: &M, reached: M::Scalar, (t, y): (M::Scalar, &M::State)) -> Acted<M> {
+        self.ask(|grid| grid.up_to(reached).is_some(), system, (t, y))
+    }
+
+    /// Those that are due act, in the order in which they were given, each on the system that the last one left.
+    fn ask(
+        &mut self,
+        mut is_due: impl FnMut(&mut Grid<M::Scalar>) -> bool,
+        system: &M,
+        (t, y): (M::Scalar, &M::State),
+    ) -> Acted<M> {
+        let mut acted = None;
+        for controller in &mut self.controllers {
+            if controller.instants.as_mut().is_some_and(&mut is_due) {
+                acted = Some((controller.act)(acted.as_ref().unwrap_or(system), t, y)?);
+            }
+        }
+        Ok(acted)
+    }
+}
+
+/// The system with the inputs that controllers gave it, if one did.
+type Acted<M> = Result<Option<M>, Cause<<M as OdeSystem>::Scalar>>;

@@ -1,0 +1,147 @@
+//! What is asked of a run about inputs and outputs.
+
+use std::boxed::Box;
+use std::string::ToString;
+use std::vec::Vec;
+
+use crate::integrate::Cause;
+use crate::scalar::Scalar;
+use crate::simulate::builder::Simulation;
+use crate::simulate::control::{Controller, Drive, Law, Undriven};
+use crate::system::{ControlledSystem, OutputSystem, split};
+
+impl<'a, M: ControlledSystem, K> Simulation<'a, M, K, Undriven> {
+    /// Sets the inputs at every instant by a law, a function of time and state: a feedback, or a force over time.
+    ///
+    /// The law is part of the equations: methods evaluate it at trial states in any order, so that it cannot have a memory. It is
+    /// given the system with the inputs that were declared, set or [sampled](Simulation::sampled); inputs that it does not compute
+    /// it takes from there. Contacts, friction, events and whatever is observed know the inputs that it gives. Every input becomes a
+    /// column.
+    ///
+    /// Jumps and kinks of a law are not looked for. Where they matter write them into the declaration, as `min(u, 20)` for a force
+    /// that saturates: the compiler then knows where the motion is not smooth, and runs find it. For implicit methods its derivatives
+    /// are found by difference quotients.
+    ///
+    /// ```
+    /// use lagrange::Simulate;
+    ///
+    /// lagrange::system! {
+    ///     struct Cart;
+    ///     coord x;
+    ///     input u;
+    ///     kinetic = 1/2 * dot(x)^2;
+    ///     force x = u;
+    /// }
+    ///
+    /// let cart = Cart::default();
+    /// let spring = |_: &Cart, _, state: CartState| CartInputs { u: -4.0 * state.x };
+    /// let motion = cart.simulate([1.0, 0.0]).until(3.0).drive(spring).run()?;
+    /// assert!((motion.last()[0] - 6.0_f64.cos()).abs() < 1e-9);
+    /// assert_eq!(motion.column("u").unwrap()[0], -4.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn drive<F>(self, law: F) -> Simulation<'a, M, K, Law<F>>
+    where
+        F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
+    {
+        self.recording_inputs().exchange(|method, Undriven| (method, Law::new(law)))
+    }
+}
+
+impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
+    /// Sets the inputs by a controller that is asked at the start and then every `period`, and holds them in between (a zero-order
+    /// hold).
+    ///
+    /// A step ends at each of these instants, so that no step sees two values of an input. The controller may have a memory, such as
+    /// the integral of a deviation: it is asked exactly once at each instant, in their order, with the state that the motion has
+    /// there; not at the end of the run. It is given the system with its present inputs, and takes from there those that it does
+    /// not compute. Of several controllers those that act at the same instant do so in the order in which they were given.
+    /// Every input becomes a column, which at an instant holds the new value.
+    ///
+    /// ```
+    /// use lagrange::Simulate;
+    ///
+    /// lagrange::system! {
+    ///     struct Cart;
+    ///     coord x;
+    ///     input u;
+    ///     kinetic = 1/2 * dot(x)^2;
+    ///     force x = u;
+    /// }
+    ///
+    /// let cart = Cart::default();
+    /// let mut pushes = 0.0;
+    /// let counting = |_: &Cart, _, _: CartState| {
+    ///     pushes += 1.0;
+    ///     CartInputs { u: pushes }
+    /// };
+    /// let motion = cart.simulate([0.0, 0.0]).until(3.0).sampled(1.0, counting).every(1.0).run()?;
+    /// assert_eq!(motion.column("u").unwrap(), [1.0, 2.0, 3.0, 3.0]);
+    /// assert!((motion.last()[1] - 6.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn sampled<F>(self, period: M::Scalar, mut control: F) -> Self
+    where
+        F: FnMut(&M, M::Scalar, M::NamedState) -> M::Inputs + 'a,
+    {
+        let act = move |system: &M, t, y: &M::State| {
+            let inputs = control(system, t, M::NamedState::from(*y));
+            check_finite::<M>(inputs)?;
+            Ok(system.with_inputs(inputs))
+        };
+        let mut simulation = self.recording_inputs();
+        simulation.controllers.push(Controller::new(period, Box::new(act)));
+        simulation
+    }
+
+    /// Adds a column for each input, if there is none yet.
+    fn recording_inputs(mut self) -> Self {
+        if core::mem::replace(&mut self.records_inputs, true) {
+            return self;
+        }
+        let names = M::INPUTS.iter().map(ToString::to_string).collect();
+        let extend = |system: &M, _, _: &M::State, row: &mut Vec<_>| {
+            row.extend_from_slice(system.inputs().into().as_ref());
+        };
+        self.with(names, Box::new(extend))
+    }
+}
+
+impl<M: OutputSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
+    /// Adds a column for each component of each output, such as `height`, `tip.x` and `tip.y`.
+    pub fn outputs(self) -> Self {
+        self.recording_outputs((0..M::OUTPUTS.len()).collect())
+    }
+
+    /// Adds the columns of this output, or of this component of one, such as `tip` or `tip.x`. An output that is not declared is an
+    /// error of the run.
+    pub fn record(mut self, output: &'static str) -> Self {
+        let belongs = |name: &str| {
+            name.strip_prefix(output).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        let chosen = (0..M::OUTPUTS.len()).filter(|&index| belongs(M::OUTPUTS[index])).collect::<Vec<_>>();
+        if chosen.is_empty() {
+            self.fault = self.fault.or(Some(Cause::UnknownOutput { name: output, known: M::OUTPUTS }));
+            return self;
+        }
+        self.recording_outputs(chosen)
+    }
+
+    fn recording_outputs(self, chosen: Vec<usize>) -> Self {
+        let names = chosen.iter().map(|&index| M::OUTPUTS[index].to_string()).collect();
+        let extend = move |system: &M, t, y: &M::State, row: &mut Vec<_>| {
+            let (q, v) = split::<M>(y);
+            let outputs = system.outputs(t, &q, &v);
+            row.extend(chosen.iter().map(|&index| outputs.as_ref()[index]));
+        };
+        self.with(names, Box::new(extend))
+    }
+}
+
+/// # Errors
+/// If an input is not finite.
+fn check_finite<M: ControlledSystem>(inputs: M::Inputs) -> Result<(), Cause<M::Scalar>> {
+    let values: M::InputVector = inputs.into();
+    let wrong = values.as_ref().iter().position(|value| !value.is_finite());
+    wrong.map_or(Ok(()), |index| Err(Cause::InputNotFinite { name: M::INPUTS[index] }))
+}
