@@ -9,15 +9,16 @@ use super::polynomial::{POINTS, points};
 use super::search::Search;
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
-use crate::system::OdeSystem;
+use crate::system::{OdeSystem, StateVector};
 
 /// The part of a step after which the state has left what it was replaced by.
 const SHORTLY: f64 = 1e-10;
 /// A step is halved so often in search of a hop that is shorter.
 const MOST_HALVINGS: u32 = 60;
-/// Times that differ by fewer roundings than this are taken for the same,
+/// Times that differ by fewer roundings than this are taken for the same, and so are those between which a function did not get
+/// farther from zero than so many roundings of the state change it;
 const ROUNDINGS: f64 = 64.0;
-/// and so many events at the same time for infinitely many.
+/// so many events at the same time are taken for infinitely many.
 const MOST_REPETITIONS: u32 = 50;
 
 /// An event that happened.
@@ -46,6 +47,8 @@ pub struct Watch<S, const K: usize> {
     /// How often it was, each time no later than rounding can tell, and the last event before.
     repetitions: u32,
     last: usize,
+    /// Whether the last event came before its function had got away from zero by more than rounding.
+    is_noise: bool,
 }
 
 /// Which function has an event, and when.
@@ -75,6 +78,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
             is_replaced: false,
             repetitions: 0,
             last: 0,
+            is_noise: false,
         }
     }
 
@@ -115,7 +119,14 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
             self.learn_shortly(values(shortly, &stepper.interpolate(system, shortly)))?;
             self.check_repetitions()?;
         }
+        let (last, is_first) = (self.last, self.repetitions > 0 && self.started == from);
         let found = self.search_step((from, to), |t| values(t, &stepper.interpolate(system, t)))?;
+        if let Some((event, time)) = found {
+            let middle = from + S::from_f64(0.5) * (time - from);
+            let state = stepper.interpolate(system, middle);
+            let mut value = |state: &M::State| values(middle, state)[event];
+            self.is_noise = is_first && event == last && is_rounding::<S, M::State>(&state, &mut value);
+        }
         Ok(found.map(|(event, time)| Occurrence { event, time, state: stepper.interpolate(system, time) }))
     }
 
@@ -312,7 +323,8 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
     /// The signs that count from now on are those shortly after: a ball that was turned round on the ground is above it.
     pub fn restart(&mut self, t: S, values: [S; K]) {
         let distance = (t - self.started).abs();
-        let is_same = self.repetitions > 0 && distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
+        let is_at_once = distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
+        let is_same = self.repetitions > 0 && (is_at_once || self.is_noise);
         self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
         for (detector, value) in self.detectors.iter_mut().zip(values) {
             detector.begin(t, value);
@@ -344,6 +356,19 @@ fn accuracy<S: Scalar>(from: S, to: S) -> S {
 pub(crate) fn is_at_once<S: Scalar>(one: S, other: S, from: S, to: S) -> bool {
     let rounding = S::from_f64(4.0) * S::epsilon() * one.abs();
     (one - other).abs() <= accuracy(from, to) + accuracy(from, to) + rounding
+}
+
+/// Whether a function is as small at this state as it changes by when entries are rounded. Hops end there where places are rounded more
+/// coarsely than times: 3.7 m below the origin those that are lower than 10⁻¹³ m.
+fn is_rounding<S: Scalar, Y: StateVector<S>>(state: &Y, mut value: impl FnMut(&Y) -> S) -> bool {
+    let here = value(state);
+    let change = |entry: usize| {
+        let mut rounded = *state;
+        let size = state.as_ref()[entry].abs();
+        rounded.as_mut()[entry] = state.as_ref()[entry] + S::from_f64(ROUNDINGS) * S::epsilon() * size;
+        (value(&rounded) - here).abs()
+    };
+    here.abs() <= (0..state.as_ref().len()).map(change).fold(S::ZERO, |sum, change| sum + change)
 }
 
 fn check<S: Scalar, const K: usize>(values: [S; K]) -> Result<(), Cause<S>> {

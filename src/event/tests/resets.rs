@@ -32,7 +32,7 @@ fn bounce(method: &impl Method<Ball>, floor: f64, kept: f64) -> (Result<f64, Cau
 #[test]
 fn no_ball_tunnels_through_a_floor() {
     for floor in [0.0, -3.7, 100.0] {
-        for kept in [0.0, 0.05, 0.3, 0.6] {
+        for kept in [0.0, 0.05, 0.3, 0.6, 0.8, 0.9] {
             for tolerance in [1e-4, 1e-9, 1e-13] {
                 let (result, lowest, times) = bounce(&Verner98::tolerance(tolerance), floor, kept);
                 let what =
