@@ -7,7 +7,6 @@
 
 use std::error::Error;
 
-use indicatif::{ProgressBar, ProgressStyle};
 use lagrange::Simulate;
 use lagrange::integrate::{Method, RungeKutta4, Verner98};
 use lagrange::simulate::Trajectory;
@@ -39,12 +38,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The largest drift of the energy in relation to its initial value.
 fn drift(file: &str, method: impl Method<DoublePendulum>) -> Result<f64, Box<dyn Error>> {
     let pendulum = DoublePendulum::default();
-    let bar = ProgressBar::new(END as u64)
-        .with_style(ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} s")?);
-    bar.set_message(method.name());
+    let name = method.name();
     let simulation = pendulum.simulate(START).until(END).method(method).every(0.1).energy();
-    let trajectory = simulation.progress(|progress| bar.set_position(progress.time as u64)).run()?;
-    bar.finish_and_clear();
+    let trajectory =
+        simulation.progress(|progress| eprint!("\r{name}: {:3.0} of {END} s", progress.time)).run()?;
+    eprintln!();
 
     let energies = trajectory.column("energy").unwrap_or_default();
     let largest = energies.iter().map(|energy| (energy / energies[0] - 1.0).abs()).fold(0.0, f64::max);

@@ -8,7 +8,7 @@
 //! the equations, the structure and the cost, which are also the documentation of the emitted struct, and for
 //! the accelerations, which agree to rounding.
 //!
-//! `cargo run --example from_text -- FILE` does the first road for the declaration in a file.
+//! `cargo run --features symbolic --example from_text -- FILE` does the first road for the declaration in a file.
 
 mod common;
 
@@ -17,8 +17,8 @@ use std::process::ExitCode;
 use std::{env, fs};
 
 use common::compare;
-use lagrange_core::mechanics::RoadChoice;
-use lagrange_core::pipeline::{Derived, NumericSystem, parse};
+use lagrange::symbolic::mechanics::RoadChoice;
+use lagrange::symbolic::pipeline::{Derived, NumericSystem, parse};
 
 /// Compiles a declaration and keeps its text.
 macro_rules! compiled_with_text {

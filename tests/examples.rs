@@ -28,7 +28,7 @@ fn agree_with_their_references() {
     assert!(!examples.is_empty());
     for name in examples {
         let cargo = Command::new(env!("CARGO"))
-            .args(["run", "--quiet", "--features", "plot,draw", "--example", &name])
+            .args(["run", "--quiet", "--features", "plot,draw,symbolic", "--example", &name])
             .output();
         let output = cargo.expect("cargo starts");
         let messages = String::from_utf8_lossy(&output.stderr);

@@ -32,7 +32,7 @@
 //!
 //! A projection takes about as long as three evaluations of the accelerations. On the rod, a four-bar linkage and Andrews' squeezer
 //! it makes a step of `RungeKutta4` longer by factors of 1.5, 1.9 and 1.7, one of `Verner98` by 2 %, 18 % and 17 %
-//! (`cargo bench --bench projection`).
+//! (`cargo bench -p lagrange-benches --bench projection`).
 //!
 //! Projection leaves the order of a method as it is, but not what makes it symplectic: energies and the momenta of symmetries are
 //! then kept as accurately as the method is, with a slow drift. `Variational` and `StormerVerlet` enforce constraints by themselves

@@ -87,6 +87,11 @@ fn measured_variants(root: &Path, folder: &Path, target: &Target) -> Result<Vec<
 }
 
 fn compared(root: &Path, target: &Target) -> Result<Vec<Comparison>, String> {
-    let printed = cargo(root, root, target, &["bench", "--quiet", "--bench", "comparison"])?;
+    let printed = cargo(
+        root,
+        root,
+        target,
+        &["bench", "--quiet", "--package", "lagrange-benches", "--bench", "comparison"],
+    )?;
     Ok(run::rows(&printed).filter_map(|cells| Comparison::read(&cells)).collect())
 }
