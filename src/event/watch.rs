@@ -7,6 +7,7 @@ use super::locate::{ACCURACY, MOST_ROUNDS, Sample, locate};
 use super::piece::{Piece, Sight};
 use super::polynomial::{POINTS, points};
 use super::search::Search;
+use crate::integrate::EventSource::Given;
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
 use crate::system::OdeSystem;
@@ -46,6 +47,10 @@ pub struct Watch<S, const K: usize> {
     /// How often it was, each time no later than rounding can tell, and the last event before.
     repetitions: u32,
     last: usize,
+    /// Whether one of the functions had an event since then, and whether one had it that led there: the functions of others may
+    /// have had it.
+    has_fired: bool,
+    was_fired: bool,
 }
 
 /// Which function has an event, and when.
@@ -75,6 +80,8 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
             is_replaced: false,
             repetitions: 0,
             last: 0,
+            has_fired: false,
+            was_fired: false,
         }
     }
 
@@ -182,7 +189,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         for (k, (detector, value)) in self.detectors.iter_mut().zip(values).enumerate() {
             if k == event { detector.fire(time, value) } else { detector.pass(value) }
         }
-        (self.reached, self.last) = (time, event);
+        (self.reached, self.last, self.has_fired) = (time, event, true);
         Ok(())
     }
 
@@ -231,7 +238,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
                 Sight::Between { from, to, sign } => {
                     match self.bracket((from, to), (detector, sign.sign()), |t| values(t)[event]) {
                         Some((before, after)) => locate(before, after, accuracy, |t| values(t)[event])
-                            .ok_or(Cause::EventNotLocated { event, bisections: MOST_ROUNDS })?,
+                            .ok_or(Cause::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS })?,
                         None if is_shortest => continue,
                         None => return Ok(First::Unclear),
                     }
@@ -314,6 +321,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         let distance = (t - self.started).abs();
         let is_same = self.repetitions > 0 && distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
         self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
+        self.was_fired = core::mem::take(&mut self.has_fired);
         for (detector, value) in self.detectors.iter_mut().zip(values) {
             detector.begin(t, value);
         }
@@ -322,10 +330,10 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
     }
 
     fn check_repetitions(&self) -> Result<(), Cause<S>> {
-        if self.repetitions < MOST_REPETITIONS {
+        if self.repetitions < MOST_REPETITIONS || !self.was_fired {
             return Ok(());
         }
-        Err(Cause::EventsAccumulate { events: self.repetitions, event: self.last, name: None })
+        Err(Cause::EventsAccumulate { events: self.repetitions, event: Given(self.last) })
     }
 }
 
@@ -342,7 +350,7 @@ pub(crate) fn is_at_once<S: Scalar>(one: S, other: S, from: S, to: S) -> bool {
 
 fn check<S: Scalar, const K: usize>(values: [S; K]) -> Result<(), Cause<S>> {
     match values.iter().position(|value| !value.is_finite()) {
-        Some(event) => Err(Cause::EventNotFinite { event }),
+        Some(event) => Err(Cause::EventNotFinite { event: Given(event) }),
         None => Ok(()),
     }
 }

@@ -65,6 +65,11 @@ impl<'a, M: MechanicalSystem> Record<'a, M> {
         record
     }
 
+    /// The last good state, with its time.
+    pub(super) fn last(&self) -> (M::Scalar, M::State) {
+        self.last
+    }
+
     /// The system as it is at present.
     pub(super) fn system(&self) -> &M {
         self.switched.as_ref().unwrap_or(self.given)

@@ -1,17 +1,16 @@
 //! The run itself: steps, and what happens in them.
 
-use std::boxed::Box;
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
 use std::ops::ControlFlow;
+use std::string::String;
 use std::vec::Vec;
 
 use crate::event::{Course, is_forwards};
-use crate::integrate::{Cause, Method, Restarts, Stepper};
+use crate::integrate::{Cause, Method, Restarts, Stepper, explained};
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::dense::Dense;
-use crate::simulate::error::SimulationError;
+use crate::simulate::error::{SimulationError, repeated};
 use crate::simulate::events::{Happened, Watchers};
 use crate::simulate::progress::{Progress, Reporter};
 use crate::simulate::record::Record;
@@ -35,9 +34,16 @@ where
     let dense = simulation.is_dense.then(|| Dense::new(order));
     let begun = is_forwards::<M>(start.0, end).and_then(|()| system.begin(start.0, &start.1));
     let (switched, begun) = begun.map_or_else(|cause| (None, Err(cause)), |switched| (switched, Ok(())));
+    let check_observers = match simulation.observers.iter().any(|observer| observer.names.is_empty()) {
+        true => Err(Cause::Setting("a list of columns to observe is empty: name at least one column")),
+        false => Ok(()),
+    };
     let mut record = Record::new((system, switched), simulation.observers, dense, start);
-    let prepared = check_names(&record).and_then(|()| record.choose(simulation.sampling, end));
+    let prepared = check_observers
+        .and_then(|()| check_names(&record))
+        .and_then(|()| record.choose(simulation.sampling, end));
     let times = in_order(simulation.restarts, start.0, end);
+    let given: Vec<String> = simulation.watchers.iter().map(|watcher| watcher.name.clone()).collect();
     let result = prepared.and(begun).and(times).and_then(|times| {
         let method = method?;
         let max_steps = simulation.max_steps.unwrap_or(u64::MAX);
@@ -51,10 +57,25 @@ where
         result
     });
     let ending = *result.as_ref().unwrap_or(&Ending::Failed);
+    let (time, state) = record.last();
+    let result = result.map_err(|cause| named(cause, &record, (time, &state), end));
     let trajectory = record.close(ending, name);
     match result {
         Ok(_) => Ok(trajectory),
-        Err(cause) => Err(SimulationError { cause, trajectory: Box::new(trajectory) }),
+        Err(cause) => Err(SimulationError::new(cause, &given, trajectory)),
+    }
+}
+
+/// The cause by name, of a run that stopped at this time and state.
+fn named<M: MechanicalSystem>(
+    cause: Cause<M::Scalar>,
+    record: &Record<'_, M>,
+    stopped: (M::Scalar, &M::State),
+    end: M::Scalar,
+) -> Cause<M::Scalar> {
+    match explained(cause, record.system(), stopped, end) {
+        Cause::Undefined(what) => Cause::Undefined(what.with_names(M::COORDINATES)),
+        cause => cause,
     }
 }
 
@@ -81,8 +102,11 @@ fn in_order<S: Scalar>(mut times: Vec<S>, start: S, end: S) -> Result<Vec<S>, Ca
 
 fn check_names<M: MechanicalSystem>(record: &Record<'_, M>) -> Result<(), Cause<M::Scalar>> {
     let names = record.names();
-    if names.iter().collect::<BTreeSet<_>>().len() < names.len() {
-        return Err(Cause::Setting("two columns have the same name"));
+    if repeated(names).is_some() {
+        return Err(Cause::RepeatedColumn);
+    }
+    if names.iter().any(String::is_empty) {
+        return Err(Cause::Setting("a column has an empty name"));
     }
     if names.iter().any(|name| name == TIME) {
         return Err(Cause::Setting("a column has the name of the time, `t`"));
@@ -142,7 +166,8 @@ impl<'a, M: MechanicalSystem, T: Stepper<M>> Run<'a, '_, M, T> {
             };
             let (state, switched) = resumed?;
             record.switch(switched);
-            self.stepper.restart(record.system(), time, &state)?;
+            let restarted = self.stepper.restart(record.system(), time, &state);
+            restarted.map_err(|cause| named(cause, record, (time, &state), self.end))?;
             self.watchers.restart(record.system(), time, &state);
             if !is_silent {
                 record.jump(&state);

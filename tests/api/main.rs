@@ -9,6 +9,7 @@ mod constraints;
 mod contacts;
 mod declarations;
 mod events;
+mod failures;
 mod fixed_steps;
 mod hybrid;
 mod inertia;

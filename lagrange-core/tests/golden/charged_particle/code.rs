@@ -260,6 +260,22 @@ const _: () = {
         fn rhs(&self, t: f32, state: &[f32; 6]) -> [f32; 6] {
             self.rhs(t, state)
         }
+        fn undefined(
+            &self,
+            t: f32,
+            state: &[f32; 6],
+            rates: &[f32; 6],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f32>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, state, rates),
+                &[("m", self.m), ("q", self.q), ("b", self.b), ("e", self.e)],
+                |positions, _| ::core::option::Option::Some(
+                    self.mass_matrix(t, positions),
+                ),
+            )
+        }
     }
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for ChargedParticle {

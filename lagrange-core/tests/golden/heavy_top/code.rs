@@ -352,6 +352,26 @@ const _: () = {
         fn rhs(&self, t: f64, y: &[f64; 6]) -> [f64; 6] {
             self.rhs(t, y)
         }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 6],
+            rates: &[f64; 6],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("i1", self.i1),
+                    ("i3", self.i3),
+                    ("m", self.m),
+                    ("h", self.h),
+                    ("g", self.g),
+                ],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
+        }
     }
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for HeavyTop {

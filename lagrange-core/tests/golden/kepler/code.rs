@@ -314,6 +314,20 @@ const _: () = {
         fn rhs(&self, t: S, y: &[S; 4]) -> [S; 4] {
             self.rhs(t, y)
         }
+        fn undefined(
+            &self,
+            t: S,
+            y: &[S; 4],
+            rates: &[S; 4],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<S>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[("m", self.m), ("mu", self.mu)],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
+        }
         #[inline]
         fn jacobian(&self, t: S, y: &[S; 4]) -> ::core::option::Option<[[S; 4]; 4]> {
             ::core::option::Option::Some(self.jacobian(t, y))

@@ -240,6 +240,27 @@ const _: () = {
         fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
             self.rhs(t, y)
         }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 4],
+            rates: &[f64; 4],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("mc", self.mc),
+                    ("mp", self.mp),
+                    ("l", self.l),
+                    ("c", self.c),
+                    ("g", self.g),
+                    ("u", self.u),
+                ],
+                |_, _| ::core::option::Option::None,
+            )
+        }
     }
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for CartPole {
@@ -462,6 +483,27 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 2]) -> [f64; 2] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 2],
+            rates: &[f64; 2],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("mc", self.mc),
+                    ("mp", self.mp),
+                    ("l", self.l),
+                    ("c", self.c),
+                    ("g", self.g),
+                    ("u", self.u),
+                ],
+                |_, _| ::core::option::Option::None,
+            )
         }
     }
     #[automatically_derived]
@@ -786,6 +828,27 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 4],
+            rates: &[f64; 4],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("mc", self.mc),
+                    ("mp", self.mp),
+                    ("l", self.l),
+                    ("c", self.c),
+                    ("g", self.g),
+                    ("u", self.u),
+                ],
+                |_, _| ::core::option::Option::None,
+            )
         }
     }
     #[automatically_derived]

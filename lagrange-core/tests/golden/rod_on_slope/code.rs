@@ -679,6 +679,27 @@ const _: () = {
         fn rhs(&self, t: f64, state: &[f64; 6]) -> [f64; 6] {
             self.rhs(t, state)
         }
+        fn undefined(
+            &self,
+            t: f64,
+            state: &[f64; 6],
+            rates: &[f64; 6],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, state, rates),
+                &[
+                    ("m", self.m),
+                    ("l", self.l),
+                    ("k", self.k),
+                    ("g", self.g),
+                    ("slope", self.slope),
+                    ("u", self.u),
+                ],
+                |_, _| ::core::option::Option::None,
+            )
+        }
         const IS_CONSTRAINED: ::core::primitive::bool = true;
         #[inline]
         fn correct(

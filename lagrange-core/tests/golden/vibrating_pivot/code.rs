@@ -267,6 +267,26 @@ const _: () = {
         fn rhs(&self, t: f64, y: &[f64; 2]) -> [f64; 2] {
             self.rhs(t, y)
         }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 2],
+            rates: &[f64; 2],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("m", self.m),
+                    ("l", self.l),
+                    ("a", self.a),
+                    ("w", self.w),
+                    ("g", self.g),
+                ],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
+        }
     }
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for Kapitza {
