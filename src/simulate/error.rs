@@ -66,7 +66,7 @@ impl<M: MechanicalSystem> Display for SimulationError<M> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match &self.name {
             Some(name) if self.cause == Cause::RepeatedColumn => {
-                write!(f, "two columns are called `{name}`")?
+                write!(f, "two columns are called `{name}`")?;
             }
             Some(name) => explain(&self.cause, &format!("event `{name}`"), f)?,
             None => write!(f, "{}", self.cause)?,
