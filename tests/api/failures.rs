@@ -75,7 +75,7 @@ fn a_parameter_that_is_not_finite_is_named() {
         said(&Cart { l: f64::INFINITY, ..Cart::default() }, START),
         "the parameter `l` is inf (at time 0.0)"
     );
-    let generic = Generic::<f32> { stiffness: f32::NAN, ..Generic::default() };
+    let generic = Generic::<f32> { stiffness: f32::NAN };
     let error = generic.simulate([1.0, 0.0]).from(0.5).until(2.0).run().expect_err("fails");
     assert_eq!(error.to_string(), "the parameter `stiffness` is NaN (at time 0.5)");
     let bead = Bead { slope: f64::NAN, ..Bead::default() };
@@ -155,7 +155,7 @@ fn what_an_event_puts_in_the_place_of_the_state_is_named() {
 
 #[test]
 fn events_that_accumulate_are_named_as_they_were_given() {
-    let high = Thrown { floor: -9.0, ..Thrown::default() };
+    let high = Thrown { floor: -9.0 };
     let lose = |_: &Thrown, event: &lagrange::simulate::Event<f64, [f64; 4]>| {
         let [y, theta, v, omega] = event.state;
         Reaction::Replace([y, theta, -0.5 * v, omega])
@@ -236,7 +236,7 @@ fn wrappers_name_what_is_inside() {
 #[test]
 fn generic_systems_know_their_names() {
     fn said<S: Scalar>(zero: S) -> String {
-        let system = Generic::<S> { stiffness: S::NAN, ..Generic::default() };
+        let system = Generic::<S> { stiffness: S::NAN };
         let run = integrate(&system, zero, [S::ONE, zero], S::ONE, &RungeKutta4 { step: S::ONE }, |_, _| {});
         run.expect_err("fails").cause.to_string()
     }

@@ -11,6 +11,7 @@ mod declarations;
 mod events;
 mod failures;
 mod fixed_steps;
+mod hints;
 mod hybrid;
 mod inertia;
 mod long_rope;

@@ -50,6 +50,7 @@ pub struct ChargedParticleState {
 /// Columns of a table of states of [`ChargedParticle`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct ChargedParticleColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f32;
     use ::lagrange::private::multiply_add;

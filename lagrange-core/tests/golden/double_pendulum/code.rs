@@ -48,6 +48,7 @@ pub struct DoublePendulumState {
 /// Columns of a table of states of [`DoublePendulum`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct DoublePendulumColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};

@@ -55,6 +55,7 @@ pub struct ShakenDoublePendulumState {
 /// Columns of a table of states of [`ShakenDoublePendulum`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct ShakenDoublePendulumColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin_cos_each};

@@ -45,6 +45,7 @@ pub struct FrictionPatchState {
 /// Columns of a table of states of [`FrictionPatch`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct FrictionPatchColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin};

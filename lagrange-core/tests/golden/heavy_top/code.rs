@@ -54,6 +54,7 @@ pub struct HeavyTopState {
 /// Columns of a table of states of [`HeavyTop`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct HeavyTopColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};

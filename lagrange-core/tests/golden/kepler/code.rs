@@ -42,6 +42,7 @@ pub struct KeplerState<S> {
 /// Columns of a table of states of [`Kepler`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct KeplerColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::lagrange::private::multiply_add;
     impl<S: ::lagrange::Scalar> Kepler<S> {

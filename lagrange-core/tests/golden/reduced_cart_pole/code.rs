@@ -49,6 +49,7 @@ pub struct CartPoleState {
 /// Columns of a table of states of [`CartPole`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct CartPoleColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
@@ -327,6 +328,7 @@ pub struct ParkedState {
 /// Columns of a table of states of [`Parked`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct ParkedColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
@@ -651,6 +653,7 @@ pub struct LinearState {
 /// Columns of a table of states of [`Linear`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct LinearColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin_cos};

@@ -71,6 +71,7 @@ pub struct RelativeChainState {
 /// Columns of a table of states of [`RelativeChain`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct RelativeChainColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};

@@ -82,6 +82,7 @@ pub struct RodOnSlopeState {
 /// Columns of a table of states of [`RodOnSlope`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct RodOnSlopeColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{abs, multiply_add, sin_cos, sqrt};

@@ -41,6 +41,7 @@ pub struct KapitzaState {
 /// Columns of a table of states of [`Kapitza`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct KapitzaColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
