@@ -1,5 +1,8 @@
 //! What the expansion of [`system!`](crate::system!) may name and users may not: no stability is promised.
 
+pub mod hints;
+
+pub use crate::__hints as bring_hints;
 pub use lagrange_macro::system;
 
 use crate::Scalar;

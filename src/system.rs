@@ -11,9 +11,11 @@ use crate::integrate::Cause;
 use crate::scalar::Scalar;
 
 mod ports;
+mod undefined;
 mod wrapper;
 
 pub use ports::{ControlledSystem, OutputSystem};
+pub use undefined::{Component, Undefined};
 pub use wrapper::Wrapper;
 
 /// A vector whose length is part of its type, such as `[S; K]`.
@@ -81,6 +83,18 @@ pub trait OdeSystem {
     ///
     /// Where f is undefined, the result is not finite.
     fn rhs(&self, t: Self::Scalar, y: &Self::State) -> Self::State;
+
+    /// The first of the components of the state `y` and of its `rates` at time `t` that is not finite, or what makes it so, by name:
+    /// runs ask when they cannot go on. Systems written by hand know no names but of their components' places.
+    #[inline]
+    fn undefined(
+        &self,
+        t: Self::Scalar,
+        y: &Self::State,
+        rates: &Self::State,
+    ) -> Option<Undefined<Self::Scalar>> {
+        Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index)
+    }
 
     /// ∂f/∂y in rows, entry i, j being ∂fᵢ/∂yⱼ, if it is known: emitted types know it if the declaration says
     /// `emit { jacobian }`. Implicit methods iterate by Newton's method where it is and by fixed points elsewhere.

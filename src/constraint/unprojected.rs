@@ -5,7 +5,7 @@ use crate::event::{Answer, DeclaredEvent};
 use crate::integrate::Cause;
 use crate::system::{
     CanonicalSystem, CoordinateMatrix, EnergyFunction, MechanicalSystem, OdeSystem, Reacted, SeparableSystem,
-    StateMatrix,
+    StateMatrix, Undefined,
 };
 
 /// A system whose states methods leave as they find them: what its constraints demand of accelerations is all that holds it.
@@ -25,6 +25,10 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
     #[inline]
     fn rhs(&self, t: M::Scalar, y: &M::State) -> M::State {
         self.0.rhs(t, y)
+    }
+
+    fn undefined(&self, t: M::Scalar, y: &M::State, rates: &M::State) -> Option<Undefined<M::Scalar>> {
+        self.0.undefined(t, y, rates)
     }
 
     #[inline]

@@ -5,7 +5,7 @@ use super::declared::Answer;
 use super::direction::Direction;
 use super::lookout::{Declarations, Lookout, is_forwards};
 use super::watch::{Occurrence, Watch, is_at_once};
-use crate::integrate::{Cause, IntegrationError, Method, Outcome, Restarts, Stepper};
+use crate::integrate::{Cause, IntegrationError, Method, Outcome, Restarts, Stepper, explained};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, Reacted};
 
@@ -120,7 +120,10 @@ where
     V: FnMut(M::Scalar, &M::State) -> [M::Scalar; E],
     R: FnMut(&Occurrence<M::Scalar, M::State>) -> Reaction<M::State>,
 {
-    let failed = |cause: Cause<M::Scalar>, time, state| IntegrationError { cause, time, state };
+    let failed = |cause: Cause<M::Scalar>, time, state| {
+        let cause = explained(cause, system, (time, &state), t_end);
+        IntegrationError { cause, time, state }
+    };
     let begun = is_forwards::<M>(t0, t_end).and_then(|()| system.begin(t0, &y0));
     let mut switched = begun.map_err(|cause| failed(cause, t0, y0))?;
     let current = switched.as_ref().unwrap_or(system);
@@ -146,7 +149,8 @@ where
         let (other, next) = resumed.map_err(|cause| failed(cause, time, state))?;
         switched = next.or(switched);
         let current = switched.as_ref().unwrap_or(system);
-        stepper.restart(current, time, &other).map_err(|cause| failed(cause, time, state))?;
+        let resumed = stepper.restart(current, time, &other);
+        resumed.map_err(|cause| failed(explained(cause, current, (time, &other), t_end), time, state))?;
         events.restart(current, time, stepper.state());
         observe(time, stepper.state());
     }
@@ -242,8 +246,7 @@ where
     fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Next<M> {
         let from = stepper.last_time();
         let declared = self.declared.look(system, stepper, self.end)?;
-        let given = self.given.lookout.look(system, stepper, self.end, &mut self.given.values);
-        let given = given.map_err(|cause| cause.of_event_after(M::EVENTS.len()))?;
+        let given = self.given.lookout.look(system, stepper, self.end, &mut self.given.values)?;
         Ok(match (declared, given) {
             (Some(one), Some(other)) if (other - from).abs() < (one - from).abs() => {
                 Some((Kind::Given, other))

@@ -7,7 +7,7 @@ mod zeros;
 use std::vec::Vec;
 
 use super::{Direction, Occurrence, Reaction, Watch, integrate_with_events};
-use crate::integrate::{Cause, Method, RungeKutta4, Stepper, Verner98};
+use crate::integrate::{Cause, EventSource, Method, RungeKutta4, Stepper, Verner98};
 use crate::system::OdeSystem;
 
 /// ẍ = −x
@@ -144,7 +144,7 @@ fn nan_in_a_function_is_an_error_with_the_last_good_state() {
     let go_on = |_: &Occurrence<f64, [f64; 2]>| Reaction::Continue;
     let error =
         integrate_with_events(&Oscillator, (0.0, COSINE), 9.0, &pair(), values, go_on).expect_err("NaN");
-    assert_eq!(error.cause, Cause::EventNotFinite { event: 1 });
+    assert_eq!(error.cause, Cause::EventNotFinite { event: EventSource::Given(1) });
     assert!(error.state.iter().all(|y| y.is_finite()));
 }
 
@@ -261,5 +261,5 @@ fn nan_in_a_function_at_the_start_is_an_error() {
     let go_on = |_: &Occurrence<f64, [f64; 2]>| Reaction::Continue;
     let error =
         integrate_with_events(&Oscillator, (0.0, COSINE), 9.0, &pair(), values, go_on).expect_err("NaN");
-    assert_eq!(error.cause, Cause::EventNotFinite { event: 0 });
+    assert_eq!(error.cause, Cause::EventNotFinite { event: EventSource::Given(0) });
 }

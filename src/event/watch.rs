@@ -7,6 +7,7 @@ use super::locate::{ACCURACY, MOST_ROUNDS, Sample, locate};
 use super::piece::{Piece, Sight};
 use super::polynomial::{POINTS, points};
 use super::search::Search;
+use crate::integrate::EventSource::Given;
 use crate::integrate::{Cause, Stepper};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
@@ -49,6 +50,10 @@ pub struct Watch<S, const K: usize> {
     last: usize,
     /// Whether the last event came before its function had got away from zero by more than rounding.
     is_noise: bool,
+    /// Whether one of the functions had an event since then, and whether one had it that led there: the functions of others may
+    /// have had it.
+    has_fired: bool,
+    was_fired: bool,
 }
 
 /// Which function has an event, and when.
@@ -79,6 +84,8 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
             repetitions: 0,
             last: 0,
             is_noise: false,
+            has_fired: false,
+            was_fired: false,
         }
     }
 
@@ -193,7 +200,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         for (k, (detector, value)) in self.detectors.iter_mut().zip(values).enumerate() {
             if k == event { detector.fire(time, value) } else { detector.pass(value) }
         }
-        (self.reached, self.last) = (time, event);
+        (self.reached, self.last, self.has_fired) = (time, event, true);
         Ok(())
     }
 
@@ -242,7 +249,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
                 Sight::Between { from, to, sign } => {
                     match self.bracket((from, to), (detector, sign.sign()), |t| values(t)[event]) {
                         Some((before, after)) => locate(before, after, accuracy, |t| values(t)[event])
-                            .ok_or(Cause::EventNotLocated { event, bisections: MOST_ROUNDS })?,
+                            .ok_or(Cause::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS })?,
                         None if is_shortest => continue,
                         None => return Ok(First::Unclear),
                     }
@@ -326,6 +333,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         let is_at_once = distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
         let is_same = self.repetitions > 0 && (is_at_once || self.is_noise);
         self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
+        self.was_fired = core::mem::take(&mut self.has_fired);
         for (detector, value) in self.detectors.iter_mut().zip(values) {
             detector.begin(t, value);
         }
@@ -340,10 +348,10 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
     }
 
     fn check_repetitions(&self) -> Result<(), Cause<S>> {
-        if self.repetitions < MOST_REPETITIONS {
+        if self.repetitions < MOST_REPETITIONS || !self.was_fired {
             return Ok(());
         }
-        Err(Cause::EventsAccumulate { events: self.repetitions, event: self.last, name: None })
+        Err(Cause::EventsAccumulate { events: self.repetitions, event: Given(self.last) })
     }
 }
 
@@ -373,7 +381,7 @@ fn is_rounding<S: Scalar, Y: StateVector<S>>(state: &Y, mut value: impl FnMut(&Y
 
 fn check<S: Scalar, const K: usize>(values: [S; K]) -> Result<(), Cause<S>> {
     match values.iter().position(|value| !value.is_finite()) {
-        Some(event) => Err(Cause::EventNotFinite { event }),
+        Some(event) => Err(Cause::EventNotFinite { event: Given(event) }),
         None => Ok(()),
     }
 }

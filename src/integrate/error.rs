@@ -5,7 +5,11 @@ use core::fmt::{Debug, Display, Formatter};
 
 use crate::constraint::Violation;
 use crate::event::DeclaredEvent;
-use crate::system::OdeSystem;
+use crate::system::{OdeSystem, Undefined};
+
+mod message;
+
+pub(crate) use self::message::explain;
 
 /// What came of an integration of the system M.
 pub type Outcome<M, T> = Result<T, IntegrationError<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>>;
@@ -27,8 +31,13 @@ pub struct IntegrationError<S, Y> {
 pub enum Cause<S> {
     /// A setting that makes no sense, in words.
     Setting(&'static str),
-    /// The initial state, a time or the rate of the state is NaN or infinite.
+    /// Two columns that a run is to keep have the same name.
+    RepeatedColumn,
+    /// A time, the state or its rate is NaN or infinite. Which it is, methods do not know; runs say it by name where it can be
+    /// told, as [`Undefined`](Cause::Undefined).
     NotFinite,
+    /// This is NaN or infinite, or makes what follows from it so.
+    Undefined(Undefined<S>),
     /// Errors of the initial state, measured by the tolerance, are not numbers or too large for them, so that no first step can be
     /// chosen.
     NoFirstStep {
@@ -71,6 +80,14 @@ pub enum Cause<S> {
         /// About the longest step that is stable.
         limit: S,
     },
+    /// A method in steps of given length whose step is longer than stability allows.
+    StepTooLong {
+        /// The length of the step.
+        step: S,
+        /// About the longest step that is stable at this state: what the method stands over the magnitude of the largest
+        /// eigenvalue of the linearised equations.
+        limit: S,
+    },
     /// The equations of an implicit step could not be solved.
     NotConverged {
         /// How many iterations were made.
@@ -80,8 +97,8 @@ pub enum Cause<S> {
     SingularMassMatrix,
     /// An event function is NaN or infinite.
     EventNotFinite {
-        /// Which event, counted from zero: those of the declaration, then those given, in their order.
-        event: usize,
+        /// Which event.
+        event: EventSource,
     },
     /// A state violates a constraint, and cannot be brought onto it.
     Violated(Violation<S>),
@@ -101,10 +118,8 @@ pub enum Cause<S> {
     EventsAccumulate {
         /// How many were counted.
         events: u32,
-        /// Which event the last of them was, counted from zero: those of the declaration, then those given, in their order.
-        event: usize,
-        /// What it is called in the declaration, if it stands there.
-        name: Option<&'static str>,
+        /// Which event the last of them was.
+        event: EventSource,
     },
     /// The state slides along a surface on which the equations are not smooth: on either side they lead back to it.
     Slides {
@@ -113,106 +128,53 @@ pub enum Cause<S> {
     },
     /// The zero of an event function could not be located.
     EventNotLocated {
-        /// Which event, counted from zero: those of the declaration, then those given, in their order.
-        event: usize,
+        /// Which event.
+        event: EventSource,
         /// How many bisections were made.
         bisections: u32,
     },
 }
 
-impl<S> Cause<S> {
-    /// The same, with events counted from this many others on.
-    pub(crate) fn of_event_after(self, others: usize) -> Self {
-        match self {
-            Cause::EventNotFinite { event } => Cause::EventNotFinite { event: others + event },
-            Cause::EventNotLocated { event, bisections } => {
-                Cause::EventNotLocated { event: others + event, bisections }
-            }
-            Cause::EventsAccumulate { events, event, name } => {
-                Cause::EventsAccumulate { events, event: others + event, name }
-            }
-            other => other,
-        }
-    }
-
-    /// The same, with the name of the event if it is one of these. Where switches accumulate the state slides.
-    pub(crate) fn named(self, declared: &'static [DeclaredEvent]) -> Self {
-        let Cause::EventsAccumulate { events, event, .. } = self else { return self };
-        match declared.get(event) {
-            Some(side) if side.is_side => Cause::Slides { surface: side.name },
-            found => Cause::EventsAccumulate { events, event, name: found.map(|event| event.name) },
-        }
-    }
+/// Where the function of an event comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum EventSource {
+    /// The declaration of the system, where it has this name.
+    Declared(&'static str),
+    /// The run, to which it was given beside others, counted from zero. The front door knows it by name.
+    Given(usize),
 }
 
-impl<S: Debug> Display for Cause<S> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Cause::Setting(what) | Cause::Stuck(what) | Cause::Adapted(what) => f.write_str(what),
-            Cause::Violated(violation) => write!(f, "{violation}"),
-            Cause::Restitution { contact, value } => write!(
-                f,
-                "the coefficient of restitution of contact `{contact}` is {value:?}; it must be from 0 to 1"
-            ),
-            Cause::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
-            Cause::NoFirstStep { relative, absolute } => write!(
-                f,
-                "no first step fits the tolerance, {relative:?} of the state and {absolute:?} beside it: the state is too small or \
-                 its rates are too large for that; tolerate a larger absolute error"
-            ),
-            Cause::StepUnderflow { step } => {
-                write!(
-                    f,
-                    "a step of {step:?} is lost in the rounding of time; the motion may be singular here"
-                )
+impl<S> Cause<S> {
+    /// The event that it is about, if it is about one.
+    pub fn event(&self) -> Option<EventSource> {
+        match *self {
+            Cause::EventNotFinite { event }
+            | Cause::EventsAccumulate { event, .. }
+            | Cause::EventNotLocated { event, .. } => Some(event),
+            _ => None,
+        }
+    }
+
+    /// The same about the event that `source` makes of the one that it is about.
+    pub(crate) fn of_event(mut self, source: impl FnOnce(EventSource) -> EventSource) -> Self {
+        if let Cause::EventNotFinite { event }
+        | Cause::EventsAccumulate { event, .. }
+        | Cause::EventNotLocated { event, .. } = &mut self
+        {
+            *event = source(*event);
+        }
+        self
+    }
+
+    /// The same with the name of the event among these instead of its place. Where switches accumulate the state slides.
+    pub(crate) fn named(self, declared: &'static [DeclaredEvent]) -> Self {
+        let Some(EventSource::Given(index)) = self.event() else { return self };
+        match (declared.get(index), self) {
+            (Some(side), Cause::EventsAccumulate { .. }) if side.is_side => {
+                Cause::Slides { surface: side.name }
             }
-            Cause::TooManySteps { limit } => write!(f, "all {limit} steps that are allowed were taken"),
-            Cause::TooManySamples { samples, most } => write!(
-                f,
-                "{samples:?} samples would be kept, more than {most:?}: take a longer interval, or `.ends_only()`"
-            ),
-            Cause::InputNotFinite { name } => {
-                write!(f, "the control gave an input `{name}` that is NaN or infinite")
-            }
-            Cause::UnknownOutput { name, known } => {
-                write!(f, "there is no output `{name}`; there are")?;
-                known
-                    .iter()
-                    .enumerate()
-                    .try_for_each(|(index, name)| write!(f, "{} `{name}`", if index == 0 { "" } else { "," }))
-            }
-            Cause::Stiff { limit } => write!(
-                f,
-                "the system is stiff: steps longer than about {limit:?} are unstable; take an implicit method"
-            ),
-            Cause::NotConverged { iterations } => write!(
-                f,
-                "an implicit step did not converge in {iterations} iterations; take shorter steps, or let the \
-                 declaration `emit {{ jacobian }}`"
-            ),
-            Cause::SingularMassMatrix => {
-                f.write_str("the mass matrix is singular: velocities do not follow from momenta here")
-            }
-            Cause::EventNotFinite { event } => write!(f, "the function of event {event} is NaN or infinite"),
-            Cause::EventsAccumulate { events, event, name } => {
-                write!(f, "events accumulate: the last {events} of event ")?;
-                match name {
-                    Some(name) => write!(f, "`{name}`")?,
-                    None => write!(f, "{event}")?,
-                }
-                f.write_str(
-                    " cannot be told apart in time; stop there, or declare a body that comes to rest with `impact(…)`, which \
-                     closes the contact",
-                )
-            }
-            Cause::Slides { surface } => write!(
-                f,
-                "the state stays where the sign of {surface} changes: on either side the equations lead back there, and they do \
-                 not say what holds it; dry friction is declared by `friction name = slip velocity, limit;`"
-            ),
-            Cause::EventNotLocated { event, bisections } => {
-                write!(f, "the zero of event {event} could not be located in {bisections} bisections")
-            }
+            (Some(event), cause) => cause.of_event(|_| EventSource::Declared(event.name)),
+            (None, cause) => cause,
         }
     }
 }

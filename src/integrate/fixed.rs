@@ -65,6 +65,17 @@ pub trait Formula<M: OdeSystem + ?Sized> {
     /// start and its length by rounding. What was found at its end may be kept for the next one.
     fn accept(&mut self, _t: M::Scalar) {}
 
+    /// About the longest step that is stable from here on, where that is known of the method and something is fast.
+    fn longest_stable(
+        &self,
+        _system: &M,
+        _t: M::Scalar,
+        _variables: &M::State,
+        _work: &mut Work,
+    ) -> Option<M::Scalar> {
+        None
+    }
+
     /// The state between `from` and `to`, the ends of the last accepted step with their times.
     fn interpolate(
         &mut self,
@@ -167,7 +178,8 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         let mut variables = self.variables;
         variables.add(&increment);
         let mut state = self.formula.state(system, self.clock.time(), variables.value(), &mut self.work)?;
-        check_finite(self.clock.time(), &state)?;
+        check_finite(self.clock.time(), &state)
+            .map_err(|cause| self.too_long(system, t, h).unwrap_or(cause))?;
         if M::IS_CONSTRAINED && !F::KEEPS_CONSTRAINTS {
             self.correct(system, &mut state, &mut variables)?;
         }
@@ -176,6 +188,13 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         self.formula.accept(self.clock.time());
         self.work.steps += 1;
         Ok(())
+    }
+
+    /// Why a step of the length `h` from here led nowhere, if it is longer than stability allows.
+    #[cold]
+    fn too_long(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Option<Cause<M::Scalar>> {
+        let limit = self.formula.longest_stable(system, t, self.variables.value(), &mut self.work)?;
+        (h.abs() > limit).then_some(Cause::StepTooLong { step: h.abs(), limit })
     }
 
     /// Brings the state at the end of a step and its variables onto the constraints.

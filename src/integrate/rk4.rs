@@ -16,7 +16,9 @@ use crate::integrate::error::Cause;
 use crate::integrate::fixed::{FixedStepper, Formula};
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, Work};
-use crate::integrate::stability::{EVALUATIONS, Watch, combined, distance, largest_eigenvalue, length};
+use crate::integrate::stability::{
+    EVALUATIONS, Watch, combined, distance, eigenvalue_at, largest_eigenvalue, length,
+};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector};
 
@@ -111,6 +113,15 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
         self.end = None;
     }
 
+    fn longest_stable(&self, system: &M, t: M::Scalar, y: &M::State, work: &mut Work) -> Option<M::Scalar> {
+        let rates = |y: &M::State| {
+            work.evaluations += 1;
+            system.rhs(t, y)
+        };
+        let eigenvalue = eigenvalue_at(rates, y)?;
+        Some(M::Scalar::from_f64(STABLE) / eigenvalue)
+    }
+
     fn interpolate(
         &mut self,
         system: &M,
@@ -162,7 +173,7 @@ impl<Y> Classical<Y> {
         let change = h.abs() * length(&stages.k1);
         let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), y, change, &direction);
         let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
-        if h.abs() > limit { Err(Cause::Stiff { limit }) } else { Ok(()) }
+        if h.abs() > limit { Err(Cause::StepTooLong { step: h.abs(), limit }) } else { Ok(()) }
     }
 }
 

@@ -4,6 +4,7 @@ use crate::event::integrate_declared;
 use crate::integrate::error::{Cause, IntegrationError, Outcome};
 use crate::integrate::method::{Method, Stepper};
 use crate::integrate::restarts::Restarts;
+use crate::integrate::undefined::explained;
 use crate::system::OdeSystem;
 
 /// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
@@ -56,7 +57,10 @@ where
     if !M::EVENTS.is_empty() {
         return integrate_declared(system, (t0, y0), t_end, method, observe);
     }
-    let failed = |cause: Cause<M::Scalar>, time, state| IntegrationError { cause, time, state };
+    let failed = |cause: Cause<M::Scalar>, time, state| {
+        let cause = explained(cause, system, (time, &state), t_end);
+        IntegrationError { cause, time, state }
+    };
     let mut stepper = method.start(system, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
     let mut restarts = Restarts::new(t0, t_end, &[]);
     let mut switched = None;

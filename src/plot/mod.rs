@@ -10,6 +10,7 @@ mod panel;
 mod thin;
 
 use std::borrow::ToOwned;
+use std::boxed::Box;
 use std::fmt::{Display, Formatter};
 use std::fs;
 use std::io;
@@ -45,13 +46,15 @@ const POINTS_A_PIXEL: u32 = 5;
 impl Figure {
     /// Writes the figure to a file: SVG or PNG, by its extension.
     pub(crate) fn save(&self, path: &Path) -> Result<(), PlotError> {
+        let written =
+            |result: io::Result<()>| result.map_err(|error| PlotError::Io { path: path.to_owned(), error });
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         match extension.to_ascii_lowercase().as_str() {
-            "svg" => Ok(fs::write(path, self.svg()?)?),
+            "svg" => written(fs::write(path, self.svg()?)),
             "png" => {
                 let mut canvas = Canvas::new(self.points(), POINTS_A_PIXEL);
                 self.draw(&mut canvas)?;
-                Ok(canvas.save(path)?)
+                written(canvas.save(path))
             }
             _ => Err(PlotError::Extension(path.to_owned())),
         }
@@ -77,7 +80,7 @@ impl Figure {
     {
         let (width, height) = self.points();
         let drawn = |result: Result<(), DrawingErrorKind<B::ErrorType>>| {
-            result.map_err(|error| PlotError::Io(io::Error::other(error)))
+            result.map_err(|error| PlotError::Backend(Box::new(error)))
         };
         drawn(backend.draw_rect((0, 0), (width as i32, height as i32), &WHITE, true))?;
         for (index, panel) in self.panels.iter().enumerate() {
@@ -101,26 +104,46 @@ impl Figure {
 #[non_exhaustive]
 pub enum PlotError {
     /// The trajectory has no column of this name.
-    UnknownColumn(String),
+    UnknownColumn {
+        /// The name that was asked for.
+        name: String,
+        /// The names that it has.
+        known: Vec<String>,
+    },
+    /// No column was named.
+    NoColumns,
     /// Only an observed energy can be plotted.
     NoEnergy,
     /// The extension of the file is neither `svg` nor `png`.
     Extension(PathBuf),
-    /// What the operating system says.
-    Io(io::Error),
+    /// A file could not be written.
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system says.
+        error: io::Error,
+    },
+    /// The library of plots failed.
+    Backend(Box<dyn std::error::Error + Send + Sync>),
 }
 
 impl Display for PlotError {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         match self {
-            PlotError::UnknownColumn(name) => write!(f, "the trajectory has no column `{name}`"),
+            PlotError::UnknownColumn { name, known } => {
+                write!(f, "the trajectory has no column `{name}`; it has `{}`", known.join("`, `"))
+            }
+            PlotError::NoColumns => {
+                f.write_str("there is nothing to plot: name at least one column, such as a coordinate")
+            }
             PlotError::NoEnergy => {
                 f.write_str("the trajectory has no column `energy`; add `.energy()` to the simulation")
             }
             PlotError::Extension(path) => {
                 write!(f, "`{}` ends neither in .svg nor in .png", path.display())
             }
-            PlotError::Io(error) => Display::fmt(error, f),
+            PlotError::Io { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
+            PlotError::Backend(error) => write!(f, "the plot could not be drawn: {error}"),
         }
     }
 }
@@ -128,15 +151,10 @@ impl Display for PlotError {
 impl std::error::Error for PlotError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            PlotError::Io(error) => Some(error),
+            PlotError::Io { error, .. } => Some(error),
+            PlotError::Backend(error) => Some(&**error),
             _ => None,
         }
-    }
-}
-
-impl From<io::Error> for PlotError {
-    fn from(error: io::Error) -> Self {
-        PlotError::Io(error)
     }
 }
 

@@ -256,6 +256,10 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     }
 
     pub(super) fn with(mut self, names: Vec<String>, extend: Extend<'a, M>) -> Self {
+        if names.is_empty() {
+            let empty = Cause::Setting("a list of columns to observe is empty: name at least one column");
+            self.fault = self.fault.or(Some(empty));
+        }
         self.observers.push(Observer { names, extend });
         self
     }

@@ -13,9 +13,11 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// Writes all columns to a file, as [`write_csv`](Trajectory::write_csv) does; an older file is replaced.
     ///
     /// # Errors
-    /// What the operating system says.
+    /// What the operating system says, with the path.
     pub fn save_csv(&self, path: impl AsRef<Path>) -> io::Result<()> {
-        self.write_csv(File::create(path)?)
+        let path = path.as_ref();
+        let written = File::create(path).and_then(|file| self.write_csv(file));
+        written.map_err(|error| cannot_write(path, &error))
     }
 
     /// Writes all columns as comma-separated values: a line of names, the first being `t`, then a line for each sample.
@@ -47,6 +49,11 @@ impl<S: Copy + Debug> Table<S> {
         }
         writer.flush()
     }
+}
+
+/// The same error with the path that it is about.
+pub(super) fn cannot_write(path: &Path, error: &io::Error) -> io::Error {
+    io::Error::new(error.kind(), std::format!("cannot write `{}`: {error}", path.display()))
 }
 
 /// A name as RFC 4180 wants it.

@@ -1,12 +1,21 @@
 //! Why a run stopped early, and what it had found until then.
 
 use std::boxed::Box;
+use std::collections::BTreeSet;
 use std::error::Error;
 use std::fmt::{Debug, Display, Formatter, Result};
+use std::format;
+use std::string::{String, ToString};
 
-use crate::integrate::Cause;
+use crate::integrate::{Cause, EventSource, explain};
 use crate::simulate::trajectory::Trajectory;
 use crate::system::MechanicalSystem;
+
+/// The first name that stands twice in a list.
+pub(super) fn repeated(names: &[String]) -> Option<String> {
+    let mut seen = BTreeSet::new();
+    names.iter().find(|name| !seen.insert(*name)).cloned()
+}
 
 /// A run stopped before its end.
 ///
@@ -14,11 +23,24 @@ use crate::system::MechanicalSystem;
 pub struct SimulationError<M: MechanicalSystem> {
     /// Why.
     pub cause: Cause<M::Scalar>,
+    /// What the event or the column is called that the cause is about, if it is about one.
+    pub name: Option<String>,
     /// What was found until then. Every sample is finite, except that the first is the initial state as it was given.
     pub trajectory: Box<Trajectory<M>>,
 }
 
 impl<M: MechanicalSystem> SimulationError<M> {
+    /// An error of a run to which events with these names were `given`.
+    pub(super) fn new(cause: Cause<M::Scalar>, given: &[String], trajectory: Trajectory<M>) -> Self {
+        let name = match (cause, cause.event()) {
+            (Cause::RepeatedColumn, _) => repeated(trajectory.names()),
+            (_, Some(EventSource::Declared(name))) => Some(name.to_string()),
+            (_, Some(EventSource::Given(index))) => given.get(index).cloned(),
+            (_, None) => None,
+        };
+        SimulationError { cause, name, trajectory: Box::new(trajectory) }
+    }
+
     /// The time of the last good state.
     pub fn time(&self) -> M::Scalar {
         self.trajectory.end_time()
@@ -42,7 +64,14 @@ impl<M: MechanicalSystem> Debug for SimulationError<M> {
 
 impl<M: MechanicalSystem> Display for SimulationError<M> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        write!(f, "{} (at time {:?})", self.cause, self.time())
+        match &self.name {
+            Some(name) if self.cause == Cause::RepeatedColumn => {
+                write!(f, "two columns are called `{name}`")?;
+            }
+            Some(name) => explain(&self.cause, &format!("event `{name}`"), f)?,
+            None => write!(f, "{}", self.cause)?,
+        }
+        write!(f, " (at time {:?})", self.time())
     }
 }
 

@@ -8,7 +8,7 @@ use crate::contact::Happening;
 use crate::event::{
     Answer, Course, Declarations, Direction, Lookout, Occurrence, Reaction, Watch, is_at_once,
 };
-use crate::integrate::{Cause, Stepper};
+use crate::integrate::{Cause, EventSource, Stepper};
 use crate::scalar::Scalar;
 use crate::simulate::control::ClosedLoop;
 use crate::system::{MechanicalSystem, OdeSystem, Reacted};
@@ -176,7 +176,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Watchers<'a, M, C> {
         let mut earliest = self.declared.look(system, stepper, self.end)?.map(|time| (Whose::Declared, time));
         for (index, Lookouts { watcher, lookout }) in self.given.iter_mut().enumerate() {
             let found = lookout.look(system, stepper, self.end, |t, y| [watcher.value(system, t, y)]);
-            let found = found.map_err(|cause| cause.of_event_after(C::EVENTS.len() + index))?;
+            let found = found.map_err(|cause| cause.of_event(|_| EventSource::Given(index)))?;
             let Some(time) = found else { continue };
             if earliest.is_none_or(|(_, other)| since(time) < since(other)) {
                 earliest = Some((Whose::Given(index), time));

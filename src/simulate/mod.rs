@@ -55,8 +55,12 @@ mod progress;
 mod record;
 mod run;
 mod sampling;
+mod start;
 mod table;
 mod trajectory;
+mod unended;
+#[cfg(not(all(feature = "plot", feature = "parquet")))]
+mod without_features;
 
 #[cfg(doc)]
 use crate::integrate::Verner98;
@@ -68,6 +72,7 @@ pub use self::control::{ClosedLoop, Drive, Driven, Law, Undriven};
 pub use self::error::SimulationError;
 pub use self::events::Event;
 pub use self::progress::{Progress, Verdict};
+pub use self::start::InitialState;
 pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};
 #[cfg(feature = "plot")]
@@ -94,8 +99,8 @@ pub trait Simulate: MechanicalSystem + Sized {
     /// assert_eq!(trajectory.len(), 21);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    fn simulate(&self, start: impl Into<Self::State>) -> Start<'_, Self> {
-        Start::new(self, Self::Scalar::ZERO, start.into())
+    fn simulate(&self, start: impl InitialState<Self::State>) -> Start<'_, Self> {
+        Start::new(self, Self::Scalar::ZERO, start.into_state())
     }
 }
 

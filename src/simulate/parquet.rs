@@ -14,6 +14,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
 
+use crate::simulate::csv::cannot_write;
 use crate::simulate::table::{TIME, Table};
 use crate::simulate::trajectory::Trajectory;
 use crate::system::MechanicalSystem;
@@ -29,9 +30,10 @@ where
     /// replaced.
     ///
     /// # Errors
-    /// What the operating system says.
+    /// What the operating system says, with the path, or what the writer says.
     pub fn save_parquet(&self, path: impl AsRef<Path>) -> Result<(), ParquetError> {
-        self.write_parquet(File::create(path)?)
+        let path = path.as_ref();
+        self.write_parquet(File::create(path).map_err(|error| cannot_write(path, &error))?)
     }
 
     /// Writes all columns in Apache Parquet format: required columns of type `DOUBLE`, not compressed, the first being

@@ -52,8 +52,9 @@ where
     /// Plots columns against time, all in one panel.
     ///
     /// # Errors
-    /// If there is no such column, or the file cannot be written.
+    /// If no column is named, there is no such column, or the file cannot be written.
     pub fn plot_columns(&self, names: &[&str], path: impl AsRef<Path>) -> Result<(), PlotError> {
+        some(names)?;
         let names: Vec<String> = names.iter().map(ToString::to_string).collect();
         let title = if names.len() == 1 { names[0].clone() } else { String::new() };
         Figure { panels: vec![self.over_time(&title, &names)?], columns: 1, size: WIDE }.save(path.as_ref())
@@ -80,8 +81,9 @@ where
     /// Plots columns against another one, all in one panel.
     ///
     /// # Errors
-    /// If there is no such column, or the file cannot be written.
+    /// If no column is named, there is no such column, or the file cannot be written.
     pub fn plot_against(&self, x: &str, names: &[&str], path: impl AsRef<Path>) -> Result<(), PlotError> {
+        some(names)?;
         let abscissae = self.numbers(x)?;
         let curve = |name: &&str| {
             let points = abscissae.iter().copied().zip(self.numbers(name)?).collect();
@@ -124,9 +126,17 @@ where
     }
 
     fn numbers(&self, name: &str) -> Result<Vec<f64>, PlotError> {
-        let column = self.column(name).ok_or_else(|| PlotError::UnknownColumn(name.to_string()))?;
+        let column = self.column(name).ok_or_else(|| PlotError::UnknownColumn {
+            name: name.to_string(),
+            known: self.names().to_vec(),
+        })?;
         Ok(column.iter().map(|value| (*value).into()).collect())
     }
+}
+
+/// That columns are named at all.
+fn some(names: &[&str]) -> Result<(), PlotError> {
+    if names.is_empty() { Err(PlotError::NoColumns) } else { Ok(()) }
 }
 
 fn panel(x: &str, y: &str, curves: Vec<Curve>) -> Panel {

@@ -66,6 +66,11 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
         record
     }
 
+    /// The last good state, with its time.
+    pub(super) fn last(&self) -> (M::Scalar, M::State) {
+        self.last
+    }
+
     /// The system as it is at present.
     pub(super) fn system(&self) -> &C {
         self.switched.as_ref().unwrap_or(self.given)

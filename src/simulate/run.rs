@@ -1,18 +1,17 @@
 //! The run itself: steps, and what happens in them.
 
-use std::boxed::Box;
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
 use std::ops::ControlFlow;
+use std::string::String;
 use std::vec::Vec;
 
 use crate::event::{Course, is_forwards};
-use crate::integrate::{Cause, Method, Restarts, Stepper};
+use crate::integrate::{Cause, Method, Restarts, Stepper, explained};
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::control::{ClosedLoop, Controllers, Drive};
 use crate::simulate::dense::Dense;
-use crate::simulate::error::SimulationError;
+use crate::simulate::error::{SimulationError, repeated};
 use crate::simulate::events::{Happened, Watchers};
 use crate::simulate::progress::{Progress, Reporter};
 use crate::simulate::record::Record;
@@ -55,6 +54,7 @@ where
     let prepared = check_names(&record).and_then(|()| record.choose(simulation.sampling, end));
     let prepared = simulation.fault.or(fault).map_or(prepared, Err);
     let times = in_order(simulation.restarts, start.0, end);
+    let given: Vec<String> = simulation.watchers.iter().map(|watcher| watcher.name.clone()).collect();
     let result = prepared.and(times).and_then(|times| {
         let method = method?;
         let max_steps = simulation.max_steps.unwrap_or(u64::MAX);
@@ -69,10 +69,25 @@ where
         result
     });
     let ending = *result.as_ref().unwrap_or(&Ending::Failed);
+    let (time, state) = record.last();
+    let result = result.map_err(|cause| named(cause, &record, (time, &state), end));
     let trajectory = record.close(ending, name);
     match result {
         Ok(_) => Ok(trajectory),
-        Err(cause) => Err(SimulationError { cause, trajectory: Box::new(trajectory) }),
+        Err(cause) => Err(SimulationError::new(cause, &given, trajectory)),
+    }
+}
+
+/// The cause by name, of a run that stopped at this time and state.
+fn named<M: MechanicalSystem>(
+    cause: Cause<M::Scalar>,
+    record: &Record<'_, '_, M, impl ClosedLoop<M>>,
+    stopped: (M::Scalar, &M::State),
+    end: M::Scalar,
+) -> Cause<M::Scalar> {
+    match explained(cause, record.system(), stopped, end) {
+        Cause::Undefined(what) => Cause::Undefined(what.with_names(M::COORDINATES)),
+        cause => cause,
     }
 }
 
@@ -115,8 +130,11 @@ fn check_names<M: MechanicalSystem>(
     record: &Record<'_, '_, M, impl ClosedLoop<M>>,
 ) -> Result<(), Cause<M::Scalar>> {
     let names = record.names();
-    if names.iter().collect::<BTreeSet<_>>().len() < names.len() {
-        return Err(Cause::Setting("two columns have the same name"));
+    if repeated(names).is_some() {
+        return Err(Cause::RepeatedColumn);
+    }
+    if names.iter().any(String::is_empty) {
+        return Err(Cause::Setting("a column has an empty name"));
     }
     if names.iter().any(|name| name == TIME) {
         return Err(Cause::Setting("a column has the name of the time, `t`"));
@@ -196,7 +214,8 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>, T: Stepper<C>> Run<'a, '_, M, C,
             };
             let (state, switched) = resumed?;
             record.switch(switched);
-            self.stepper.restart(record.system(), time, &state)?;
+            let restarted = self.stepper.restart(record.system(), time, &state);
+            restarted.map_err(|cause| named(cause, record, (time, &state), self.end))?;
             self.watchers.restart(record.system(), time, &state);
             if !is_silent {
                 record.jump(&state);

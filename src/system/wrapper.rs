@@ -1,6 +1,9 @@
 //! Systems that contain another and change its equations.
 
-use super::{EnergyFunction, MechanicalSystem, OdeSystem, Reacted, StateMatrix, StateVector, join, split};
+use super::{
+    Component, EnergyFunction, MechanicalSystem, OdeSystem, Reacted, StateMatrix, StateVector, Undefined,
+    join, split,
+};
 use crate::event::{Answer, DeclaredEvent, Reaction};
 use crate::integrate::Cause;
 
@@ -106,6 +109,17 @@ impl<W: Wrapper> OdeSystem for W {
     #[inline]
     fn rhs(&self, t: Number<W>, y: &W::State) -> W::State {
         self.outer_rhs(t, y)
+    }
+
+    fn undefined(&self, t: Number<W>, y: &W::State, rates: &W::State) -> Option<Undefined<Number<W>>> {
+        let inside = part::<W>(y);
+        let own = Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index)?;
+        if let Undefined::State { component: Component::Index(index), .. } = own
+            && index >= inside.as_ref().len()
+        {
+            return Some(own);
+        }
+        self.present(t, y, |inner| inner.undefined(t, &inside, &part::<W>(rates))).or(Some(own))
     }
 
     #[inline]

@@ -124,10 +124,16 @@ impl Report {
     /// What the operating system says, or why the diagram could not be drawn.
     pub fn save(&self, directory: impl AsRef<Path>) -> Result<(), PlotError> {
         let directory = directory.as_ref();
-        fs::create_dir_all(directory)?;
+        let at = |path: &Path| {
+            let path = path.to_path_buf();
+            move |error| PlotError::Io { path, error }
+        };
+        fs::create_dir_all(directory).map_err(at(directory))?;
         let name = self.file_name();
-        fs::write(directory.join(format!("{name}.csv")), self.csv())?;
-        fs::write(directory.join(format!("{name}.md")), self.recommendation())?;
+        for (extension, text) in [("csv", self.csv()), ("md", self.recommendation())] {
+            let path = directory.join(format!("{name}.{extension}"));
+            fs::write(&path, text).map_err(at(&path))?;
+        }
         diagram(self).save(&directory.join(format!("{name}.svg")))
     }
 

@@ -80,6 +80,7 @@ fn steps() -> Vec<Step> {
         // The same random cases every time; `cargo test` by itself draws new ones.
         // Among them every example, which asserts its own reference values.
         Step::new("tests and doctests", "test --workspace --all-features").with("PROPTEST_RNG_SEED", "20"),
+        Step::new("messages about missing features", "test --package lagrange --test ui missing_features"),
         Step::new("lints of long motions", "clippy --release --test trajectories -- -D warnings"),
         Step::new("long motions", "test --release --test trajectories"),
         Step::new("documentation", "doc --workspace --no-deps --all-features")

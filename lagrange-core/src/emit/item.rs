@@ -2,15 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream, TokenTree};
-use quote::quote;
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote, quote_spanned};
 
 use super::attributes::{conditions, deprecated_exception};
 use super::constrained::projections;
 use super::contacts::mode_fields;
 use super::method::{ArgumentNames, Method};
 use super::ports::{inputs_impls, inputs_struct, outputs_impl};
-use super::scene::motion_name;
+use super::scene::{missing_motions, motion_name};
 use super::shape::{Shape, doc, identifier, length, local};
 use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
 use super::switches::switches_declaration;
@@ -65,6 +65,7 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let import = shape.generics().is_empty().then(|| quote!(use #scalar;));
     let (krate, functions) = (shape.krate, parts.functions.iter().map(|name| local(name)));
     let functions = (!parts.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
+    let hints = quote!(#krate::private::bring_hints! {});
     let names = name_exception(shape);
     let rounded = rounded_exception(parts.has_rounded_constants);
     let attributes = &shape.declaration.attributes;
@@ -77,6 +78,8 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         #conditions
         #columns
         #inputs
+        #conditions
+        #hints
         #conditions
         #names
         #rounded
@@ -120,11 +123,21 @@ pub(super) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
     (!{ names }.all(|name| is_snake_case(&name))).then_some(exception)
 }
 
+/// A place of the user's for what is emitted nevertheless, and no matter of the user's lints.
+fn emitted_at(place: Span) -> Span {
+    place.resolved_at(Span::mixed_site())
+}
+
 fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let declaration = shape.declaration;
     let (mut docs, attributes) = split_attributes(&declaration.attributes);
     let (name, generics, scalar) = (shape.name(), shape.generics(), shape.scalar_path());
-    let visibility = &declaration.visibility;
+    let visibility = declaration.visibility.clone().into_iter().map(|mut token| {
+        token.set_span(emitted_at(token.span()));
+        token
+    });
+    let (visibility, keyword) =
+        (visibility.collect::<TokenStream>(), Ident::new("struct", emitted_at(declaration.keyword)));
     if docs.is_empty() {
         docs.push(doc(&format!("A mechanical system with the {}.", coordinate_list(shape))));
     }
@@ -146,9 +159,14 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     });
     let fields =
         [fields, mode_fields(shape)].into_iter().chain(switches_declaration(shape)).collect::<TokenStream>();
+    // It begins and ends in what the user wrote, so that the compiler proposes attributes there and not in the macro.
     let body = match fields.is_empty() && marker.is_none() {
-        true => quote!(;),
-        false => quote!({ #fields #marker }),
+        true => quote_spanned!(emitted_at(declaration.name.span)=> ;),
+        false => {
+            let mut body = Group::new(Delimiter::Brace, quote!(#fields #marker));
+            body.set_span(emitted_at(declaration.name.span));
+            body.into_token_stream()
+        }
     };
     let names = name_exception(shape);
     let touching = shape.touching.iter().map(|(name, _)| name);
@@ -161,7 +179,7 @@ fn system_struct(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         #(#attributes)*
         #names
         #unused
-        #visibility struct #name #generics #body
+        #visibility #keyword #name #generics #body
     }
 }
 
@@ -196,7 +214,7 @@ fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
     let methods = parts.methods.iter().map(|method| method.tokens(shape, &parts.names));
     let (constants, rhs) = (&parts.constants, rhs(shape, &parts.names));
-    let (hidden, motions) = (&parts.hidden, &parts.motions);
+    let (hidden, motions, missing) = (&parts.hidden, &parts.motions, missing_motions(shape));
     let projections = projections(shape, parts);
     quote! {
         impl #bounds #name #generics {
@@ -204,6 +222,7 @@ fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             #(#methods)*
             #rhs
             #motions
+            #missing
             #projections
             #hidden
         }

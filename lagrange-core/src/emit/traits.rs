@@ -9,7 +9,7 @@ use super::events::event_members;
 use super::item::Parts;
 use super::method::{ArgumentNames, Arguments};
 use super::scene::scene_impl;
-use super::shape::{Shape, length, local};
+use super::shape::{Shape, identifier, length, local};
 use super::switches::switched_impl;
 
 /// The implementations of all traits that the system has the methods for.
@@ -48,6 +48,7 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
         }
     });
+    let undefined = undefined_member(shape, parts);
     let (constrained, events) = (correct_members(shape, parts), event_members(shape, parts));
     quote! {
         #[automatically_derived]
@@ -58,9 +59,46 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             fn rhs(&self, #time: #scalar, #state: &[#scalar; #twice]) -> [#scalar; #twice] {
                 self.rhs(#time, #state)
             }
+            #undefined
             #jacobian
             #constrained
             #events
+        }
+    }
+}
+
+/// A mass matrix of more coordinates is not asked whether it is singular: it would fill the stack.
+const LARGEST_MASS_MATRIX: usize = 64;
+
+/// The member of `OdeSystem` that says by name what is not finite.
+fn undefined_member(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+    let (krate, scalar, n) = (shape.krate, shape.scalar(), shape.coordinates.len());
+    let ArgumentNames { time, state, positions, velocities, .. } = &parts.names;
+    let (twice, rates) = (length(2 * n), local("rates"));
+    let fields = shape.fields.iter().map(|name| {
+        let (text, field) = (&name.text, identifier(name));
+        quote!((#text, self.#field))
+    });
+    // Under constraints a singular mass matrix may be as good as any.
+    let determines = shape.constraints.is_empty() && n <= LARGEST_MASS_MATRIX;
+    let mass_matrix = parts.methods.iter().find(|method| determines && method.name == "mass_matrix");
+    let mass_matrix = match mass_matrix.map(|method| method.arguments) {
+        Some(Arguments::Positions) => {
+            quote!(|#positions, _| ::core::option::Option::Some(self.mass_matrix(#time, #positions)))
+        }
+        Some(_) => quote! {
+            |#positions, #velocities| ::core::option::Option::Some(self.mass_matrix(#time, #positions, #velocities))
+        },
+        None => quote!(|_, _| ::core::option::Option::None),
+    };
+    quote! {
+        fn undefined(
+            &self,
+            #time: #scalar,
+            #state: &[#scalar; #twice],
+            #rates: &[#scalar; #twice],
+        ) -> ::core::option::Option<#krate::system::Undefined<#scalar>> {
+            #krate::integrate::undefined::<Self>((#time, #state, #rates), &[#(#fields),*], #mass_matrix)
         }
     }
 }

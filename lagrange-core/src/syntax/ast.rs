@@ -24,6 +24,8 @@ pub struct Declaration {
     pub derives: Vec<Name>,
     /// Visibility of the struct, possibly empty.
     pub visibility: TokenStream,
+    /// Where the word `struct` stands, before which the compiler proposes to write attributes.
+    pub keyword: Span,
     /// Name of the struct.
     pub name: Name,
     /// The number type of the emitted code.

@@ -18,7 +18,7 @@ const DEFAULT_NAME: &str = "System";
 pub(super) fn default_header() -> Declaration {
     let public = TokenTree::from(Ident::new("pub", Span::call_site()));
     let name = Name { text: DEFAULT_NAME.to_owned(), span: Span::call_site() };
-    declaration(Attributes::default(), public.into(), name, ScalarType::F64)
+    declaration(Attributes::default(), (public.into(), Span::call_site()), name, ScalarType::F64)
 }
 
 /// Whether a struct follows, perhaps behind attributes and a visibility.
@@ -35,7 +35,7 @@ pub(super) fn header_ahead(cursor: &Cursor) -> bool {
 
 fn declaration(
     attributes: Attributes,
-    visibility: TokenStream,
+    (visibility, keyword): (TokenStream, Span),
     name: Name,
     scalar: ScalarType,
 ) -> Declaration {
@@ -43,6 +43,7 @@ fn declaration(
         attributes: attributes.kept,
         derives: attributes.derives,
         visibility,
+        keyword,
         name,
         scalar,
         accuracy: attributes.accuracy.map(|(level, _)| level).unwrap_or_default(),
@@ -58,18 +59,18 @@ impl Parser<'_> {
     pub(super) fn header(&mut self, cursor: &mut Cursor) -> Parsed<Declaration> {
         let attributes = self.attributes(cursor);
         let visibility = self.visibility(cursor);
-        if cursor.eat_word("struct").is_none() {
+        let Some(keyword) = cursor.eat_word("struct") else {
             let message = match cursor.peek() {
                 None => messages::EMPTY_DECLARATION.to_owned(),
                 token => messages::expected(messages::HEADER, token),
             };
             return Err(self.fail_with_help(cursor.here(), message, messages::HEADER_HELP));
-        }
+        };
         let name = self.type_name(cursor)?;
         let parameter = self.type_parameter(cursor);
         let scalar = self.scalar_type(&attributes, parameter);
         self.end_of_header(cursor);
-        Ok(declaration(attributes, visibility, name, scalar))
+        Ok(declaration(attributes, (visibility, keyword), name, scalar))
     }
 
     /// The name of an emitted type.

@@ -16,7 +16,7 @@ use ::diffsol::NalgebraLU;
 
 use self::drive::drive;
 use self::problem::problem;
-use crate::integrate::{Cause, IntegrationError, Outcome};
+use crate::integrate::{Cause, IntegrationError, Outcome, explained};
 use crate::system::OdeSystem;
 
 /// Backward differentiation of orders one to five with steps and orders as the tolerance allows, for stiff systems.
@@ -91,7 +91,7 @@ where
     method.check().map_err(failed)?;
     let is_finite = |y: &M::State| y.as_ref().iter().all(|component| component.is_finite());
     if !(t0.is_finite() && t_end.is_finite() && is_finite(&y0) && is_finite(&system.rhs(t0, &y0))) {
-        return Err(failed(Cause::NotFinite));
+        return Err(failed(explained(Cause::NotFinite, system, (t0, &y0), t_end)));
     }
     observe(t0, &y0);
     if t0 == t_end {

@@ -1,9 +1,10 @@
 //! Events of a declaration, in the loops without heap.
 
+use std::string::ToString;
 use std::vec::Vec;
 
 use crate::event::{Answer, DeclaredEvent, Direction, Occurrence, Reaction, integrate_with_events};
-use crate::integrate::{Cause, RungeKutta4, integrate};
+use crate::integrate::{Cause, EventSource, RungeKutta4, integrate};
 use crate::system::{OdeSystem, Reacted};
 
 /// ẏ = 1 with an event that is recorded, one that moves the state, one that ends the motion, and one that is not a number late.
@@ -71,7 +72,7 @@ fn given_events_come_between_declared_ones() {
 }
 
 #[test]
-fn what_is_not_a_number_is_told_by_its_index_declared_ones_first() {
+fn what_is_not_a_number_is_told_by_its_name_or_its_place_among_those_given() {
     let go_on = |_: &Occurrence<f64, [f64; 1]>| Reaction::Continue;
     let run = |system: Marks, bad: f64| {
         let watch = ([Direction::Rising; 2], move |t: f64, _: &[f64; 1]| [-1.0, (bad - t).sqrt()]);
@@ -79,9 +80,13 @@ fn what_is_not_a_number_is_told_by_its_index_declared_ones_first() {
         integrate_with_events(&system, (0.0, [0.0]), 4.0, &method, watch, go_on).expect_err("NaN")
     };
     let declared = run(Marks { edge: 0.55, ..MARKS }, 1e9);
-    assert_eq!(declared.cause, Cause::EventNotFinite { event: 3 });
+    assert_eq!(declared.cause, Cause::EventNotFinite { event: EventSource::Declared("edge") });
     assert!(declared.state[0].is_finite());
-    assert_eq!(run(MARKS, 0.55).cause, Cause::EventNotFinite { event: 5 });
+    assert!(
+        declared.to_string().starts_with("the function of event `edge` is NaN or infinite (at time 0.5"),
+        "{declared}"
+    );
+    assert_eq!(run(MARKS, 0.55).cause, Cause::EventNotFinite { event: EventSource::Given(1) });
 }
 
 #[test]

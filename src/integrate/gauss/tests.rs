@@ -1,5 +1,6 @@
 //! Order, structure and limits of the Gauss methods.
 
+use std::string::ToString;
 use std::vec::Vec;
 
 use super::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
@@ -161,7 +162,12 @@ fn nan_stops_at_the_last_good_state() {
         let method = GaussLegendre4 { step: 0.01 };
         let error =
             integrate(&system, 0.0, [1.0, 0.0], 9.0, &method, |t, y| last = (t, *y)).expect_err("stops");
-        assert_eq!((error.cause, error.time, error.state), (Cause::NotFinite, last.0, last.1));
+        assert_eq!((error.time, error.state), last);
+        let what = error.cause.to_string();
+        assert!(
+            what.starts_with("the acceleration `x_ddot` comes to NaN at time ") || what.contains("index 1"),
+            "{what}"
+        );
         assert!(error.time > 0.5 && error.state[0] > 0.0, "{error:?}");
     }
 }

@@ -74,6 +74,25 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
         solution
     }
 
+    /// The column and the value of the first pivot that is that of dependent equations, if there is one.
+    pub(in crate::integrate) fn lost_pivot(&self) -> Option<(usize, S)> {
+        if self.rank == self.size {
+            return None;
+        }
+        let [row, column] = [0, 1].map(|side| {
+            // Where what stands in the place of the pivot stood before exchanges.
+            let exchanges = self.exchanged[side].as_ref()[..self.rank].iter().enumerate().rev();
+            exchanges.fold(self.rank, |place, (k, other)| match place {
+                _ if place == *other => k,
+                _ if place == k => *other,
+                _ => place,
+            })
+        });
+        let [rows, columns] = &self.scales;
+        let scale = rows.as_ref()[row] * columns.as_ref()[column];
+        Some((column, self.factors[(self.rank, self.rank)] / scale))
+    }
+
     fn is_finite(&self) -> bool {
         let size = self.size;
         (0..size).all(|row| (0..size).all(|column| self.factors[(row, column)].is_finite()))

@@ -1,11 +1,10 @@
 //! Restarts on motions under forces that jump at known times.
 
+use std::string::ToString;
 use std::vec::Vec;
 
 use crate::event::{Direction, Occurrence, Reaction, integrate_with_events};
-use crate::integrate::{
-    Cause, Method, PlainGaussLegendre, Restarts, RungeKutta4, Stepper, Verner98, integrate,
-};
+use crate::integrate::{Method, PlainGaussLegendre, Restarts, RungeKutta4, Stepper, Verner98, integrate};
 use crate::system::OdeSystem;
 
 /// ẍ = 0 before the time 0, then 1, −2, 3, … between jumps one second apart.
@@ -167,6 +166,7 @@ fn a_restart_that_fails_is_an_error_at_the_jump() {
         }
     }
     let error = integrate(&Ends, 0.0, [0.0], 2.0, &Verner98::tolerance(1e-6), |_, _| {}).expect_err("NaN");
-    assert_eq!(error.cause, Cause::NotFinite);
+    let what = error.cause.to_string();
+    assert!(what.starts_with("the rate of the component at index 0 comes to NaN at time 1.0"), "{what}");
     assert!((error.time - 1.0).abs() < 1e-15 && (error.state[0] - 1.0).abs() < 1e-14, "{error:?}");
 }

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::{RungeKutta4, rk4_step};
 use crate::integrate::{Cause, IntegrationError, Method, Stepper, integrate};
 use crate::scalar::Scalar;
-use crate::system::OdeSystem;
+use crate::system::{Component, OdeSystem, Undefined};
 
 /// ẍ = −x with solution (cos t, −sin t) from (1, 0).
 struct Oscillator;
@@ -143,7 +143,9 @@ fn nan_stops_at_the_last_good_state() {
     let method = RungeKutta4 { step: 0.125 };
     let outcome = integrate(&root, 0.0, [0.0], 2.0, &method, |t, y| good.push((t, *y)));
     let (time, state) = good[good.len() - 1];
-    assert_eq!(outcome, Err(IntegrationError { cause: Cause::NotFinite, time, state }));
+    let error = outcome.expect_err("NaN");
+    assert_eq!((error.time, error.state), (time, state));
+    assert!(matches!(error.cause, Cause::Undefined(Undefined::Rate { time, .. }) if time > 1.0), "{error}");
     assert_eq!(time, 1.0);
     assert!((state[0] - 2.0 / 3.0).abs() < 1e-2);
 }
@@ -157,15 +159,74 @@ fn overflow_stops_as_well() {
     assert!(error.to_string().ends_with(&std::format!("(at time {:?})", error.time)), "{error}");
 }
 
+/// ẍ = −ω²x − 2ζωẋ beside a slow oscillation.
+struct Damped {
+    frequency: f64,
+    damping: f64,
+}
+
+impl OdeSystem for Damped {
+    type Scalar = f64;
+    type State = [f64; 4];
+
+    fn rhs(&self, _t: f64, [x, slow, v, w]: &[f64; 4]) -> [f64; 4] {
+        let Damped { frequency, damping } = self;
+        [*v, *w, -frequency * frequency * x - 2.0 * damping * frequency * v, -slow]
+    }
+}
+
+/// The step that the message names is as long as may be, but for the part by which the domain of stability is not a circle: a
+/// little shorter is stable from any start, and nothing stable is refused.
+#[test]
+fn the_longest_step_of_stiff_oscillations_is_named() {
+    for (frequency, damping) in [(1e2, 0.0), (1e4, 0.02), (1e4, 0.3), (1e6, 0.7), (1e3, 0.95)] {
+        let system = Damped { frequency, damping };
+        for start in [[1e-3, 1.0, 0.0, 0.0], [0.0, 0.3, 1.0, -0.2], [1e-3, 0.0, 0.1 * frequency, 1.0]] {
+            let run = |step: f64| {
+                let end = if step * frequency > 1e6 { 3.0 * step } else { 200.0 * step };
+                integrate(&system, 0.0, start, end, &RungeKutta4 { step }, |_, _| {})
+            };
+            for factor in [4.0, 30.0, 1e3, 1e80, 1e300] {
+                let error = run(factor / frequency).expect_err("unstable");
+                let Cause::StepTooLong { step, limit } = error.cause else {
+                    panic!("{frequency} {damping} {factor}: {error}")
+                };
+                assert_eq!(step, factor / frequency);
+                assert!(
+                    (limit * frequency / 2.785 - 1.0).abs() < 0.02,
+                    "{frequency} {damping} {factor}: {limit}"
+                );
+                assert!(run(0.98 * limit).is_ok(), "{frequency} {damping}");
+            }
+            assert!(run(1.0 / frequency).is_ok() && run(2.5 / frequency).is_ok(), "{frequency} {damping}");
+        }
+    }
+    let error = integrate(
+        &Damped { frequency: 1e3, damping: 0.1 },
+        0.0,
+        [1.0, 0.0, 0.0, 0.0],
+        1.0,
+        &RungeKutta4 { step: 0.01 },
+        |_, _| {},
+    );
+    let what = error.expect_err("unstable").to_string();
+    assert!(
+        what.starts_with("a step of 0.01 is too long for this method: steps longer than about 0.00278"),
+        "{what}"
+    );
+}
+
 #[test]
 fn what_is_not_finite_at_the_start_is_refused() {
     let start = [f64::INFINITY, 0.0];
     let method = RungeKutta4 { step: 0.1 };
     let outcome = integrate(&Oscillator, 3.0, start, 3.0, &method, |_, _| panic!("observed"));
-    assert_eq!(outcome, Err(IntegrationError { cause: Cause::NotFinite, time: 3.0, state: start }));
+    let cause = Cause::Undefined(Undefined::State { component: Component::Index(0), value: f64::INFINITY });
+    assert_eq!(outcome, Err(IntegrationError { cause, time: 3.0, state: start }));
     for end in [f64::NAN, f64::INFINITY] {
         let outcome = rk4(&Oscillator, 2.0, [0.3, -1.2], end, 0.1);
-        assert_eq!(outcome.map_err(|error| error.cause), Err(Cause::NotFinite));
+        let what = outcome.map_err(|error| error.cause.to_string());
+        assert_eq!(what, Err(std::format!("the time of the end is {end:?}")));
     }
 }
 

@@ -137,6 +137,16 @@ where
         self.taken = self.trial;
     }
 
+    fn longest_stable(&self, system: &M, t: M::Scalar, y: &M::State, work: &mut Work) -> Option<M::Scalar> {
+        let (q, v) = split::<M>(y);
+        let rates = |q: &M::Coordinates| {
+            work.evaluations += 1;
+            system.acceleration(t, q, &v)
+        };
+        let square = stability::eigenvalue_at(rates, &q)?;
+        Some(M::Scalar::from_f64(self.composition.stable) / square.sqrt())
+    }
+
     fn interpolate(
         &mut self,
         _system: &M,
@@ -196,7 +206,7 @@ impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> 
         let direction = stability::combined(end, -S::ONE, start);
         let limit = stable / stability::largest_eigenvalue(rates, q, change, &direction).sqrt();
         if h.abs() > limit {
-            return Err(Cause::Stiff { limit });
+            return Err(Cause::StepTooLong { step: h.abs(), limit });
         }
         Ok(())
     }

@@ -1,11 +1,12 @@
 //! What happens between samples.
 
 use std::f64::consts::PI;
+use std::string::ToString;
 use std::vec::Vec;
 
 use super::{Oscillator, START, exact};
 use crate::event::{Direction, Reaction};
-use crate::integrate::Cause;
+use crate::integrate::{Cause, EventSource};
 use crate::simulate::{Ending, Simulate};
 
 #[test]
@@ -82,6 +83,11 @@ fn an_event_function_that_is_not_a_number_is_an_error_that_names_it() {
         .event("broken", Direction::Rising, |_, t, _| if t > 3.0 { f64::NAN } else { 1.0 })
         .run()
         .expect_err("fails");
-    assert_eq!(error.cause, Cause::EventNotFinite { event: 1 });
+    assert_eq!(error.cause, Cause::EventNotFinite { event: EventSource::Given(1) });
+    assert_eq!(error.name.as_deref(), Some("broken"));
+    assert!(
+        error.to_string().starts_with("the function of event `broken` is NaN or infinite (at time "),
+        "{error}"
+    );
     assert!(error.time() <= 3.0 && error.trajectory.len() > 1);
 }

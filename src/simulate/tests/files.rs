@@ -1,6 +1,6 @@
 //! What is written reads back.
 
-use std::string::String;
+use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::{Oscillator, START};
@@ -63,5 +63,11 @@ fn parquet_reads_back_to_the_bit() {
 
 #[test]
 fn a_file_that_cannot_be_written_is_an_error() {
-    assert!(run().save_csv("/no/such/folder/run.csv").is_err());
+    let error = run().save_csv("/no/such/folder/run.csv").expect_err("no folder");
+    assert!(error.to_string().starts_with("cannot write `/no/such/folder/run.csv`: "), "{error}");
+    #[cfg(feature = "parquet")]
+    {
+        let error = run().save_parquet("/no/such/folder/run.parquet").expect_err("no folder");
+        assert!(error.to_string().contains("cannot write `/no/such/folder/run.parquet`: "), "{error}");
+    }
 }

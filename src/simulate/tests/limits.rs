@@ -8,7 +8,7 @@ use std::vec::Vec;
 use super::{Broken, Oscillator, START, assert_exact};
 use crate::integrate::{Cause, RungeKutta4};
 use crate::simulate::{Ending, Progress, Simulate};
-use crate::system::{MechanicalSystem, OdeSystem, Unnamed};
+use crate::system::{Component, MechanicalSystem, OdeSystem, Undefined, Unnamed};
 
 #[test]
 fn a_failure_keeps_the_samples_so_far() {
@@ -30,7 +30,9 @@ fn a_failure_keeps_the_samples_so_far() {
 fn a_failure_of_a_fixed_step_says_why_and_when() {
     let method = RungeKutta4 { step: 0.01 };
     let error = Broken(0.5).simulate(START).until(10.0).method(method).run().expect_err("fails");
-    assert_eq!(error.cause, Cause::NotFinite);
+    let Cause::Undefined(Undefined::Rate { component, value, time }) = error.cause else { panic!("{error}") };
+    assert_eq!(component, Component::Velocity("x"));
+    assert!(value.is_nan() && time > error.time() && time <= error.time() + 0.01, "{time}");
     assert_eq!(error.trajectory.work().steps, 104);
     assert_eq!(error.to_string(), std::format!("{} (at time {:?})", error.cause, error.time()));
     let boxed: std::boxed::Box<dyn std::error::Error + Send + Sync> = error.into();
@@ -40,11 +42,14 @@ fn a_failure_of_a_fixed_step_says_why_and_when() {
 #[test]
 fn an_initial_state_that_is_not_finite_is_refused_and_shown() {
     let error = Oscillator.simulate([f64::NAN, 0.0]).until(1.0).run().expect_err("refused");
-    assert_eq!(error.cause, Cause::NotFinite);
+    assert_eq!(error.to_string(), "`x` of the state is NaN (at time 0.0)");
     assert_eq!(error.trajectory.len(), 1);
     assert!(error.state()[0].is_nan());
     for end in [f64::NAN, f64::INFINITY] {
-        assert!(Oscillator.simulate(START).until(end).run().is_err(), "{end}");
+        let error = Oscillator.simulate(START).until(end).run().expect_err("refused");
+        assert_eq!(error.to_string(), std::format!("the time of the end is {end:?} (at time 0.0)"));
+        let error = Oscillator.simulate(START).from(end).until(1.0).run().expect_err("refused");
+        assert!(error.to_string().starts_with(&std::format!("the time of the start is {end:?}")), "{error}");
     }
 }
 
@@ -184,6 +189,7 @@ fn steps_that_are_rejected_count() {
     assert_eq!(error.cause, Cause::TooManySteps { limit: 20 });
     assert_eq!(error.trajectory.work().rejections, 20);
     let error = Wall.simulate(START).until(1.0).run().expect_err("gives up by itself");
-    assert_eq!(error.cause, Cause::NotFinite);
+    let cause = error.cause.to_string();
+    assert!(cause.starts_with("the acceleration `x_ddot` comes to NaN at time "), "{cause}");
     assert!(error.trajectory.work().rejections < 1000);
 }

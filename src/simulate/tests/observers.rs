@@ -1,5 +1,6 @@
 //! Columns besides the state.
 
+use std::string::ToString;
 use std::vec::Vec;
 
 use super::{Oscillator, START};
@@ -58,9 +59,19 @@ fn every_observer_has_a_column_at_every_sample() {
 #[test]
 fn two_columns_of_one_name_are_refused() {
     let error = Oscillator.simulate(START).until(1.0).energy().energy().run().expect_err("refused");
-    assert_eq!(error.cause, Cause::Setting("two columns have the same name"));
+    assert_eq!(error.cause, Cause::RepeatedColumn);
+    assert_eq!(error.to_string(), "two columns are called `energy` (at time 0.0)");
     let error = Oscillator.simulate(START).until(1.0).observe("x", |_, t, _| t).run().expect_err("refused");
-    assert_eq!(error.cause, Cause::Setting("two columns have the same name"));
+    assert_eq!(error.to_string(), "two columns are called `x` (at time 0.0)");
+}
+
+#[test]
+fn no_columns_and_columns_without_names_are_refused() {
+    let none =
+        Oscillator.simulate(START).until(1.0).observe_each([], |_, _, _| []).run().expect_err("refused");
+    assert!(none.to_string().starts_with("a list of columns to observe is empty"), "{none}");
+    let unnamed = Oscillator.simulate(START).until(1.0).observe("", |_, t, _| t).run().expect_err("refused");
+    assert!(unnamed.to_string().starts_with("a column has an empty name"), "{unnamed}");
 }
 
 #[test]

@@ -38,14 +38,14 @@ fn a_phase_portrait_is_velocity_against_coordinate() {
     let svg = written("phase", |path| run().plot_phase("x", path));
     assert!(points(&svg, &["x", "x_dot"]) > 100);
     let error = run().plot_phase("y", "y.svg").expect_err("unknown");
-    assert!(matches!(error, PlotError::UnknownColumn(name) if name == "y"));
+    assert!(matches!(error, PlotError::UnknownColumn { name, .. } if name == "y"));
 }
 
 #[test]
 fn columns_share_a_panel_and_a_legend() {
     let svg = written("columns", |path| run().plot_columns(&["x", "energy"], path));
     assert_eq!(points(&svg, &["x", "energy"]), 2 * 201);
-    assert!(matches!(run().plot_columns(&["x", "z"], "z.svg"), Err(PlotError::UnknownColumn(_))));
+    assert!(matches!(run().plot_columns(&["x", "z"], "z.svg"), Err(PlotError::UnknownColumn { .. })));
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn columns_are_drawn_against_another_one() {
     assert!(drawn > points(&one, &["x", "x_dot"]) && !one.contains("energy"));
     for (x, y) in [("z", "energy"), ("x", "z")] {
         let error = run().plot_against(x, &[y], "z.svg").expect_err("unknown");
-        assert!(matches!(error, PlotError::UnknownColumn(name) if name == "z"));
+        assert!(matches!(error, PlotError::UnknownColumn { name, .. } if name == "z"));
     }
 }
 
@@ -91,4 +91,17 @@ fn an_energy_of_zero_drifts_absolutely() {
 fn an_energy_that_was_not_observed_is_asked_for() {
     let trajectory = Oscillator.simulate(START).until(1.0).run().expect("runs");
     assert!(matches!(trajectory.plot_energy("energy.svg"), Err(PlotError::NoEnergy)));
+}
+
+#[test]
+fn a_plot_of_no_columns_is_refused() {
+    let trajectory = Oscillator.simulate(START).until(1.0).run().expect("runs");
+    for refused in [trajectory.plot_columns(&[], "none.svg"), trajectory.plot_against("x", &[], "none.svg")] {
+        assert!(matches!(refused, Err(PlotError::NoColumns)));
+    }
+    assert!(!std::path::Path::new("none.svg").exists());
+    let unknown = trajectory.plot_columns(&["x", "velocity"], "none.svg").expect_err("no such column");
+    assert_eq!(std::format!("{unknown}"), "the trajectory has no column `velocity`; it has `x`, `x_dot`");
+    let lost = trajectory.plot_columns(&["x"], "/no/such/folder/x.svg").expect_err("no folder");
+    assert!(std::format!("{lost}").starts_with("cannot write `/no/such/folder/x.svg`: "), "{lost}");
 }

@@ -60,6 +60,7 @@ pub struct CartPoleInputs {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
@@ -326,6 +327,27 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 4],
+            rates: &[f64; 4],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("mc", self.mc),
+                    ("mp", self.mp),
+                    ("l", self.l),
+                    ("c", self.c),
+                    ("g", self.g),
+                    ("u", self.u),
+                ],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
         }
     }
     #[automatically_derived]

@@ -50,6 +50,7 @@ pub struct ChargedParticleState {
 /// Columns of a table of states of [`ChargedParticle`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct ChargedParticleColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f32;
     use ::lagrange::private::multiply_add;
@@ -259,6 +260,22 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f32, state: &[f32; 6]) -> [f32; 6] {
             self.rhs(t, state)
+        }
+        fn undefined(
+            &self,
+            t: f32,
+            state: &[f32; 6],
+            rates: &[f32; 6],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f32>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, state, rates),
+                &[("m", self.m), ("q", self.q), ("b", self.b), ("e", self.e)],
+                |positions, _| ::core::option::Option::Some(
+                    self.mass_matrix(t, positions),
+                ),
+            )
         }
     }
     #[automatically_derived]

@@ -48,6 +48,7 @@ pub struct DoublePendulumState {
 /// Columns of a table of states of [`DoublePendulum`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct DoublePendulumColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
@@ -346,6 +347,26 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 4],
+            rates: &[f64; 4],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("m1", self.m1),
+                    ("m2", self.m2),
+                    ("l1", self.l1),
+                    ("l2", self.l2),
+                    ("g", self.g),
+                ],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
         }
     }
     #[automatically_derived]

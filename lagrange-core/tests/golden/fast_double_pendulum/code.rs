@@ -55,6 +55,7 @@ pub struct ShakenDoublePendulumState {
 /// Columns of a table of states of [`ShakenDoublePendulum`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct ShakenDoublePendulumColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin_cos_each};
@@ -429,6 +430,28 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 4],
+            rates: &[f64; 4],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("m1", self.m1),
+                    ("m2", self.m2),
+                    ("l1", self.l1),
+                    ("l2", self.l2),
+                    ("a", self.a),
+                    ("omega", self.omega),
+                    ("g", self.g),
+                ],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
         }
     }
     #[automatically_derived]

@@ -45,6 +45,7 @@ pub struct FrictionPatchState {
 /// Columns of a table of states of [`FrictionPatch`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct FrictionPatchColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin};
@@ -287,6 +288,27 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 2]) -> [f64; 2] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 2],
+            rates: &[f64; 2],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("m", self.m),
+                    ("r", self.r),
+                    ("mu", self.mu),
+                    ("l1", self.l1),
+                    ("alpha", self.alpha),
+                    ("g", self.g),
+                ],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
         }
         const EVENTS: &'static [::lagrange::event::DeclaredEvent] = &[
             ::lagrange::event::DeclaredEvent::side("`s - 2*r - l1` in `force s`"),

@@ -54,6 +54,7 @@ pub struct HeavyTopState {
 /// Columns of a table of states of [`HeavyTop`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct HeavyTopColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
@@ -351,6 +352,26 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 6]) -> [f64; 6] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 6],
+            rates: &[f64; 6],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("i1", self.i1),
+                    ("i3", self.i3),
+                    ("m", self.m),
+                    ("h", self.h),
+                    ("g", self.g),
+                ],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
         }
     }
     #[automatically_derived]

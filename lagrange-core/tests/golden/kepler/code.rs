@@ -42,6 +42,7 @@ pub struct KeplerState<S> {
 /// Columns of a table of states of [`Kepler`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct KeplerColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::lagrange::private::multiply_add;
     impl<S: ::lagrange::Scalar> Kepler<S> {
@@ -313,6 +314,20 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: S, y: &[S; 4]) -> [S; 4] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: S,
+            y: &[S; 4],
+            rates: &[S; 4],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<S>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[("m", self.m), ("mu", self.mu)],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
         }
         #[inline]
         fn jacobian(&self, t: S, y: &[S; 4]) -> ::core::option::Option<[[S; 4]; 4]> {

@@ -38,6 +38,7 @@ pub struct PendulumState {
 /// Columns of a table of states of [`Pendulum`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct PendulumColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin};
@@ -216,6 +217,20 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 2]) -> [f64; 2] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 2],
+            rates: &[f64; 2],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[("m", self.m), ("l", self.l), ("g", self.g)],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
         }
     }
     #[automatically_derived]

@@ -60,6 +60,7 @@ pub struct CartPoleInputs {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
@@ -251,6 +252,27 @@ const _: () = {
         fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
             self.rhs(t, y)
         }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 4],
+            rates: &[f64; 4],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("mc", self.mc),
+                    ("mp", self.mp),
+                    ("l", self.l),
+                    ("c", self.c),
+                    ("g", self.g),
+                    ("u", self.u),
+                ],
+                |_, _| ::core::option::Option::None,
+            )
+        }
     }
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for CartPole {
@@ -374,6 +396,7 @@ pub struct ParkedInputs {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
@@ -530,6 +553,27 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 2]) -> [f64; 2] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 2],
+            rates: &[f64; 2],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("mc", self.mc),
+                    ("mp", self.mp),
+                    ("l", self.l),
+                    ("c", self.c),
+                    ("g", self.g),
+                    ("u", self.u),
+                ],
+                |_, _| ::core::option::Option::None,
+            )
         }
     }
     #[automatically_derived]
@@ -734,6 +778,7 @@ pub struct LinearInputs {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin_cos};
@@ -911,6 +956,27 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 4],
+            rates: &[f64; 4],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("mc", self.mc),
+                    ("mp", self.mp),
+                    ("l", self.l),
+                    ("c", self.c),
+                    ("g", self.g),
+                    ("u", self.u),
+                ],
+                |_, _| ::core::option::Option::None,
+            )
         }
     }
     #[automatically_derived]

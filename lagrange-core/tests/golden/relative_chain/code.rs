@@ -71,6 +71,7 @@ pub struct RelativeChainState {
 /// Columns of a table of states of [`RelativeChain`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct RelativeChainColumns<C>(C);
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
@@ -523,6 +524,28 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, y: &[f64; 6]) -> [f64; 6] {
             self.rhs(t, y)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            y: &[f64; 6],
+            rates: &[f64; 6],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, y, rates),
+                &[
+                    ("m1", self.m1),
+                    ("m2", self.m2),
+                    ("m3", self.m3),
+                    ("l1", self.l1),
+                    ("l2", self.l2),
+                    ("l3", self.l3),
+                    ("g", self.g),
+                ],
+                |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )
         }
     }
     #[automatically_derived]

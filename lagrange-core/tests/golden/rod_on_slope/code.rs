@@ -93,6 +93,7 @@ pub struct RodOnSlopeInputs {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
+::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{abs, multiply_add, sin_cos, sqrt};
@@ -689,6 +690,27 @@ const _: () = {
         #[inline]
         fn rhs(&self, t: f64, state: &[f64; 6]) -> [f64; 6] {
             self.rhs(t, state)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            state: &[f64; 6],
+            rates: &[f64; 6],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, state, rates),
+                &[
+                    ("m", self.m),
+                    ("l", self.l),
+                    ("k", self.k),
+                    ("g", self.g),
+                    ("slope", self.slope),
+                    ("u", self.u),
+                ],
+                |_, _| ::core::option::Option::None,
+            )
         }
         const IS_CONSTRAINED: ::core::primitive::bool = true;
         #[inline]

@@ -1,0 +1,198 @@
+//! What the compiler says where a run is not told when it ends.
+//!
+//! The methods of [`Simulation`] that are asked of a [`Start`] are here, with a bound that nothing fulfils and that says what is
+//! missing; none is ever called.
+
+use std::vec::Vec;
+
+use super::builder::{Simulation, Start};
+use super::error::SimulationError;
+use super::events::Event;
+use super::progress::{Progress, Verdict};
+use super::trajectory::Trajectory;
+use crate::event::{Direction, Reaction};
+use crate::integrate::{Method, Verner98};
+use crate::scalar::Scalar;
+use crate::system::{MechanicalSystem, OdeSystem};
+
+/// A run that knows when it ends.
+#[doc(hidden)]
+#[diagnostic::on_unimplemented(
+    message = "the run does not know when it ends",
+    label = "say `.until(time)` or `.lasting(duration)` before this",
+    note = "for example `system.simulate(start).until(10.0).run()`"
+)]
+pub trait KnowsItsEnd {}
+
+type Number<M> = <M as OdeSystem>::Scalar;
+type State<M> = <M as OdeSystem>::State;
+
+/// The run with the default method, as it would be after `.until(…)`.
+type Ended<'a, M> = Simulation<'a, M, Verner98<Number<M>>>;
+
+#[doc(hidden)]
+impl<'a, M: MechanicalSystem> Start<'a, M> {
+    pub fn run(self) -> Result<Trajectory<M>, SimulationError<M>>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).run()
+    }
+
+    pub fn tolerance(self, tolerance: Number<M>) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).tolerance(tolerance)
+    }
+
+    pub fn absolute_tolerance(self, tolerance: Number<M>) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).absolute_tolerance(tolerance)
+    }
+
+    pub fn method<N: Method<M>>(self, method: N) -> Simulation<'a, M, N>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).method(method)
+    }
+
+    pub fn every_step(self) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).every_step()
+    }
+
+    pub fn every(self, interval: Number<M>) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).every(interval)
+    }
+
+    pub fn ends_only(self) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).ends_only()
+    }
+
+    pub fn dense(self) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).dense()
+    }
+
+    pub fn observe(
+        self,
+        name: &str,
+        value: impl FnMut(&M, Number<M>, &State<M>) -> Number<M> + 'a,
+    ) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).observe(name, value)
+    }
+
+    pub fn event(
+        self,
+        name: &str,
+        direction: Direction,
+        value: impl FnMut(&M, Number<M>, &State<M>) -> Number<M> + 'a,
+    ) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).event(name, direction, value)
+    }
+
+    pub fn stop_at(
+        self,
+        name: &str,
+        direction: Direction,
+        value: impl FnMut(&M, Number<M>, &State<M>) -> Number<M> + 'a,
+    ) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).stop_at(name, direction, value)
+    }
+
+    pub fn event_with(
+        self,
+        name: &str,
+        direction: Direction,
+        value: impl FnMut(&M, Number<M>, &State<M>) -> Number<M> + 'a,
+        react: impl FnMut(&M, &Event<Number<M>, State<M>>) -> Reaction<State<M>> + 'a,
+    ) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).event_with(name, direction, value, react)
+    }
+
+    pub fn accelerations(self) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).accelerations()
+    }
+
+    pub fn max_steps(self, limit: u64) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).max_steps(limit)
+    }
+
+    pub fn longest_step(self, longest: Number<M>) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).longest_step(longest)
+    }
+
+    pub fn restart_at(self, times: Vec<Number<M>>) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).restart_at(times)
+    }
+
+    pub fn progress<V: Verdict>(self, callback: impl FnMut(Progress<Number<M>>) -> V + 'a) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).progress(callback)
+    }
+
+    pub fn energy(self) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN)
+    }
+
+    pub fn momenta(self) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN)
+    }
+
+    pub fn observe_each<const N: usize>(
+        self,
+        names: [&str; N],
+        values: impl FnMut(&M, Number<M>, &State<M>) -> [Number<M>; N] + 'a,
+    ) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN).observe_each(names, values)
+    }
+}

@@ -1,0 +1,17 @@
+use lagrange::scene::Scene;
+
+lagrange::system! {
+    struct Sled;
+
+    coord x;
+    body runner { mass: 2; center: (x, 0); }
+}
+
+fn show(_: &impl Scene) {}
+
+fn main() {
+    let sled = Sled::default();
+    let motion = sled.runner_motion(0.0, &[0.5], &[0.0]);
+    println!("{:?}", motion.center);
+    show(&sled);
+}

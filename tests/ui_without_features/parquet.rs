@@ -1,0 +1,15 @@
+use lagrange::Simulate;
+
+lagrange::system! {
+    struct Pendulum;
+
+    coord theta;
+    kinetic = 1/2 * dot(theta)^2;
+    potential = -cos(theta);
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let run = Pendulum::default().simulate([0.5, 0.0]).until(1.0).energy().run()?;
+    run.save_parquet("run.parquet")?;
+    Ok(())
+}
