@@ -25,6 +25,17 @@ impl Origin {
     pub fn to(self, other: Origin) -> Origin {
         Origin { start: self.start, end: other.end }
     }
+
+    /// Line and column of its first character, `3:7`, both counted from one, with the name of the file before them if it has
+    /// one: `src/main.rs:3:7`. `None` where nothing is known of them, as in servers of editors.
+    fn place(self) -> Option<String> {
+        let (file, start) = (self.start.file(), self.start.start());
+        let is_known = start.line > 0 && !file.is_empty();
+        let place = format!("{}:{}", start.line, start.column + 1);
+        // What has no file has a name such as `<parsed string 1>`.
+        let is_named = !file.starts_with('<');
+        is_known.then(|| if is_named { format!("{file}:{place}") } else { place })
+    }
 }
 
 impl From<Span> for Origin {
@@ -75,26 +86,30 @@ impl Diagnostic {
     }
 }
 
-/// `error at 3:7: unknown name …`, with related places and help on lines of their own; lines and columns
-/// count from one.
+impl Diagnostic {
+    /// What is wrong, then related places and help, each from a line of its own on.
+    pub fn text(&self) -> String {
+        let mut text = self.message.clone();
+        for (origin, note) in &self.related {
+            let at = origin.place().map_or_else(String::new, |place| format!(" at {place}"));
+            text.push_str(&format!("\nnote{at}: {note}"));
+        }
+        if let Some(help) = &self.help {
+            text.push_str(&format!("\nhelp: {help}"));
+        }
+        text
+    }
+}
+
+/// `error at 3:7: unknown name …`, with related places and help on lines of their own.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let at = |origin: Origin| {
-            let start = origin.start.start();
-            format!("{}:{}", start.line, start.column + 1)
-        };
         let severity = match &self.severity {
             Severity::Error => "error",
             Severity::Unused(_) | Severity::Expensive | Severity::Doubtful => "warning",
         };
-        write!(f, "{severity} at {}: {}", at(self.origin), self.message)?;
-        for (origin, note) in &self.related {
-            write!(f, "\n  note at {}: {note}", at(*origin))?;
-        }
-        match &self.help {
-            Some(help) => write!(f, "\n  help: {help}"),
-            None => Ok(()),
-        }
+        let at = self.origin.place().map_or_else(String::new, |place| format!(" at {place}"));
+        write!(f, "{severity}{at}: {}", self.text().replace('\n', "\n  "))
     }
 }
 

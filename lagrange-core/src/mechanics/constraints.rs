@@ -23,6 +23,11 @@ use crate::syntax::ast::{AstId, Name};
 impl Elaborator<'_> {
     pub(super) fn constraint(&mut self, name: &Name, syntax: AstId) {
         let term = self.term(syntax, name.span, "a constraint");
+        if self.evaluator.scope.find(&name.text).is_some() {
+            // What is meant by the name decides what is wrong with the rest.
+            self.declare(name, Kind::Constraint, None);
+            return;
+        }
         if let Some(term) = &term
             && self.is_implied(name, term.value)
         {
@@ -96,6 +101,7 @@ impl Elaborator<'_> {
         if let (Some((_, span)), Some(reduction)) = (self.constraints.first(), self.reductions.first()) {
             let error = self.evaluator.report.error(reduction.name.span, messages::REDUCED_CONSTRAINTS);
             error.related(Origin::from(*span), messages::CONSTRAINT_IS_HERE);
+            error.help(messages::REDUCED_CONSTRAINTS_HELP);
         }
     }
 
