@@ -158,7 +158,11 @@ fn derive(
     let coordinates = declaration.coordinates();
     let moving = undetermined(model).into_iter().filter_map(|index| coordinates.get(index).copied());
     let moving = moving.collect::<Vec<_>>();
-    let place = place.or(moving.first().map(|name| name.span)).unwrap_or(declaration.name.span);
+    let is_energy =
+        |kind: &StatementKind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_));
+    let energy = declaration.statements.iter().find(|statement| is_energy(&statement.kind));
+    let place = place.or(moving.first().map(|name| name.span)).or(energy.map(|energy| energy.origin.start));
+    let place = place.unwrap_or(declaration.name.span);
     let names = moving.iter().map(|name| name.text.as_str()).collect::<Vec<_>>();
     report.error(place, singular.message(&names)).help(singular.help());
     None

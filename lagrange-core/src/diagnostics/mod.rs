@@ -11,6 +11,9 @@ use proc_macro2::Span;
 
 pub use spelling::nearest;
 
+/// The names of files of what is in no file.
+const NOWHERE: [&str; 2] = ["", "<unspecified>"];
+
 /// A stretch of the user's source, from its first to its last token.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin {
@@ -30,7 +33,7 @@ impl Origin {
     /// one: `src/main.rs:3:7`. `None` where nothing is known of them, as in servers of editors.
     fn place(self) -> Option<String> {
         let (file, start) = (self.start.file(), self.start.start());
-        let is_known = start.line > 0 && !file.is_empty();
+        let is_known = start.line > 0 && !NOWHERE.contains(&file.as_str());
         let place = format!("{}:{}", start.line, start.column + 1);
         // What has no file has a name such as `<parsed string 1>`.
         let is_named = !file.starts_with('<');
@@ -175,3 +178,26 @@ impl fmt::Display for Report {
 }
 
 impl std::error::Error for Report {}
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::{Span, TokenStream, TokenTree};
+
+    use super::{Origin, Report};
+
+    #[test]
+    fn related_places_stand_in_the_text_if_they_are_known() {
+        let tokens = "a\n  b".parse::<TokenStream>().expect("tokens");
+        let spans = tokens.into_iter().map(|token: TokenTree| token.span()).collect::<Vec<_>>();
+        let mut report = Report::default();
+        let error = report.error(spans[1], "`b` is wrong").help("write `c`");
+        error.related(Origin::from(spans[0]), "`a` is here");
+        error.related(Origin::from(Span::call_site()), "something is elsewhere");
+        let text = "`b` is wrong\nnote at 1:1: `a` is here\nnote: something is elsewhere\nhelp: write `c`";
+        assert_eq!(report.diagnostics()[0].text(), text);
+        assert_eq!(report.to_string(), format!("error at 2:3: {}\n", text.replace('\n', "\n  ")));
+        let mut report = Report::default();
+        report.error(Span::call_site(), "nobody knows where");
+        assert_eq!(report.to_string(), "error: nobody knows where\n");
+    }
+}

@@ -58,7 +58,12 @@ impl Elaborator<'_> {
         let dependencies = self.evaluator.graph.dependencies(value);
         let origin = self.evaluator.origin(syntax);
         if !dependencies.intersects(Dependencies::COORDINATE | Dependencies::VELOCITY) {
-            let error = self.evaluator.report.error(origin, messages::constrains_nothing(&name.text));
+            let number = self.evaluator.graph.as_number(value).filter(|number| !number.is_zero());
+            let message = match number {
+                Some(number) => messages::impossible_constraint(&name.text, &number.to_string()),
+                None => messages::constrains_nothing(&name.text),
+            };
+            let error = self.evaluator.report.error(origin, message);
             error.help(messages::CONSTRAINS_NOTHING_HELP);
             return None;
         }

@@ -278,6 +278,10 @@ pub(super) fn constrains_nothing(name: &str) -> String {
     format!("the constraint `{name}` holds no coordinate")
 }
 
+pub(super) fn impossible_constraint(name: &str, value: &str) -> String {
+    format!("the constraint `{name}` can never be fulfilled: it holds no coordinate, and is {value}, not 0")
+}
+
 pub(super) const CONSTRAINS_NOTHING_HELP: &str =
     "write what is to be zero as a function of coordinates or velocities";
 

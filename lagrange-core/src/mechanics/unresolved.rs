@@ -79,7 +79,8 @@ impl Evaluator<'_> {
     /// where the declaration could not be read. Names of one statement are too far down together.
     pub(super) fn is_declared_elsewhere(&mut self, name: &str, origin: Origin) -> bool {
         let Some((statement, declaration)) = self.declaration.find(name) else {
-            return self.declaration.unreadable_words.contains(&name.to_owned());
+            return self.declaration.lacks_names
+                || self.declaration.unreadable_words.contains(&name.to_owned());
         };
         let (late, user) = (&mut self.unresolved.late, self.unresolved.statement);
         let reported = late.iter().find(|late| late.user == user || late.declaration == statement).copied();

@@ -182,6 +182,12 @@ impl Cursor {
         }
     }
 
+    /// Whether the next token is the same word as the last one that was taken.
+    pub(super) fn at_same_word(&self) -> bool {
+        let last = self.previous().map(ToString::to_string);
+        self.ident().is_some_and(|word| last.as_deref() == Some(word.to_string().as_str()))
+    }
+
     /// Takes the next token if it is an identifier.
     pub(super) fn eat_ident(&mut self) -> Option<Ident> {
         let ident = self.ident().cloned()?;

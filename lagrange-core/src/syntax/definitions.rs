@@ -9,7 +9,7 @@ use super::messages;
 use super::messages::forms::form;
 use super::messages::habits;
 use super::names::at_equals_past;
-use super::parser::{Parsed, Parser, Reported};
+use super::parser::{Declared, Parsed, Parser, Reported};
 use super::recovery::Turn;
 
 /// A list of names with commas between them.
@@ -26,7 +26,9 @@ impl Parser<'_> {
     pub(super) fn definitions(&mut self, help: &'static str, cursor: &mut Cursor) -> Vec<Definition> {
         self.items(List { help, has_values: true }, cursor, |parser, cursor| {
             let name = parser.declared_name(cursor);
-            if name.is_ok() {
+            if let Ok(name) = &name {
+                // Values behind it may hold it.
+                parser.declared_names.insert(name.text.clone(), Declared::Parameter);
                 parser.annotation("param", cursor);
             }
             let value = match at_equals_past(0, cursor) {
@@ -94,22 +96,36 @@ impl Parser<'_> {
                 }
             }
             if !parser.skipped && !at_item_end(cursor) {
-                if list.at_next_item(cursor) && cursor.position() > start {
-                    parser.fail_once(cursor.here(), messages::MISSING_COMMA, list.help);
+                let is_separated = parser.no_comma(list, start, cursor);
+                if is_separated {
                     return Ok(Turn::Next);
                 }
-                if !list.has_values && is_definition(cursor) {
-                    let help = messages::MISSING_SEMICOLON_HELP;
-                    parser.fail_with_help(cursor.before().end, messages::MISSING_SEMICOLON, help);
-                    parser.skipped = true;
-                    return Ok(Turn::Last);
-                }
-                parser.no_operator(cursor, "`,` or `;`");
-                parser.skip_item(cursor);
             }
             Ok(Turn::next_if(cursor.eat(',').is_some() && !at_list_end(cursor)))
         });
         items
+    }
+
+    /// Reports what stands behind an item instead of a comma; says whether the next item follows all the same.
+    fn no_comma(&mut self, list: List, start: usize, cursor: &mut Cursor) -> bool {
+        let is_next = list.at_next_item(cursor) && cursor.position() > start;
+        if is_next && !cursor.at_same_word() {
+            self.fail_once(cursor.here(), messages::MISSING_COMMA, list.help);
+            return true;
+        }
+        if is_next {
+            let help = messages::REPEATED_ATTRIBUTE_HELP;
+            self.fail_with_help(cursor.skip_one(), habits::TWICE_IN_A_ROW, help);
+            self.skip_item(cursor);
+        } else if !list.has_values && is_definition(cursor) {
+            let help = messages::MISSING_SEMICOLON_HELP;
+            self.fail_with_help(cursor.before().end, messages::MISSING_SEMICOLON, help);
+            self.skipped = true;
+        } else {
+            self.no_operator(cursor, "`,` or `;`");
+            self.skip_item(cursor);
+        }
+        false
     }
 
     fn item<T>(
@@ -122,8 +138,7 @@ impl Parser<'_> {
             return Err(self.fail_with_help(origin, habits::DECIMAL_COMMA, habits::decimal_point(&number)));
         }
         if cursor.ident().is_none() {
-            let message = messages::expected("a name", cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, help));
+            return Err(self.no_name(help, cursor));
         }
         read(self, cursor)
     }
@@ -147,10 +162,7 @@ impl Parser<'_> {
         }
         let help = form("let");
         match cursor.eat_group(Delimiter::Parenthesis) {
-            None if cursor.ident().is_none() => {
-                let message = messages::expected("a name", cursor.peek());
-                Err(self.fail_with_help(cursor.here(), message, help))
-            }
+            None if cursor.ident().is_none() => Err(self.no_name(help, cursor)),
             None => {
                 let name = self.declared_name(cursor)?;
                 self.annotation("let", cursor);

@@ -28,6 +28,9 @@ impl Parser<'_> {
             return Err(self.no_operator(cursor, "`,`"));
         }
         let values = self.labelled_values(cursor)?;
+        if self.has_said(messages::EQUALS_BEHIND_LABEL) {
+            return Err(Reported);
+        }
         if let (Some(_), Some((.., origin))) = (find(&values, "smooth"), find(&values, "static")) {
             return Err(self.fail_with_help(*origin, messages::SMOOTH_WITH_STATIC, messages::SMOOTH_HELP));
         }
@@ -68,8 +71,7 @@ impl Parser<'_> {
         let here = cursor.here();
         let word = cursor.eat_ident().map(|word| word.to_string()).unwrap_or_default();
         if cursor.eat(':').is_none() {
-            let message = messages::expected("`:`", cursor.peek());
-            self.fail_once(cursor.here(), &message, messages::FRICTION_HELP);
+            self.fail_once(cursor.here(), messages::EQUALS_BEHIND_LABEL, messages::FRICTION_HELP);
             cursor.skip_one();
         }
         if let Some(label) = LABELS.into_iter().find(|label| *label == word) {

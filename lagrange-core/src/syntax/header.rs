@@ -50,6 +50,7 @@ fn declaration(
         expressions: Expressions::default(),
         bodies: Vec::new(),
         unreadable_words: HashMap::default(),
+        lacks_names: false,
     }
 }
 

@@ -178,6 +178,8 @@ pub(super) const FRICTION_HELP: &str = "write `friction name = slip, limit;`, `â
 pub(super) const ONE_LIMIT_HELP: &str =
     "write `kinetic: e, static: f`, or a single limit without a label for both";
 
+pub(super) const EQUALS_BEHIND_LABEL: &str = "expected `:`, found `=`";
+
 pub(super) fn friction_without_limit(name: &str) -> String {
     format!("the friction {} has no limit", quoted(name))
 }

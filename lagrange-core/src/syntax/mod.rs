@@ -126,5 +126,12 @@ fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cu
         _ => None,
     });
     let bodies = bodies.collect();
-    Declaration { statements, bodies, expressions, unreadable_words, ..header }
+    Declaration {
+        statements,
+        bodies,
+        expressions,
+        unreadable_words,
+        lacks_names: parser.lacks_names,
+        ..header
+    }
 }

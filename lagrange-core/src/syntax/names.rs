@@ -8,12 +8,15 @@ use super::keywords;
 use super::messages;
 use super::messages::forms::form;
 use super::messages::habits;
-use super::parser::{Parsed, Parser};
+use super::parser::{Parsed, Parser, Reported};
 
 impl Parser<'_> {
     /// Reads a name that is being declared. One that cannot be a name is reported and left out of the
     /// syntax tree, so every declared name there is an identifier of Rust and of the language.
     pub(super) fn declared_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
+        if cursor.ident().is_none() {
+            return Err(self.no_name(habits::name_help(cursor.peek()), cursor));
+        }
         let name = self.name(cursor)?;
         match objection(&name.text) {
             None => Ok(name),
@@ -29,11 +32,11 @@ impl Parser<'_> {
             let start = cursor.position();
             cursor.skip_to(|cursor| cursor.at(',') || cursor.at_statement_end());
             let origin = cursor.since(start);
+            self.lacks_names = true;
             return Err(self.fail_with_help(origin, habits::nameless(keyword), form(keyword)));
         }
         if is_end {
-            let message = messages::expected("a name", cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, form(keyword)));
+            return Err(self.no_name(form(keyword), cursor));
         }
         let name = self.declared_name(cursor)?;
         self.annotation(keyword, cursor);
@@ -82,6 +85,13 @@ impl Parser<'_> {
         cursor.skip_one();
         cursor.skip_one();
         Ok(())
+    }
+
+    /// Reports that what is declared here has no name. It may be mentioned under the name that it was to have.
+    pub(super) fn no_name(&mut self, help: &str, cursor: &Cursor) -> Reported {
+        self.lacks_names = true;
+        let message = messages::expected("a name", cursor.peek());
+        self.fail_with_help(cursor.here(), message, help)
     }
 
     /// Reads any identifier that is not raw.

@@ -21,6 +21,8 @@ pub(super) struct Parser<'r> {
     pub(super) unreadable_words: HashMap<String, ()>,
     /// Names that were declared where the text could be read.
     pub(super) declared_names: HashMap<String, Declared>,
+    /// Whether something is declared without the name that it should have.
+    pub(super) lacks_names: bool,
     /// What is said only once of a statement.
     said: HashMap<String, ()>,
     depth: u32,
@@ -61,6 +63,7 @@ impl<'r> Parser<'r> {
             skipped: false,
             unreadable_words: HashMap::default(),
             declared_names: HashMap::default(),
+            lacks_names: false,
             said: HashMap::default(),
             depth: 0,
         }

@@ -6,6 +6,7 @@
 //! `LAGRANGE_ANSWERS= cargo test -p lagrange-core --test mistakes -- --nocapture`.
 
 mod corpus;
+mod slips;
 
 use corpus::{Mistake, mistakes};
 use lagrange_core::diagnostics::{Diagnostic, Report, Severity};

@@ -22,6 +22,8 @@ pub(in crate::syntax) fn nameless(keyword: &str) -> String {
 
 pub(in crate::syntax) const TYPED: &str = "names have no type of their own here";
 
+pub(in crate::syntax) const TWICE_IN_A_ROW: &str = "this name stands here twice";
+
 /// For brackets between a name and its value.
 pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static str) {
     match keyword {
