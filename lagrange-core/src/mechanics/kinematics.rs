@@ -76,22 +76,7 @@ impl Evaluator<'_> {
             return None;
         }
         match name.text.as_str() {
-            "dot" | "ddot"
-                if self.declaration.expressions.is_written(call) && self.is_at_rest(arguments[0]) =>
-            {
-                self.value(arguments[0])?;
-                let message = messages::rate_of_constant(&print::expression(
-                    &self.declaration.expressions,
-                    arguments[0],
-                ));
-                self.report.error(self.origin(call), message).help(messages::RATE_OF_CONSTANT_HELP);
-                None
-            }
-            "dot" => self.rate(&self.value(arguments[0])?, arguments[0]),
-            "ddot" => {
-                let first = self.rate(&self.value(arguments[0])?, arguments[0])?;
-                self.rate(&first, arguments[0])
-            }
+            "dot" | "ddot" => self.evaluate_rate(&name.text, arguments[0], call),
             "norm" | "inner" | "cross" => self.evaluate_vector_function(&name.text, arguments),
             "kinetic_energy" | "spring_energy" => {
                 let weight =
@@ -116,6 +101,19 @@ impl Evaluator<'_> {
         let error = self.report.error(self.origin(syntax), messages::NEGATIVE_INERTIA);
         error.help(messages::NEGATIVE_INERTIA_HELP);
         None
+    }
+
+    /// `dot` or `ddot`. That of what is written without anything that moves is a mistake, not zero.
+    fn evaluate_rate(&mut self, function: &str, argument: AstId, call: AstId) -> Option<Operand> {
+        let value = self.value(argument)?;
+        if self.declaration.expressions.is_written(call) && self.is_at_rest(argument) {
+            let text = print::expression(&self.declaration.expressions, argument);
+            let error = self.report.error(self.origin(call), messages::rate_of_constant(&text));
+            error.help(messages::RATE_OF_CONSTANT_HELP);
+            return None;
+        }
+        let rate = self.rate(&value, argument)?;
+        if function == "dot" { Some(rate) } else { self.rate(&rate, argument) }
     }
 
     /// Whether an expression is made of numbers, constants and parameters, whatever it is worth.
@@ -147,11 +145,10 @@ impl Evaluator<'_> {
     fn report_no_function(&mut self, name: &Name, arguments: &[AstId]) {
         if let Some(entry) = self.scope.resolve(&name.text) {
             let message = messages::names::not_a_function(&name.text, entry.kind.describe());
-            let is_of_time = matches!(arguments, [of] if matches!(self.declaration.expressions.get(*of), Expression::Name(t) if t == "t"));
-            let help = if is_of_time {
-                messages::names::of_time(&name.text)
-            } else {
-                messages::names::PRODUCT_HELP.to_owned()
+            let is_time = |&id: &AstId| matches!(self.syntax(id), Expression::Name(t) if t == "t");
+            let help = match arguments {
+                [argument] if is_time(argument) => messages::names::of_time(&name.text),
+                _ => messages::names::PRODUCT_HELP.to_owned(),
             };
             self.report.error(name.span, message).help(help);
             return;

@@ -5,7 +5,7 @@ use super::rates::derivative;
 
 /// Functions with other names, or with another number of arguments than theirs, and how they are written: `#1` is the first
 /// argument. Rows with more arguments than there are do not fit.
-const FUNCTIONS: &[(&[&str], usize, &str)] = &[
+pub(super) const FUNCTIONS: &[(&[&str], usize, &str)] = &[
     (&["log", "loge", "Log"], 1, "ln(#1)"),
     (&["log"], 2, "ln(#1)/ln(#2)"),
     (&["log10", "lg"], 1, "ln(#1)/ln(10)"),
