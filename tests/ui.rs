@@ -1,5 +1,8 @@
 //! What the compiler says about mistakes: each file of `ui/`, in the folder of the rule that it breaks.
 
+use std::fs;
+use std::path::Path;
+
 #[test]
 fn mistakes_are_explained_where_they_are() {
     trybuild::TestCases::new().compile_fail("tests/ui/*/*.rs");
@@ -10,4 +13,40 @@ fn mistakes_are_explained_where_they_are() {
 #[test]
 fn missing_features_are_named() {
     trybuild::TestCases::new().compile_fail("tests/ui_without_features/*.rs");
+}
+
+/// Each declaration in the folder `one_mistake` holds one, of which the compiler makes no second error.
+#[test]
+fn one_mistake_is_one_error() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui/one_mistake");
+    let files = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let sources = files.filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    let mut declarations = 0;
+    for path in sources {
+        let read = |path: &Path| fs::read_to_string(path).expect("a file");
+        let (source, answer) = (read(&path), read(&path.with_extension("stderr")));
+        let mistakes = source.matches("lagrange::system!").count();
+        let errors = answer.lines().filter(|line| line.starts_with("error")).count();
+        assert_eq!(errors, mistakes, "{}:\n{answer}", path.display());
+        assert_eq!(answer.matches("help: ").count(), mistakes, "{}:\n{answer}", path.display());
+        declarations += mistakes;
+    }
+    assert!(declarations > 15, "{declarations}");
+}
+
+/// Related places stand in the text of an error, with file, line and column.
+#[test]
+fn no_error_is_a_note() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
+    let folders = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let files = folders.flat_map(|folder| fs::read_dir(folder).expect("a folder"));
+    let answers = files.map(|entry| entry.expect("an entry").path());
+    let answers = answers.filter(|path| path.extension().is_some_and(|extension| extension == "stderr"));
+    let mut notes = 0;
+    for path in answers {
+        let answer = fs::read_to_string(&path).expect("a file");
+        assert!(!answer.contains("error: note"), "{}:\n{answer}", path.display());
+        notes += answer.matches("note at $DIR/tests/ui/").count();
+    }
+    assert!(notes > 30, "{notes}");
 }

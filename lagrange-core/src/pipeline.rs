@@ -3,14 +3,14 @@
 mod numeric;
 mod second_way;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
 use crate::bodies::plain;
 use crate::diagnostics::Report;
 use crate::emit;
 use crate::emit::{Emitted, Refusal};
-use crate::mechanics::{Equations, Model, Product, Reduced, RoadChoice, SingularMassMatrix, elaborate};
+use crate::mechanics::{Equations, Model, Product, Reduced, RoadChoice, elaborate, undetermined};
 use crate::syntax::ast::{Declaration, StatementKind};
 use crate::syntax::{parse_text, parse_tokens, print};
 
@@ -79,7 +79,7 @@ impl System {
     /// If the mass matrix is singular whatever the parameters are.
     pub fn derive(self, road: RoadChoice) -> Result<Derived, Report> {
         let System { declaration, mut model, mut report } = self;
-        let equations = derive(&declaration, &mut model, road, &mut report);
+        let equations = derive(&declaration, None, &mut model, road, &mut report);
         let reduced = equations.is_some().then(|| derive_parts(&declaration, &mut model, road, &mut report));
         match equations.zip(reduced.flatten()) {
             Some((equations, reduced)) => Ok(Derived { declaration, model, equations, reduced, report }),
@@ -121,12 +121,13 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
         let plain = plain(declaration, &mut report);
         let model = elaborate(&plain, &mut report);
         let mut declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
+        let underivable = declaration.underivable().iter().map(|name| name.text.clone()).collect::<Vec<_>>();
         let attributes = declaration.attributes;
-        declaration.attributes = emit::of_struct(&attributes, report.diagnostics());
+        declaration.attributes = emit::of_struct(&attributes, &underivable, report.diagnostics());
         let items = model.and_then(|mut model| {
             emit::report_hopeless_model(&declaration, &model, &mut report)?;
             let road = RoadChoice::Cheapest;
-            let equations = derive(&declaration, &mut model, road, &mut report)?;
+            let equations = derive(&declaration, None, &mut model, road, &mut report)?;
             let mut parts = derive_parts(&declaration, &mut model, road, &mut report)?;
             let statements = plain_statements(&declaration);
             let items =
@@ -142,16 +143,29 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     quote!(#diagnostics #items)
 }
 
+/// The equations of a model. That there are none is reported at `place`, or at a coordinate that nothing determines.
 fn derive(
     declaration: &Declaration,
+    place: Option<Span>,
     model: &mut Model,
     road: RoadChoice,
     report: &mut Report,
 ) -> Option<Equations> {
-    let is_singular = |error: &SingularMassMatrix| {
-        report.error(declaration.name.span, error.to_string()).help(error.help());
+    let singular = match Equations::derive(model, road) {
+        Ok(equations) => return Some(equations),
+        Err(error) => error,
     };
-    Equations::derive(model, road).inspect_err(is_singular).ok()
+    let coordinates = declaration.coordinates();
+    let moving = undetermined(model).into_iter().filter_map(|index| coordinates.get(index).copied());
+    let moving = moving.collect::<Vec<_>>();
+    let is_energy =
+        |kind: &StatementKind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_));
+    let energy = declaration.statements.iter().find(|statement| is_energy(&statement.kind));
+    let place = place.or(moving.first().map(|name| name.span)).or(energy.map(|energy| energy.origin.start));
+    let place = place.unwrap_or(declaration.name.span);
+    let names = moving.iter().map(|name| name.text.as_str()).collect::<Vec<_>>();
+    report.error(place, singular.message(&names)).help(singular.help());
+    None
 }
 
 /// The equations of the reduced types, which are taken out of the model.
@@ -165,7 +179,8 @@ fn derive_parts(
     let declarations = emit::reduced_declarations(declaration, &reduced);
     let parts = declarations.into_iter().zip(reduced).map(|(declaration, mut reduced)| {
         emit::report_hopeless_model(&declaration, &reduced.model, report)?;
-        let equations = derive(&declaration, &mut reduced.model, road, report)?;
+        let place = Some(declaration.name.span);
+        let equations = derive(&declaration, place, &mut reduced.model, road, report)?;
         Some(DerivedPart { declaration, reduced, equations })
     });
     parts.collect()

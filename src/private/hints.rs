@@ -248,14 +248,6 @@ pub trait Parameters {
 
 impl<M: EmitsParameters> Parameters for M {}
 
-/// A system that emits how its bodies move.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit how its bodies move",
-    label = "not emitted",
-    note = "add `emit {{ motion }}` to the declaration"
-)]
-pub trait EmitsMotion<'a> {}
-
 /// Brings the names into scope.
 #[doc(hidden)]
 #[macro_export]

@@ -8,8 +8,8 @@ use super::{Claim, Drawn, DrawnKind, Motion, Outline};
 use crate::diagnostics::Origin;
 use crate::solids;
 use crate::solids::Solid;
-use crate::syntax::ast;
 use crate::syntax::ast::{AstId, Shape, StatementKind};
+use crate::syntax::{ast, foreign};
 
 /// How the mass of a body is distributed.
 pub(super) struct MassGeometry {
@@ -137,7 +137,8 @@ impl Translation<'_> {
         let what = messages::dimension_of(&shape.solid.text);
         let dimensions = shape.dimensions.iter().map(|&id| self.property(id, &what)).collect::<Vec<_>>();
         let Some(solid) = solids::by_name(&shape.solid.text) else {
-            let help = match solids::nearest(&shape.solid.text) {
+            let known = foreign::solid(&shape.solid.text).or_else(|| solids::nearest(&shape.solid.text));
+            let help = match known {
                 Some(known) => messages::did_you_mean(known),
                 None => messages::solids_are(),
             };

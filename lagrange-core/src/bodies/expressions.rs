@@ -5,6 +5,7 @@ use super::messages;
 use super::names::{Body, Joint, Line, Object};
 use super::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, Name};
+use crate::syntax::foreign;
 
 /// Functions whose first argument is a body, with the names of all of them; those in brackets may be left out.
 const OF_BODIES: [(&str, &[&str]); 9] = [
@@ -154,6 +155,9 @@ impl Translation<'_> {
             return false;
         };
         let declared = declared.span;
+        if self.early.insert(name.to_owned(), ()).is_some() {
+            return true;
+        }
         let error = self.report.error(self.origin, messages::used_too_early(name)).help(messages::ORDER_HELP);
         error.related(declared.into(), messages::DECLARED_HERE);
         true
@@ -198,7 +202,10 @@ impl Translation<'_> {
         };
         found.unwrap_or_else(|| {
             let message = messages::no_part(name, object.describe(), &part.text);
-            self.report.error(part.span, message).help(messages::value_help(name, object));
+            let meant = object.owner().and_then(|owner| foreign::part((owner, name), &part.text));
+            let help =
+                meant.map_or_else(|| messages::value_help(name, object), |part| messages::write(&part));
+            self.report.error(part.span, message).help(help);
             self.terms().invalid()
         })
     }
@@ -229,6 +236,13 @@ impl Translation<'_> {
 
     fn plain_call(&mut self, function: &Name, arguments: &[AstId], id: AstId) -> AstId {
         if let Some((_, plain)) = OF_POINTS.iter().find(|(name, _)| *name == function.text) {
+            if let [point] = arguments
+                && self.is_at_rest(*point)
+            {
+                let message = messages::point_at_rest(&function.text);
+                self.report.error(self.origin, message).help(messages::POINT_AT_REST_HELP);
+                return self.terms().invalid();
+            }
             let arguments = arguments.iter().map(|&point| self.place(point)).collect::<Vec<_>>();
             return self.terms().call(plain, &arguments);
         }

@@ -5,6 +5,8 @@ use crate::solids::SOLIDS;
 use crate::syntax::ast::ConnectorKind;
 
 pub(super) const GRAVITY_TWICE: &str = "`gravity` is declared twice";
+pub(super) const GRAVITY_TWICE_HELP: &str = "leave one of them out, or write their sum";
+pub(super) const OTHER_NAME_HELP: &str = "choose another name";
 pub(super) const FIRST_DECLARED: &str = "it is declared here already";
 pub(super) const ORDER_HELP: &str = "a name is known only behind the statement that declares it";
 pub(super) const DECLARED_HERE: &str = "it is declared here";
@@ -15,6 +17,10 @@ pub(super) fn declared_twice(name: &str) -> String {
 
 pub(super) fn used_too_early(name: &str) -> String {
     format!("`{name}` is used before it is declared")
+}
+
+pub(super) fn write(usage: &str) -> String {
+    format!("write `{usage}`")
 }
 
 pub(super) fn did_you_mean(name: &str) -> String {
@@ -176,6 +182,14 @@ pub(super) fn value_help(name: &str, object: &Object) -> String {
 pub(super) fn no_part(name: &str, what: &str, part: &str) -> String {
     format!("`{name}` is {what} and has no `{part}`")
 }
+
+/// For the rate of a point that is made of numbers and parameters.
+pub(super) fn point_at_rest(function: &str) -> String {
+    format!("this point does not move, so that its {function} is zero")
+}
+
+pub(super) const POINT_AT_REST_HELP: &str =
+    "leave it out, or write a point of a body, `name.point(X, Y)`, or one made of coordinates";
 
 pub(super) fn wrong_arguments(function: &str, count: usize) -> String {
     let plural = if count == 1 { "" } else { "s" };

@@ -8,6 +8,7 @@ use crate::syntax::ast::{
 
 use super::messages;
 use super::terms::Pair;
+use crate::syntax::foreign::Owner;
 
 /// A rigid body whose statement has been read.
 #[derive(Clone, Debug)]
@@ -61,6 +62,16 @@ pub(super) enum Object {
 }
 
 impl Object {
+    /// What it is to those who look for parts of it under other names.
+    pub(super) fn owner(&self) -> Option<Owner> {
+        match self {
+            Object::Body(_) => Some(Owner::Body),
+            Object::Line(_) => None,
+            Object::Connector(_) => Some(Owner::Connector),
+            Object::Joint(_) => Some(Owner::Joint),
+        }
+    }
+
     /// In the user's words, with its article.
     pub(super) fn describe(&self) -> &'static str {
         match self {
@@ -193,7 +204,9 @@ pub(super) fn report_repeated(declaration: &Declaration, report: &mut Report) {
                 Some((_, false)) if !is_object => {}
                 Some((before, _)) => {
                     let error = report.error(name.span, messages::declared_twice(&name.text));
-                    error.related(before.span.into(), messages::FIRST_DECLARED);
+                    error
+                        .related(before.span.into(), messages::FIRST_DECLARED)
+                        .help(messages::OTHER_NAME_HELP);
                 }
                 None => drop(first.insert(name.text.clone(), (name, is_object))),
             }

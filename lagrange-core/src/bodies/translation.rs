@@ -25,6 +25,8 @@ pub(super) struct Translation<'a> {
     gravity: Option<(Pair, Origin)>,
     /// Bodies to which points belong that `let` names.
     pub(super) points: HashMap<String, usize>,
+    /// Names of which it was reported that they are used too early.
+    pub(super) early: HashMap<String, ()>,
     /// What expressions became.
     pub(super) translated: HashMap<AstId, AstId>,
     pub(super) motions: Vec<Motion>,
@@ -53,6 +55,7 @@ impl<'a> Translation<'a> {
             origin: declaration.name.span.into(),
             gravity: None,
             points: HashMap::default(),
+            early: HashMap::default(),
             translated: HashMap::default(),
             motions: Vec::new(),
             drawing: Vec::new(),
@@ -133,7 +136,7 @@ impl<'a> Translation<'a> {
         let value = self.plain(value);
         if let Some((_, first)) = self.gravity {
             let error = self.report.error(self.origin, messages::GRAVITY_TWICE);
-            error.related(first, messages::FIRST_DECLARED);
+            error.related(first, messages::FIRST_DECLARED).help(messages::GRAVITY_TWICE_HELP);
             return;
         }
         self.claims.push(Claim::PlaneVector { what: "gravity".to_owned(), value });

@@ -11,6 +11,9 @@ use proc_macro2::Span;
 
 pub use spelling::nearest;
 
+/// The names of files of what is in no file.
+const NOWHERE: [&str; 2] = ["", "<unspecified>"];
+
 /// A stretch of the user's source, from its first to its last token.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin {
@@ -24,6 +27,17 @@ impl Origin {
     /// From the start of `self` to the end of `other`.
     pub fn to(self, other: Origin) -> Origin {
         Origin { start: self.start, end: other.end }
+    }
+
+    /// Line and column of its first character, `3:7`, both counted from one, with the name of the file before them if it has
+    /// one: `src/main.rs:3:7`. `None` where nothing is known of them, as in servers of editors.
+    fn place(self) -> Option<String> {
+        let (file, start) = (self.start.file(), self.start.start());
+        let is_known = start.line > 0 && !NOWHERE.contains(&file.as_str());
+        let place = format!("{}:{}", start.line, start.column + 1);
+        // What has no file has a name such as `<parsed string 1>`.
+        let is_named = !file.starts_with('<');
+        is_known.then(|| if is_named { format!("{file}:{place}") } else { place })
     }
 }
 
@@ -75,26 +89,30 @@ impl Diagnostic {
     }
 }
 
-/// `error at 3:7: unknown name …`, with related places and help on lines of their own; lines and columns
-/// count from one.
+impl Diagnostic {
+    /// What is wrong, then related places and help, each from a line of its own on.
+    pub fn text(&self) -> String {
+        let mut text = self.message.clone();
+        for (origin, note) in &self.related {
+            let at = origin.place().map_or_else(String::new, |place| format!(" at {place}"));
+            text.push_str(&format!("\nnote{at}: {note}"));
+        }
+        if let Some(help) = &self.help {
+            text.push_str(&format!("\nhelp: {help}"));
+        }
+        text
+    }
+}
+
+/// `error at 3:7: unknown name …`, with related places and help on lines of their own.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let at = |origin: Origin| {
-            let start = origin.start.start();
-            format!("{}:{}", start.line, start.column + 1)
-        };
         let severity = match &self.severity {
             Severity::Error => "error",
             Severity::Unused(_) | Severity::Expensive | Severity::Doubtful => "warning",
         };
-        write!(f, "{severity} at {}: {}", at(self.origin), self.message)?;
-        for (origin, note) in &self.related {
-            write!(f, "\n  note at {}: {note}", at(*origin))?;
-        }
-        match &self.help {
-            Some(help) => write!(f, "\n  help: {help}"),
-            None => Ok(()),
-        }
+        let at = self.origin.place().map_or_else(String::new, |place| format!(" at {place}"));
+        write!(f, "{severity}{at}: {}", self.text().replace('\n', "\n  "))
     }
 }
 
@@ -160,3 +178,26 @@ impl fmt::Display for Report {
 }
 
 impl std::error::Error for Report {}
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::{Span, TokenStream, TokenTree};
+
+    use super::{Origin, Report};
+
+    #[test]
+    fn related_places_stand_in_the_text_if_they_are_known() {
+        let tokens = "a\n  b".parse::<TokenStream>().expect("tokens");
+        let spans = tokens.into_iter().map(|token: TokenTree| token.span()).collect::<Vec<_>>();
+        let mut report = Report::default();
+        let error = report.error(spans[1], "`b` is wrong").help("write `c`");
+        error.related(Origin::from(spans[0]), "`a` is here");
+        error.related(Origin::from(Span::call_site()), "something is elsewhere");
+        let text = "`b` is wrong\nnote at 1:1: `a` is here\nnote: something is elsewhere\nhelp: write `c`";
+        assert_eq!(report.diagnostics()[0].text(), text);
+        assert_eq!(report.to_string(), format!("error at 2:3: {}\n", text.replace('\n', "\n  ")));
+        let mut report = Report::default();
+        report.error(Span::call_site(), "nobody knows where");
+        assert_eq!(report.to_string(), "error: nobody knows where\n");
+    }
+}

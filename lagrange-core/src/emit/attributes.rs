@@ -38,6 +38,20 @@ impl Attribute<'_> {
         arguments.map(|argument| argument.iter().cloned().collect()).collect()
     }
 
+    /// The same without those of its arguments that end in one of these words.
+    fn without(&self, words: &[String]) -> Option<TokenStream> {
+        let ends_in = |argument: &TokenStream| match argument.clone().into_iter().last() {
+            Some(TokenTree::Ident(word)) => words.iter().any(|other| word == other.as_str()),
+            _ => false,
+        };
+        let arguments = self.arguments();
+        if !arguments.iter().any(ends_in) {
+            return Some(self.tokens());
+        }
+        let kept = arguments.iter().filter(|argument| !ends_in(argument));
+        Some(quote!(#[derive(#(#kept),*)]))
+    }
+
     /// Those of its lints that are `chosen`, with the reason; `None` without such a lint.
     fn with(&self, level: &str, chosen: impl Fn(&str) -> bool) -> Option<TokenStream> {
         let is_reason = |argument: &TokenStream| argument.to_string().starts_with("reason =");
@@ -84,13 +98,19 @@ pub(super) fn expectations(attributes: &TokenStream, lints: &[&str]) -> TokenStr
     if expected.is_empty() { expected } else { quote!(#conditions #expected) }
 }
 
-/// The attributes that the struct keeps: what is expected of warnings about the declaration is only allowed there.
-pub fn of_struct(attributes: &TokenStream, diagnostics: &[Diagnostic]) -> TokenStream {
+/// The attributes that the struct keeps: what is expected of warnings about the declaration is only allowed there, and traits
+/// that were reported not to be derivable are left out.
+pub fn of_struct(
+    attributes: &TokenStream,
+    underivable: &[String],
+    diagnostics: &[Diagnostic],
+) -> TokenStream {
     let warns_of_unused = diagnostics.iter().any(|one| matches!(one.severity, Severity::Unused(_)));
     // The struct itself may be unused, but it is no variable and nothing deprecated.
     let is_of_warnings =
         |lint: &str| NOTICE.contains(&lint) || lint == UNUSED[0] || warns_of_unused && UNUSED.contains(&lint);
     mapped(attributes, |attribute| match attribute.is("expect") {
+        false if attribute.is("derive") => attribute.without(underivable),
         false => Some(attribute.tokens()),
         true => {
             let kept = attribute.with("expect", |lint| !is_of_warnings(lint));

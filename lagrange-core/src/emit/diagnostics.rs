@@ -10,8 +10,8 @@ use crate::diagnostics::{Diagnostic, Origin, Report, Severity};
 use crate::syntax::ast::{Declaration, ScalarType};
 
 /// `compile_error!` for errors, variables that are not used for names that are not, and something deprecated
-/// for what takes long to compile or is doubtful: a stable macro cannot report anything else. Related places are reported
-/// where they are.
+/// for what takes long to compile or is doubtful: a stable macro cannot report anything else. Each mistake is one error; related
+/// places stand in its text.
 ///
 /// `attributes` are those of the struct: their conditions hold here, too, and so do their lint levels.
 pub fn diagnostics(diagnostics: &[Diagnostic], attributes: &TokenStream) -> TokenStream {
@@ -48,7 +48,7 @@ fn nothing(expectations: TokenStream) -> TokenStream {
 /// The compiler's own warning of something deprecated, the only one whose text can be chosen. It stands at the
 /// user's token and obeys the user's lint levels.
 fn notice(name: &str, diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
-    let (levels, text) = (of_warnings(attributes, NOTICE), text(diagnostic));
+    let (levels, text) = (of_warnings(attributes, NOTICE), diagnostic.text());
     let used = Ident::new(name, diagnostic.origin.start);
     quote! {
         #levels
@@ -57,14 +57,6 @@ fn notice(name: &str, diagnostic: &Diagnostic, attributes: &TokenStream) -> Toke
             struct #used;
             let _ = #used;
         };
-    }
-}
-
-/// The message with its help.
-fn text(diagnostic: &Diagnostic) -> String {
-    match &diagnostic.help {
-        Some(help) => format!("{}\nhelp: {help}", diagnostic.message),
-        None => diagnostic.message.clone(),
     }
 }
 
@@ -87,10 +79,8 @@ fn warnings(unused: &[Ident], attributes: &TokenStream) -> TokenStream {
 
 fn error(diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
     let conditions = conditions(attributes);
-    let related = diagnostic.related.iter();
-    let notes = related.map(|(origin, note)| compile_error(*origin, &format!("note: {note}")));
-    let errors = std::iter::once(compile_error(diagnostic.origin, &text(diagnostic))).chain(notes);
-    errors.map(|error| quote!(#conditions #error)).collect()
+    let error = compile_error(diagnostic.origin, &diagnostic.text());
+    quote!(#conditions #error)
 }
 
 /// The error covers everything from the first to the last token of its origin: the compiler takes the span

@@ -10,7 +10,7 @@ use super::constrained::projections;
 use super::contacts::mode_fields;
 use super::method::{ArgumentNames, Method};
 use super::ports::{inputs_impls, inputs_struct, outputs_impl};
-use super::scene::{missing_motions, motion_name};
+use super::scene::motion_name;
 use super::shape::{Shape, doc, identifier, length, local};
 use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
 use super::switches::switches_declaration;
@@ -214,7 +214,7 @@ fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
     let methods = parts.methods.iter().map(|method| method.tokens(shape, &parts.names));
     let (constants, rhs) = (&parts.constants, rhs(shape, &parts.names));
-    let (hidden, motions, missing) = (&parts.hidden, &parts.motions, missing_motions(shape));
+    let (hidden, motions) = (&parts.hidden, &parts.motions);
     let projections = projections(shape, parts);
     quote! {
         impl #bounds #name #generics {
@@ -222,7 +222,6 @@ fn inherent_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             #(#methods)*
             #rhs
             #motions
-            #missing
             #projections
             #hidden
         }

@@ -246,29 +246,6 @@ pub(super) fn motion_method(
     }
 }
 
-/// Methods of the names of those that say how bodies move, where these are not asked for: they ask for what nothing fulfils, and so
-/// let the compiler say what to do. By `&mut` all else of their names is found first.
-pub(super) fn missing_motions(shape: &Shape<'_>) -> TokenStream {
-    if shape.asks_for(Product::Motion) {
-        return TokenStream::new();
-    }
-    let (krate, scalar, n) = (shape.krate, shape.scalar(), length(shape.coordinates.len()));
-    let names = shape.declaration.bodies.iter().map(|body| motion_name(&body.name)).collect::<BTreeSet<_>>();
-    let is_free = |name: &Ident| shape.outputs.iter().all(|(output, _)| *name != output.text);
-    let names = names.into_iter().filter(is_free);
-    quote! {
-        #(
-            #[doc(hidden)]
-            pub fn #names(&mut self, _: #scalar, _: &[#scalar; #n], _: &[#scalar; #n]) -> #krate::body::Motion<#scalar>
-            where
-                for<'never> Self: #krate::private::hints::EmitsMotion<'never>,
-            {
-                ::core::unreachable!()
-            }
-        )*
-    }
-}
-
 /// The implementation of `Scene`, if it is asked for.
 pub(super) fn scene_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let Some(items) = &parts.items else { return TokenStream::new() };

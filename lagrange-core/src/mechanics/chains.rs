@@ -52,7 +52,8 @@ impl Evaluator<'_> {
             };
             if !value.same_kind(&first) {
                 let message = messages::kinds_differ("add", &first.kind(), &value.kind());
-                self.report.error(self.origin(link.operand), message);
+                let help = messages::KINDS_HELP;
+                self.report.error(self.origin(link.operand), message).help(help);
                 sound = false;
                 continue;
             }
@@ -85,7 +86,8 @@ impl Evaluator<'_> {
                     factors.push((factor, if inverted { Number::MINUS_ONE } else { Number::ONE }));
                 }
                 (Some(_), true) => {
-                    self.report.error(self.origin(operand), messages::DIVISION_BY_VECTOR);
+                    let error = self.report.error(self.origin(operand), messages::DIVISION_BY_VECTOR);
+                    error.help(messages::HOW_TO_GET_A_SCALAR);
                     sound = false;
                 }
                 (Some(_), false) if vector.is_some() => {

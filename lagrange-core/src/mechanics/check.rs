@@ -4,6 +4,7 @@ use super::elaborate::{Elaborator, Term};
 use super::messages;
 use super::messages::scene;
 use super::model::{Energies, Model, Reduction};
+use super::numbers::largest;
 use super::product::Product;
 use super::smoothness::without_kinks;
 use crate::calculus::{AccelerationTerms, Rates, gradient};
@@ -51,6 +52,11 @@ impl Elaborator<'_> {
         let report = &mut *self.evaluator.report;
         if let Some(default) = declaration.derives.iter().find(|name| name.text == "Default") {
             report.error(default.span, messages::DERIVED_DEFAULT).help(messages::DERIVED_DEFAULT_HELP);
+        }
+        if let [first, ..] = declaration.underivable()[..] {
+            let names = declaration.underivable().iter().map(|name| name.text.as_str()).collect::<Vec<_>>();
+            let (scalar, _) = largest(&declaration.scalar);
+            report.error(first.span, messages::underivable(&names, scalar)).help(messages::UNDERIVABLE_HELP);
         }
         if !declaration.unreadable_words.is_empty() {
             // What is missing may be in a statement that could not be read.

@@ -23,6 +23,11 @@ use crate::syntax::ast::{AstId, Name};
 impl Elaborator<'_> {
     pub(super) fn constraint(&mut self, name: &Name, syntax: AstId) {
         let term = self.term(syntax, name.span, "a constraint");
+        if self.evaluator.scope.find(&name.text).is_some() {
+            // What is meant by the name decides what is wrong with the rest.
+            self.declare(name, Kind::Constraint, None);
+            return;
+        }
         if let Some(term) = &term
             && self.is_implied(name, term.value)
         {
@@ -53,7 +58,12 @@ impl Elaborator<'_> {
         let dependencies = self.evaluator.graph.dependencies(value);
         let origin = self.evaluator.origin(syntax);
         if !dependencies.intersects(Dependencies::COORDINATE | Dependencies::VELOCITY) {
-            let error = self.evaluator.report.error(origin, messages::constrains_nothing(&name.text));
+            let number = self.evaluator.graph.as_number(value).filter(|number| !number.is_zero());
+            let message = match number {
+                Some(number) => messages::impossible_constraint(&name.text, &number.to_string()),
+                None => messages::constrains_nothing(&name.text),
+            };
+            let error = self.evaluator.report.error(origin, message);
             error.help(messages::CONSTRAINS_NOTHING_HELP);
             return None;
         }
@@ -96,6 +106,7 @@ impl Elaborator<'_> {
         if let (Some((_, span)), Some(reduction)) = (self.constraints.first(), self.reductions.first()) {
             let error = self.evaluator.report.error(reduction.name.span, messages::REDUCED_CONSTRAINTS);
             error.related(Origin::from(*span), messages::CONSTRAINT_IS_HERE);
+            error.help(messages::REDUCED_CONSTRAINTS_HELP);
         }
     }
 

@@ -44,7 +44,8 @@ pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
             _ => {}
         }
     }
-    for statement in &plain.declaration.statements {
+    for (number, statement) in plain.declaration.statements.iter().enumerate() {
+        elaborator.evaluator.unresolved.statement = number;
         elaborator.statement(statement);
     }
     for &mentioned in &plain.mentioned {
@@ -272,7 +273,8 @@ impl<'a> Elaborator<'a> {
             }
             Some(other) => {
                 let message = messages::tuple_size(names.len(), &other.kind());
-                self.evaluator.report.error(self.evaluator.origin(syntax), message);
+                let error = self.evaluator.report.error(self.evaluator.origin(syntax), message);
+                error.help(messages::TUPLE_SIZE_HELP);
                 vec![None; names.len()]
             }
             None => vec![None; names.len()],
@@ -347,7 +349,7 @@ impl<'a> Elaborator<'a> {
             false => messages::unknown_product(name),
         };
         let help = match nearest(name, Product::ALL.iter().map(|product| product.name())) {
-            Some(nearest) => messages::did_you_mean(nearest),
+            Some(nearest) => messages::names::did_you_mean(nearest),
             None => messages::products(),
         };
         self.evaluator.report.error(item.product.span, message).help(help);

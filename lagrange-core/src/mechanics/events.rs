@@ -76,7 +76,7 @@ impl Elaborator<'_> {
                 None => name(index).to_owned(),
             };
             let error = self.evaluator.report.error(origin, messages::assigned_twice(&target));
-            error.related(*first, messages::ASSIGNED_HERE);
+            error.related(*first, messages::ASSIGNED_HERE).help(messages::ASSIGNED_TWICE_HELP);
         }
         assigned.push((index, origin));
     }
@@ -128,7 +128,7 @@ impl Elaborator<'_> {
         let mut declared = events.chain(self.reactions.iter().map(|(_, span)| *span));
         if let (Some(span), Some(reduction)) = (declared.next(), self.reductions.first()) {
             let error = self.evaluator.report.error(reduction.name.span, messages::REDUCED_EVENTS);
-            error.related(Origin::from(span), messages::EVENT_IS_HERE);
+            error.related(Origin::from(span), messages::EVENT_IS_HERE).help(messages::REDUCED_HELP);
         }
     }
 }

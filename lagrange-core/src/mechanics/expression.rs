@@ -113,7 +113,7 @@ impl<'a> Evaluator<'a> {
             Expression::Number(value) => Some(Operand::Scalar(self.graph.number(value.clone()))),
             Expression::Name(name) => self.evaluate_name(name, self.origin(id)),
             Expression::Binary(BinaryOperator::Power, _, base, exponent) => {
-                self.evaluate_power(*base, *exponent)
+                self.evaluate_power(*base, *exponent, self.origin(id))
             }
             Expression::Binary(BinaryOperator::Multiply | BinaryOperator::Divide, ..) => {
                 self.evaluate_product(id)
@@ -147,13 +147,15 @@ impl<'a> Evaluator<'a> {
             }
             let (message, help) = match kind {
                 Kind::Implied => (messages::FORCE_OF_IMPLIED.to_owned(), messages::FORCE_OF_IMPLIED_HELP),
-                kind => (messages::has_no_value(kind.describe(), name), messages::NAME_IT_WITH_LET),
+                kind => {
+                    (messages::names::has_no_value(kind.describe(), name), messages::names::NAME_IT_WITH_LET)
+                }
             };
             self.report.error(origin, message).help(help);
             return None;
         }
         if super::kinematics::is_function(name) {
-            self.report.error(origin, messages::function_as_value(name));
+            self.report.error(origin, messages::names::function_as_value(name)).help(messages::FUNCTION_HELP);
             return None;
         }
         if !self.is_known_unresolved(name, origin) && !self.is_declared_elsewhere(name, origin) {
@@ -169,10 +171,10 @@ impl<'a> Evaluator<'a> {
         self.forceless_joints.insert(joint.to_owned(), ()).is_none()
     }
 
-    fn evaluate_power(&mut self, base: AstId, exponent: AstId) -> Option<Operand> {
+    fn evaluate_power(&mut self, base: AstId, exponent: AstId, origin: Origin) -> Option<Operand> {
         let value = self.scalar(base, "the base of a power");
         let power = self.scalar(exponent, "an exponent");
-        self.power(value?, power?, self.origin(base).to(self.origin(exponent))).map(Operand::Scalar)
+        self.power(value?, power?, origin).map(Operand::Scalar)
     }
 
     /// base ^ exponent, with a complaint where no real number results.
@@ -184,7 +186,7 @@ impl<'a> Evaluator<'a> {
                 return None;
             }
             if b.is_zero() && e.is_negative() {
-                self.report.error(origin, messages::DIVISION_BY_ZERO);
+                self.report.error(origin, messages::DIVISION_BY_ZERO).help(messages::ZERO_BASE_HELP);
                 return None;
             }
         } else if let Some(b) = self.graph.as_number(base)
@@ -206,7 +208,8 @@ impl<'a> Evaluator<'a> {
             return Some(Operand::Scalar(found));
         }
         if super::kinematics::is_function(&component.text) {
-            self.report.error(component.span, messages::method_as_value(&component.text));
+            let error = self.report.error(component.span, messages::names::method_as_value(&component.text));
+            error.help(messages::FUNCTION_HELP);
             return None;
         }
         if self.claimed_vectors.contains(&of) {
@@ -223,7 +226,7 @@ impl<'a> Evaluator<'a> {
         let (a, b) = (self.value(then)?, self.value(otherwise)?);
         if !a.same_kind(&b) {
             let message = messages::kinds_differ("choose between", &a.kind(), &b.kind());
-            self.report.error(self.origin(otherwise), message);
+            self.report.error(self.origin(otherwise), message).help(messages::KINDS_HELP);
             return None;
         }
         let (left, right) = (left?, right?);
@@ -250,7 +253,8 @@ impl<'a> Evaluator<'a> {
         match self.value(id)? {
             Operand::Vector(components) => Some(components),
             scalar => {
-                self.report.error(self.origin(id), messages::vector_needed(what, &scalar.kind()));
+                let error = self.report.error(self.origin(id), messages::vector_needed(what, &scalar.kind()));
+                error.help(messages::VECTOR_HELP);
                 None
             }
         }
@@ -262,7 +266,7 @@ impl<'a> Evaluator<'a> {
             let forces = Dependencies::MULTIPLIER | Dependencies::REACTION;
             if self.graph.dependencies(component).intersects(forces) {
                 let (place, name) = self.blame(origin, forces);
-                self.report.error(place, messages::rate_of_force(&name));
+                self.report.error(place, messages::rate_of_force(&name)).help(messages::RATE_OF_FORCE_HELP);
                 return None;
             }
             if self.graph.dependencies(component).intersects(Dependencies::INPUT) {

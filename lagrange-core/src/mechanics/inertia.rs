@@ -82,10 +82,10 @@ impl Evaluator<'_> {
         if arguments.len() < count || arguments.len() > count && !or_more {
             let message = match or_more {
                 true => words::too_few_arguments(&name.text, count, arguments.len()),
-                false => messages::wrong_argument_count(&name.text, count, arguments.len()),
+                false => messages::names::wrong_argument_count(&name.text, count, arguments.len()),
             };
             let error = self.report.error(self.origin(call), message);
-            error.help(messages::write_call(&function.usage()));
+            error.help(messages::names::write_call(&function.usage()));
             return None;
         }
         match function {
@@ -191,7 +191,7 @@ impl Evaluator<'_> {
             let corner = self.vector(argument, &what)?;
             if corner.len() != 2 {
                 let message = words::plane_vector_needed(&what, &Operand::Vector(corner).kind());
-                self.report.error(self.origin(argument), message);
+                self.report.error(self.origin(argument), message).help(words::PLANE_VECTOR_HELP);
                 return None;
             }
             Some(corner)

@@ -4,11 +4,13 @@ use super::expression::Evaluator;
 use super::inertia;
 use super::messages;
 use super::operand::{Operand, cross, half_square, inner, norm};
+use super::scope::Kind;
 use crate::calculus::evaluate;
 use crate::diagnostics::nearest;
 use crate::expr::{Dependencies, ExprId};
 use crate::functions;
-use crate::syntax::ast::{AstId, Name};
+use crate::syntax::ast::{AstId, Expression, Name};
+use crate::syntax::{foreign, print};
 
 /// Functions of the language that are no elementary functions, with their number of arguments.
 const STRUCTURAL: [(&str, usize); 10] = [
@@ -63,22 +65,18 @@ impl Evaluator<'_> {
             return self.evaluate_mass_function(function, name, arguments, call);
         }
         let Some(arity) = arity(&name.text) else {
-            self.report_no_function(name);
+            self.report_no_function(name, arguments);
             return None;
         };
         if arguments.len() != arity {
-            let message = messages::wrong_argument_count(&name.text, arity, arguments.len());
-            self.report
-                .error(self.origin(call), message)
-                .help(messages::write_call(&usage(&name.text, arity)));
+            let message = messages::names::wrong_argument_count(&name.text, arity, arguments.len());
+            let meant = self.meant_function(&name.text, arguments);
+            let help = messages::names::write_call(&meant.unwrap_or_else(|| usage(&name.text, arity)));
+            self.report.error(self.origin(call), message).help(help);
             return None;
         }
         match name.text.as_str() {
-            "dot" => self.rate(&self.value(arguments[0])?, arguments[0]),
-            "ddot" => {
-                let first = self.rate(&self.value(arguments[0])?, arguments[0])?;
-                self.rate(&first, arguments[0])
-            }
+            "dot" | "ddot" => self.evaluate_rate(&name.text, arguments[0], call),
             "norm" | "inner" | "cross" => self.evaluate_vector_function(&name.text, arguments),
             "kinetic_energy" | "spring_energy" => {
                 let weight =
@@ -105,17 +103,62 @@ impl Evaluator<'_> {
         None
     }
 
-    fn report_no_function(&mut self, name: &Name) {
+    /// `dot` or `ddot`. That of what is written without anything that moves is a mistake, not zero.
+    fn evaluate_rate(&mut self, function: &str, argument: AstId, call: AstId) -> Option<Operand> {
+        let value = self.value(argument)?;
+        if self.declaration.expressions.is_written(call) && self.is_at_rest(argument) {
+            let text = print::expression(&self.declaration.expressions, argument);
+            let error = self.report.error(self.origin(call), messages::rate_of_constant(&text));
+            error.help(messages::RATE_OF_CONSTANT_HELP);
+            return None;
+        }
+        let rate = self.rate(&value, argument)?;
+        if function == "dot" { Some(rate) } else { self.rate(&rate, argument) }
+    }
+
+    /// Whether an expression is made of numbers, constants and parameters, whatever it is worth.
+    fn is_at_rest(&self, root: AstId) -> bool {
+        let mut pending = vec![root];
+        while let Some(id) = pending.pop() {
+            match self.syntax(id) {
+                Expression::Name(name) => {
+                    let entry = self.scope.find(name).filter(|entry| !entry.is_ambiguous);
+                    let kind = entry.map(|entry| entry.kind);
+                    let is_at_rest = name == "pi" || matches!(kind, Some(Kind::Parameter | Kind::Constant));
+                    if !is_at_rest {
+                        return false;
+                    }
+                }
+                Expression::Invalid => return false,
+                _ => pending.extend(self.operands(id)),
+            }
+        }
+        true
+    }
+
+    /// How a call is written that means something in other languages.
+    fn meant_function(&self, name: &str, arguments: &[AstId]) -> Option<String> {
+        let text = |&id: &AstId| print::expression(&self.declaration.expressions, id);
+        foreign::function(name, &arguments.iter().map(text).collect::<Vec<_>>())
+    }
+
+    fn report_no_function(&mut self, name: &Name, arguments: &[AstId]) {
         if let Some(entry) = self.scope.resolve(&name.text) {
-            let message = messages::not_a_function(&name.text, entry.kind.describe());
-            self.report.error(name.span, message).help(messages::PRODUCT_HELP);
+            let message = messages::names::not_a_function(&name.text, entry.kind.describe());
+            let is_time = |&id: &AstId| matches!(self.syntax(id), Expression::Name(t) if t == "t");
+            let help = match arguments {
+                [argument] if is_time(argument) => messages::names::of_time(&name.text),
+                _ => messages::names::PRODUCT_HELP.to_owned(),
+            };
+            self.report.error(name.span, message).help(help);
             return;
         }
-        let help = match nearest(&name.text, function_names()) {
-            Some(nearest) => messages::did_you_mean(nearest),
-            None => messages::FUNCTIONS_ARE_LISTED.to_owned(),
+        let help = match (self.meant_function(&name.text, arguments), nearest(&name.text, function_names())) {
+            (Some(meant), _) => messages::names::write_call(&meant),
+            (None, Some(nearest)) => messages::names::did_you_mean(nearest),
+            (None, None) => messages::names::FUNCTIONS_ARE_LISTED.to_owned(),
         };
-        self.report.error(name.span, messages::unknown_function(&name.text)).help(help);
+        self.report.error(name.span, messages::names::unknown_function(&name.text)).help(help);
     }
 
     fn evaluate_vector_function(&mut self, name: &str, arguments: &[AstId]) -> Option<Operand> {
@@ -128,7 +171,7 @@ impl Evaluator<'_> {
         if vectors[0].len() != vectors[1].len() {
             let kinds = [0, 1].map(|i| Operand::Vector(vectors[i].clone()).kind());
             let message = messages::kinds_differ(&format!("take `{name}` of"), &kinds[0], &kinds[1]);
-            self.report.error(self.origin(arguments[1]), message);
+            self.report.error(self.origin(arguments[1]), message).help(messages::KINDS_HELP);
             return None;
         }
         Some(match name {

@@ -41,7 +41,7 @@ impl Elaborator<'_> {
         let scope = &self.evaluator.scope;
         let coordinates = self.coordinates.iter().map(|(coordinate, _)| coordinate.name.as_str());
         let help = match scope.nearest(&name.text, |kind| kind == Kind::Coordinate) {
-            Some(nearest) => messages::did_you_mean(nearest),
+            Some(nearest) => messages::names::did_you_mean(nearest),
             None if scope.find(&name.text).is_some() => usage.to_owned(),
             None => messages::coordinates_are(&coordinates.collect::<Vec<_>>(), usage),
         };
@@ -61,7 +61,8 @@ impl Elaborator<'_> {
         let (Some(components), Some(_)) = (components, place) else { return };
         if !force_value.same_kind(&point_value) {
             let message = messages::kinds_differ("pair", &force_value.kind(), &point_value.kind());
-            self.evaluator.report.error(self.evaluator.origin(point), message);
+            let error = self.evaluator.report.error(self.evaluator.origin(point), message);
+            error.help(messages::KINDS_HELP);
             return;
         }
         let sound = components.iter().all(|&c| self.forbid_accelerations(force, c, "a force").is_some());

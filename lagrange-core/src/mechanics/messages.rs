@@ -5,89 +5,8 @@ use crate::expr::Dependencies;
 
 pub(super) mod events;
 pub(super) mod inertia;
+pub(super) mod names;
 pub(super) mod scene;
-
-pub(super) fn declared_twice(name: &str) -> String {
-    format!("the name `{name}` is declared twice")
-}
-
-pub(super) fn first_declared(name: &str, kind: &str) -> String {
-    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
-    format!("`{name}` is declared here already, as {article} {kind}")
-}
-
-pub(super) fn unused(kind: &str, name: &str) -> String {
-    format!("{kind} `{name}` is never used")
-}
-
-pub(super) fn unused_help(name: &str) -> String {
-    format!("remove it, or call it `_{name}` if that is intended")
-}
-
-pub(super) fn unknown_name(name: &str) -> String {
-    format!("unknown name `{name}`")
-}
-
-/// Behind what is said of a name that has no meaning in several places.
-pub(super) fn and_elsewhere(others: usize) -> String {
-    match others {
-        1 => ", here and in one other place".to_owned(),
-        others => format!(", here and in {others} other places"),
-    }
-}
-
-pub(super) fn unknown_function(name: &str) -> String {
-    format!("unknown function `{name}`")
-}
-
-pub(super) fn did_you_mean(nearest: &str) -> String {
-    format!("did you mean `{nearest}`?")
-}
-
-pub(super) fn used_too_early(name: &str) -> String {
-    format!("`{name}` is used before it is declared")
-}
-
-pub(super) const ORDER_HELP: &str = "a name is known only behind the statement that declares it";
-pub(super) const DECLARED_HERE: &str = "it is declared here";
-pub(super) const DECLARE_FIRST: &str = "declare it before this line with `param`, `coord`, `input` or `let`";
-pub(super) const FUNCTIONS_ARE_LISTED: &str =
-    "the documentation of `lagrange::system!` lists the functions; others can be composed of them with `let`";
-
-pub(super) fn not_a_function(name: &str, kind: &str) -> String {
-    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
-    format!("`{name}` is {article} {kind}, not a function")
-}
-
-pub(super) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
-
-pub(super) fn has_no_value(kind: &str, name: &str) -> String {
-    format!("{kind} `{name}` cannot be used in an expression")
-}
-
-pub(super) const NAME_IT_WITH_LET: &str = "give the expression a name with `let` and use that in both places";
-
-pub(super) fn function_as_value(name: &str) -> String {
-    format!("the function `{name}` needs arguments: `{name}(…)`")
-}
-
-pub(super) fn method_as_value(name: &str) -> String {
-    format!("the function `{name}` needs parentheses behind it: `.{name}()`")
-}
-
-pub(super) fn wrong_argument_count(name: &str, expected: usize, found: usize) -> String {
-    let plural = if expected == 1 { "" } else { "s" };
-    let given = match found {
-        0 => "none is given".to_owned(),
-        1 => "1 is given".to_owned(),
-        _ => format!("{found} are given"),
-    };
-    format!("`{name}` takes {expected} argument{plural}, but {given}")
-}
-
-pub(super) fn write_call(usage: &str) -> String {
-    format!("write `{usage}`")
-}
 
 pub(super) fn scalar_needed(what: &str, found: &str) -> String {
     format!("{what} must be a scalar, but this is {found}")
@@ -103,12 +22,18 @@ pub(super) fn kinds_differ(operation: &str, left: &str, right: &str) -> String {
     format!("cannot {operation} {left} and {right}")
 }
 
+pub(super) const KINDS_HELP: &str = "make both scalars, with components such as `.x` or `norm(v)`, or both vectors of as many components, such as `(0, e)`";
+pub(super) const VECTOR_HELP: &str = "write a vector, such as `(x, y)`";
 pub(super) const PRODUCT_OF_VECTORS: &str = "the product of two vectors is ambiguous";
 pub(super) const INNER_OR_CROSS: &str =
     "use `inner(v, w)` for the scalar and `cross(v, w)` for the vector product";
 pub(super) const DIVISION_BY_VECTOR: &str = "cannot divide by a vector";
 pub(super) const DIVISION_BY_ZERO: &str = "division by zero";
 
+pub(super) const FUNCTION_HELP: &str = "write its arguments in parentheses behind it";
+pub(super) const TUPLE_SIZE_HELP: &str =
+    "write as many names as there are components, `let (a, b) = (e, f);`, or a single one, `let v = (e, f);`";
+pub(super) const ZERO_BASE_HELP: &str = "a negative power of zero has no value";
 pub(super) const DIVISION_HELP: &str = "this divisor is zero whatever the parameters are";
 
 pub(super) const NUMBER_TOO_LONG: &str = "the numbers in this expression become too long to be kept exactly";
@@ -148,6 +73,16 @@ pub(super) const COMPONENTS: &str = "vectors have the components `x`, `y` and, i
 pub(super) fn rate_of_input(name: &str) -> String {
     format!("the rate of input `{name}` is unknown")
 }
+
+/// For the rate of what is made of numbers and parameters.
+pub(super) fn rate_of_constant(what: &str) -> String {
+    format!("`{what}` does not change during the motion, so that its rate is zero")
+}
+
+pub(super) const RATE_OF_CONSTANT_HELP: &str = "leave the rate out, make what changes a `coord`, or write it as a function of `t`: `dot` is the rate of what moves, and `inner(v, w)` the scalar product";
+
+pub(super) const RATE_OF_FORCE_HELP: &str =
+    "leave the rate out: forces follow from the motion, not from an equation of their own";
 
 pub(super) fn rate_of_force(name: &str) -> String {
     format!("the rate of the force `{name}` is unknown")
@@ -305,12 +240,35 @@ pub(super) fn tuple_size(names: usize, found: &str) -> String {
 pub(super) const DERIVED_DEFAULT: &str = "`Default` is implemented by `system!` from the declared defaults";
 pub(super) const DERIVED_DEFAULT_HELP: &str = "remove `Default` from the `derive`";
 
+/// For traits that types with such fields cannot have.
+pub(super) fn underivable(names: &[&str], scalar: &str) -> String {
+    let names = names.join("`, `");
+    format!(
+        "`{names}` cannot be derived: parameters and inputs are fields of type `{scalar}`, which is not `Eq`, since NaN differs from itself"
+    )
+}
+
+pub(super) const UNDERIVABLE_HELP: &str =
+    "derive `PartialEq` and `PartialOrd` only; as a key use the bits of a number, `to_bits()`";
+
 pub(super) fn number_too_large(name: &str, scalar: &str) -> String {
     format!("the default of `{name}` is too large for `{scalar}`")
 }
 
 pub(super) const SINGULAR_MASS_MATRIX: &str =
     "the mass matrix is singular: the kinetic energy leaves some motion of the coordinates without inertia";
+
+/// The same with the names of coordinates, if they are known.
+pub(super) fn singular_mass_matrix(coordinates: &[&str]) -> String {
+    match coordinates {
+        [] => SINGULAR_MASS_MATRIX.to_owned(),
+        [name] => format!("the mass matrix is singular: `{name}` can move without inertia"),
+        names => {
+            format!("the mass matrix is singular: `{}` can move together without inertia", names.join("`, `"))
+        }
+    }
+}
+
 pub(super) const SINGULAR_HELP: &str =
     "add the kinetic energy that is missing, or describe the motion with fewer coordinates";
 
@@ -318,6 +276,10 @@ pub(super) const SINGULAR_HELP: &str =
 
 pub(super) fn constrains_nothing(name: &str) -> String {
     format!("the constraint `{name}` holds no coordinate")
+}
+
+pub(super) fn impossible_constraint(name: &str, value: &str) -> String {
+    format!("the constraint `{name}` can never be fulfilled: it holds no coordinate, and is {value}, not 0")
 }
 
 pub(super) const CONSTRAINS_NOTHING_HELP: &str =
@@ -358,6 +320,8 @@ pub(super) const FORCE_OF_IMPLIED_HELP: &str =
     "add coordinates that could leave the joint: the constraint then gets a multiplier, which is the force";
 
 pub(super) const REDUCED_CONSTRAINTS: &str = "a system with constraints cannot be reduced yet";
+pub(super) const REDUCED_CONSTRAINTS_HELP: &str =
+    "leave the `reduce` out, or choose coordinates that fulfil the constraint by themselves";
 pub(super) const CONSTRAINT_IS_HERE: &str = "a constraint is here";
 
 // Reduced types.
@@ -374,6 +338,7 @@ pub(super) fn reduced_twice(name: &str) -> String {
     format!("`{name}` is named twice in this reduction")
 }
 
+pub(super) const NAMED_TWICE_HELP: &str = "leave one of them out";
 pub(super) const NAMED_HERE: &str = "it is named here already";
 
 pub(super) fn type_name_taken(name: &str) -> String {

@@ -45,6 +45,7 @@ mod stabilisation;
 mod structure;
 mod sweep;
 mod switches;
+mod undetermined;
 mod unresolved;
 
 pub use algebra::Sums;
@@ -62,3 +63,4 @@ pub use roads::{Road, RoadChoice, SingularMassMatrix};
 pub use scene::{BodyMotion, DrawnItem, OutlinedPart, Scene};
 pub use structure::{Conserved, MassStructure, Structure};
 pub use switches::{Switch, one_sided};
+pub use undetermined::undetermined;

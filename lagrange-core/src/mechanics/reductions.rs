@@ -31,7 +31,7 @@ impl Elaborator<'_> {
             if let Some(earlier) = named.into_iter().find(|earlier| earlier.coordinate == held.coordinate) {
                 let message = messages::reduced_twice(&item.coordinate.text);
                 let error = self.evaluator.report.error(held.span, message);
-                error.related(earlier.span.into(), messages::NAMED_HERE);
+                error.related(earlier.span.into(), messages::NAMED_HERE).help(messages::NAMED_TWICE_HELP);
                 continue;
             }
             match item.kind {

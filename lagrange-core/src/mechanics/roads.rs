@@ -60,6 +60,11 @@ impl fmt::Display for SingularMassMatrix {
 impl std::error::Error for SingularMassMatrix {}
 
 impl SingularMassMatrix {
+    /// What is wrong, in the user's words, with the names of the coordinates that take part in a motion without inertia.
+    pub fn message(self, coordinates: &[&str]) -> String {
+        messages::singular_mass_matrix(coordinates)
+    }
+
     /// What to do about it.
     pub fn help(self) -> &'static str {
         messages::SINGULAR_HELP

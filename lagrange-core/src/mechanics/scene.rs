@@ -126,7 +126,8 @@ impl Elaborator<'_> {
         }
         let body = motion.body.clone();
         let Ok(values) = values.try_into() else {
-            self.evaluator.report.error(body.span, scene::not_in_the_plane(&body.text));
+            let error = self.evaluator.report.error(body.span, scene::not_in_the_plane(&body.text));
+            error.help(scene::PLANE_HELP);
             return None;
         };
         Some(BodyMotion { body, values })

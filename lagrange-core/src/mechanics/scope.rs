@@ -63,6 +63,8 @@ pub(super) struct Entry {
     pub(super) value: Option<Operand>,
     pub(super) span: Span,
     used: bool,
+    /// Whether it was declared twice, so that it may stand for something else.
+    pub(super) is_ambiguous: bool,
 }
 
 /// All names declared so far.
@@ -74,13 +76,25 @@ pub(super) struct Scope {
 impl Scope {
     /// Adds a name; reports it if it is taken.
     pub(super) fn declare(&mut self, name: &Name, kind: Kind, value: Option<Operand>, report: &mut Report) {
-        if let Some(first) = self.entries.get(&name.text) {
-            report
-                .error(name.span, messages::declared_twice(&name.text))
-                .related(first.span.into(), messages::first_declared(&name.text, first.kind.describe()));
+        if let Some(first) = self.entries.get_mut(&name.text) {
+            first.is_ambiguous = true;
+            let help = match kind {
+                Kind::Constraint => messages::names::NAMELESS_CONSTRAINT_HELP,
+                Kind::Event | Kind::Contact => messages::names::OTHER_EVENT_HELP,
+                Kind::Output => messages::names::OTHER_OUTPUT_HELP,
+                _ => messages::OTHER_NAME_HELP,
+            };
+            let error = report.error(name.span, messages::names::declared_twice(&name.text)).help(help);
+            error.related(
+                first.span.into(),
+                messages::names::first_declared(&name.text, first.kind.describe()),
+            );
             return;
         }
-        self.entries.insert(name.text.clone(), Entry { kind, value, span: name.span, used: false });
+        self.entries.insert(
+            name.text.clone(),
+            Entry { kind, value, span: name.span, used: false, is_ambiguous: false },
+        );
     }
 
     /// The entry of that name, without counting as a use.
@@ -106,8 +120,8 @@ impl Scope {
         for (name, entry) in self.entries.iter() {
             if !entry.used && entry.kind.should_be_used() && !name.starts_with('_') {
                 report
-                    .unused(name, entry.span, messages::unused(entry.kind.describe(), name))
-                    .help(messages::unused_help(name));
+                    .unused(name, entry.span, messages::names::unused(entry.kind.describe(), name))
+                    .help(messages::names::unused_help(name));
             }
         }
     }

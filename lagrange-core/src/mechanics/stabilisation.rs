@@ -13,7 +13,7 @@ impl Elaborator<'_> {
     pub(super) fn stabilise(&mut self, syntax: AstId, keyword: Span) {
         if let Some((_, first)) = self.stabilisation {
             let error = self.evaluator.report.error(keyword, messages::STABILISED_TWICE);
-            error.related(first.into(), messages::STABILISED_HERE);
+            error.related(first.into(), messages::STABILISED_HERE).help(messages::STABILISED_TWICE_HELP);
         }
         let Some(rate) = self.constant_in_motion(syntax, messages::STABILISATION) else { return };
         if let Some(number) = self.numeric(rate).filter(|&number| number < 0.0) {

@@ -257,3 +257,19 @@ fn roots_of_odd_powers_are_real_where_their_radicands_are_not_negative() {
         assert!(below.is_nan() && (above - expected).abs() < 1e-15, "{name}: {below}, {above}");
     }
 }
+
+#[test]
+fn rates_of_places_at_rest_are_read_as_they_are_printed() {
+    let text = "
+        param m, l, c;
+        coord phi;
+        body arm { mass: m; center: (l, 0); angle: phi; inertia: m; }
+        damper { from: arm; to: arm.point(l, 0); damping: c; }
+        torsion_damper { from: ground; to: arm; damping: c; }
+        output still = velocity(arm);
+        output momentum = linear_momentum(arm);
+    ";
+    let system = parse(text).expect("a correct declaration");
+    let printed = system.statements();
+    assert_eq!(parse(&printed).expect(&printed).statements(), printed);
+}

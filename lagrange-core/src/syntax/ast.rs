@@ -5,15 +5,15 @@
 
 mod bodies;
 mod events;
+mod expressions;
 
 use proc_macro2::{Span, TokenStream};
 
 use crate::collections::HashMap;
 use crate::diagnostics::Origin;
-use crate::expr::Relation;
-use crate::number::Number;
 pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
 pub use events::{Action, Assignment, Direction, Event, Friction};
+pub use expressions::{AstId, BinaryOperator, Condition, Expression, Expressions};
 
 /// A whole `system!` declaration.
 #[derive(Clone, Debug)]
@@ -40,13 +40,28 @@ pub struct Declaration {
     pub expressions: Expressions,
     /// Words in places that could not be read: names that may have been declared there.
     pub unreadable_words: HashMap<String, ()>,
+    /// Whether something was declared without a name, so that any unknown name may be meant for it.
+    pub lacks_names: bool,
 }
 
 impl Declaration {
-    /// Where a name that expressions may mention is declared, if it is.
-    pub fn find(&self, name: &str) -> Option<Span> {
-        let declared = self.statements.iter().flat_map(|statement| statement.kind.declared_names());
-        declared.into_iter().find(|declared| declared.text == name).map(|declared| declared.span)
+    /// Where a name that expressions may mention is declared, if it is, behind the number of that statement.
+    pub fn find(&self, name: &str) -> Option<(usize, Span)> {
+        let numbered = self.statements.iter().enumerate();
+        let mut declared = numbered.flat_map(|(number, statement)| {
+            statement.kind.declared_names().into_iter().map(move |declared| (number, declared))
+        });
+        declared.find(|(_, declared)| declared.text == name).map(|(number, declared)| (number, declared.span))
+    }
+
+    /// Traits in `#[derive(…)]` that types with fields of `f32` or `f64` cannot have.
+    pub fn underivable(&self) -> Vec<&Name> {
+        let is_field =
+            |kind: &StatementKind| matches!(kind, StatementKind::Parameters(_) | StatementKind::Inputs(_));
+        let has_fields = self.statements.iter().any(|statement| is_field(&statement.kind));
+        let is_number = !matches!(self.scalar, ScalarType::Generic(_));
+        let is_exact = |name: &&Name| ["Eq", "Ord", "Hash"].contains(&name.text.as_str());
+        self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
     }
 
     /// The coordinates in their order.
@@ -280,93 +295,4 @@ pub struct EmitItem {
     pub product: Name,
     /// Whether it is wanted.
     pub wanted: bool,
-}
-
-/// Identifies an expression of one [`Expressions`] arena.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct AstId(u32);
-
-/// A binary operator.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum BinaryOperator {
-    /// `+`
-    Add,
-    /// `-`
-    Subtract,
-    /// `*`
-    Multiply,
-    /// `/`
-    Divide,
-    /// `^`
-    Power,
-}
-
-/// One `if` condition `left relation right`.
-#[derive(Clone, Copy, Debug)]
-pub struct Condition {
-    /// Left operand.
-    pub left: AstId,
-    /// `<`, `<=`, `>` or `>=`.
-    pub relation: Relation,
-    /// Right operand.
-    pub right: AstId,
-}
-
-/// An expression.
-#[derive(Clone, Debug)]
-pub enum Expression {
-    /// A literal, exactly.
-    Number(Number),
-    /// A name, not yet resolved.
-    Name(String),
-    /// `(a, b)` or `(a, b, c)`.
-    Tuple(Vec<AstId>),
-    /// `-a`
-    Negate(AstId),
-    /// `a + b` and its kin; the span is that of the operator.
-    Binary(BinaryOperator, Span, AstId, AstId),
-    /// `f(a, b)`, or `a.f(b)` with the receiver as first argument.
-    Call(Name, Vec<AstId>),
-    /// `a.x`
-    Component(AstId, Name),
-    /// `if c { a } else { b }`; longer chains nest in `otherwise`.
-    If {
-        /// The condition.
-        condition: Condition,
-        /// Value where the condition holds.
-        then: AstId,
-        /// Value elsewhere.
-        otherwise: AstId,
-    },
-    /// Something that was reported already.
-    Invalid,
-}
-
-/// The arena of expressions of one declaration.
-#[derive(Clone, Default, Debug)]
-pub struct Expressions {
-    nodes: Vec<(Expression, Origin)>,
-}
-
-impl Expressions {
-    /// Adds an expression; its children must have been added before.
-    pub fn add(&mut self, expression: Expression, origin: Origin) -> AstId {
-        self.nodes.push((expression, origin));
-        AstId((self.nodes.len() - 1) as u32)
-    }
-
-    /// The expression behind an id.
-    pub fn get(&self, id: AstId) -> &Expression {
-        &self.nodes[id.0 as usize].0
-    }
-
-    /// Where it stands.
-    pub fn origin(&self, id: AstId) -> Origin {
-        self.nodes[id.0 as usize].1
-    }
-
-    /// Every expression with its id, children before parents.
-    pub fn iter(&self) -> impl Iterator<Item = (AstId, &Expression)> {
-        self.nodes.iter().enumerate().map(|(index, (expression, _))| (AstId(index as u32), expression))
-    }
 }

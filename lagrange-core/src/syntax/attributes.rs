@@ -33,10 +33,15 @@ impl Parser<'_> {
     /// Reads attributes before a statement: the documentation among them, and where they stand if there are
     /// any.
     pub(super) fn documentation(&mut self, cursor: &mut Cursor) -> (TokenStream, Option<Origin>) {
-        let start = cursor.position();
+        let mut start = None;
         let mut attributes = TokenStream::new();
         let mut only_docs = true;
-        self.each_at('#', cursor, |_, cursor| {
+        self.each_at('#', cursor, |parser, cursor| {
+            let is_comment = !matches!(cursor.peek_past(1), Some(TokenTree::Group(_) | TokenTree::Punct(_)));
+            if is_comment {
+                return parser.comment(cursor);
+            }
+            start.get_or_insert(cursor.position());
             attributes.extend(cursor.advance());
             only_docs &= cursor.eat('!').is_none();
             let group = cursor.eat_group(Delimiter::Bracket);
@@ -44,7 +49,7 @@ impl Parser<'_> {
             only_docs &= group.as_ref().is_some_and(is_doc);
             attributes.extend(group.map(TokenTree::Group));
         });
-        let origin = (cursor.position() > start).then(|| cursor.since(start));
+        let origin = start.map(|start| cursor.since(start));
         (if only_docs { attributes } else { TokenStream::new() }, origin)
     }
 
@@ -52,7 +57,11 @@ impl Parser<'_> {
         let pound = cursor.advance();
         let inner = cursor.eat('!');
         let Some(group) = cursor.eat_group(Delimiter::Bracket) else {
-            return Err(self.fail(cursor.before(), messages::ATTRIBUTE));
+            return Err(self.fail_with_help(
+                cursor.before(),
+                messages::ATTRIBUTE,
+                messages::ATTRIBUTE_FORM_HELP,
+            ));
         };
         if let Some(span) = inner {
             let help = messages::INNER_ATTRIBUTE_HELP;

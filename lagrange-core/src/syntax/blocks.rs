@@ -4,7 +4,9 @@ use proc_macro2::{Delimiter, Group, TokenTree};
 
 use super::ast::{AstId, Expression};
 use super::cursor::Cursor;
+use super::foreign;
 use super::messages;
+use super::messages::habits;
 use super::messages::scenes;
 use super::parser::{Parsed, Parser, Reported};
 use crate::diagnostics::{Origin, nearest};
@@ -70,15 +72,22 @@ impl Parser<'_> {
         if read(self, cursor).is_err() {
             self.skip_line(cursor);
         }
-        let ended = cursor.eat(';').is_some() || self.skipped;
+        if !self.skipped && at_comma_line(cursor) {
+            self.fail_once(cursor.here(), messages::LINE_END, habits::LINE_END_HELP);
+            cursor.skip_one();
+            return;
+        }
+        let is_end_without_comma = cursor.at_end() && self.has_said(messages::LINE_END);
+        let ended = cursor.eat(';').is_some() || self.skipped || is_end_without_comma;
         if ended || is_brace(cursor.previous()) {
             return;
         }
         if cursor.at_end() {
-            self.report.error(cursor.before().end, messages::MISSING_SEMICOLON);
+            let before = cursor.before().end;
+            self.fail_with_help(before, messages::MISSING_SEMICOLON, scenes::LINE_HELP_END);
         } else if at_label(cursor) {
             let error = self.report.error(cursor.before().end, messages::MISSING_SEMICOLON);
-            error.related(cursor.here(), scenes::NEXT_LABEL);
+            error.related(cursor.here(), scenes::NEXT_LABEL).help(scenes::LINE_HELP_END);
         } else {
             self.no_operator(cursor, "`;`");
             self.skip_line(cursor);
@@ -105,7 +114,7 @@ impl Parser<'_> {
         };
         if let Some(first) = labels.place(label) {
             let error = self.report.error(here, messages::repeated_label(label));
-            error.related(first, messages::FIRST_HERE);
+            error.related(first, messages::FIRST_HERE).help(messages::REPEATED_ATTRIBUTE_HELP);
             return Err(Reported);
         }
         labels.given.push((label, here));
@@ -114,7 +123,8 @@ impl Parser<'_> {
 
     /// The label that a misspelt one stands for.
     fn unknown_label(&mut self, word: &str, here: Origin, labels: &Labels) -> Parsed<&'static str> {
-        let meant = nearest(word, labels.known.iter().copied());
+        let known = || labels.known.iter().copied();
+        let meant = foreign::label(word, known()).or_else(|| nearest(word, known()));
         let help = match meant {
             Some(label) => messages::meant(label),
             None => scenes::labels_are(labels.owner, labels.known),
@@ -130,7 +140,7 @@ impl Parser<'_> {
             return Ok(());
         }
         let message = messages::expected("`:`", cursor.peek());
-        let reported = self.fail_with_help(cursor.here(), message, scenes::labelled(label));
+        let reported = self.fail_once(cursor.here(), &message, &scenes::labelled(label));
         cursor.eat('=').map(|_| ()).ok_or(reported)
     }
 
@@ -138,7 +148,9 @@ impl Parser<'_> {
     pub(super) fn line_value(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
         match self.expression(cursor) {
-            Ok(id) if cursor.at(';') || cursor.at_end() || at_label(cursor) => return id,
+            Ok(id) if cursor.at(';') || cursor.at_end() || at_label(cursor) || at_comma_line(cursor) => {
+                return id;
+            }
             Ok(_) => self.no_operator(cursor, "`;`"),
             Err(reported) => reported,
         };
@@ -159,6 +171,13 @@ pub(super) fn at_label(cursor: &Cursor) -> bool {
     let is_colon =
         |ahead| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
     cursor.ident().is_some() && is_colon(1) && !is_colon(2)
+}
+
+/// Whether a comma stands where a line ends.
+fn at_comma_line(cursor: &Cursor) -> bool {
+    let is_sign = |ahead: usize, signs: &str| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if signs.contains(punct.as_char()));
+    let begins_line = matches!(cursor.peek_past(1), Some(TokenTree::Ident(_))) && is_sign(2, ":=");
+    cursor.at(',') && (begins_line || cursor.peek_past(1).is_none())
 }
 
 fn is_brace(token: Option<&TokenTree>) -> bool {

@@ -33,10 +33,7 @@ impl Parser<'_> {
     pub(super) fn scene_name(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
         let name = match cursor.group(Delimiter::Brace) {
             None => self.declared_name(cursor),
-            Some(_) => {
-                let message = messages::expected("a name", cursor.peek());
-                Err(self.fail_with_help(cursor.here(), message, help))
-            }
+            Some(_) => Err(self.no_name(help, cursor)),
         };
         if name.is_err() {
             self.skip_braces(cursor);

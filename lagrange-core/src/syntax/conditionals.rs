@@ -6,6 +6,7 @@ use super::ast::{AstId, Condition, Expression};
 use super::cursor::{Cursor, as_group, group_origin};
 use super::expressions::Operand;
 use super::messages;
+use super::messages::habits;
 use super::parser::{Parsed, Parser, Reported};
 use super::recovery::Turn;
 use crate::diagnostics::Origin;
@@ -78,9 +79,9 @@ impl Parser<'_> {
     fn no_relation(&mut self, cursor: &Cursor) -> Reported {
         let equality = cursor.at_pair('=', '=') || cursor.at_pair('!', '=') || cursor.equals_past(0);
         if equality && !cursor.at_pair('=', '<') {
-            self.fail_with_help(cursor.here(), messages::EQUALITY, messages::EQUALITY_HELP)
+            self.fail_with_help(cursor.here_to_pair(), messages::EQUALITY, messages::EQUALITY_HELP)
         } else if is_logical(cursor) {
-            self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP)
+            self.fail_with_help(cursor.here_to_pair(), messages::LOGIC, messages::LOGIC_HELP)
         } else if cursor.group(Delimiter::Brace).is_some() {
             let message = messages::expected(messages::COMPARISON, cursor.peek());
             self.fail_with_help(cursor.here(), message, messages::COMPARISON_PLACE_HELP)
@@ -92,7 +93,7 @@ impl Parser<'_> {
     /// Reports what stands behind a comparison instead of what should.
     fn no_block(&mut self, cursor: &Cursor, wanted: &str) -> Reported {
         if is_logical(cursor) {
-            self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP)
+            self.fail_with_help(cursor.here_to_pair(), messages::LOGIC, messages::LOGIC_HELP)
         } else if cursor.at('<') || cursor.at('>') || cursor.at_pair('=', '=') {
             self.fail_with_help(cursor.here(), messages::COMPARISON_CHAIN, messages::LOGIC_HELP)
         } else {
@@ -103,7 +104,8 @@ impl Parser<'_> {
     /// `{ e }`.
     fn block(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
         let Some(group) = cursor.eat_group(Delimiter::Brace) else {
-            return Err(self.fail(cursor.here(), messages::expected("`{`", cursor.peek())));
+            let message = messages::expected("`{`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, messages::COMPARISON_PLACE_HELP));
         };
         let origin = group_origin(&group);
         match self.inside(&group, |parser, cursor| parser.block_content(cursor, origin)) {
@@ -114,7 +116,8 @@ impl Parser<'_> {
 
     fn block_content(&mut self, cursor: &mut Cursor, origin: Origin) -> Parsed<AstId> {
         if cursor.at_end() {
-            return Err(self.fail(origin, messages::EMPTY_BLOCK));
+            let help = habits::MISSING_EXPRESSION;
+            return Err(self.fail_with_help(origin, messages::EMPTY_BLOCK, help));
         }
         let value = if cursor.at_statement() { None } else { Some(self.expression(cursor)?) };
         match value {
@@ -126,7 +129,8 @@ impl Parser<'_> {
 }
 
 fn is_logical(cursor: &Cursor) -> bool {
-    cursor.at_pair('&', '&') || cursor.at_pair('|', '|')
+    let is_word = ["and", "or"].iter().any(|word| cursor.at_word(word));
+    is_word || cursor.at_pair('&', '&') || cursor.at_pair('|', '|')
 }
 
 /// Takes an order relation, if one stands here.

@@ -5,6 +5,10 @@ use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, To
 use super::keywords;
 use crate::diagnostics::Origin;
 
+/// Operators of two characters, of this language and of others.
+const PAIRS: [&str; 17] =
+    [":=", "==", "+=", "-=", "*=", "/=", "^=", "->", "=>", "<-", "!=", "<=", ">=", "&&", "||", "**", "::"];
+
 /// Walks the tokens of one bracket group, or of the whole input. Groups inside count as one token each and
 /// get a cursor of their own, so every token is copied once.
 pub(super) struct Cursor {
@@ -72,6 +76,12 @@ impl Cursor {
         }
     }
 
+    /// Where the next `count` tokens stand.
+    pub(super) fn reaching(&self, count: usize) -> Origin {
+        let last = self.tokens.get(self.next + count.saturating_sub(1)).map(origin);
+        last.map_or(self.here(), |last| self.here().to(last))
+    }
+
     /// How many tokens were taken; see [`Cursor::since`].
     pub(super) fn position(&self) -> usize {
         self.next
@@ -99,6 +109,44 @@ impl Cursor {
     /// Whether the next tokens are these two characters without a space between them.
     pub(super) fn at_pair(&self, first: char, second: char) -> bool {
         is_joint(self.peek(), first) && is_punct(self.peek_past(1), second)
+    }
+
+    /// The operator of two characters that stands here, and where.
+    pub(super) fn pair(&self) -> Option<(&'static str, Origin)> {
+        let is_here = |pair: &&str| {
+            let mut characters = pair.chars();
+            characters
+                .next()
+                .zip(characters.next())
+                .is_some_and(|(first, second)| self.at_pair(first, second))
+        };
+        let pair = PAIRS.into_iter().find(is_here)?;
+        let end = self.peek_past(1).map_or(self.here(), origin);
+        Some((pair, self.here().to(end)))
+    }
+
+    /// Where the next token stands, and the one behind it if both are one operator.
+    pub(super) fn here_to_pair(&self) -> Origin {
+        self.pair().map_or(self.here(), |(_, origin)| origin)
+    }
+
+    /// Skips what stands on the same line as the last token.
+    pub(super) fn skip_line_of_text(&mut self) {
+        let line = self.before().start.start().line;
+        self.skip_to(|cursor| cursor.here().start.start().line != line);
+    }
+
+    /// A decimal comma: whether the token that many places ahead is a comma between the digits of two numbers. Where they
+    /// stand, and how the number is written.
+    pub(super) fn decimal_comma(&self, ahead: isize) -> Option<(Origin, String)> {
+        let at = self.next.checked_add_signed(ahead)?;
+        let (before, behind) = (self.tokens.get(at.checked_sub(1)?)?, self.tokens.get(at + 1)?);
+        let comma = self.tokens.get(at);
+        // Between the items of a list stands a space.
+        let is_adjacent = comma.is_some_and(|comma| comma.span().end() == behind.span().start());
+        let is_comma = is_punct(comma, ',') && is_adjacent;
+        let (whole, fraction) = (digits(before)?, digits(behind)?);
+        is_comma.then(|| (origin(before).to(origin(behind)), format!("{whole}.{fraction}")))
     }
 
     /// Takes the next token if it is this punctuation character.
@@ -132,6 +180,12 @@ impl Cursor {
             Some(TokenTree::Ident(ident)) => Some(ident),
             _ => None,
         }
+    }
+
+    /// Whether the next token is the same word as the last one that was taken.
+    pub(super) fn at_same_word(&self) -> bool {
+        let last = self.previous().map(ToString::to_string);
+        self.ident().is_some_and(|word| last.as_deref() == Some(word.to_string().as_str()))
     }
 
     /// Takes the next token if it is an identifier.
@@ -253,6 +307,13 @@ pub(super) fn as_group(token: Option<&TokenTree>, delimiter: Delimiter) -> Optio
 fn is_labelled(group: &Group) -> bool {
     let mut tokens = group.stream().into_iter();
     matches!(tokens.next(), Some(TokenTree::Ident(_))) && is_punct(tokens.next().as_ref(), ':')
+}
+
+/// A number that is made of digits only.
+fn digits(token: &TokenTree) -> Option<String> {
+    let TokenTree::Literal(literal) = token else { return None };
+    let text = literal.to_string();
+    text.bytes().all(|byte| byte.is_ascii_digit()).then_some(text)
 }
 
 fn as_punct(token: Option<&TokenTree>) -> Option<&Punct> {

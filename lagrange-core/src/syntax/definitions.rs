@@ -6,22 +6,42 @@ use super::ast::{AstId, Definition, EmitItem, Name, StatementKind};
 use super::cursor::{Cursor, group_origin};
 use super::keywords::is_rust_keyword;
 use super::messages;
-use super::parser::{Parsed, Parser, Reported};
+use super::messages::forms::form;
+use super::messages::habits;
+use super::names::at_equals_past;
+use super::parser::{Declared, Parsed, Parser, Reported};
 use super::recovery::Turn;
+
+/// A list of names with commas between them.
+#[derive(Clone, Copy)]
+pub(super) struct List {
+    /// How it is written.
+    pub(super) help: &'static str,
+    /// Whether values stand behind the names.
+    pub(super) has_values: bool,
+}
 
 impl Parser<'_> {
     /// `a, b = 1.0`.
-    pub(super) fn definitions(&mut self, cursor: &mut Cursor) -> Vec<Definition> {
-        self.items(cursor, |parser, cursor| {
+    pub(super) fn definitions(&mut self, help: &'static str, cursor: &mut Cursor) -> Vec<Definition> {
+        self.items(List { help, has_values: true }, cursor, |parser, cursor| {
             let name = parser.declared_name(cursor);
-            let value = cursor.eat_equals().map(|_| parser.item_value(cursor));
+            if let Ok(name) = &name {
+                // Values behind it may hold it.
+                parser.declared_names.insert(name.text.clone(), Declared::Parameter);
+                parser.annotation("param", cursor);
+            }
+            let value = match at_equals_past(0, cursor) {
+                true => parser.equals(help, cursor).ok().map(|()| parser.item_value(cursor)),
+                false => None,
+            };
             Ok(Definition { name: name?, value })
         })
     }
 
     /// `a = 1, b = 2`.
     pub(super) fn constants(&mut self, cursor: &mut Cursor) -> Vec<Definition> {
-        let definitions = self.definitions(cursor);
+        let definitions = self.definitions(form("const"), cursor);
         for Definition { name, .. } in definitions.iter().filter(|definition| definition.value.is_none()) {
             let message = messages::constant_without_value(&name.text);
             self.report.error(name.span, message).help(messages::CONSTANT_WITHOUT_VALUE_HELP);
@@ -32,10 +52,14 @@ impl Parser<'_> {
     /// `x, theta`. A word that cannot be a name counts all the same, so that vectors have the length that the
     /// user expects; where it cannot be a field either, a name stands for it that nobody can write.
     pub(super) fn coordinates(&mut self, cursor: &mut Cursor) -> Vec<Name> {
-        self.items(cursor, |parser, cursor| {
+        self.items(List { help: form("coord"), has_values: false }, cursor, |parser, cursor| {
             let start = cursor.position();
             let word = cursor.ident().filter(|word| can_be_field(&word.to_string())).cloned();
-            let name = parser.declared_name(cursor).unwrap_or_else(|Reported| {
+            let name = parser.declared_name(cursor);
+            if name.is_ok() {
+                parser.annotation("coord", cursor);
+            }
+            let name = name.unwrap_or_else(|Reported| {
                 parser.skip_item(cursor);
                 parser.leave_out(cursor, start);
                 match word {
@@ -45,7 +69,7 @@ impl Parser<'_> {
             });
             if let Some(equals) = cursor.eat_equals() {
                 let help = messages::COORDINATE_WITH_VALUE_HELP;
-                parser.report.error(equals, messages::COORDINATE_WITH_VALUE).help(help);
+                parser.fail_once(equals, messages::COORDINATE_WITH_VALUE, help);
                 parser.item_value(cursor);
             }
             Ok(name)
@@ -56,6 +80,7 @@ impl Parser<'_> {
     /// statement. Those that cannot be read are left out.
     pub(super) fn items<T>(
         &mut self,
+        list: List,
         cursor: &mut Cursor,
         mut read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
     ) -> Vec<T> {
@@ -63,7 +88,7 @@ impl Parser<'_> {
         let _ = self.turns(cursor, |parser, cursor| {
             parser.skipped = false;
             let start = cursor.position();
-            match read(parser, cursor) {
+            match parser.item(list.help, cursor, &mut read) {
                 Ok(item) => items.push(item),
                 Err(Reported) => {
                     parser.skip_item(cursor);
@@ -71,19 +96,58 @@ impl Parser<'_> {
                 }
             }
             if !parser.skipped && !at_item_end(cursor) {
-                parser.no_operator(cursor, "`,` or `;`");
-                parser.skip_item(cursor);
+                let is_separated = parser.no_comma(list, start, cursor);
+                if is_separated {
+                    return Ok(Turn::Next);
+                }
             }
             Ok(Turn::next_if(cursor.eat(',').is_some() && !at_list_end(cursor)))
         });
         items
     }
 
+    /// Reports what stands behind an item instead of a comma; says whether the next item follows all the same.
+    fn no_comma(&mut self, list: List, start: usize, cursor: &mut Cursor) -> bool {
+        let is_next = list.at_next_item(cursor) && cursor.position() > start;
+        if is_next && !cursor.at_same_word() {
+            self.fail_once(cursor.here(), messages::MISSING_COMMA, list.help);
+            return true;
+        }
+        if is_next {
+            let help = messages::REPEATED_ATTRIBUTE_HELP;
+            self.fail_with_help(cursor.skip_one(), habits::TWICE_IN_A_ROW, help);
+            self.skip_item(cursor);
+        } else if !list.has_values && is_definition(cursor) {
+            let help = messages::MISSING_SEMICOLON_HELP;
+            self.fail_with_help(cursor.before().end, messages::MISSING_SEMICOLON, help);
+            self.skipped = true;
+        } else {
+            self.no_operator(cursor, "`,` or `;`");
+            self.skip_item(cursor);
+        }
+        false
+    }
+
+    fn item<T>(
+        &mut self,
+        help: &str,
+        cursor: &mut Cursor,
+        read: &mut impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Parsed<T> {
+        if let Some((origin, number)) = cursor.decimal_comma(-1) {
+            return Err(self.fail_with_help(origin, habits::DECIMAL_COMMA, habits::decimal_point(&number)));
+        }
+        if cursor.ident().is_none() {
+            return Err(self.no_name(help, cursor));
+        }
+        read(self, cursor)
+    }
+
     /// Reads an expression up to the next comma or the end of the statement.
     pub(super) fn item_value(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
         match self.expression(cursor) {
-            Ok(id) if at_item_end(cursor) => return id,
+            Ok(id) if at_item_end(cursor) || is_definition(cursor) => return id,
             Ok(_) => self.no_operator(cursor, "`,` or `;`"),
             Err(reported) => reported,
         };
@@ -93,11 +157,20 @@ impl Parser<'_> {
 
     /// `n = e` or `(a, b) = e`.
     pub(super) fn binding(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        if let Some(origin) = cursor.eat_word("mut") {
+            self.fail_with_help(origin, habits::MUTABLE, habits::MUTABLE_HELP);
+        }
+        let help = form("let");
         match cursor.eat_group(Delimiter::Parenthesis) {
-            None => Ok(StatementKind::Let(self.declared_name(cursor)?, self.assigned(cursor)?)),
+            None if cursor.ident().is_none() => Err(self.no_name(help, cursor)),
+            None => {
+                let name = self.declared_name(cursor)?;
+                self.annotation("let", cursor);
+                Ok(StatementKind::Let(name, self.assigned(help, cursor)?))
+            }
             Some(group) => {
                 let names = self.inside(&group, Self::component_names);
-                let value = self.assigned(cursor)?;
+                let value = self.assigned(help, cursor)?;
                 Ok(StatementKind::LetTuple(self.two_or_three(names?, &group)?, value))
             }
         }
@@ -112,13 +185,17 @@ impl Parser<'_> {
         if cursor.at_end() {
             return Ok(names);
         }
-        Err(self.fail(cursor.here(), messages::expected("`,` or `)`", cursor.peek())))
+        let message = messages::expected("`,` or `)`", cursor.peek());
+        Err(self.fail_with_help(cursor.here(), message, form("let")))
     }
 
     fn two_or_three(&mut self, names: Vec<Name>, group: &Group) -> Parsed<Vec<Name>> {
         match names.len() {
             2 | 3 => Ok(names),
-            count => Err(self.fail(group_origin(group), messages::component_count(count))),
+            count => {
+                let message = messages::component_count(count);
+                Err(self.fail_with_help(group_origin(group), message, form("let")))
+            }
         }
     }
 
@@ -161,6 +238,19 @@ impl Parser<'_> {
 /// Whether an item ends here, be it that the semicolon behind it was forgotten.
 fn at_item_end(cursor: &Cursor) -> bool {
     cursor.at(',') || cursor.at_statement_end()
+}
+
+impl List {
+    /// Whether the next item follows without a comma: another name behind one, or a name with its `=`.
+    fn at_next_item(self, cursor: &Cursor) -> bool {
+        let are_names = cursor.ident().is_some() && matches!(cursor.previous(), Some(TokenTree::Ident(_)));
+        if self.has_values { are_names || is_definition(cursor) } else { are_names && !is_definition(cursor) }
+    }
+}
+
+/// Whether a name and its `=` follow.
+fn is_definition(cursor: &Cursor) -> bool {
+    cursor.ident().is_some() && cursor.equals_past(1)
 }
 
 /// Whether no item follows a comma. A keyword before `=` is an item with a wrong name.

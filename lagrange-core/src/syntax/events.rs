@@ -4,7 +4,10 @@ use proc_macro2::{Delimiter, Span};
 
 use super::ast::{Action, Assignment, AstId, Direction, Event, Name};
 use super::cursor::{Cursor, group_origin};
+use super::foreign;
 use super::messages;
+use super::messages::habits;
+use super::names::at_relation;
 use super::parser::{Parsed, Parser, Reported};
 use crate::diagnostics::nearest;
 
@@ -17,15 +20,16 @@ const ACTIONS: [&str; 3] = ["stop", "record", "impact"];
 impl Parser<'_> {
     /// `name = e, falling => action`.
     pub(super) fn event(&mut self, cursor: &mut Cursor) -> Parsed<Event> {
-        let name = self.declared_name(cursor)?;
+        let name = self.leading_name("event", cursor)?;
         let value = self.event_function(&name, cursor)?;
         let (direction, direction_span) = self.direction(&name, cursor)?;
         if !eat_arrow(cursor) {
-            let message = match cursor.at_statement_end() {
-                true => messages::event_without_action(&name.text),
-                false => messages::expected("`=>`", cursor.peek()),
+            let (message, origin) = match cursor.pair() {
+                _ if cursor.at_statement_end() => (messages::event_without_action(&name.text), cursor.here()),
+                Some((pair, origin)) => (messages::expected_instead("`=>`", pair), origin),
+                None => (messages::expected("`=>`", cursor.peek()), cursor.here()),
             };
-            return Err(self.fail_with_help(cursor.here(), message, messages::ACTION_HELP));
+            return Err(self.fail_with_help(origin, message, messages::ACTION_HELP));
         }
         let action = self.action(&name, cursor)?;
         Ok(Event { name, value, direction, direction_span, action })
@@ -33,11 +37,13 @@ impl Parser<'_> {
 
     /// `= e,`.
     fn event_function(&mut self, name: &Name, cursor: &mut Cursor) -> Parsed<AstId> {
-        if cursor.eat_equals().is_none() {
-            let message = messages::expected("`=`", cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, messages::EVENT_HELP));
-        }
+        self.equals(messages::EVENT_HELP, cursor)?;
         let value = self.expression(cursor)?;
+        if at_relation(cursor) && !at_arrow(cursor) {
+            let origin = cursor.here_to_pair();
+            let help = habits::zero_and_direction(&name.text);
+            return Err(self.fail_with_help(origin, habits::CONDITION_IN_EVENT, help));
+        }
         if cursor.eat(',').is_some() {
             return Ok(value);
         }
@@ -61,7 +67,8 @@ impl Parser<'_> {
             return Ok((direction, word.span()));
         }
         let message = messages::expected(messages::DIRECTION, cursor.peek());
-        let help = match nearest(&text, DIRECTIONS.map(|(known, _)| known)) {
+        let known = DIRECTIONS.map(|(known, _)| known);
+        let help = match foreign::label(&text, known).or_else(|| nearest(&text, known)) {
             Some(known) => messages::meant(known),
             None => messages::DIRECTION_HELP.to_owned(),
         };
@@ -90,7 +97,8 @@ impl Parser<'_> {
         }
         if !ACTIONS.contains(&word.as_str()) {
             let message = messages::expected(messages::ACTION, cursor.peek());
-            let help = match nearest(&word, ACTIONS) {
+            let help = match foreign::label(&word, ACTIONS).or_else(|| nearest(&word, ACTIONS)) {
+                Some("impact") => messages::RESTITUTION_HELP.to_owned(),
                 Some(known) => messages::meant(known),
                 None => messages::ACTION_HELP.to_owned(),
             };
@@ -104,7 +112,10 @@ impl Parser<'_> {
         };
         match cursor.at_statement_end() {
             true => Ok(action),
-            false => Err(self.fail(cursor.here(), messages::expected("`;`", cursor.peek()))),
+            false => {
+                let message = messages::expected("`;`", cursor.peek());
+                Err(self.fail_with_help(cursor.here(), message, messages::ACTION_HELP))
+            }
         }
     }
 
@@ -134,7 +145,7 @@ impl Parser<'_> {
             if cursor.at_statement() {
                 return parser.statement_in_event(cursor);
             }
-            parser.skipped = false;
+            parser.begin_statement();
             match parser.assignment(cursor) {
                 Ok(assignment) => assignments.push(assignment),
                 Err(Reported) => parser.skip_statement(cursor),
@@ -160,7 +171,7 @@ impl Parser<'_> {
 
     fn assignment(&mut self, cursor: &mut Cursor) -> Parsed<Assignment> {
         let target = self.expression(cursor)?;
-        Ok(Assignment { target, value: self.assigned(cursor)? })
+        Ok(Assignment { target, value: self.assigned(messages::ASSIGNMENT_HELP, cursor)? })
     }
 }
 

@@ -4,6 +4,7 @@ use proc_macro2::TokenTree;
 
 use super::ast::{AstId, Friction, Name};
 use super::cursor::Cursor;
+use super::foreign;
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
 use super::recovery::Turn;
@@ -21,15 +22,15 @@ impl Parser<'_> {
     /// `name = slip, limit`, with `kinetic:` and `static:` limits, or with `smooth: width`.
     pub(super) fn friction(&mut self, cursor: &mut Cursor) -> Parsed<Friction> {
         let name = self.declared_name(cursor)?;
-        if cursor.eat_equals().is_none() {
-            let message = messages::expected("`=`", cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, messages::FRICTION_HELP));
-        }
+        self.equals(messages::FRICTION_HELP, cursor)?;
         let slip = self.expression(cursor)?;
         if cursor.eat(',').is_none() && !cursor.at_statement_end() {
             return Err(self.no_operator(cursor, "`,`"));
         }
         let values = self.labelled_values(cursor)?;
+        if self.has_said(messages::EQUALS_BEHIND_LABEL) {
+            return Err(Reported);
+        }
         if let (Some(_), Some((.., origin))) = (find(&values, "smooth"), find(&values, "static")) {
             return Err(self.fail_with_help(*origin, messages::SMOOTH_WITH_STATIC, messages::SMOOTH_HELP));
         }
@@ -42,7 +43,7 @@ impl Parser<'_> {
     fn labelled_values(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Labelled>> {
         let mut values = Vec::new();
         self.turns(cursor, |parser, cursor| {
-            if cursor.at(';') || cursor.at_end() || cursor.at_statement() {
+            if cursor.at(';') || cursor.at_end() || cursor.at_statement() && !is_behind_comma(cursor) {
                 return Ok(Turn::Last);
             }
             let value = parser.labelled(cursor)?;
@@ -58,7 +59,7 @@ impl Parser<'_> {
     /// `e` or `label: e`, up to the next comma or the end of the statement.
     fn labelled(&mut self, cursor: &mut Cursor) -> Parsed<Labelled> {
         let start = cursor.position();
-        let label = match is_labelled(cursor) {
+        let label = match is_labelled(cursor) || is_behind_comma(cursor) {
             true => self.label(cursor)?,
             false => LIMIT,
         };
@@ -69,11 +70,14 @@ impl Parser<'_> {
     fn label(&mut self, cursor: &mut Cursor) -> Parsed<&'static str> {
         let here = cursor.here();
         let word = cursor.eat_ident().map(|word| word.to_string()).unwrap_or_default();
-        cursor.skip_one();
+        if cursor.eat(':').is_none() {
+            self.fail_once(cursor.here(), messages::EQUALS_BEHIND_LABEL, messages::FRICTION_HELP);
+            cursor.skip_one();
+        }
         if let Some(label) = LABELS.into_iter().find(|label| *label == word) {
             return Ok(label);
         }
-        let help = match nearest(&word, LABELS) {
+        let help = match foreign::label(&word, LABELS).or_else(|| nearest(&word, LABELS)) {
             Some(known) => messages::meant(known),
             None => messages::FRICTION_HELP.to_owned(),
         };
@@ -118,6 +122,13 @@ impl Parser<'_> {
 
 fn find<'a>(values: &'a [Labelled], label: &str) -> Option<&'a Labelled> {
     values.iter().find(|(known, ..)| *known == label)
+}
+
+/// Whether a label follows with an equals sign, which begins no statement behind a comma.
+fn is_behind_comma(cursor: &Cursor) -> bool {
+    let is_comma = matches!(cursor.previous(), Some(TokenTree::Punct(punct)) if punct.as_char() == ',');
+    let is_label = LABELS.iter().any(|label| cursor.at_word(label));
+    is_comma && is_label && cursor.equals_past(1)
 }
 
 /// Whether a word and a colon follow, not the two colons of a path.

@@ -51,6 +51,7 @@ fn declaration(
         expressions: Expressions::default(),
         bodies: Vec::new(),
         unreadable_words: HashMap::default(),
+        lacks_names: false,
     }
 }
 
@@ -138,7 +139,10 @@ impl Parser<'_> {
         if cursor.at_end() || cursor.statement_keyword().is_some() {
             self.missing_semicolon(cursor);
         } else {
-            self.fail(cursor.here(), messages::expected("`;`", cursor.peek()));
+            let message = messages::expected("`;`", cursor.peek());
+            let help =
+                if cursor.at_word("where") { messages::TYPE_PARAMETERS_HELP } else { messages::HEADER_HELP };
+            self.fail_with_help(cursor.here(), message, help);
             cursor.skip_statement();
             cursor.eat(';');
         }

@@ -2,7 +2,9 @@
 
 use proc_macro2::Literal;
 
+use super::foreign;
 use super::messages;
+use super::messages::habits;
 use super::parser::{Parsed, Parser};
 use crate::number::Number;
 
@@ -18,22 +20,38 @@ impl Parser<'_> {
     pub(super) fn number(&mut self, literal: &Literal) -> Parsed<Number> {
         let (text, span) = (literal.to_string(), literal.span());
         if !text.starts_with(|first: char| first.is_ascii_digit()) {
-            return Err(self.fail(span, messages::no_number(&text)));
+            return Err(match text.starts_with(['"', '\'']) {
+                true => self.fail_with_help(span, habits::STRING, habits::unquoted(&text)),
+                false => self.fail_with_help(span, messages::no_number(&text), messages::NUMBER_HELP),
+            });
         }
         let (decimal, suffix) = text.split_at(decimal_length(&text));
         if decimal == "0" && suffix.starts_with(['x', 'o', 'b']) {
-            return Err(self.fail(span, messages::NOT_DECIMAL));
+            return Err(self.fail_with_help(span, messages::NOT_DECIMAL, messages::NUMBER_HELP));
         }
         if !suffix.is_empty() {
             let digits = decimal.trim_end_matches('_');
             if !TYPES.contains(&suffix) {
-                let help = messages::letters_help(digits, suffix);
-                return Err(self.fail_with_help(span, messages::LETTERS, help));
+                return Err(match self.unit(suffix, digits) {
+                    Some(help) => self.fail_with_help(span, habits::UNIT, help),
+                    None => {
+                        self.fail_with_help(span, messages::LETTERS, messages::letters_help(digits, suffix))
+                    }
+                });
             }
             return Err(self.fail_with_help(span, messages::SUFFIX, messages::suffix_help(digits)));
         }
         let value = if text.len() > LONGEST_LITERAL { None } else { Number::parse_decimal(&text) };
-        value.ok_or_else(|| self.fail(span, messages::excessive_number(&text)))
+        value.ok_or_else(|| {
+            let message = messages::excessive_number(&text);
+            self.fail_with_help(span, message, messages::EXCESSIVE_NUMBER_HELP)
+        })
+    }
+
+    /// What to do about a word behind a number that is a unit of measurement and nothing that was declared.
+    pub(super) fn unit(&self, word: &str, number: &str) -> Option<String> {
+        let is_in_degrees = foreign::unit(word).filter(|_| self.declared(word).is_none())?;
+        Some(if is_in_degrees { habits::in_radians(number) } else { habits::without_unit(number) })
     }
 }
 

@@ -1,5 +1,7 @@
 //! What mistakes of writing are called, and what helps against them.
 
+pub(super) mod forms;
+pub(super) mod habits;
 pub(super) mod scenes;
 
 use proc_macro2::{Delimiter, TokenTree};
@@ -44,6 +46,8 @@ pub(super) fn misplaced(token: Option<&TokenTree>) -> String {
     format!("{} has no meaning here", found(token))
 }
 
+pub(super) const MISPLACED_HELP: &str = "leave it out";
+
 /// For what can stand behind an expression.
 pub(super) fn expected_operator_or(wanted: &str, token: Option<&TokenTree>) -> String {
     let conjunction = if wanted.contains(" or ") { "," } else { " or" };
@@ -60,6 +64,7 @@ pub(super) fn unbalanced(bracket: char) -> String {
 }
 
 pub(super) const UNCLOSED_QUOTE: &str = "this quotation mark begins no readable text";
+pub(super) const UNREADABLE_END_HELP: &str = "close what is open: brackets, quotation marks, comments";
 pub(super) const UNREADABLE_END: &str = "the text ends too early";
 
 pub(super) fn meaningless_character(character: char) -> String {
@@ -125,11 +130,13 @@ pub(super) const STATEMENT: &str = "a statement";
 pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes have no meaning here";
 pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord`, `body`, `constraint`, `event`, `friction`, `output` and `reduce`; other comments begin with `//`";
 pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
+pub(super) const LINE_END: &str = "expected `;`, found `,`";
+pub(super) const MISSING_COMMA: &str = "missing `,` in front of this";
+pub(super) const MISSING_SEMICOLON_HELP: &str = "statements end in `;`";
 pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
 pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";
 pub(super) const COORDINATE_WITH_VALUE_HELP: &str =
     "initial values belong to the state from which a simulation starts";
-pub(super) const DOUBLE_EQUALS: &str = "expected `=`, found `==`";
 pub(super) const FORCE_HELP: &str =
     "write `force x = e;` for a coordinate or `force (fx, fy) at (px, py);` for a point";
 pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
@@ -146,6 +153,7 @@ pub(super) const ACTION_HELP: &str =
 pub(super) const RESTITUTION: &str = "an impact needs a coefficient of restitution";
 pub(super) const RESTITUTION_HELP: &str =
     "write `impact(e)`: `impact(0)` for bodies that stay together, `impact(1)` if no energy is lost";
+pub(super) const ASSIGNMENT_HELP: &str = "write `dot(x) = e;` or `x = e;`";
 pub(super) const NOTHING_ASSIGNED: &str = "nothing changes between these braces";
 pub(super) const NOTHING_ASSIGNED_HELP: &str =
     "write `{ dot(x) = -dot(x); }`, or `record` for an event that changes nothing";
@@ -169,6 +177,8 @@ pub(super) fn event_without_action(name: &str) -> String {
 pub(super) const FRICTION_HELP: &str = "write `friction name = slip, limit;`, `… = slip, kinetic: a, static: b;` or `… = slip, limit, smooth: width;`";
 pub(super) const ONE_LIMIT_HELP: &str =
     "write `kinetic: e, static: f`, or a single limit without a label for both";
+
+pub(super) const EQUALS_BEHIND_LABEL: &str = "expected `:`, found `=`";
 
 pub(super) fn friction_without_limit(name: &str) -> String {
     format!("the friction {} has no limit", quoted(name))
@@ -232,6 +242,8 @@ pub(super) const CONSTANT_WITHOUT_VALUE_HELP: &str =
 pub(super) fn component_count(count: usize) -> String {
     format!("a vector has two or three components, not {count}")
 }
+
+pub(super) const COMPONENT_COUNT_HELP: &str = "name the numbers one by one, `let a = …;`";
 
 // Names.
 
@@ -301,6 +313,14 @@ pub(super) const MACRO: &str = "macros cannot be called in expressions";
 pub(super) const CONVERSION: &str = "`as` has no meaning here";
 pub(super) const CONVERSION_HELP: &str = "leave the conversion out: all numbers are of one type";
 pub(super) const REMAINDER: &str = "`%` is not an operator";
+pub(super) const MACRO_HELP: &str =
+    "write the expression itself, with functions by their plain names: `sin(x)`";
+pub(super) const FACTORIAL: &str = "`!` is not an operator";
+pub(super) const FACTORIAL_HELP: &str = "write a factorial as a number: `24` for 4!";
+pub(super) const REMAINDER_HELP: &str =
+    "angles need no remainder; of a percentage write the fraction, `5/100`, and comments begin with `//`";
+pub(super) const SECOND_EQUALS_HELP: &str =
+    "a statement gives one value to one name; write a statement for each";
 pub(super) const INDEX: &str = "square brackets have no meaning here";
 pub(super) const INDEX_HELP: &str = "the components of a vector are `.x`, `.y` and `.z`";
 pub(super) const NUMBERED_COMPONENT: &str = "components are not numbered";
@@ -334,8 +354,15 @@ pub(super) fn letters_help(digits: &str, letters: &str) -> String {
     format!("write {} for a product", quoted(&format!("{digits} * {letters}")))
 }
 
+pub(super) const NUMBER_HELP: &str = "write a number such as `2`, `0.5` or `1e-3`";
+pub(super) const EXCESSIVE_NUMBER_HELP: &str = "round it, or choose other units";
 pub(super) const NOT_DECIMAL: &str = "numbers are written in decimal";
 
 pub(super) fn excessive_number(literal: &str) -> String {
     format!("the number {} is too long or too extreme to be kept exactly", quoted(literal))
+}
+
+/// The same as [`expected`], for an operator of two characters.
+pub(super) fn expected_instead(wanted: &str, found: &str) -> String {
+    format!("expected {wanted}, found `{found}`")
 }

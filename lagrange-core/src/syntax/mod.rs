@@ -59,7 +59,9 @@ mod cursor;
 mod definitions;
 mod events;
 mod expressions;
+pub mod foreign;
 mod friction;
+mod habits;
 mod header;
 mod joints;
 mod keywords;
@@ -114,7 +116,8 @@ pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
 
 fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cursor) -> Declaration {
     let statements = parser.statements(cursor);
-    let expressions = std::mem::take(&mut parser.expressions);
+    let mut expressions = std::mem::take(&mut parser.expressions);
+    expressions.end_of_text();
     let unreadable_words = std::mem::take(&mut parser.unreadable_words);
     let bodies = statements.iter().filter_map(|statement| match &statement.kind {
         StatementKind::Scene(SceneStatement::Body(body)) => {
@@ -123,5 +126,12 @@ fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cu
         _ => None,
     });
     let bodies = bodies.collect();
-    Declaration { statements, bodies, expressions, unreadable_words, ..header }
+    Declaration {
+        statements,
+        bodies,
+        expressions,
+        unreadable_words,
+        lacks_names: parser.lacks_names,
+        ..header
+    }
 }

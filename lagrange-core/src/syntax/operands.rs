@@ -7,6 +7,7 @@ use super::cursor::{Cursor, group_origin};
 use super::expressions::Operand;
 use super::keywords;
 use super::messages;
+use super::messages::habits;
 use super::parser::{Parsed, Parser, Reported};
 use super::recovery::Turn;
 use crate::diagnostics::Origin;
@@ -36,7 +37,11 @@ impl Parser<'_> {
             Some(TokenTree::Ident(word)) if word == "if" => self.conditional(cursor),
             Some(TokenTree::Ident(_)) if cursor.at_statement() => Err(self.no_operand(cursor)),
             Some(TokenTree::Ident(word)) => {
-                let name = self.used_name(word)?;
+                let word = word.clone();
+                if let Some((origin, message, help)) = self.habit(cursor) {
+                    return Err(self.fail_with_help(origin, message, help));
+                }
+                let name = self.used_name(&word)?;
                 cursor.skip_one();
                 self.name_or_call(name, cursor)
             }
@@ -61,10 +66,12 @@ impl Parser<'_> {
             return Err(self.fail_with_help(name.span, message, messages::KEYWORD_AS_VALUE_HELP));
         }
         if keywords::is_rust_keyword(&name.text) {
-            return Err(self.fail(name.span, messages::keyword_as_value(&name.text)));
+            let help = if name.text == "self" { habits::SELF_HELP } else { habits::WORD_HELP };
+            return Err(self.fail_with_help(name.span, messages::keyword_as_value(&name.text), help));
         }
         if name.text == "_" {
-            return Err(self.fail(name.span, messages::UNDERSCORE_AS_NAME));
+            let help = messages::OTHER_NAME_HELP;
+            return Err(self.fail_with_help(name.span, messages::UNDERSCORE_AS_NAME, help));
         }
         Ok(name)
     }
@@ -152,7 +159,8 @@ impl Parser<'_> {
 
     fn elements(&mut self, cursor: &mut Cursor, origin: Origin) -> Parsed<Elements> {
         if cursor.at_end() {
-            return Err(self.fail(origin, messages::EMPTY_PARENTHESES));
+            let help = habits::MISSING_EXPRESSION;
+            return Err(self.fail_with_help(origin, messages::EMPTY_PARENTHESES, help));
         }
         let mut elements = Vec::new();
         let mut has_comma = false;
@@ -167,7 +175,10 @@ impl Parser<'_> {
                 let help = messages::ONE_COMPONENT_HELP;
                 Err(self.fail_with_help(origin, messages::component_count(1), help))
             }
-            count => Err(self.fail(origin, messages::component_count(count))),
+            count => {
+                let help = messages::COMPONENT_COUNT_HELP;
+                Err(self.fail_with_help(origin, messages::component_count(count), help))
+            }
         }
     }
 }

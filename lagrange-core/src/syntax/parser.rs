@@ -2,7 +2,7 @@
 
 use proc_macro2::{Group, TokenTree};
 
-use super::ast::{AstId, Expression, Expressions};
+use super::ast::{AstId, Expression, Expressions, StatementKind};
 use super::cursor::{Cursor, group_origin};
 use super::messages;
 use crate::collections::HashMap;
@@ -20,8 +20,33 @@ pub(super) struct Parser<'r> {
     /// Words in what was left out of the syntax tree.
     pub(super) unreadable_words: HashMap<String, ()>,
     /// Names that were declared where the text could be read.
-    pub(super) declared_names: HashMap<String, ()>,
+    pub(super) declared_names: HashMap<String, Declared>,
+    /// Whether something is declared without the name that it should have.
+    pub(super) lacks_names: bool,
+    /// What is said only once of a statement.
+    said: HashMap<String, ()>,
     depth: u32,
+}
+
+/// What a declared name is, as far as reading depends on it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Declared {
+    Parameter,
+    Coordinate,
+    Other,
+}
+
+impl Declared {
+    /// What the names of a statement are.
+    pub(super) fn by(kind: &StatementKind) -> Declared {
+        match kind {
+            StatementKind::Parameters(_) | StatementKind::Inputs(_) | StatementKind::Constants(_) => {
+                Declared::Parameter
+            }
+            StatementKind::Coordinates(_) => Declared::Coordinate,
+            _ => Declared::Other,
+        }
+    }
 }
 
 /// A mistake was reported that makes a part of the input unreadable.
@@ -38,14 +63,10 @@ impl<'r> Parser<'r> {
             skipped: false,
             unreadable_words: HashMap::default(),
             declared_names: HashMap::default(),
+            lacks_names: false,
+            said: HashMap::default(),
             depth: 0,
         }
-    }
-
-    /// Reports a mistake.
-    pub(super) fn fail(&mut self, origin: impl Into<Origin>, message: impl Into<String>) -> Reported {
-        self.report.error(origin, message);
-        Reported
     }
 
     /// Reports a mistake with what to do about it.
@@ -57,6 +78,30 @@ impl<'r> Parser<'r> {
     ) -> Reported {
         self.report.error(origin, message).help(help);
         Reported
+    }
+
+    /// Reports a mistake that is likely made again and again in a statement, where it is made first.
+    pub(super) fn fail_once(&mut self, origin: impl Into<Origin>, message: &str, help: &str) -> Reported {
+        if self.said.insert(message.to_owned(), ()).is_none() {
+            self.report.error(origin, message).help(help);
+        }
+        Reported
+    }
+
+    /// Whether [`Parser::fail_once`] said this of the statement.
+    pub(super) fn has_said(&self, message: &str) -> bool {
+        self.said.contains(&message.to_owned())
+    }
+
+    /// Forgets what was said of the last statement.
+    pub(super) fn begin_statement(&mut self) {
+        self.skipped = false;
+        self.said = HashMap::default();
+    }
+
+    /// What a name was declared as, where the text could be read.
+    pub(super) fn declared(&self, name: &str) -> Option<Declared> {
+        self.declared_names.get(&name.to_owned()).copied()
     }
 
     /// What stands for the tokens since a position of the cursor, which a reported mistake made unreadable.

@@ -24,6 +24,13 @@ pub fn statements(declaration: &Declaration) -> String {
     printer.out
 }
 
+/// An expression on its own.
+pub fn expression(expressions: &Expressions, id: AstId) -> String {
+    let mut printer = Printer { expressions, out: String::new() };
+    printer.expression(id);
+    printer.out
+}
+
 /// Writes text behind text.
 struct Printer<'a> {
     expressions: &'a Expressions,

@@ -1,11 +1,16 @@
 //! Statements that are not what they should be: what to report, and where to read on.
 
-use proc_macro2::Ident;
+use proc_macro2::{Delimiter, Ident};
 
 use super::cursor::Cursor;
+use super::foreign;
 use super::keywords;
 use super::messages;
-use super::parser::{Parsed, Parser, Reported};
+use super::messages::forms;
+use super::messages::forms::form;
+use super::messages::habits;
+use super::names::at_equals_past;
+use super::parser::{Declared, Parsed, Parser, Reported};
 use crate::diagnostics::nearest;
 
 /// Whether reading goes on behind a turn of [`Parser::turns`].
@@ -39,7 +44,8 @@ impl Parser<'_> {
                     return Ok(());
                 }
                 if self.report.diagnostics().len() == mistakes {
-                    self.fail(cursor.here(), messages::misplaced(cursor.peek()));
+                    let message = messages::misplaced(cursor.peek());
+                    self.fail_with_help(cursor.here(), message, messages::MISPLACED_HELP);
                 }
                 cursor.skip_one();
             }
@@ -87,11 +93,12 @@ impl Parser<'_> {
 
     /// Reports that a statement goes on where it should end.
     pub(super) fn missing_semicolon(&mut self, cursor: &mut Cursor) {
+        let before = cursor.before().end;
         if cursor.at_end() {
-            self.report.error(cursor.before().end, messages::MISSING_SEMICOLON);
+            self.fail_with_help(before, messages::MISSING_SEMICOLON, messages::MISSING_SEMICOLON_HELP);
         } else if cursor.statement_keyword().is_some() {
-            let error = self.report.error(cursor.before().end, messages::MISSING_SEMICOLON);
-            error.related(cursor.here(), messages::NEXT_STATEMENT);
+            let error = self.report.error(before, messages::MISSING_SEMICOLON);
+            error.related(cursor.here(), messages::NEXT_STATEMENT).help(messages::MISSING_SEMICOLON_HELP);
         } else {
             self.no_operator(cursor, "`;`");
             self.skip_statement(cursor);
@@ -99,13 +106,87 @@ impl Parser<'_> {
         }
     }
 
+    /// Reports the sign with which comments begin elsewhere, and skips the comment.
+    pub(super) fn comment(&mut self, cursor: &mut Cursor) {
+        self.fail_with_help(cursor.here(), habits::COMMENT, messages::COMMENT_HELP);
+        let start = cursor.position();
+        cursor.skip_one();
+        cursor.skip_line_of_text();
+        self.leave_out(cursor, start);
+    }
+
+    /// Reports a statement that begins with no word.
+    pub(super) fn no_statement(&mut self, cursor: &Cursor) -> Reported {
+        let is_assigned = at_equals_past(1, cursor) && cursor.group(Delimiter::Parenthesis).is_some();
+        let help = match is_assigned {
+            true => form("let").to_owned(),
+            false => messages::statements_are(keywords::STATEMENTS),
+        };
+        let message = messages::expected(messages::STATEMENT, cursor.peek());
+        self.fail_with_help(cursor.here(), message, help)
+    }
+
+    /// Reports a second system and skips it with all that follows.
+    pub(super) fn second_system(&mut self, cursor: &mut Cursor) {
+        let start = cursor.position();
+        cursor.skip_to(|cursor| cursor.at_word("struct"));
+        cursor.skip_one();
+        if cursor.ident().is_some() {
+            cursor.skip_one();
+        }
+        let origin = cursor.since(start);
+        self.fail_with_help(origin, habits::SECOND_SYSTEM, habits::SECOND_SYSTEM_HELP);
+        cursor.skip_to(|_| false);
+        self.leave_out(cursor, start);
+    }
+
     pub(super) fn unknown_statement(&mut self, word: &Ident, cursor: &Cursor) -> Reported {
         let text = word.to_string();
+        if let Some((message, help)) = self.strange_statement(&text, cursor) {
+            return self.fail_with_help(word.span(), message, help);
+        }
         let help = match nearest(&text, keywords::STATEMENTS.iter().copied()) {
+            _ if self.declared(&text).is_some() => habits::equations_are_derived(),
             Some(keyword) => messages::meant(keyword),
             None if cursor.equals_past(0) => messages::meant_let(&text),
             None => messages::statements_are(keywords::STATEMENTS),
         };
         self.fail_with_help(word.span(), messages::unknown_statement(&text), help)
+    }
+
+    /// What is to be said of a word that begins no statement but has a meaning in this declaration or in other languages.
+    fn strange_statement(&self, word: &str, cursor: &Cursor) -> Option<(String, String)> {
+        let is_assigned = at_equals_past(0, cursor);
+        match self.declared(word) {
+            Some(Declared::Coordinate) if is_assigned => {
+                let help = messages::COORDINATE_WITH_VALUE_HELP.to_owned();
+                return Some((messages::COORDINATE_WITH_VALUE.to_owned(), help));
+            }
+            Some(Declared::Parameter) if is_assigned => {
+                return Some((habits::declared_already(word), habits::value_where_declared(word)));
+            }
+            Some(_) if is_assigned => {
+                return Some((habits::declared_already(word), messages::OTHER_NAME_HELP.to_owned()));
+            }
+            Some(_) => return None,
+            None => {}
+        }
+        if ["dot", "ddot"].contains(&word) {
+            return Some((messages::unknown_statement(word), habits::rate_as_statement(word)));
+        }
+        if let Some((message, help)) = foreign::stranger(word) {
+            return Some((message.to_owned(), help.to_owned()));
+        }
+        let keyword = foreign::statement(word)?;
+        Some((messages::unknown_statement(word), forms::meant_form(keyword)))
+    }
+
+    /// Reports an equation or an inequality in a constraint.
+    pub(super) fn relation_in_constraint(&mut self, name: &str, cursor: &Cursor) -> Reported {
+        let origin = cursor.here_to_pair();
+        match cursor.at('=') && !cursor.at_pair('=', '<') {
+            true => self.fail_with_help(origin, habits::EQUATION, habits::difference(name)),
+            false => self.fail_with_help(origin, habits::INEQUALITY, habits::contact(name)),
+        }
     }
 }

@@ -4,6 +4,8 @@ use proc_macro2::Delimiter;
 
 use super::ast::{Reduction, ReductionItem, ReductionKind};
 use super::cursor::{Cursor, group_origin};
+use super::definitions::List;
+use super::foreign;
 use super::messages;
 use super::parser::{Parsed, Parser};
 use crate::diagnostics::nearest;
@@ -35,7 +37,7 @@ impl Parser<'_> {
             if cursor.eat(';').is_some() {
                 return;
             }
-            parser.skipped = false;
+            parser.begin_statement();
             match parser.reduction_line(cursor) {
                 Ok(line) => items.extend(line),
                 Err(_) => parser.skip_statement(cursor),
@@ -52,13 +54,15 @@ impl Parser<'_> {
         let word = cursor.eat_ident().map(|word| word.to_string()).unwrap_or_default();
         let Some((_, kind)) = WORDS.iter().find(|(known, _)| *known == word) else {
             let message = messages::expected(messages::REDUCTION_ITEM, found.as_ref());
-            let help = match nearest(&word, WORDS.map(|(known, _)| known)) {
+            let known = WORDS.map(|(known, _)| known);
+            let help = match foreign::label(&word, known).or_else(|| nearest(&word, known)) {
                 Some(known) => messages::meant(known),
                 None => messages::REDUCTION_HELP.to_owned(),
             };
             return Err(self.fail_with_help(here, message, help));
         };
-        Ok(self.items(cursor, |parser, cursor| parser.reduction_item(*kind, cursor)))
+        let list = List { help: messages::REDUCTION_HELP, has_values: true };
+        Ok(self.items(list, cursor, |parser, cursor| parser.reduction_item(*kind, cursor)))
     }
 
     fn reduction_item(&mut self, kind: ReductionKind, cursor: &mut Cursor) -> Parsed<ReductionItem> {

@@ -4,8 +4,11 @@ use proc_macro2::Ident;
 
 use super::ast::{Action, AstId, ConnectorKind, SceneStatement, Statement, StatementKind};
 use super::cursor::Cursor;
+use super::header::header_ahead;
 use super::messages;
-use super::parser::{Parsed, Parser};
+use super::messages::forms::form;
+use super::names::{at_equals_past, at_relation};
+use super::parser::{Declared, Parsed, Parser, Reported};
 
 impl Parser<'_> {
     /// Reads statements up to the end of the input. Those that cannot be read are reported and left out.
@@ -17,7 +20,15 @@ impl Parser<'_> {
 
     fn documented_statement(&mut self, cursor: &mut Cursor) -> Option<Statement> {
         let (docs, attributes) = self.documentation(cursor);
+        if cursor.at('%') {
+            self.comment(cursor);
+            return None;
+        }
         let start = cursor.position();
+        if header_ahead(cursor) {
+            self.second_system(cursor);
+            return None;
+        }
         let kind = self.statement(cursor);
         let documents_nothing = match &kind {
             Some(kind) => !kind.is_documented(),
@@ -32,7 +43,7 @@ impl Parser<'_> {
             return None;
         };
         for name in kind.declared_names() {
-            self.declared_names.insert(name.text.clone(), ());
+            self.declared_names.insert(name.text.clone(), Declared::by(&kind));
         }
         Some(Statement { kind, origin: cursor.since(start), docs })
     }
@@ -42,7 +53,7 @@ impl Parser<'_> {
         if cursor.at_end() || cursor.eat(';').is_some() {
             return None;
         }
-        self.skipped = false;
+        self.begin_statement();
         let kind = self.statement_kind(cursor);
         if kind.is_err() {
             self.skip_statement(cursor);
@@ -56,27 +67,30 @@ impl Parser<'_> {
 
     fn statement_kind(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let Some(keyword) = cursor.eat_ident() else {
-            return Err(self.fail(cursor.here(), messages::expected(messages::STATEMENT, cursor.peek())));
+            return Err(self.no_statement(cursor));
         };
-        match keyword.to_string().as_str() {
-            "param" => Ok(StatementKind::Parameters(self.definitions(cursor))),
-            "input" => Ok(StatementKind::Inputs(self.definitions(cursor))),
+        let text = keyword.to_string();
+        let help = form(&text);
+        match text.as_str() {
+            "param" => Ok(StatementKind::Parameters(self.definitions(help, cursor))),
+            "input" => Ok(StatementKind::Inputs(self.definitions(help, cursor))),
             "const" => Ok(StatementKind::Constants(self.constants(cursor))),
             "coord" => Ok(StatementKind::Coordinates(self.coordinates(cursor))),
             "let" => self.binding(cursor),
-            "kinetic" => Ok(StatementKind::Kinetic(self.assigned(cursor)?)),
-            "potential" => Ok(StatementKind::Potential(self.assigned(cursor)?)),
-            "lagrangian" => Ok(StatementKind::Lagrangian(self.assigned(cursor)?)),
-            "dissipation" => Ok(StatementKind::Dissipation(self.assigned(cursor)?)),
+            "kinetic" => Ok(StatementKind::Kinetic(self.assigned(help, cursor)?)),
+            "potential" => Ok(StatementKind::Potential(self.assigned(help, cursor)?)),
+            "lagrangian" => Ok(StatementKind::Lagrangian(self.assigned(help, cursor)?)),
+            "dissipation" => Ok(StatementKind::Dissipation(self.assigned(help, cursor)?)),
             "force" => self.force(cursor),
             "torque" => self.torque(cursor),
-            "constraint" => {
-                Ok(StatementKind::Constraint(self.declared_name(cursor)?, self.assigned(cursor)?))
-            }
-            "stabilise" => Ok(StatementKind::Stabilise(self.assigned(cursor)?)),
+            "constraint" => self.constraint(cursor),
+            "stabilise" => Ok(StatementKind::Stabilise(self.assigned(help, cursor)?)),
             "event" => Ok(StatementKind::Event(self.event(cursor)?)),
             "friction" => Ok(StatementKind::Friction(self.friction(cursor)?)),
-            "output" => Ok(StatementKind::Output(self.declared_name(cursor)?, self.assigned(cursor)?)),
+            "output" => {
+                let name = self.leading_name("output", cursor)?;
+                Ok(StatementKind::Output(name, self.assigned(help, cursor)?))
+            }
             "emit" => Ok(StatementKind::Emit(self.emit(cursor)?)),
             "reduce" => Ok(StatementKind::Reduce(self.reduction(cursor)?)),
             _ => match self.scene_statement(&keyword, cursor) {
@@ -93,7 +107,7 @@ impl Parser<'_> {
             return Some(self.connector(kind, cursor).map(SceneStatement::Connector));
         }
         Some(match text.as_str() {
-            "gravity" => self.assigned(cursor).map(SceneStatement::Gravity),
+            "gravity" => self.assigned(form("gravity"), cursor).map(SceneStatement::Gravity),
             "body" => self.body(cursor).map(|body| SceneStatement::Body(Box::new(body))),
             "line" => self.line_statement(cursor).map(SceneStatement::Line),
             "pin" => self.pin(cursor).map(SceneStatement::Joint),
@@ -104,15 +118,27 @@ impl Parser<'_> {
     }
 
     /// `= e`, up to the end of the statement.
-    pub(super) fn assigned(&mut self, cursor: &mut Cursor) -> Parsed<AstId> {
-        match cursor.eat_equals() {
-            Some(_) => Ok(self.value(cursor)),
-            None if cursor.at_pair('=', '=') => {
-                let origin = cursor.skip_one().to(cursor.here());
-                Err(self.fail(origin, messages::DOUBLE_EQUALS))
-            }
-            None => Err(self.fail(cursor.here(), messages::expected("`=`", cursor.peek()))),
-        }
+    pub(super) fn assigned(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<AstId> {
+        self.equals(help, cursor)?;
+        Ok(self.value(cursor))
+    }
+
+    /// `name = e`, where e stays zero.
+    fn constraint(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        let name = self.leading_name("constraint", cursor)?;
+        self.equals(form("constraint"), cursor)?;
+        let start = cursor.position();
+        let value = match self.expression(cursor) {
+            Ok(_) if at_relation(cursor) => Err(self.relation_in_constraint(&name.text, cursor)),
+            Ok(id) if cursor.at_statement_end() => Ok(id),
+            Ok(_) => Err(self.no_operator(cursor, "`;`")),
+            Err(reported) => Err(reported),
+        };
+        let value = value.unwrap_or_else(|Reported| {
+            self.skip_statement(cursor);
+            self.unreadable(cursor, start)
+        });
+        Ok(StatementKind::Constraint(name, value))
     }
 
     /// Reads the expression that ends the statement. What is unreadable is still a value, so that a name
@@ -130,33 +156,37 @@ impl Parser<'_> {
 
     /// `x = e` or `e at e`.
     fn force(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
-        if cursor.ident().is_some() && cursor.equals_past(1) {
+        if cursor.ident().is_some() && at_equals_past(1, cursor) {
             let name = self.name(cursor)?;
-            return Ok(StatementKind::ForceOn(name, self.assigned(cursor)?));
+            return Ok(StatementKind::ForceOn(name, self.assigned(messages::FORCE_HELP, cursor)?));
         }
-        let force = self.expression(cursor)?;
+        let force = self.loading("force", cursor)?;
         self.connective("at", messages::FORCE_HELP, cursor)?;
         Ok(StatementKind::ForceAt { force, point: self.value(cursor) })
     }
 
     /// `e on e`.
     fn torque(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
-        let moment = self.expression(cursor)?;
+        let moment = self.loading("torque", cursor)?;
         self.connective("on", messages::TORQUE_HELP, cursor)?;
         Ok(StatementKind::Torque { moment, angle: self.value(cursor) })
+    }
+
+    /// A force or moment, which is not missing.
+    fn loading(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<AstId> {
+        if cursor.at('=') || cursor.at_statement_end() {
+            let message = messages::expected(messages::OPERAND, cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, form(keyword)));
+        }
+        self.expression(cursor)
     }
 
     pub(super) fn connective(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
         if cursor.eat_word(word).is_some() {
             return Ok(());
         }
-        let wanted = format!("`{word}`");
-        let is_other = cursor.at('=') || ["at", "on", "to"].iter().any(|word| cursor.at_word(word));
-        if is_other || cursor.at_statement_end() {
-            let message = messages::expected(&wanted, cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, help));
-        }
-        Err(self.no_operator(cursor, &wanted))
+        let message = messages::expected(&format!("`{word}`"), cursor.peek());
+        Err(self.fail_with_help(cursor.here(), message, help))
     }
 }
 

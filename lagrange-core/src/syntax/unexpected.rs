@@ -5,95 +5,149 @@ use proc_macro2::{Delimiter, TokenTree};
 use super::cursor::Cursor;
 use super::keywords;
 use super::messages;
+use super::messages::habits;
 use super::parser::{Parser, Reported};
 
-/// A message and, where there is something to do, a help.
-type Mistake = (String, Option<&'static str>);
+/// A message and what to do.
+type Mistake = (String, String);
 
 impl Parser<'_> {
     /// Reports the next token, which should begin an operand and does not.
     pub(super) fn no_operand(&mut self, cursor: &Cursor) -> Reported {
+        if let (Some(TokenTree::Punct(operator)), true) = (cursor.previous(), cursor.equals_past(0))
+            && "+-*/^".contains(operator.as_char())
+        {
+            let origin = cursor.before().to(cursor.here());
+            let message = habits::compound_assignment(operator.as_char());
+            return self.fail_with_help(origin, message, habits::COMPOUND_ASSIGNMENT_HELP);
+        }
         let (message, help) = operand_mistake(cursor)
             .unwrap_or_else(|| (messages::expected(messages::OPERAND, cursor.peek()), operand_help(cursor)));
-        self.mistake(cursor, message, help)
+        self.fail_with_help(cursor.here(), message, help)
     }
 
     /// Reports the next token, which should continue the expression before it or be what is wanted there.
     pub(super) fn no_operator(&mut self, cursor: &Cursor, wanted: &str) -> Reported {
-        let (message, help) = operator_mistake(cursor).unwrap_or_else(|| {
-            (messages::expected_operator_or(wanted, cursor.peek()), operator_help(cursor))
-        });
-        self.mistake(cursor, message, help)
+        if let Some((origin, number)) = cursor.decimal_comma(0) {
+            return self.fail_with_help(origin, habits::DECIMAL_COMMA, habits::decimal_point(&number));
+        }
+        let (message, help) =
+            self.unit_mistake(cursor).or_else(|| operator_mistake(cursor)).unwrap_or_else(|| {
+                (messages::expected_operator_or(wanted, cursor.peek()), operator_help(cursor, wanted))
+            });
+        self.fail_with_help(cursor.here_to_pair(), message, help)
     }
 
-    fn mistake(&mut self, cursor: &Cursor, message: String, help: Option<&str>) -> Reported {
-        match help {
-            Some(help) => self.fail_with_help(cursor.here(), message, help),
-            None => self.fail(cursor.here(), message),
-        }
+    /// A unit of measurement behind a number.
+    fn unit_mistake(&self, cursor: &Cursor) -> Option<Mistake> {
+        let (Some(TokenTree::Literal(number)), Some(word)) = (cursor.previous(), cursor.ident()) else {
+            return None;
+        };
+        let number = number.to_string();
+        // A unit is told from a factor of that name by what it is multiplied with or divided by.
+        let is_joined =
+            matches!(cursor.peek_past(1), Some(TokenTree::Punct(sign)) if "*/".contains(sign.as_char()));
+        let unit_behind = match cursor.peek_past(2) {
+            Some(TokenTree::Ident(word)) if is_joined => self.unit(&word.to_string(), &number),
+            _ => None,
+        };
+        let help = self.unit(&word.to_string(), &number).or(unit_behind)?;
+        Some((habits::UNIT.to_owned(), help))
     }
+}
+
+fn mistake(message: &str, help: &str) -> Option<Mistake> {
+    Some((message.to_owned(), help.to_owned()))
 }
 
 fn operand_mistake(cursor: &Cursor) -> Option<Mistake> {
-    let (message, help) = match character(cursor)? {
-        '+' => (messages::UNARY_PLUS, messages::UNARY_PLUS_HELP),
-        '&' => (messages::REFERENCE, messages::REFERENCE_HELP),
-        ':' if cursor.at_pair(':', ':') => (messages::PATH, messages::PATH_HELP),
-        _ => return None,
-    };
-    Some((message.to_owned(), Some(help)))
+    match character(cursor)? {
+        '+' => mistake(messages::UNARY_PLUS, messages::UNARY_PLUS_HELP),
+        '&' => mistake(messages::REFERENCE, messages::REFERENCE_HELP),
+        '!' => mistake(messages::LOGIC, messages::LOGIC_HELP),
+        ':' if cursor.at_pair(':', ':') => mistake(messages::PATH, messages::PATH_HELP),
+        _ => None,
+    }
 }
 
-fn operand_help(cursor: &Cursor) -> Option<&'static str> {
-    match cursor.peek()? {
-        TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket => Some(messages::VECTOR_HELP),
-        TokenTree::Group(_) => Some(messages::PARENTHESES_HELP),
-        TokenTree::Punct(punct) => match punct.as_char() {
-            '|' => Some(messages::MAGNITUDE_HELP),
-            '#' => Some(messages::COMMENT_HELP),
-            '.' if matches!(cursor.peek_past(1), Some(TokenTree::Literal(_))) => {
-                Some(messages::LEADING_ZERO_HELP)
-            }
-            _ => None,
+fn operand_help(cursor: &Cursor) -> String {
+    let help = match cursor.peek() {
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Bracket => messages::VECTOR_HELP,
+        Some(TokenTree::Group(_)) => messages::PARENTHESES_HELP,
+        Some(TokenTree::Punct(punct)) => match punct.as_char() {
+            '|' => messages::MAGNITUDE_HELP,
+            '#' => messages::COMMENT_HELP,
+            '.' if matches!(cursor.peek_past(1), Some(TokenTree::Literal(_))) => messages::LEADING_ZERO_HELP,
+            _ => return missing_operand_help(cursor),
         },
-        _ => None,
+        _ => return missing_operand_help(cursor),
+    };
+    help.to_owned()
+}
+
+/// For what should have an operand behind it.
+fn missing_operand_help(cursor: &Cursor) -> String {
+    match cursor.previous() {
+        Some(TokenTree::Punct(punct)) if "+-*/^.".contains(punct.as_char()) => {
+            habits::missing_operand(&punct.as_char().to_string())
+        }
+        _ => habits::MISSING_EXPRESSION.to_owned(),
     }
 }
 
 fn operator_mistake(cursor: &Cursor) -> Option<Mistake> {
     if cursor.at_word("as") {
-        return Some((messages::CONVERSION.to_owned(), Some(messages::CONVERSION_HELP)));
+        return mistake(messages::CONVERSION, messages::CONVERSION_HELP);
     }
     if cursor.group(Delimiter::Bracket).is_some() {
-        return Some((messages::INDEX.to_owned(), Some(messages::INDEX_HELP)));
+        return mistake(messages::INDEX, messages::INDEX_HELP);
     }
-    let (message, help) = match character(cursor)? {
-        ':' if cursor.at_pair(':', ':') => (messages::PATH, Some(messages::PATH_HELP)),
-        '<' | '>' => (messages::COMPARISON_PLACE, Some(messages::COMPARISON_PLACE_HELP)),
-        '=' if !cursor.equals_past(0) => (messages::COMPARISON_PLACE, Some(messages::COMPARISON_PLACE_HELP)),
+    match character(cursor)? {
+        ':' if cursor.at_pair(':', ':') => mistake(messages::PATH, messages::PATH_HELP),
+        '<' | '>' => mistake(messages::COMPARISON_PLACE, messages::COMPARISON_PLACE_HELP),
+        '=' if !cursor.equals_past(0) => mistake(messages::COMPARISON_PLACE, messages::COMPARISON_PLACE_HELP),
         '!' if cursor.at_pair('!', '=') => {
-            (messages::COMPARISON_PLACE, Some(messages::COMPARISON_PLACE_HELP))
+            mistake(messages::COMPARISON_PLACE, messages::COMPARISON_PLACE_HELP)
         }
-        '!' => (messages::MACRO, None),
-        '%' => (messages::REMAINDER, None),
-        _ => return None,
-    };
-    Some((message.to_owned(), help))
+        '!' if matches!(cursor.peek_past(1), Some(TokenTree::Group(_))) => {
+            mistake(messages::MACRO, messages::MACRO_HELP)
+        }
+        '!' => mistake(messages::FACTORIAL, messages::FACTORIAL_HELP),
+        '%' => mistake(messages::REMAINDER, messages::REMAINDER_HELP),
+        _ => None,
+    }
 }
 
-fn operator_help(cursor: &Cursor) -> Option<&'static str> {
+fn operator_help(cursor: &Cursor, wanted: &str) -> String {
     if let Some(TokenTree::Ident(word)) = cursor.previous()
         && keywords::is_function(&word.to_string())
     {
-        return Some(messages::ARGUMENT_HELP);
+        return messages::ARGUMENT_HELP.to_owned();
     }
-    match cursor.peek()? {
-        TokenTree::Ident(_) | TokenTree::Literal(_) => Some(messages::PRODUCT_HELP),
-        TokenTree::Group(group) if group.delimiter() != Delimiter::Brace => Some(messages::PRODUCT_HELP),
-        TokenTree::Punct(punct) if punct.as_char() == '#' => Some(messages::COMMENT_HELP),
-        TokenTree::Punct(punct) if punct.as_char() == ':' => Some(messages::TYPE_HELP),
-        _ => None,
-    }
+    let help = match cursor.peek() {
+        _ if wanted.contains('{') => messages::COMPARISON_PLACE_HELP,
+        None => habits::LONELY_CHARACTER_HELP,
+        Some(TokenTree::Ident(word))
+            if ["if", "else", "then", "where", "when"].iter().any(|other| word == other) =>
+        {
+            messages::COMPARISON_PLACE_HELP
+        }
+        Some(TokenTree::Ident(word)) if word == "and" || word == "or" => messages::LOGIC_HELP,
+        Some(TokenTree::Ident(word)) if word == "mod" => messages::REMAINDER_HELP,
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => messages::PARENTHESES_HELP,
+        Some(TokenTree::Ident(_) | TokenTree::Literal(_) | TokenTree::Group(_)) => messages::PRODUCT_HELP,
+        Some(TokenTree::Punct(punct)) => match punct.as_char() {
+            '#' => messages::COMMENT_HELP,
+            ':' => messages::TYPE_HELP,
+            '?' => habits::QUESTION_HELP,
+            ',' => habits::LIST_HELP,
+            '=' => messages::SECOND_EQUALS_HELP,
+            '|' => messages::MAGNITUDE_HELP,
+            '&' => messages::LOGIC_HELP,
+            _ => habits::LONELY_CHARACTER_HELP,
+        },
+    };
+    help.to_owned()
 }
 
 fn character(cursor: &Cursor) -> Option<char> {

@@ -11,7 +11,5 @@ fn show(_: &impl Scene) {}
 
 fn main() {
     let sled = Sled::default();
-    let motion = sled.runner_motion(0.0, &[0.5], &[0.0]);
-    println!("{:?}", motion.center);
     show(&sled);
 }

@@ -21,6 +21,10 @@ pub(in crate::mechanics) fn assigned_twice(target: &str) -> String {
     format!("`{target}` is assigned twice by one event")
 }
 
+pub(in crate::mechanics) const ASSIGNED_TWICE_HELP: &str =
+    "leave one of them out: all values are assigned at once";
+pub(in crate::mechanics) const REDUCED_HELP: &str =
+    "leave the `reduce` out, or declare the reduced system by itself";
 pub(in crate::mechanics) const ASSIGNED_HERE: &str = "it is assigned here already";
 
 pub(in crate::mechanics) fn too_many_events(most: usize) -> String {
@@ -105,6 +109,8 @@ pub(in crate::mechanics) const WIDTH_HELP: &str =
 
 pub(in crate::mechanics) const STABILISATION: &str = "the rate of stabilisation";
 pub(in crate::mechanics) const STABILISED_TWICE: &str = "stabilisation is declared twice";
+pub(in crate::mechanics) const STABILISED_TWICE_HELP: &str =
+    "leave one of them out: there is one rate for all constraints";
 pub(in crate::mechanics) const STABILISED_HERE: &str = "it is declared here already";
 pub(in crate::mechanics) const NOTHING_TO_STABILISE: &str = "there is no constraint to stabilise";
 pub(in crate::mechanics) const NOTHING_TO_STABILISE_HELP: &str =

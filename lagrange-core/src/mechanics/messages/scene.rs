@@ -10,6 +10,9 @@ pub(in crate::mechanics) fn not_in_the_plane(body: &str) -> String {
     format!("the places of `{body}` need two components, its mass, moment of inertia and angle one")
 }
 
+pub(in crate::mechanics) const PLANE_HELP: &str =
+    "write places as `(x, y)`, and mass, moment of inertia and angle as numbers";
+
 pub(in crate::mechanics) fn reserved_body(name: &str) -> String {
     format!("a body cannot be called `{name}` here, since the system has a method `{name}_motion` already")
 }

@@ -22,6 +22,7 @@ pub(in crate::syntax) const COMPOUND_HELP: &str =
 pub(in crate::syntax) const SOLID_HELP: &str =
     "write the name of a solid with its dimensions, such as `disk(r)` or `rectangle(a, b)`";
 pub(in crate::syntax) const EMPTY_COMPOUND: &str = "this body has no parts";
+pub(in crate::syntax) const LINE_HELP_END: &str = "what is said between the braces ends in `;`";
 pub(in crate::syntax) const NEXT_LABEL: &str = "the next line begins here";
 
 /// For a word in front of a colon that means nothing there; `owner` has its article.

@@ -187,7 +187,7 @@ fn incomplete_statements_about_bodies_say_what_is_missing() {
         ("body a { mass: ; }", "error at 1:16: expected an expression, found `;`"),
         ("body a { mass: 1 }", "error at 1:16: missing `;` behind this"),
         ("body a { mass: 1 2; }", "error at 1:18: expected an operator or `;`, found `2`"),
-        ("body a { mass: 1, angle: b; }", "error at 1:17: expected an operator or `;`, found `,`"),
+        ("body a { mass: 1, angle: b; }", "error at 1:17: expected `;`, found `,`"),
         ("body a { shape: 1; }", "error at 1:17: expected the name of a solid, found `1`"),
         ("body a { shape: disk; }", "error at 1:21: expected `(`, found `;`"),
         ("body a { shape: disk(r) + 1; }", "error at 1:25: expected an operator or `;`, found `+`"),
@@ -254,12 +254,15 @@ error at 6:16: expected an operator or `;`, found `3`
   help: write `*` between the factors of a product
 error at 7:18: missing `;` behind this
   note at 8:5: the next line begins here
+  help: what is said between the braces ends in `;`
 error at 8:15: expected an expression, found `;`
+  help: write what stands behind `+`, or leave it out
 error at 9:11: expected `:`, found `disk`
   help: write `shape: disk(r);`
 error at 11:35: expected the name of a solid, found `3`
   help: write the name of a solid with its dimensions, such as `disk(r)` or `rectangle(a, b)`
 error at 11:58: missing `;` behind this
+  help: what is said between the braces ends in `;`
 error at 12:19: `too` says nothing about a spring
   help: did you mean `to`?
 error at 12:27: `stifness` says nothing about a spring
@@ -276,6 +279,7 @@ error at 16:9: expected `to`, found `too`
   help: write `pin p to q;` or `pin name = p to q;`
 error at 17:14: missing `;` behind this
   note at 18:1: the next statement begins here
+  help: statements end in `;`
 error at 18:28: expected `:`, found `3`
   help: write `roll wheel on floor;` or `roll name = wheel on floor, radius: r;`, with the names of a body and a line
 ";

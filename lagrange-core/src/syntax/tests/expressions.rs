@@ -76,8 +76,8 @@ fn literals_of_other_kinds_are_refused() {
     assert_eq!(mistake("2i"), "letters follow this number directly");
     assert_eq!(mistake("2.5x"), "letters follow this number directly");
     assert_eq!(mistake("0x10"), "numbers are written in decimal");
-    assert_eq!(mistake("\"a\""), "`\"a\"` is not a number");
-    assert_eq!(mistake("'a'"), "`'a'` is not a number");
+    assert_eq!(mistake("\"a\""), "quotation marks have no meaning here");
+    assert_eq!(mistake("'a'"), "quotation marks have no meaning here");
     assert_eq!(mistake("b'a'"), "`b'a'` is not a number");
     assert!(mistake("1e99999").contains("too extreme"));
     assert!(mistake(&"9".repeat(6000)).contains("too long"));
@@ -109,7 +109,8 @@ fn missing_parts_are_named() {
     assert_eq!(mistake(""), "expected an expression, found `;`");
     assert_eq!(mistake("a + "), "expected an expression, found `;`");
     assert_eq!(mistake("+a"), "`+` has nothing on its left");
-    assert_eq!(mistake("2 m"), "expected an operator or `;`, found `m`");
+    assert_eq!(mistake("2 mass"), "expected an operator or `;`, found `mass`");
+    assert_eq!(mistake("2 m"), "numbers have no units here");
     assert_eq!(mistake("2(m)"), "expected an operator or `;`, found `(`");
     assert_eq!(mistake("(a b)"), "expected an operator, `,` or `)`, found `b`");
     assert_eq!(mistake("f(a; b)"), "expected an operator, `,` or `)`, found `;`");

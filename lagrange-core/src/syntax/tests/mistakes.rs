@@ -19,9 +19,12 @@ error at 2:26: numbers have no type of their own here
   help: write `2.0`
 error at 3:12: a coordinate has no value in the declaration
   help: initial values belong to the state from which a simulation starts
-error at 4:1: expected an operator, `,` or `;`, found `kinetc`
-  help: write `*` between the factors of a product
+error at 3:14: missing `;` behind this
+  help: statements end in `;`
+error at 4:1: no statement begins with `kinetc`
+  help: did you mean `kinetic`?
 error at 5:12: expected an expression, found `;`
+  help: write what stands behind `+`, or leave it out
 error at 6:24: expected an operator, `,` or `)`, found `z`
   help: write `*` between the factors of a product
 ";
@@ -37,13 +40,18 @@ fn a_forgotten_semicolon_is_seen_at_the_next_statement() {
     let expected = "\
 error at 1:7: missing `;` behind this
   note at 2:1: the next statement begins here
+  help: statements end in `;`
 error at 2:18: missing `;` behind this
   note at 3:1: the next statement begins here
+  help: statements end in `;`
 error at 3:9: missing `;` behind this
   note at 4:1: the next statement begins here
+  help: statements end in `;`
 error at 4:22: missing `;` behind this
   note at 5:1: the next statement begins here
+  help: statements end in `;`
 error at 5:12: missing `;` behind this
+  help: statements end in `;`
 ";
     assert_eq!(report, expected);
     assert_eq!(declaration.expect("tokens").statements.len(), 5);
@@ -55,10 +63,14 @@ fn reading_goes_on_at_the_next_statement() {
     let (declaration, report) = read_wrong(text);
     let expected = "\
 error at 2:1: expected an expression, found `let`
+  help: write what stands behind `+`, or leave it out
 error at 3:8: missing `;` behind this
   note at 4:1: the next statement begins here
+  help: statements end in `;`
 error at 5:1: expected a statement, found `+`
+  help: statements begin with one of `param`, `const`, `coord`, `input`, `let`, `kinetic`, `potential`, `lagrangian`, `dissipation`, `force`, `torque`, `constraint`, `stabilise`, `event`, `friction`, `output`, `emit`, `reduce`, `gravity`, `body`, `line`, `spring`, `damper`, `torsion_spring`, `torsion_damper`, `pin`, `slide`, `roll`
 error at 6:5: expected a name, found `=`
+  help: write `let name = e;`, or `let (a, b) = (e, f);` for the components of a vector
 error at 7:5: keyword as name: `let` begins a statement
   help: choose another name
 ";
@@ -123,7 +135,7 @@ fn incomplete_statements_say_what_is_missing() {
     let cases = [
         ("const k, l = 1;", "error at 1:7: the constant `k` needs a value"),
         ("param 3 = 1;", "error at 1:7: expected a name, found `3`"),
-        ("param a = 1 b = 2;", "error at 1:13: expected an operator, `,` or `;`, found `b`"),
+        ("param a = 1 b = 2;", "error at 1:13: missing `,` in front of this"),
         ("kinetic 1;", "error at 1:9: expected `=`, found `1`"),
         ("kinetic == 1;", "error at 1:9: expected `=`, found `==`"),
         ("let (a) = b;", "error at 1:5: a vector has two or three components, not 1"),
@@ -183,6 +195,7 @@ error at 2:12: expected `{`, found `;`
 error at 3:15: expected `freeze` or `small`, found `frieze`
   help: did you mean `freeze`?
 error at 3:37: expected an operator, `,` or `;`, found `+`
+  help: expressions are made of numbers, names, calls such as `sin(x)`, parentheses and the operators `+ - * / ^`
 error at 3:49: the frozen coordinate `x` needs a value
   help: write `freeze x = 0;`
 error at 3:52: expected `freeze` or `small`, found `3`
@@ -265,12 +278,18 @@ event e = x, crossing => record;
 error at 3:14: expected `rising`, `falling` or `crossing`, found `fallling`
   help: did you mean `falling`?
 error at 4:31: expected an expression, found `;`
+  help: write an expression here, such as `0`
 error at 4:35: expected `=`, found `3`
+  help: write `dot(x) = e;` or `x = e;`
 error at 4:47: missing `;` behind this
+  help: statements end in `;`
 error at 5:24: missing `;` behind this
   note at 6:1: the next statement begins here
+  help: statements end in `;`
 error at 6:17: expected an expression, found `,`
+  help: write what stands behind `+`, or leave it out
 error at 7:11: expected `=`, found `1`
+  help: write `stabilise = rate;`
 ";
     assert_eq!(report, expected);
     let expected = [

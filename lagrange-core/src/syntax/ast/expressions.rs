@@ -1,0 +1,108 @@
+//! Expressions, in an arena.
+
+use proc_macro2::Span;
+
+use super::Name;
+use crate::diagnostics::Origin;
+use crate::expr::Relation;
+use crate::number::Number;
+
+/// Identifies an expression of one [`Expressions`] arena.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct AstId(u32);
+
+/// A binary operator.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BinaryOperator {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `^`
+    Power,
+}
+
+/// One `if` condition `left relation right`.
+#[derive(Clone, Copy, Debug)]
+pub struct Condition {
+    /// Left operand.
+    pub left: AstId,
+    /// `<`, `<=`, `>` or `>=`.
+    pub relation: Relation,
+    /// Right operand.
+    pub right: AstId,
+}
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub enum Expression {
+    /// A literal, exactly.
+    Number(Number),
+    /// A name, not yet resolved.
+    Name(String),
+    /// `(a, b)` or `(a, b, c)`.
+    Tuple(Vec<AstId>),
+    /// `-a`
+    Negate(AstId),
+    /// `a + b` and its kin; the span is that of the operator.
+    Binary(BinaryOperator, Span, AstId, AstId),
+    /// `f(a, b)`, or `a.f(b)` with the receiver as first argument.
+    Call(Name, Vec<AstId>),
+    /// `a.x`
+    Component(AstId, Name),
+    /// `if c { a } else { b }`; longer chains nest in `otherwise`.
+    If {
+        /// The condition.
+        condition: Condition,
+        /// Value where the condition holds.
+        then: AstId,
+        /// Value elsewhere.
+        otherwise: AstId,
+    },
+    /// Something that was reported already.
+    Invalid,
+}
+
+/// The arena of expressions of one declaration.
+#[derive(Clone, Default, Debug)]
+pub struct Expressions {
+    nodes: Vec<(Expression, Origin)>,
+    written: usize,
+}
+
+impl Expressions {
+    /// Adds an expression; its children must have been added before.
+    pub fn add(&mut self, expression: Expression, origin: Origin) -> AstId {
+        self.nodes.push((expression, origin));
+        AstId((self.nodes.len() - 1) as u32)
+    }
+
+    /// Says that the expressions so far are all that the user wrote.
+    pub fn end_of_text(&mut self) {
+        self.written = self.nodes.len();
+    }
+
+    /// Whether the user wrote an expression as it stands.
+    pub fn is_written(&self, id: AstId) -> bool {
+        (id.0 as usize) < self.written
+    }
+
+    /// The expression behind an id.
+    pub fn get(&self, id: AstId) -> &Expression {
+        &self.nodes[id.0 as usize].0
+    }
+
+    /// Where it stands.
+    pub fn origin(&self, id: AstId) -> Origin {
+        self.nodes[id.0 as usize].1
+    }
+
+    /// Every expression with its id, children before parents.
+    pub fn iter(&self) -> impl Iterator<Item = (AstId, &Expression)> {
+        self.nodes.iter().enumerate().map(|(index, (expression, _))| (AstId(index as u32), expression))
+    }
+}

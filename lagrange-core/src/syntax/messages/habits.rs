@@ -1,0 +1,167 @@
+//! What habits from other languages and from paper are called, and what is written here.
+
+use proc_macro2::{Delimiter, TokenTree};
+
+use super::forms::form;
+use super::{quoted, shortened};
+
+// Statements.
+
+pub(in crate::syntax) const COMMENT: &str = "this begins no comment here";
+pub(in crate::syntax) const SECOND_SYSTEM: &str = "a declaration holds one system";
+pub(in crate::syntax) const SECOND_SYSTEM_HELP: &str =
+    "declare the other one in a `lagrange::system!` of its own, or as a `reduce` of this one";
+pub(in crate::syntax) const ADDS_UP: &str =
+    "write `=`: statements such as `kinetic = e;` may be repeated, and add up";
+
+/// For a statement that should begin with a name.
+pub(in crate::syntax) fn nameless(keyword: &str) -> String {
+    let article = if keyword.starts_with(['e', 'o']) { "an" } else { "a" };
+    format!("{article} {keyword} needs a name")
+}
+
+pub(in crate::syntax) const TYPED: &str = "names have no type of their own here";
+
+pub(in crate::syntax) const TWICE_IN_A_ROW: &str = "this name stands here twice";
+
+/// For brackets between a name and its value.
+pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static str) {
+    match keyword {
+        "coord" => (
+            "coordinates depend on time by themselves, and numbers have no units here",
+            "leave this out: write `coord x, theta;`",
+        ),
+        "let" => (
+            "functions cannot be declared here",
+            "leave this out: `let name = e;` names an expression, which depends on what e does",
+        ),
+        keyword => (
+            "nothing can stand between a name and its value, such as a unit or an argument",
+            match keyword {
+                "param" => "leave this out: write `param m = 1.0;`",
+                other => form(other),
+            },
+        ),
+    }
+}
+
+pub(in crate::syntax) const MUTABLE: &str = "nothing here is assigned to a second time";
+pub(in crate::syntax) const MUTABLE_HELP: &str =
+    "leave `mut` out: `let name = e;` names an expression, and an `input` may change during the motion";
+
+pub(in crate::syntax) fn declared_already(name: &str) -> String {
+    format!("{} is declared already", quoted(name))
+}
+
+pub(in crate::syntax) fn value_where_declared(name: &str) -> String {
+    format!("give it its value where it is declared: `param {} = …;`", shortened(name))
+}
+
+/// For an equation of motion.
+pub(in crate::syntax) fn equations_are_derived() -> String {
+    "equations of motion are derived: write the energies that they follow from, `kinetic = …;` and `potential = …;`, and forces, `force x = …;`"
+        .to_owned()
+}
+
+/// For `dot(x) = …` and `ddot(x) = …` as statements.
+pub(in crate::syntax) fn rate_as_statement(function: &str) -> String {
+    match function {
+        "dot" => "initial velocities belong to the state from which a simulation starts; what must hold throughout is a `constraint name = …;`".to_owned(),
+        _ => equations_are_derived(),
+    }
+}
+
+// Constraints and events.
+
+pub(in crate::syntax) const EQUATION: &str = "a constraint is one expression, which stays zero";
+
+pub(in crate::syntax) fn difference(name: &str) -> String {
+    format!("write a = b as `constraint {} = a - (b);`", shortened(name))
+}
+
+pub(in crate::syntax) const INEQUALITY: &str =
+    "a constraint is an expression that stays zero, not an inequality";
+
+pub(in crate::syntax) fn contact(name: &str) -> String {
+    format!(
+        "what holds on one side only is a contact: for a ≥ b write `event {} = a - (b), falling => impact(0);`",
+        shortened(name)
+    )
+}
+
+pub(in crate::syntax) const CONDITION_IN_EVENT: &str =
+    "an event is an expression whose zeros count, not a condition";
+
+pub(in crate::syntax) fn zero_and_direction(name: &str) -> String {
+    format!("write a < b as `event {} = a - (b), falling => stop;`, and a > b with `rising`", shortened(name))
+}
+
+// Names.
+
+/// For a token that is no name where one is needed.
+pub(in crate::syntax) fn name_help(token: Option<&TokenTree>) -> &'static str {
+    match token {
+        Some(TokenTree::Literal(literal)) if literal.to_string().starts_with('"') => {
+            "write the name without quotation marks"
+        }
+        Some(TokenTree::Literal(_)) => "names begin with a letter",
+        Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Brace => {
+            "write the name without brackets"
+        }
+        _ => "a name begins with a letter and goes on with letters, digits and `_`",
+    }
+}
+
+// Expressions.
+
+pub(in crate::syntax) const DECIMAL_COMMA: &str = "a comma is no decimal point";
+
+pub(in crate::syntax) fn decimal_point(number: &str) -> String {
+    format!("write {}", quoted(number))
+}
+
+pub(in crate::syntax) fn compound_assignment(operator: char) -> String {
+    format!("`{operator}=` is not an operator")
+}
+
+pub(in crate::syntax) const COMPOUND_ASSIGNMENT_HELP: &str = "write the whole new value, `x = x + e;`";
+pub(in crate::syntax) const QUOTIENT: &str = "derivatives by time are not written as `d/dt`";
+pub(in crate::syntax) const POWER_OF_FUNCTION: &str = "the power of a function stands behind its argument";
+pub(in crate::syntax) const UNIT: &str = "numbers have no units here";
+
+pub(in crate::syntax) fn written(usage: &str) -> String {
+    format!("write {}", quoted(usage))
+}
+
+pub(in crate::syntax) fn without_unit(number: &str) -> String {
+    format!("write {} and keep to units that fit together, such as those of the SI", quoted(number))
+}
+
+pub(in crate::syntax) fn in_radians(number: &str) -> String {
+    format!("angles are in radians: write {}", quoted(&format!("{number} * pi/180")))
+}
+
+pub(in crate::syntax) const RUST_NAME_HELP: &str =
+    "what Rust declares is not seen here: declare `param name;` and set that field when the program runs";
+
+pub(in crate::syntax) const STRING: &str = "quotation marks have no meaning here";
+
+/// For quotation marks around a text.
+pub(in crate::syntax) fn unquoted(literal: &str) -> String {
+    let text = literal.trim_matches(['"', '\'']);
+    format!("leave them out: write {}", quoted(text))
+}
+
+pub(in crate::syntax) fn missing_operand(operator: &str) -> String {
+    format!("write what stands behind `{operator}`, or leave it out")
+}
+
+pub(in crate::syntax) const MISSING_EXPRESSION: &str = "write an expression here, such as `0`";
+pub(in crate::syntax) const QUESTION_HELP: &str = "write `if a < b { … } else { … }`";
+pub(in crate::syntax) const LIST_HELP: &str =
+    "write vectors in parentheses, `(a, b)`, and `;` behind the statement";
+pub(in crate::syntax) const LINE_END_HELP: &str = "what is said between the braces ends in `;`, not in `,`";
+pub(in crate::syntax) const LONELY_CHARACTER_HELP: &str = "expressions are made of numbers, names, calls such as `sin(x)`, parentheses and the operators `+ - * / ^`";
+pub(in crate::syntax) const SELF_HELP: &str =
+    "parameters and coordinates go by their plain names: `m`, not `self.m`";
+pub(in crate::syntax) const WORD_HELP: &str = "expressions know names, calls such as `sin(x)` and `if a < b { … } else { … }`, but no other words of Rust";
