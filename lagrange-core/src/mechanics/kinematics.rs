@@ -65,7 +65,10 @@ impl Evaluator<'_> {
             return self.evaluate_mass_function(function, name, arguments, call);
         }
         let Some(arity) = arity(&name.text) else {
-            self.report_no_function(name, arguments);
+            let is_read = |&id: &AstId| !matches!(self.syntax(id), Expression::Invalid);
+            if arguments.iter().all(is_read) {
+                self.report_no_function(name, arguments);
+            }
             return None;
         };
         if arguments.len() != arity {

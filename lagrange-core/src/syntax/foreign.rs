@@ -129,8 +129,7 @@ const NAMES: &[(&[&str], &str)] = &[
 ];
 
 /// Names of libraries in front of functions and constants.
-const LIBRARIES: &[&str] =
-    &["np", "numpy", "math", "Math", "sp", "sympy", "sym", "torch", "jnp", "cmath", "std"];
+const LIBRARIES: &[&str] = &["np", "numpy", "math", "Math", "sp", "sympy", "sym", "torch", "jnp", "cmath"];
 
 /// Labels of bodies, lines, springs and dampers, with the words that others use for them. A word may stand for several: the one
 /// that is possible is meant.

@@ -19,7 +19,7 @@ const SOMETHING: &str = "…";
 impl Parser<'_> {
     /// What is to be said of the word here and what follows it, if that has a meaning elsewhere only.
     pub(super) fn habit(&self, cursor: &Cursor) -> Option<Habit> {
-        self.quotient(cursor).or_else(|| power_of_function(cursor)).or_else(|| path(cursor))
+        self.quotient(cursor).or_else(|| power_of_function(cursor)).or_else(|| self.path(cursor))
     }
 
     /// `d/dt(e)`, `d(e)/dt`, `dx/dt`, `d^2/dt^2(e)`, `d2x/dt2`.
@@ -50,6 +50,32 @@ impl Parser<'_> {
         let usage = format!("{function}({})", of.unwrap_or_else(|| SOMETHING.to_owned()));
         Some((tokens.origin(), habits::QUOTIENT, habits::written(&usage)))
     }
+
+    /// `std::f64::consts::PI`, `f64::sin(x)`, `crate::GRAVITY`, `np.cos(x)`.
+    fn path(&self, cursor: &Cursor) -> Option<Habit> {
+        let word = cursor.ident()?.to_string();
+        let is_library = foreign::is_library(&word) && self.declared(&word).is_none();
+        let mut tokens = Ahead { cursor, count: 1 };
+        let mut last = None;
+        // No path is longer, and loops over tokens are elsewhere.
+        for _ in 0..LONGEST_PATH {
+            let is_link = tokens.is(':') && tokens.is(':') || is_library && tokens.is('.');
+            if !is_link {
+                break;
+            }
+            last = Some(tokens.word()?);
+        }
+        let last = last?;
+        let is_call = tokens.has_argument();
+        let help = match foreign::name(&last) {
+            Some(meant) if !is_call => habits::written(meant),
+            _ if !is_call && keywords::built_in(&last).is_some() => habits::written(&last),
+            _ if is_call && (is_library || keywords::is_function(&last)) => messages::PATH_HELP.to_owned(),
+            _ => habits::RUST_NAME_HELP.to_owned(),
+        };
+        let message = if is_library { habits::LIBRARY } else { messages::PATH };
+        Some((tokens.origin(), message, help))
+    }
 }
 
 /// `sin^2(x)`, `sin^2 x`, `sin^-1(x)` and `sin^(-1)(x)`.
@@ -74,27 +100,6 @@ fn power_of_function(cursor: &Cursor) -> Option<Habit> {
         _ => format!("{word}({argument})^{exponent}"),
     };
     Some((tokens.origin(), habits::POWER_OF_FUNCTION, habits::written(&usage)))
-}
-
-/// `std::f64::consts::PI`, `f64::sin(x)`, `crate::GRAVITY`.
-fn path(cursor: &Cursor) -> Option<Habit> {
-    let mut tokens = Ahead { cursor, count: 1 };
-    let mut last = None;
-    // No path is longer, and loops over tokens are elsewhere.
-    for _ in 0..LONGEST_PATH {
-        if !(tokens.is(':') && tokens.is(':')) {
-            break;
-        }
-        last = Some(tokens.word()?);
-    }
-    let last = last?;
-    let is_call = tokens.has_argument();
-    let help = match foreign::name(&last) {
-        Some(meant) if !is_call => habits::written(meant),
-        _ if is_call && keywords::is_function(&last) => messages::PATH_HELP.to_owned(),
-        _ => habits::RUST_NAME_HELP.to_owned(),
-    };
-    Some((tokens.origin(), messages::PATH, help))
 }
 
 /// Longer paths are read as far as this many words.

@@ -48,7 +48,12 @@ impl Parser<'_> {
         let start = cursor.position();
         let (message, help) = match cursor.peek() {
             Some(TokenTree::Punct(punct)) if punct.as_char() == ':' && cursor.pair().is_none() => {
-                if !["param", "coord"].contains(&keyword) && !value_follows(cursor) {
+                let is_equals = match keyword {
+                    "param" | "coord" => false,
+                    "constraint" | "event" => true,
+                    _ => !value_follows(cursor),
+                };
+                if is_equals {
                     // The colon stands for the equals sign.
                     return;
                 }

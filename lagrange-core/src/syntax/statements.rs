@@ -126,9 +126,12 @@ impl Parser<'_> {
     /// `name = e`, where e stays zero.
     fn constraint(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let name = self.leading_name("constraint", cursor)?;
+        let mistakes = self.report.diagnostics().len();
         self.equals(form("constraint"), cursor)?;
-        let start = cursor.position();
+        let (start, is_wrong) = (cursor.position(), self.report.diagnostics().len() > mistakes);
         let value = match self.expression(cursor) {
+            // Written as an equation behind a colon, it is one mistake.
+            Ok(_) if at_relation(cursor) && is_wrong => Err(Reported),
             Ok(_) if at_relation(cursor) => Err(self.relation_in_constraint(&name.text, cursor)),
             Ok(id) if cursor.at_statement_end() => Ok(id),
             Ok(_) => Err(self.no_operator(cursor, "`;`")),

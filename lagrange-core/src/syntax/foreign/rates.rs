@@ -66,6 +66,7 @@ const DOTTED: &[(&str, &str, usize)] = &[
 const DERIVATIVES: &[&str] = &[
     "dot",
     "diff",
+    "d",
     "der",
     "derivative",
     "Derivative",

@@ -144,6 +144,7 @@ pub(in crate::syntax) fn in_radians(number: &str) -> String {
 pub(in crate::syntax) const RUST_NAME_HELP: &str =
     "what Rust declares is not seen here: declare `param name;` and set that field when the program runs";
 
+pub(in crate::syntax) const LIBRARY: &str = "libraries have no names here";
 pub(in crate::syntax) const STRING: &str = "quotation marks have no meaning here";
 
 /// For quotation marks around a text.
@@ -157,6 +158,7 @@ pub(in crate::syntax) fn missing_operand(operator: &str) -> String {
 }
 
 pub(in crate::syntax) const MISSING_EXPRESSION: &str = "write an expression here, such as `0`";
+pub(in crate::syntax) const NO_LOOPS_HELP: &str = "there are no loops: write the terms of a sum one by one";
 pub(in crate::syntax) const QUESTION_HELP: &str = "write `if a < b { … } else { … }`";
 pub(in crate::syntax) const LIST_HELP: &str =
     "write vectors in parentheses, `(a, b)`, and `;` behind the statement";
