@@ -13,6 +13,7 @@ use crate::draw::element::Element;
 use crate::draw::error::DrawError;
 use crate::draw::layout::{self, Paper};
 use crate::draw::moment::Moment;
+use crate::draw::parallel::lanes;
 use crate::draw::picture::{Picture, Point};
 use crate::draw::sketch::Sketch;
 use crate::draw::snapshot::Snapshot;
@@ -37,7 +38,7 @@ type Point2<'a, M> = Rc<
 /// Pictures of a system of plane rigid bodies, as it declares itself.
 ///
 /// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are asked for. Springs and dampers that end where
-/// nothing is and nothing moves get a short wall there. One window shows all that is ever
+/// nothing is and nothing moves get a short wall there, and those between the same points lie side by side. One window shows all that is ever
 /// drawn, on one scale, and arrows of one kind have one scale, the longest a quarter of the picture. Positions, angles and vectors
 /// are those of the declaration, x to the right, y upwards.
 pub struct Drawing<'a, M: Scene> {
@@ -188,8 +189,13 @@ where
         let instants: Vec<Instant<M>> = self.past.iter().copied().chain(states).collect();
         let snapshots = instants.iter().map(|instant| self.snapshot(instant));
         let snapshots: Vec<Snapshot> = snapshots.collect::<Result<_, _>>()?;
-        let anchored = instants.first().map(|first| anchored(&snapshots, &self.elsewhere(first)));
-        let fixed = Fixed { stretches: stretches(&snapshots), anchored: anchored.unwrap_or_default() };
+        let elsewhere = instants.first().map(|first| self.elsewhere(first));
+        let anchored = elsewhere.as_ref().map(|elsewhere| anchored(&snapshots, elsewhere));
+        let fixed = Fixed {
+            stretches: stretches(&snapshots),
+            anchored: anchored.unwrap_or_default(),
+            lanes: lanes(&snapshots, elsewhere.as_ref()),
+        };
         let turning = |snapshot: &Snapshot| {
             let rates = snapshot.bodies.iter().map(|body| body.motion.angular_velocity.abs());
             rates.fold(0.0, f64::max)
