@@ -7,7 +7,7 @@
 
 use super::elaborate::Elaborator;
 use super::operand::Operand;
-use super::scene::{DrawnItem, omitted};
+use super::scene::{BodyMotion, DrawnItem, omitted};
 use super::structure::vanishing;
 use crate::bodies::{Cause, DrawnKind};
 use crate::expr::ExprId;
@@ -37,7 +37,7 @@ impl Elaborator<'_> {
 
     /// The bodies on which a moment has the power of one on an angle of this rate: all single ones, or else all pairs.
     fn turned(&mut self, rate: ExprId) -> Vec<Shares> {
-        let spins = self.scene.motions.iter().map(|motion| motion.spin()).collect::<Vec<_>>();
+        let spins = self.scene.motions.iter().map(BodyMotion::spin).collect::<Vec<_>>();
         let single = spins.iter().enumerate().map(|(body, &spin)| (vec![(body, false)], spin)).collect();
         let fitting = self.fitting(rate, single);
         if !fitting.is_empty() {
