@@ -95,6 +95,12 @@ pub enum Item<'a, S> {
         /// Its value.
         moment: S,
     },
+    /// A force or moment that acts and is not handed out: that of a joint which the coordinates fulfil by themselves, since it has no
+    /// multiplier, or a torque on an angle that does not tell which bodies it turns.
+    Omitted {
+        /// The name of the joint, or what acts.
+        name: &'a str,
+    },
 }
 
 /// A part of a body's shape.

@@ -2,6 +2,7 @@
 
 use std::borrow::ToOwned;
 use std::fmt::{Debug, Formatter};
+use std::format;
 use std::rc::Rc;
 use std::string::String;
 use std::vec;
@@ -13,11 +14,13 @@ use crate::draw::element::Element;
 use crate::draw::error::DrawError;
 use crate::draw::layout::{self, Paper};
 use crate::draw::moment::Moment;
+use crate::draw::parallel::lanes;
 use crate::draw::picture::{Picture, Point};
 use crate::draw::sketch::Sketch;
 use crate::draw::snapshot::Snapshot;
 use crate::draw::stage::{self, Fixed, Wanted};
 use crate::draw::stretch::stretches;
+use crate::draw::text::{formula, plain};
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 use crate::system::split;
@@ -37,7 +40,7 @@ type Point2<'a, M> = Rc<
 /// Pictures of a system of plane rigid bodies, as it declares itself.
 ///
 /// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are asked for. Springs and dampers that end where
-/// nothing is and nothing moves get a short wall there. One window shows all that is ever
+/// nothing is and nothing moves get a short wall there, and those between the same points lie side by side. One window shows all that is ever
 /// drawn, on one scale, and arrows of one kind have one scale, the longest a quarter of the picture. Positions, angles and vectors
 /// are those of the declaration, x to the right, y upwards.
 pub struct Drawing<'a, M: Scene> {
@@ -99,8 +102,10 @@ impl<'a, M: Scene> Drawing<'a, M> {
     }
 
     /// Forces and moments that have names: those that are declared, weights, those of springs and dampers, and those by which joints
-    /// uphold their constraints. Joints that the coordinates fulfil by themselves, hand-written constraints and potentials, contacts
-    /// and dry friction act, too, but hand out no force; [`free_body`](Self::free_body) shows what all of them amount to.
+    /// uphold their constraints. Torques on angles act on the bodies that turn as the angles do. A line below the picture names what of
+    /// this cannot be drawn: the forces of joints that the coordinates fulfil by themselves, and torques on angles that do not tell
+    /// which bodies they turn; [`hide`](Self::hide) takes a name out of it. Hand-written constraints and potentials, contacts and dry
+    /// friction act, too, without having such names; [`free_body`](Self::free_body) shows what all of them amount to.
     pub fn forces(mut self) -> Self {
         self.wanted.forces = true;
         self
@@ -188,8 +193,13 @@ where
         let instants: Vec<Instant<M>> = self.past.iter().copied().chain(states).collect();
         let snapshots = instants.iter().map(|instant| self.snapshot(instant));
         let snapshots: Vec<Snapshot> = snapshots.collect::<Result<_, _>>()?;
-        let anchored = instants.first().map(|first| anchored(&snapshots, &self.elsewhere(first)));
-        let fixed = Fixed { stretches: stretches(&snapshots), anchored: anchored.unwrap_or_default() };
+        let elsewhere = instants.first().map(|first| self.elsewhere(first));
+        let anchored = elsewhere.as_ref().map(|elsewhere| anchored(&snapshots, elsewhere));
+        let fixed = Fixed {
+            stretches: stretches(&snapshots),
+            anchored: anchored.unwrap_or_default(),
+            lanes: lanes(&snapshots, elsewhere.as_ref()),
+        };
         let turning = |snapshot: &Snapshot| {
             let rates = snapshot.bodies.iter().map(|body| body.motion.angular_velocity.abs());
             rates.fold(0.0, f64::max)
@@ -204,7 +214,8 @@ where
             film.push((instant.0.into(), elements));
         }
         let longest = if self.free_body.is_some() { LONGEST_FREE } else { LONGEST };
-        let paper = Paper { size: self.size, title: &self.title, longest };
+        let note = self.note(&snapshots);
+        let paper = Paper { size: self.size, title: &self.title, note: &note, longest };
         let pictures = layout::pictures(&film, paper)?;
         Ok(pictures.into_iter().skip(self.past.len()).collect())
     }
@@ -225,6 +236,20 @@ where
             return Err(DrawError::UnknownBody(name.clone()));
         }
         Ok(Snapshot { remainder, ..snapshot.free_body(name) })
+    }
+
+    /// What is said of loads that act and cannot be drawn, where loads are drawn.
+    fn note(&self, snapshots: &[Snapshot]) -> String {
+        let omitted = snapshots.first().map(|snapshot| snapshot.omitted.as_slice()).unwrap_or_default();
+        if omitted.is_empty() || !self.wanted.forces {
+            return String::new();
+        }
+        let of = |name: &String| match name.split_once(" on `") {
+            Some((load, angle)) => format!("{load} on {}", plain(&formula(angle.trim_end_matches('`')))),
+            None if name.contains(' ') => name.clone(),
+            None => format!("force of {}", name.replace('_', " ")),
+        };
+        format!("not drawn: {}", omitted.iter().map(of).collect::<Vec<_>>().join(", "))
     }
 
     /// The scene in another configuration at another time: what is in the same place there does not move.

@@ -40,14 +40,14 @@ pub(super) enum Shape {
     /// A line with hatching on its right, along these stretches from a point of it, whose ends may be infinite; these points of
     /// it are to be seen.
     Ground { place: Place, stretches: Vec<[f64; 2]>, seen: Vec<Point> },
-    /// A spring.
-    Coil { from: Point, to: Point },
-    /// A damper.
-    Dashpot { from: Point, to: Point },
-    /// A torsion spring.
-    Spiral { at: Point },
-    /// A torsion damper.
-    Drum { at: Point },
+    /// A spring, so many places on the left of the line between its ends.
+    Coil { from: Point, to: Point, lane: f64 },
+    /// A damper, likewise.
+    Dashpot { from: Point, to: Point, lane: f64 },
+    /// A torsion spring, around so many others.
+    Spiral { at: Point, lane: f64 },
+    /// A torsion damper, likewise.
+    Drum { at: Point, lane: f64 },
     /// Two bodies turn about it.
     Pin { at: Point },
     /// A body turns about it, and it is at rest.
@@ -109,6 +109,9 @@ pub(super) struct Reach {
 const ROOM: f64 = 9.0;
 const GROUND: f64 = 16.0;
 const ROUND: f64 = 30.0;
+/// From one connector to the next between the same points, and by how much one about a point is wider than that within it.
+pub(super) const LANE: f64 = 20.0;
+pub(super) const WIDER: f64 = 0.6;
 /// From one arc about a point to the next.
 pub(super) const RING: f64 = 8.0;
 
@@ -137,10 +140,15 @@ impl Element {
             Shape::Body { place, center, pieces } => body(place, *center, pieces),
             Shape::Ground { seen, .. } => seen.iter().map(|at| point(*at, GROUND)).collect(),
             Shape::Through { .. } => Vec::new(),
-            Shape::Coil { from, to } | Shape::Dashpot { from, to } => all(&[*from, *to]),
+            Shape::Coil { from, to, lane } | Shape::Dashpot { from, to, lane } => {
+                [*from, *to].map(|at| point(at, ROOM + LANE * lane.abs())).into()
+            }
             Shape::Pin { at } | Shape::Dot { at } | Shape::Words { at } => vec![point(*at, ROOM)],
             Shape::Anchor { at } | Shape::Wall { at, .. } | Shape::Slider { at } => vec![point(*at, GROUND)],
-            Shape::Spiral { at } | Shape::Drum { at } | Shape::Angle { at, .. } => vec![point(*at, ROUND)],
+            Shape::Spiral { at, lane } | Shape::Drum { at, lane } => {
+                vec![point(*at, ROUND * (1.0 + WIDER * lane))]
+            }
+            Shape::Angle { at, .. } => vec![point(*at, ROUND)],
             Shape::Turn { at, ring, .. } => vec![point(*at, ROUND + RING * *ring as f64)],
             Shape::Arrow { from, vector, measure: Measure::World, .. } => all(&[*from, add(*from, *vector)]),
             Shape::Arrow { from, vector, measure, is_push } => {

@@ -1,9 +1,9 @@
-//! Titles above pictures: in several lines or smaller letters if they are long.
+//! Titles above pictures and notes below them: in several lines or smaller letters if they are long.
 
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::draw::colour::INK;
+use crate::draw::colour::{INK, REST};
 use crate::draw::layout::{BORDER, MARGIN};
 use crate::draw::picture::{Anchor, Mark};
 use crate::draw::tag::LEEWAY;
@@ -19,6 +19,8 @@ pub(super) struct Heading {
 /// The size of letters, and by what it is made smaller until all fits.
 const FONT: f64 = 15.0;
 const SMALLER: f64 = 0.9;
+/// The size of the letters of notes beside those of titles.
+const NOTE: f64 = 0.8;
 /// From one line to the next, and below the last one, in terms of the size of letters.
 const LINE: f64 = 1.2;
 const BELOW: f64 = 4.0;
@@ -27,6 +29,13 @@ const MOST: usize = 3;
 const SHARE: f64 = 0.25;
 /// Smaller letters are no letters any more.
 const LEAST: f64 = 0.5;
+
+/// A note in small letters, if there is anything to note.
+pub(super) fn note(text: &str, size: [f64; 2]) -> Heading {
+    let Heading { size, lines } = lines(text, size);
+    // Broken for larger letters, it fits in smaller ones.
+    Heading { size: NOTE * size, lines }
+}
 
 /// A title in the largest letters in which it fits above a picture of this size.
 pub(super) fn lines(title: &str, [across, down]: [f64; 2]) -> Heading {
@@ -83,6 +92,19 @@ pub(super) fn marks(heading: &Heading, [across, _]: [f64; 2]) -> Vec<Mark> {
         colour: INK,
     };
     heading.lines.iter().enumerate().map(mark).collect()
+}
+
+/// Its lines in the middle of the lower border instead.
+pub(super) fn marks_below(heading: &Heading, size: [f64; 2]) -> Vec<Mark> {
+    let shift = size[1] - 2.0 * MARGIN - height(heading);
+    let mut marks = marks(heading, size);
+    for mark in &mut marks {
+        if let Mark::Text { at, colour, .. } = mark {
+            at[1] += shift + BELOW;
+            *colour = REST;
+        }
+    }
+    marks
 }
 
 #[cfg(test)]

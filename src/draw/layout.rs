@@ -23,6 +23,8 @@ pub(super) const BORDER: f64 = 2.0;
 pub(super) struct Paper<'a> {
     pub(super) size: [f64; 2],
     pub(super) title: &'a str,
+    /// What is written below, if anything is.
+    pub(super) note: &'a str,
     /// The longest arrow of each kind takes this part of the smaller side of what is within the margins.
     pub(super) longest: f64,
 }
@@ -43,23 +45,27 @@ type Drawn = (Vec<Mark>, Option<Tag>);
 /// Pictures of a film: at each moment the time and the elements.
 pub(super) fn pictures(
     film: &[(f64, Vec<Element>)],
-    Paper { size, title, longest }: Paper<'_>,
+    Paper { size, title, note, longest }: Paper<'_>,
 ) -> Result<Vec<Picture>, DrawError> {
     for (time, elements) in film {
         check(*time, elements)?;
     }
     let title_lines = heading::lines(title, size);
-    let view = common_view(film, size, heading::height(&title_lines), longest)?;
+    let note_lines = heading::note(note, size);
+    let borders = [&title_lines, &note_lines].map(heading::height);
+    let view = common_view(film, size, borders, longest)?;
     let drawn: Vec<Vec<(Key, Drawn)>> = film.iter().map(|(_, elements)| draw(elements, &view)).collect();
     let keys = aligned(&drawn);
     let empty = patterns(&drawn);
     let scenes: Vec<Vec<Drawn>> = drawn.into_iter().map(|moment| complete(moment, &keys, &empty)).collect();
     let sheets: Vec<Sheet> = scenes.iter().map(|scene| sheet(scene, &keys)).collect();
-    // Labels may use the margins, but for that with the title.
+    // Labels may use the margins, but for those with the title and the note.
     let [width, height] = size;
-    let room = [[BORDER, view.window[0][1]], [width - BORDER, height - BORDER]];
+    let below = if borders[1] > 0.0 { MARGIN + borders[1] } else { BORDER };
+    let room = [[BORDER, view.window[0][1]], [width - BORDER, height - below]];
     let labels = labels::labels(&sheets, room);
-    let heading = heading::marks(&title_lines, size);
+    let mut heading = heading::marks(&title_lines, size);
+    heading.extend(heading::marks_below(&note_lines, size));
     let picture = |(scene, labels): (Vec<Drawn>, Vec<Mark>)| Picture {
         size,
         title: title.into(),
@@ -82,10 +88,10 @@ fn check(time: f64, elements: &[Element]) -> Result<(), DrawError> {
 fn common_view(
     film: &[(f64, Vec<Element>)],
     size: [f64; 2],
-    title: f64,
+    [above, below]: [f64; 2],
     longest: f64,
 ) -> Result<View, DrawError> {
-    let window = [[MARGIN, MARGIN + title], [size[0] - MARGIN, size[1] - MARGIN]];
+    let window = [[MARGIN, MARGIN + above], [size[0] - MARGIN, size[1] - MARGIN - below]];
     let room = [window[1][0] - window[0][0], window[1][1] - window[0][1]];
     if !(room[0] > 0.0 && room[1] > 0.0 && size.iter().all(|side| side.is_finite())) {
         return Err(DrawError::Size(size));
@@ -205,7 +211,7 @@ mod tests {
     use crate::draw::picture::Mark;
     use crate::draw::svg;
 
-    const PAPER: Paper<'_> = Paper { size: [300.0, 200.0], title: "", longest: 0.25 };
+    const PAPER: Paper<'_> = Paper { size: [300.0, 200.0], title: "", note: "", longest: 0.25 };
 
     fn dot(name: &str, x: f64) -> Element {
         let shape = Shape::Dot { at: [x, 0.0] };

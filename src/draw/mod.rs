@@ -52,6 +52,7 @@ mod load_label;
 mod marks;
 mod moment;
 mod outline;
+mod parallel;
 mod picture;
 pub(crate) mod raster;
 mod remainder;

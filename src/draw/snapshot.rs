@@ -19,6 +19,8 @@ pub(super) struct Snapshot {
     pub(super) connectors: Vec<(String, Connector, [Point; 2])>,
     pub(super) joints: Vec<(String, Joint, Point)>,
     pub(super) loads: Vec<Load>,
+    /// What acts and is not known.
+    pub(super) omitted: Vec<String>,
     /// What the loads of a free body leave open.
     pub(super) remainder: Option<Remainder>,
 }
@@ -82,6 +84,7 @@ impl Snapshot {
                 self.connectors.push((name.to_owned(), kind, [point(from), point(to)]));
             }
             Item::Joint { name, kind, at } => self.joints.push((name.to_owned(), kind, point(at))),
+            Item::Omitted { name } => self.omitted.push(name.to_owned()),
             Item::Force { name, cause, body, at, force } => {
                 self.load(name, cause, body, point(at), Value::Force(point(force)));
             }
@@ -106,7 +109,8 @@ impl Snapshot {
             self.bodies.iter().map(|body| &body.name).chain(self.lines.iter().map(|line| &line.name));
         let connectors = self.connectors.iter().map(|(name, ..)| name);
         let joints = self.joints.iter().map(|(name, ..)| name);
-        bodies.chain(connectors).chain(joints).chain(self.loads.iter().map(|load| &load.name))
+        let loads = self.loads.iter().map(|load| &load.name);
+        bodies.chain(connectors).chain(joints).chain(loads).chain(&self.omitted)
     }
 
     /// Without what has one of these names.
@@ -116,6 +120,7 @@ impl Snapshot {
         self.connectors.retain(|(name, ..)| !hidden.contains(name));
         self.joints.retain(|(name, ..)| !hidden.contains(name));
         self.loads.retain(|load| !hidden.contains(&load.name));
+        self.omitted.retain(|name| !hidden.contains(name));
         self
     }
 
@@ -129,8 +134,8 @@ impl Snapshot {
     pub(super) fn free_body(mut self, name: &str) -> Self {
         self.bodies.retain(|body| body.name == name);
         self.loads.retain(|load| load.body.as_deref() == Some(name));
-        // Joints stay, for they tell what a force is.
-        Snapshot { lines: Vec::new(), connectors: Vec::new(), ..self }
+        // What is not known of a free body is its remainder. Joints stay, for they tell what a force is.
+        Snapshot { lines: Vec::new(), connectors: Vec::new(), omitted: Vec::new(), ..self }
     }
 }
 

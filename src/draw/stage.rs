@@ -11,6 +11,7 @@ use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, REST, VE
 use crate::draw::element::{Element, Layer, Measure, Shape};
 use crate::draw::geometry::{add, direction, dot, length, subtract, times, turned};
 use crate::draw::load_label::load_label;
+use crate::draw::parallel::Lanes;
 use crate::draw::picture::{Colour, Point};
 use crate::draw::remainder::{REMAINDER, Remainder};
 use crate::draw::snapshot::{Body, Load, Snapshot, Value};
@@ -36,6 +37,7 @@ pub(super) struct Wanted {
 pub(super) struct Fixed {
     pub(super) stretches: Stretches,
     pub(super) anchored: Anchored,
+    pub(super) lanes: Lanes,
 }
 
 /// Length of the axes of a body in pixels.
@@ -53,8 +55,10 @@ pub(super) fn elements(snapshot: &Snapshot, wanted: Wanted, fixed: &Fixed, faste
             Shape::Body { place: body.place(), center: body.motion.center, pieces: body.pieces.clone() };
         elements.push(element(&body.name, label, colour::body(body.index), Layer::Body, shape));
     }
-    elements
-        .extend(snapshot.connectors.iter().map(|(name, kind, ends)| connector(name, *kind, *ends, wanted)));
+    elements.extend(snapshot.connectors.iter().map(|(name, kind, ends)| {
+        let lane = fixed.lanes.get(name).copied().unwrap_or_default();
+        connector(name, *kind, *ends, lane, wanted)
+    }));
     if !wanted.is_free {
         elements.extend(snapshot.joints.iter().map(|(name, kind, at)| joint(name, *kind, *at)));
     }
@@ -98,12 +102,12 @@ fn walls(snapshot: &Snapshot, anchored: &Anchored) -> Vec<Element> {
     ends.map(wall).collect()
 }
 
-fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], wanted: Wanted) -> Element {
+fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], lane: f64, wanted: Wanted) -> Element {
     let shape = match kind {
-        Connector::Spring => Shape::Coil { from, to },
-        Connector::Damper => Shape::Dashpot { from, to },
-        Connector::TorsionSpring => Shape::Spiral { at: from },
-        Connector::TorsionDamper => Shape::Drum { at: from },
+        Connector::Spring => Shape::Coil { from, to, lane },
+        Connector::Damper => Shape::Dashpot { from, to, lane },
+        Connector::TorsionSpring => Shape::Spiral { at: from, lane },
+        Connector::TorsionDamper => Shape::Drum { at: from, lane },
     };
     let label = if wanted.names && !is_made_up(name, kind) { formula(name) } else { String::new() };
     element(name, label, INK, Layer::Connector, shape)

@@ -3,7 +3,7 @@
 use std::string::String;
 
 use crate::draw::colour::{INK, PALE};
-use crate::draw::element::{Element, RING, Shape};
+use crate::draw::element::{Element, LANE, RING, Shape, WIDER};
 use crate::draw::geometry::{add, direction, length, mix, subtract, times, turned, unit};
 use crate::draw::marks::arrow::{self, ANGLE, BESIDE};
 use crate::draw::outline::Piece;
@@ -98,11 +98,17 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
     let around = |at: &Point| Some((view.point(*at), Side::Around, GAP));
     match shape {
         Shape::Body { center, .. } => Some((view.point(*center), Side::Within, WIDE_GAP)),
-        Shape::Coil { from, to } | Shape::Dashpot { from, to } => {
+        Shape::Coil { from, to, lane } | Shape::Dashpot { from, to, lane } => {
             let (at, side) = middle(&[*from, *to]);
-            Some((at, side, WIDE_GAP))
+            let left = unit(subtract(view.point(*to), view.point(*from)))
+                .map(|along| times(-LANE * lane, turned(along)));
+            let aside = left.filter(|_| *lane != 0.0);
+            let outwards = aside.and_then(unit).map(Side::Along);
+            Some((add(at, aside.unwrap_or_default()), outwards.unwrap_or(side), WIDE_GAP))
         }
-        Shape::Spiral { at } | Shape::Drum { at } => Some((view.point(*at), Side::Around, ANGLE)),
+        Shape::Spiral { at, lane } | Shape::Drum { at, lane } => {
+            Some((view.point(*at), Side::Around, ANGLE * (1.0 + WIDER * lane)))
+        }
         // What does not turn has no label either.
         Shape::Turn { moment: 0.0, .. } => None,
         Shape::Turn { at, ring, .. } => Some((view.point(*at), Side::Around, ANGLE + RING * *ring as f64)),

@@ -27,6 +27,7 @@ mod shadowing;
 mod simulation;
 mod states;
 mod switches;
+mod torques;
 mod traits;
 mod wrappers;
 

@@ -6,5 +6,6 @@ mod files;
 mod films;
 mod free_bodies;
 mod marks;
+mod parallel;
 mod refusals;
 mod scenes;

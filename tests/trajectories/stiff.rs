@@ -22,7 +22,7 @@ fn swing<K: Method<ElasticPendulum>>(method: &K) -> Result<[f64; 4], f64> {
         assert!((y[0].hypot(y[1]) - 1.0).abs() < 0.1, "an unstable state was shown: {y:?}");
     });
     outcome.map_err(|error| match error.cause {
-        Cause::Stiff { limit } => limit,
+        Cause::StepTooLong { limit, .. } => limit,
         cause => panic!("{cause}"),
     })
 }

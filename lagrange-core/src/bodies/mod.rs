@@ -137,6 +137,16 @@ pub enum DrawnKind {
         /// The body it acts on, if that is known.
         body: Option<String>,
     },
+    /// A torque on an angle that is no body's by name: its value, and the angle. Which bodies it turns shows in their angles.
+    Torque {
+        /// What it is called where that does not show.
+        name: String,
+    },
+    /// A force or moment that acts, but whose value or place is not known: no values.
+    Omitted {
+        /// What it is called.
+        name: String,
+    },
 }
 
 /// The outline of a part of a body: the dimensions of the solid (corners of a polygon as vectors).

@@ -207,6 +207,13 @@ impl<'a> Translation<'a> {
             let kind =
                 DrawnKind::Moment { name: "torque".to_owned(), cause: Cause::Applied, body: Some(name.text) };
             self.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
+        } else if !self.bodies.is_empty() {
+            let of = |id| match self.expressions.get(id) {
+                Expression::Name(name) => format!("`{name}`"),
+                _ => "an angle".to_owned(),
+            };
+            let kind = DrawnKind::Torque { name: format!("torque on {}", of(written)) };
+            self.loads.push(Drawn { kind, values: vec![moment, angle], needs: Vec::new() });
         }
         self.statements.push(Statement { kind: StatementKind::Torque { moment, angle }, ..statement });
     }

@@ -1,6 +1,5 @@
 //! What is emitted for rigid bodies: how each moves, and what there is to draw.
 
-use std::collections::BTreeSet;
 use std::slice::Iter;
 
 use proc_macro2::{Ident, TokenStream};
@@ -140,6 +139,8 @@ impl<'a> Values<'a> {
                 let (at, force) = (self.vector(), self.vector());
                 quote!(Force { #acts at: #at, force: #force })
             }
+            // Torques have become moments.
+            DrawnKind::Omitted { name } | DrawnKind::Torque { name } => quote!(Omitted { name: #name }),
             DrawnKind::Moment { name, cause: from, body } => {
                 let acts = acts(krate, name, *from, body.as_deref());
                 let (at, moment) = (self.vector(), self.scalar());

@@ -45,6 +45,7 @@ mod stabilisation;
 mod structure;
 mod sweep;
 mod switches;
+mod torques;
 mod undetermined;
 mod unresolved;
 

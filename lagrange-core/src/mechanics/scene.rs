@@ -35,6 +35,16 @@ pub struct BodyMotion {
 impl BodyMotion {
     /// How many numbers tell how a body moves.
     pub const VALUES: usize = 13;
+
+    /// The centre of mass.
+    pub(super) fn center(&self) -> [ExprId; 2] {
+        [self.values[4], self.values[5]]
+    }
+
+    /// The angular velocity.
+    pub(super) fn spin(&self) -> ExprId {
+        self.values[9]
+    }
 }
 
 /// Something to be drawn.
@@ -140,13 +150,26 @@ impl Elaborator<'_> {
         Some(values.iter().flat_map(|value| value.components().to_vec()).collect())
     }
 
-    /// Forces of joints that the coordinates fulfil by themselves do not exist.
+    /// Forces of joints that the coordinates fulfil by themselves have no multipliers: these are omitted.
     fn draw(&mut self, drawing: &[Drawn]) {
         let constraints = self.constraints.iter().map(|(constraint, _)| constraint.name.clone());
         let constraints = constraints.collect::<Vec<_>>();
-        let exists = |item: &&Drawn| item.needs.iter().all(|name| constraints.contains(name));
-        let items = drawing.iter().filter(exists).map(|item| self.item(item)).collect::<Vec<_>>();
-        self.scene.drawing = items.into_iter().flatten().collect();
+        let exists = |item: &Drawn| item.needs.iter().all(|name| constraints.contains(name));
+        let mut items: Vec<DrawnItem> = Vec::new();
+        for item in drawing {
+            match &item.kind {
+                DrawnKind::Torque { name } => items.extend(self.torque_item(name, &item.values)),
+                DrawnKind::Force { name, .. } if !exists(item) => {
+                    let joint = name.split('.').next().unwrap_or(name);
+                    let is_said = |other: &DrawnItem| matches!(&other.kind, DrawnKind::Omitted { name } if name == joint);
+                    if !items.iter().any(is_said) {
+                        items.push(omitted(joint));
+                    }
+                }
+                _ => items.extend(self.item(item)),
+            }
+        }
+        self.scene.drawing = items;
         self.scene.drawing.sort_by_key(|item| layer(&item.kind));
     }
 
@@ -198,11 +221,16 @@ impl Elaborator<'_> {
     }
 }
 
+/// A load that is not known.
+pub(super) fn omitted(name: &str) -> DrawnItem {
+    DrawnItem { kind: DrawnKind::Omitted { name: name.to_owned() }, values: Vec::new(), parts: Vec::new() }
+}
+
 /// How many numbers there are of an item in the plane.
 fn value_count(kind: &DrawnKind) -> usize {
     match kind {
-        DrawnKind::Body { .. } => 0,
-        DrawnKind::Joint { .. } => 2,
+        DrawnKind::Body { .. } | DrawnKind::Omitted { .. } => 0,
+        DrawnKind::Joint { .. } | DrawnKind::Torque { .. } => 2,
         DrawnKind::Line { .. } | DrawnKind::Moment { .. } => 3,
         DrawnKind::Force { .. } => 4,
         DrawnKind::Connector { .. } => 5,
@@ -216,6 +244,7 @@ fn layer(kind: &DrawnKind) -> u8 {
         DrawnKind::Body { .. } => 1,
         DrawnKind::Connector { .. } => 2,
         DrawnKind::Joint { .. } => 3,
-        DrawnKind::Force { .. } | DrawnKind::Moment { .. } => 4,
+        DrawnKind::Force { .. } | DrawnKind::Moment { .. } | DrawnKind::Torque { .. } => 4,
+        DrawnKind::Omitted { .. } => 5,
     }
 }
