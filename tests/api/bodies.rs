@@ -200,6 +200,7 @@ fn listed(system: &Crane<f64>) -> Vec<String> {
             Item::Joint { name, kind, .. } => format!("{kind:?} {name}"),
             Item::Force { cause, body, .. } => format!("force {cause:?} {}", body.unwrap_or("?")),
             Item::Moment { cause, body, .. } => format!("moment {cause:?} {}", body.unwrap_or("?")),
+            Item::Omitted { name } => format!("omitted {name}"),
             other => panic!("{other:?}"),
         });
     });
@@ -213,8 +214,9 @@ fn items_come_in_the_order_in_which_they_are_drawn() {
     assert_eq!(list[..5], head);
     assert!(list[5].starts_with("TorsionDamper "), "{list:?}");
     assert_eq!(list[6], "Pin axle");
-    // The axle holds whatever the coordinates are, so it has no force.
+    // The axle holds whatever the coordinates are, so its force is not known.
     assert!(!list.iter().any(|item| item.contains("Joint")), "{list:?}");
+    assert_eq!(list.last().map(String::as_str), Some("omitted axle"));
     for load in ["force Applied wheel", "force Gravity boom", "force Connector trolley"] {
         assert!(list.contains(&load.to_owned()), "{load}: {list:?}");
     }
