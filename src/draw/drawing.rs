@@ -27,6 +27,8 @@ use crate::system::split;
 
 /// A time and a state.
 type Instant<M> = (<M as crate::system::OdeSystem>::Scalar, <M as crate::system::OdeSystem>::State);
+/// The same with the system as it is then, if it is another one than that which is drawn: with other inputs.
+pub(super) type Shot<M> = (Instant<M>, Option<M>);
 type Sketched<'a, M> = Rc<dyn Fn(&mut Sketch, &Moment<'_, M>) + 'a>;
 type Point2<'a, M> = Rc<
     dyn Fn(
@@ -190,10 +192,19 @@ where
         &self,
         states: impl IntoIterator<Item = (M::Scalar, M::State)>,
     ) -> Result<Vec<Picture>, DrawError> {
-        let instants: Vec<Instant<M>> = self.past.iter().copied().chain(states).collect();
-        let snapshots = instants.iter().map(|instant| self.snapshot(instant));
+        self.pictures_of(states.into_iter().map(|instant| (instant, None)))
+    }
+
+    /// Pictures of a system that may be another one from instant to instant.
+    pub(super) fn pictures_of(
+        &self,
+        shots: impl IntoIterator<Item = Shot<M>>,
+    ) -> Result<Vec<Picture>, DrawError> {
+        let past = self.past.iter().map(|instant| (*instant, None));
+        let shots: Vec<Shot<M>> = past.chain(shots).collect();
+        let snapshots = shots.iter().map(|shot| self.snapshot(shot));
         let snapshots: Vec<Snapshot> = snapshots.collect::<Result<_, _>>()?;
-        let elsewhere = instants.first().map(|first| self.elsewhere(first));
+        let elsewhere = shots.first().map(|(first, _)| self.elsewhere(first));
         let anchored = elsewhere.as_ref().map(|elsewhere| anchored(&snapshots, elsewhere));
         let fixed = Fixed {
             stretches: stretches(&snapshots),
@@ -207,11 +218,11 @@ where
         let fastest = snapshots.iter().map(turning).fold(0.0, f64::max);
         let mut paths: Vec<Vec<Point>> = vec![Vec::new(); self.traces.len()];
         let mut film = Vec::new();
-        for (instant, snapshot) in instants.iter().zip(&snapshots) {
+        for (shot, snapshot) in shots.iter().zip(&snapshots) {
             let mut elements = stage::elements(snapshot, self.wanted, &fixed, fastest);
-            elements.extend(self.traced(instant, &mut paths));
-            elements.extend(self.sketched(instant, snapshot));
-            film.push((instant.0.into(), elements));
+            elements.extend(self.traced(shot, &mut paths));
+            elements.extend(self.sketched(shot, snapshot));
+            film.push((shot.0.0.into(), elements));
         }
         let longest = if self.free_body.is_some() { LONGEST_FREE } else { LONGEST };
         let note = self.note(&snapshots);
@@ -220,9 +231,20 @@ where
         Ok(pictures.into_iter().skip(self.past.len()).collect())
     }
 
-    fn snapshot(&self, (t, y): &Instant<M>) -> Result<Snapshot, DrawError> {
+    /// The system that is drawn.
+    pub(super) fn system(&self) -> &M {
+        self.system
+    }
+
+    /// The system as it is in this shot.
+    fn system_in<'s>(&'s self, (_, other): &'s Shot<M>) -> &'s M {
+        other.as_ref().unwrap_or(self.system)
+    }
+
+    fn snapshot(&self, shot: &Shot<M>) -> Result<Snapshot, DrawError> {
+        let (t, y) = &shot.0;
         let (q, v) = split::<M>(y);
-        let snapshot = Snapshot::of(self.system, *t, &q, &v);
+        let snapshot = Snapshot::of(self.system_in(shot), *t, &q, &v);
         for name in &self.hidden {
             if !snapshot.names().any(|known| known == name) {
                 return Err(DrawError::UnknownItem(name.clone()));
@@ -264,20 +286,22 @@ where
     }
 
     /// Adds the present points to the paths.
-    fn traced(&self, (t, y): &Instant<M>, paths: &mut [Vec<Point>]) -> Vec<Element> {
+    fn traced(&self, shot: &Shot<M>, paths: &mut [Vec<Point>]) -> Vec<Element> {
+        let ((t, y), system) = (&shot.0, self.system_in(shot));
         let mut elements = Vec::new();
         for (index, ((label, point), path)) in self.traces.iter().zip(paths).enumerate() {
-            path.push(point(self.system, *t, y).map(Into::into));
+            path.push(point(system, *t, y).map(Into::into));
             elements.extend(stage::trace(label, path, colour::trace(index)));
         }
         elements
     }
 
-    fn sketched(&self, (t, y): &Instant<M>, snapshot: &Snapshot) -> Vec<Element> {
+    fn sketched(&self, shot: &Shot<M>, snapshot: &Snapshot) -> Vec<Element> {
+        let ((t, y), system) = (&shot.0, self.system_in(shot));
         let mut elements = Vec::new();
         for draw in &self.sketches {
             let mut sketch = Sketch::new();
-            draw(&mut sketch, &Moment::new(self.system, *t, *y, snapshot));
+            draw(&mut sketch, &Moment::new(system, *t, *y, snapshot));
             elements.extend(sketch.elements);
         }
         elements

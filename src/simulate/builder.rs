@@ -8,7 +8,7 @@ use std::vec::Vec;
 use crate::event::{Direction, Reaction};
 use crate::integrate::{Cause, Method, Verner98};
 use crate::scalar::Scalar;
-use crate::simulate::control::{Controller, Drive, Undriven};
+use crate::simulate::control::{Controller, Drive, InputColumns, Undriven};
 use crate::simulate::error::SimulationError;
 use crate::simulate::events::{Event, Watcher};
 use crate::simulate::progress::{Progress, Reporter, Verdict};
@@ -45,7 +45,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
             method: Verner98::tolerance(default_tolerance()),
             drive: Undriven,
             controllers: Vec::new(),
-            records_inputs: false,
+            inputs: None,
             fault: None,
             sampling: Sampling::EveryStep,
             is_dense: false,
@@ -93,8 +93,8 @@ pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven> {
     pub(super) method: K,
     pub(super) drive: D,
     pub(super) controllers: Vec<Controller<'a, M>>,
-    /// Whether each input has its column.
-    pub(super) records_inputs: bool,
+    /// The columns of inputs, if they are set during the run.
+    pub(super) inputs: Option<InputColumns<M>>,
     /// A setting that makes no sense.
     pub(super) fault: Option<Cause<M::Scalar>>,
     pub(super) sampling: Sampling<M::Scalar>,
@@ -165,7 +165,7 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
             method,
             drive,
             controllers: self.controllers,
-            records_inputs: self.records_inputs,
+            inputs: self.inputs,
             fault: self.fault,
             sampling: self.sampling,
             is_dense: self.is_dense,

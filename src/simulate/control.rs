@@ -9,9 +9,10 @@ use crate::constraint::ConstraintValues;
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::simulate::sampling::Grid;
+use crate::simulate::table::Table;
 use crate::system::{
-    CanonicalSystem, ControlledSystem, CoordinateMatrix, MechanicalSystem, OdeSystem, StateMatrix, Wrapper,
-    join,
+    CanonicalSystem, ControlledSystem, CoordinateMatrix, MechanicalSystem, OdeSystem, StateMatrix,
+    StateVector, Wrapper, join,
 };
 
 /// What sets the inputs of the system M at every instant of a run: nothing, or a [`Law`].
@@ -224,6 +225,41 @@ where
         v: &M::Coordinates,
     ) -> ConstraintValues<M::Scalar, M::Coordinates> {
         self.present(t, &join::<M>(q, v), |plant| plant.constraint_values(t, q, v))
+    }
+}
+
+/// The columns that hold inputs, and how a system gets these from a sample.
+pub(super) struct InputColumns<M: MechanicalSystem> {
+    first: usize,
+    set: fn(&M, &[M::Scalar]) -> M,
+}
+
+impl<M: MechanicalSystem> Clone for InputColumns<M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: MechanicalSystem> Copy for InputColumns<M> {}
+
+impl<M: ControlledSystem> InputColumns<M> {
+    /// Those of all inputs, from this column on.
+    pub(super) fn from(first: usize) -> Self {
+        let set = |system: &M, values: &[M::Scalar]| {
+            let mut inputs = M::InputVector::ZERO;
+            inputs.as_mut().iter_mut().zip(values).for_each(|(input, value)| *input = *value);
+            system.with_inputs(inputs.into())
+        };
+        InputColumns { first, set }
+    }
+}
+
+impl<M: MechanicalSystem> InputColumns<M> {
+    /// The system with the inputs of this sample.
+    pub(super) fn at(&self, table: &Table<M::Scalar>, index: usize, system: &M) -> Option<M> {
+        let inputs = table.columns().skip(self.first).map(|column| column.get(index).copied());
+        let inputs: Vec<M::Scalar> = inputs.collect::<Option<_>>()?;
+        Some((self.set)(system, &inputs))
     }
 }
 

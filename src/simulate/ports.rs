@@ -7,7 +7,7 @@ use std::vec::Vec;
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
-use crate::simulate::control::{Controller, Drive, Law, Undriven};
+use crate::simulate::control::{Controller, Drive, InputColumns, Law, Undriven};
 use crate::system::{ControlledSystem, OutputSystem, split};
 
 impl<'a, M: ControlledSystem, K> Simulation<'a, M, K, Undriven> {
@@ -96,9 +96,11 @@ impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
 
     /// Adds a column for each input, if there is none yet.
     fn recording_inputs(mut self) -> Self {
-        if core::mem::replace(&mut self.records_inputs, true) {
+        if self.inputs.is_some() {
             return self;
         }
+        let before = self.observers.iter().map(|observer| observer.names.len()).sum::<usize>();
+        self.inputs = Some(InputColumns::from(2 * M::COORDINATES.len() + before));
         let names = M::INPUTS.iter().map(ToString::to_string).collect();
         let extend = |system: &M, _, _: &M::State, row: &mut Vec<_>| {
             row.extend_from_slice(system.inputs().into().as_ref());

@@ -189,7 +189,8 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
         }
         let Record { table, dense, events, first, last, work, switched, freed, .. } = self;
         let system = freed.or(switched).map(|closed| Arc::new(closed.into_plant()));
-        Trajectory { columns: table.into(), dense, events, work, ending, first, last, method, system }
+        let columns = table.into();
+        Trajectory { columns, dense, events, work, ending, first, last, method, inputs: None, system }
     }
 }
 

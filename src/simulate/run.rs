@@ -71,7 +71,7 @@ where
     let ending = *result.as_ref().unwrap_or(&Ending::Failed);
     let (time, state) = record.last();
     let result = result.map_err(|cause| named(cause, &record, (time, &state), end));
-    let trajectory = record.close(ending, name);
+    let trajectory = Trajectory { inputs: simulation.inputs, ..record.close(ending, name) };
     match result {
         Ok(_) => Ok(trajectory),
         Err(cause) => Err(SimulationError::new(cause, &given, trajectory)),

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::vec::Vec;
 
 use crate::integrate::Work;
+use crate::simulate::control::InputColumns;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::table::Table;
@@ -29,6 +30,7 @@ pub struct Trajectory<M: MechanicalSystem> {
     pub(super) first: (M::Scalar, M::State),
     pub(super) last: (M::Scalar, M::State),
     pub(super) method: &'static str,
+    pub(super) inputs: Option<InputColumns<M>>,
     /// The system as it was in the end, if it was switched. Shared, so that trajectories can be cloned whatever it is.
     pub(super) system: Option<Arc<M>>,
 }
@@ -112,6 +114,12 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// that was given. A run that is to be continued starts from it and from [`last`](Trajectory::last).
     pub fn system_at_end(&self) -> Option<&M> {
         self.system.as_deref()
+    }
+
+    /// A system with the inputs of this sample, counted from zero; `None` if the run set none. Where a law sets them they are others
+    /// between samples.
+    pub fn with_inputs_at(&self, index: usize, system: &M) -> Option<M> {
+        self.inputs.and_then(|inputs| inputs.at(self.table(), index, system))
     }
 
     /// The time at which the run ended.

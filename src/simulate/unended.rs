@@ -6,6 +6,7 @@
 use std::vec::Vec;
 
 use super::builder::{Simulation, Start};
+use super::control::Law;
 use super::error::SimulationError;
 use super::events::Event;
 use super::progress::{Progress, Verdict};
@@ -13,7 +14,7 @@ use super::trajectory::Trajectory;
 use crate::event::{Direction, Reaction};
 use crate::integrate::{Method, Verner98};
 use crate::scalar::Scalar;
-use crate::system::{MechanicalSystem, OdeSystem};
+use crate::system::{ControlledSystem, MechanicalSystem, OdeSystem};
 
 /// A run that knows when it ends.
 #[doc(hidden)]
@@ -169,6 +170,38 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
         Self: KnowsItsEnd,
     {
         self.until(M::Scalar::NAN).progress(callback)
+    }
+
+    pub fn drive<F>(self, law: F) -> Simulation<'a, M, Verner98<Number<M>>, Law<F>>
+    where
+        Self: KnowsItsEnd,
+        M: ControlledSystem,
+        F: Fn(&M, Number<M>, M::NamedState) -> M::Inputs,
+    {
+        self.until(M::Scalar::NAN).drive(law)
+    }
+
+    pub fn sampled<F>(self, period: Number<M>, control: F) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+        M: ControlledSystem,
+        F: FnMut(&M, Number<M>, M::NamedState) -> M::Inputs + 'a,
+    {
+        self.until(M::Scalar::NAN).sampled(period, control)
+    }
+
+    pub fn outputs(self) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN)
+    }
+
+    pub fn record(self, _: &'static str) -> Ended<'a, M>
+    where
+        Self: KnowsItsEnd,
+    {
+        self.until(M::Scalar::NAN)
     }
 
     pub fn energy(self) -> Ended<'a, M>

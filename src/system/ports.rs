@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use super::{MechanicalSystem, OdeSystem};
+use super::{MechanicalSystem, OdeSystem, StateVector};
 
 /// A system with inputs: numbers that a control sets while it moves.
 ///
@@ -34,9 +34,9 @@ use super::{MechanicalSystem, OdeSystem};
 )]
 pub trait ControlledSystem: MechanicalSystem + Sized {
     /// A number for each input under its name.
-    type Inputs: Copy + Debug + Into<Self::InputVector>;
+    type Inputs: Copy + Debug + Into<Self::InputVector> + From<Self::InputVector>;
     /// The same in the order of the declaration, such as `[S; K]`.
-    type InputVector: AsRef<[Self::Scalar]>;
+    type InputVector: StateVector<Self::Scalar>;
     /// The state under the names of coordinates and velocities.
     type NamedState: From<Self::State>;
 

@@ -103,3 +103,41 @@ fn are_written_by_their_extension() {
         assert!(std::fs::read(&path).expect("is there").starts_with(start.as_bytes()), "{extension}");
     }
 }
+
+lagrange::system! {
+    /// A trolley that is pushed.
+    #[derive(Debug)]
+    struct Trolley;
+    coord x;
+    input push;
+    body cart { mass: 2; shape: rectangle(0.4, 0.2); center: (x, 0); }
+    force (push, 0) at cart.center;
+    emit { drawing }
+}
+
+/// The forces in a film are those of the inputs that a control set, not those that the system has by itself.
+#[test]
+fn show_the_forces_that_a_control_set() {
+    let trolley = Trolley::default();
+    let law = |_: &Trolley, t: f64, _: TrolleyState| TrolleyInputs { push: 5.0 - 2.0 * t };
+    let driven = trolley.simulate([0.0, 0.0]).until(1.0).drive(law).every(0.25).dense().run().expect("moves");
+    let held = trolley.simulate([0.0, 0.0]).until(1.0).sampled(0.5, law).dense().run().expect("moves");
+    let drawing = Drawing::of(&trolley).forces();
+    let arrows = |picture: &lagrange::draw::Picture| {
+        picture.svg().matches("<polygon").count() + picture.svg().matches("<path").count()
+    };
+    let idle = arrows(&drawing.picture(0.0, &[0.0, 0.0]).expect("can be drawn"));
+    for film in [
+        drawing.film(&driven),
+        drawing.film_at(8.0, &driven),
+        drawing.film(&held),
+        drawing.film_at(8.0, &held),
+    ] {
+        let film = film.expect("can be drawn");
+        assert!(film.pictures().iter().all(|picture| arrows(picture) > idle), "each with its arrow");
+    }
+    let after = driven.with_inputs_at(2, &trolley).expect("inputs were set");
+    assert_eq!(after.push, 4.0);
+    let free = trolley.simulate([0.0, 0.0]).until(1.0).run().expect("moves");
+    assert!(free.with_inputs_at(0, &trolley).is_none());
+}

@@ -3,7 +3,7 @@
 use std::string::ToString;
 use std::vec::Vec;
 
-use crate::draw::Drawing;
+use crate::draw::drawing::{Drawing, Shot};
 use crate::draw::error::DrawError;
 use crate::draw::film::{Film, refusal};
 use crate::scalar::Scalar;
@@ -20,25 +20,22 @@ where
 {
     /// A film of the samples of a trajectory, such as those of a run
     /// [`every`](crate::simulate::Simulation::every) twenty-fifth of a second. Of samples at the same time, which impacts may leave,
-    /// it shows the last. If the run observed its [`energy`](crate::simulate::Simulation::energy), pages plot it.
+    /// it shows the last. Where a control set inputs, forces are those of the inputs of each sample. If the run observed its [`energy`](crate::simulate::Simulation::energy), pages plot it.
     ///
     /// # Errors
     /// If a picture cannot be made, as [`pictures`](Drawing::pictures) says.
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
         let times = trajectory.times();
         let is_last = |index: usize| times.get(index + 1).is_none_or(|next| *next != times[index]);
-        let samples: Vec<(M::Scalar, M::State)> = trajectory
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| is_last(*index))
-            .map(|(_, sample)| sample)
-            .collect();
-        let film = self.film_of(samples)?;
+        let samples = trajectory.iter().enumerate().filter(|(index, _)| is_last(*index));
+        let shot = |(index, sample)| (sample, trajectory.with_inputs_at(index, self.system()));
+        let film = self.film_of(samples.map(shot).collect())?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
     /// A film of about this many pictures a second from a run that was [`dense`](crate::simulate::Simulation::dense). The intervals are
-    /// equal, and such that the last picture shows the end.
+    /// equal, and such that the last picture shows the end. Where a control set inputs, forces are those of the inputs of the last sample before
+    /// each picture.
     ///
     /// # Errors
     /// If the run was not dense, the number is not positive and finite, or a picture cannot be made.
@@ -53,12 +50,18 @@ where
         let state = |t| trajectory.at(t).map(|state| (t, state)).map_err(|error| refusal(&error.to_string()));
         let inner = (0..intervals as u64).map(time).map(state);
         let last = Ok((end, trajectory.last()));
-        self.film_of(inner.chain([last]).collect::<Result<Vec<_>, DrawError>>()?)
+        let is_past = |t: M::Scalar, other: M::Scalar| if end < start { other >= t } else { other <= t };
+        let shot = |instant: Result<(M::Scalar, M::State), DrawError>| {
+            let (t, y) = instant?;
+            let passed = trajectory.times().partition_point(|sample| is_past(t, *sample));
+            Ok(((t, y), trajectory.with_inputs_at(passed.saturating_sub(1), self.system())))
+        };
+        self.film_of(inner.chain([last]).map(shot).collect::<Result<_, DrawError>>()?)
     }
 
-    fn film_of(&self, states: Vec<(M::Scalar, M::State)>) -> Result<Film, DrawError> {
-        let times = states.iter().map(|(t, _)| (*t).into()).collect();
-        Film::new(self.pictures(states)?, times)
+    fn film_of(&self, shots: Vec<Shot<M>>) -> Result<Film, DrawError> {
+        let times = shots.iter().map(|((t, _), _)| (*t).into()).collect();
+        Film::new(self.pictures_of(shots)?, times)
     }
 }
 
