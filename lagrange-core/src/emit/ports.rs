@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::item::{Parts, name_exception, type_name_exception};
-use super::method::{ArgumentNames, Returns};
+use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::rust_body::Names;
 use super::shape::{Shape, doc, identifier, length, local};
 use super::switches::kept_switches;
@@ -102,7 +102,13 @@ pub(super) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
 
 /// `OutputSystem`, if there are outputs.
 pub(super) fn outputs_impl(shape: &Shape<'_>, parts: &Parts) -> Option<TokenStream> {
-    let written = |name: &Name| parts.methods.iter().find(|method| method.name == name.text);
+    // In a declaration with errors something else may have the name of an output.
+    let is_output = |method: &Method| {
+        method.arguments == Arguments::State && !matches!(method.returns, Returns::Matrix(..))
+    };
+    let written = |name: &Name| {
+        parts.methods.iter().filter(|method| is_output(method)).find(|method| method.name == name.text)
+    };
     let outputs = shape.outputs.iter().filter_map(|(name, _)| Some((*name, written(name)?.returns)));
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));
