@@ -248,6 +248,23 @@ pub trait Parameters {
 
 impl<M: EmitsParameters> Parameters for M {}
 
+/// Something with a default value. Only modules with a system that has none know of it, and what is said is true of other types, too.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no default value",
+    label = "no default value",
+    note = "a declared system has one if each of its parameters does, as by `param m = 2.0;`",
+    note = "or write it with all its fields, as `Name {{ m: 2.0, l: 1.0 }}`"
+)]
+pub trait HasDefault {}
+
+/// The name of that value.
+pub trait DefaultValue: Sized {
+    /// Never called.
+    fn default() {}
+}
+
+impl<M: HasDefault> DefaultValue for M {}
+
 /// Brings the names into scope.
 #[doc(hidden)]
 #[macro_export]
@@ -259,5 +276,12 @@ macro_rules! __hints {
             KineticEnergy as _, Latex as _, MassMatrix as _, Momenta as _, MomentumRates as _,
             ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Statements as _,
         };
+    };
+    (default) => {
+        #[allow(
+            unused_imports,
+            reason = "it is for what the compiler says where there is no default value"
+        )]
+        use $crate::private::hints::DefaultValue as _;
     };
 }

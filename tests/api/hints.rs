@@ -46,3 +46,31 @@ fn methods_of_ones_own_are_found_first() {
     assert_eq!(bead.momenta(), 8);
     assert_eq!("bias of anything".bias(), 7);
 }
+
+lagrange::system! {
+    /// A system whose mass has no default, with a default of one's own.
+    struct Weight<S>;
+    param m;
+    coord y;
+    kinetic = kinetic_energy(m, dot(y));
+    potential = 9.81 * m * y;
+}
+
+impl Default for Weight<f64> {
+    fn default() -> Self {
+        Weight { m: 3.0 }
+    }
+}
+
+fn default_of<T: Default>() -> T {
+    T::default()
+}
+
+#[test]
+fn defaults_of_ones_own_are_found() {
+    let inferred = Weight::default();
+    assert_eq!((inferred.m, default_of::<Weight<f64>>().m), (3.0, 3.0));
+    let filled = Weight { ..Weight::default() };
+    let others = (Vec::<u8>::default(), String::default(), <[i32; 2]>::default(), Option::<u8>::default());
+    assert_eq!((filled.m, others), (3.0, (vec![], String::new(), [0, 0], None)));
+}

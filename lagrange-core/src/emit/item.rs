@@ -65,11 +65,13 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let import = shape.generics().is_empty().then(|| quote!(use #scalar;));
     let (krate, functions) = (shape.krate, parts.functions.iter().map(|name| local(name)));
     let functions = (!parts.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
-    let hints = quote!(#krate::private::bring_hints! {});
     let names = name_exception(shape);
     let rounded = rounded_exception(parts.has_rounded_constants);
     let attributes = &shape.declaration.attributes;
     let (conditions, deprecated) = (conditions(attributes), deprecated_exception(attributes));
+    let is_derived = shape.declaration.derives.iter().any(|name| name.text == "Default");
+    let default = (parts.default.is_none() && !is_derived)
+        .then(|| quote!(#conditions #krate::private::bring_hints! { default }));
     let inputs = inputs_struct(shape).map(|inputs| quote!(#conditions #inputs));
     quote! {
         #system
@@ -79,7 +81,8 @@ pub(super) fn items(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
         #columns
         #inputs
         #conditions
-        #hints
+        #krate::private::bring_hints! {}
+        #default
         #conditions
         #names
         #rounded

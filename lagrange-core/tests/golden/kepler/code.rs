@@ -43,6 +43,9 @@ pub struct KeplerState<S> {
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
 pub struct KeplerColumns<C>(C);
 ::lagrange::private::bring_hints! {}
+::lagrange::private::bring_hints! {
+    default
+}
 const _: () = {
     use ::lagrange::private::multiply_add;
     impl<S: ::lagrange::Scalar> Kepler<S> {
