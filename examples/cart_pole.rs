@@ -5,7 +5,7 @@
 //! arithmetic with two step counts that agree in all printed digits; those of the controlled motions by `tools/control.py`, from
 //! equations written by hand.
 //!
-//! The feedback is linear. Without friction in the joint, the motion linearised about the upright position has under it the poles
+//! The feedback is linear. Without friction in the joint, it places the poles of the motion linearised about the upright position at
 //! −1.29 ± 0.50 i s⁻¹ and −3.46 ± 2.55 i s⁻¹. Look for the tip, which ends above the cart's starting point.
 
 mod common;

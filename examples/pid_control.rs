@@ -67,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let free = u.iter().position(|force| *force < LIMIT).ok_or("the force stays at its limit")?;
     println!("the actuator is at its limit for {} s", times[free]);
-    compare("the end of it", 1e-12, &[("x", x[free], step_response(&slide, times[free]))]);
+    compare("when the force leaves its limit", 1e-12, &[("x", x[free], step_response(&slide, times[free]))]);
     let at_six = motion.state(120).ok_or("no sample at 6 s")?;
     compare("t = 6 s", 1e-12, &[("x", at_six[0], REFERENCE[0]), ("x_dot", at_six[1], REFERENCE[1])]);
     let force = u.last().copied().unwrap_or(f64::NAN);

@@ -185,6 +185,16 @@ pub trait OdeSystem {
         Ok(None)
     }
 
+    /// The same system on the sides of its [switches](crate::event::Switches) on which this state is, as after inputs jumped; `None` if
+    /// it has none.
+    #[inline]
+    fn on_sides(&self, _t: Self::Scalar, _y: &Self::State) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// The same system with its [switches](crate::event::Switches) free, as it is for whoever looks at it; `None` if it has none.
     #[inline]
     fn freed(&self) -> Option<Self>

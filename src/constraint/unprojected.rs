@@ -71,6 +71,10 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
         Ok(self.0.begin(t, y)?.map(Unprojected))
     }
 
+    fn on_sides(&self, t: M::Scalar, y: &M::State) -> Option<Self> {
+        self.0.on_sides(t, y).map(Unprojected)
+    }
+
     fn freed(&self) -> Option<Self> {
         self.0.freed().map(Unprojected)
     }

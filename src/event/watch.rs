@@ -296,7 +296,9 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
     fn learn_shortly(&mut self, values: [S; K]) -> Result<(), Cause<S>> {
         check(values)?;
         for (detector, value) in self.detectors.iter_mut().zip(values) {
-            if !detector.is_armed() && value != S::ZERO {
+            // What passed zero by a jump since then is found first.
+            let has_jumped = detector.direction.counts(detector.sign, detector.here);
+            if !detector.is_armed() && value != S::ZERO && !has_jumped {
                 detector.sign = value;
             }
         }
@@ -331,7 +333,8 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
     pub fn restart(&mut self, t: S, values: [S; K]) {
         let distance = (t - self.started).abs();
         let is_at_once = distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
-        let is_same = self.repetitions > 0 && (is_at_once || self.is_noise);
+        let is_noise = core::mem::take(&mut self.is_noise);
+        let is_same = self.repetitions > 0 && (is_at_once || is_noise);
         self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
         self.was_fired = core::mem::take(&mut self.has_fired);
         for (detector, value) in self.detectors.iter_mut().zip(values) {

@@ -63,11 +63,6 @@ pub enum Cause<S> {
         /// How many there may be.
         most: S,
     },
-    /// A control gave an input that is NaN or infinite.
-    InputNotFinite {
-        /// The name of the input.
-        name: &'static str,
-    },
     /// An output was asked for that the system does not declare.
     UnknownOutput {
         /// What was asked for.

@@ -66,14 +66,15 @@ fn ahead<M: OdeSystem + ?Sized>(
     None
 }
 
-/// The first of the components of the state and of its rates at a time that is not finite, where rates are blamed on parameters that
-/// are not, or else on a singular mass matrix, if there is one that determines accelerations.
+/// The first of the components of the state and of its rates at a time that is not finite, where rates are blamed on parameters and
+/// inputs that are not, or else on a singular mass matrix, if there is one that determines accelerations.
 ///
 /// What emitted types answer to [`OdeSystem::undefined`].
 #[cold]
 pub fn undefined<M: MechanicalSystem>(
     (time, y, rates): (M::Scalar, &M::State, &M::State),
     parameters: &[(&'static str, M::Scalar)],
+    inputs: &[(&'static str, M::Scalar)],
     mass_matrix: impl FnOnce(&M::Coordinates, &M::Coordinates) -> Option<CoordinateMatrix<M>>,
 ) -> Option<Undefined<M::Scalar>> {
     let component = |index| Component::of(M::COORDINATES, index);
@@ -84,6 +85,10 @@ pub fn undefined<M: MechanicalSystem>(
     let bad = parameters.iter().find(|(_, value)| !value.is_finite());
     if let Some(&(name, value)) = bad {
         return Some(Undefined::Parameter { name, value });
+    }
+    let bad = inputs.iter().find(|(_, value)| !value.is_finite());
+    if let Some(&(name, value)) = bad {
+        return Some(Undefined::Input { name, value, time });
     }
     let (q, v) = split::<M>(y);
     let singular = mass_matrix(&q, &v).and_then(|mass| {

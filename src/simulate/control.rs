@@ -169,10 +169,11 @@ where
     fn outer_jacobian(&self, t: M::Scalar, y: &M::State) -> Option<StateMatrix<M>> {
         self.present(t, y, |fixed| {
             let mut jacobian = fixed.jacobian(t, y)?;
+            let without = fixed.rhs(t, y);
             for column in 0..y.as_ref().len() {
                 let (ahead, width) = moved::<M>(y, column);
                 let others = self.present(t, &ahead, M::inputs);
-                let (with, without) = (fixed.with_inputs(others).rhs(t, y), fixed.rhs(t, y));
+                let with = fixed.with_inputs(others).rhs(t, y);
                 let change =
                     with.as_ref().iter().zip(without.as_ref()).map(|(with, without)| *with - *without);
                 for (row, change) in jacobian.as_mut().iter_mut().zip(change) {
@@ -287,6 +288,9 @@ impl<'a, M: MechanicalSystem> Controller<'a, M> {
     }
 }
 
+/// Instants that are so many roundings of time apart are the same.
+pub(super) const ROUNDINGS: f64 = 4.0;
+
 /// The controllers of a run.
 pub(super) struct Controllers<'a, M: MechanicalSystem> {
     controllers: Vec<Controller<'a, M>>,
@@ -317,9 +321,18 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
         self.ask(|_| true, system, (t, y))
     }
 
-    /// Those act whose instants have been reached.
+    /// Those act whose instants have been reached, or nearly so: instants that differ by rounding are the same.
     pub(super) fn act(&mut self, system: &M, reached: M::Scalar, (t, y): (M::Scalar, &M::State)) -> Acted<M> {
-        self.ask(|grid| grid.up_to(reached).is_some(), system, (t, y))
+        let rounding = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * reached.abs();
+        let reached = if self.end < t { reached - rounding } else { reached + rounding };
+        let is_due = |grid: &mut Grid<M::Scalar>| {
+            let mut is_due = false;
+            while grid.up_to(reached).is_some() {
+                is_due = true;
+            }
+            is_due
+        };
+        self.ask(is_due, system, (t, y))
     }
 
     /// Those that are due act, in the order in which they were given, each on the system that the last one left.

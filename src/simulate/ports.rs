@@ -8,7 +8,7 @@ use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::control::{Controller, Drive, InputColumns, Law, Undriven};
-use crate::system::{ControlledSystem, OutputSystem, split};
+use crate::system::{ControlledSystem, OutputSystem, Undefined, split};
 
 impl<'a, M: ControlledSystem, K> Simulation<'a, M, K, Undriven> {
     /// Sets the inputs at every instant by a law, a function of time and state: a feedback, or a force over time.
@@ -53,8 +53,8 @@ impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     /// hold).
     ///
     /// A step ends at each of these instants, so that no step sees two values of an input. The controller may have a memory, such as
-    /// the integral of a deviation: it is asked exactly once at each instant, in their order, with the state that the motion has
-    /// there; not at the end of the run. It is given the system with its present inputs, and takes from there those that it does
+    /// the integral of a deviation: it is asked at the start and then exactly once at each instant, in their order, with the state that
+    /// the motion has there; not at the end of a run. It is given the system with its present inputs, and takes from there those that it does
     /// not compute. Of several controllers those that act at the same instant do so in the order in which they were given.
     /// Every input becomes a column, which at an instant holds the new value.
     ///
@@ -86,7 +86,7 @@ impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     {
         let act = move |system: &M, t, y: &M::State| {
             let inputs = control(system, t, M::NamedState::from(*y));
-            check_finite::<M>(inputs)?;
+            check_finite::<M>(t, inputs)?;
             Ok(system.with_inputs(inputs))
         };
         let mut simulation = self.recording_inputs();
@@ -142,8 +142,11 @@ impl<M: OutputSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
 
 /// # Errors
 /// If an input is not finite.
-fn check_finite<M: ControlledSystem>(inputs: M::Inputs) -> Result<(), Cause<M::Scalar>> {
+fn check_finite<M: ControlledSystem>(time: M::Scalar, inputs: M::Inputs) -> Result<(), Cause<M::Scalar>> {
     let values: M::InputVector = inputs.into();
-    let wrong = values.as_ref().iter().position(|value| !value.is_finite());
-    wrong.map_or(Ok(()), |index| Err(Cause::InputNotFinite { name: M::INPUTS[index] }))
+    let mut named = M::INPUTS.iter().zip(values.as_ref());
+    match named.find(|(_, value)| !value.is_finite()) {
+        Some((name, &value)) => Err(Cause::Undefined(Undefined::Input { name, value, time })),
+        None => Ok(()),
+    }
 }

@@ -5,8 +5,9 @@ use std::sync::Arc;
 use std::vec::Vec;
 
 use crate::integrate::{Cause, Stepper, Work};
+use crate::scalar::Scalar;
 use crate::simulate::builder::Observer;
-use crate::simulate::control::ClosedLoop;
+use crate::simulate::control::{ClosedLoop, ROUNDINGS};
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::sampling::{Grid, Sampling};
@@ -74,6 +75,11 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
     /// The system as it is at present.
     pub(super) fn system(&self) -> &C {
         self.switched.as_ref().unwrap_or(self.given)
+    }
+
+    /// The same as it is for whoever looks at it.
+    pub(super) fn seen(&self) -> &C {
+        self.freed.as_ref().unwrap_or(self.system())
     }
 
     /// Goes on with this system, if it is another one.
@@ -159,9 +165,12 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
 
     /// Goes on from this time and state with other inputs: a sample that was kept there has these.
     pub(super) fn act(&mut self, time: M::Scalar, state: &M::State) {
-        if self.table.times().last() == Some(&time) {
+        let rounding = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * time.abs();
+        if let Some(&last) = self.table.times().last()
+            && (time - last).abs() <= rounding
+        {
             self.table.pop();
-            self.sample(time, state);
+            self.sample(last, state);
         }
     }
 

@@ -183,11 +183,11 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>, T: Stepper<C>> Run<'a, '_, M, C,
     fn control(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<(), Cause<M::Scalar>> {
         let (time, state) = (self.restarts.time(&self.stepper), *self.stepper.state());
         let beyond = self.restarts.beyond(&self.stepper);
-        let Some(plant) = self.controllers.act(record.system().plant(), beyond, (time, &state))? else {
-            return Ok(());
-        };
-        let system = record.system().with_plant(plant);
-        record.switch(Some(system));
+        let acted = self.controllers.act(record.seen().plant(), beyond, (time, &state))?;
+        let Some(system) = acted.map(|plant| record.system().with_plant(plant)) else { return Ok(()) };
+        // Several surfaces may have been passed by the jump.
+        let on_sides = system.on_sides(time, &state);
+        record.switch(on_sides.or(Some(system)));
         record.act(time, &state);
         self.watchers.jump(record.system(), time, &state);
         match self.restarts.is_due(&self.stepper) {

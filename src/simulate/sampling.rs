@@ -2,6 +2,7 @@
 
 use crate::integrate::Cause;
 use crate::scalar::Scalar;
+use crate::system::Undefined;
 
 /// Which times of a run are kept, besides its start and its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -35,6 +36,9 @@ impl<S: Scalar> Grid<S> {
             return Err(Cause::Setting("the interval of sampling must be positive and finite"));
         }
         let interval = if end < start { -interval } else { interval };
+        if !end.is_finite() {
+            return Err(Cause::Undefined(Undefined::EndTime { value: end }));
+        }
         if start + interval == start || end - interval == end {
             return Err(Cause::Setting("the interval of sampling is lost in the rounding of time"));
         }

@@ -110,8 +110,8 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.last.1
     }
 
-    /// The system as it was where the run ended, if contacts or friction switched it on the way; `None` if it still was the one
-    /// that was given. A run that is to be continued starts from it and from [`last`](Trajectory::last).
+    /// The system as it was where the run ended, if contacts or friction switched it on the way or controllers set its inputs; `None` if
+    /// it still was the one that was given. A law of inputs is not part of it, and is asked for again. A run that is to be continued starts from it and from [`last`](Trajectory::last).
     pub fn system_at_end(&self) -> Option<&M> {
         self.system.as_deref()
     }

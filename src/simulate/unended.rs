@@ -3,8 +3,6 @@
 //! The methods of [`Simulation`] that are asked of a [`Start`] are here, with a bound that nothing fulfils and that says what is
 //! missing; none is ever called.
 
-use std::vec::Vec;
-
 use super::builder::{Simulation, Start};
 use super::control::Law;
 use super::error::SimulationError;
@@ -158,7 +156,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
         self.until(M::Scalar::NAN).longest_step(longest)
     }
 
-    pub fn restart_at(self, times: Vec<Number<M>>) -> Ended<'a, M>
+    pub fn restart_at(self, times: impl IntoIterator<Item = Number<M>>) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
     {

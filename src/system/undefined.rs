@@ -18,7 +18,16 @@ pub enum Undefined<S> {
         /// What it is.
         value: S,
     },
-    /// A parameter or an input of the system.
+    /// An input of the system, as it was set or as a control gave it.
+    Input {
+        /// Its name.
+        name: &'static str,
+        /// What it is.
+        value: S,
+        /// At which time.
+        time: S,
+    },
+    /// A parameter of the system.
     Parameter {
         /// Its name.
         name: &'static str,
@@ -111,6 +120,9 @@ impl<S: Debug> Display for Undefined<S> {
         match self {
             Undefined::StartTime { value } => write!(f, "the time of the start is {value:?}"),
             Undefined::EndTime { value } => write!(f, "the time of the end is {value:?}"),
+            Undefined::Input { name, value, time } => {
+                write!(f, "the input `{name}` is {value:?} at time {time:?}")
+            }
             Undefined::Parameter { name, value } => write!(f, "the parameter `{name}` is {value:?}"),
             Undefined::State { component, value } => write!(f, "{component} of the state is {value:?}"),
             Undefined::Rate { component, value, time } => {

@@ -53,8 +53,12 @@ type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 ///         Pushed(inner)
 ///     }
 ///
+///     fn present<R>(&self, _: f64, y: &[f64; 4], ask: impl FnOnce(&Rod) -> R) -> R {
+///         ask(&Rod { u: 2.0 * y[2].signum(), ..self.0.clone() })
+///     }
+///
 ///     fn outer_rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
-///         Rod { u: 2.0 * y[2].signum(), ..self.0.clone() }.rhs(t, y)
+///         self.present(t, y, |rod| rod.rhs(t, y))
 ///     }
 /// }
 ///
@@ -78,8 +82,10 @@ pub trait Wrapper: Sized {
     #[must_use]
     fn around(&self, inner: Self::Inner) -> Self;
 
-    /// Asks the inner system as it is at this time and state: with the inputs that a control gives it there, for instance. Events,
-    /// contacts and the energy are computed by it, and by what [`inner`](Wrapper::inner) returns unless that is said here.
+    /// Asks the inner system as it is at this time and state. By default that is what [`inner`](Wrapper::inner) returns; a wrapper that
+    /// gives it inputs, which [`outer_rhs`](Wrapper::outer_rhs) then does by asking here, gives it those of this time and state. Events,
+    /// contacts, friction, switches and the energy are computed by it. What [`around`](Wrapper::around) is given may come from here,
+    /// with these inputs.
     #[inline]
     fn present<R>(&self, _t: Number<Self>, _y: &Self::State, ask: impl FnOnce(&Self::Inner) -> R) -> R {
         ask(self.inner())
@@ -174,6 +180,10 @@ impl<W: Wrapper> OdeSystem for W {
     fn begin(&self, t: Number<W>, y: &W::State) -> Result<Option<W>, Cause<Number<W>>> {
         let begun = self.present(t, y, |inner| inner.begin(t, &part::<W>(y)))?;
         Ok(begun.map(|inner| self.around(inner)))
+    }
+
+    fn on_sides(&self, t: Number<W>, y: &W::State) -> Option<W> {
+        self.present(t, y, |inner| inner.on_sides(t, &part::<W>(y))).map(|inner| self.around(inner))
     }
 
     fn freed(&self) -> Option<W> {

@@ -60,16 +60,16 @@ fn said(cart: &Cart, start: [f64; 4]) -> String {
 #[test]
 fn a_parameter_that_is_not_finite_is_named() {
     let broken = [
-        ("mc", Cart { mc: f64::NAN, ..Cart::default() }),
-        ("g", Cart { g: f64::NAN, ..Cart::default() }),
-        ("edge", Cart { edge: f64::NAN, ..Cart::default() }),
-        ("u", Cart { u: f64::NAN, ..Cart::default() }),
+        ("the parameter `mc` is NaN", Cart { mc: f64::NAN, ..Cart::default() }),
+        ("the parameter `g` is NaN", Cart { g: f64::NAN, ..Cart::default() }),
+        ("the parameter `edge` is NaN", Cart { edge: f64::NAN, ..Cart::default() }),
+        ("the input `u` is NaN at time 0.0", Cart { u: f64::NAN, ..Cart::default() }),
     ];
-    for (name, cart) in broken {
-        assert_eq!(said(&cart, START), format!("the parameter `{name}` is NaN (at time 0.0)"));
+    for (message, cart) in broken {
+        let message = format!("{message} (at time 0.0)");
+        assert_eq!(said(&cart, START), message);
         let bare = integrate(&cart, 0.0, START, 2.0, &RungeKutta4 { step: 0.01 }, |_, _| {});
-        let bare = bare.expect_err("fails").to_string();
-        assert_eq!(bare, format!("the parameter `{name}` is NaN (at time 0.0)"));
+        assert_eq!(bare.expect_err("fails").to_string(), message);
     }
     assert_eq!(
         said(&Cart { l: f64::INFINITY, ..Cart::default() }, START),

@@ -164,6 +164,9 @@ fn begin(shape: &Shape<'_>, parts: &Parts) -> Option<TokenStream> {
     };
     let freed = (!shape.switches.is_empty()).then(|| {
         quote! {
+            fn on_sides(&self, #time: #scalar, #state: &[#scalar; #twice]) -> ::core::option::Option<Self> {
+                #sides
+            }
             fn freed(&self) -> ::core::option::Option<Self> {
                 ::core::option::Option::Some(#krate::event::free_sides(self))
             }

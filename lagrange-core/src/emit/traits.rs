@@ -11,6 +11,7 @@ use super::method::{ArgumentNames, Arguments};
 use super::scene::scene_impl;
 use super::shape::{Shape, identifier, length, local};
 use super::switches::switched_impl;
+use crate::syntax::ast::Name;
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
@@ -75,10 +76,12 @@ fn undefined_member(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (krate, scalar, n) = (shape.krate, shape.scalar(), shape.coordinates.len());
     let ArgumentNames { time, state, positions, velocities, .. } = &parts.names;
     let (twice, rates) = (length(2 * n), local("rates"));
-    let fields = shape.fields.iter().map(|name| {
+    let named = |name: &&Name| {
         let (text, field) = (&name.text, identifier(name));
         quote!((#text, self.#field))
-    });
+    };
+    let (inputs, parameters): (Vec<_>, Vec<_>) = shape.fields.iter().partition(|name| shape.is_input(name));
+    let (inputs, parameters) = (inputs.iter().map(named), parameters.iter().map(named));
     // Under constraints a singular mass matrix may be as good as any.
     let determines = shape.constraints.is_empty() && n <= LARGEST_MASS_MATRIX;
     let mass_matrix = parts.methods.iter().find(|method| determines && method.name == "mass_matrix");
@@ -98,7 +101,7 @@ fn undefined_member(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             #state: &[#scalar; #twice],
             #rates: &[#scalar; #twice],
         ) -> ::core::option::Option<#krate::system::Undefined<#scalar>> {
-            #krate::integrate::undefined::<Self>((#time, #state, #rates), &[#(#fields),*], #mass_matrix)
+            #krate::integrate::undefined::<Self>((#time, #state, #rates), &[#(#parameters),*], &[#(#inputs),*], #mass_matrix)
         }
     }
 }

@@ -48,9 +48,6 @@ pub(crate) fn explain<S: Debug>(cause: &Cause<S>, event: &dyn Display, f: &mut F
             f,
             "{samples:?} samples would be kept, more than {most:?}: take a longer interval, or `.ends_only()`"
         ),
-        Cause::InputNotFinite { name } => {
-            write!(f, "the control gave an input `{name}` that is NaN or infinite")
-        }
         Cause::UnknownOutput { name, known } => {
             write!(f, "there is no output `{name}`; there are")?;
             let mut known = known.iter().enumerate();

@@ -344,8 +344,8 @@ const _: () = {
                     ("l", self.l),
                     ("c", self.c),
                     ("g", self.g),
-                    ("u", self.u),
                 ],
+                &[("u", self.u)],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }

@@ -272,6 +272,7 @@ const _: () = {
             >(
                 (t, state, rates),
                 &[("m", self.m), ("q", self.q), ("b", self.b), ("e", self.e)],
+                &[],
                 |positions, _| ::core::option::Option::Some(
                     self.mass_matrix(t, positions),
                 ),

@@ -365,6 +365,7 @@ const _: () = {
                     ("l2", self.l2),
                     ("g", self.g),
                 ],
+                &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }

@@ -450,6 +450,7 @@ const _: () = {
                     ("omega", self.omega),
                     ("g", self.g),
                 ],
+                &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }

@@ -307,6 +307,7 @@ const _: () = {
                     ("alpha", self.alpha),
                     ("g", self.g),
                 ],
+                &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }
@@ -338,6 +339,9 @@ const _: () = {
             ::lagrange::integrate::Cause<f64>,
         > {
             ::core::result::Result::Ok(::lagrange::event::choose_sides(self, t, y))
+        }
+        fn on_sides(&self, t: f64, y: &[f64; 2]) -> ::core::option::Option<Self> {
+            ::lagrange::event::choose_sides(self, t, y)
         }
         fn freed(&self) -> ::core::option::Option<Self> {
             ::core::option::Option::Some(::lagrange::event::free_sides(self))

@@ -370,6 +370,7 @@ const _: () = {
                     ("h", self.h),
                     ("g", self.g),
                 ],
+                &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }

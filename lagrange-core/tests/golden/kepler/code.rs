@@ -329,6 +329,7 @@ const _: () = {
             >(
                 (t, y, rates),
                 &[("m", self.m), ("mu", self.mu)],
+                &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }

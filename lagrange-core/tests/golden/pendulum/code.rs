@@ -229,6 +229,7 @@ const _: () = {
             >(
                 (t, y, rates),
                 &[("m", self.m), ("l", self.l), ("g", self.g)],
+                &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }

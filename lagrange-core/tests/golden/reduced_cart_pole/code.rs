@@ -268,8 +268,8 @@ const _: () = {
                     ("l", self.l),
                     ("c", self.c),
                     ("g", self.g),
-                    ("u", self.u),
                 ],
+                &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
         }
@@ -570,8 +570,8 @@ const _: () = {
                     ("l", self.l),
                     ("c", self.c),
                     ("g", self.g),
-                    ("u", self.u),
                 ],
+                &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
         }
@@ -973,8 +973,8 @@ const _: () = {
                     ("l", self.l),
                     ("c", self.c),
                     ("g", self.g),
-                    ("u", self.u),
                 ],
+                &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
         }

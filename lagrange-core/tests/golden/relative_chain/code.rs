@@ -544,6 +544,7 @@ const _: () = {
                     ("l3", self.l3),
                     ("g", self.g),
                 ],
+                &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }

@@ -707,8 +707,8 @@ const _: () = {
                     ("k", self.k),
                     ("g", self.g),
                     ("slope", self.slope),
-                    ("u", self.u),
                 ],
+                &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
         }

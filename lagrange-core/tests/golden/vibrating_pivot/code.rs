@@ -285,6 +285,7 @@ const _: () = {
                     ("w", self.w),
                     ("g", self.g),
                 ],
+                &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }
