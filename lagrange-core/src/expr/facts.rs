@@ -122,7 +122,10 @@ fn slope(graph: &Graph, node: &Node) -> Option<ExprId> {
             let has_slope = |(term, _): &(ExprId, Number)| {
                 graph.slope_factor(*term) == Some(of) || graph.has_odd_power(*term, of)
             };
-            terms.iter().all(has_slope).then_some(of)
+            // In |x| − x = s (x − |x|) it would be one again and again.
+            let is_mixed = terms.iter().any(|(term, _)| graph.slope_factor(*term) != Some(of));
+            let ends = !is_mixed || terms.iter().any(|(term, _)| graph.has_bare_slope(*term, of));
+            (ends && terms.iter().all(has_slope)).then_some(of)
         }
         _ => None,
     }

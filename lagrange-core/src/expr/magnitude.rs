@@ -111,6 +111,17 @@ impl Graph {
         self.whole_powers(id).iter().any(|(base, exponent)| *base == of && exponent.is_odd())
     }
 
+    /// Whether the slope of |x| itself is a factor with an odd exponent, beside which no power of x has one.
+    pub(super) fn has_bare_slope(&self, id: ExprId, of: ExprId) -> bool {
+        let is_slope = |base: ExprId| match self.node(base) {
+            Node::Call(Function::MagnitudeSlope, arguments) => arguments[0] == of,
+            _ => false,
+        };
+        let factors = self.whole_powers(id);
+        factors.iter().any(|(base, exponent)| is_slope(*base) && exponent.is_odd())
+            && !self.has_odd_power(id, of)
+    }
+
     /// The factors of an expression and of products among them, without its coefficient.
     fn whole_powers(&self, id: ExprId) -> Vec<Weighted> {
         let (mut found, mut pending) = (Vec::new(), vec![(self.split_coefficient(id).1, Number::ONE)]);

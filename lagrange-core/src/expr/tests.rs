@@ -195,6 +195,27 @@ fn slopes_of_a_magnitude_have_the_square_one() {
     assert_ne!(g.square(sign), one, "a sign that was written is zero at zero");
 }
 
+/// |a| − a is s (a − |a|), and that has the factor again: it is taken out of nothing.
+#[test]
+fn differences_of_a_number_and_its_magnitude_have_an_end() {
+    let (mut g, [a, b, ..]) = letters();
+    let magnitude = g.call(Function::Abs, &[a]);
+    let slope = g.call(Function::MagnitudeSlope, &[a]);
+    let (difference, sum) = (g.subtract(magnitude, a), g.add(magnitude, a));
+    let negative = g.subtract(a, magnitude);
+    let (square, other) = (g.square(difference), g.square(negative));
+    assert_eq!(square, other);
+    let product = g.multiply(difference, sum);
+    let values = |symbol| if symbol == Role::Parameter(0) { -3.0 } else { 2.0 };
+    let found = crate::calculus::evaluate(&g, &[square, product], values);
+    assert_eq!(found, [36.0, 0.0]);
+    // Beside a term with the slope alone there is an end: s b + a = s (b + |a|).
+    let term = g.multiply(slope, b);
+    let mixed = g.add(term, a);
+    let expected = g.add(b, magnitude);
+    assert_eq!(g.multiply(slope, mixed), expected);
+}
+
 /// A root is real from zero upwards, odd roots included.
 #[test]
 fn roots_of_odd_powers_keep_their_domain() {
