@@ -372,8 +372,8 @@ pub fn apply(graph: &mut Graph, function: Function, arguments: &[ExprId]) -> Exp
     if let Some(value) = known_value(graph, row, argument) {
         return graph.number(value);
     }
-    if function == Function::Abs && graph.is_nonnegative(argument) {
-        return argument;
+    if function == Function::Abs {
+        return graph.magnitude(argument);
     }
     if let Some(value) = without_quarter_turns(graph, function, argument) {
         return value;

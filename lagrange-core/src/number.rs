@@ -191,6 +191,20 @@ impl Number {
         })
     }
 
+    /// The largest number with the sign of `self` of which both are integer multiples: 3/2 of 9/2 and −6. It is `self` if the other is
+    /// zero.
+    pub fn common_divisor(&self, other: &Number) -> Number {
+        // p = g n and q = g d, where n/d is p/q in lowest terms.
+        let ratio = other.reciprocal().map(|inverse| (self * &inverse).to_big());
+        ratio.map_or_else(
+            || self.clone(),
+            |ratio| {
+                let numerator = Number::from_big(ratio.numer().abs().into());
+                numerator.reciprocal().map_or_else(|| other.abs(), |inverse| self * &inverse)
+            },
+        )
+    }
+
     /// `self` to an integer power; `None` for a negative power of zero and for results too long to be useful.
     pub fn power(&self, exponent: i32) -> Option<Number> {
         if exponent == 1 || self.is_one() {

@@ -71,12 +71,13 @@ impl BitOr for Dependencies {
 }
 
 /// What is known of one expression.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Facts {
     pub(super) dependencies: Dependencies,
     pub(super) nonnegative: bool,
-    /// x, if the slope s of |x| is a factor with an odd exponent, be it in |x| = s x, or x = s |x| beside other terms with s.
-    pub(super) slope: Option<ExprId>,
+    /// Every x for which the slope s of |x| is a factor with an odd exponent, be it in |x| = s x, or x = s |x| beside other terms
+    /// with s.
+    pub(super) slopes: Box<[ExprId]>,
 }
 
 impl Facts {
@@ -86,7 +87,7 @@ impl Facts {
             _ => Dependencies::NONE,
         };
         node.for_each_child(|child| dependencies = dependencies | graph.dependencies(child));
-        Facts { dependencies, nonnegative: is_nonnegative(graph, node), slope: slope(graph, node) }
+        Facts { dependencies, nonnegative: is_nonnegative(graph, node), slopes: slopes(graph, node).into() }
     }
 }
 
@@ -109,24 +110,28 @@ fn is_nonnegative(graph: &Graph, node: &Node) -> bool {
     }
 }
 
-fn slope(graph: &Graph, node: &Node) -> Option<ExprId> {
+fn slopes(graph: &Graph, node: &Node) -> Vec<ExprId> {
     match node {
-        Node::Call(Function::MagnitudeSlope | Function::Abs, arguments) => Some(arguments[0]),
+        Node::Call(Function::MagnitudeSlope | Function::Abs, arguments) => vec![arguments[0]],
         Node::Product(factors) => {
-            let mut slopes =
-                factors.iter().filter_map(|(base, exponent)| Some((graph.slope_factor(*base)?, exponent)));
-            slopes.find(|(_, exponent)| exponent.is_odd()).map(|(of, _)| of)
+            let odd = factors.iter().filter(|(_, exponent)| exponent.is_odd());
+            odd.flat_map(|(base, _)| graph.slope_factors(*base)).copied().collect()
         }
         Node::Sum { constant, terms } if constant.is_zero() => {
-            let of = terms.iter().find_map(|(term, _)| graph.slope_factor(*term))?;
-            let has_slope = |(term, _): &(ExprId, Number)| {
-                graph.slope_factor(*term) == Some(of) || graph.has_odd_power(*term, of)
-            };
-            // In |x| − x = s (x − |x|) it would be one again and again.
-            let is_mixed = terms.iter().any(|(term, _)| graph.slope_factor(*term) != Some(of));
-            let ends = !is_mixed || terms.iter().any(|(term, _)| graph.has_bare_slope(*term, of));
-            (ends && terms.iter().all(has_slope)).then_some(of)
+            let slopes = terms.iter().flat_map(|(term, _)| graph.slope_factors(*term)).copied();
+            let mut slopes = slopes.filter(|&of| is_slope_of_sum(graph, terms, of)).collect::<Vec<_>>();
+            slopes.sort_unstable();
+            slopes.dedup();
+            slopes
         }
-        _ => None,
+        _ => Vec::new(),
     }
+}
+
+fn is_slope_of_sum(graph: &Graph, terms: &[(ExprId, Number)], of: ExprId) -> bool {
+    let has_slope = |term: ExprId| graph.slope_factors(term).contains(&of);
+    // In |x| − x = s (x − |x|) it would be one again and again.
+    let is_mixed = terms.iter().any(|(term, _)| !has_slope(*term));
+    let ends = !is_mixed || terms.iter().any(|(term, _)| graph.has_bare_slope(*term, of));
+    ends && terms.iter().all(|(term, _)| has_slope(*term) || graph.has_odd_power(*term, of))
 }

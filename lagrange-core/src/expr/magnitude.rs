@@ -10,9 +10,13 @@ use crate::collections::HashMap;
 use crate::number::Number;
 
 impl Graph {
-    /// x, if the slope of |x| is a factor of the expression with an odd exponent.
-    pub(super) fn slope_factor(&self, id: ExprId) -> Option<ExprId> {
-        self.facts[id.index()].slope
+    /// Every x for which the slope of |x| is a factor of the expression with an odd exponent.
+    pub(super) fn slope_factors(&self, id: ExprId) -> &[ExprId] {
+        &self.facts[id.index()].slopes
+    }
+
+    fn has_slope_factor(&self, id: ExprId, of: ExprId) -> bool {
+        self.slope_factors(id).contains(&of)
     }
 
     /// Takes out factors that are magnitudes in disguise; what they are.
@@ -20,7 +24,6 @@ impl Graph {
         self.opened_root(factors)
             .or_else(|| self.opened_power(factors))
             .or_else(|| self.opened_hypotenuse(factors))
-            .or_else(|| self.joined_magnitudes(factors))
             .or_else(|| self.paired_slopes(factors))
     }
 
@@ -44,14 +47,15 @@ impl Graph {
         Some(opened)
     }
 
-    /// (Π b)ᵉ = Π bᵉ where a root of what is not negative, or a hypotenuse, vanishes thereby.
+    /// (Π b)ᵉ = Π bᵉ where a root of what is not negative, a hypotenuse or a division vanishes thereby.
     fn opened_power(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let hides_root = |(base, exponent): &Weighted| {
             let Node::Product(inner) = self.node(*base) else { return false };
             let vanishes = |(part, power): &Weighted| match self.node(*part) {
                 Node::Call(Function::Hypot, _) => (power * exponent).is_even(),
+                _ if power.is_negative() => exponent.is_negative(),
                 _ => {
-                    let is_root = !power.is_integer() && !power.is_negative() && self.is_nonnegative(*part);
+                    let is_root = !power.is_integer() && self.is_nonnegative(*part);
                     is_root && (power * exponent).is_integer()
                 }
             };
@@ -62,9 +66,39 @@ impl Graph {
         Some(inner.iter().map(|(part, power)| (*part, power * &exponent)).collect())
     }
 
-    /// |x| of an expression without a coefficient.
-    fn magnitude(&mut self, id: ExprId) -> ExprId {
-        if self.is_nonnegative(id) { id } else { self.call(Function::Abs, &[id]) }
+    /// |x|, factor by factor: |−2 k (2 x + 4 y) z²| = 4 |k| |x + 2 y| z². So every magnitude of x is the same expression.
+    pub(crate) fn magnitude(&mut self, id: ExprId) -> ExprId {
+        if self.is_nonnegative(id) {
+            return id;
+        }
+        let (coefficient, core) = self.split_coefficient(id);
+        let mut parts = vec![(self.number(coefficient.abs()), Number::ONE)];
+        for (base, power) in self.whole_powers(core) {
+            if !power.is_odd() || self.is_nonnegative(base) {
+                parts.push((base, power));
+                continue;
+            }
+            let (content, primitive) = self.primitive(base);
+            let magnitude = self.call(Function::Abs, &[primitive]);
+            parts.extend([(self.number(content.abs()), power.clone()), (magnitude, power)]);
+        }
+        self.product(parts)
+    }
+
+    /// A sum whose first coefficient is positive and whose coefficients, if they are integers, have no common divisor:
+    /// −2 x + 4 y = −2 (x − 2 y). Other coefficients are left as they were written, but for the sign.
+    fn primitive(&mut self, id: ExprId) -> (Number, ExprId) {
+        let Node::Sum { constant, terms } = self.node(id).clone() else { return (Number::ONE, id) };
+        let Some((_, first)) = terms.first() else { return (Number::ONE, id) };
+        let sign = if first.is_negative() { Number::MINUS_ONE } else { Number::ONE };
+        let weights = || terms.iter().map(|(_, weight)| weight).chain([&constant]);
+        let common = match weights().all(Number::is_integer) {
+            true => weights().fold(first.clone(), |common, weight| common.common_divisor(weight)),
+            false => sign,
+        };
+        let Some(inverse) = common.reciprocal() else { return (Number::ONE, id) };
+        let terms = terms.iter().map(|(term, weight)| (*term, weight * &inverse)).collect::<Vec<_>>();
+        (common, self.sum(&constant * &inverse, terms))
     }
 
     /// hypot(a, b)ᵉ = (a² + b²)^(e/2) for even e.
@@ -76,34 +110,6 @@ impl Graph {
         let Node::Call(_, sides) = self.node(base).clone() else { return None };
         let squares = [self.square(sides[0]), self.square(sides[1])];
         Some(vec![(self.total(squares), exponent * Number::ratio(1, 2)?)])
-    }
-
-    /// |a| |b| = |a b| where both have a factor in common, as in |k v| |v| = |k| v².
-    fn joined_magnitudes(&mut self, factors: &mut [Weighted]) -> Option<Vec<Weighted>> {
-        let magnitudes = factors.iter().filter_map(|(base, exponent)| match self.node(*base) {
-            Node::Call(Function::Abs, arguments) if exponent.is_odd() => Some((*base, arguments[0])),
-            _ => None,
-        });
-        let magnitudes = magnitudes.collect::<Vec<_>>();
-        let pairs =
-            magnitudes.iter().enumerate().flat_map(|(n, a)| magnitudes[..n].iter().map(move |b| (a, b)));
-        let (a, b) = pairs.map(|(a, b)| (*a, *b)).find(|(a, b)| self.have_common_factor(a.1, b.1))?;
-        for (_, exponent) in factors.iter_mut().filter(|(base, _)| *base == a.0 || *base == b.0) {
-            *exponent = &*exponent - &Number::ONE;
-        }
-        let coefficients = [a, b].map(|(_, argument)| self.split_coefficient(argument).0);
-        let parts = [self.whole_powers(a.1), self.whole_powers(b.1)].concat();
-        let product = self.product(parts);
-        let mut replacement = self.parts_of_magnitude(product);
-        for coefficient in coefficients {
-            replacement.push((self.number(coefficient.abs()), Number::ONE));
-        }
-        Some(replacement)
-    }
-
-    fn have_common_factor(&self, a: ExprId, b: ExprId) -> bool {
-        let [a, b] = [a, b].map(|id| self.whole_powers(id));
-        a.iter().any(|(base, _)| b.iter().any(|(other, _)| base == other))
     }
 
     /// Whether a power of this with an odd exponent is a factor.
@@ -138,38 +144,33 @@ impl Graph {
         found
     }
 
-    /// The factors of |x| of a product: even powers as they are, one magnitude of the rest.
-    fn parts_of_magnitude(&mut self, id: ExprId) -> Vec<Weighted> {
-        let (mut parts, rest) =
-            self.whole_powers(id).into_iter().partition::<Vec<_>, _>(|(_, power)| power.is_even());
-        let rest = self.product(rest);
-        let (coefficient, core) = self.split_coefficient(rest);
-        parts.push((self.number(coefficient.abs()), Number::ONE));
-        parts.push((self.magnitude(core), Number::ONE));
-        parts
-    }
-
     /// Takes out the slopes of |x| that stand in several factors, or in a factor with an even exponent: s² = 1.
     fn paired_slopes(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let mut odd: Vec<ExprId> = Vec::new();
         let whole = factors.iter().filter(|(_, exponent)| exponent.is_integer());
         let paired = whole.filter_map(|(base, exponent)| {
-            let of = self.slope_factor(*base)?;
-            if exponent.is_even() || odd.contains(&of) {
-                return Some(of);
-            }
-            odd.push(of);
-            None
+            let slopes = self.slope_factors(*base);
+            let paired = slopes.iter().find(|of| exponent.is_even() || odd.contains(of));
+            odd.extend(slopes);
+            paired.copied()
         });
         let of = paired.collect::<Vec<_>>().first().copied()?;
         let has_slope =
-            |(base, exponent): &Weighted| exponent.is_integer() && self.slope_factor(*base) == Some(of);
+            |(base, exponent): &Weighted| exponent.is_integer() && self.has_slope_factor(*base, of);
         let (with, without) = factors.drain(..).partition::<Vec<_>, _>(has_slope);
         *factors = without;
         let count = with.iter().filter(|(_, exponent)| exponent.is_odd()).count();
         let mut replacement = Vec::with_capacity(with.len() + 1);
         for (base, exponent) in with {
-            replacement.push((self.without_slope(base, of), exponent));
+            let rest = self.without_slope(base, of);
+            // Opened, so that equal factors meet.
+            match self.node(rest) {
+                Node::Product(_) => {
+                    let inner = self.whole_powers(rest).into_iter();
+                    replacement.extend(inner.map(|(part, power)| (part, &power * &exponent)));
+                }
+                _ => replacement.push((rest, exponent)),
+            }
         }
         if count % 2 == 1 {
             replacement.push((self.call(Function::MagnitudeSlope, &[of]), Number::ONE));
@@ -180,8 +181,8 @@ impl Graph {
     /// An expression divided by the slope of |x|, which is a factor of it.
     fn without_slope(&mut self, root: ExprId, of: ExprId) -> ExprId {
         let mut image: HashMap<ExprId, ExprId> = HashMap::default();
-        for id in self.reachable_until(&[root], |id| self.slope_factor(id) != Some(of)) {
-            if self.slope_factor(id) == Some(of) {
+        for id in self.reachable_until(&[root], |id| !self.has_slope_factor(id, of)) {
+            if self.has_slope_factor(id, of) {
                 let quotient = self.node_without_slope(id, of, &image);
                 image.insert(id, quotient);
             }

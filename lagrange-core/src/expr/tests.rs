@@ -160,11 +160,25 @@ fn even_powers_of_magnitudes_are_powers() {
         let product = g.multiply(a, bc);
         g.scale(Number::from(3), product)
     };
-    let nested = g.call(Function::Abs, &[nested]);
+    let nested = g.magnitude(nested);
     let found = g.product([(nested, Number::ONE), (magnitude, Number::ONE), (other, Number::ONE)]);
     let rest = g.call(Function::Abs, &[c]);
     let expected = g.product([(a, Number::TWO), (b, Number::TWO), (rest, Number::ONE)]);
     assert_eq!(found, g.scale(Number::from(3), expected));
+    // Also within another product, and where the coefficients of sums are multiples of each other.
+    let inner = g.multiply(magnitude, other);
+    let (outer, square_of_b) = (g.multiply(inner, c), g.square(b));
+    assert_eq!(
+        g.multiply(outer, other),
+        g.product([(magnitude, Number::ONE), (square_of_b, Number::ONE), (c, Number::ONE)])
+    );
+    let [left, right] = [(2, -4), (-3, 6)].map(|(m, n)| {
+        let sum = g.sum(Number::ZERO, [(a, Number::from(m)), (b, Number::from(n))]);
+        g.magnitude(sum)
+    });
+    let sum = g.sum(Number::ZERO, [(a, Number::ONE), (b, Number::from(-2))]);
+    let expected = g.square(sum);
+    assert_eq!(g.multiply(left, right), g.scale(Number::from(6), expected));
     let doubled = g.scale(Number::TWO, square);
     let two = g.number(2);
     let root = g.power(two, half.clone());

@@ -297,9 +297,12 @@ impl Elimination {
     }
 }
 
-/// |whole/part|
+/// |whole/part|, one magnitude: nothing will be differentiated that holds it.
 fn ratio(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprId {
     let inverse = graph.reciprocal(part);
     let ratio = graph.multiply(whole, inverse);
-    functions::apply(graph, Function::Abs, &[ratio])
+    match graph.as_number(ratio) {
+        Some(_) => functions::apply(graph, Function::Abs, &[ratio]),
+        None => graph.call(Function::Abs, &[ratio]),
+    }
 }

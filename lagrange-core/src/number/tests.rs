@@ -42,3 +42,14 @@ fn powers_and_roots_are_exact_or_absent() {
     assert_eq!(number("2.25").exact_sqrt(), Some(number("1.5")));
     assert_eq!(Number::from(2).exact_sqrt(), None);
 }
+
+#[test]
+fn common_divisors_have_the_sign_of_the_first() {
+    for (p, q, expected) in
+        [("4", "6", "2"), ("0.5", "0.75", "0.25"), ("4", "0", "4"), ("0", "3", "3"), ("1e30", "3e29", "1e29")]
+    {
+        let (p, q, expected) = (number(p), number(q), number(expected));
+        assert_eq!(p.common_divisor(&q), expected);
+        assert_eq!((-&p).common_divisor(&-&q), if p.is_zero() { expected } else { -&expected });
+    }
+}

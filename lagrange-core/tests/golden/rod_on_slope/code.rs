@@ -175,7 +175,7 @@ const _: () = {
             let values = [x_ddot, y_ddot, a_ddot];
             if ::lagrange::constraint::are_regular(
                 &values,
-                abs(-inv_pivot_4 * (const_1 + pos_9)),
+                abs(inv_pivot_4 * (const_1 + pos_9)),
             ) {
                 values
             } else {
@@ -241,7 +241,7 @@ const _: () = {
             ];
             if ::lagrange::constraint::are_regular(
                 &values,
-                abs(-inv_pivot_4 * (const_1 + pos_8)),
+                abs(inv_pivot_4 * (const_1 + pos_8)),
             ) {
                 values
             } else {
@@ -855,7 +855,7 @@ const _: () = {
             ];
             if ::lagrange::constraint::are_regular(
                 &values,
-                abs(-inv_pivot_4 * (const_0 + pos_4)),
+                abs(inv_pivot_4 * (const_0 + pos_4)),
             ) {
                 values
             } else {
