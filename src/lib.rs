@@ -67,6 +67,7 @@ pub mod inertia;
 pub mod integrate;
 #[cfg(any(feature = "plot", feature = "draw"))]
 mod lettering;
+mod linalg;
 #[cfg(feature = "plot")]
 mod plot;
 pub mod scalar;

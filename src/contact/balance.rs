@@ -9,8 +9,9 @@
 
 use core::array;
 
-use super::least_norm::{dot, nearest, solve};
 use super::{Contact, Friction, Mode, Terms};
+use crate::linalg::singular::{nearest, solve};
+use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
 /// By what rule a reaction acts.

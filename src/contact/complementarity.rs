@@ -27,8 +27,8 @@
 //! Stone, *The Linear Complementarity Problem*, §4.4, §4.9.
 
 use super::balance::{Balance, Rule};
-use super::least_norm::negligible;
 use super::settle::{Choice, Settled};
+use crate::linalg::singular::negligible;
 use crate::scalar::Scalar;
 
 /// Pairs of each reaction.

@@ -5,10 +5,8 @@ use core::array;
 use super::balance::{Balance, Rule};
 use super::start::{holds, lengths};
 use super::{Contact, ContactSystem, Mode, Terms};
-use crate::constraint::{Violated, Violation};
-use crate::integrate::Cause;
 use crate::scalar::Scalar;
-use crate::system::{join, split};
+use crate::system::{StepFailure, Violated, Violation, join, split};
 
 /// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
 const MOST_ROUNDS: u32 = 12;
@@ -27,7 +25,7 @@ pub fn correct<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
     y: &mut M::State,
-) -> Result<(), Cause<M::Scalar>>
+) -> Result<(), StepFailure<M::Scalar>>
 where
     M: ContactSystem<N, K>,
 {
@@ -40,7 +38,7 @@ where
     close(system, t, &mut q, &v, modes.map(|mode| mode == Mode::Contact(Contact::Closed)))?;
     halt(&system.terms(t, &q, &v), &mut v, is_held);
     if q.iter().chain(&v).any(|entry| !entry.is_finite()) {
-        return Err(Cause::NotFinite);
+        return Err(StepFailure::NotFinite);
     }
     *y = join::<M>(&q, &v);
     Ok(())
@@ -53,7 +51,7 @@ pub(super) fn close<M, const N: usize, const K: usize>(
     q: &mut [M::Scalar; N],
     v: &[M::Scalar; N],
     is_closed: [bool; K],
-) -> Result<(), Cause<M::Scalar>>
+) -> Result<(), StepFailure<M::Scalar>>
 where
     M: ContactSystem<N, K>,
 {
@@ -83,8 +81,8 @@ where
 }
 
 /// A gap is not what it must be.
-pub(super) fn violated<S>(name: &'static str, gap: S) -> Cause<S> {
-    Cause::Violated(Violation { constraint: name, residual: gap, of: Violated::Gap })
+pub(super) fn violated<S>(name: &'static str, gap: S) -> StepFailure<S> {
+    StepFailure::Violated(Violation { constraint: name, residual: gap, of: Violated::Gap })
 }
 
 /// Whether two vectors differ by no more than the rounding of a third. One that is not a number differs from every other.

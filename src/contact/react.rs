@@ -4,10 +4,9 @@ use super::balance::{Rule, reactions};
 use super::correct::{close, correct, halt, part};
 use super::resume::Moment;
 use super::start::{Position, holds};
-use super::{Contact, ContactSystem, Friction, Happening, Impact, Mode, Terms};
-use crate::event::{Answer, Reaction};
+use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::scalar::Scalar;
-use crate::system::{Reacted, join, split};
+use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
 
 /// What the declared event of this index, which belongs to a reaction, does to the state at which it happened: an impact, a
 /// contact that opens, friction that comes to hold or gives way. Nothing if it belongs to none.
@@ -28,7 +27,7 @@ where
 {
     let modes = system.modes();
     let Some(k) = (0..K).find(|k| modes[*k] != Mode::Smooth && system.event_of(*k) == event) else {
-        return Ok(Answer::new(Reaction::Continue));
+        return Ok(Response::new(Action::Continue));
     };
     let mut held = *y;
     correct(system, t, &mut held)?;
@@ -39,7 +38,7 @@ where
         Mode::Contact(Contact::Closed) => moment.end(k, Rule::Absent),
         Mode::Friction(Friction::Sticks) => moment.give_way(k),
         Mode::Friction(_) => moment.stop(k),
-        Mode::Smooth => Ok(Answer::new(Reaction::Continue)),
+        Mode::Smooth => Ok(Response::new(Action::Continue)),
     }
 }
 
@@ -65,11 +64,11 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         let collision = terms.impact(&self.v, &modes, &position.is_touching, &restitutions)?;
         let resumed = self.resume(&terms, collision.velocities, position.is_touching, collision.is_still)?;
         let impact = Impact { impulse: collision.impulses[k], energy_loss: collision.energy_loss };
-        let happening = match resumed.modes[k] {
-            Mode::Contact(Contact::Closed) => Happening::Closed { at: self.t + resumed.rest[k], impact },
-            _ => Happening::Impact(impact),
+        let kind = match resumed.modes[k] {
+            Mode::Contact(Contact::Closed) => EventKind::Closed { at: self.t + resumed.rest[k], impact },
+            _ => EventKind::Impact(impact),
         };
-        Ok(self.answer(resumed.modes, &resumed.velocities, happening))
+        Ok(self.answer(resumed.modes, &resumed.velocities, kind))
     }
 
     /// A contact that touches and does not approach: it closes if it is pressed. Else nothing happens, but that the body is put
@@ -83,19 +82,19 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
             let is_open = |j: usize| modes[j] == Mode::Contact(Contact::Open);
             let are_touching = core::array::from_fn(|j| is_open(j) && position.is_touching[j]);
             part(terms, &mut q, are_touching, modes.map(|mode| mode == Mode::Contact(Contact::Closed)));
-            return Ok(Answer::new(Reaction::Replace(join::<M>(&q, &self.v))));
+            return Ok(Response::new(Action::Replace(join::<M>(&q, &self.v))));
         }
         let none = Impact { impulse: M::Scalar::ZERO, energy_loss: M::Scalar::ZERO };
         let at = self.t + resumed.rest[k];
-        Ok(self.answer(resumed.modes, &resumed.velocities, Happening::Closed { at, impact: none }))
+        Ok(self.answer(resumed.modes, &resumed.velocities, EventKind::Closed { at, impact: none }))
     }
 
     /// The force of a closed contact has fallen to zero.
     fn end(&self, k: usize, rule: Rule) -> Reacted<M> {
         let (mut v, terms) = (self.v, self.terms(&self.v));
         let settled = self.settle(&mut v, &mut self.held(&terms), Some((k, rule)))?;
-        let happening = if rule == Rule::Absent { Happening::Opened } else { Happening::Slipped };
-        Ok(self.answer(settled, &v, happening))
+        let kind = if rule == Rule::Absent { EventKind::Opened } else { EventKind::Slipped };
+        Ok(self.answer(settled, &v, kind))
     }
 
     /// Friction that held has reached its limit: it slips against its force.
@@ -118,13 +117,13 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         halt(&terms, &mut self.v, is_held);
         let mut v = self.v;
         let settled = self.settle(&mut v, &mut position, None)?;
-        let happening = match (modes[k], settled[k]) {
-            (_, Mode::Friction(Friction::Sticks)) => Happening::Stuck,
+        let kind = match (modes[k], settled[k]) {
+            (_, Mode::Friction(Friction::Sticks)) => EventKind::Stuck,
             // What slips without friction and what slips with it pass into each other smoothly.
-            (Mode::Friction(Friction::Slips), _) | (_, Mode::Friction(Friction::Slips)) => Happening::Zero,
-            _ => Happening::Slipped,
+            (Mode::Friction(Friction::Slips), _) | (_, Mode::Friction(Friction::Slips)) => EventKind::Zero,
+            _ => EventKind::Slipped,
         };
-        Ok(self.answer(settled, &v, happening))
+        Ok(self.answer(settled, &v, kind))
     }
 
     /// Which gaps and rates are zero, those that are held at zero among them.
@@ -141,9 +140,9 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         &self,
         modes: [Mode; K],
         v: &[M::Scalar; N],
-        happening: Happening<M::Scalar>,
-    ) -> Answer<M, M::Scalar, M::State> {
-        let reaction = Reaction::Replace(join::<M>(&self.q, v));
-        Answer { reaction, system: Some(self.system.in_modes(modes)), happening }
+        kind: EventKind<M::Scalar>,
+    ) -> Response<M, M::Scalar, M::State> {
+        let action = Action::Replace(join::<M>(&self.q, v));
+        Response { action, system: Some(self.system.in_modes(modes)), kind }
     }
 }

@@ -8,9 +8,9 @@ use super::settle::Choice;
 use super::switch::nothing;
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
-use crate::integrate::Cause;
+use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
-use crate::system::split;
+use crate::system::{StepFailure, split};
 
 /// Gaps and rates are zero if they are smaller than this many roundings of what they would be if each coordinate were off by its
 /// size, as constraints are measured: a gap that is a coordinate has no other terms beside which it could be small.
@@ -30,7 +30,7 @@ pub fn begin<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
     y: &M::State,
-) -> Result<Option<M>, Cause<M::Scalar>>
+) -> Result<Option<M>, StepFailure<M::Scalar>>
 where
     M: ContactSystem<N, K>,
 {
@@ -38,7 +38,7 @@ where
     let (terms, modes) = (system.terms(t, &q, &v), system.modes());
     let is_finite = |values: &[M::Scalar; K]| values.iter().all(|value| value.is_finite());
     if !(is_finite(&terms.gaps) && is_finite(&terms.rates)) {
-        return Err(Cause::NotFinite);
+        return Err(StepFailure::NotFinite);
     }
     terms.restitutions::<M>(&modes, |k| !M::RESTITUTIONS_VARY[k])?;
     let position = Position::of(&terms, &modes, (t, &q, &v));
@@ -98,7 +98,7 @@ pub(super) fn holds(mode: Mode) -> bool {
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// How large the terms of rate k are, that of a motion of the surroundings included.
     pub(super) fn speed_of(&self, k: usize, v: &[S; N]) -> S {
-        let own = self.rows[k].iter().zip(v).fold(S::ZERO, |sum, (d, v)| d.multiply_add(*v, sum));
+        let own = dot(&self.rows[k], v);
         self.size_of(k, v) + (self.rates[k] - own).abs()
     }
 
@@ -112,7 +112,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         modes: &[Mode; K],
         position: &Position<K>,
         ended: Option<(usize, Rule)>,
-    ) -> Result<[Mode; K], Cause<S>> {
+    ) -> Result<[Mode; K], StepFailure<S>> {
         let mut choices = [Choice::Only(Rule::Smooth); K];
         for k in 0..K {
             choices[k] = match modes[k] {
@@ -128,9 +128,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         }
         let balance = Balance::of_forces(self);
         if !balance.is_finite() {
-            return Err(Cause::NotFinite);
+            return Err(StepFailure::NotFinite);
         }
-        let settled = balance.settle(&choices).ok_or(Cause::Stuck(NO_FORCES))?;
+        let settled = balance.settle(&choices).ok_or(StepFailure::Stuck(NO_FORCES))?;
         let mut result = *modes;
         for k in 0..K {
             let is_limited = balance.fixed(k, &settled.reactions) > nothing();

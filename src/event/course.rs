@@ -1,47 +1,44 @@
 //! How a motion goes on after events at the same time.
 
-use super::declared::Answer;
-use super::run::Reaction;
-use crate::integrate::Cause;
-use crate::system::OdeSystem;
+use crate::system::{Action, OdeSystem, Response, StepFailure};
 
 /// What comes of events that happen at the same time. To stop prevails.
 pub(crate) struct Course<M: OdeSystem> {
-    reaction: Reaction<M::State>,
+    action: Action<M::State>,
     /// The system that goes on, if events switched it.
     pub(crate) system: Option<M>,
 }
 
 /// The state that a motion goes on from, and the system if it is another one.
-type Resumed<M> = Result<(<M as OdeSystem>::State, Option<M>), Cause<<M as OdeSystem>::Scalar>>;
+type Resumed<M> = Result<(<M as OdeSystem>::State, Option<M>), StepFailure<<M as OdeSystem>::Scalar>>;
 
 impl<M: OdeSystem> Course<M> {
     /// To go on.
     pub(crate) fn new() -> Self {
-        Course { reaction: Reaction::Continue, system: None }
+        Course { action: Action::Continue, system: None }
     }
 
     /// Another event happened at this state.
-    pub(crate) fn add(&mut self, answer: Answer<M, M::Scalar, M::State>, state: M::State) {
-        let later = match answer.reaction {
-            Reaction::Continue if answer.system.is_some() => Reaction::Replace(state),
-            reaction => reaction,
+    pub(crate) fn add(&mut self, answer: Response<M, M::Scalar, M::State>, state: M::State) {
+        let later = match answer.action {
+            Action::Continue if answer.system.is_some() => Action::Replace(state),
+            action => action,
         };
         self.system = answer.system.or(self.system.take());
-        self.reaction = match (later, self.reaction) {
-            (Reaction::Continue, earlier) | (_, earlier @ Reaction::Stop) => earlier,
+        self.action = match (later, self.action) {
+            (Action::Continue, earlier) | (_, earlier @ Action::Stop) => earlier,
             (later, _) => later,
         };
     }
 
     /// Whether nothing has changed.
     pub(crate) fn goes_on(&self) -> bool {
-        matches!(self.reaction, Reaction::Continue)
+        matches!(self.action, Action::Continue)
     }
 
     /// The state that was left, if it is another one.
     pub(crate) fn state(&self) -> Option<M::State> {
-        if let Reaction::Replace(state) = self.reaction { Some(state) } else { None }
+        if let Action::Replace(state) = self.action { Some(state) } else { None }
     }
 
     /// The state to go on from, put onto the constraints, and the system if it is another one than `system`; `None` if the motion

@@ -1,7 +1,7 @@
 //! What is remembered of one function whose zeros are looked for.
 
-use super::direction::Direction;
 use crate::scalar::Scalar;
+use crate::system::Direction;
 
 /// A value after a replacement that is larger than that at the event by no more than this factor is still that of the event.
 const NEARLY: f64 = 4.0;

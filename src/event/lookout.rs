@@ -1,12 +1,10 @@
 //! Events ahead: the next one of several functions, kept until its turn comes.
 
-use super::declared::MOST_LOCATED;
-use super::direction::Direction;
 use super::locate::locate;
 use super::watch::{Occurrence, Watch};
-use crate::integrate::{Cause, Stepper};
+use crate::integrate::Stepper;
 use crate::scalar::Scalar;
-use crate::system::OdeSystem;
+use crate::system::{Direction, MOST_LOCATED, OdeSystem, StepFailure};
 
 /// A watch, and the event that it found next.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +28,7 @@ impl<S: Scalar, Y: Copy, const K: usize> Lookout<S, Y, K> {
         stepper: &mut impl Stepper<M>,
         end: S,
         values: impl FnMut(S, &Y) -> [S; K],
-    ) -> Result<Option<S>, Cause<S>>
+    ) -> Result<Option<S>, StepFailure<S>>
     where
         M: OdeSystem<Scalar = S, State = Y>,
     {
@@ -107,7 +105,7 @@ impl<M: OdeSystem> Declarations<M> {
         system: &M,
         stepper: &mut impl Stepper<M>,
         end: M::Scalar,
-    ) -> Result<Option<M::Scalar>, Cause<M::Scalar>> {
+    ) -> Result<Option<M::Scalar>, StepFailure<M::Scalar>> {
         if M::EVENTS.is_empty() {
             return Ok(None);
         }
@@ -134,7 +132,7 @@ impl<M: OdeSystem> Declarations<M> {
         system: &M,
         stepper: &mut impl Stepper<M>,
         next: &Occurrence<M::Scalar, M::State>,
-    ) -> Result<(), Cause<M::Scalar>> {
+    ) -> Result<(), StepFailure<M::Scalar>> {
         let Occurrence { event, time, .. } = *next;
         let returns = match self.change {
             Some(last) if last.event == event && last.time == stepper.last_time() => {
@@ -146,7 +144,7 @@ impl<M: OdeSystem> Declarations<M> {
             _ => 0,
         };
         if returns >= MOST_RETURNS {
-            return Err(Cause::Slides { surface: M::EVENTS[event].name });
+            return Err(StepFailure::Slides { surface: M::EVENTS[event].name });
         }
         self.change = Some(Change { event, time, value: M::Scalar::ZERO, returns });
         Ok(())
@@ -222,12 +220,12 @@ fn on_surface<M: OdeSystem>(
 ///
 /// # Errors
 /// If it may not, or if there are more events than can be looked for.
-pub(crate) fn is_forwards<M: OdeSystem>(t: M::Scalar, end: M::Scalar) -> Result<(), Cause<M::Scalar>> {
+pub(crate) fn is_forwards<M: OdeSystem>(t: M::Scalar, end: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
     if M::EVENTS.len() > MOST_LOCATED {
-        return Err(Cause::Setting("the system declares more events than can be looked for"));
+        return Err(StepFailure::Setting("the system declares more events than can be looked for"));
     }
     if end < t && M::EVENTS.iter().any(|event| event.is_switch && !event.is_side) {
-        return Err(Cause::Setting("contacts and dry friction run forwards in time only"));
+        return Err(StepFailure::Setting("contacts and dry friction run forwards in time only"));
     }
     Ok(())
 }

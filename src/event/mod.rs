@@ -23,9 +23,7 @@
 //! they were given, declared ones first.
 
 mod course;
-mod declared;
 mod detector;
-mod direction;
 mod locate;
 mod lookout;
 mod piece;
@@ -37,18 +35,17 @@ mod watch;
 
 #[cfg(feature = "std")]
 pub(crate) use self::course::Course;
-pub use self::declared::{Answer, DeclaredEvent, MOST_DECLARED};
-pub use self::direction::Direction;
 #[cfg(feature = "std")]
 pub(crate) use self::lookout::{Declarations, Lookout, is_forwards};
 pub(crate) use self::run::integrate_declared;
-pub use self::run::{Reaction, integrate_with_events};
+pub use self::run::integrate_with_events;
 pub use self::switches::{
     SwitchedSystem, Switches, beyond, change_side, choose_sides, free_sides, next_switch_time, side_values,
 };
 #[cfg(feature = "std")]
 pub(crate) use self::watch::is_at_once;
 pub use self::watch::{Occurrence, Watch};
+pub use crate::system::{Action, DeclaredEvent, Direction, MOST_DECLARED, Response};
 
 #[cfg(test)]
 mod tests;

@@ -1,24 +1,11 @@
 //! From a start to an end, with reactions to events.
 
 use super::course::Course;
-use super::declared::Answer;
-use super::direction::Direction;
 use super::lookout::{Declarations, Lookout, is_forwards};
 use super::watch::{Occurrence, Watch, is_at_once};
-use crate::integrate::{Cause, IntegrationError, Method, Outcome, Restarts, Stepper, explained};
+use crate::integrate::{IntegrationError, Method, Outcome, Restarts, Stepper, explained};
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, Reacted};
-
-/// What to do at an event.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Reaction<Y> {
-    /// Go on.
-    Continue,
-    /// End the integration here.
-    Stop,
-    /// Go on from this state instead.
-    Replace(Y),
-}
+use crate::system::{Action, Direction, OdeSystem, Reacted, Response, StepFailure};
 
 /// Integrates from `y0` at `t0` towards `t_end` and calls `react` at each zero of the K functions `values` that has the
 /// given direction; returns time and state at the end, which is earlier than `t_end` if a reaction was to stop.
@@ -31,7 +18,7 @@ pub enum Reaction<Y> {
 /// A ball bounces and loses half of its speed each time:
 ///
 /// ```
-/// use lagrange::event::{Direction, Reaction, integrate_with_events};
+/// use lagrange::event::{Direction, Action, integrate_with_events};
 /// use lagrange::integrate::Verner98;
 ///
 /// lagrange::system! {
@@ -51,7 +38,7 @@ pub enum Reaction<Y> {
 ///     ([Direction::Falling], |_, y: &[f64; 2]| [y[0]]),
 ///     |bounce| {
 ///         bounces.push(bounce.time);
-///         Reaction::Replace([0.0, -0.5 * bounce.state[1]])
+///         Action::Replace([0.0, -0.5 * bounce.state[1]])
 ///     },
 /// )?;
 /// let first = (2.0_f64 / 9.81).sqrt();
@@ -65,7 +52,7 @@ pub fn integrate_with_events<M, K, const E: usize>(
     t_end: M::Scalar,
     method: &K,
     (directions, mut values): ([Direction; E], impl FnMut(M::Scalar, &M::State) -> [M::Scalar; E]),
-    react: impl FnMut(&Occurrence<M::Scalar, M::State>) -> Reaction<M::State>,
+    react: impl FnMut(&Occurrence<M::Scalar, M::State>) -> Action<M::State>,
 ) -> Outcome<M, (M::Scalar, M::State)>
 where
     M: OdeSystem,
@@ -94,7 +81,7 @@ where
     K: Method<M>,
 {
     let none = Lookout::new(Watch::new([], start.0, []));
-    let given = Given { lookout: none, values: |_, _: &_| [], react: |_: &_| Reaction::Continue };
+    let given = Given { lookout: none, values: |_, _: &_| [], react: |_: &_| Action::Continue };
     drive(system, start, t_end, method, given, observe).map(|(_, state)| state)
 }
 
@@ -118,9 +105,9 @@ where
     M: OdeSystem,
     K: Method<M>,
     V: FnMut(M::Scalar, &M::State) -> [M::Scalar; E],
-    R: FnMut(&Occurrence<M::Scalar, M::State>) -> Reaction<M::State>,
+    R: FnMut(&Occurrence<M::Scalar, M::State>) -> Action<M::State>,
 {
-    let failed = |cause: Cause<M::Scalar>, time, state| {
+    let failed = |cause: StepFailure<M::Scalar>, time, state| {
         let cause = explained(cause, system, (time, &state), t_end);
         IntegrationError { cause, time, state }
     };
@@ -175,13 +162,13 @@ enum Kind {
 }
 
 /// Which event comes next, and when.
-type Next<M> = Result<Option<(Kind, <M as OdeSystem>::Scalar)>, Cause<<M as OdeSystem>::Scalar>>;
+type Next<M> = Result<Option<(Kind, <M as OdeSystem>::Scalar)>, StepFailure<<M as OdeSystem>::Scalar>>;
 
 impl<M, V, R, const E: usize> Events<M, V, R, E>
 where
     M: OdeSystem,
     V: FnMut(M::Scalar, &M::State) -> [M::Scalar; E],
-    R: FnMut(&Occurrence<M::Scalar, M::State>) -> Reaction<M::State>,
+    R: FnMut(&Occurrence<M::Scalar, M::State>) -> Action<M::State>,
 {
     /// Reacts to the events of the last step up to one after which the motion does not just go on.
     fn turn(&mut self, system: &M, stepper: &mut impl Stepper<M>) -> Outcome<M, Option<Turn<M>>> {
@@ -209,7 +196,7 @@ where
         system: &M,
         stepper: &mut impl Stepper<M>,
         (kind, event): (Kind, Occurrence<M::Scalar, M::State>),
-    ) -> Result<Course<M>, Cause<M::Scalar>> {
+    ) -> Result<Course<M>, StepFailure<M::Scalar>> {
         let mut course = Course::new();
         course.add(self.answer(system, kind, &event)?, event.state);
         if course.goes_on() {
@@ -238,7 +225,7 @@ where
     fn answer(&mut self, system: &M, kind: Kind, event: &Occurrence<M::Scalar, M::State>) -> Reacted<M> {
         match kind {
             Kind::Declared => system.react(event.event, event.time, &event.state),
-            Kind::Given => Ok(Answer::new((self.given.react)(event))),
+            Kind::Given => Ok(Response::new((self.given.react)(event))),
         }
     }
 

@@ -1,16 +1,14 @@
 //! Looking for zeros within steps.
 
-use super::declared::DeclaredEvent;
 use super::detector::Detector;
-use super::direction::Direction;
 use super::locate::{ACCURACY, MOST_ROUNDS, Sample, locate};
 use super::piece::{Piece, Sight};
 use super::polynomial::{POINTS, points};
 use super::search::Search;
 use crate::integrate::EventSource::Given;
-use crate::integrate::{Cause, Stepper};
+use crate::integrate::Stepper;
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StateVector};
+use crate::system::{DeclaredEvent, Direction, OdeSystem, StateVector, StepFailure};
 
 /// The part of a step after which the state has left what it was replaced by.
 const SHORTLY: f64 = 1e-10;
@@ -112,7 +110,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         system: &M,
         stepper: &mut impl Stepper<M>,
         mut values: impl FnMut(S, &M::State) -> [S; K],
-    ) -> Result<Option<Occurrence<S, M::State>>, Cause<S>>
+    ) -> Result<Option<Occurrence<S, M::State>>, StepFailure<S>>
     where
         M: OdeSystem<Scalar = S> + ?Sized,
     {
@@ -149,7 +147,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         &mut self,
         (from, to): (S, S),
         mut values: impl FnMut(S) -> [S; K],
-    ) -> Result<Option<Suspect<S>>, Cause<S>> {
+    ) -> Result<Option<Suspect<S>>, StepFailure<S>> {
         if !self.search.is_of(from, to) {
             self.search = Search::new(from, to);
         }
@@ -195,7 +193,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
     }
 
     /// The function has its event at `time`, where these are the values.
-    fn fire(&mut self, event: usize, time: S, values: [S; K]) -> Result<(), Cause<S>> {
+    fn fire(&mut self, event: usize, time: S, values: [S; K]) -> Result<(), StepFailure<S>> {
         check(values)?;
         for (k, (detector, value)) in self.detectors.iter_mut().zip(values).enumerate() {
             if k == event { detector.fire(time, value) } else { detector.pass(value) }
@@ -215,7 +213,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         system: &M,
         stepper: &mut impl Stepper<M>,
         values: impl FnMut(S, &M::State) -> [S; K],
-    ) -> Result<Option<Occurrence<S, M::State>>, Cause<S>>
+    ) -> Result<Option<Occurrence<S, M::State>>, StepFailure<S>>
     where
         M: OdeSystem<Scalar = S> + ?Sized,
     {
@@ -234,7 +232,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         piece: &Piece<S, K>,
         accuracy: S,
         values: &mut impl FnMut(S) -> [S; K],
-    ) -> Result<First<S>, Cause<S>> {
+    ) -> Result<First<S>, StepFailure<S>> {
         let is_shortest = self.search.is_shortest();
         if piece.values.iter().any(|values| check(*values).is_err()) {
             return Ok(First::Unclear);
@@ -248,8 +246,11 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
                 Sight::AtOnce => self.reached,
                 Sight::Between { from, to, sign } => {
                     match self.bracket((from, to), (detector, sign.sign()), |t| values(t)[event]) {
-                        Some((before, after)) => locate(before, after, accuracy, |t| values(t)[event])
-                            .ok_or(Cause::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS })?,
+                        Some((before, after)) => {
+                            locate(before, after, accuracy, |t| values(t)[event]).ok_or(
+                                StepFailure::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS },
+                            )?
+                        }
                         None if is_shortest => continue,
                         None => return Ok(First::Unclear),
                     }
@@ -293,7 +294,7 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
 
     /// Remembers the signs of these values, found right after the state was replaced. Switches wait for a value that is not
     /// rounding.
-    fn learn_shortly(&mut self, values: [S; K]) -> Result<(), Cause<S>> {
+    fn learn_shortly(&mut self, values: [S; K]) -> Result<(), StepFailure<S>> {
         check(values)?;
         for (detector, value) in self.detectors.iter_mut().zip(values) {
             // What passed zero by a jump since then is found first.
@@ -350,11 +351,11 @@ impl<S: Scalar, const K: usize> Watch<S, K> {
         self.detectors.iter_mut().zip(values).for_each(|(detector, value)| detector.pass(value));
     }
 
-    fn check_repetitions(&self) -> Result<(), Cause<S>> {
+    fn check_repetitions(&self) -> Result<(), StepFailure<S>> {
         if self.repetitions < MOST_REPETITIONS || !self.was_fired {
             return Ok(());
         }
-        Err(Cause::EventsAccumulate { events: self.repetitions, event: Given(self.last) })
+        Err(StepFailure::EventsAccumulate { events: self.repetitions, event: Given(self.last) })
     }
 }
 
@@ -382,9 +383,9 @@ fn is_rounding<S: Scalar, Y: StateVector<S>>(state: &Y, mut value: impl FnMut(&Y
     here.abs() <= (0..state.as_ref().len()).map(change).fold(S::ZERO, |sum, change| sum + change)
 }
 
-fn check<S: Scalar, const K: usize>(values: [S; K]) -> Result<(), Cause<S>> {
+fn check<S: Scalar, const K: usize>(values: [S; K]) -> Result<(), StepFailure<S>> {
     match values.iter().position(|value| !value.is_finite()) {
-        Some(event) => Err(Cause::EventNotFinite { event: Given(event) }),
+        Some(event) => Err(StepFailure::EventNotFinite { event: Given(event) }),
         None => Ok(()),
     }
 }

@@ -5,10 +5,9 @@
 //! reached. A system with sides fixed goes on from that very time, on another side. Otherwise steps end two roundings of time before
 //! the jump and start two after it, so that every evaluation lies on one side of it, wherever its definition puts the instant itself.
 
-use crate::integrate::error::Cause;
 use crate::integrate::method::Stepper;
 use crate::scalar::Scalar;
-use crate::system::OdeSystem;
+use crate::system::{OdeSystem, StepFailure};
 
 /// Steps keep so many roundings of time away from a restart.
 const ROUNDINGS: f64 = 2.0;
@@ -42,7 +41,11 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     ///
     /// # Errors
     /// As [`Stepper::restart`].
-    pub(crate) fn resume<M>(&self, system: &M, stepper: &mut impl Stepper<M>) -> Result<Option<M>, Cause<S>>
+    pub(crate) fn resume<M>(
+        &self,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+    ) -> Result<Option<M>, StepFailure<S>>
     where
         M: OdeSystem<Scalar = S>,
     {
@@ -65,7 +68,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         stepper: &mut impl Stepper<M>,
         instant: Option<S>,
         is_of_interest: impl Fn(S, S) -> bool,
-    ) -> Result<(), Cause<S>>
+    ) -> Result<(), StepFailure<S>>
     where
         M: OdeSystem<Scalar = S>,
     {

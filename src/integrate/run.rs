@@ -1,11 +1,11 @@
 //! From a start to an end without keeping anything.
 
 use crate::event::integrate_declared;
-use crate::integrate::error::{Cause, IntegrationError, Outcome};
+use crate::integrate::error::{IntegrationError, Outcome};
 use crate::integrate::method::{Method, Stepper};
 use crate::integrate::restarts::Restarts;
 use crate::integrate::undefined::explained;
-use crate::system::OdeSystem;
+use crate::system::{OdeSystem, StepFailure};
 
 /// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
 ///
@@ -57,7 +57,7 @@ where
     if !M::EVENTS.is_empty() {
         return integrate_declared(system, (t0, y0), t_end, method, observe);
     }
-    let failed = |cause: Cause<M::Scalar>, time, state| {
+    let failed = |cause: StepFailure<M::Scalar>, time, state| {
         let cause = explained(cause, system, (time, &state), t_end);
         IntegrationError { cause, time, state }
     };

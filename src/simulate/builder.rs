@@ -5,8 +5,7 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::event::{Direction, Reaction};
-use crate::integrate::{Cause, Method, Verner98};
+use crate::integrate::{Method, Verner98};
 use crate::scalar::Scalar;
 use crate::simulate::control::{Controller, Drive, InputColumns, Undriven};
 use crate::simulate::error::SimulationError;
@@ -15,7 +14,9 @@ use crate::simulate::progress::{Progress, Reporter, Verdict};
 use crate::simulate::run::run;
 use crate::simulate::sampling::Sampling;
 use crate::simulate::trajectory::Trajectory;
-use crate::system::{CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem, split};
+use crate::system::{
+    Action, CanonicalSystem, Direction, EnergyFunction, MechanicalSystem, OdeSystem, StepFailure, split,
+};
 
 /// Where a run starts. It wants to know when it ends.
 #[derive(Clone, Copy, Debug)]
@@ -96,7 +97,7 @@ pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven> {
     /// The columns of inputs, if they are set during the run.
     pub(super) inputs: Option<InputColumns<M>>,
     /// A setting that makes no sense.
-    pub(super) fault: Option<Cause<M::Scalar>>,
+    pub(super) fault: Option<StepFailure<M::Scalar>>,
     pub(super) sampling: Sampling<M::Scalar>,
     pub(super) is_dense: bool,
     pub(super) max_steps: Option<u64>,
@@ -257,7 +258,8 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
 
     pub(super) fn with(mut self, names: Vec<String>, extend: Extend<'a, M>) -> Self {
         if names.is_empty() {
-            let empty = Cause::Setting("a list of columns to observe is empty: name at least one column");
+            let empty =
+                StepFailure::Setting("a list of columns to observe is empty: name at least one column");
             self.fault = self.fault.or(Some(empty));
         }
         self.observers.push(Observer { names, extend });
@@ -276,7 +278,7 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
         direction: Direction,
         value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
     ) -> Self {
-        self.event_with(name, direction, value, |_, _| Reaction::Continue)
+        self.event_with(name, direction, value, |_, _| Action::Continue)
     }
 
     /// Ends the run at the first such zero, which is recorded, too.
@@ -286,7 +288,7 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
         direction: Direction,
         value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
     ) -> Self {
-        self.event_with(name, direction, value, |_, _| Reaction::Stop)
+        self.event_with(name, direction, value, |_, _| Action::Stop)
     }
 
     /// Records each such zero and then goes on, stops, or goes on from another state, as after an impact.
@@ -295,7 +297,7 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
         name: &str,
         direction: Direction,
         value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
-        react: impl FnMut(&M, &Event<M::Scalar, M::State>) -> Reaction<M::State> + 'a,
+        react: impl FnMut(&M, &Event<M::Scalar, M::State>) -> Action<M::State> + 'a,
     ) -> Self {
         let (value, react) = (Box::new(value), Box::new(react));
         self.watchers.push(Watcher { name: name.to_string(), direction, value, react });

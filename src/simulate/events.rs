@@ -4,14 +4,13 @@ use std::boxed::Box;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::contact::Happening;
-use crate::event::{
-    Answer, Course, Declarations, Direction, Lookout, Occurrence, Reaction, Watch, is_at_once,
-};
-use crate::integrate::{Cause, EventSource, Stepper};
+use crate::event::{Course, Declarations, Lookout, Occurrence, Watch, is_at_once};
+use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::simulate::control::ClosedLoop;
-use crate::system::{MechanicalSystem, OdeSystem, Reacted};
+use crate::system::{
+    Action, Direction, EventKind, EventSource, MechanicalSystem, OdeSystem, Reacted, Response, StepFailure,
+};
 
 /// Something that happened during a run.
 #[derive(Clone, PartialEq, Debug)]
@@ -24,7 +23,7 @@ pub struct Event<S, Y> {
     /// The state then, before any reaction.
     pub state: Y,
     /// What it was: more than a zero if it is the event of a contact or of dry friction.
-    pub happening: Happening<S>,
+    pub kind: EventKind<S>,
 }
 
 /// A function of time and state.
@@ -35,7 +34,7 @@ type Value<'a, M> =
 type Found<M> = Event<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 
 /// What to do at an event.
-type React<'a, M> = Box<dyn FnMut(&M, &Found<M>) -> Reaction<<M as OdeSystem>::State> + 'a>;
+type React<'a, M> = Box<dyn FnMut(&M, &Found<M>) -> Action<<M as OdeSystem>::State> + 'a>;
 
 /// A function whose zeros are looked for.
 pub(super) struct Watcher<'a, M: MechanicalSystem> {
@@ -62,7 +61,7 @@ pub(super) struct Happened<C: MechanicalSystem> {
 }
 
 /// The next of them, if there is one.
-type Next<C> = Result<Option<Happened<C>>, Cause<<C as OdeSystem>::Scalar>>;
+type Next<C> = Result<Option<Happened<C>>, StepFailure<<C as OdeSystem>::Scalar>>;
 
 /// A watcher with its memory.
 struct Lookouts<'a, M: MechanicalSystem> {
@@ -85,7 +84,7 @@ enum Whose {
 }
 
 /// Which event is ahead, and when.
-type Ahead<M> = Result<Option<(Whose, <M as OdeSystem>::Scalar)>, Cause<<M as OdeSystem>::Scalar>>;
+type Ahead<M> = Result<Option<(Whose, <M as OdeSystem>::Scalar)>, StepFailure<<M as OdeSystem>::Scalar>>;
 
 impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Watchers<'a, M, C> {
     /// Starts to watch a run to `end` at a time and state.
@@ -149,21 +148,21 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Watchers<'a, M, C> {
         whose: Whose,
         Occurrence { event, time, state }: Occurrence<M::Scalar, M::State>,
     ) -> Happened<C> {
-        let found = |name, happening| Event { name, time, state, happening };
+        let found = |name, kind| Event { name, time, state, kind };
         match whose {
             Whose::Declared => {
                 let (answer, declared) = (system.react(event, time, &state), &C::EVENTS[event]);
-                let happening = answer.as_ref().map_or(Happening::Zero, |answer| answer.happening);
+                let kind = answer.as_ref().map_or(EventKind::Zero, |answer| answer.kind);
                 // A contact may touch without an impact and without closing.
-                let is_none = declared.is_switch && happening == Happening::Zero;
-                let event = (!is_none).then(|| found(declared.name.to_string(), happening));
+                let is_none = declared.is_switch && kind == EventKind::Zero;
+                let event = (!is_none).then(|| found(declared.name.to_string(), kind));
                 Happened { event, time, state, answer }
             }
             Whose::Given(index) => {
                 let watcher = &mut self.given[index].watcher;
-                let event = found(watcher.name.clone(), Happening::Zero);
-                let reaction = system.ask(time, &state, |plant| (watcher.react)(plant, &event));
-                let answer = Ok(Answer::new(reaction));
+                let event = found(watcher.name.clone(), EventKind::Zero);
+                let action = system.ask(time, &state, |plant| (watcher.react)(plant, &event));
+                let answer = Ok(Response::new(action));
                 Happened { event: Some(event), time, state, answer }
             }
         }

@@ -4,7 +4,7 @@ use std::string::String;
 use std::sync::Arc;
 use std::vec::Vec;
 
-use crate::integrate::{Cause, Stepper, Work};
+use crate::integrate::{Stepper, Work};
 use crate::scalar::Scalar;
 use crate::simulate::builder::Observer;
 use crate::simulate::control::{ClosedLoop, ROUNDINGS};
@@ -13,7 +13,7 @@ use crate::simulate::events::Event;
 use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::Table;
 use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::system::MechanicalSystem;
+use crate::system::{MechanicalSystem, StepFailure};
 
 /// What is kept of a run while it goes on.
 pub(super) struct Record<'a, 'c, M: MechanicalSystem, C> {
@@ -100,7 +100,7 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
         &mut self,
         sampling: Sampling<M::Scalar>,
         end: M::Scalar,
-    ) -> Result<(), Cause<M::Scalar>> {
+    ) -> Result<(), StepFailure<M::Scalar>> {
         self.samples = match sampling {
             Sampling::EveryStep => Samples::EveryStep,
             Sampling::Every(interval) => {

@@ -6,7 +6,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use crate::event::{Course, is_forwards};
-use crate::integrate::{Cause, Method, Restarts, Stepper, explained};
+use crate::integrate::{Method, Restarts, Stepper, explained};
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::control::{ClosedLoop, Controllers, Drive};
@@ -17,7 +17,7 @@ use crate::simulate::progress::{Progress, Reporter};
 use crate::simulate::record::Record;
 use crate::simulate::table::TIME;
 use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::system::{MechanicalSystem, OdeSystem};
+use crate::system::{MechanicalSystem, OdeSystem, StepFailure};
 
 /// Integrates from start to end.
 pub(super) fn run<M, K, D>(simulation: Simulation<'_, M, K, D>) -> Result<Trajectory<M>, SimulationError<M>>
@@ -80,13 +80,13 @@ where
 
 /// The cause by name, of a run that stopped at this time and state.
 fn named<M: MechanicalSystem>(
-    cause: Cause<M::Scalar>,
+    cause: StepFailure<M::Scalar>,
     record: &Record<'_, '_, M, impl ClosedLoop<M>>,
     stopped: (M::Scalar, &M::State),
     end: M::Scalar,
-) -> Cause<M::Scalar> {
+) -> StepFailure<M::Scalar> {
     match explained(cause, record.system(), stopped, end) {
-        Cause::Undefined(what) => Cause::Undefined(what.with_names(M::COORDINATES)),
+        StepFailure::Undefined(what) => StepFailure::Undefined(what.with_names(M::COORDINATES)),
         cause => cause,
     }
 }
@@ -98,7 +98,7 @@ fn begin<M: MechanicalSystem, C: ClosedLoop<M>>(
     controllers: &mut Controllers<'_, M>,
     (t, y): (M::Scalar, M::State),
     end: M::Scalar,
-) -> Result<Option<C>, Cause<M::Scalar>> {
+) -> Result<Option<C>, StepFailure<M::Scalar>> {
     is_forwards::<C>(t, end)?;
     let acted = controllers.begin(system.plant(), (t, &y))?.map(|plant| system.with_plant(plant));
     let begun = acted.as_ref().unwrap_or(system).begin(t, &y)?;
@@ -115,9 +115,9 @@ fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scal
 }
 
 /// Times of restart in the order in which a run from `start` to `end` meets them.
-fn in_order<S: Scalar>(mut times: Vec<S>, start: S, end: S) -> Result<Vec<S>, Cause<S>> {
+fn in_order<S: Scalar>(mut times: Vec<S>, start: S, end: S) -> Result<Vec<S>, StepFailure<S>> {
     if !times.iter().all(|time| time.is_finite()) {
-        return Err(Cause::Setting("times of restart must be finite"));
+        return Err(StepFailure::Setting("times of restart must be finite"));
     }
     times.sort_by(|one, other| one.partial_cmp(other).unwrap_or(Ordering::Equal));
     if end < start {
@@ -128,16 +128,16 @@ fn in_order<S: Scalar>(mut times: Vec<S>, start: S, end: S) -> Result<Vec<S>, Ca
 
 fn check_names<M: MechanicalSystem>(
     record: &Record<'_, '_, M, impl ClosedLoop<M>>,
-) -> Result<(), Cause<M::Scalar>> {
+) -> Result<(), StepFailure<M::Scalar>> {
     let names = record.names();
     if repeated(names).is_some() {
-        return Err(Cause::RepeatedColumn);
+        return Err(StepFailure::RepeatedColumn);
     }
     if names.iter().any(String::is_empty) {
-        return Err(Cause::Setting("a column has an empty name"));
+        return Err(StepFailure::Setting("a column has an empty name"));
     }
     if names.iter().any(|name| name == TIME) {
-        return Err(Cause::Setting("a column has the name of the time, `t`"));
+        return Err(StepFailure::Setting("a column has the name of the time, `t`"));
     }
     Ok(())
 }
@@ -155,11 +155,11 @@ struct Run<'a, 'r, M: MechanicalSystem, C: MechanicalSystem, T> {
 
 impl<'a, M: MechanicalSystem, C: ClosedLoop<M>, T: Stepper<C>> Run<'a, '_, M, C, T> {
     /// Steps to the end, keeping what is asked for.
-    fn follow(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<Ending, Cause<M::Scalar>> {
+    fn follow(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<Ending, StepFailure<M::Scalar>> {
         while self.stepper.time() != self.end {
             let work = self.stepper.work();
             if work.steps + work.rejections >= self.max_steps {
-                return Err(Cause::TooManySteps { limit: self.max_steps });
+                return Err(StepFailure::TooManySteps { limit: self.max_steps });
             }
             self.control(record)?;
             let resumed = self.restarts.resume(record.system(), &mut self.stepper)?;
@@ -180,7 +180,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>, T: Stepper<C>> Run<'a, '_, M, C,
     }
 
     /// Lets controllers act whose instants have been reached.
-    fn control(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<(), Cause<M::Scalar>> {
+    fn control(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<(), StepFailure<M::Scalar>> {
         let (time, state) = (self.restarts.time(&self.stepper), *self.stepper.state());
         let beyond = self.restarts.beyond(&self.stepper);
         let acted = self.controllers.act(record.seen().plant(), beyond, (time, &state))?;
@@ -197,7 +197,10 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>, T: Stepper<C>> Run<'a, '_, M, C,
     }
 
     /// Keeps the last step, up to the event that ends it if there is one; how the run ends, if it does thereby.
-    fn react(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<ControlFlow<Ending>, Cause<M::Scalar>> {
+    fn react(
+        &mut self,
+        record: &mut Record<'a, '_, M, C>,
+    ) -> Result<ControlFlow<Ending>, StepFailure<M::Scalar>> {
         loop {
             let next = self.watchers.next(record.system(), &mut self.stepper);
             let Some(first) = next? else { break };
@@ -245,7 +248,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>, T: Stepper<C>> Run<'a, '_, M, C,
         &mut self,
         record: &mut Record<'a, '_, M, C>,
         first: Happened<C>,
-    ) -> Result<Course<C>, Cause<M::Scalar>> {
+    ) -> Result<Course<C>, StepFailure<M::Scalar>> {
         let time = first.time;
         let mut course = Course::new();
         let mut next = Some(first);

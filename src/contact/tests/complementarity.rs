@@ -4,8 +4,7 @@ use super::systems::{BACKWARDS, CLOSED, FORWARDS, FREE, OPEN, STICKS, Stick, not
 use crate::contact::balance::Balance;
 use crate::contact::settle::Choice;
 use crate::contact::{ContactSystem, Mode, Terms, begin};
-use crate::event::Reaction;
-use crate::system::OdeSystem;
+use crate::system::{Action, OdeSystem};
 
 /// Contacts of a body with friction in each, which follows its contact.
 const CONTACTS: usize = 4;
@@ -136,7 +135,7 @@ fn a_rod_that_is_dragged_against_strong_friction_jams() {
         }
         let slips = if slip > 0.0 { FORWARDS } else { BACKWARDS };
         let answer = stick.in_modes([CLOSED, slips]).react(0, 1.0, &y).expect("it jams");
-        let Reaction::Replace(after) = answer.reaction else { panic!("{:?}", answer.reaction) };
+        let Action::Replace(after) = answer.action else { panic!("{:?}", answer.action) };
         assert_eq!(answer.system.map(|system| system.modes), Some([CLOSED, STICKS]));
         // J = m L²/12, and the end is at (−cos, −sin) from the centre.
         let (sin, cos) = angle.sin_cos();

@@ -3,6 +3,5 @@
 mod complementarity;
 mod friction;
 mod impacts;
-mod least_norm;
 mod motions;
 mod systems;

@@ -11,15 +11,16 @@
 //! Sources: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3; Benzi, Golub, Liesen, *Numerical
 //! solution of saddle point problems*, Acta Numerica 14 (2005), §3.4.
 
-use crate::constraint::{ConstraintValues, inner};
-use crate::integrate::canonical::{add, magnitude};
-use crate::integrate::error::Cause;
-use crate::integrate::linear::ranked::RankedFactors;
-use crate::integrate::linear::{Factors, Matrix};
+use crate::integrate::canonical::magnitude;
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations, finite};
+use crate::linalg::pivoted::{Factors, Matrix};
+use crate::linalg::ranked::RankedFactors;
+use crate::linalg::vector::{add, dot};
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
+use crate::system::{
+    CanonicalSystem, ConstraintValues, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split,
+};
 
 type Values<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
@@ -33,7 +34,7 @@ pub(in crate::integrate) fn held_velocities<M: CanonicalSystem + ?Sized>(
     mass: &Matrix<M::Scalar, M::Coordinates>,
     h: M::Scalar,
     work: &mut Work,
-) -> Result<[M::Coordinates; 2], Cause<M::Scalar>> {
+) -> Result<[M::Coordinates; 2], StepFailure<M::Scalar>> {
     let values = system.constraint_values(t, q, &guess);
     let (mut unknowns, mut uncounted) = ([join::<M>(&guess, &M::Coordinates::ZERO)], Work::default());
     let saddle = Saddle::new(mass, &values)?;
@@ -101,24 +102,24 @@ struct Saddle<S: Scalar, Q: StateVector<S>> {
 }
 
 impl<S: Scalar, Q: StateVector<S>> Saddle<S, Q> {
-    fn new(mass: &Matrix<S, Q>, values: &ConstraintValues<S, Q>) -> Result<Self, Cause<S>> {
+    fn new(mass: &Matrix<S, Q>, values: &ConstraintValues<S, Q>) -> Result<Self, StepFailure<S>> {
         if !(finite(mass.0.as_ref()) && finite(values.jacobian.as_ref())) {
-            return Err(Cause::NotFinite);
+            return Err(StepFailure::NotFinite);
         }
         let (factors, stiffness) = match Factors::new(*mass) {
             Some(factors) => (factors, S::ZERO),
             None => {
                 let stiffness = stiffness(mass, values);
                 let factors = Factors::new(stiffened(mass, values, stiffness));
-                (factors.ok_or(Cause::SingularMassMatrix)?, stiffness)
+                (factors.ok_or(StepFailure::SingularMassMatrix)?, stiffness)
             }
         };
         let mut moved = Q::ZERO_SQUARE;
         for (moved, row) in moved.as_mut().iter_mut().zip(values.jacobian.as_ref()).take(values.count()) {
             *moved = factors.solve(row);
         }
-        let mobility = Matrix::of(|i, j| inner(values.row(i), &moved.as_ref()[j]));
-        let mobility = RankedFactors::new(mobility, values.count()).ok_or(Cause::NotFinite)?;
+        let mobility = Matrix::of(|i, j| dot(values.row(i), &moved.as_ref()[j]));
+        let mobility = RankedFactors::new(mobility, values.count()).ok_or(StepFailure::NotFinite)?;
         Ok(Saddle { factors, stiffness, values: *values, moved, mobility })
     }
 

@@ -3,11 +3,11 @@
 pub(crate) mod checks;
 mod mechanisms;
 
-use crate::constraint::ConstraintValues;
-use crate::integrate::linear::Matrix;
-use crate::integrate::linear::ranked::RankedFactors;
+use crate::linalg::pivoted::Matrix;
+use crate::linalg::ranked::RankedFactors;
 use crate::system::{
-    CanonicalSystem, EnergyFunction, LeapfrogSystem, MechanicalSystem, OdeSystem, StateVector, join, split,
+    CanonicalSystem, ConstraintValues, EnergyFunction, LeapfrogSystem, MechanicalSystem, OdeSystem,
+    StateVector, join, split,
 };
 
 pub(super) use self::mechanisms::{

@@ -3,9 +3,9 @@
 use std::string::ToString;
 use std::vec::Vec;
 
-use crate::event::{Direction, Occurrence, Reaction, integrate_with_events};
+use crate::event::{Occurrence, integrate_with_events};
 use crate::integrate::{Method, PlainGaussLegendre, Restarts, RungeKutta4, Stepper, Verner98, integrate};
-use crate::system::OdeSystem;
+use crate::system::{Action, Direction, OdeSystem};
 
 /// ẍ = 0 before the time 0, then 1, −2, 3, … between jumps one second apart.
 #[derive(Clone, Copy)]
@@ -140,7 +140,7 @@ fn events_come_in_between() {
     let watch = ([Direction::Rising; 2], |t: f64, _: &[f64; 2]| [t - 0.5, t - 2.0]);
     let react = |event: &Occurrence<f64, [f64; 2]>| {
         seen.push((event.event, event.time));
-        if event.event == 1 { Reaction::Replace([0.0, 0.0]) } else { Reaction::Continue }
+        if event.event == 1 { Action::Replace([0.0, 0.0]) } else { Action::Continue }
     };
     let method = Verner98::tolerance(1e-10);
     let (_, end) =

@@ -15,14 +15,13 @@
 //! Sources: Ryckaert, Ciccotti, Berendsen, Journal of Computational Physics 23 (1977), 327–341; Andersen, Journal of
 //! Computational Physics 52 (1983), 24–34; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3.
 
-use crate::integrate::canonical::{add, magnitude};
-use crate::integrate::error::Cause;
+use crate::integrate::canonical::magnitude;
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::splitting::{Composition, Trial};
-use crate::integrate::stability::combined;
+use crate::linalg::vector::{add, combined};
 use crate::scalar::Scalar;
-use crate::system::{LeapfrogSystem, MechanicalSystem, OdeSystem, StateVector};
+use crate::system::{LeapfrogSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure};
 
 /// A trial step with the change of the velocities.
 type Tried<M> = (
@@ -39,7 +38,7 @@ pub(super) fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     h: M::Scalar,
     start: &M::Coordinates,
     work: &mut Work,
-) -> Result<Tried<M>, Cause<M::Scalar>> {
+) -> Result<Tried<M>, StepFailure<M::Scalar>> {
     let (number, one) = (M::Scalar::from_f64, M::Scalar::ONE);
     let mut gain = combined(&M::Coordinates::ZERO, number(composition.first) * h, start);
     let mut impulse = Impulse { system, t, q, h, sum: M::Coordinates::ZERO, last: M::Coordinates::ZERO };

@@ -18,14 +18,14 @@
 //! (2001), 1365–1392, and Jay, *Lagrange–d'Alembert SPARK integrators for nonholonomic Lagrangian systems*, whose integrated
 //! constraints these are.
 
-use crate::integrate::canonical::{Derivatives, Step, add, magnitude};
-use crate::integrate::error::Cause;
+use crate::integrate::canonical::{Derivatives, Step, magnitude};
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::variational::coupled::{Coupled, FORCES, PARTS, Values, combined};
 use crate::integrate::variational::{Instant, balance, places};
+use crate::linalg::vector::add;
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
+use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
 
 type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
@@ -49,7 +49,7 @@ impl<'a, M: CanonicalSystem + ?Sized> HeldEquations<'a, M> {
         step: &'a Step<'a, M>,
         derivatives: Derivatives<M>,
         ends: &[M::Coordinates; 2],
-    ) -> Result<Self, Cause<M::Scalar>> {
+    ) -> Result<Self, StepFailure<M::Scalar>> {
         let values = places(step, ends).map(|(t, q, v)| step.system.constraint_values(t, &q, &v));
         let coupled = Coupled::new(&derivatives, values, step.h)?;
         let [first, middle, last] = values;
@@ -64,7 +64,7 @@ impl<'a, M: CanonicalSystem + ?Sized> HeldEquations<'a, M> {
         multipliers: &[M::Coordinates; 2],
         rounding: M::Scalar,
         work: &mut Work,
-    ) -> Result<Solved<M>, Cause<M::Scalar>> {
+    ) -> Result<Solved<M>, StepFailure<M::Scalar>> {
         let mut unknowns = [join::<M>(&ends[0], &multipliers[0]), join::<M>(&ends[1], &multipliers[1])];
         newton::solve(&mut self, &mut unknowns, rounding, work)?;
         let [(first, start), (last, middle)] = unknowns.each_ref().map(split::<M>);

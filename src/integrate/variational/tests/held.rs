@@ -9,7 +9,8 @@ use crate::integrate::constrained_systems::{
     Dragged, DrivenSlide, Held, PlanePendulum, Sleigh, SphericalPendulum, ThreeCranks, TurningWire, TwoRods,
     on_sphere,
 };
-use crate::integrate::{Cause, Method, Stepper, integrate};
+use crate::integrate::{Method, Stepper, integrate};
+use crate::system::StepFailure;
 
 const PENDULUM: [f64; 4] = [0.6, -0.8, 1.6, 1.2];
 const SPHERICAL: [f64; 6] = [0.6, 0.0, -0.8, 0.4, 1.5, 0.3];
@@ -122,7 +123,7 @@ fn steps_that_lose_their_way_leave_the_last_state() {
     let fast = PENDULUM.map(|entry| if entry.abs() > 1.0 { 50.0 * entry } else { entry });
     let error =
         integrate(&Held(PlanePendulum), 0.0, fast, 1.0, &method(0.5), |_, _| {}).expect_err("refused");
-    assert!(matches!(error.cause, Cause::NotConverged { .. } | Cause::NotFinite), "{error}");
+    assert!(matches!(error.cause, StepFailure::NotConverged { .. } | StepFailure::NotFinite), "{error}");
     assert_eq!((error.time, error.state), (0.0, fast));
 }
 

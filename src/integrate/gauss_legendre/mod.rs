@@ -10,13 +10,12 @@ mod linearised;
 mod plain;
 mod tableau;
 
-use crate::integrate::error::Cause;
 use crate::integrate::fixed::FixedStepper;
-use crate::integrate::gauss::canonical::Canonical;
-use crate::integrate::gauss::plain::Plain;
-use crate::integrate::gauss::tableau::{Coefficients, Tableau};
+use crate::integrate::gauss_legendre::canonical::Canonical;
+use crate::integrate::gauss_legendre::plain::Plain;
+use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
 use crate::integrate::method::Method;
-use crate::system::{CanonicalSystem, OdeSystem};
+use crate::system::{CanonicalSystem, OdeSystem, StepFailure};
 
 /// The implicit midpoint rule, the Gauss method of order two. See [`GaussLegendre`].
 pub type ImplicitMidpoint<S> = GaussLegendre<S, 1>;
@@ -67,7 +66,7 @@ where
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Canonical::new(), self.step, system, t, y, end)
     }
 }
@@ -139,7 +138,7 @@ where
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Plain::new(), self.step, system, t, y, end)
     }
 }

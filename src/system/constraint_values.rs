@@ -1,7 +1,7 @@
 //! The constraints that act at an instant.
 
+use crate::linalg::vector::{StateVector, dot};
 use crate::scalar::Scalar;
-use crate::system::StateVector;
 
 /// Residuals and gradients of the constraints that act at a time and state.
 ///
@@ -67,7 +67,7 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
     /// A x
     #[inline]
     pub(crate) fn applied(&self, x: &Q) -> Q {
-        self.by_rows(|row| inner(row, x))
+        self.by_rows(|row| dot(row, x))
     }
 
     /// Σⱼ |Aᵢⱼ| xⱼ of each constraint
@@ -137,12 +137,6 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         self.is_holonomic.as_mut()[self.count] = is_holonomic;
         self.count += 1;
     }
-}
-
-/// Σ aᵢ bᵢ
-#[inline]
-pub(crate) fn inner<S: Scalar, Q: StateVector<S>>(a: &Q, b: &Q) -> S {
-    a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| a.multiply_add(*b, sum))
 }
 
 #[cfg(test)]

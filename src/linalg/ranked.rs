@@ -1,8 +1,8 @@
 //! Equations that may depend on each other.
 
-use crate::integrate::linear::Matrix;
+use crate::linalg::pivoted::Matrix;
+use crate::linalg::vector::StateVector;
 use crate::scalar::Scalar;
-use crate::system::StateVector;
 
 /// Pivots below this many roundings, where the largest entries are ones, are those of dependent equations.
 const DEPENDENT: f64 = 1e3;
@@ -12,7 +12,7 @@ const DEPENDENT: f64 = 1e3;
 /// Rows and columns are scaled to largest entries of one, so that their units do not matter. Where equations depend on each
 /// other, unknowns that are left over are zero. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §3.4.8.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::integrate) struct RankedFactors<S: Scalar, Y: StateVector<S>> {
+pub(crate) struct RankedFactors<S: Scalar, Y: StateVector<S>> {
     /// L without its diagonal of ones below, U above.
     factors: Matrix<S, Y>,
     scales: [Y; 2],
@@ -23,7 +23,7 @@ pub(in crate::integrate) struct RankedFactors<S: Scalar, Y: StateVector<S>> {
 
 impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
     /// The factors of the first `size` rows and columns, unless they are not finite.
-    pub(in crate::integrate) fn new(matrix: Matrix<S, Y>, size: usize) -> Option<Self> {
+    pub(crate) fn new(matrix: Matrix<S, Y>, size: usize) -> Option<Self> {
         let (scales, exchanged) = ([Y::ZERO; 2], [Y::ZERO_INDICES; 2]);
         let mut factors = RankedFactors { factors: matrix, scales, exchanged, size, rank: size };
         if !factors.is_finite() {
@@ -44,7 +44,7 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
 
     /// The solution for a right-hand side, whose entries beyond the equations do not matter.
     #[inline]
-    pub(in crate::integrate) fn solve(&self, right: &Y) -> Y {
+    pub(crate) fn solve(&self, right: &Y) -> Y {
         let mut solution = *right;
         let (x, [row_scales, column_scales]) = (solution.as_mut(), &self.scales);
         for (x, scale) in x.iter_mut().zip(row_scales.as_ref()) {
@@ -75,7 +75,7 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
     }
 
     /// The column and the value of the first pivot that is that of dependent equations, if there is one.
-    pub(in crate::integrate) fn lost_pivot(&self) -> Option<(usize, S)> {
+    pub(crate) fn lost_pivot(&self) -> Option<(usize, S)> {
         if self.rank == self.size {
             return None;
         }
@@ -160,7 +160,7 @@ fn reciprocal<S: Scalar>(entries: impl Iterator<Item = S>) -> S {
 #[cfg(test)]
 mod tests {
     use super::RankedFactors;
-    use crate::integrate::linear::Matrix;
+    use crate::linalg::pivoted::Matrix;
 
     const MATRIX: [[f64; 3]; 3] = [[0.0, 2.0e9, 1.0e3], [3.0e-6, 1.0, 0.0], [0.0, 1.0, 4.0e-6]];
 

@@ -4,9 +4,10 @@
 //! eigenvectors they fall apart into one real system as large as one stage and a complex one. Source: Hairer, Wanner,
 //! *Solving Ordinary Differential Equations II*, §IV.8.
 
-use crate::integrate::canonical::{Pencil, add};
-use crate::integrate::gauss::tableau::{Mode, Tableau};
-use crate::integrate::linear::{ComplexFactors, Factors, Matrix};
+use crate::integrate::canonical::Pencil;
+use crate::integrate::gauss_legendre::tableau::{Mode, Tableau};
+use crate::linalg::pivoted::{ComplexFactors, Factors, Matrix};
+use crate::linalg::vector::add;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 

@@ -6,7 +6,7 @@
 
 use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
 use crate::integrate::method::Work;
-use crate::integrate::stability::combined;
+use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
 

@@ -42,22 +42,22 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMN
     }
 
     /// How many columns are independent.
-    pub(super) fn rank(&self) -> usize {
+    pub(crate) fn rank(&self) -> usize {
         self.rank
     }
 
     /// Which columns were taken, the independent ones first.
-    pub(super) fn order(&self) -> &[usize; COLUMNS] {
+    pub(crate) fn order(&self) -> &[usize; COLUMNS] {
         &self.order
     }
 
     /// Entry of R in row k and for the column taken l-th, k ≤ l.
-    pub(super) fn entry(&self, k: usize, l: usize) -> S {
+    pub(crate) fn entry(&self, k: usize, l: usize) -> S {
         if k == l { self.diagonal[k] } else { self.columns[l][k] }
     }
 
     /// Qᵀx
-    pub(super) fn inward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
+    pub(crate) fn inward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
         for k in 0..self.rank {
             apply(&self.columns[k], k, &mut x);
         }
@@ -65,7 +65,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMN
     }
 
     /// Q x
-    pub(super) fn outward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
+    pub(crate) fn outward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
         for k in (0..self.rank).rev() {
             apply(&self.columns[k], k, &mut x);
         }
@@ -73,7 +73,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMN
     }
 
     /// Amounts of the independent columns that add up to `right` as closely as possible; zero of the others.
-    pub(super) fn combination(&self, right: [S; ROWS]) -> [S; COLUMNS] {
+    pub(crate) fn combination(&self, right: [S; ROWS]) -> [S; COLUMNS] {
         let mut inner = self.inward(right);
         let mut amounts = [S::ZERO; COLUMNS];
         for k in (0..self.rank).rev() {
@@ -97,7 +97,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMN
     }
 
     /// A combination of columns that is zero but for rounding: one of the column taken l-th, which depends on the others.
-    pub(super) fn dependence(&self, l: usize) -> [S; COLUMNS] {
+    pub(crate) fn dependence(&self, l: usize) -> [S; COLUMNS] {
         let mut amounts = [S::ZERO; COLUMNS];
         amounts[self.order[l]] = S::ONE;
         let mut left = self.columns[l];
@@ -120,7 +120,7 @@ const PRECEDENCE: f64 = 0.125;
 fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], k: usize) -> (usize, S) {
     let mut most = (k, S::ZERO);
     for (index, column) in columns.iter().enumerate().skip(k) {
-        let length = length(&column[k..]);
+        let length = euclidean_norm(&column[k..]);
         if length - S::from_f64(PRECEDENCE) * length > most.1 {
             most = (index, length);
         }
@@ -154,6 +154,6 @@ fn apply<S: Scalar, const ROWS: usize>(u: &[S; ROWS], k: usize, x: &mut [S; ROWS
 }
 
 /// The Euclidean length.
-pub(super) fn length<S: Scalar>(x: &[S]) -> S {
+pub(crate) fn euclidean_norm<S: Scalar>(x: &[S]) -> S {
     x.iter().fold(S::ZERO, |sum, x| x.multiply_add(*x, sum)).sqrt()
 }

@@ -2,9 +2,9 @@
 
 use core::fmt::{Debug, Display, Formatter, Result};
 
-use super::{Cause, EventSource};
+use super::step_failure::{EventSource, StepFailure};
 
-impl<S: Debug> Display for Cause<S> {
+impl<S: Debug> Display for StepFailure<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self.event() {
             Some(event) => explain(self, &event, f),
@@ -24,64 +24,70 @@ impl Display for EventSource {
 }
 
 /// Writes why a run stopped, and of an event that it is about that it is this one.
-pub(crate) fn explain<S: Debug>(cause: &Cause<S>, event: &dyn Display, f: &mut Formatter<'_>) -> Result {
+pub(crate) fn explain<S: Debug>(
+    cause: &StepFailure<S>,
+    event: &dyn Display,
+    f: &mut Formatter<'_>,
+) -> Result {
     match cause {
-        Cause::Setting(what) | Cause::Stuck(what) | Cause::Adapted(what) => f.write_str(what),
-        Cause::Violated(violation) => write!(f, "{violation}"),
-        Cause::Restitution { contact, value } => write!(
+        StepFailure::Setting(what) | StepFailure::Stuck(what) | StepFailure::Adapted(what) => {
+            f.write_str(what)
+        }
+        StepFailure::Violated(violation) => write!(f, "{violation}"),
+        StepFailure::Restitution { contact, value } => write!(
             f,
             "the coefficient of restitution of contact `{contact}` is {value:?}; it must be from 0 to 1"
         ),
-        Cause::RepeatedColumn => f.write_str("two columns have the same name"),
-        Cause::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
-        Cause::Undefined(what) => write!(f, "{what}"),
-        Cause::NoFirstStep { relative, absolute } => write!(
+        StepFailure::RepeatedColumn => f.write_str("two columns have the same name"),
+        StepFailure::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
+        StepFailure::Undefined(what) => write!(f, "{what}"),
+        StepFailure::NoFirstStep { relative, absolute } => write!(
             f,
             "no first step fits the tolerance, {relative:?} of the state and {absolute:?} beside it: the state is too small or \
              its rates are too large for that; tolerate a larger absolute error"
         ),
-        Cause::StepUnderflow { step } => {
+        StepFailure::StepUnderflow { step } => {
             write!(f, "a step of {step:?} is lost in the rounding of time; the motion may be singular here")
         }
-        Cause::TooManySteps { limit } => write!(f, "all {limit} steps that are allowed were taken"),
-        Cause::TooManySamples { samples, most } => write!(
+        StepFailure::TooManySteps { limit } => write!(f, "all {limit} steps that are allowed were taken"),
+        StepFailure::TooManySamples { samples, most } => write!(
             f,
             "{samples:?} samples would be kept, more than {most:?}: take a longer interval, or `.ends_only()`"
         ),
-        Cause::UnknownOutput { name, known } => {
+        StepFailure::UnknownOutput { name, known } => {
             write!(f, "there is no output `{name}`; there are")?;
             let mut known = known.iter().enumerate();
             known.try_for_each(|(index, name)| write!(f, "{} `{name}`", if index == 0 { "" } else { "," }))
         }
-        Cause::Stiff { limit } => write!(
+        StepFailure::Stiff { limit } => write!(
             f,
             "the system is stiff: steps longer than about {limit:?} are unstable; take an implicit method"
         ),
-        Cause::StepTooLong { step, limit } => write!(
+        StepFailure::StepTooLong { step, limit } => write!(
             f,
             "a step of {step:?} is too long for this method: steps longer than about {limit:?} are unstable here, as the fastest \
              part of the motion tells, the largest eigenvalue of the linearised equations; take shorter steps, or an implicit method"
         ),
-        Cause::NotConverged { iterations } => write!(
+        StepFailure::NotConverged { iterations } => write!(
             f,
             "an implicit step did not converge in {iterations} iterations; take shorter steps, or let the \
              declaration `emit {{ jacobian }}`"
         ),
-        Cause::SingularMassMatrix => {
+        StepFailure::SingularMassMatrix => {
             f.write_str("the mass matrix is singular: velocities do not follow from momenta here")
         }
-        Cause::EventNotFinite { .. } => write!(f, "the function of {event} is NaN or infinite"),
-        Cause::EventsAccumulate { events, .. } => write!(
+        StepFailure::EventNotFinite { .. } => write!(f, "the function of {event} is NaN or infinite"),
+        StepFailure::EventsAccumulate { events, .. } => write!(
             f,
             "events accumulate: the last {events} of {event} cannot be told apart in time; stop there, or declare a body that \
              comes to rest with `impact(…)`, which closes the contact"
         ),
-        Cause::Slides { surface } => write!(
+        StepFailure::Slides { surface } => write!(
             f,
             "the state stays where the sign of {surface} changes: on either side the equations lead back there, and they do \
              not say what holds it; dry friction is declared by `friction name = slip velocity, limit;`"
         ),
-        Cause::EventNotLocated { bisections, .. } => {
+        StepFailure::EventNotLocated { bisections, .. } => {
             write!(f, "the zero of {event} could not be located in {bisections} bisections")
         }
     }

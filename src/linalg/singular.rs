@@ -2,18 +2,19 @@
 //!
 //! Regular ones by elimination. Of the solutions of a singular one the shortest, from orthogonal factors of its rows.
 
-use crate::constraint::orthogonal;
-use crate::integrate::linear::{Factors, Matrix};
+use crate::linalg::orthogonal;
+use crate::linalg::pivoted::{Factors, Matrix};
+use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
 /// The shortest x with A x = b, or NaN if there is none. Rows and columns are taken to be scaled, so that A has entries of about one.
-pub(super) fn solve<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
+pub(crate) fn solve<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
     let x = nearest(a, b);
     if residual(a, b, &x) <= size(a, b, &x) * negligible::<S>().sqrt() { x } else { [S::NAN; K] }
 }
 
 /// The same without a look at whether A x = b: rows that depend on others are left out, and may contradict these.
-pub(super) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
+pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
     let negligible = negligible::<S>();
     let factors = Factors::<S, [S; K]>::new(Matrix(*a));
     match factors.filter(|factors| factors.smallest_pivot() > negligible) {
@@ -23,7 +24,7 @@ pub(super) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) ->
 }
 
 /// What is rounding beside one: a little below the three quarters of all digits.
-pub(super) fn negligible<S: Scalar>() -> S {
+pub(crate) fn negligible<S: Scalar>() -> S {
     let root = S::epsilon().sqrt();
     root * root.sqrt()
 }
@@ -39,7 +40,5 @@ fn size<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], x: &[S; K]) -> S
     a.iter().zip(b).fold(S::ZERO, |sum, (row, b)| sum + terms(row) + b.abs())
 }
 
-/// a·b
-pub(super) fn dot<S: Scalar, const L: usize>(a: &[S; L], b: &[S; L]) -> S {
-    a.iter().zip(b).fold(S::ZERO, |sum, (a, b)| a.multiply_add(*b, sum))
-}
+#[cfg(test)]
+mod tests;

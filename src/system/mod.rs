@@ -3,44 +3,27 @@
 //! The traits hold what an algorithm needs of a system; everything else that is known about it stays an
 //! inherent method of its type. Nothing here derives or integrates.
 
-use core::fmt::Debug;
-
-use crate::constraint::ConstraintValues;
-use crate::event::{Answer, DeclaredEvent, Reaction};
-use crate::integrate::Cause;
-use crate::scalar::Scalar;
-
+mod constraint_values;
+mod event;
+mod message;
 mod ports;
+mod step_failure;
 mod undefined;
+mod violation;
 mod wrapper;
 
-pub use ports::{ControlledSystem, OutputSystem};
-pub use undefined::{Component, Undefined};
-pub use wrapper::Wrapper;
+pub use self::constraint_values::ConstraintValues;
+pub(crate) use self::event::MOST_LOCATED;
+pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MOST_DECLARED, Response};
+pub(crate) use self::message::explain;
+pub use self::ports::{ControlledSystem, OutputSystem};
+pub use self::step_failure::{EventSource, StepFailure};
+pub use self::undefined::{Component, Undefined};
+pub use self::violation::{Violated, Violation};
+pub use self::wrapper::Wrapper;
+pub use crate::linalg::vector::StateVector;
 
-/// A vector whose length is part of its type, such as `[S; K]`.
-pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
-    /// A square matrix in rows, such as `[[S; K]; K]`.
-    type Square: Copy + Debug + AsRef<[Self]> + AsMut<[Self]>;
-    /// As many indices as the vector has entries, such as `[usize; K]`.
-    type Indices: Copy + Debug + AsRef<[usize]> + AsMut<[usize]>;
-
-    /// The vector of zeros.
-    const ZERO: Self;
-    /// The matrix of zeros.
-    const ZERO_SQUARE: Self::Square;
-    /// Indices that are all zero.
-    const ZERO_INDICES: Self::Indices;
-}
-
-impl<S: Scalar, const K: usize> StateVector<S> for [S; K] {
-    type Square = [[S; K]; K];
-    type Indices = [usize; K];
-
-    const ZERO: Self = [S::ZERO; K];
-    const ZERO_SQUARE: [[S; K]; K] = [[S::ZERO; K]; K];
-    const ZERO_INDICES: [usize; K] = [0; K];
-}
+use crate::scalar::Scalar;
 
 /// The square matrix, in rows, that belongs to a system's state.
 pub type StateMatrix<M> = <<M as OdeSystem>::State as StateVector<<M as OdeSystem>::Scalar>>::Square;
@@ -128,7 +111,7 @@ pub trait OdeSystem {
     /// # Errors
     /// If that is not possible; the state is then what it was.
     #[inline]
-    fn correct(&self, _t: Self::Scalar, _y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+    fn correct(&self, _t: Self::Scalar, _y: &mut Self::State) -> Result<(), StepFailure<Self::Scalar>> {
         Ok(())
     }
 
@@ -138,7 +121,7 @@ pub trait OdeSystem {
     /// # Errors
     /// If it does not satisfy them; the state is then what it was.
     #[inline]
-    fn admit(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+    fn admit(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), StepFailure<Self::Scalar>> {
         self.correct(t, y)
     }
 
@@ -147,7 +130,7 @@ pub trait OdeSystem {
     /// # Errors
     /// If that is not possible; the state is then what it was.
     #[inline]
-    fn restore(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), Cause<Self::Scalar>> {
+    fn restore(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), StepFailure<Self::Scalar>> {
         self.correct(t, y)
     }
 
@@ -168,7 +151,7 @@ pub trait OdeSystem {
     where
         Self: Sized,
     {
-        Ok(Answer::new(Reaction::Continue))
+        Ok(Response::new(Action::Continue))
     }
 
     /// The system as a motion from this state starts: contacts closed and friction sticking where that fits the state, and on the
@@ -178,7 +161,7 @@ pub trait OdeSystem {
     /// # Errors
     /// If no motion can start there.
     #[inline]
-    fn begin(&self, _t: Self::Scalar, _y: &Self::State) -> Result<Option<Self>, Cause<Self::Scalar>>
+    fn begin(&self, _t: Self::Scalar, _y: &Self::State) -> Result<Option<Self>, StepFailure<Self::Scalar>>
     where
         Self: Sized,
     {
@@ -206,8 +189,10 @@ pub trait OdeSystem {
 }
 
 /// What a declared event of the system M does.
-pub type Reacted<M> =
-    Result<Answer<M, <M as OdeSystem>::Scalar, <M as OdeSystem>::State>, Cause<<M as OdeSystem>::Scalar>>;
+pub type Reacted<M> = Result<
+    Response<M, <M as OdeSystem>::Scalar, <M as OdeSystem>::State>,
+    StepFailure<<M as OdeSystem>::Scalar>,
+>;
 
 /// A system described by generalised coordinates q and their velocities v = q̇.
 ///

@@ -9,17 +9,17 @@
 //! so that no mass matrix has to be inverted within a stage. To first order, a change of the velocities changes what is
 //! left of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
 
-use crate::integrate::canonical::{Derivatives, Reached, Step, add, factors, magnitude};
-use crate::integrate::error::Cause;
+use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
 use crate::integrate::fixed::Formula;
-use crate::integrate::gauss::dense;
-use crate::integrate::gauss::linearised::Linearised;
-use crate::integrate::gauss::tableau::{Coefficients, Tableau};
+use crate::integrate::gauss_legendre::dense;
+use crate::integrate::gauss_legendre::linearised::Linearised;
+use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::{Prediction, sum, weights};
+use crate::linalg::vector::add;
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
+use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
 
 type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
@@ -74,7 +74,7 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         variables: &M::State,
         h: M::Scalar,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (q, p) = split::<M>(variables);
         let start = [self.reached.velocities; K];
         let predicted = self.prediction.slopes(&self.reached.velocities, h);
@@ -88,7 +88,7 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         t: M::Scalar,
         variables: &M::State,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (stages, h) = self.stages;
         let guess = sum(&self.end.0, &stages, self.end.1, &self.reached.velocities);
         self.reached.finish(system, (t, variables), guess, h, work)
@@ -123,14 +123,14 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
         step: &Step<'_, M>,
         mut stages: Stages<M, K>,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let mut mean = Vector::<M>::ZERO;
         for (weight, stage) in self.tableau.b.iter().zip(&stages) {
             add(&mut mean, *weight, stage);
         }
         let pencil = self.reached.derivatives(step, &mean, work)?;
         let Some(linearised) = Linearised::new(&pencil, &self.tableau) else {
-            return Err(factors(&pencil.constant).err().unwrap_or(Cause::NotFinite));
+            return Err(factors(&pencil.constant).err().unwrap_or(StepFailure::NotFinite));
         };
         let tableau = &self.tableau;
         let mut equations =

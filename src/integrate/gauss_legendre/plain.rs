@@ -3,18 +3,18 @@
 //! The stages hold slopes Fᵢ = f(t + cᵢ h, y + h Σ aᵢⱼ Fⱼ). Where the system is stiff, the solution of these equations is
 //! more accurate than f at its rounded argument; the step therefore adds up the solution.
 
-use crate::integrate::canonical::{Pencil, add, magnitude};
-use crate::integrate::error::Cause;
+use crate::integrate::canonical::{Pencil, magnitude};
 use crate::integrate::fixed::Formula;
-use crate::integrate::gauss::dense;
-use crate::integrate::gauss::linearised::Linearised;
-use crate::integrate::gauss::tableau::{Coefficients, Tableau};
-use crate::integrate::linear::Matrix;
+use crate::integrate::gauss_legendre::dense;
+use crate::integrate::gauss_legendre::linearised::Linearised;
+use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations, finite};
 use crate::integrate::prediction::Prediction;
+use crate::linalg::pivoted::Matrix;
+use crate::linalg::vector::add;
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StateVector};
+use crate::system::{OdeSystem, StateVector, StepFailure};
 
 type Number<M> = <M as OdeSystem>::Scalar;
 type State<M> = <M as OdeSystem>::State;
@@ -65,7 +65,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
         y: &M::State,
         h: M::Scalar,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let slope = system.rhs(t, y);
         work.evaluations += 1;
         let predicted = self.prediction.slopes(&slope, h);
@@ -105,10 +105,10 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         step: &Step<'_, M>,
         mut stages: Stages<M, K>,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let pencil = self.pencil(step, &stages, work)?;
         let tableau = &self.tableau;
-        let linearised = Linearised::new(&pencil, tableau).ok_or(Cause::NotFinite)?;
+        let linearised = Linearised::new(&pencil, tableau).ok_or(StepFailure::NotFinite)?;
         let mut equations = StageEquations { step, tableau, pencil, linearised };
         newton::solve(&mut equations, &mut stages, self.rounding, work)?;
         let mut change = State::<M>::ZERO;
@@ -125,7 +125,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         step: &Step<'_, M>,
         stages: &Stages<M, K>,
         work: &mut Work,
-    ) -> Result<Derivatives<M>, Cause<M::Scalar>> {
+    ) -> Result<Derivatives<M>, StepFailure<M::Scalar>> {
         let half = step.h / M::Scalar::from_f64(2.0);
         let mut y = *step.y;
         for (weight, slope) in self.tableau.b.iter().zip(stages) {

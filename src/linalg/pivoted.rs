@@ -2,12 +2,10 @@
 //!
 //! Gaussian elimination with partial pivoting, without scaling. A matrix that is singular or not finite has no factors. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §3.4.
 
-pub(super) mod ranked;
-
 use core::ops::{Index, IndexMut};
 
+use crate::linalg::vector::{StateVector, dot};
 use crate::scalar::Scalar;
-use crate::system::StateVector;
 
 /// A square matrix in rows.
 #[derive(Debug)]
@@ -75,12 +73,12 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
     pub(crate) fn apply(&self, x: &Y) -> Y {
         let mut product = Y::ZERO;
         for (entry, row) in product.as_mut().iter_mut().zip(self.0.as_ref()) {
-            *entry = row.as_ref().iter().zip(x.as_ref()).fold(S::ZERO, |sum, (m, x)| m.multiply_add(*x, sum));
+            *entry = dot(row, x);
         }
         product
     }
 
-    fn swap_rows(&mut self, one: usize, other: usize) {
+    pub(super) fn swap_rows(&mut self, one: usize, other: usize) {
         self.0.as_mut().swap(one, other);
     }
 }
@@ -155,7 +153,7 @@ fn eliminate<S: Scalar, Y: StateVector<S>>(matrix: &mut Matrix<S, Y>, k: usize) 
 
 /// The factors L and U of a complex matrix with rows exchanged.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ComplexFactors<S: Scalar, Y: StateVector<S>> {
+pub(crate) struct ComplexFactors<S: Scalar, Y: StateVector<S>> {
     /// As in [`Factors`].
     real: Matrix<S, Y>,
     imaginary: Matrix<S, Y>,
@@ -165,7 +163,7 @@ pub(super) struct ComplexFactors<S: Scalar, Y: StateVector<S>> {
 impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
     /// The factors of a matrix, unless it is singular or not finite.
     #[inline]
-    pub(super) fn new(real: Matrix<S, Y>, imaginary: Matrix<S, Y>) -> Option<Self> {
+    pub(crate) fn new(real: Matrix<S, Y>, imaginary: Matrix<S, Y>) -> Option<Self> {
         let mut factors = ComplexFactors { real, imaginary, exchanged: Y::ZERO_INDICES };
         for k in 0..factors.real.rows() {
             factors.exchange(k);
@@ -187,7 +185,7 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
 
     /// The solution for a right-hand side, with its real and its imaginary part.
     #[inline]
-    pub(super) fn solve(&self, right: (&Y, &Y)) -> (Y, Y) {
+    pub(crate) fn solve(&self, right: (&Y, &Y)) -> (Y, Y) {
         let mut solution = (*right.0, *right.1);
         let rows = self.real.rows();
         for (row, other) in self.exchanged.as_ref().iter().enumerate() {

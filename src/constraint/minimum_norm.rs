@@ -8,7 +8,7 @@
 //! Simulation of Multibody Systems*; Ruiz, *A scaling algorithm to equilibrate both rows and columns norms in matrices*,
 //! Rutherford Appleton Laboratory report RAL-TR-2001-034.
 
-use super::orthogonal::{Factors, length};
+use crate::linalg::orthogonal::{Factors, euclidean_norm};
 use crate::scalar::Scalar;
 
 /// Of a symmetric matrix, so many roundings for each row are taken for zero beside its largest column once it is scaled.
@@ -48,12 +48,12 @@ pub fn rank_tolerance<S: Scalar>() -> S {
 /// NaN or infinity anywhere gives NaN everywhere.
 ///
 /// ```
-/// use lagrange::constraint::least_norm;
+/// use lagrange::constraint::minimum_norm;
 ///
 /// // One constraint, stated twice: each copy takes half of the force.
-/// assert_eq!(least_norm([[2.0, 2.0], [2.0, 2.0]], [4.0, 4.0]).map(|x: f64| (x * 1e15).round() / 1e15), [1.0, 1.0]);
+/// assert_eq!(minimum_norm([[2.0, 2.0], [2.0, 2.0]], [4.0, 4.0]).map(|x: f64| (x * 1e15).round() / 1e15), [1.0, 1.0]);
 /// ```
-pub fn least_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D]) -> [S; D] {
+pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D]) -> [S; D] {
     if !(finite(&matrix) && finite(&[right])) {
         return [S::NAN; D];
     }
@@ -63,7 +63,7 @@ pub fn least_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D])
     let factors = Factors::new(scaled, roundings::<S, D>());
     let scale = |right: &[S; D]| factors.inward(core::array::from_fn(|i| scales[i] * right[i]));
     let mut inner = scale(&right);
-    if length(&inner[factors.rank()..]) > roundings::<S, D>() * length(&inner) {
+    if euclidean_norm(&inner[factors.rank()..]) > roundings::<S, D>() * euclidean_norm(&inner) {
         inner = scale(&Ignored::new(&factors, &scales).remove(right));
     }
     shortest(&factors, &inner, &scales)
@@ -143,7 +143,7 @@ impl<S: Scalar, const N: usize, const D: usize> Equations<S, N, D> {
         let mass = core::array::from_fn(|i| core::array::from_fn(|j| scales[i] * mass[i][j] * scales[j]));
         let mut rows: [[S; N]; D] =
             core::array::from_fn(|i| core::array::from_fn(|j| jacobian[i][j] * scales[j]));
-        let row_scales = core::array::from_fn(|i| reciprocal(length(&rows[i])));
+        let row_scales = core::array::from_fn(|i| reciprocal(euclidean_norm(&rows[i])));
         for (row, scale) in rows.iter_mut().zip(row_scales) {
             *row = row.map(|entry| entry * scale);
         }
@@ -200,7 +200,7 @@ impl<S: Scalar, const N: usize, const D: usize> Equations<S, N, D> {
     fn agrees(&self, acceleration: &[S; N], forcing: &[S; N], drift: &[S; D]) -> bool {
         let scaled_forcing: [S; N] = core::array::from_fn(|j| self.scales[j] * forcing[j]);
         let drifts: [S; D] = core::array::from_fn(|i| self.row_scales[i] * drift[i]);
-        let size = length(acceleration) + length(&scaled_forcing) + length(&drifts);
+        let size = euclidean_norm(acceleration) + euclidean_norm(&scaled_forcing) + euclidean_norm(&drifts);
         let most = S::from_f64(100.0) * rank_tolerance::<S>() * size;
         self.factors.order()[self.rank()..].iter().all(|&i| {
             let row = self.rows[i].iter().zip(acceleration);
@@ -226,7 +226,7 @@ fn shortest<S: Scalar, const ROWS: usize, const COLUMNS: usize>(
         for (l, &column) in factors.order().iter().enumerate().skip(k) {
             row[column] = factors.entry(k, l) / scales[column];
         }
-        let scale = reciprocal(length(row));
+        let scale = reciprocal(euclidean_norm(row));
         *product = components[k] * scale;
         *row = row.map(|entry| entry * scale);
     }
@@ -247,7 +247,7 @@ impl<S: Scalar, const D: usize> Ignored<S, D> {
             }
             let amounts = factors.dependence(l);
             let vector: [S; D] = core::array::from_fn(|i| scales[i] * amounts[i]);
-            let scale = reciprocal(length(&vector));
+            let scale = reciprocal(euclidean_norm(&vector));
             vector.map(|entry| entry * scale)
         });
         Ignored { basis: Factors::new(basis, S::ZERO) }

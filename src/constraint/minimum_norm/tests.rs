@@ -1,6 +1,6 @@
 //! Singular equations whose solutions are known, and conditions that tell minimum-norm solutions from others.
 
-use super::{RedundantMotion, least_norm, redundant_correction, redundant_motion};
+use super::{RedundantMotion, minimum_norm, redundant_correction, redundant_motion};
 
 type Motion<const N: usize, const D: usize> = RedundantMotion<f64, N, D>;
 
@@ -43,7 +43,7 @@ fn of_rank<const D: usize>(rank: usize, next: &mut impl FnMut() -> f64) -> [[f64
 #[test]
 fn regular_equations_have_one_solution() {
     let matrix = [[0.0, 2.0, 1.0], [2.0, 1.0, -1.0], [1.0, -1.0, 0.0]];
-    assert_near(least_norm(matrix, apply(&matrix, &[1.0, -2.0, 0.25])), [1.0, -2.0, 0.25], 1e-14);
+    assert_near(minimum_norm(matrix, apply(&matrix, &[1.0, -2.0, 0.25])), [1.0, -2.0, 0.25], 1e-14);
 }
 
 /// Penrose's conditions: x is a combination of rows, and what is left is orthogonal to all rows.
@@ -54,12 +54,12 @@ fn of_the_closest_vectors_the_shortest_is_found_at_every_rank() {
         for _ in 0..20 {
             let matrix = of_rank::<5>(rank, &mut next);
             let right = core::array::from_fn(|_| next());
-            let x = least_norm(matrix, right);
+            let x = minimum_norm(matrix, right);
             let product = apply(&matrix, &x);
             let left = core::array::from_fn(|i| right[i] - product[i]);
             assert_near(apply(&matrix, &left).map(|rest| 1.0 + rest), [1.0; 5], 1e-10);
             // From x and something orthogonal to the rows the same right side must lead back to x.
-            assert_near(least_norm(matrix, product), x, 1e-9);
+            assert_near(minimum_norm(matrix, product), x, 1e-9);
         }
     }
 }
@@ -70,21 +70,21 @@ fn units_of_the_rows_do_not_matter_to_the_rank() {
     let matrix = u.map(|x| u.map(|y| x * y));
     let square: f64 = u.iter().map(|x| x * x).sum();
     let shortest = u.map(|x| 5.0 * x / square);
-    assert_near(least_norm(matrix, u.map(|x| 5.0 * x)), shortest, 1e-14);
+    assert_near(minimum_norm(matrix, u.map(|x| 5.0 * x)), shortest, 1e-14);
     let regular = [[1e12, 3e5], [3e5, 1.0]];
-    assert_near(least_norm(regular, apply(&regular, &[1e-6, -2.0])), [1e-6, -2.0], 1e-12);
+    assert_near(minimum_norm(regular, apply(&regular, &[1e-6, -2.0])), [1e-6, -2.0], 1e-12);
 }
 
 #[test]
 fn what_is_not_finite_spoils_all_and_nothing_demands_nothing() {
     for bad in [f64::NAN, f64::INFINITY] {
-        assert!(least_norm([[1.0, bad], [bad, 1.0]], [1.0, 1.0]).iter().all(|x| x.is_nan()));
-        assert!(least_norm([[1.0, 0.0], [0.0, 1.0]], [1.0, bad]).iter().all(|x| x.is_nan()));
+        assert!(minimum_norm([[1.0, bad], [bad, 1.0]], [1.0, 1.0]).iter().all(|x| x.is_nan()));
+        assert!(minimum_norm([[1.0, 0.0], [0.0, 1.0]], [1.0, bad]).iter().all(|x| x.is_nan()));
         let motion = redundant_motion(&[[1.0]], &[bad], &[[1.0]], &[0.0]);
         assert!(motion.acceleration[0].is_nan() && motion.multipliers[0].is_nan());
         assert!(redundant_correction(&[[1.0]], &[[1.0]], &[bad])[0].is_nan());
     }
-    assert_eq!(least_norm([[0.0; 2]; 2], [1.0, 2.0]), [0.0; 2]);
+    assert_eq!(minimum_norm([[0.0; 2]; 2], [1.0, 2.0]), [0.0; 2]);
 }
 
 /// A pendulum of length l and mass m at rest at the side, in the plane.

@@ -1,6 +1,6 @@
 //! Small systems that may be singular.
 
-use crate::contact::least_norm::solve;
+use crate::linalg::singular::solve;
 
 #[test]
 fn regular_systems_are_solved() {

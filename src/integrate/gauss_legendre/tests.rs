@@ -11,8 +11,8 @@ use crate::integrate::canonical_systems::{
     DoublePendulum, HeavyTop, Kepler, Lagrangian, ShakenPendulum, SpringPendulum, System, opaque, smooth,
 };
 use crate::integrate::constrained_systems::{Held, PlanePendulum, checks as held};
-use crate::integrate::{Cause, Method, RungeKutta4, Stepper, integrate};
-use crate::system::EnergyFunction;
+use crate::integrate::{Method, RungeKutta4, Stepper, integrate};
+use crate::system::{EnergyFunction, StepFailure};
 
 /// Starts of three systems whose mass matrices depend on the coordinates.
 const PENDULUM: [f64; 4] = [0.8, 1.1, 0.5, -0.4];
@@ -178,7 +178,7 @@ fn a_singular_mass_matrix_is_named() {
     let start = [0.0, 0.3, 0.0, 0.0];
     let error =
         integrate(&system, 0.0, start, 1.0, &GaussLegendre4 { step: 0.01 }, |_, _| {}).expect_err("stops");
-    assert_eq!((error.cause, error.time, error.state), (Cause::SingularMassMatrix, 0.0, start));
+    assert_eq!((error.cause, error.time, error.state), (StepFailure::SingularMassMatrix, 0.0, start));
 }
 
 #[test]
@@ -187,7 +187,7 @@ fn without_a_jacobian_stiff_springs_are_refused() {
     let error =
         integrate(&system, 0.0, [1.0 + 1e-6, 0.5, 0.0, 0.0], 1.0, &GaussLegendre4 { step: 0.01 }, |_, _| {})
             .expect_err("does not converge");
-    assert!(matches!(error.cause, Cause::NotConverged { .. }), "{error}");
+    assert!(matches!(error.cause, StepFailure::NotConverged { .. }), "{error}");
     assert_eq!((error.time, error.state), (0.0, [1.0 + 1e-6, 0.5, 0.0, 0.0]));
 }
 
