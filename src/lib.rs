@@ -70,6 +70,7 @@ mod lettering;
 mod linalg;
 #[cfg(feature = "plot")]
 mod plot;
+pub mod run;
 pub mod scalar;
 pub mod scene;
 #[cfg(feature = "std")]

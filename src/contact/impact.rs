@@ -13,7 +13,7 @@
 //! With friction, or with several contacts of different restitution, Newton's law of restitution may create energy (the
 //! paradox of Kane and Levinson), or there may be no impulses, as for a body wedged between more walls than it has freedoms. Then all
 //! coefficients are reduced in proportion until there are, and no energy is created. Without restitution there always are impulses
-//! ([`complementarity`](super::complementarity)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving surfaces.
+//! ([`complementarity`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving surfaces.
 //!
 //! A jam is what is left of such an impact as the approach falls to zero. It differs from nothing only where friction is so strong
 //! that a contact which slips would be drawn in.
@@ -23,8 +23,8 @@
 
 use core::array;
 
-use super::balance::{Balance, Rule};
-use super::settle::{Choice, Settled};
+use super::complementarity::{Choice, Settled};
+use super::reaction_forces::{Balance, Rule};
 use super::{Mode, Terms};
 use crate::scalar::Scalar;
 use crate::system::StepFailure;

@@ -38,24 +38,24 @@
 //!
 //! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5.
 
-mod balance;
 mod complementarity;
-mod correct;
+mod guards;
 mod impact;
-mod react;
+mod initial_modes;
+mod lemke;
+mod project;
+mod reaction_forces;
 mod restitution;
 mod resume;
-mod settle;
-mod start;
-mod switch;
 #[cfg(test)]
 mod tests;
+mod transition;
 
-pub use self::balance::reactions;
-pub use self::correct::correct;
-pub use self::react::react;
-pub use self::start::begin;
-pub use self::switch::{event_values, switch_values};
+pub use self::guards::{event_values, switch_values};
+pub use self::initial_modes::begin;
+pub use self::project::correct;
+pub use self::reaction_forces::reactions;
+pub use self::transition::react;
 pub use crate::system::{EventKind, Impact};
 
 use crate::scalar::Scalar;

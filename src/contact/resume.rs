@@ -16,9 +16,9 @@
 
 use core::array;
 
-use super::balance::{Balance, Rule, reactions};
-use super::correct::{energy, halt};
-use super::start::{Position, holds};
+use super::initial_modes::{Position, holds};
+use super::project::{energy, halt};
+use super::reaction_forces::{Balance, Rule, reactions};
 use super::{ContactSystem, Mode, Terms};
 use crate::scalar::Scalar;
 use crate::system::StepFailure;
@@ -31,7 +31,7 @@ const ROUNDINGS: f64 = 256.0;
 const TIMES: f64 = 64.0;
 
 /// A system at a state.
-pub(super) struct Moment<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
+pub(super) struct Instant<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
     pub(super) q: [M::Scalar; N],
@@ -46,7 +46,7 @@ pub(super) struct Resumed<S, const N: usize, const K: usize> {
     pub(super) rest: [S; K],
 }
 
-impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K> {
+impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K> {
     pub(super) fn terms(&self, v: &[M::Scalar; N]) -> Terms<M::Scalar, N, K> {
         self.system.terms(self.t, &self.q, v)
     }

@@ -6,7 +6,7 @@ mod zeros;
 
 use std::vec::Vec;
 
-use super::{Occurrence, Watch, integrate_with_events};
+use super::{Detector, Occurrence, integrate_with_events};
 use crate::integrate::{Method, RungeKutta4, Stepper, Verner98};
 use crate::system::{Action, Direction, EventSource, OdeSystem, StepFailure};
 
@@ -165,7 +165,7 @@ fn a_function_of_pure_noise_settles_or_is_refused() {
 fn a_loop_of_ones_own_watches_step_by_step() {
     let method = RungeKutta4 { step: 1e-3 };
     let mut stepper = method.start(&Oscillator, 0.0, &COSINE, 2.0).expect("starts");
-    let mut watch = Watch::new([Direction::Falling], 0.0, [1.0]);
+    let mut watch = Detector::new([Direction::Falling], 0.0, [1.0]);
     let mut times = Vec::new();
     while stepper.time() < 2.0 {
         stepper.step(&Oscillator, 2.0).expect("finite");
@@ -180,7 +180,7 @@ fn a_loop_of_ones_own_watches_step_by_step() {
 fn a_loop_of_ones_own_asks_what_happens_at_the_same_time() {
     let values = |t: f64, _: &[f64; 2]| [t - 0.5, t - 0.5, t - 0.6];
     let mut stepper = RungeKutta4 { step: 1.0 }.start(&Oscillator, 0.0, &COSINE, 1.0).expect("starts");
-    let mut watch = Watch::new([Direction::Rising; 3], 0.0, values(0.0, &COSINE));
+    let mut watch = Detector::new([Direction::Rising; 3], 0.0, values(0.0, &COSINE));
     stepper.step(&Oscillator, 1.0).expect("finite");
     let first = watch.next(&Oscillator, &mut stepper, values).expect("located").expect("one");
     let mut at_once = || watch.next_at_once(first.time, &Oscillator, &mut stepper, values).expect("located");

@@ -46,9 +46,7 @@ mod interpolation;
 mod method;
 mod newton;
 mod prediction;
-mod restarts;
 mod rk4;
-mod run;
 mod splitting;
 mod stability;
 mod undefined;
@@ -61,12 +59,11 @@ pub use self::gauss_legendre::{
     GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
 };
 pub use self::method::{Method, Stepper, Work};
-pub(crate) use self::restarts::Restarts;
 pub use self::rk4::{RungeKutta4, rk4_step};
-pub use self::run::integrate;
 pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
 pub(crate) use self::undefined::explained;
 pub use self::undefined::undefined;
 pub use self::variational::Variational;
 pub use self::verner::{Verner98, VernerStepper};
+pub use crate::run::integrate;
 pub use crate::system::{EventSource, StepFailure};

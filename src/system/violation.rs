@@ -25,6 +25,13 @@ pub enum Violated {
     Gap,
 }
 
+impl<S> Violation<S> {
+    /// The gap of a contact that is not what it must be.
+    pub(crate) fn of_gap(contact: &'static str, gap: S) -> Self {
+        Violation { constraint: contact, residual: gap, of: Violated::Gap }
+    }
+}
+
 impl<S: Debug> Display for Violation<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         let Violation { constraint, residual, of } = self;

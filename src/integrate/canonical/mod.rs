@@ -11,11 +11,11 @@
 //! so that the Jacobian of the system and the mass matrix do. The last term is left out: it changes the number of
 //! iterations alone, and no more than the change of the derivatives within a step does.
 
-mod held;
+mod constrained;
 mod pencil;
 mod velocities;
 
-use crate::integrate::canonical::held::held_velocities;
+use crate::integrate::canonical::constrained::constrained_velocities;
 use crate::integrate::method::Work;
 use crate::integrate::newton::finite;
 use crate::linalg::pivoted::Matrix;
@@ -23,7 +23,7 @@ use crate::linalg::vector::add;
 use crate::scalar::Scalar;
 use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
 
-pub(super) use self::held::{stiffened, stiffness};
+pub(super) use self::constrained::{stiffened, stiffness};
 pub(super) use self::pencil::Pencil;
 pub(super) use self::velocities::{factors, velocities};
 
@@ -105,7 +105,7 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         work: &mut Work,
     ) -> Result<M::Coordinates, StepFailure<M::Scalar>> {
         let mass = Matrix(system.mass_matrix(t, q, &guess));
-        let [v, reaction] = held_velocities(system, t, (q, p), guess, &mass, h, work)?;
+        let [v, reaction] = constrained_velocities(system, t, (q, p), guess, &mass, h, work)?;
         self.next = (v, mass);
         Ok(reaction)
     }

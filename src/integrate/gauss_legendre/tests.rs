@@ -10,7 +10,7 @@ use crate::integrate::canonical_systems::checks::{
 use crate::integrate::canonical_systems::{
     DoublePendulum, HeavyTop, Kepler, Lagrangian, ShakenPendulum, SpringPendulum, System, opaque, smooth,
 };
-use crate::integrate::constrained_systems::{Held, PlanePendulum, checks as held};
+use crate::integrate::constrained_systems::{Pinned, PlanePendulum, checks as constrained};
 use crate::integrate::{Method, RungeKutta4, Stepper, integrate};
 use crate::system::{EnergyFunction, StepFailure};
 
@@ -47,9 +47,9 @@ fn the_order_of_three_stages_is_six() {
 #[test]
 fn constraint_forces_leave_the_order() {
     let (start, end) = ([0.6, -0.8, 1.6, 1.2], 2.0);
-    held::check_order(&Held(PlanePendulum), start, end, 400, |step| ImplicitMidpoint { step });
-    held::check_order(&Held(PlanePendulum), start, end, 100, |step| GaussLegendre4 { step });
-    held::check_order(&Held(PlanePendulum), start, end, 40, |step| GaussLegendre6 { step });
+    constrained::check_order(&Pinned(PlanePendulum), start, end, 400, |step| ImplicitMidpoint { step });
+    constrained::check_order(&Pinned(PlanePendulum), start, end, 100, |step| GaussLegendre4 { step });
+    constrained::check_order(&Pinned(PlanePendulum), start, end, 40, |step| GaussLegendre6 { step });
 }
 
 #[test]

@@ -16,7 +16,7 @@
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §II.5 and §VI.3.
 
 mod blanes_moan;
-mod held;
+mod constrained;
 mod symplectic_euler;
 mod verlet;
 
@@ -110,7 +110,7 @@ where
         };
         work.evaluations += DRIFTS as u64;
         let (trial, gain) = if M::IS_HELD {
-            held::composed(system, &self.composition, t, (&q, &v), h, &start, work)?
+            constrained::composed(system, &self.composition, t, (&q, &v), h, &start, work)?
         } else {
             composed(system, &self.composition, t, (&q, &v), h, &start)
         };

@@ -20,8 +20,8 @@
 //! Sources: Marsden, West, *Discrete mechanics and variational integrators*, Acta Numerica 10 (2001), §1.5, §2.2, §2.6 and
 //! §3.2; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VI.6.
 
+mod constrained;
 mod coupled;
-mod held;
 mod linearised;
 
 use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
@@ -30,7 +30,7 @@ use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, Work};
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::Prediction;
-use crate::integrate::variational::held::{HeldEquations, Solved};
+use crate::integrate::variational::constrained::{ConstrainedEquations, Solved};
 use crate::integrate::variational::linearised::Linearised;
 use crate::linalg::vector::add;
 use crate::scalar::Scalar;
@@ -153,7 +153,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         ends: &[Vector<M>; 2],
         work: &mut Work,
     ) -> Result<M::State, StepFailure<Number<M>>> {
-        let equations = HeldEquations::new(step, derivatives, ends)?;
+        let equations = ConstrainedEquations::new(step, derivatives, ends)?;
         let Solved { ends, multipliers, mut change } =
             equations.solve(ends, &self.multipliers, self.rounding, work)?;
         let (one, (t, q, v)) = (Number::<M>::ONE, places(step, &ends)[2]);

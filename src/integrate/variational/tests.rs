@@ -1,6 +1,6 @@
 //! Order and structure of the variational integrator.
 
-mod held;
+mod constrained;
 
 use super::Variational;
 use crate::integrate::canonical_systems::checks::{

@@ -1,7 +1,8 @@
 //! Forces that are felt for a short time only, and what lies within steps that meet them.
 
 use super::{Equation, Oscillator};
-use crate::integrate::{Method, Restarts, Stepper, Verner98, Work, integrate};
+use crate::integrate::{Method, Stepper, Verner98, Work, integrate};
+use crate::run::Restarts;
 use crate::system::{OdeSystem, StepFailure};
 
 /// ẍ = −x + exp(−((t − centre)/width)²)

@@ -5,7 +5,7 @@
 //! reached. A system with sides fixed goes on from that very time, on another side. Otherwise steps end two roundings of time before
 //! the jump and start two after it, so that every evaluation lies on one side of it, wherever its definition puts the instant itself.
 
-use crate::integrate::method::Stepper;
+use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StepFailure};
 
@@ -14,7 +14,7 @@ const ROUNDINGS: f64 = 2.0;
 
 /// Restarts of a run: at the times that were given, and at those that the system names.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Restarts<'a, S> {
+pub struct Restarts<'a, S> {
     end: S,
     is_backwards: bool,
     /// In the order in which the run meets them.
@@ -33,7 +33,7 @@ struct Restart<S> {
 
 impl<'a, S: Scalar> Restarts<'a, S> {
     /// Those of a run between these times, with `given` times in the order in which it meets them.
-    pub(crate) fn new(start: S, end: S, given: &'a [S]) -> Self {
+    pub fn new(start: S, end: S, given: &'a [S]) -> Self {
         Restarts { end, is_backwards: end < start, given, due: None }
     }
 
@@ -41,11 +41,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     ///
     /// # Errors
     /// As [`Stepper::restart`].
-    pub(crate) fn resume<M>(
-        &self,
-        system: &M,
-        stepper: &mut impl Stepper<M>,
-    ) -> Result<Option<M>, StepFailure<S>>
+    pub fn resume<M>(&self, system: &M, stepper: &mut impl Stepper<M>) -> Result<Option<M>, StepFailure<S>>
     where
         M: OdeSystem<Scalar = S>,
     {
@@ -62,7 +58,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     ///
     /// # Errors
     /// As [`Stepper::step`].
-    pub(crate) fn step<M>(
+    pub fn step<M>(
         &mut self,
         system: &M,
         stepper: &mut impl Stepper<M>,
@@ -84,7 +80,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     }
 
     /// The time that was reached: that of the restart if the last step ended there.
-    pub(crate) fn time<M>(&self, stepper: &impl Stepper<M>) -> S
+    pub fn time<M>(&self, stepper: &impl Stepper<M>) -> S
     where
         M: OdeSystem<Scalar = S>,
     {
@@ -92,7 +88,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     }
 
     /// The time from which the motion goes on: after the restart if the last step ended there.
-    pub(crate) fn beyond<M>(&self, stepper: &impl Stepper<M>) -> S
+    pub fn beyond<M>(&self, stepper: &impl Stepper<M>) -> S
     where
         M: OdeSystem<Scalar = S>,
     {
@@ -100,7 +96,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     }
 
     /// Whether the last step ended at a restart, so that [`resume`](Self::resume) restarts the method.
-    pub(crate) fn is_due<M>(&self, stepper: &impl Stepper<M>) -> bool
+    pub fn is_due<M>(&self, stepper: &impl Stepper<M>) -> bool
     where
         M: OdeSystem<Scalar = S>,
     {

@@ -2,7 +2,7 @@
 
 use core::array;
 
-use super::balance::{Balance, reactions};
+use super::reaction_forces::{Balance, reactions};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
 use crate::scalar::Scalar;

@@ -3,23 +3,23 @@
 use crate::system::{Action, OdeSystem, Response, StepFailure};
 
 /// What comes of events that happen at the same time. To stop prevails.
-pub(crate) struct Course<M: OdeSystem> {
+pub struct EventOutcome<M: OdeSystem> {
     action: Action<M::State>,
     /// The system that goes on, if events switched it.
-    pub(crate) system: Option<M>,
+    pub system: Option<M>,
 }
 
 /// The state that a motion goes on from, and the system if it is another one.
 type Resumed<M> = Result<(<M as OdeSystem>::State, Option<M>), StepFailure<<M as OdeSystem>::Scalar>>;
 
-impl<M: OdeSystem> Course<M> {
+impl<M: OdeSystem> EventOutcome<M> {
     /// To go on.
-    pub(crate) fn new() -> Self {
-        Course { action: Action::Continue, system: None }
+    pub fn new() -> Self {
+        EventOutcome { action: Action::Continue, system: None }
     }
 
     /// Another event happened at this state.
-    pub(crate) fn add(&mut self, answer: Response<M, M::Scalar, M::State>, state: M::State) {
+    pub fn add(&mut self, answer: Response<M, M::Scalar, M::State>, state: M::State) {
         let later = match answer.action {
             Action::Continue if answer.system.is_some() => Action::Replace(state),
             action => action,
@@ -32,12 +32,12 @@ impl<M: OdeSystem> Course<M> {
     }
 
     /// Whether nothing has changed.
-    pub(crate) fn goes_on(&self) -> bool {
+    pub fn goes_on(&self) -> bool {
         matches!(self.action, Action::Continue)
     }
 
     /// The state that was left, if it is another one.
-    pub(crate) fn state(&self) -> Option<M::State> {
+    pub fn state(&self) -> Option<M::State> {
         if let Action::Replace(state) = self.action { Some(state) } else { None }
     }
 
@@ -46,7 +46,7 @@ impl<M: OdeSystem> Course<M> {
     ///
     /// # Errors
     /// If no motion goes on from there.
-    pub(crate) fn resume(self, system: &M, t: M::Scalar) -> Option<Resumed<M>> {
+    pub fn resume(self, system: &M, t: M::Scalar) -> Option<Resumed<M>> {
         self.state().map(|mut state| {
             let next = match self.system {
                 Some(next) => Some(next),

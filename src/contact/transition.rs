@@ -1,9 +1,9 @@
 //! What happens where a mode ends.
 
-use super::balance::{Rule, reactions};
-use super::correct::{close, correct, halt, part};
-use super::resume::Moment;
-use super::start::{Position, holds};
+use super::initial_modes::{Position, holds};
+use super::project::{close, correct, halt, part};
+use super::reaction_forces::{Rule, reactions};
+use super::resume::Instant;
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::scalar::Scalar;
 use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
@@ -32,17 +32,17 @@ where
     let mut held = *y;
     correct(system, t, &mut held)?;
     let (q, v) = split::<M>(&held);
-    let moment = Moment { system, t, q, v };
+    let instant = Instant { system, t, q, v };
     match modes[k] {
-        Mode::Contact(Contact::Open) => moment.hit(k),
-        Mode::Contact(Contact::Closed) => moment.end(k, Rule::Absent),
-        Mode::Friction(Friction::Sticks) => moment.give_way(k),
-        Mode::Friction(_) => moment.stop(k),
+        Mode::Contact(Contact::Open) => instant.hit(k),
+        Mode::Contact(Contact::Closed) => instant.end(k, Rule::Absent),
+        Mode::Friction(Friction::Sticks) => instant.give_way(k),
+        Mode::Friction(_) => instant.stop(k),
         Mode::Smooth => Ok(Response::new(Action::Continue)),
     }
 }
 
-impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K> {
+impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K> {
     /// The contact of this index touches.
     fn hit(mut self, k: usize) -> Reacted<M> {
         let modes = self.system.modes();

@@ -31,7 +31,7 @@ type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
 
 /// The equations for the velocities at both ends of a step, with the multipliers at the start and in the middle.
-pub(super) struct HeldEquations<'a, M: CanonicalSystem + ?Sized> {
+pub(super) struct ConstrainedEquations<'a, M: CanonicalSystem + ?Sized> {
     step: &'a Step<'a, M>,
     derivatives: Derivatives<M>,
     coupled: Coupled<M>,
@@ -43,7 +43,7 @@ pub(super) struct HeldEquations<'a, M: CanonicalSystem + ?Sized> {
     change: Vector<M>,
 }
 
-impl<'a, M: CanonicalSystem + ?Sized> HeldEquations<'a, M> {
+impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
     /// The equations, linearised at velocities from which an iteration starts.
     pub(super) fn new(
         step: &'a Step<'a, M>,
@@ -54,7 +54,7 @@ impl<'a, M: CanonicalSystem + ?Sized> HeldEquations<'a, M> {
         let coupled = Coupled::new(&derivatives, values, step.h)?;
         let [first, middle, last] = values;
         let (start, known) = ((first, ends[0]), Some([middle, last]));
-        Ok(HeldEquations { step, derivatives, coupled, start, known, change: Vector::<M>::ZERO })
+        Ok(ConstrainedEquations { step, derivatives, coupled, start, known, change: Vector::<M>::ZERO })
     }
 
     /// The velocities at both ends and the multipliers, from a guess of them, and the change of the momenta.
@@ -104,7 +104,7 @@ pub(super) struct Solved<M: MechanicalSystem + ?Sized> {
     pub(super) change: Vector<M>,
 }
 
-impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::State, 2> for HeldEquations<'_, M> {
+impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::State, 2> for ConstrainedEquations<'_, M> {
     #[inline]
     fn residual(&mut self, unknowns: &[M::State; 2], work: &mut Work) -> [M::State; 2] {
         let [(v0, first), (v1, second)] = unknowns.each_ref().map(split::<M>);

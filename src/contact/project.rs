@@ -2,11 +2,11 @@
 
 use core::array;
 
-use super::balance::{Balance, Rule};
-use super::start::{holds, lengths};
+use super::initial_modes::{holds, lengths};
+use super::reaction_forces::{Balance, Rule};
 use super::{Contact, ContactSystem, Mode, Terms};
 use crate::scalar::Scalar;
-use crate::system::{StepFailure, Violated, Violation, join, split};
+use crate::system::{StepFailure, Violation, join, split};
 
 /// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
 const MOST_ROUNDS: u32 = 12;
@@ -77,12 +77,7 @@ where
     }
     let terms = system.terms(t, q, v);
     let k = widest(&terms, q, is_closed).unwrap_or_default();
-    Err(violated(M::REACTIONS[k], terms.gaps[k]))
-}
-
-/// A gap is not what it must be.
-pub(super) fn violated<S>(name: &'static str, gap: S) -> StepFailure<S> {
-    StepFailure::Violated(Violation { constraint: name, residual: gap, of: Violated::Gap })
+    Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])))
 }
 
 /// Whether two vectors differ by no more than the rounding of a third. One that is not a number differs from every other.

@@ -3,8 +3,9 @@
 use std::string::ToString;
 use std::vec::Vec;
 
+use super::Restarts;
 use crate::event::{Occurrence, integrate_with_events};
-use crate::integrate::{Method, PlainGaussLegendre, Restarts, RungeKutta4, Stepper, Verner98, integrate};
+use crate::integrate::{Method, PlainGaussLegendre, RungeKutta4, Stepper, Verner98, integrate};
 use crate::system::{Action, Direction, OdeSystem};
 
 /// ẍ = 0 before the time 0, then 1, −2, 3, … between jumps one second apart.

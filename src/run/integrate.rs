@@ -1,11 +1,10 @@
 //! From a start to an end without keeping anything.
 
-use crate::event::integrate_declared;
-use crate::integrate::error::{IntegrationError, Outcome};
-use crate::integrate::method::{Method, Stepper};
-use crate::integrate::restarts::Restarts;
-use crate::integrate::undefined::explained;
-use crate::system::{OdeSystem, StepFailure};
+use super::declared::DeclaredEvents;
+use super::drive::drive;
+use super::events::NoEvents;
+use crate::integrate::{Method, Outcome};
+use crate::system::OdeSystem;
 
 /// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
 ///
@@ -48,31 +47,15 @@ pub fn integrate<M, K>(
     y0: M::State,
     t_end: M::Scalar,
     method: &K,
-    mut observe: impl FnMut(M::Scalar, &M::State),
+    observe: impl FnMut(M::Scalar, &M::State),
 ) -> Outcome<M, M::State>
 where
     M: OdeSystem,
     K: Method<M>,
 {
-    if !M::EVENTS.is_empty() {
-        return integrate_declared(system, (t0, y0), t_end, method, observe);
+    if M::EVENTS.is_empty() {
+        return drive(system, (t0, y0), t_end, method, |_, _| NoEvents, observe).map(|(_, state)| state);
     }
-    let failed = |cause: StepFailure<M::Scalar>, time, state| {
-        let cause = explained(cause, system, (time, &state), t_end);
-        IntegrationError { cause, time, state }
-    };
-    let mut stepper = method.start(system, t0, &y0, t_end).map_err(|cause| failed(cause, t0, y0))?;
-    let mut restarts = Restarts::new(t0, t_end, &[]);
-    let mut switched = None;
-    observe(t0, stepper.state());
-    while stepper.time() != t_end {
-        let current = switched.as_ref().unwrap_or(system);
-        let resumed = restarts.resume(current, &mut stepper);
-        let resumed = resumed.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
-        switched = resumed.or(switched);
-        let stepped = restarts.step(switched.as_ref().unwrap_or(system), &mut stepper, None, |_, _| false);
-        stepped.map_err(|cause| failed(cause, stepper.time(), *stepper.state()))?;
-        observe(restarts.time(&stepper), stepper.state());
-    }
-    Ok(*stepper.state())
+    let events = |system: &M, y: &M::State| DeclaredEvents::new(system, t0, y);
+    drive(system, (t0, y0), t_end, method, events, observe).map(|(_, state)| state)
 }

@@ -2,15 +2,14 @@
 
 use core::array;
 
-use super::balance::{Balance, Rule};
-use super::correct::violated;
-use super::settle::Choice;
-use super::switch::nothing;
+use super::complementarity::Choice;
+use super::guards::nothing;
+use super::reaction_forces::{Balance, Rule};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
-use crate::system::{StepFailure, split};
+use crate::system::{StepFailure, Violation, split};
 
 /// Gaps and rates are zero if they are smaller than this many roundings of what they would be if each coordinate were off by its
 /// size, as constraints are measured: a gap that is a coordinate has no other terms beside which it could be small.
@@ -43,7 +42,7 @@ where
     terms.restitutions::<M>(&modes, |k| !M::RESTITUTIONS_VARY[k])?;
     let position = Position::of(&terms, &modes, (t, &q, &v));
     if let Some(k) = position.is_beyond.iter().position(|is_beyond| *is_beyond) {
-        return Err(violated(M::REACTIONS[k], terms.gaps[k]));
+        return Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])));
     }
     let settled = terms.settle(&modes, &position, None)?;
     Ok((settled != modes).then(|| system.in_modes(settled)))

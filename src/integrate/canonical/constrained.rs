@@ -26,7 +26,7 @@ type Values<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSyst
 
 /// The velocities and Aᵀμ for the momenta `p`, from a guess and the mass matrix there; the length `h` of the step that led
 /// here tells which velocities are small.
-pub(in crate::integrate) fn held_velocities<M: CanonicalSystem + ?Sized>(
+pub(in crate::integrate) fn constrained_velocities<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     (q, p): (&M::Coordinates, &M::Coordinates),
@@ -39,14 +39,14 @@ pub(in crate::integrate) fn held_velocities<M: CanonicalSystem + ?Sized>(
     let (mut unknowns, mut uncounted) = ([join::<M>(&guess, &M::Coordinates::ZERO)], Work::default());
     let saddle = Saddle::new(mass, &values)?;
     let (terms, reaction) = (magnitude(guess, q, h), M::Coordinates::ZERO);
-    let mut equations = Held { system, t, q, p, guess, mass, values, saddle, terms, reaction };
+    let mut equations = Pinned { system, t, q, p, guess, mass, values, saddle, terms, reaction };
     newton::solve(&mut equations, &mut unknowns, Scalar::epsilon(), &mut uncounted)?;
     work.evaluations += uncounted.evaluations;
     Ok([split::<M>(&unknowns[0]).0, equations.reaction])
 }
 
 /// The equations for v and μ.
-struct Held<'a, M: CanonicalSystem + ?Sized> {
+struct Pinned<'a, M: CanonicalSystem + ?Sized> {
     system: &'a M,
     t: M::Scalar,
     q: &'a M::Coordinates,
@@ -61,7 +61,7 @@ struct Held<'a, M: CanonicalSystem + ?Sized> {
     reaction: M::Coordinates,
 }
 
-impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::State, 1> for Held<'_, M> {
+impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::State, 1> for Pinned<'_, M> {
     fn residual(&mut self, [unknowns]: &[M::State; 1], work: &mut Work) -> [M::State; 1] {
         work.evaluations += 1;
         let (one, (v, multipliers)) = (M::Scalar::ONE, split::<M>(unknowns));
