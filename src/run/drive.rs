@@ -50,6 +50,11 @@ struct Observer<F>(F);
 
 impl<M: OdeSystem, F: FnMut(M::Scalar, &M::State)> Sink<M> for Observer<F> {
     #[inline]
+    fn reach_end(&mut self, _: &M, stepper: &mut impl Stepper<M>, time: M::Scalar) -> bool {
+        (self.0)(time, stepper.state());
+        true
+    }
+
     fn reach(&mut self, _: &M, _: &mut impl Stepper<M>, (t, y): (M::Scalar, &M::State)) -> bool {
         (self.0)(t, y);
         true

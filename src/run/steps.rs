@@ -22,7 +22,10 @@ pub trait Sink<M: OdeSystem> {
     /// An event happened.
     fn happen(&mut self, _origin: Origin, _event: &Found<M>, _kind: EventKind<M::Scalar>) {}
 
-    /// The motion has got to this time and state, at the end of the last step or within it; whether it is to go on.
+    /// The motion has got to the end of the last step, which counts as this time; whether it is to go on.
+    fn reach_end(&mut self, system: &M, stepper: &mut impl Stepper<M>, time: M::Scalar) -> bool;
+
+    /// The motion has got to an event at this time and state in the last step; whether it is to go on.
     fn reach(&mut self, system: &M, stepper: &mut impl Stepper<M>, reached: (M::Scalar, &M::State)) -> bool;
 
     /// The system is another one from here on.
@@ -112,6 +115,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     ///
     /// # Errors
     /// What the method met, the search for events or an event, with the last good state.
+    #[inline]
     pub fn next(&mut self, sink: &mut impl Sink<M>, instant: Option<M::Scalar>) -> Turned<M> {
         if let Err(cause) = self.step(sink, instant) {
             return Err(IntegrationError { cause, time: self.stepper.time(), state: *self.stepper.state() });
@@ -123,8 +127,8 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
                 return self.resume(sink, (time, state), reaction);
             }
         }
-        let reached = (self.time(), *self.stepper.state());
-        let goes_on = sink.reach(self.current.system(), &mut self.stepper, (reached.0, &reached.1));
+        let time = self.time();
+        let goes_on = sink.reach_end(self.current.system(), &mut self.stepper, time);
         Ok(if goes_on { Turn::GoesOn } else { Turn::Cancelled })
     }
 
@@ -148,6 +152,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     }
 
     /// Takes one step, after a restart if one is due.
+    #[inline]
     fn step(
         &mut self,
         sink: &mut impl Sink<M>,
@@ -163,6 +168,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     }
 
     /// The next event of the last step.
+    #[inline]
     fn next_event(&mut self) -> Outcome<M, Option<(Origin, Found<M>)>> {
         let system = self.current.system();
         match self.events.look(system, &mut self.stepper, self.end) {

@@ -8,14 +8,12 @@ use std::vec::Vec;
 use crate::integrate::{Method, Verner98};
 use crate::scalar::Scalar;
 use crate::simulate::control::{Controller, Drive, InputColumns, Undriven};
-use crate::simulate::error::SimulationError;
 use crate::simulate::events::{Event, Watcher};
+use crate::simulate::observer::{Extend, Observer};
 use crate::simulate::progress::{Progress, Reporter, Verdict};
-use crate::simulate::run::run;
 use crate::simulate::sampling::Sampling;
-use crate::simulate::trajectory::Trajectory;
 use crate::system::{
-    Action, CanonicalSystem, Direction, EnergyFunction, MechanicalSystem, OdeSystem, StepFailure, split,
+    Action, CanonicalSystem, Direction, EnergyFunction, MechanicalSystem, StepFailure, split,
 };
 
 /// Where a run starts. It wants to know when it ends.
@@ -107,18 +105,6 @@ pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven> {
     pub(super) watchers: Vec<Watcher<'a, M>>,
     pub(super) reporter: Option<Reporter<'a, M::Scalar>>,
 }
-
-/// Columns that are computed from time and state.
-pub(super) struct Observer<'a, M: MechanicalSystem> {
-    pub(super) names: Vec<String>,
-    pub(super) extend: Extend<'a, M>,
-}
-
-/// Adds one value for each column of an observer to a row.
-pub(super) type Extend<'a, M> = Box<
-    dyn FnMut(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State, &mut Vec<<M as OdeSystem>::Scalar>)
-        + 'a,
->;
 
 /// The name of the column that [`Simulation::energy`] adds.
 pub(super) const ENERGY: &str = "energy";
@@ -332,25 +318,5 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     /// so far. It is also called, ever more seldom, while a run takes many steps and gets nowhere.
     pub fn progress<V: Verdict>(self, callback: impl FnMut(Progress<M::Scalar>) -> V + 'a) -> Self {
         Simulation { reporter: Some(Reporter::new(callback)), ..self }
-    }
-
-    /// Integrates.
-    ///
-    /// # Errors
-    /// What the method met, or a setting that makes no sense, with the trajectory so far.
-    pub fn run(self) -> Result<Trajectory<M>, SimulationError<M>>
-    where
-        K: Method<D::Closed>,
-    {
-        run(self)
-    }
-}
-
-impl<M: MechanicalSystem> Observer<'_, M> {
-    /// The names of the state: coordinates, then velocities.
-    pub(super) fn state_names() -> Vec<String> {
-        let names = M::COORDINATES.iter().map(ToString::to_string);
-        let rates = M::COORDINATES.iter().map(|name| format!("{name}_dot"));
-        names.chain(rates).collect()
     }
 }

@@ -18,18 +18,22 @@ use crate::simulate::table::TIME;
 use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::system::{EventKind, MechanicalSystem, OdeSystem, StepFailure};
 
-/// Integrates from start to end.
-pub(super) fn run<M, K, D>(simulation: Simulation<'_, M, K, D>) -> Result<Trajectory<M>, SimulationError<M>>
-where
-    M: MechanicalSystem,
-    D: Drive<M>,
-    K: Method<D::Closed>,
-{
-    let (system, drive) = (simulation.system, simulation.drive.clone());
-    drive.close(system, |closed| run_closed(closed, simulation))
+impl<M: MechanicalSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
+    /// Integrates.
+    ///
+    /// # Errors
+    /// What the method met, or a setting that makes no sense, with the trajectory so far.
+    pub fn run(self) -> Result<Trajectory<M>, SimulationError<M>>
+    where
+        K: Method<D::Closed>,
+    {
+        let (system, drive) = (self.system, self.drive.clone());
+        drive.close(system, |closed| run(closed, self))
+    }
 }
 
-fn run_closed<M, K, D>(
+/// Integrates from start to end.
+fn run<M, K, D>(
     system: &D::Closed,
     simulation: Simulation<'_, M, K, D>,
 ) -> Result<Trajectory<M>, SimulationError<M>>
@@ -208,6 +212,11 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Recorder<'_, '_, M, C> {
             Origin::Given(index) => self.given[index].clone(),
         };
         self.record.event(Event { name, time: event.time, state: event.state, kind });
+    }
+
+    fn reach_end(&mut self, system: &C, stepper: &mut impl Stepper<C>, time: M::Scalar) -> bool {
+        let state = *stepper.state();
+        self.reach(system, stepper, (time, &state))
     }
 
     /// Keeps what is asked for of the last step, and reports while that goes on; whether the run does.
