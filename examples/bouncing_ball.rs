@@ -16,7 +16,7 @@ use std::error::Error;
 
 use common::compare;
 use lagrange::Simulate;
-use lagrange::contact::{Contact, Happening};
+use lagrange::contact::{Contact, EventKind};
 
 lagrange::system! {
     /// A ball above a floor.
@@ -39,8 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let fall = (2.0 * HEIGHT / ball.g).sqrt();
     let first = trajectory.events().first().ok_or("the ball hits nothing")?;
     let last = trajectory.events().last().ok_or("the ball hits nothing")?;
-    let (Happening::Impact(hit), Happening::Closed { at: rest, .. }) = (first.happening, last.happening)
-    else {
+    let (EventKind::Impact(hit), EventKind::Closed { at: rest, .. }) = (first.kind, last.kind) else {
         return Err("the ball does not bounce and then rest".into());
     };
 

@@ -22,7 +22,7 @@ use std::f64::consts::FRAC_PI_3;
 
 use common::compare;
 use lagrange::Simulate;
-use lagrange::contact::Happening;
+use lagrange::contact::EventKind;
 use lagrange::event::Direction;
 
 lagrange::system! {
@@ -99,7 +99,7 @@ fn whole_motion(start: [f64; 6], sideways: f64) -> Result<(), Box<dyn Error>> {
     let [opens, lands] = motion.events() else {
         return Err(format!("{:?} are not two events", motion.events()).into());
     };
-    assert_eq!((opens.name.as_str(), opens.happening), ("wall", Happening::Opened));
+    assert_eq!((opens.name.as_str(), opens.kind), ("wall", EventKind::Opened));
     let landed = LadderState::from(lands.state);
     let sine = ANGLE.sin();
     let rate = (ladder.g / ladder.l * (3.0 * sine - sine.powi(3) / 3.0)).sqrt();

@@ -17,7 +17,7 @@ use std::error::Error;
 
 use common::compare;
 use lagrange::Simulate;
-use lagrange::contact::Happening;
+use lagrange::contact::EventKind;
 
 lagrange::system! {
     /// A uniform rod in the plane without gravity; the peg is at height 0 below its left end.
@@ -44,7 +44,7 @@ fn meet(rod: &Rod) -> Result<(), Box<dyn Error>> {
     let start = RodState { x: 0.0, y: HEIGHT, theta: 0.0, x_dot: 0.0, y_dot: -SPEED, theta_dot: 0.0 };
     let trajectory = rod.simulate(start).until(0.3).tolerance(1e-13).dense().run()?;
     let event = trajectory.events().first().ok_or("the rod meets nothing")?;
-    let (Happening::Impact(hit) | Happening::Closed { impact: hit, .. }) = event.happening else {
+    let (EventKind::Impact(hit) | EventKind::Closed { impact: hit, .. }) = event.kind else {
         return Err("the event is no impact".into());
     };
     let after = RodState::from(trajectory.at(event.time)?);

@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 
 use common::compare;
 use lagrange::Simulate;
-use lagrange::contact::Happening;
+use lagrange::contact::EventKind;
 
 lagrange::system! {
     /// A block on a belt; x is how far its spring is stretched.
@@ -45,9 +45,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (index, event) in trajectory.events().iter().enumerate() {
         let turn = (index / 2) as f64 * period;
         let first = given_way / v;
-        let (name, time, place) = match event.happening {
-            Happening::Slipped if index % 2 == 0 => ("slips", first + turn, given_way),
-            Happening::Stuck if index % 2 == 1 => ("sticks", first + slipping + turn, middle - amplitude),
+        let (name, time, place) = match event.kind {
+            EventKind::Slipped if index % 2 == 0 => ("slips", first + turn, given_way),
+            EventKind::Stuck if index % 2 == 1 => ("sticks", first + slipping + turn, middle - amplitude),
             other => return Err(format!("{other:?} is not expected here").into()),
         };
         let rows = [

@@ -67,8 +67,10 @@ pub mod inertia;
 pub mod integrate;
 #[cfg(any(feature = "plot", feature = "draw"))]
 mod lettering;
+mod linalg;
 #[cfg(feature = "plot")]
 mod plot;
+pub mod run;
 pub mod scalar;
 pub mod scene;
 #[cfg(feature = "std")]

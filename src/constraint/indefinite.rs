@@ -1,7 +1,7 @@
 //! Accelerations where a pivot of a regular mass matrix vanishes.
 
-use super::least_norm::{equilibration, finite, roundings};
-use super::orthogonal::Factors;
+use crate::constraint::minimum_norm::{equilibration, finite, roundings};
+use crate::linalg::orthogonal::Factors;
 use crate::scalar::Scalar;
 
 /// The accelerations a of M a = f with a symmetric mass matrix M, in rows, that need not be definite, by orthogonal factors; NaN if it

@@ -44,30 +44,25 @@
 //! Engineering 1 (1972), 1–16.
 
 mod indefinite;
-mod least_norm;
+mod minimum_norm;
 mod nearest;
-pub(crate) mod orthogonal;
 mod projection;
 mod regular;
 mod residuals;
 #[cfg(test)]
 pub(crate) mod systems;
 mod unprojected;
-mod values;
-mod violation;
 
 pub use self::indefinite::indefinite_motion;
-pub use self::least_norm::{
-    RedundantMotion, least_norm, rank_tolerance, redundant_correction, redundant_motion,
+pub use self::minimum_norm::{
+    RedundantMotion, minimum_norm, rank_tolerance, redundant_correction, redundant_motion,
 };
 pub(crate) use self::projection::UNDETERMINED;
 pub use self::projection::{admit, consistent_velocity, correct, project, restore};
 pub use self::regular::{are_finite, are_regular, weighed, weighed_entries};
 pub(crate) use self::residuals::sizes;
 pub use self::unprojected::Unprojected;
-pub use self::values::ConstraintValues;
-pub(crate) use self::values::inner;
-pub use self::violation::{Violated, Violation};
+pub use crate::system::{ConstraintValues, Violated, Violation};
 
 use crate::system::{MechanicalSystem, StateVector};
 

@@ -9,6 +9,7 @@
 
 use super::ConstrainedSystem;
 use super::residuals::largest;
+use crate::linalg::vector::{add, difference};
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, OdeSystem, StateVector};
 
@@ -169,22 +170,6 @@ fn between<S: Scalar>((short, falls): (S, S), long: Option<(S, S)>) -> S {
     let part = falls / (falls - rises);
     let part = part.max(S::from_f64(MARGIN)).min(S::from_f64(1.0 - MARGIN));
     (long - short).multiply_add(part, short)
-}
-
-/// a − b
-#[inline]
-pub(super) fn difference<S: Scalar, Q: StateVector<S>>(a: &Q, b: &Q) -> Q {
-    let mut difference = *a;
-    for (entry, b) in difference.as_mut().iter_mut().zip(b.as_ref()) {
-        *entry = *entry - *b;
-    }
-    difference
-}
-
-fn add<S: Scalar, Q: StateVector<S>>(to: &mut Q, part: S, change: &Q) {
-    for (entry, change) in to.as_mut().iter_mut().zip(change.as_ref()) {
-        *entry = change.multiply_add(part, *entry);
-    }
 }
 
 fn epsilon<M: OdeSystem + ?Sized>() -> M::Scalar {

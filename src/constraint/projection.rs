@@ -5,14 +5,14 @@
 //! until the next one, by the same gradients, would be smaller. Constraints are linear in velocities: one correction does there.
 //! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the module above.
 
-use super::nearest::{Search, difference};
+use super::ConstrainedSystem;
+use super::nearest::Search;
 use super::residuals::{
     beyond, largest, of_positions_together, of_velocities, of_velocities_together, size, worst,
 };
-use super::{ConstrainedSystem, Violation};
-use crate::integrate::Cause;
+use crate::linalg::vector::difference;
 use crate::scalar::Scalar;
-use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
+use crate::system::{MechanicalSystem, OdeSystem, StateVector, StepFailure, Violation, join, split};
 
 type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
@@ -100,22 +100,22 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
 /// that it is small. This is what [`OdeSystem::correct`] of emitted types does.
 ///
 /// # Errors
-/// [`Cause::Violated`] if corrections do not converge, [`Cause::Stuck`] if they would make another motion of it; the state is then
+/// [`StepFailure::Violated`] if corrections do not converge, [`StepFailure::Stuck`] if they would make another motion of it; the state is then
 /// what it was.
 #[inline]
 pub fn correct<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     y: &mut M::State,
-) -> Result<(), Cause<M::Scalar>> {
+) -> Result<(), StepFailure<M::Scalar>> {
     let (mut q, mut v) = split::<M>(y);
     if !bring(system, t, &mut q, &mut v) {
         let (q, v) = split::<M>(y);
-        return Err(Cause::Violated(worst(system, t, (&q, &v))));
+        return Err(StepFailure::Violated(worst(system, t, (&q, &v))));
     }
     let (_, before) = split::<M>(y);
     if leaps(&before, &v, &q) {
-        return Err(Cause::Stuck(UNDETERMINED));
+        return Err(StepFailure::Stuck(UNDETERMINED));
     }
     *y = join::<M>(&q, &v);
     Ok(())
@@ -125,14 +125,14 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
 /// [`OdeSystem::restore`] of emitted types does.
 ///
 /// # Errors
-/// [`Cause::Violated`]; the state is then what it was.
+/// [`StepFailure::Violated`]; the state is then what it was.
 pub fn restore<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     y: &mut M::State,
-) -> Result<(), Cause<M::Scalar>> {
+) -> Result<(), StepFailure<M::Scalar>> {
     let (mut q, mut v) = split::<M>(y);
-    project(system, t, &mut q, &mut v).map_err(Cause::Violated)?;
+    project(system, t, &mut q, &mut v).map_err(StepFailure::Violated)?;
     *y = join::<M>(&q, &v);
     Ok(())
 }
@@ -150,17 +150,17 @@ fn leaps<S: Scalar, Q: StateVector<S>>(before: &Q, after: &Q, q: &Q) -> bool {
 /// 10⁻⁶ of its scale, as [`project`] measures it. This is what [`OdeSystem::admit`] of emitted types does.
 ///
 /// # Errors
-/// [`Cause::Violated`] with the constraint that is violated most in proportion to its scale; the state is then what it was.
+/// [`StepFailure::Violated`] with the constraint that is violated most in proportion to its scale; the state is then what it was.
 pub fn admit<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     y: &mut M::State,
-) -> Result<(), Cause<M::Scalar>> {
+) -> Result<(), StepFailure<M::Scalar>> {
     let (mut q, mut v) = split::<M>(y);
     if let Some(violation) = beyond(M::Scalar::from_f64(ADMITTED), system, t, (&q, &v)) {
-        return Err(Cause::Violated(violation));
+        return Err(StepFailure::Violated(violation));
     }
-    project(system, t, &mut q, &mut v).map_err(Cause::Violated)?;
+    project(system, t, &mut q, &mut v).map_err(StepFailure::Violated)?;
     *y = join::<M>(&q, &v);
     Ok(())
 }

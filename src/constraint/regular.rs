@@ -1,6 +1,6 @@
 //! Whether constraints are independent enough for elimination, and how large their residuals may be.
 
-use super::least_norm::rank_tolerance;
+use crate::constraint::minimum_norm::rank_tolerance;
 use crate::scalar::Scalar;
 
 /// Whether all values are finite and the growth of rounding errors, `condition`, is such that the straight way to them can be

@@ -1,8 +1,8 @@
 //! How large residuals are.
 
-use super::{ConstrainedSystem, Violated, Violation};
+use super::ConstrainedSystem;
 use crate::scalar::Scalar;
-use crate::system::StateVector;
+use crate::system::{StateVector, Violated, Violation};
 
 /// The largest coordinate counts as no smaller than this.
 const SMALLEST: f64 = 1e-6;

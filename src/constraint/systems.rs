@@ -1,9 +1,9 @@
 //! Hand-written constrained systems whose motions are known.
 
 use super::{ConstrainedSystem, admit, correct, redundant_correction, redundant_motion, weighed};
-use crate::integrate::Cause;
 use crate::system::{
-    CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem, StateVector, Unnamed, join, split,
+    CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem, StateVector, StepFailure, Unnamed, join,
+    split,
 };
 
 /// Masses that move as forces and constraints make them: N coordinates, D constraints.
@@ -80,11 +80,11 @@ impl<L: Mechanism<N, D>, const N: usize, const D: usize> OdeSystem for System<L,
 
     const IS_CONSTRAINED: bool = true;
 
-    fn correct(&self, t: f64, y: &mut L::State) -> Result<(), Cause<f64>> {
+    fn correct(&self, t: f64, y: &mut L::State) -> Result<(), StepFailure<f64>> {
         correct(self, t, y)
     }
 
-    fn admit(&self, t: f64, y: &mut L::State) -> Result<(), Cause<f64>> {
+    fn admit(&self, t: f64, y: &mut L::State) -> Result<(), StepFailure<f64>> {
         admit(self, t, y)
     }
 }

@@ -1,11 +1,9 @@
 //! Systems without projection.
 
 use super::ConstrainedSystem;
-use crate::event::{Answer, DeclaredEvent};
-use crate::integrate::Cause;
 use crate::system::{
-    CanonicalSystem, CoordinateMatrix, EnergyFunction, MechanicalSystem, OdeSystem, Reacted, SeparableSystem,
-    StateMatrix, Undefined,
+    CanonicalSystem, CoordinateMatrix, DeclaredEvent, EnergyFunction, MechanicalSystem, OdeSystem, Reacted,
+    Response, SeparableSystem, StateMatrix, StepFailure, Undefined,
 };
 
 /// A system whose states methods leave as they find them: what its constraints demand of accelerations is all that holds it.
@@ -46,12 +44,12 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
     }
 
     #[inline]
-    fn admit(&self, t: M::Scalar, y: &mut M::State) -> Result<(), Cause<M::Scalar>> {
+    fn admit(&self, t: M::Scalar, y: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
         self.0.admit(t, y)
     }
 
     #[inline]
-    fn restore(&self, t: M::Scalar, y: &mut M::State) -> Result<(), Cause<M::Scalar>> {
+    fn restore(&self, t: M::Scalar, y: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
         self.0.restore(t, y)
     }
 
@@ -63,11 +61,11 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
     }
 
     fn react(&self, event: usize, t: M::Scalar, y: &M::State) -> Reacted<Self> {
-        let Answer { reaction, system, happening } = self.0.react(event, t, y)?;
-        Ok(Answer { reaction, system: system.map(Unprojected), happening })
+        let Response { action, system, kind } = self.0.react(event, t, y)?;
+        Ok(Response { action, system: system.map(Unprojected), kind })
     }
 
-    fn begin(&self, t: M::Scalar, y: &M::State) -> Result<Option<Self>, Cause<M::Scalar>> {
+    fn begin(&self, t: M::Scalar, y: &M::State) -> Result<Option<Self>, StepFailure<M::Scalar>> {
         Ok(self.0.begin(t, y)?.map(Unprojected))
     }
 

@@ -1,346 +1,173 @@
-//! The law of contacts and friction as a linear complementarity problem, solved by Lemke's method.
+//! Which reactions fit together.
 //!
-//! With reactions and rates measured as in [`balance`](super::balance), three pairs w ≥ 0, z ≥ 0, w z = 0 stand for friction that
-//! holds or slips and one for a contact that presses or parts:
+//! Contacts that touch either press or part, friction that is at rest either holds or slips in the direction that results:
 //!
 //! ```text
-//! contact:   w = rate,                     z = r
-//! friction:  w = rate + s,                 z = r₊            r = r₊ − r₋
-//!            w = −rate + s,                z = r₋
-//!            w = limit − r₊ − r₋,          z = s             s is the size of the slip velocity
+//! r ≥ 0, rate ≥ 0, r·rate = 0;     |r| ≤ limit and rate = 0, or r = −sign(rate) limit.
 //! ```
 //!
-//! Rates and limits are affine in the reactions, so that w = q + M z. Friction that is known to slip is an equation for a
-//! reaction without a sign. All w become possible by a multiple z₀ of the vector of ones; z₀ is then driven out: whenever a variable
-//! leaves the basis its complement enters.
-//!
-//! If G is positive semidefinite and limits do not fall where contacts press, M is copositive. Without friction that is known to slip,
-//! and if no reactions without effect on the rates work against q, Lemke's method then ends at a solution: so there are impulses at
-//! every impact without restitution. Friction that is known to slip may leave no solution: the paradox of Painlevé.
-//!
-//! q is moved by a little more than rounding, by another amount in each row, which keeps the method from going round in circles. Rules
-//! are read from the last basis, and the reactions follow from the rules.
-//!
-//! Sources: Stewart, Trinkle, "An implicit time-stepping scheme for rigid body dynamics with inelastic collisions and Coulomb
-//! friction", *Int. J. Numer. Methods Eng.* 39 (1996) 2673–2691; Anitescu, Potra, "Formulating dynamic multi-rigid-body contact
-//! problems with friction as solvable linear complementarity problems", *Nonlinear Dynamics* 14 (1997) 231–247; Cottle, Pang,
-//! Stone, *The Linear Complementarity Problem*, §4.4, §4.9.
+//! One rule is changed at a time, that of the first reaction that contradicts its rule, which ends at the answer if friction does
+//! not couple strongly (Murty's least-index pivoting). Where it does not, [Lemke's method](super::lemke) finds rules, and
+//! where limits of friction change their signs, so that it may not, all combinations are tried if they are few. With friction that
+//! slips and is strong there may be none: the paradox of Painlevé.
+//! Sources: Murty, *Linear Complementarity, Linear and Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody
+//! Dynamics with Unilateral Contacts*, §5.3, §6.
 
-use super::balance::{Balance, Rule};
-use super::least_norm::negligible;
-use super::settle::{Choice, Settled};
+use super::reaction_forces::{Balance, Rule};
 use crate::scalar::Scalar;
 
-/// Pairs of each reaction.
-const PAIRS: usize = 3;
-/// The method is given up after this many exchanges for each pair.
-const MOST_EXCHANGES: usize = 16;
-
-/// An entry for each pair, reaction by reaction.
-type Pairs<T, const K: usize> = [[T; PAIRS]; K];
-
-/// A variable: w and z of a pair, or z₀.
+/// What a reaction may do.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Variable {
-    W(usize),
-    Z(usize),
-    Cover,
+pub(super) enum Choice {
+    /// Nothing but this.
+    Only(Rule),
+    /// To press or to part.
+    Touch,
+    /// To hold or to slip.
+    Rest,
 }
 
-/// A variable by the others: its value if those are zero, and how it grows with each.
+/// Rules that fit together, and the reactions under them.
 #[derive(Clone, Copy, Debug)]
-struct Row<S, const K: usize> {
-    variable: Variable,
-    value: S,
-    slopes: Pairs<S, K>,
-    /// How it grows with the variable of the column that z₀ has at first.
-    cover: S,
-    /// Whether it must not be negative; rows of pairs that take no part, and of reactions without a sign, may.
-    has_sign: bool,
+pub(super) struct Settled<S, const K: usize> {
+    pub(super) rules: [Rule; K],
+    pub(super) reactions: [S; K],
 }
 
-/// Variables that are in the basis, by those that are not and are zero.
-struct Tableau<S, const K: usize> {
-    rows: Pairs<Row<S, K>, K>,
-    /// The variables of the columns.
-    columns: Pairs<Variable, K>,
-    cover: Variable,
-}
+/// Combinations are not tried if there are more.
+const MOST_COMBINATIONS: u64 = 1_296;
+/// Rounding errors of a sum are this many times those of its largest terms.
+const ROUNDINGS: f64 = 16.0;
+/// Impulses that the motion does not determine hold rates together but for so many.
+const HELD: f64 = 1_048_576.0;
+/// What Lemke's method finds fits but for so many.
+const NEARLY: f64 = 65_536.0;
 
-/// Which column: that of a pair, or the last.
-type Column = Option<usize>;
-
-impl Variable {
-    /// The other one of its pair.
-    fn complement(self) -> Variable {
+impl Choice {
+    fn rules(self) -> &'static [Rule] {
         match self {
-            Variable::W(pair) => Variable::Z(pair),
-            Variable::Z(pair) => Variable::W(pair),
-            Variable::Cover => Variable::Cover,
+            Choice::Only(Rule::Absent) => &[Rule::Absent],
+            Choice::Only(Rule::Holds) => &[Rule::Holds],
+            Choice::Only(Rule::Forwards) => &[Rule::Forwards],
+            Choice::Only(Rule::Backwards) => &[Rule::Backwards],
+            Choice::Only(Rule::Smooth) => &[Rule::Smooth],
+            Choice::Touch => &[Rule::Holds, Rule::Absent],
+            Choice::Rest => &[Rule::Holds, Rule::Forwards, Rule::Backwards],
         }
-    }
-}
-
-impl<S: Scalar, const K: usize> Row<S, K> {
-    fn slope(&self, column: Column) -> S {
-        column.map_or(self.cover, |pair| self.slopes[pair / PAIRS][pair % PAIRS])
-    }
-
-    fn slope_mut(&mut self, column: Column) -> &mut S {
-        match column {
-            Some(pair) => &mut self.slopes[pair / PAIRS][pair % PAIRS],
-            None => &mut self.cover,
-        }
-    }
-
-    /// Adds a multiple of another row, but in the place of that column.
-    fn add(&mut self, factor: S, other: &Row<S, K>, column: Column) {
-        let kept = factor * other.slope(column);
-        self.value = factor.multiply_add(other.value, self.value);
-        self.cover = factor.multiply_add(other.cover, self.cover);
-        for (slopes, others) in self.slopes.iter_mut().zip(&other.slopes) {
-            for (slope, &other) in slopes.iter_mut().zip(others) {
-                *slope = factor.multiply_add(other, *slope);
-            }
-        }
-        *self.slope_mut(column) = kept;
-    }
-}
-
-impl<S: Scalar, const K: usize> Tableau<S, K> {
-    /// Lets the variable of a column enter the basis, and that of a row leave it.
-    fn exchange(&mut self, pair: usize, column: Column) -> Variable {
-        let mut row = self.rows[pair / PAIRS][pair % PAIRS];
-        let pivot = row.slope(column);
-        let factor = -S::ONE / pivot;
-        for slope in row.slopes.iter_mut().flatten() {
-            *slope = *slope * factor;
-        }
-        (row.value, row.cover) = (row.value * factor, row.cover * factor);
-        *row.slope_mut(column) = S::ONE / pivot;
-        let left = row.variable;
-        let entered = match column {
-            Some(pair) => core::mem::replace(&mut self.columns[pair / PAIRS][pair % PAIRS], left),
-            None => core::mem::replace(&mut self.cover, left),
-        };
-        row.variable = entered;
-        for (other, present) in self.rows.iter_mut().flatten().enumerate() {
-            if other == pair {
-                *present = row;
-            } else {
-                let factor = present.slope(column);
-                if factor != S::ZERO {
-                    present.add(factor, &row, column);
-                }
-            }
-        }
-        left
-    }
-
-    /// The column of a variable that is not in the basis.
-    fn column_of(&self, variable: Variable) -> Option<Column> {
-        if self.cover == variable {
-            return Some(None);
-        }
-        self.columns.iter().flatten().position(|column| *column == variable).map(Some)
-    }
-
-    /// The row that is the first to become negative as the variable of a column grows; that of z₀ if several are.
-    fn first_to_vanish(&self, column: Column) -> Option<usize> {
-        let mut first: Option<(usize, S)> = None;
-        for (pair, row) in self.rows.iter().flatten().enumerate() {
-            let slope = row.slope(column);
-            if !row.has_sign || slope >= -negligible::<S>() {
-                continue;
-            }
-            let ratio = row.value / -slope;
-            let is_first = first.is_none_or(|(_, least)| {
-                ratio < least || (ratio == least && row.variable == Variable::Cover)
-            });
-            if is_first {
-                first = Some((pair, ratio));
-            }
-        }
-        first.map(|(pair, _)| pair)
-    }
-
-    /// The row whose value is the most negative.
-    fn lowest(&self) -> Option<usize> {
-        let mut lowest: Option<(usize, S)> = None;
-        for (pair, row) in self.rows.iter().flatten().enumerate() {
-            if row.has_sign && row.value < lowest.map_or(S::ZERO, |(_, value)| value) {
-                lowest = Some((pair, row.value));
-            }
-        }
-        lowest.map(|(pair, _)| pair)
-    }
-
-    /// Lemke's method; whether it ended at a solution.
-    fn solve(&mut self) -> bool {
-        let Some(lowest) = self.lowest() else { return true };
-        let mut left = self.exchange(lowest, None);
-        for _ in 0..MOST_EXCHANGES * PAIRS * K {
-            let Some(column) = self.column_of(left.complement()) else { return false };
-            let Some(pair) = self.first_to_vanish(column) else { return false };
-            left = self.exchange(pair, column);
-            if left == Variable::Cover {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// The value of a variable.
-    fn value(&self, variable: Variable) -> S {
-        let row = self.rows.iter().flatten().find(|row| row.variable == variable);
-        row.map_or(S::ZERO, |row| row.value)
     }
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
-    /// Rules out of these choices that fit together but for a little more than rounding, if the method finds some.
-    pub(super) fn complementary(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
-        let mut tableau = self.tableau(choices)?;
-        if !tableau.solve() {
+    /// Rules out of these choices that fit together, if there are any.
+    pub(super) fn settle(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+        let choices = &self.possible(choices);
+        self.pivot(choices, choices.map(|choice| choice.rules()[0]))
+            .or_else(|| self.complement(choices))
+            .or_else(|| self.try_all(choices))
+    }
+
+    /// The choices without friction that has no limit, whatever contacts do.
+    fn possible(&self, choices: &[Choice; K]) -> [Choice; K] {
+        let mut possible = *choices;
+        // Limits may hold what was declared before.
+        for k in 0..K {
+            let may_act = |j: usize| j != k && possible[j] != Choice::Only(Rule::Absent);
+            if possible[k] == Choice::Rest && !self.has_limit(k, may_act) {
+                possible[k] = Choice::Only(Rule::Absent);
+            }
+        }
+        possible
+    }
+
+    /// What Lemke's method finds, made exact.
+    fn complement(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+        let found = self.complementary(choices)?;
+        let is_near = || self.contradiction(choices, &found, NEARLY).is_none();
+        self.pivot(choices, found.rules).or_else(|| is_near().then_some(found))
+    }
+
+    /// From these rules on.
+    fn pivot(&self, choices: &[Choice; K], mut rules: [Rule; K]) -> Option<Settled<S, K>> {
+        for _ in 0..=8 + 4 * K {
+            let settled = self.under(rules)?;
+            let Some((k, rule)) = self.contradiction(choices, &settled, ROUNDINGS) else {
+                return Some(settled);
+            };
+            rules[k] = rule;
+        }
+        None
+    }
+
+    /// Reactions under these rules if they fit together, but for a little more than rounding.
+    pub(super) fn confirmed(&self, choices: &[Choice; K], rules: [Rule; K]) -> Option<Settled<S, K>> {
+        self.under(rules).filter(|settled| self.contradiction(choices, settled, NEARLY).is_none())
+    }
+
+    fn try_all(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+        let count = |choice: &Choice| choice.rules().len() as u64;
+        let combinations =
+            choices.iter().fold(1, |product: u64, choice| product.saturating_mul(count(choice)));
+        if combinations > MOST_COMBINATIONS {
             return None;
         }
-        let units = self.units();
-        let z = |k: usize, pair: usize| tableau.value(Variable::Z(PAIRS * k + pair));
-        let reactions = core::array::from_fn(|k| (z(k, 0) - z(k, 1)) / units[k]);
-        let rules = core::array::from_fn(|k| match choices[k] {
-            Choice::Only(rule) => rule,
-            Choice::Touch if z(k, 0) > S::ZERO => Rule::Holds,
-            Choice::Touch => Rule::Absent,
-            Choice::Rest if z(k, 2) > S::ZERO && z(k, 0) > z(k, 1) => Rule::Backwards,
-            Choice::Rest if z(k, 2) > S::ZERO => Rule::Forwards,
-            Choice::Rest => Rule::Holds,
-        });
-        Some(Settled { rules, reactions })
+        (0..combinations).find_map(|mut number| {
+            let rules = choices.map(|choice| {
+                let rule = choice.rules()[(number % count(&choice)) as usize];
+                number /= count(&choice);
+                rule
+            });
+            self.under(rules).filter(|settled| self.contradiction(choices, settled, ROUNDINGS).is_none())
+        })
     }
 
-    /// The problem of these choices; none if an equation cannot be solved for its reaction.
-    fn tableau(&self, choices: &[Choice; K]) -> Option<Tableau<S, K>> {
-        let problem = Problem::new(self, choices);
-        let pair = |k: usize, pair: usize| PAIRS * k + pair;
-        let rows = core::array::from_fn(|k| core::array::from_fn(|i| problem.row(k, i)));
-        let columns = core::array::from_fn(|k| core::array::from_fn(|i| Variable::Z(pair(k, i))));
-        let mut tableau = Tableau { rows, columns, cover: Variable::Cover };
-        tableau.perturb();
-        for k in (0..K).filter(|k| problem.is_equation(*k)) {
-            let row = &tableau.rows[k][0];
-            if row.slopes[k][0].abs() <= negligible() {
-                return None;
-            }
-            tableau.exchange(pair(k, 0), Some(pair(k, 0)));
-        }
-        Some(tableau)
-    }
-}
-
-impl<S: Scalar, const K: usize> Tableau<S, K> {
-    /// Moves the values of the rows by a little, upwards, where they have a sign.
-    fn perturb(&mut self) {
-        let rows = self.rows.iter().flatten();
-        let size = rows.fold(S::ZERO, |size, row| size.max(row.value.abs()));
-        let golden = S::from_f64(0.618_033_988_749_894_9);
-        let mut part = S::ZERO;
-        for row in self.rows.iter_mut().flatten().filter(|row| row.has_sign) {
-            part = part + golden;
-            part = if part > S::ONE { part - S::ONE } else { part };
-            row.value = row.value + negligible::<S>() * size * (S::ONE + part);
-        }
-    }
-}
-
-/// The rows of the problem as it is given.
-struct Problem<'a, S, const N: usize, const K: usize> {
-    balance: &'a Balance<'a, S, N, K>,
-    choices: &'a [Choice; K],
-    units: [S; K],
-}
-
-impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
-    fn new(balance: &'a Balance<'a, S, N, K>, choices: &'a [Choice; K]) -> Self {
-        Problem { balance, choices, units: balance.units() }
-    }
-
-    /// Whether reaction k is friction that is known to slip.
-    fn is_equation(&self, k: usize) -> bool {
-        matches!(self.choices[k], Choice::Only(Rule::Forwards | Rule::Backwards | Rule::Smooth))
-    }
-
-    /// w of a pair, by all z.
-    fn row(&self, k: usize, pair: usize) -> Row<S, K> {
-        let zero = Row {
-            variable: Variable::W(PAIRS * k + pair),
-            value: S::ZERO,
-            slopes: [[S::ZERO; PAIRS]; K],
-            cover: S::ZERO,
-            has_sign: false,
+    fn under(&self, rules: [Rule; K]) -> Option<Settled<S, K>> {
+        let reactions = self.reactions(&rules);
+        let is_finite = reactions.iter().all(|reaction| reaction.is_finite());
+        let is_held = |k: usize| {
+            let rounding = S::from_f64(HELD) * S::epsilon() * self.size(k, &reactions);
+            rules[k] != Rule::Holds || self.rate(k, &reactions).abs() <= rounding
         };
-        match (self.choices[k], pair) {
-            (Choice::Only(Rule::Forwards | Rule::Smooth), 0) => self.slipping(zero, k, S::ONE),
-            (Choice::Only(Rule::Backwards), 0) => self.slipping(zero, k, -S::ONE),
-            (Choice::Touch, 0) => self.rate(zero, k, S::ONE),
-            (Choice::Rest, 0 | 1) => {
-                let mut row = self.rate(zero, k, if pair == 0 { S::ONE } else { -S::ONE });
-                row.slopes[k][2] = S::ONE;
-                row
-            }
-            (Choice::Rest, _) => {
-                let mut row = self.limit(Row { cover: S::ONE, has_sign: true, ..zero }, k, S::ONE);
-                for side in 0..2 {
-                    row.slopes[k][side] = row.slopes[k][side] - S::ONE;
-                }
-                row
-            }
-            _ => zero,
+        let fits = is_finite && (!self.is_of_impulses() || (0..K).all(is_held));
+        fits.then_some(Settled { rules, reactions })
+    }
+
+    /// The first reaction that contradicts its rule by more than so many roundings, and the rule to try instead.
+    fn contradiction(
+        &self,
+        choices: &[Choice; K],
+        settled: &Settled<S, K>,
+        roundings: f64,
+    ) -> Option<(usize, Rule)> {
+        (0..K).find_map(|k| {
+            let other = match choices[k] {
+                Choice::Only(_) => None,
+                Choice::Touch => self.touch(k, settled, roundings),
+                Choice::Rest => self.rest(k, settled, roundings),
+            };
+            other.map(|rule| (k, rule))
+        })
+    }
+
+    /// A contact that presses by no more than rounding is open.
+    fn touch(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>, roundings: f64) -> Option<Rule> {
+        let rounding = S::from_f64(roundings) * S::epsilon() * self.size(k, reactions);
+        match rules[k] {
+            Rule::Holds if reactions[k] * self.response(k) <= rounding => Some(Rule::Absent),
+            Rule::Absent if self.rate(k, reactions) < -(rounding + rounding) => Some(Rule::Holds),
+            _ => None,
         }
     }
 
-    /// 0 = r + sign·limit
-    fn slipping(&self, row: Row<S, K>, k: usize, sign: S) -> Row<S, K> {
-        let mut row = self.limit(row, k, sign);
-        row.slopes[k][0] = row.slopes[k][0] + S::ONE;
-        row
-    }
-
-    /// sign·rate
-    fn rate(&self, row: Row<S, K>, k: usize, sign: S) -> Row<S, K> {
-        let mut row = Row {
-            value: sign * self.balance.offset(k) / self.units[k],
-            cover: S::ONE,
-            has_sign: true,
-            ..row
-        };
-        for j in 0..K {
-            let slope = sign * self.balance.entry(k, j) / (self.units[k] * self.units[j]);
-            self.add(&mut row, j, slope);
-        }
-        row
-    }
-
-    /// A row and sign·limit, counted positive where it is without reactions.
-    fn limit(&self, mut row: Row<S, K>, k: usize, sign: S) -> Row<S, K> {
-        let (free, slopes) = self.balance.limit(k);
-        let is_reversed = free < S::ZERO && self.choices[k] != Choice::Only(Rule::Smooth);
-        let sign = if is_reversed { -sign } else { sign };
-        row.value = sign * free * self.units[k];
-        for (j, slope) in slopes.iter().enumerate() {
-            self.add(&mut row, j, sign * *slope * self.units[k] / self.units[j]);
-        }
-        row
-    }
-
-    /// Lets a row grow with reaction j.
-    fn add(&self, row: &mut Row<S, K>, j: usize, slope: S) {
-        match self.choices[j] {
-            Choice::Only(Rule::Absent | Rule::Holds) => {}
-            Choice::Only(_) | Choice::Touch => row.slopes[j][0] = row.slopes[j][0] + slope,
-            Choice::Rest => {
-                row.slopes[j][0] = row.slopes[j][0] + slope;
-                row.slopes[j][1] = row.slopes[j][1] - slope;
+    fn rest(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>, roundings: f64) -> Option<Rule> {
+        let rounding = S::from_f64(roundings) * S::epsilon() * self.size(k, reactions);
+        let (rate, reaction) = (self.rate(k, reactions), reactions[k]);
+        match rules[k] {
+            Rule::Holds if (reaction.abs() - self.fixed(k, reactions)) * self.response(k) > rounding => {
+                Some(if reaction < S::ZERO { Rule::Forwards } else { Rule::Backwards })
             }
+            Rule::Forwards if rate < -(rounding + rounding) => Some(Rule::Holds),
+            Rule::Backwards if rate > rounding + rounding => Some(Rule::Holds),
+            _ => None,
         }
     }
 }

@@ -13,7 +13,7 @@
 //! With friction, or with several contacts of different restitution, Newton's law of restitution may create energy (the
 //! paradox of Kane and Levinson), or there may be no impulses, as for a body wedged between more walls than it has freedoms. Then all
 //! coefficients are reduced in proportion until there are, and no energy is created. Without restitution there always are impulses
-//! ([`complementarity`](super::complementarity)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving surfaces.
+//! ([`complementarity`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving surfaces.
 //!
 //! A jam is what is left of such an impact as the approach falls to zero. It differs from nothing only where friction is so strong
 //! that a contact which slips would be drawn in.
@@ -23,11 +23,11 @@
 
 use core::array;
 
-use super::balance::{Balance, Rule};
-use super::settle::{Choice, Settled};
+use super::complementarity::{Choice, Settled};
+use super::reaction_forces::{Balance, Rule};
 use super::{Mode, Terms};
-use crate::integrate::Cause;
 use crate::scalar::Scalar;
+use crate::system::StepFailure;
 
 /// The part of restitution is found to so many binary digits where it must be found.
 const MOST_BISECTIONS: u32 = 40;
@@ -62,17 +62,17 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         modes: &[Mode; K],
         is_touching: &[bool; K],
         restitutions: &[S; K],
-    ) -> Result<Collision<S, N, K>, Cause<S>> {
+    ) -> Result<Collision<S, N, K>, StepFailure<S>> {
         let choices = self.choices(modes, is_touching);
         if !Balance::of_impulses(self, restitutions).is_finite() {
-            return Err(Cause::NotFinite);
+            return Err(StepFailure::NotFinite);
         }
         let part = |part: S| self.collide(v, &choices, &restitutions.map(|e| part * e));
         let creates = |collision: &Collision<S, N, K>| collision.energy_loss < -self.rounding(collision);
         if let Some(collision) = part(S::ONE).filter(|collision| !creates(collision)) {
             return Ok(collision);
         }
-        self.reduced(part, creates).ok_or(Cause::Stuck(NO_IMPULSES))
+        self.reduced(part, creates).ok_or(StepFailure::Stuck(NO_IMPULSES))
     }
 
     /// The impact with the largest part of the restitution with which there are impulses and no energy is created, as there are and it

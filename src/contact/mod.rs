@@ -22,7 +22,7 @@
 //! - **Modes are chosen together.** Where a mode ends, all contacts that touch and all friction at rest are settled anew: contacts
 //!   press or part, friction holds or slips the way it is driven. If friction is so strong that no forces fit (the paradox of
 //!   Painlevé), the contact jams: an impact without approach stops its slip. A motion that would have to start there, or that a jam
-//!   does not free, ends with [`Cause::Stuck`](crate::integrate::Cause::Stuck).
+//!   does not free, ends with [`StepFailure::Stuck`](crate::integrate::StepFailure::Stuck).
 //! - **Contacts that touch are hit together**, at one instant. Two equal balls that touch and are hit elastically by a third leave
 //!   with 2/3 of its speed, and it returns with 1/3; a hair's breadth apart, they are hit one after the other, and the last one
 //!   leaves with all of it, as in Newton's cradle. An impact in several contacts is told by the event of the first, with
@@ -30,7 +30,7 @@
 //! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law between impulses. Without
 //!   restitution there always are impulses that obey it. Restitution is reduced where it would create energy or leave none.
 //! - **Infinitely many bounces** are taken together once the rest of them would last no longer than 10⁻⁹ of the time, those of several
-//!   contacts that are hit in turn as well: the contacts close, and [`Happening::Closed`] tells when the last bounce ends.
+//!   contacts that are hit in turn as well: the contacts close, and [`EventKind::Closed`] tells when the last bounce ends.
 //! - **Forces that the motion does not determine**, as those of a table on four legs, are the shortest that fit.
 //! - **Friction without a limit**, as in a contact that is open, just [slips](Friction::Slips).
 //! - **Time runs forwards**: what was before an impact or before something came to rest does not follow from what is after it.
@@ -38,25 +38,25 @@
 //!
 //! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5.
 
-mod balance;
 mod complementarity;
-mod correct;
+mod guards;
 mod impact;
-mod least_norm;
-mod react;
+mod initial_modes;
+mod lemke;
+mod project;
+mod reaction_forces;
 mod restitution;
 mod resume;
-mod settle;
-mod start;
-mod switch;
 #[cfg(test)]
 mod tests;
+mod transition;
 
-pub use self::balance::reactions;
-pub use self::correct::correct;
-pub use self::react::react;
-pub use self::start::begin;
-pub use self::switch::{event_values, switch_values};
+pub use self::guards::{event_values, switch_values};
+pub use self::initial_modes::begin;
+pub use self::project::correct;
+pub use self::reaction_forces::reactions;
+pub use self::transition::react;
+pub use crate::system::{EventKind, Impact};
 
 use crate::scalar::Scalar;
 use crate::system::MechanicalSystem;
@@ -154,40 +154,6 @@ pub trait ContactSystem<const N: usize, const K: usize>:
 
     /// The declared event by which reaction `k` changes its mode; not asked of smooth friction, which has none.
     fn event_of(&self, k: usize) -> usize;
-}
-
-/// What an impact did.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Impact<S> {
-    /// The impulse in the contact, in N s for SI units; never negative.
-    pub impulse: S,
-    /// The kinetic energy that was lost, in all contacts that were hit at once and by friction; with moving surfaces, as seen from
-    /// them. Never negative but for rounding.
-    pub energy_loss: S,
-}
-
-/// What a declared event was.
-#[derive(Clone, Copy, PartialEq, Default, Debug)]
-#[non_exhaustive]
-pub enum Happening<S> {
-    /// A zero of a function.
-    #[default]
-    Zero,
-    /// An impact after which the contact opened again.
-    Impact(Impact<S>),
-    /// A contact closed: after a plastic impact, or after infinitely many that accumulate at `at`.
-    Closed {
-        /// When the contact is at rest; later than the event by what the last bounces take, and so perhaps after the end of the run.
-        at: S,
-        /// The impact by which it closed.
-        impact: Impact<S>,
-    },
-    /// The force of a closed contact fell to zero, and it opened.
-    Opened,
-    /// Friction came to hold.
-    Stuck,
-    /// Friction gave way.
-    Slipped,
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {

@@ -1,8 +1,8 @@
 //! Coefficients of restitution, which are from 0 to 1.
 
 use super::{ContactSystem, Mode, Terms};
-use crate::integrate::Cause;
 use crate::scalar::Scalar;
+use crate::system::StepFailure;
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// Coefficients of restitution of contacts; zero for friction.
@@ -13,7 +13,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         &self,
         modes: &[Mode; K],
         is_judged: impl Fn(usize) -> bool,
-    ) -> Result<[S; K], Cause<S>>
+    ) -> Result<[S; K], StepFailure<S>>
     where
         M: ContactSystem<N, K>,
     {
@@ -21,7 +21,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         for k in (0..K).filter(|k| matches!(modes[*k], Mode::Contact(_))) {
             let value = self.restitutions[k];
             if is_judged(k) && !(value >= S::ZERO && value <= S::ONE) {
-                return Err(Cause::Restitution { contact: M::REACTIONS[k], value });
+                return Err(StepFailure::Restitution { contact: M::REACTIONS[k], value });
             }
             restitutions[k] = value;
         }

@@ -16,12 +16,12 @@
 
 use core::array;
 
-use super::balance::{Balance, Rule, reactions};
-use super::correct::{energy, halt};
-use super::start::{Position, holds};
+use super::initial_modes::{Position, holds};
+use super::project::{energy, halt};
+use super::reaction_forces::{Balance, Rule, reactions};
 use super::{ContactSystem, Mode, Terms};
-use crate::integrate::Cause;
 use crate::scalar::Scalar;
+use crate::system::StepFailure;
 
 /// A part of the time that has passed: what bounces take less than is not resolved.
 const SHORT: f64 = 1e-9;
@@ -31,7 +31,7 @@ const ROUNDINGS: f64 = 256.0;
 const TIMES: f64 = 64.0;
 
 /// A system at a state.
-pub(super) struct Moment<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
+pub(super) struct Instant<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
     pub(super) q: [M::Scalar; N],
@@ -46,7 +46,7 @@ pub(super) struct Resumed<S, const N: usize, const K: usize> {
     pub(super) rest: [S; K],
 }
 
-impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K> {
+impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K> {
     pub(super) fn terms(&self, v: &[M::Scalar; N]) -> Terms<M::Scalar, N, K> {
         self.system.terms(self.t, &self.q, v)
     }
@@ -59,7 +59,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         mut velocities: [M::Scalar; N],
         is_touching: [bool; K],
         mut is_still: [bool; K],
-    ) -> Result<Resumed<M::Scalar, N, K>, Cause<M::Scalar>> {
+    ) -> Result<Resumed<M::Scalar, N, K>, StepFailure<M::Scalar>> {
         let mut rest = [M::Scalar::ZERO; K];
         loop {
             let after = self.terms(&velocities);
@@ -121,14 +121,14 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Moment<'_, M, N, K>
         v: &mut [M::Scalar; N],
         position: &mut Position<K>,
         ended: Option<(usize, Rule)>,
-    ) -> Result<[Mode; K], Cause<M::Scalar>> {
+    ) -> Result<[Mode; K], StepFailure<M::Scalar>> {
         let (terms, modes) = (self.terms(v), self.system.modes());
         let settled = terms.settle(&modes, position, ended);
         let fits = match &settled {
             Ok(settled) => {
                 !ended.is_some_and(|(k, rule)| rule == Rule::Absent && is_drawn_in(&terms, settled, k))
             }
-            Err(cause) => !matches!(cause, Cause::Stuck(_)),
+            Err(cause) => !matches!(cause, StepFailure::Stuck(_)),
         };
         let is_pressed = array::from_fn(|k| position.is_touching[k] && position.is_still[k]);
         let Some(jam) = (!fits).then(|| terms.jam(v, &modes, &is_pressed)).flatten() else { return settled };

@@ -88,8 +88,9 @@ mod tests {
 
     use super::anchored;
     use crate::draw::geometry::Place;
+    use crate::draw::load::{Load, Value};
     use crate::draw::picture::Point;
-    use crate::draw::snapshot::{Line, Load, Snapshot, Value};
+    use crate::draw::snapshot::{Line, Snapshot};
     use crate::scene::{Cause, Connector, Joint};
 
     /// A spring that pulls on a body at its second end.

@@ -4,10 +4,10 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use crate::draw::colour::{INK, REST};
-use crate::draw::layout::{BORDER, MARGIN};
 use crate::draw::picture::{Anchor, Mark};
 use crate::draw::tag::LEEWAY;
 use crate::draw::text::width;
+use crate::draw::view::{BORDER, MARGIN};
 
 /// A title as it is set.
 #[derive(Clone, PartialEq, Debug)]

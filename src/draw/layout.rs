@@ -12,11 +12,7 @@ use crate::draw::labels::{self, Sheet};
 use crate::draw::marks;
 use crate::draw::picture::{Mark, Picture, Point};
 use crate::draw::tag::{Tag, tag};
-use crate::draw::view::{self, View};
-
-/// What is left free at the borders, and at least by labels and titles.
-pub(super) const MARGIN: f64 = 12.0;
-pub(super) const BORDER: f64 = 2.0;
+use crate::draw::view::{self, BORDER, MARGIN, View};
 
 /// What is drawn on.
 #[derive(Clone, Copy, PartialEq, Debug)]

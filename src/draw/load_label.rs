@@ -6,9 +6,9 @@
 use std::collections::BTreeSet;
 use std::string::String;
 
-use crate::draw::snapshot::{Load, Snapshot, Value};
-use crate::draw::stage::symbol;
-use crate::draw::text::formula;
+use crate::draw::load::{Load, Value};
+use crate::draw::snapshot::Snapshot;
+use crate::draw::text::{formula, symbol};
 use crate::scene::{Cause, Joint};
 
 /// The label of a force or moment.
@@ -52,7 +52,8 @@ mod tests {
     use std::vec::Vec;
 
     use super::load_label;
-    use crate::draw::snapshot::{Load, Snapshot, Value};
+    use crate::draw::load::{Load, Value};
+    use crate::draw::snapshot::Snapshot;
     use crate::scene::{Cause, Joint};
 
     fn force(name: &str, cause: Cause) -> Load {

@@ -48,6 +48,7 @@ mod geometry;
 mod heading;
 mod labels;
 mod layout;
+mod load;
 mod load_label;
 mod marks;
 mod moment;

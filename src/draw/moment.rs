@@ -1,8 +1,9 @@
 //! A moment of a motion, as those see it who add to pictures.
 
 use crate::body::Motion;
+use crate::draw::load::Value;
 use crate::draw::remainder::REMAINDER;
-use crate::draw::snapshot::{Snapshot, Value};
+use crate::draw::snapshot::Snapshot;
 use crate::scene::Scene;
 use crate::system::split;
 

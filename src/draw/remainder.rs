@@ -10,8 +10,8 @@
 
 use crate::body::Motion;
 use crate::draw::geometry::{cross, length, subtract, times};
+use crate::draw::load::{Load, Value};
 use crate::draw::picture::Point;
-use crate::draw::snapshot::{Load, Value};
 
 /// The resultant of all forces and moments on a body that have no name, at its centre of mass.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -77,7 +77,7 @@ mod tests {
 
     use super::Remainder;
     use crate::body::Motion;
-    use crate::draw::snapshot::{Load, Value};
+    use crate::draw::load::{Load, Value};
     use crate::scene::Cause;
 
     const EPSILON: f64 = f64::EPSILON;

@@ -6,6 +6,7 @@ use std::vec::Vec;
 
 use crate::body::Motion;
 use crate::draw::geometry::Place;
+use crate::draw::load::{Load, Value};
 use crate::draw::outline::Piece;
 use crate::draw::picture::Point;
 use crate::draw::remainder::Remainder;
@@ -39,22 +40,6 @@ pub(super) struct Line {
     pub(super) name: String,
     pub(super) body: Option<String>,
     pub(super) place: Place,
-}
-
-/// A force or a moment.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct Load {
-    pub(super) name: String,
-    pub(super) cause: Cause,
-    pub(super) body: Option<String>,
-    pub(super) at: Point,
-    pub(super) value: Value,
-}
-
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Value {
-    Force(Point),
-    Moment(f64),
 }
 
 impl Snapshot {
@@ -136,12 +121,6 @@ impl Snapshot {
         self.loads.retain(|load| load.body.as_deref() == Some(name));
         // What is not known of a free body is its remainder. Joints stay, for they tell what a force is.
         Snapshot { lines: Vec::new(), connectors: Vec::new(), omitted: Vec::new(), ..self }
-    }
-}
-
-impl Load {
-    pub(super) fn is_moment(&self) -> bool {
-        matches!(self.value, Value::Moment(_))
     }
 }
 

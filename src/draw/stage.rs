@@ -1,7 +1,6 @@
 //! From scenes to elements: what is drawn of each item, and what is written beside it.
 
 use std::borrow::ToOwned;
-use std::format;
 use std::string::String;
 use std::vec;
 use std::vec::Vec;
@@ -10,13 +9,14 @@ use crate::draw::anchored::Anchored;
 use crate::draw::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, REST, VELOCITY};
 use crate::draw::element::{Element, Layer, Measure, Shape};
 use crate::draw::geometry::{add, direction, dot, length, subtract, times, turned};
+use crate::draw::load::{Load, Value};
 use crate::draw::load_label::load_label;
 use crate::draw::parallel::Lanes;
 use crate::draw::picture::{Colour, Point};
 use crate::draw::remainder::{REMAINDER, Remainder};
-use crate::draw::snapshot::{Body, Load, Snapshot, Value};
+use crate::draw::snapshot::{Body, Snapshot};
 use crate::draw::stretch::{self, Stretches};
-use crate::draw::text::{formula, plain};
+use crate::draw::text::{formula, symbol};
 use crate::scene::{Cause, Connector, Joint};
 
 /// What is drawn beside the scene itself.
@@ -132,11 +132,6 @@ fn joint(name: &str, kind: Joint, at: Point) -> Element {
         Joint::Roll => Shape::Dot { at },
     };
     element(name, String::new(), INK, Layer::Joint, shape)
-}
-
-/// A symbol, with a name as subscript where there are several.
-pub(super) fn symbol(letter: &str, name: &str, has_others: bool) -> String {
-    if has_others { format!("{letter}_{{{}}}", plain(&formula(name))) } else { letter.to_owned() }
 }
 
 fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Vec<Element> {

@@ -2,6 +2,8 @@
 //!
 //! An underscore starts a subscript: the letters and digits that follow it, or what stands in braces.
 
+use std::borrow::ToOwned;
+use std::format;
 use std::string::String;
 use std::vec::Vec;
 
@@ -89,6 +91,11 @@ pub(super) fn formula(name: &str) -> String {
         // Several subscripts are one.
         parts => std::format!("{letter}_{{{}}}", std::format!("{number} {}", parts.join(" ")).trim_start()),
     }
+}
+
+/// A symbol, with a name as subscript where there are several.
+pub(super) fn symbol(letter: &str, name: &str, has_others: bool) -> String {
+    if has_others { format!("{letter}_{{{}}}", plain(&formula(name))) } else { letter.to_owned() }
 }
 
 /// Greek letters, primes and numbers behind single letters; underscores stay as they are.

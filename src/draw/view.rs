@@ -7,6 +7,10 @@ use crate::draw::error::DrawError;
 use crate::draw::geometry::{clipped, subtract, times};
 use crate::draw::picture::Point;
 
+/// What is left free at the borders, and at least by labels and titles.
+pub(super) const MARGIN: f64 = 12.0;
+pub(super) const BORDER: f64 = 2.0;
+
 /// From the world to pixels, alike in both directions.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct View {

@@ -1,122 +1,391 @@
-//! What is remembered of one function whose zeros are looked for.
+//! Looking for zeros within steps.
 
-use super::direction::Direction;
+use super::function::EventFunction;
+use super::locate::{ACCURACY, MOST_ROUNDS, Sample, locate};
+use super::piece::{Piece, Sight};
+use super::polynomial::{POINTS, points};
+use super::search::Search;
+use crate::integrate::EventSource::Given;
+use crate::integrate::Stepper;
 use crate::scalar::Scalar;
+use crate::system::{DeclaredEvent, Direction, OdeSystem, StateVector, StepFailure};
 
-/// A value after a replacement that is larger than that at the event by no more than this factor is still that of the event.
-const NEARLY: f64 = 4.0;
+/// The part of a step after which the state has left what it was replaced by.
+const SHORTLY: f64 = 1e-10;
+/// A step is halved so often in search of a hop that is shorter.
+const MOST_HALVINGS: u32 = 60;
+/// Times that differ by fewer roundings than this are taken for the same, and so are those between which a function did not get
+/// farther from zero than so many roundings of the state change it;
+const ROUNDINGS: f64 = 64.0;
+/// so many events at the same time are taken for infinitely many.
+const MOST_REPETITIONS: u32 = 50;
 
-/// What is remembered of one function.
+/// An event that happened.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Occurrence<S, Y> {
+    /// Which of the functions passed zero, counted from zero.
+    pub event: usize,
+    /// When.
+    pub time: S,
+    /// The state then.
+    pub state: Y,
+}
+
+/// Memory of K functions from step to step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Detector<S> {
-    pub(super) direction: Direction,
-    /// Whether the function counts as positive from where it was started or restarted: that of a contact or friction.
-    pub(super) is_switch: bool,
-    /// The value where the search has got to.
-    pub(super) here: S,
-    /// A number of the sign that counts: that of the last value that was not zero; zero if there was none.
-    pub(super) sign: S,
-    pub(super) claim: Claim,
-    /// The value at the last start.
-    pub(super) start: S,
-    /// Its last two events, the later one first: what lies behind an event is looked at before the state is replaced there.
-    fired: [Option<Fired<S>>; 2],
+pub struct Detector<S, const K: usize> {
+    functions: [EventFunction<S>; K],
+    /// Up to where the last step was looked at.
+    reached: S,
+    /// The step that is looked at, and how.
+    search: Search<S>,
+    /// Where the functions were started, or last restarted.
+    started: S,
+    /// Whether the state was replaced there.
+    is_replaced: bool,
+    /// How often it was, each time no later than rounding can tell, and the last event before.
+    repetitions: u32,
+    last: usize,
+    /// Whether the last event came before its function had got away from zero by more than rounding.
+    is_noise: bool,
+    /// Whether one of the functions had an event since then, and whether one had it that led there: the functions of others may
+    /// have had it.
+    has_fired: bool,
+    was_fired: bool,
 }
 
-/// An event of a function.
-#[derive(Clone, Copy, Debug)]
-struct Fired<S> {
-    time: S,
-    /// The value there, and the sign that it had before.
-    value: S,
-    sign: S,
+/// Which function has an event, and when.
+type Suspect<S> = (usize, S);
+
+/// The first event in a piece.
+enum First<S> {
+    /// There is none.
+    None,
+    /// That of this function at this time.
+    At(usize, S),
+    /// None of this function, which goes on through the zero that it had when the state was replaced.
+    Passing(usize),
+    /// A shorter piece would tell.
+    Unclear,
 }
 
-/// On what ground a sign counts.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Claim {
-    /// It was found.
-    Found,
-    /// The function belongs to a mode, which begins with it.
-    Switch,
-    /// A zero happened and the state was replaced, but the function is where it was: at zero, on the side that it came from
-    /// unless it goes on to the other one.
-    Turned,
-}
-
-impl<S: Scalar> Detector<S> {
-    /// Starts where the function has this value.
-    pub(super) fn new(direction: Direction, value: S) -> Self {
+impl<S: Scalar, const K: usize> Detector<S, K> {
+    /// Starts at time `t`, where the functions have these values.
+    pub fn new(directions: [Direction; K], t: S, values: [S; K]) -> Self {
+        let functions = core::array::from_fn(|k| EventFunction::new(directions[k], values[k]));
         Detector {
-            direction,
-            is_switch: false,
-            here: value,
-            sign: value,
-            claim: Claim::Found,
-            start: value,
-            fired: [None; 2],
+            functions,
+            reached: t,
+            search: Search::new(t, t),
+            started: t,
+            is_replaced: false,
+            repetitions: 0,
+            last: 0,
+            is_noise: false,
+            has_fired: false,
+            was_fired: false,
         }
     }
 
-    /// Whether the sign that counts was not found since the last start.
-    pub(super) fn is_armed(&self) -> bool {
-        self.claim != Claim::Found
-    }
-
-    /// Whether its zero was an event at this time.
-    pub(super) fn has_fired_at(&self, t: S) -> bool {
-        self.fired[0].is_some_and(|fired| fired.time == t)
-    }
-
-    /// Starts anew at time `t`, where the function has this value.
-    pub(super) fn begin(&mut self, t: S, value: S) {
-        let fired = self.fired.into_iter().flatten().find(|fired| fired.time == t);
-        let turned = fired.filter(|fired| value.abs() <= S::from_f64(NEARLY) * fired.value.abs());
-        (self.sign, self.claim) = match turned {
-            _ if self.is_switch && value.is_finite() => (S::ONE, Claim::Switch),
-            Some(fired) => (fired.sign, Claim::Turned),
-            None => (value, Claim::Found),
-        };
-        (self.here, self.start, self.fired) = (value, value, [None; 2]);
-    }
-
-    /// Passes zero as it was about to when the state was replaced.
-    pub(super) fn go_on(&mut self) {
-        (self.sign, self.claim) = (-self.sign, Claim::Found);
-    }
-
-    /// Goes on to a place where the function has this value, with no event on the way. Zero has no sign.
-    pub(super) fn learn(&mut self, value: S) {
-        self.here = value;
-        let is_rounding = self.is_armed() && value * self.sign < S::ZERO;
-        if value != S::ZERO && !is_rounding {
-            (self.sign, self.claim) = (value, Claim::Found);
+    /// The same with functions that [switch](crate::event::DeclaredEvent::is_switch) the first modes of a system.
+    pub(crate) fn with_switches(mut self, declared: &[DeclaredEvent]) -> Self {
+        for (function, event) in self.functions.iter_mut().zip(declared) {
+            function.is_switch = event.is_switch;
+            function.begin(self.started, function.here);
         }
+        self
     }
 
-    /// Goes on to an event of another function at which this one has this value: a sign that makes an event of it here, too, is
-    /// left to be found.
-    pub(super) fn pass(&mut self, value: S) {
-        self.here = value;
-        if !self.is_armed() && value != S::ZERO && !self.direction.counts(self.sign, value) {
-            self.sign = value;
+    /// The next event in the stepper's last step, after those that were returned before.
+    ///
+    /// To be called after each step until there is no more, and after [`Stepper::confirm`]; `values` gives all functions at a time and
+    /// state. The time returned is at most 10⁻¹³ of the step, or one unit in the last place of time, beyond the change of sign, and
+    /// the value there is zero or has the sign that it changes to.
+    ///
+    /// # Errors
+    /// If a function is NaN or infinite, or does not settle in 200 evaluations, or if states were replaced many times at
+    /// times that rounding cannot tell apart.
+    pub fn next<M>(
+        &mut self,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+        mut values: impl FnMut(S, &M::State) -> [S; K],
+    ) -> Result<Option<Occurrence<S, M::State>>, StepFailure<S>>
+    where
+        M: OdeSystem<Scalar = S> + ?Sized,
+    {
+        if K == 0 {
+            return Ok(None);
         }
-    }
-
-    /// Its zero was the event at time `t`, where it has this value.
-    pub(super) fn fire(&mut self, time: S, value: S) {
-        self.fired = [Some(Fired { time, value, sign: self.sign }), self.fired[0]];
-        (self.here, self.sign, self.claim) = (value, -self.sign, Claim::Found);
-    }
-
-    /// Whether a run that ends where the function is now ends on an event: exactly on its zero, reached from the right side. It
-    /// counts once.
-    pub(super) fn ends_on_zero(&mut self) -> bool {
-        let is_reached = self.here == S::ZERO && self.direction.counts(self.sign, -self.sign);
-        if is_reached && !self.is_armed() {
-            self.sign = S::ZERO;
-            return true;
+        check(self.functions.map(|function| function.here))?;
+        let (from, to) = (stepper.last_time(), stepper.time());
+        if core::mem::take(&mut self.is_replaced) {
+            let shortly = from + S::from_f64(SHORTLY) * (to - from);
+            self.learn_shortly(values(shortly, &stepper.interpolate(system, shortly)))?;
+            self.check_repetitions()?;
         }
-        false
+        let (last, is_first) = (self.last, self.repetitions > 0 && self.started == from);
+        let found = self.search_step((from, to), |t| values(t, &stepper.interpolate(system, t)))?;
+        if let Some((event, time)) = found {
+            let middle = from + S::from_f64(0.5) * (time - from);
+            let state = stepper.interpolate(system, middle);
+            let mut value = |state: &M::State| values(middle, state)[event];
+            self.is_noise = is_first && event == last && is_rounding::<S, M::State>(&state, &mut value);
+        }
+        Ok(found.map(|(event, time)| Occurrence { event, time, state: stepper.interpolate(system, time) }))
+    }
+
+    /// The next function that is exactly zero at the end of a run, where this is the state, and that would have an event there if the
+    /// run went on through it. To be asked after the last step, when there are no other events left.
+    pub fn next_at_end<Y: Copy>(&mut self, time: S, state: &Y) -> Option<Occurrence<S, Y>> {
+        let event = self.functions.iter_mut().position(EventFunction::ends_on_zero)?;
+        Some(Occurrence { event, time, state: *state })
+    }
+
+    /// Which function has the next event in this step, and when.
+    fn search_step(
+        &mut self,
+        (from, to): (S, S),
+        mut values: impl FnMut(S) -> [S; K],
+    ) -> Result<Option<Suspect<S>>, StepFailure<S>> {
+        if !self.search.is_of(from, to) {
+            self.search = Search::new(from, to);
+        }
+        let is_past = |t: S, reached: S| if to < from { t >= reached } else { t <= reached };
+        while !is_past(to, self.reached) {
+            let (start, end) = (self.reached, self.search.end(self.reached));
+            let piece = self.sample((start, end), &mut values);
+            let is_shortest = self.search.is_shortest();
+            if let Some(bad) = piece.values.iter().find(|values| check(**values).is_err())
+                && is_shortest
+            {
+                check(*bad)?;
+            }
+            let first = self.earliest(&piece, accuracy(from, to), &mut values)?;
+            match first {
+                First::Unclear => self.search.shorten(),
+                First::Passing(event) => self.functions[event].go_on(),
+                First::At(event, time) => {
+                    // What was found at once was known: another look at noise would find something else.
+                    let there = if time == start { piece.values[0] } else { values(time) };
+                    self.search.pause();
+                    self.fire(event, time, there)?;
+                    return Ok(Some((event, time)));
+                }
+                First::None => {
+                    let last = piece.values[POINTS - 1];
+                    self.functions.iter_mut().zip(last).for_each(|(function, value)| function.learn(value));
+                    self.reached = end;
+                    self.search.go_on();
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// The functions between two times, at the first of which they are known.
+    fn sample(&self, (start, end): (S, S), values: &mut impl FnMut(S) -> [S; K]) -> Piece<S, K> {
+        let mut times = points::<S>().map(|part| start + part * (end - start));
+        times[POINTS - 1] = end;
+        let here = self.functions.map(|function| function.here);
+        let values = core::array::from_fn(|j| if j == 0 { here } else { values(times[j]) });
+        Piece { times, values }
+    }
+
+    /// The function has its event at `time`, where these are the values.
+    fn fire(&mut self, event: usize, time: S, values: [S; K]) -> Result<(), StepFailure<S>> {
+        check(values)?;
+        for (k, (function, value)) in self.functions.iter_mut().zip(values).enumerate() {
+            if k == event { function.fire(time, value) } else { function.pass(value) }
+        }
+        (self.reached, self.last, self.has_fired) = (time, event, true);
+        Ok(())
+    }
+
+    /// The next event, if it happens at the same time as one that was just returned, as far as times are located: to be
+    /// asked before the stepper is restarted, or the others are lost.
+    ///
+    /// # Errors
+    /// As [`next`](Self::next).
+    pub fn next_at_once<M>(
+        &mut self,
+        time: S,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+        values: impl FnMut(S, &M::State) -> [S; K],
+    ) -> Result<Option<Occurrence<S, M::State>>, StepFailure<S>>
+    where
+        M: OdeSystem<Scalar = S> + ?Sized,
+    {
+        let before = *self;
+        let (from, to) = (stepper.last_time(), stepper.time());
+        let next = self.next(system, stepper, values)?.filter(|next| is_at_once(time, next.time, from, to));
+        if next.is_none() {
+            *self = before;
+        }
+        Ok(next)
+    }
+
+    /// The first event in a piece.
+    fn earliest(
+        &self,
+        piece: &Piece<S, K>,
+        accuracy: S,
+        values: &mut impl FnMut(S) -> [S; K],
+    ) -> Result<First<S>, StepFailure<S>> {
+        let is_shortest = self.search.is_shortest();
+        if piece.values.iter().any(|values| check(*values).is_err()) {
+            return Ok(First::Unclear);
+        }
+        // What had no time to leave zero since the last event was not meant to go on through it.
+        let passable = (self.repetitions <= 1).then_some(self.started);
+        let mut first: First<S> = First::None;
+        for (event, function) in self.functions.iter().enumerate() {
+            let time = match piece.sight(event, function, passable, is_shortest) {
+                Sight::Nothing => continue,
+                Sight::AtOnce => self.reached,
+                Sight::Between { from, to, sign } => {
+                    match self.bracket((from, to), (function, sign.sign()), |t| values(t)[event]) {
+                        Some((before, after)) => {
+                            locate(before, after, accuracy, |t| values(t)[event]).ok_or(
+                                StepFailure::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS },
+                            )?
+                        }
+                        None if is_shortest => continue,
+                        None => return Ok(First::Unclear),
+                    }
+                }
+                Sight::Unclear => return Ok(First::Unclear),
+                Sight::Passing => return Ok(First::Passing(event)),
+            };
+            let is_earlier = match first {
+                First::At(_, other) => (time - self.reached).abs() < (other - self.reached).abs(),
+                First::None | First::Unclear | First::Passing(_) => true,
+            };
+            if is_earlier {
+                first = First::At(event, time);
+            }
+        }
+        Ok(first)
+    }
+
+    /// Places at which the function has this sign and the other one, between these times or, if it is only taken to have the first,
+    /// from the start on; `None` if it does not have the other one at the end.
+    fn bracket(
+        &self,
+        (from, to): (S, S),
+        (function, sign): (&EventFunction<S>, S),
+        mut value: impl FnMut(S) -> S,
+    ) -> Option<(Sample<S>, Sample<S>)> {
+        let after = (to, value(to));
+        let is_change = after.1 * sign < S::ZERO;
+        if !is_change {
+            return None;
+        }
+        let before = if from == self.reached { function.here } else { value(from) };
+        if before * sign > S::ZERO {
+            return Some(((from, before), after));
+        }
+        if function.is_armed() && function.sign * sign > S::ZERO {
+            return self.hop((after, sign), value);
+        }
+        Some(((from, sign), after))
+    }
+
+    /// Remembers the signs of these values, found right after the state was replaced. Switches wait for a value that is not
+    /// rounding.
+    fn learn_shortly(&mut self, values: [S; K]) -> Result<(), StepFailure<S>> {
+        check(values)?;
+        for (function, value) in self.functions.iter_mut().zip(values) {
+            // What passed zero by a jump since then is found first.
+            let has_jumped = function.direction.counts(function.sign, function.here);
+            if !function.is_armed() && value != S::ZERO && !has_jumped {
+                function.sign = value;
+            }
+        }
+        Ok(())
+    }
+
+    /// Between the start and `t`, where a function that counted as of this sign at the start has the other one: the latest place at
+    /// which it was found to have it and the place after it, halving the time from the start. If it never had, it passed zero at
+    /// the start.
+    fn hop(
+        &self,
+        ((mut t, mut found), sign): (Sample<S>, S),
+        mut value: impl FnMut(S) -> S,
+    ) -> Option<(Sample<S>, Sample<S>)> {
+        for _ in 0..MOST_HALVINGS {
+            let middle = self.started + S::from_f64(0.5) * (t - self.started);
+            if middle == self.started || middle == t {
+                break;
+            }
+            let at = value(middle);
+            if at * sign > S::ZERO {
+                return Some(((middle, at), (t, found)));
+            }
+            (t, found) = (middle, at);
+        }
+        found.is_finite().then_some(((t, sign), (t, found)))
+    }
+
+    /// Goes on from time `t`, where the method was restarted from another state in which the functions have these values.
+    ///
+    /// The signs that count from now on are those shortly after: a ball that was turned round on the ground is above it.
+    pub fn restart(&mut self, t: S, values: [S; K]) {
+        let distance = (t - self.started).abs();
+        let is_at_once = distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
+        let is_noise = core::mem::take(&mut self.is_noise);
+        let is_same = self.repetitions > 0 && (is_at_once || is_noise);
+        self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
+        self.was_fired = core::mem::take(&mut self.has_fired);
+        for (function, value) in self.functions.iter_mut().zip(values) {
+            function.begin(t, value);
+        }
+        (self.reached, self.started, self.is_replaced) = (t, t, true);
+        self.search = Search::new(t, t);
+    }
+
+    /// Goes on from the place that was reached, where the functions jumped to these values: a zero that one of them passed by
+    /// that is an event there.
+    pub(crate) fn jump(&mut self, values: [S; K]) {
+        self.functions.iter_mut().zip(values).for_each(|(function, value)| function.pass(value));
+    }
+
+    fn check_repetitions(&self) -> Result<(), StepFailure<S>> {
+        if self.repetitions < MOST_REPETITIONS || !self.was_fired {
+            return Ok(());
+        }
+        Err(StepFailure::EventsAccumulate { events: self.repetitions, event: Given(self.last) })
+    }
+}
+
+/// To which part of a step, or of time, zeros within it are located.
+fn accuracy<S: Scalar>(from: S, to: S) -> S {
+    S::from_f64(ACCURACY) * (to - from).abs()
+}
+
+/// Whether two times in a step cannot be told apart.
+pub(crate) fn is_at_once<S: Scalar>(one: S, other: S, from: S, to: S) -> bool {
+    let rounding = S::from_f64(4.0) * S::epsilon() * one.abs();
+    (one - other).abs() <= accuracy(from, to) + accuracy(from, to) + rounding
+}
+
+/// Whether a function is as small at this state as it changes by when entries are rounded. Hops end there where places are rounded more
+/// coarsely than times: 3.7 m below the origin those that are lower than 10⁻¹³ m.
+fn is_rounding<S: Scalar, Y: StateVector<S>>(state: &Y, mut value: impl FnMut(&Y) -> S) -> bool {
+    let here = value(state);
+    let change = |entry: usize| {
+        let mut rounded = *state;
+        let size = state.as_ref()[entry].abs();
+        rounded.as_mut()[entry] = state.as_ref()[entry] + S::from_f64(ROUNDINGS) * S::epsilon() * size;
+        (value(&rounded) - here).abs()
+    };
+    here.abs() <= (0..state.as_ref().len()).map(change).fold(S::ZERO, |sum, change| sum + change)
+}
+
+fn check<S: Scalar, const K: usize>(values: [S; K]) -> Result<(), StepFailure<S>> {
+    match values.iter().position(|value| !value.is_finite()) {
+        Some(event) => Err(StepFailure::EventNotFinite { event: Given(event) }),
+        None => Ok(()),
     }
 }

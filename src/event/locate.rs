@@ -16,7 +16,7 @@ pub(super) type Sample<S> = (S, S);
 /// An argument in the bracket at which the function has the sign of `after`, at most `accuracy` beyond a change of sign.
 ///
 /// `None` if it is not found in [`MOST_ROUNDS`] evaluations, or a value is NaN.
-pub(super) fn locate<S: Scalar>(
+pub(crate) fn locate<S: Scalar>(
     mut before: Sample<S>,
     mut after: Sample<S>,
     accuracy: S,

@@ -1,6 +1,6 @@
 //! Events: zeros of functions of time and state, found while a system is integrated.
 //!
-//! A [`Watch`] looks at several functions within each step, on the state that the method itself gives there, and returns
+//! A [`Detector`] looks at several functions within each step, on the state that the method itself gives there, and returns
 //! their zeros one by one in the order of time. What happens then is up to the loop: go on, stop, or restart the method
 //! from another state, as after an impact. [`integrate_with_events`] is such a loop without heap; the front door
 //! `simulate` has another. Both, and [`integrate()`](crate::integrate::integrate), look for the events that the declaration of a
@@ -22,33 +22,22 @@
 //! touches at the start and goes down hits the ground at once. Events at the same time follow each other in the order in which
 //! they were given, declared ones first.
 
-mod course;
-mod declared;
 mod detector;
-mod direction;
+mod function;
 mod locate;
-mod lookout;
 mod piece;
 mod polynomial;
-mod run;
 mod search;
 mod switches;
-mod watch;
 
-#[cfg(feature = "std")]
-pub(crate) use self::course::Course;
-pub use self::declared::{Answer, DeclaredEvent, MOST_DECLARED};
-pub use self::direction::Direction;
-#[cfg(feature = "std")]
-pub(crate) use self::lookout::{Declarations, Lookout, is_forwards};
-pub(crate) use self::run::integrate_declared;
-pub use self::run::{Reaction, integrate_with_events};
+pub(crate) use self::detector::is_at_once;
+pub use self::detector::{Detector, Occurrence};
+pub(crate) use self::locate::locate;
 pub use self::switches::{
     SwitchedSystem, Switches, beyond, change_side, choose_sides, free_sides, next_switch_time, side_values,
 };
-#[cfg(feature = "std")]
-pub(crate) use self::watch::is_at_once;
-pub use self::watch::{Occurrence, Watch};
+pub use crate::run::integrate_with_events;
+pub use crate::system::{Action, DeclaredEvent, Direction, MOST_DECLARED, Response};
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 //! A piece of a step: values of functions in it, and the first event that they tell.
 
-use super::detector::{Claim, Detector};
+use super::function::{Claim, EventFunction};
 use super::polynomial::{Change, POINTS, Polynomial};
 use crate::scalar::Scalar;
 
@@ -34,60 +34,60 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
     pub(super) fn sight(
         &self,
         k: usize,
-        detector: &Detector<S>,
+        function: &EventFunction<S>,
         passable: Option<S>,
         is_shortest: bool,
     ) -> Sight<S> {
         // What was turned round left at its zero, as well as that was located.
-        let zero = if detector.claim == Claim::Turned { detector.start } else { S::ZERO };
+        let zero = if function.claim == Claim::Turned { function.start } else { S::ZERO };
         let values: [S; POINTS] = core::array::from_fn(|j| self.values[j][k] - zero);
-        let Some((first, mut sign)) = beginning(&values, detector) else { return Sight::Nothing };
-        if !detector.is_armed() && detector.direction.counts(sign, values[0]) {
+        let Some((first, mut sign)) = beginning(&values, function) else { return Sight::Nothing };
+        if !function.is_armed() && function.direction.counts(sign, values[0]) {
             return Sight::AtOnce;
         }
         if values.iter().all(|value| *value == values[0]) {
             return Sight::Nothing;
         }
         let polynomial = Polynomial::new(&values);
-        if detector.claim == Claim::Turned
-            && passable.is_some_and(|started| self.passes(&polynomial, detector, started))
+        if function.claim == Claim::Turned
+            && passable.is_some_and(|started| self.passes(&polynomial, function, started))
         {
             return Sight::Passing;
         }
         let mut x = self.part(first);
         loop {
-            match polynomial.next_change(sign, x, x == S::ZERO && detector.has_fired_at(self.times[0])) {
-                Change::Nowhere => return self.at_its_end(&values, sign, detector),
+            match polynomial.next_change(sign, x, x == S::ZERO && function.has_fired_at(self.times[0])) {
+                Change::Nowhere => return self.at_its_end(&values, sign, function),
                 Change::Between(from, to) if polynomial.is_trusted() => {
-                    if detector.direction.counts(sign, -sign) {
+                    if function.direction.counts(sign, -sign) {
                         return Sight::Between { from: self.time(from), to: self.time(to), sign };
                     }
                     (sign, x) = (-sign, to);
                 }
-                Change::Unclear if polynomial.is_exact() => return self.at_its_end(&values, sign, detector),
+                Change::Unclear if polynomial.is_exact() => return self.at_its_end(&values, sign, function),
                 _ if !is_shortest => return Sight::Unclear,
-                _ => return self.by_signs(&values, (first, sign), detector),
+                _ => return self.by_signs(&values, (first, sign), function),
             }
         }
     }
 
     /// Whether a function that was at zero when it was started goes on in the direction in which it passed zero, and was not turned
     /// round: at once, and then with no more than a part of its rate gained since.
-    fn passes(&self, polynomial: &Polynomial<S>, detector: &Detector<S>, started: S) -> bool {
+    fn passes(&self, polynomial: &Polynomial<S>, function: &EventFunction<S>, started: S) -> bool {
         let [from, to] = [self.times[0], self.times[POINTS - 1]];
-        let rise = polynomial.rise(-detector.sign);
+        let rise = polynomial.rise(-function.sign);
         let since = (from - started) / (to - from);
-        let risen = (detector.here - detector.start) * -detector.sign.sign();
+        let risen = (function.here - function.start) * -function.sign.sign();
         rise > S::ZERO && risen >= S::from_f64(STEADY) * rise * since
     }
 
     /// An event just before the end of the piece, where a function of this sign may have changed it by less than can be told from
     /// rounding.
-    fn at_its_end(&self, values: &[S; POINTS], sign: S, detector: &Detector<S>) -> Sight<S> {
-        if detector.claim == Claim::Switch {
+    fn at_its_end(&self, values: &[S; POINTS], sign: S, function: &EventFunction<S>) -> Sight<S> {
+        if function.claim == Claim::Switch {
             return Sight::Nothing;
         }
-        self.by_signs(values, (POINTS - 1, sign), detector)
+        self.by_signs(values, (POINTS - 1, sign), function)
     }
 
     /// The first values next to each other between which there is an event.
@@ -95,10 +95,10 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         &self,
         values: &[S; POINTS],
         (first, mut sign): (usize, S),
-        detector: &Detector<S>,
+        function: &EventFunction<S>,
     ) -> Sight<S> {
         for (j, value) in values.iter().enumerate().skip(first.max(1)) {
-            if detector.direction.counts(sign, *value) {
+            if function.direction.counts(sign, *value) {
                 return Sight::Between { from: self.times[j - 1], to: self.times[j], sign };
             }
             sign = if *value == S::ZERO { sign } else { *value };
@@ -120,9 +120,9 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
 }
 
 /// From which of the values on a sign counts, and which; `None` if they are all zero.
-fn beginning<S: Scalar>(values: &[S; POINTS], detector: &Detector<S>) -> Option<(usize, S)> {
-    if detector.sign != S::ZERO {
-        return Some((0, detector.sign));
+fn beginning<S: Scalar>(values: &[S; POINTS], function: &EventFunction<S>) -> Option<(usize, S)> {
+    if function.sign != S::ZERO {
+        return Some((0, function.sign));
     }
     values.iter().position(|value| *value != S::ZERO).map(|first| (first, values[first]))
 }

@@ -62,11 +62,11 @@ impl<S: Scalar> Polynomial<S> {
     /// The polynomial that has these values at [`points`].
     pub(super) fn new(values: &[S; POINTS]) -> Self {
         let chebyshev = chebyshev(values);
-        let bernstein = BERNSTEIN.map(|row| {
-            row.iter()
-                .zip(chebyshev)
-                .fold(S::ZERO, |sum, (weight, c)| c.multiply_add(S::from_f64(*weight), sum))
-        });
+        let mut bernstein = [S::ZERO; POINTS];
+        for (entry, row) in bernstein.iter_mut().zip(&BERNSTEIN) {
+            let terms = row.iter().zip(chebyshev);
+            *entry = terms.fold(S::ZERO, |sum, (weight, c)| c.multiply_add(S::from_f64(*weight), sum));
+        }
         let scale = values.iter().fold(S::ZERO, |scale, value| scale.max(value.abs()));
         let rounding = S::from_f64(ROUNDINGS) * S::epsilon() * scale;
         let cut_off = S::from_f64(CUT_OFF) * (chebyshev[DEGREE - 1].abs() + chebyshev[DEGREE].abs());
@@ -185,7 +185,8 @@ const fn cosine(k: usize) -> f64 {
 /// The Chebyshev coefficients of the polynomial that has these values at [`points`]; on the interval from −1 to 1 these are
 /// −cos(π j/8).
 fn chebyshev<S: Scalar>(values: &[S; POINTS]) -> [S; POINTS] {
-    core::array::from_fn(|k| {
+    let mut coefficients = [S::ZERO; POINTS];
+    for (k, coefficient) in coefficients.iter_mut().enumerate() {
         let mut sum = S::ZERO;
         for (j, value) in values.iter().enumerate() {
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
@@ -193,8 +194,9 @@ fn chebyshev<S: Scalar>(values: &[S; POINTS]) -> [S; POINTS] {
             sum = value.multiply_add(S::from_f64(sign * end * cosine(j * k)), sum);
         }
         let share = if k == 0 || k == DEGREE { 1.0 } else { 2.0 };
-        sum * S::from_f64(share / DEGREE as f64)
-    })
+        *coefficient = sum * S::from_f64(share / DEGREE as f64);
+    }
+    coefficients
 }
 
 /// On the unit interval, Σᵢ (−1)^(k−i) C(2k, 2i) C(n−k, j−i)/C(n, j). Source: Farouki, §5.3; Rababah, "Transformation of

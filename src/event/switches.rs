@@ -8,15 +8,13 @@
 //!
 //! With x = −10⁻⁹ at the end of a step that was computed for x > 0, the force −sign(x) was −1 all the step long; the step is cut
 //! at x = 0, and the next one has the force 1. If that leads back at once, as −sign(ẋ) does with ẋ = 0, the state would slide
-//! along the surface, where a function of time and state says nothing about the force: [`Cause::Slides`](crate::integrate::Cause::Slides).
+//! along the surface, where a function of time and state says nothing about the force: [`StepFailure::Slides`](crate::integrate::StepFailure::Slides).
 
 use core::array::from_fn;
 
-use super::declared::Answer;
-use super::run::Reaction;
+use crate::system::{Action, OdeSystem, Reacted, Response};
 
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, Reacted};
 
 /// The sides of its switches on which a system is computed: fixed, as during a run, or free, which is as its state says.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
@@ -127,14 +125,14 @@ pub fn change_side<M: SwitchedSystem<K>, const K: usize>(
     t: M::Scalar,
     y: &M::State,
 ) -> Reacted<M> {
-    let Some(k) = event.checked_sub(M::FIRST) else { return Ok(Answer::new(Reaction::Continue)) };
+    let Some(k) = event.checked_sub(M::FIRST) else { return Ok(Response::new(Action::Continue)) };
     let switches = system.switches();
     let is_positive = match switches.is_fixed(k) {
         true => switches.positive >> k & 1 == 0,
         false => system.switch_values(t, y)[k] >= M::Scalar::ZERO,
     };
     let system = Some(system.with_switches(switches.with(k, is_positive)));
-    Ok(Answer { system, ..Answer::new(Reaction::Continue) })
+    Ok(Response { system, ..Response::new(Action::Continue) })
 }
 
 /// The system on the sides on which it goes on from `t` towards `end`, if `t` is a time at which a switch is passed.

@@ -6,9 +6,9 @@ mod zeros;
 
 use std::vec::Vec;
 
-use super::{Direction, Occurrence, Reaction, Watch, integrate_with_events};
-use crate::integrate::{Cause, EventSource, Method, RungeKutta4, Stepper, Verner98};
-use crate::system::OdeSystem;
+use super::{Detector, Occurrence, integrate_with_events};
+use crate::integrate::{Method, RungeKutta4, Stepper, Verner98};
+use crate::system::{Action, Direction, EventSource, OdeSystem, StepFailure};
 
 /// ẍ = −x
 struct Oscillator;
@@ -39,7 +39,7 @@ fn all<const E: usize>(
     let mut found = Vec::new();
     let react = |event: &Occurrence<f64, [f64; 2]>| {
         found.push((event.event, event.time));
-        Reaction::Continue
+        Action::Continue
     };
     let end = integrate_with_events(&Oscillator, (0.0, COSINE), t_end, method, (directions, values), react);
     assert_eq!(end.expect("reaches its end").0, t_end);
@@ -96,7 +96,7 @@ fn touching_zero_does_not_fire() {
 
 #[test]
 fn stopping_ends_at_the_event() {
-    let stop = |_: &Occurrence<f64, [f64; 2]>| Reaction::Stop;
+    let stop = |_: &Occurrence<f64, [f64; 2]>| Action::Stop;
     let values = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0]]);
     let (t, y) =
         integrate_with_events(&Oscillator, (0.0, COSINE), 9.0, &pair(), values, stop).expect("stops");
@@ -110,7 +110,7 @@ fn backward_time_finds_the_same_events() {
     let values = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0]]);
     let react = |event: &Occurrence<f64, [f64; 2]>| {
         times.push(event.time);
-        Reaction::Continue
+        Action::Continue
     };
     integrate_with_events(&Oscillator, (0.0, COSINE), -9.0, &pair(), values, react).expect("finite");
     assert!((times[0] + 0.5 * PI).abs() < 1e-12 && (times[1] + 2.5 * PI).abs() < 1e-12, "{times:?}");
@@ -122,7 +122,7 @@ fn a_replaced_state_is_gone_on_from() {
     let values = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0]]);
     let react = |event: &Occurrence<f64, [f64; 2]>| {
         heights.push(event.time);
-        Reaction::Replace([0.0, -event.state[1]])
+        Action::Replace([0.0, -event.state[1]])
     };
     // An oscillator on one side of a wall: its period is half as long.
     integrate_with_events(&Oscillator, (0.0, COSINE), 10.0, &pair(), values, react).expect("finite");
@@ -141,10 +141,10 @@ fn a_function_that_jumps_is_located_too() {
 #[test]
 fn nan_in_a_function_is_an_error_with_the_last_good_state() {
     let values = ([Direction::Rising; 2], |t: f64, _: &[f64; 2]| [-1.0, (0.5 - t).sqrt()]);
-    let go_on = |_: &Occurrence<f64, [f64; 2]>| Reaction::Continue;
+    let go_on = |_: &Occurrence<f64, [f64; 2]>| Action::Continue;
     let error =
         integrate_with_events(&Oscillator, (0.0, COSINE), 9.0, &pair(), values, go_on).expect_err("NaN");
-    assert_eq!(error.cause, Cause::EventNotFinite { event: EventSource::Given(1) });
+    assert_eq!(error.cause, StepFailure::EventNotFinite { event: EventSource::Given(1) });
     assert!(error.state.iter().all(|y| y.is_finite()));
 }
 
@@ -155,7 +155,7 @@ fn a_function_of_pure_noise_settles_or_is_refused() {
         calls += 1;
         [if calls % 2 == 0 { 1.0 } else { -1.0 }]
     };
-    let go_on = |_: &Occurrence<f64, [f64; 2]>| Reaction::Continue;
+    let go_on = |_: &Occurrence<f64, [f64; 2]>| Action::Continue;
     let watch = ([Direction::Crossing], noise);
     let ended = integrate_with_events(&Oscillator, (0.0, COSINE), 1.0, &pair(), watch, go_on);
     assert!(ended.is_ok() && calls < 1_000_000, "{calls}");
@@ -165,7 +165,7 @@ fn a_function_of_pure_noise_settles_or_is_refused() {
 fn a_loop_of_ones_own_watches_step_by_step() {
     let method = RungeKutta4 { step: 1e-3 };
     let mut stepper = method.start(&Oscillator, 0.0, &COSINE, 2.0).expect("starts");
-    let mut watch = Watch::new([Direction::Falling], 0.0, [1.0]);
+    let mut watch = Detector::new([Direction::Falling], 0.0, [1.0]);
     let mut times = Vec::new();
     while stepper.time() < 2.0 {
         stepper.step(&Oscillator, 2.0).expect("finite");
@@ -180,7 +180,7 @@ fn a_loop_of_ones_own_watches_step_by_step() {
 fn a_loop_of_ones_own_asks_what_happens_at_the_same_time() {
     let values = |t: f64, _: &[f64; 2]| [t - 0.5, t - 0.5, t - 0.6];
     let mut stepper = RungeKutta4 { step: 1.0 }.start(&Oscillator, 0.0, &COSINE, 1.0).expect("starts");
-    let mut watch = Watch::new([Direction::Rising; 3], 0.0, values(0.0, &COSINE));
+    let mut watch = Detector::new([Direction::Rising; 3], 0.0, values(0.0, &COSINE));
     stepper.step(&Oscillator, 1.0).expect("finite");
     let first = watch.next(&Oscillator, &mut stepper, values).expect("located").expect("one");
     let mut at_once = || watch.next_at_once(first.time, &Oscillator, &mut stepper, values).expect("located");
@@ -209,7 +209,7 @@ fn a_state_replaced_at_zero_does_not_fire_again() {
         let watch = ([direction], |_: f64, y: &[f64; 2]| [y[0]]);
         let bounce = |event: &Occurrence<f64, [f64; 2]>| {
             bounces.push(event.time);
-            Reaction::Replace([0.0, -0.5 * event.state[1]])
+            Action::Replace([0.0, -0.5 * event.state[1]])
         };
         integrate_with_events(&Ball, (0.0, [5.0, 0.0]), 2.9, &pair(), watch, bounce).expect("finite");
         // The first fall takes a second, then the hops last 1, 1/2, 1/4, …
@@ -226,11 +226,11 @@ fn infinitely_many_bounces_are_an_error_with_the_last_state_above_ground() {
     let watch = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0]]);
     let bounce = |event: &Occurrence<f64, [f64; 2]>| {
         count += 1;
-        Reaction::Replace([0.0, -0.5 * event.state[1]])
+        Action::Replace([0.0, -0.5 * event.state[1]])
     };
     let error =
         integrate_with_events(&Ball, (0.0, [5.0, 0.0]), 4.0, &pair(), watch, bounce).expect_err("Zeno");
-    assert!(matches!(error.cause, Cause::EventsAccumulate { .. }), "{error:?}");
+    assert!(matches!(error.cause, StepFailure::EventsAccumulate { .. }), "{error:?}");
     assert!((error.time - 3.0).abs() < 1e-9 && error.state[0].abs() < 1e-9, "{error:?}");
     assert!(count < 200, "{count}");
 }
@@ -242,9 +242,9 @@ fn events_at_one_time_follow_each_other() {
     let react = |event: &Occurrence<f64, [f64; 2]>| {
         seen.push((event.event, event.state[1]));
         match event.event {
-            0 => Reaction::Replace([0.0, 3.0]),
-            1 => Reaction::Replace([0.0, 2.0 * event.state[1]]),
-            _ => Reaction::Continue,
+            0 => Action::Replace([0.0, 3.0]),
+            1 => Action::Replace([0.0, 2.0 * event.state[1]]),
+            _ => Action::Continue,
         }
     };
     let (_, end) =
@@ -258,8 +258,8 @@ fn events_at_one_time_follow_each_other() {
 #[test]
 fn nan_in_a_function_at_the_start_is_an_error() {
     let values = ([Direction::Rising], |t: f64, _: &[f64; 2]| [if t > 0.0 { t - 0.5 } else { f64::NAN }]);
-    let go_on = |_: &Occurrence<f64, [f64; 2]>| Reaction::Continue;
+    let go_on = |_: &Occurrence<f64, [f64; 2]>| Action::Continue;
     let error =
         integrate_with_events(&Oscillator, (0.0, COSINE), 9.0, &pair(), values, go_on).expect_err("NaN");
-    assert_eq!(error.cause, Cause::EventNotFinite { event: EventSource::Given(0) });
+    assert_eq!(error.cause, StepFailure::EventNotFinite { event: EventSource::Given(0) });
 }

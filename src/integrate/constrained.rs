@@ -3,13 +3,12 @@
 use std::vec::Vec;
 
 use super::{
-    Cause, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, Stepper, Verner98,
-    integrate,
+    GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, Stepper, Verner98, integrate,
 };
+use crate::constraint::Unprojected;
 use crate::constraint::systems::{Bead, Parallelogram, Pendulum, Skate, Spherical, System};
-use crate::constraint::{Unprojected, Violated, Violation};
-use crate::event::{Direction, Reaction, integrate_with_events};
-use crate::system::OdeSystem;
+use crate::event::integrate_with_events;
+use crate::system::{Action, Direction, OdeSystem, StepFailure, Violated, Violation};
 
 const PENDULUM: System<Pendulum, 2, 1> = System(Pendulum);
 const SKATE: System<Skate, 3, 1> = System(Skate);
@@ -233,13 +232,16 @@ fn starts_off_the_constraints_are_refused_by_name() {
             let start = [0.6, -0.9, 0.8, 0.6];
             let failed =
                 integrate(&PENDULUM, 0.0, start, 1.0, method, |_, _| panic!("starts")).expect_err("refused");
-            assert!(matches!(failed.cause, Cause::Violated(Violation { constraint: "rod", .. })), "{failed}");
+            assert!(
+                matches!(failed.cause, StepFailure::Violated(Violation { constraint: "rod", .. })),
+                "{failed}"
+            );
             assert_eq!((failed.time, failed.state), (0.0, start));
             let mut stepper = method.start(&PENDULUM, 0.0, &[0.6, -0.8, 0.8, 0.6], 1.0).expect("starts");
             stepper.step(&PENDULUM, 1.0).expect("goes on");
             let (time, state) = (stepper.time(), *stepper.state());
             let jump = stepper.restart(&PENDULUM, time, &[0.6, -0.8, 1.8, 0.6]);
-            let Err(Cause::Violated(violation)) = jump else { panic!("{jump:?}") };
+            let Err(StepFailure::Violated(violation)) = jump else { panic!("{jump:?}") };
             assert!(
                 violation.of == Violated::Velocities && (violation.residual - 1.2).abs() < 1e-14,
                 "{violation}"
@@ -263,21 +265,24 @@ impl OdeSystem for Cliff {
         [1.0]
     }
 
-    fn correct(&self, _t: f64, [y]: &mut [f64; 1]) -> Result<(), Cause<f64>> {
+    fn correct(&self, _t: f64, [y]: &mut [f64; 1]) -> Result<(), StepFailure<f64>> {
         let violation = Violation { constraint: "cliff", residual: *y - 1.0, of: Violated::Positions };
-        if *y <= 1.0 { Ok(()) } else { Err(Cause::Violated(violation)) }
+        if *y <= 1.0 { Ok(()) } else { Err(StepFailure::Violated(violation)) }
     }
 }
 
 #[test]
 fn steps_that_cannot_be_corrected_are_errors_with_the_last_good_state() {
     let fixed = integrate(&Cliff, 0.0, [0.0], 2.0, &RungeKutta4 { step: 0.3 }, |_, _| {}).expect_err("falls");
-    assert!(matches!(fixed.cause, Cause::Violated(Violation { constraint: "cliff", .. })), "{fixed}");
+    assert!(matches!(fixed.cause, StepFailure::Violated(Violation { constraint: "cliff", .. })), "{fixed}");
     assert!((fixed.time - 0.9).abs() < 1e-15 && (fixed.state[0] - 0.9).abs() < 1e-15, "{fixed}");
     // Shorter steps lead up to the edge.
     let adaptive =
         integrate(&Cliff, 0.0, [0.0], 2.0, &Verner98::tolerance(1e-6), |_, _| {}).expect_err("falls");
-    assert!(matches!(adaptive.cause, Cause::Violated(Violation { constraint: "cliff", .. })), "{adaptive}");
+    assert!(
+        matches!(adaptive.cause, StepFailure::Violated(Violation { constraint: "cliff", .. })),
+        "{adaptive}"
+    );
     assert!((adaptive.time - 1.0).abs() < 1e-12 && (adaptive.state[0] - 1.0).abs() < 1e-12, "{adaptive}");
 }
 
@@ -288,7 +293,7 @@ fn events_happen_on_the_constraints() {
     let method = RungeKutta4 { step: 0.05 };
     integrate_with_events(&PENDULUM, (0.0, [0.6, -0.8, 0.8, 0.6]), 3.0, &method, watch, |event| {
         states.push(event.state);
-        Reaction::Continue
+        Action::Continue
     })
     .expect("swings");
     assert!(states.len() >= 2);

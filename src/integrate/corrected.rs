@@ -1,16 +1,15 @@
 //! States that methods may go on from, on the constraints of their system.
 
-use crate::integrate::error::Cause;
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StateVector};
+use crate::system::{OdeSystem, StateVector, StepFailure};
 
 /// Whether time and state can be gone on from.
 #[inline]
-pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<(), Cause<S>> {
+pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<(), StepFailure<S>> {
     if t.is_finite() && y.as_ref().iter().all(|component| component.is_finite()) {
         return Ok(());
     }
-    Err(Cause::NotFinite)
+    Err(StepFailure::NotFinite)
 }
 
 /// A state to start from, brought onto the constraints if it nearly satisfies them.
@@ -18,7 +17,7 @@ pub(super) fn admitted<M: OdeSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     y: &M::State,
-) -> Result<M::State, Cause<M::Scalar>> {
+) -> Result<M::State, StepFailure<M::Scalar>> {
     check_finite(t, y)?;
     let mut admitted = *y;
     system.admit(t, &mut admitted)?;

@@ -3,10 +3,9 @@
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected, is_same};
-use crate::integrate::error::Cause;
 use crate::integrate::method::{Stepper, Work};
 use crate::scalar::Scalar;
-use crate::system::OdeSystem;
+use crate::system::{OdeSystem, StepFailure};
 
 /// A formula that advances the state by a step of given length.
 ///
@@ -32,7 +31,7 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         _t: M::Scalar,
         variables: &M::State,
         _work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         Ok(*variables)
     }
 
@@ -47,7 +46,7 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         variables: &M::State,
         h: M::Scalar,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>>;
+    ) -> Result<M::State, StepFailure<M::Scalar>>;
 
     /// The state at time `t` to which the last increment led was brought onto constraints, `from` there `to` here: so are the
     /// variables.
@@ -110,9 +109,9 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self, Cause<M::Scalar>> {
+    ) -> Result<Self, StepFailure<M::Scalar>> {
         if !(h > M::Scalar::ZERO && h.is_finite()) {
-            return Err(Cause::Setting("the length of steps must be positive and finite"));
+            return Err(StepFailure::Setting("the length of steps must be positive and finite"));
         }
         check_finite(end, y)?;
         let state = admitted(system, t, y)?;
@@ -134,7 +133,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
     }
 
     #[inline]
-    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>> {
+    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
         let (t, before) = (self.clock.time(), self.clock);
         let h = self.clock.advance(limit);
         let stepped = self.advance(system, t, h);
@@ -157,7 +156,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
         corrected(system, t, y)
     }
 
-    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>> {
         let y = admitted(system, t, y)?;
         self.clock = self.clock.at(t);
         self.variables = Compensated::new(self.formula.variables(system, t, &y));
@@ -173,7 +172,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
 
 impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
     #[inline]
-    fn advance(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Result<(), Cause<M::Scalar>> {
+    fn advance(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
         let increment = self.formula.increment(system, t, self.variables.value(), h, &mut self.work)?;
         let mut variables = self.variables;
         variables.add(&increment);
@@ -192,9 +191,9 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
 
     /// Why a step of the length `h` from here led nowhere, if it is longer than stability allows.
     #[cold]
-    fn too_long(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Option<Cause<M::Scalar>> {
+    fn too_long(&mut self, system: &M, t: M::Scalar, h: M::Scalar) -> Option<StepFailure<M::Scalar>> {
         let limit = self.formula.longest_stable(system, t, self.variables.value(), &mut self.work)?;
-        (h.abs() > limit).then_some(Cause::StepTooLong { step: h.abs(), limit })
+        (h.abs() > limit).then_some(StepFailure::StepTooLong { step: h.abs(), limit })
     }
 
     /// Brings the state at the end of a step and its variables onto the constraints.
@@ -203,7 +202,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         system: &M,
         state: &mut M::State,
         variables: &mut Compensated<M::State>,
-    ) -> Result<(), Cause<M::Scalar>> {
+    ) -> Result<(), StepFailure<M::Scalar>> {
         let (t, from) = (self.clock.time(), *state);
         system.correct(t, state)?;
         if is_same(&from, state) {

@@ -3,8 +3,7 @@
 //! A [`Method`] holds settings and can be kept and compared; it starts a [`Stepper`], which holds all that changes
 //! from step to step and needs no heap.
 
-use crate::integrate::error::Cause;
-use crate::system::OdeSystem;
+use crate::system::{OdeSystem, StepFailure};
 
 /// A method of integration with its settings.
 pub trait Method<M: OdeSystem + ?Sized> {
@@ -27,17 +26,19 @@ pub trait Method<M: OdeSystem + ?Sized> {
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self::Stepper, Cause<M::Scalar>>;
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>>;
 
     /// The same method with no step longer than this.
     ///
     /// # Errors
     /// If the lengths of its steps are a setting already.
-    fn with_longest_step(self, _longest: M::Scalar) -> Result<Self, Cause<M::Scalar>>
+    fn with_longest_step(self, _longest: M::Scalar) -> Result<Self, StepFailure<M::Scalar>>
     where
         Self: Sized,
     {
-        Err(Cause::Setting("all steps of this method have the length that it was given: shorten that one"))
+        Err(StepFailure::Setting(
+            "all steps of this method have the length that it was given: shorten that one",
+        ))
     }
 }
 
@@ -56,7 +57,7 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     ///
     /// # Errors
     /// If no step can be taken. Time and state are then what they were before.
-    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>>;
+    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>>;
 
     /// The time at which the last step began; the present time if none was taken since the start.
     fn last_time(&self) -> M::Scalar;
@@ -83,7 +84,7 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     ///
     /// # Errors
     /// If the state or, where the method asks for it, its rate is not finite.
-    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>>;
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>>;
 
     /// What it took so far.
     fn work(&self) -> Work;

@@ -1,7 +1,7 @@
 //! Methods that advance a system ẏ = f(t, y) in time.
 //!
 //! One file per family of methods, each citing its source. They need no heap, run forwards or backwards in time,
-//! and stop with a [`Cause`] instead of passing on NaN or infinity. States and times are summed with compensation, so
+//! and stop with a [`StepFailure`] instead of passing on NaN or infinity. States and times are summed with compensation, so
 //! that rounding errors do not grow with the number of steps where the method itself lets them not.
 //!
 //! A [`Method`] is chosen and given to [`integrate`], or to the front door `simulate`, which also samples, watches
@@ -41,31 +41,29 @@ mod constrained_systems;
 mod corrected;
 mod error;
 mod fixed;
-mod gauss;
+mod gauss_legendre;
 mod interpolation;
-pub(crate) mod linear;
 mod method;
 mod newton;
 mod prediction;
-mod restarts;
 mod rk4;
-mod run;
 mod splitting;
 mod stability;
 mod undefined;
 mod variational;
 mod verner;
 
-pub(crate) use self::error::explain;
-pub use self::error::{Cause, EventSource, IntegrationError, Outcome};
+pub use self::error::{IntegrationError, Outcome};
 pub use self::fixed::{FixedStepper, Formula};
-pub use self::gauss::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre};
+pub use self::gauss_legendre::{
+    GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
+};
 pub use self::method::{Method, Stepper, Work};
-pub(crate) use self::restarts::Restarts;
 pub use self::rk4::{RungeKutta4, rk4_step};
-pub use self::run::integrate;
 pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
 pub(crate) use self::undefined::explained;
 pub use self::undefined::undefined;
 pub use self::variational::Variational;
 pub use self::verner::{Verner98, VernerStepper};
+pub use crate::run::integrate;
+pub use crate::system::{EventSource, StepFailure};

@@ -5,10 +5,9 @@
 //! each is judged by its own corrections. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
 //! §VIII.6.2.
 
-use crate::integrate::error::Cause;
 use crate::integrate::method::Work;
 use crate::scalar::Scalar;
-use crate::system::StateVector;
+use crate::system::{StateVector, StepFailure};
 
 /// Equations for K vectors of unknowns.
 pub(super) trait Equations<S: Scalar, Y: StateVector<S>, const K: usize> {
@@ -40,7 +39,7 @@ pub(super) fn solve<S: Scalar, Y: StateVector<S>, const K: usize>(
     unknowns: &mut [Y; K],
     rounding: S,
     work: &mut Work,
-) -> Result<(), Cause<S>> {
+) -> Result<(), StepFailure<S>> {
     let mut progress = Progress::new(rounding);
     let mut stalls = 0;
     for iteration in 1..=LIMIT {
@@ -48,7 +47,7 @@ pub(super) fn solve<S: Scalar, Y: StateVector<S>, const K: usize>(
         let correction = equations.correction(&residual);
         work.iterations += 1;
         if !finite(&correction) {
-            return Err(Cause::NotFinite);
+            return Err(StepFailure::NotFinite);
         }
         match progress.after(unknowns, &correction) {
             Trend::Falls => stalls = 0,
@@ -59,11 +58,11 @@ pub(super) fn solve<S: Scalar, Y: StateVector<S>, const K: usize>(
             return Ok(());
         }
         if stalls > PATIENCE {
-            return Err(Cause::NotConverged { iterations: iteration });
+            return Err(StepFailure::NotConverged { iterations: iteration });
         }
         add(unknowns, &correction);
     }
-    Err(Cause::NotConverged { iterations: LIMIT })
+    Err(StepFailure::NotConverged { iterations: LIMIT })
 }
 
 /// Whether every entry is finite.

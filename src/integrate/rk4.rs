@@ -12,15 +12,13 @@
 //! Sources: Kutta 1901; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.1,
 //! table 1.2.
 
-use crate::integrate::error::Cause;
 use crate::integrate::fixed::{FixedStepper, Formula};
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, Work};
-use crate::integrate::stability::{
-    EVALUATIONS, Watch, combined, distance, eigenvalue_at, largest_eigenvalue, length,
-};
+use crate::integrate::stability::{EVALUATIONS, Watch, eigenvalue_at, largest_eigenvalue};
+use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StateVector};
+use crate::system::{OdeSystem, StateVector, StepFailure};
 
 /// The state after one step of length `h` from `y` at time `t`, by the classical Runge–Kutta method.
 ///
@@ -64,7 +62,7 @@ impl<M: OdeSystem + ?Sized> Method<M> for RungeKutta4<M::Scalar> {
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Classical::new(), self.step, system, t, y, end)
     }
 }
@@ -95,7 +93,7 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
         y: &M::State,
         h: M::Scalar,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let k1 = self.end.take().unwrap_or_else(|| {
             work.evaluations += 1;
             system.rhs(t, y)
@@ -159,21 +157,21 @@ impl<Y> Classical<Y> {
         h: M::Scalar,
         stages: &Stages<Y>,
         work: &mut Work,
-    ) -> Result<(), Cause<M::Scalar>>
+    ) -> Result<(), StepFailure<M::Scalar>>
     where
         M: OdeSystem<State = Y> + ?Sized,
         Y: StateVector<M::Scalar>,
     {
-        let hint = M::Scalar::from_f64(STABLE * STABLE / 4.0) * length(&stages.k1);
-        if !self.watch.follows(distance(&stages.k2, &stages.k3) > hint) {
+        let hint = M::Scalar::from_f64(STABLE * STABLE / 4.0) * l1_norm(&stages.k1);
+        if !self.watch.follows(l1_distance(&stages.k2, &stages.k3) > hint) {
             return Ok(());
         }
         work.evaluations += EVALUATIONS;
         let direction = combined(&stages.k3, -M::Scalar::ONE, &stages.k2);
-        let change = h.abs() * length(&stages.k1);
+        let change = h.abs() * l1_norm(&stages.k1);
         let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), y, change, &direction);
         let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
-        if h.abs() > limit { Err(Cause::StepTooLong { step: h.abs(), limit }) } else { Ok(()) }
+        if h.abs() > limit { Err(StepFailure::StepTooLong { step: h.abs(), limit }) } else { Ok(()) }
     }
 }
 

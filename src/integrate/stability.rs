@@ -6,6 +6,7 @@
 //! with differences of rates, from whose last powers the two eigenvalues of an oscillation are found together. Source: Hairer,
 //! Wanner, *Solving Ordinary Differential Equations II*, §IV.2; Golub, Van Loan, *Matrix Computations*, §7.3.
 
+use crate::linalg::vector::{combined, l1_norm, scaled};
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
@@ -59,7 +60,7 @@ pub(super) fn largest_eigenvalue<S: Scalar, Y: StateVector<S>>(
     change: S,
     direction: &Y,
 ) -> S {
-    let size = S::from_f64(PART) * if change > S::ZERO { change } else { length(direction) };
+    let size = S::from_f64(PART) * if change > S::ZERO { change } else { l1_norm(direction) };
     let at = rates(y);
     let mut times_jacobian = |w: &Y| combined(&rates(&combined(y, S::ONE, w)), -S::ONE, &at);
     let mut w = scaled(direction, size);
@@ -67,7 +68,7 @@ pub(super) fn largest_eigenvalue<S: Scalar, Y: StateVector<S>>(
     for _ in 1..MULTIPLICATIONS {
         let next = times_jacobian(&w);
         w = scaled(&next, size);
-        powers = [powers[1], powers[2], Power { vector: w, factor: length(&next) / size }];
+        powers = [powers[1], powers[2], Power { vector: w, factor: l1_norm(&next) / size }];
     }
     let found = dominant(&powers, &times_jacobian(&w));
     if found.grows { S::ZERO } else { found.magnitude }
@@ -80,7 +81,7 @@ pub(super) fn eigenvalue_at<S: Scalar, Y: StateVector<S>>(
     y: &Y,
 ) -> Option<S> {
     let root = S::epsilon().sqrt();
-    let size = root * if length(y) > S::ZERO { length(y) } else { S::ONE };
+    let size = root * if l1_norm(y) > S::ZERO { l1_norm(y) } else { S::ONE };
     let at = rates(y);
     let bent = rates(&combined(y, S::ONE, &scaled(&at, size)));
     let direction = combined(&bent, -S::ONE, &at);
@@ -113,7 +114,7 @@ fn dominant<S: Scalar, Y: StateVector<S>>(
     [first, second, third]: &[Power<S, Y>; 3],
     last: &Y,
 ) -> Dominant<S> {
-    let long = length(last) / length(&third.vector);
+    let long = l1_norm(last) / l1_norm(&third.vector);
     let size = |k: usize| third.vector.as_ref()[k].abs().multiply_add(long, last.as_ref()[k].abs());
     let largest = (0..last.as_ref().len()).fold(0, |best, k| if size(k) > size(best) { k } else { best });
     let at = |y: &Y| y.as_ref()[largest];
@@ -133,33 +134,6 @@ fn dominant<S: Scalar, Y: StateVector<S>>(
     }
     let root = if a < S::ZERO { a - discriminant.sqrt() } else { a + discriminant.sqrt() };
     Dominant { magnitude: root.abs(), grows: root > S::ZERO }
-}
-
-/// The sum of magnitudes, which neither overflows nor underflows where the components do not.
-#[inline]
-pub(super) fn length<S: Scalar, Y: StateVector<S>>(y: &Y) -> S {
-    y.as_ref().iter().fold(S::ZERO, |sum, component| sum + component.abs())
-}
-
-/// The length of the difference.
-#[inline]
-pub(super) fn distance<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
-    a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| sum + (*a - *b).abs())
-}
-
-/// The vector of this length in the direction of `y`.
-fn scaled<S: Scalar, Y: StateVector<S>>(y: &Y, size: S) -> Y {
-    combined(&Y::ZERO, size / length(y), y)
-}
-
-/// a + c b
-#[inline]
-pub(super) fn combined<S: Scalar, Y: StateVector<S>>(a: &Y, c: S, b: &Y) -> Y {
-    let mut sum = *a;
-    for (a, b) in sum.as_mut().iter_mut().zip(b.as_ref()) {
-        *a = b.multiply_add(c, *a);
-    }
-    sum
 }
 
 #[cfg(test)]

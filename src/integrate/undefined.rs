@@ -4,12 +4,13 @@
 //! [`undefined`](OdeSystem::undefined) gives names. What is finite where a run stopped is looked at ahead of there, along the
 //! direction of the motion at distances that double from rounding on: a root of 1 − t is finite up to t = 1, and NaN right behind.
 
-use crate::integrate::error::Cause;
-use crate::integrate::linear::Matrix;
-use crate::integrate::linear::ranked::RankedFactors;
-use crate::integrate::stability::combined;
+use crate::linalg::pivoted::Matrix;
+use crate::linalg::ranked::RankedFactors;
+use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
-use crate::system::{Component, CoordinateMatrix, MechanicalSystem, OdeSystem, Undefined, split};
+use crate::system::{
+    Component, CoordinateMatrix, MechanicalSystem, OdeSystem, StepFailure, Undefined, split,
+};
 
 /// Steps that became too short for times to be told apart were stopped by what lies within this part of the way.
 const NEAR: f64 = 1e-9;
@@ -17,22 +18,22 @@ const NEAR: f64 = 1e-9;
 /// The cause by name, of a run that stopped at this time and state on its way to `end`.
 #[cold]
 pub(crate) fn explained<M: OdeSystem + ?Sized>(
-    cause: Cause<M::Scalar>,
+    cause: StepFailure<M::Scalar>,
     system: &M,
     (t, y): (M::Scalar, &M::State),
     end: M::Scalar,
-) -> Cause<M::Scalar> {
+) -> StepFailure<M::Scalar> {
     let here = || system.undefined(t, y, &system.rhs(t, y));
     let found = match cause {
-        Cause::NotFinite => {
+        StepFailure::NotFinite => {
             of_times(t, end).or_else(here).or_else(|| ahead(system, (t, y), end, M::Scalar::ONE))
         }
-        Cause::StepUnderflow { .. } => ahead(system, (t, y), end, M::Scalar::from_f64(NEAR)),
-        Cause::Violated(violation) if !violation.residual.is_finite() => here(),
-        Cause::SingularMassMatrix => here().filter(|what| matches!(what, Undefined::MassMatrix { .. })),
+        StepFailure::StepUnderflow { .. } => ahead(system, (t, y), end, M::Scalar::from_f64(NEAR)),
+        StepFailure::Violated(violation) if !violation.residual.is_finite() => here(),
+        StepFailure::SingularMassMatrix => here().filter(|what| matches!(what, Undefined::MassMatrix { .. })),
         _ => None,
     };
-    found.map_or(cause, Cause::Undefined)
+    found.map_or(cause, StepFailure::Undefined)
 }
 
 fn of_times<S: Scalar>(start: S, end: S) -> Option<Undefined<S>> {

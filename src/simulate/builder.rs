@@ -5,17 +5,16 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::event::{Direction, Reaction};
-use crate::integrate::{Cause, Method, Verner98};
+use crate::integrate::{Method, Verner98};
 use crate::scalar::Scalar;
 use crate::simulate::control::{Controller, Drive, InputColumns, Undriven};
-use crate::simulate::error::SimulationError;
 use crate::simulate::events::{Event, Watcher};
+use crate::simulate::observer::{Extend, Observer};
 use crate::simulate::progress::{Progress, Reporter, Verdict};
-use crate::simulate::run::run;
 use crate::simulate::sampling::Sampling;
-use crate::simulate::trajectory::Trajectory;
-use crate::system::{CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem, split};
+use crate::system::{
+    Action, CanonicalSystem, Direction, EnergyFunction, MechanicalSystem, StepFailure, split,
+};
 
 /// Where a run starts. It wants to know when it ends.
 #[derive(Clone, Copy, Debug)]
@@ -96,7 +95,7 @@ pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven> {
     /// The columns of inputs, if they are set during the run.
     pub(super) inputs: Option<InputColumns<M>>,
     /// A setting that makes no sense.
-    pub(super) fault: Option<Cause<M::Scalar>>,
+    pub(super) fault: Option<StepFailure<M::Scalar>>,
     pub(super) sampling: Sampling<M::Scalar>,
     pub(super) is_dense: bool,
     pub(super) max_steps: Option<u64>,
@@ -106,18 +105,6 @@ pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven> {
     pub(super) watchers: Vec<Watcher<'a, M>>,
     pub(super) reporter: Option<Reporter<'a, M::Scalar>>,
 }
-
-/// Columns that are computed from time and state.
-pub(super) struct Observer<'a, M: MechanicalSystem> {
-    pub(super) names: Vec<String>,
-    pub(super) extend: Extend<'a, M>,
-}
-
-/// Adds one value for each column of an observer to a row.
-pub(super) type Extend<'a, M> = Box<
-    dyn FnMut(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State, &mut Vec<<M as OdeSystem>::Scalar>)
-        + 'a,
->;
 
 /// The name of the column that [`Simulation::energy`] adds.
 pub(super) const ENERGY: &str = "energy";
@@ -257,7 +244,8 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
 
     pub(super) fn with(mut self, names: Vec<String>, extend: Extend<'a, M>) -> Self {
         if names.is_empty() {
-            let empty = Cause::Setting("a list of columns to observe is empty: name at least one column");
+            let empty =
+                StepFailure::Setting("a list of columns to observe is empty: name at least one column");
             self.fault = self.fault.or(Some(empty));
         }
         self.observers.push(Observer { names, extend });
@@ -276,7 +264,7 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
         direction: Direction,
         value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
     ) -> Self {
-        self.event_with(name, direction, value, |_, _| Reaction::Continue)
+        self.event_with(name, direction, value, |_, _| Action::Continue)
     }
 
     /// Ends the run at the first such zero, which is recorded, too.
@@ -286,7 +274,7 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
         direction: Direction,
         value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
     ) -> Self {
-        self.event_with(name, direction, value, |_, _| Reaction::Stop)
+        self.event_with(name, direction, value, |_, _| Action::Stop)
     }
 
     /// Records each such zero and then goes on, stops, or goes on from another state, as after an impact.
@@ -295,7 +283,7 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
         name: &str,
         direction: Direction,
         value: impl FnMut(&M, M::Scalar, &M::State) -> M::Scalar + 'a,
-        react: impl FnMut(&M, &Event<M::Scalar, M::State>) -> Reaction<M::State> + 'a,
+        react: impl FnMut(&M, &Event<M::Scalar, M::State>) -> Action<M::State> + 'a,
     ) -> Self {
         let (value, react) = (Box::new(value), Box::new(react));
         self.watchers.push(Watcher { name: name.to_string(), direction, value, react });
@@ -330,25 +318,5 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     /// so far. It is also called, ever more seldom, while a run takes many steps and gets nowhere.
     pub fn progress<V: Verdict>(self, callback: impl FnMut(Progress<M::Scalar>) -> V + 'a) -> Self {
         Simulation { reporter: Some(Reporter::new(callback)), ..self }
-    }
-
-    /// Integrates.
-    ///
-    /// # Errors
-    /// What the method met, or a setting that makes no sense, with the trajectory so far.
-    pub fn run(self) -> Result<Trajectory<M>, SimulationError<M>>
-    where
-        K: Method<D::Closed>,
-    {
-        run(self)
-    }
-}
-
-impl<M: MechanicalSystem> Observer<'_, M> {
-    /// The names of the state: coordinates, then velocities.
-    pub(super) fn state_names() -> Vec<String> {
-        let names = M::COORDINATES.iter().map(ToString::to_string);
-        let rates = M::COORDINATES.iter().map(|name| format!("{name}_dot"));
-        names.chain(rates).collect()
     }
 }

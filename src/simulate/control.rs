@@ -5,14 +5,12 @@ use std::fmt::{Debug, Formatter};
 use std::rc::Rc;
 use std::vec::Vec;
 
-use crate::constraint::ConstraintValues;
-use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::simulate::sampling::Grid;
 use crate::simulate::table::Table;
 use crate::system::{
-    CanonicalSystem, ControlledSystem, CoordinateMatrix, MechanicalSystem, OdeSystem, StateMatrix,
-    StateVector, Wrapper, join,
+    CanonicalSystem, ConstraintValues, ControlledSystem, CoordinateMatrix, MechanicalSystem, OdeSystem,
+    StateMatrix, StateVector, StepFailure, Wrapper, join,
 };
 
 /// What sets the inputs of the system M at every instant of a run: nothing, or a [`Law`].
@@ -270,7 +268,7 @@ type Act<'a, M> = Box<
             &M,
             <M as OdeSystem>::Scalar,
             &<M as OdeSystem>::State,
-        ) -> Result<M, Cause<<M as OdeSystem>::Scalar>>
+        ) -> Result<M, StepFailure<<M as OdeSystem>::Scalar>>
         + 'a,
 >;
 
@@ -353,4 +351,4 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
 }
 
 /// The system with the inputs that controllers gave it, if one did.
-type Acted<M> = Result<Option<M>, Cause<<M as OdeSystem>::Scalar>>;
+type Acted<M> = Result<Option<M>, StepFailure<<M as OdeSystem>::Scalar>>;

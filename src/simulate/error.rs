@@ -7,9 +7,8 @@ use std::fmt::{Debug, Display, Formatter, Result};
 use std::format;
 use std::string::{String, ToString};
 
-use crate::integrate::{Cause, EventSource, explain};
 use crate::simulate::trajectory::Trajectory;
-use crate::system::MechanicalSystem;
+use crate::system::{EventSource, MechanicalSystem, StepFailure, explain};
 
 /// The first name that stands twice in a list.
 pub(super) fn repeated(names: &[String]) -> Option<String> {
@@ -22,7 +21,7 @@ pub(super) fn repeated(names: &[String]) -> Option<String> {
 /// What was found until then is kept; its last sample is the last good state.
 pub struct SimulationError<M: MechanicalSystem> {
     /// Why.
-    pub cause: Cause<M::Scalar>,
+    pub cause: StepFailure<M::Scalar>,
     /// What the event or the column is called that the cause is about, if it is about one.
     pub name: Option<String>,
     /// What was found until then. Every sample is finite, except that the first is the initial state as it was given.
@@ -31,9 +30,9 @@ pub struct SimulationError<M: MechanicalSystem> {
 
 impl<M: MechanicalSystem> SimulationError<M> {
     /// An error of a run to which events with these names were `given`.
-    pub(super) fn new(cause: Cause<M::Scalar>, given: &[String], trajectory: Trajectory<M>) -> Self {
+    pub(super) fn new(cause: StepFailure<M::Scalar>, given: &[String], trajectory: Trajectory<M>) -> Self {
         let name = match (cause, cause.event()) {
-            (Cause::RepeatedColumn, _) => repeated(trajectory.names()),
+            (StepFailure::RepeatedColumn, _) => repeated(trajectory.names()),
             (_, Some(EventSource::Declared(name))) => Some(name.to_string()),
             (_, Some(EventSource::Given(index))) => given.get(index).cloned(),
             (_, None) => None,
@@ -65,7 +64,7 @@ impl<M: MechanicalSystem> Debug for SimulationError<M> {
 impl<M: MechanicalSystem> Display for SimulationError<M> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match &self.name {
-            Some(name) if self.cause == Cause::RepeatedColumn => {
+            Some(name) if self.cause == StepFailure::RepeatedColumn => {
                 write!(f, "two columns are called `{name}`")?;
             }
             Some(name) => explain(&self.cause, &format!("event `{name}`"), f)?,

@@ -46,6 +46,7 @@ mod csv;
 mod dense;
 mod error;
 mod events;
+mod observer;
 #[cfg(feature = "parquet")]
 mod parquet;
 #[cfg(feature = "plot")]

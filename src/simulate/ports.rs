@@ -4,11 +4,10 @@ use std::boxed::Box;
 use std::string::ToString;
 use std::vec::Vec;
 
-use crate::integrate::Cause;
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::control::{Controller, Drive, InputColumns, Law, Undriven};
-use crate::system::{ControlledSystem, OutputSystem, Undefined, split};
+use crate::system::{ControlledSystem, OutputSystem, StepFailure, Undefined, split};
 
 impl<'a, M: ControlledSystem, K> Simulation<'a, M, K, Undriven> {
     /// Sets the inputs at every instant by a law, a function of time and state: a feedback, or a force over time.
@@ -123,7 +122,7 @@ impl<M: OutputSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
         };
         let chosen = (0..M::OUTPUTS.len()).filter(|&index| belongs(M::OUTPUTS[index])).collect::<Vec<_>>();
         if chosen.is_empty() {
-            self.fault = self.fault.or(Some(Cause::UnknownOutput { name: output, known: M::OUTPUTS }));
+            self.fault = self.fault.or(Some(StepFailure::UnknownOutput { name: output, known: M::OUTPUTS }));
             return self;
         }
         self.recording_outputs(chosen)
@@ -142,11 +141,14 @@ impl<M: OutputSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
 
 /// # Errors
 /// If an input is not finite.
-fn check_finite<M: ControlledSystem>(time: M::Scalar, inputs: M::Inputs) -> Result<(), Cause<M::Scalar>> {
+fn check_finite<M: ControlledSystem>(
+    time: M::Scalar,
+    inputs: M::Inputs,
+) -> Result<(), StepFailure<M::Scalar>> {
     let values: M::InputVector = inputs.into();
     let mut named = M::INPUTS.iter().zip(values.as_ref());
     match named.find(|(_, value)| !value.is_finite()) {
-        Some((name, &value)) => Err(Cause::Undefined(Undefined::Input { name, value, time })),
+        Some((name, &value)) => Err(StepFailure::Undefined(Undefined::Input { name, value, time })),
         None => Ok(()),
     }
 }

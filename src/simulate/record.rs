@@ -4,23 +4,21 @@ use std::string::String;
 use std::sync::Arc;
 use std::vec::Vec;
 
-use crate::integrate::{Cause, Stepper, Work};
+use crate::integrate::{Stepper, Work};
+use crate::run::Current;
 use crate::scalar::Scalar;
-use crate::simulate::builder::Observer;
 use crate::simulate::control::{ClosedLoop, ROUNDINGS};
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
+use crate::simulate::observer::Observer;
 use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::Table;
 use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::system::MechanicalSystem;
+use crate::system::{MechanicalSystem, StepFailure};
 
 /// What is kept of a run while it goes on.
-pub(super) struct Record<'a, 'c, M: MechanicalSystem, C> {
-    given: &'c C,
-    /// The system as it is at present, if contacts, friction or a controller changed it.
-    switched: Option<C>,
-    /// The same with its switches free.
+pub(super) struct Record<'a, M: MechanicalSystem, C> {
+    /// The system as it is at present with its switches free, if it has any.
     freed: Option<C>,
     table: Table<M::Scalar>,
     observers: Vec<Observer<'a, M>>,
@@ -41,18 +39,16 @@ enum Samples<S> {
     None,
 }
 
-impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
+impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
     /// Starts with the initial state as the first sample; the system may be another one there than that which was given.
     pub(super) fn new(
-        (given, switched): (&'c C, Option<C>),
+        current: &Current<'_, C>,
         observers: Vec<Observer<'a, M>>,
         dense: Option<Dense<M::Scalar, M::State>>,
         start: (M::Scalar, M::State),
     ) -> Self {
         let mut record = Record {
-            given,
-            freed: switched.as_ref().and_then(C::freed),
-            switched,
+            freed: current.switched().and_then(C::freed),
             table: Table::new(names(&observers)),
             observers,
             row: Vec::new(),
@@ -63,7 +59,7 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
             last: start,
             work: Work::default(),
         };
-        record.sample(start.0, &start.1);
+        record.sample(current.system(), start.0, &start.1);
         record
     }
 
@@ -72,22 +68,14 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
         self.last
     }
 
-    /// The system as it is at present.
-    pub(super) fn system(&self) -> &C {
-        self.switched.as_ref().unwrap_or(self.given)
+    /// The system as it is for whoever looks at it.
+    pub(super) fn seen<'s>(&'s self, system: &'s C) -> &'s C {
+        self.freed.as_ref().unwrap_or(system)
     }
 
-    /// The same as it is for whoever looks at it.
-    pub(super) fn seen(&self) -> &C {
-        self.freed.as_ref().unwrap_or(self.system())
-    }
-
-    /// Goes on with this system, if it is another one.
-    pub(super) fn switch(&mut self, system: Option<C>) {
-        if let Some(system) = system {
-            self.freed = system.freed();
-            self.switched = Some(system);
-        }
+    /// Goes on with this system.
+    pub(super) fn switch(&mut self, system: &C) {
+        self.freed = system.freed();
     }
 
     /// The names of the columns.
@@ -100,7 +88,7 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
         &mut self,
         sampling: Sampling<M::Scalar>,
         end: M::Scalar,
-    ) -> Result<(), Cause<M::Scalar>> {
+    ) -> Result<(), StepFailure<M::Scalar>> {
         self.samples = match sampling {
             Sampling::EveryStep => Samples::EveryStep,
             Sampling::Every(interval) => {
@@ -125,17 +113,18 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
     /// After each sample within the step `goes_on` is asked. The result is whether the run does: otherwise it ends at the last sample.
     pub(super) fn keep(
         &mut self,
+        system: &C,
         stepper: &mut impl Stepper<C>,
         (to, state): (M::Scalar, &M::State),
         mut goes_on: impl FnMut(M::Scalar) -> bool,
     ) -> bool {
         let mut reached = (to, *state);
         match self.samples {
-            Samples::EveryStep => self.sample(to, state),
+            Samples::EveryStep => self.sample(system, to, state),
             Samples::Grid(mut grid) => {
                 while let Some(time) = grid.up_to(to) {
-                    let state = if time == to { *state } else { stepper.interpolate(self.system(), time) };
-                    self.sample(time, &state);
+                    let state = if time == to { *state } else { stepper.interpolate(system, time) };
+                    self.sample(system, time, &state);
                     if time != to && !goes_on(time) {
                         reached = (time, state);
                         break;
@@ -148,7 +137,6 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
         let has_gone_on = reached.0 == to;
         let to = reached.0;
         if let Some(dense) = &mut self.dense {
-            let system = self.switched.as_ref().unwrap_or(self.given);
             dense.push((stepper.last_time(), to), |t| stepper.interpolate(system, t));
         }
         self.last = reached;
@@ -156,21 +144,21 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
     }
 
     /// Goes on from another state at the time that was reached.
-    pub(super) fn jump(&mut self, state: &M::State) {
+    pub(super) fn jump(&mut self, system: &C, state: &M::State) {
         self.last.1 = *state;
         if let Samples::EveryStep = self.samples {
-            self.sample(self.last.0, state);
+            self.sample(system, self.last.0, state);
         }
     }
 
     /// Goes on from this time and state with other inputs: a sample that was kept there has these.
-    pub(super) fn act(&mut self, time: M::Scalar, state: &M::State) {
+    pub(super) fn act(&mut self, system: &C, time: M::Scalar, state: &M::State) {
         let rounding = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * time.abs();
         if let Some(&last) = self.table.times().last()
             && (time - last).abs() <= rounding
         {
             self.table.pop();
-            self.sample(last, state);
+            self.sample(system, last, state);
         }
     }
 
@@ -179,10 +167,10 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
     }
 
     /// Adds a sample.
-    fn sample(&mut self, time: M::Scalar, state: &M::State) {
+    fn sample(&mut self, system: &C, time: M::Scalar, state: &M::State) {
         self.row.clear();
         self.row.extend_from_slice(state.as_ref());
-        let system = self.freed.as_ref().or(self.switched.as_ref()).unwrap_or(self.given);
+        let system = self.freed.as_ref().unwrap_or(system);
         let (observers, row) = (&mut self.observers, &mut self.row);
         system.ask(time, state, |plant| {
             observers.iter_mut().for_each(|observer| (observer.extend)(plant, time, state, row));
@@ -191,13 +179,18 @@ impl<'a, 'c, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, 'c, M, C> {
     }
 
     /// What was found, with the last good state as its last sample.
-    pub(super) fn close(mut self, ending: Ending, method: &'static str) -> Trajectory<M> {
+    pub(super) fn close(
+        mut self,
+        current: Current<'_, C>,
+        ending: Ending,
+        method: &'static str,
+    ) -> Trajectory<M> {
         let (time, state) = self.last;
         if time != self.first.0 && self.table.times().last() != Some(&time) {
-            self.sample(time, &state);
+            self.sample(current.system(), time, &state);
         }
-        let Record { table, dense, events, first, last, work, switched, freed, .. } = self;
-        let system = freed.or(switched).map(|closed| Arc::new(closed.into_plant()));
+        let Record { table, dense, events, first, last, work, freed, .. } = self;
+        let system = freed.or(current.into_switched()).map(|closed| Arc::new(closed.into_plant()));
         let columns = table.into();
         Trajectory { columns, dense, events, work, ending, first, last, method, inputs: None, system }
     }

@@ -1,36 +1,39 @@
 //! The run itself: steps, and what happens in them.
 
 use std::cmp::Ordering;
-use std::ops::ControlFlow;
-use std::string::String;
+use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::event::{Course, is_forwards};
-use crate::integrate::{Cause, Method, Restarts, Stepper, explained};
+use crate::integrate::{Method, Stepper, explained};
+use crate::run::{AllEvents, Current, DeclaredEvents, Events, Found, Origin, Run, Sink, Turn};
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::control::{ClosedLoop, Controllers, Drive};
 use crate::simulate::dense::Dense;
 use crate::simulate::error::{SimulationError, repeated};
-use crate::simulate::events::{Happened, Watchers};
+use crate::simulate::events::{Event, Watchers};
 use crate::simulate::progress::{Progress, Reporter};
 use crate::simulate::record::Record;
 use crate::simulate::table::TIME;
 use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::system::{MechanicalSystem, OdeSystem};
+use crate::system::{EventKind, MechanicalSystem, OdeSystem, StepFailure};
 
-/// Integrates from start to end.
-pub(super) fn run<M, K, D>(simulation: Simulation<'_, M, K, D>) -> Result<Trajectory<M>, SimulationError<M>>
-where
-    M: MechanicalSystem,
-    D: Drive<M>,
-    K: Method<D::Closed>,
-{
-    let (system, drive) = (simulation.system, simulation.drive.clone());
-    drive.close(system, |closed| run_closed(closed, simulation))
+impl<M: MechanicalSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
+    /// Integrates.
+    ///
+    /// # Errors
+    /// What the method met, or a setting that makes no sense, with the trajectory so far.
+    pub fn run(self) -> Result<Trajectory<M>, SimulationError<M>>
+    where
+        K: Method<D::Closed>,
+    {
+        let (system, drive) = (self.system, self.drive.clone());
+        drive.close(system, |closed| run(closed, self))
+    }
 }
 
-fn run_closed<M, K, D>(
+/// Integrates from start to end.
+fn run<M, K, D>(
     system: &D::Closed,
     simulation: Simulation<'_, M, K, D>,
 ) -> Result<Trajectory<M>, SimulationError<M>>
@@ -48,30 +51,33 @@ where
     let start = admitted(system, simulation.start);
     let dense = simulation.is_dense.then(|| Dense::new(order));
     let mut controllers = Controllers::new(simulation.controllers, end);
-    let begun = begin(system, &mut controllers, start, end);
-    let (begun, fault) = begun.map_or_else(|cause| (None, Some(cause)), |begun| (begun, None));
-    let mut record = Record::new((system, begun), simulation.observers, dense, start);
+    let mut current = Current::new(system);
+    let begun = current.begin((start.0, &start.1), end, |system| {
+        let acted = controllers.begin(system.plant(), (start.0, &start.1))?;
+        Ok(acted.map(|plant| system.with_plant(plant)))
+    });
+    let mut record = Record::new(&current, simulation.observers, dense, start);
     let prepared = check_names(&record).and_then(|()| record.choose(simulation.sampling, end));
-    let prepared = simulation.fault.or(fault).map_or(prepared, Err);
+    let prepared = simulation.fault.or(begun.err()).map_or(prepared, Err);
     let times = in_order(simulation.restarts, start.0, end);
     let given: Vec<String> = simulation.watchers.iter().map(|watcher| watcher.name.clone()).collect();
     let result = prepared.and(times).and_then(|times| {
         let method = method?;
         let max_steps = simulation.max_steps.unwrap_or(u64::MAX);
-        let mut stepper = method.start(record.system(), start.0, &start.1, end)?;
+        let mut stepper = method.start(current.system(), start.0, &start.1, end)?;
         stepper.limit_steps(max_steps);
-        let watchers = Watchers::new(simulation.watchers, record.system(), (start.0, &start.1), end);
-        let restarts = Restarts::new(start.0, end, &times);
-        let reporter = simulation.reporter;
-        let mut run = Run { stepper, restarts, controllers, watchers, end, max_steps, reporter };
-        let result = run.follow(&mut record);
-        record.work = run.stepper.work();
-        result
+        let events = AllEvents {
+            declared: DeclaredEvents::new(current.system(), start.0, &start.1),
+            given: Watchers::new(simulation.watchers, current.system(), (start.0, &start.1)),
+        };
+        let run = Run::new(&mut current, stepper, events, (start.0, end), &times);
+        let recorder = Recorder { record: &mut record, given: &given, reporter: simulation.reporter, end };
+        recorder.follow(run, &mut controllers, max_steps)
     });
     let ending = *result.as_ref().unwrap_or(&Ending::Failed);
     let (time, state) = record.last();
-    let result = result.map_err(|cause| named(cause, &record, (time, &state), end));
-    let trajectory = Trajectory { inputs: simulation.inputs, ..record.close(ending, name) };
+    let result = result.map_err(|cause| named::<M, _>(cause, current.system(), (time, &state), end));
+    let trajectory = Trajectory { inputs: simulation.inputs, ..record.close(current, ending, name) };
     match result {
         Ok(_) => Ok(trajectory),
         Err(cause) => Err(SimulationError::new(cause, &given, trajectory)),
@@ -79,30 +85,16 @@ where
 }
 
 /// The cause by name, of a run that stopped at this time and state.
-fn named<M: MechanicalSystem>(
-    cause: Cause<M::Scalar>,
-    record: &Record<'_, '_, M, impl ClosedLoop<M>>,
+fn named<M: MechanicalSystem, C: ClosedLoop<M>>(
+    cause: StepFailure<M::Scalar>,
+    system: &C,
     stopped: (M::Scalar, &M::State),
     end: M::Scalar,
-) -> Cause<M::Scalar> {
-    match explained(cause, record.system(), stopped, end) {
-        Cause::Undefined(what) => Cause::Undefined(what.with_names(M::COORDINATES)),
+) -> StepFailure<M::Scalar> {
+    match explained(cause, system, stopped, end) {
+        StepFailure::Undefined(what) => StepFailure::Undefined(what.with_names(M::COORDINATES)),
         cause => cause,
     }
-}
-
-/// The system as the motion starts, if it is another one than that which was given: with the inputs that controllers set at the
-/// start, and in the modes that fit.
-fn begin<M: MechanicalSystem, C: ClosedLoop<M>>(
-    system: &C,
-    controllers: &mut Controllers<'_, M>,
-    (t, y): (M::Scalar, M::State),
-    end: M::Scalar,
-) -> Result<Option<C>, Cause<M::Scalar>> {
-    is_forwards::<C>(t, end)?;
-    let acted = controllers.begin(system.plant(), (t, &y))?.map(|plant| system.with_plant(plant));
-    let begun = acted.as_ref().unwrap_or(system).begin(t, &y)?;
-    Ok(begun.or(acted))
 }
 
 /// The start as methods take it: on the constraints if it nearly satisfies them. What is wrong with it methods say.
@@ -115,9 +107,9 @@ fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scal
 }
 
 /// Times of restart in the order in which a run from `start` to `end` meets them.
-fn in_order<S: Scalar>(mut times: Vec<S>, start: S, end: S) -> Result<Vec<S>, Cause<S>> {
+fn in_order<S: Scalar>(mut times: Vec<S>, start: S, end: S) -> Result<Vec<S>, StepFailure<S>> {
     if !times.iter().all(|time| time.is_finite()) {
-        return Err(Cause::Setting("times of restart must be finite"));
+        return Err(StepFailure::Setting("times of restart must be finite"));
     }
     times.sort_by(|one, other| one.partial_cmp(other).unwrap_or(Ordering::Equal));
     if end < start {
@@ -127,145 +119,127 @@ fn in_order<S: Scalar>(mut times: Vec<S>, start: S, end: S) -> Result<Vec<S>, Ca
 }
 
 fn check_names<M: MechanicalSystem>(
-    record: &Record<'_, '_, M, impl ClosedLoop<M>>,
-) -> Result<(), Cause<M::Scalar>> {
+    record: &Record<'_, M, impl ClosedLoop<M>>,
+) -> Result<(), StepFailure<M::Scalar>> {
     let names = record.names();
     if repeated(names).is_some() {
-        return Err(Cause::RepeatedColumn);
+        return Err(StepFailure::RepeatedColumn);
     }
     if names.iter().any(String::is_empty) {
-        return Err(Cause::Setting("a column has an empty name"));
+        return Err(StepFailure::Setting("a column has an empty name"));
     }
     if names.iter().any(|name| name == TIME) {
-        return Err(Cause::Setting("a column has the name of the time, `t`"));
+        return Err(StepFailure::Setting("a column has the name of the time, `t`"));
     }
     Ok(())
 }
 
-/// A run in progress. The record knows the system as it is at present.
-struct Run<'a, 'r, M: MechanicalSystem, C: MechanicalSystem, T> {
-    stepper: T,
-    restarts: Restarts<'r, M::Scalar>,
-    controllers: Controllers<'a, M>,
-    watchers: Watchers<'a, M, C>,
-    end: M::Scalar,
-    max_steps: u64,
+/// What is kept of a run, told turn by turn.
+struct Recorder<'a, 'r, M: MechanicalSystem, C> {
+    record: &'r mut Record<'a, M, C>,
+    /// The names of the events that the run was given.
+    given: &'r [String],
     reporter: Option<Reporter<'a, M::Scalar>>,
+    end: M::Scalar,
 }
 
-impl<'a, M: MechanicalSystem, C: ClosedLoop<M>, T: Stepper<C>> Run<'a, '_, M, C, T> {
-    /// Steps to the end, keeping what is asked for.
-    fn follow(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<Ending, Cause<M::Scalar>> {
-        while self.stepper.time() != self.end {
-            let work = self.stepper.work();
-            if work.steps + work.rejections >= self.max_steps {
-                return Err(Cause::TooManySteps { limit: self.max_steps });
-            }
-            self.control(record)?;
-            let resumed = self.restarts.resume(record.system(), &mut self.stepper)?;
-            record.switch(resumed);
-            let has_watchers = !self.watchers.is_empty();
-            let is_of_interest = |_, to| has_watchers || record.looks_before(to);
-            let instant = self.controllers.next();
-            self.restarts.step(record.system(), &mut self.stepper, instant, is_of_interest)?;
-            if let ControlFlow::Break(ending) = self.react(record)? {
-                return Ok(ending);
-            }
-            let is_cancelled = !self.report(record.first.0);
-            if is_cancelled && self.stepper.time() != self.end {
-                return Ok(Ending::Cancelled);
-            }
+impl<M: MechanicalSystem, C: ClosedLoop<M>> Recorder<'_, '_, M, C> {
+    /// Follows a run to its end.
+    fn follow<T: Stepper<C>, E: Events<C>>(
+        mut self,
+        mut run: Run<'_, '_, C, T, E>,
+        controllers: &mut Controllers<'_, M>,
+        max_steps: u64,
+    ) -> Result<Ending, StepFailure<M::Scalar>> {
+        let mut ending = Ok(None);
+        while let Ok(None) = ending
+            && !run.is_over()
+        {
+            ending = self.turn(&mut run, controllers, max_steps);
         }
-        Ok(Ending::Reached)
+        self.record.work = run.work();
+        Ok(ending?.unwrap_or(Ending::Reached))
+    }
+
+    /// One turn: controllers act, and the run goes on; how it ends, if it does before its end.
+    fn turn<T: Stepper<C>, E: Events<C>>(
+        &mut self,
+        run: &mut Run<'_, '_, C, T, E>,
+        controllers: &mut Controllers<'_, M>,
+        max_steps: u64,
+    ) -> Result<Option<Ending>, StepFailure<M::Scalar>> {
+        let work = run.work();
+        if work.steps + work.rejections >= max_steps {
+            return Err(StepFailure::TooManySteps { limit: max_steps });
+        }
+        self.control(run, controllers)?;
+        match run.next(self, controllers.next()).map_err(|error| error.cause)? {
+            Turn::Stopped(..) => return Ok(Some(Ending::Stopped)),
+            Turn::Cancelled => return Ok(Some(Ending::Cancelled)),
+            Turn::GoesOn => {}
+        }
+        let is_cancelled = !self.report(run.step_end(), run.work().steps);
+        Ok((is_cancelled && !run.is_over()).then_some(Ending::Cancelled))
     }
 
     /// Lets controllers act whose instants have been reached.
-    fn control(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<(), Cause<M::Scalar>> {
-        let (time, state) = (self.restarts.time(&self.stepper), *self.stepper.state());
-        let beyond = self.restarts.beyond(&self.stepper);
-        let acted = self.controllers.act(record.seen().plant(), beyond, (time, &state))?;
-        let Some(system) = acted.map(|plant| record.system().with_plant(plant)) else { return Ok(()) };
-        // Several surfaces may have been passed by the jump.
-        let on_sides = system.on_sides(time, &state);
-        record.switch(on_sides.or(Some(system)));
-        record.act(time, &state);
-        self.watchers.jump(record.system(), time, &state);
-        match self.restarts.is_due(&self.stepper) {
-            true => Ok(()),
-            false => self.stepper.restart(record.system(), time, &state),
-        }
+    fn control<T: Stepper<C>, E: Events<C>>(
+        &mut self,
+        run: &mut Run<'_, '_, C, T, E>,
+        controllers: &mut Controllers<'_, M>,
+    ) -> Result<(), StepFailure<M::Scalar>> {
+        let plant = self.record.seen(run.system()).plant();
+        let acted = controllers.act(plant, run.beyond(), (run.time(), run.state()))?;
+        let Some(system) = acted.map(|plant| run.system().with_plant(plant)) else { return Ok(()) };
+        run.exchange(self, system)
     }
 
-    /// Keeps the last step, up to the event that ends it if there is one; how the run ends, if it does thereby.
-    fn react(&mut self, record: &mut Record<'a, '_, M, C>) -> Result<ControlFlow<Ending>, Cause<M::Scalar>> {
-        loop {
-            let next = self.watchers.next(record.system(), &mut self.stepper);
-            let Some(first) = next? else { break };
-            let (time, state, is_silent) = (first.time, first.state, first.event.is_none());
-            let course = self.happen(record, first);
-            if course.as_ref().is_ok_and(Course::goes_on) {
-                continue;
-            }
-            if !self.keep(record, time, &state) {
-                return Ok(ControlFlow::Break(Ending::Cancelled));
-            }
-            let Some(resumed) = course?.resume(record.system(), time) else {
-                return Ok(ControlFlow::Break(Ending::Stopped));
-            };
-            let (state, switched) = resumed?;
-            record.switch(switched);
-            let restarted = self.stepper.restart(record.system(), time, &state);
-            restarted.map_err(|cause| named(cause, record, (time, &state), self.end))?;
-            self.watchers.restart(record.system(), time, &state);
-            if !is_silent {
-                record.jump(&state);
-            }
-            return Ok(ControlFlow::Continue(()));
-        }
-        let (time, state) = (self.restarts.time(&self.stepper), *self.stepper.state());
-        match self.keep(record, time, &state) {
-            true => Ok(ControlFlow::Continue(())),
-            false => Ok(ControlFlow::Break(Ending::Cancelled)),
-        }
+    /// Reports progress; whether to go on.
+    fn report(&mut self, time: M::Scalar, steps: u64) -> bool {
+        let progress = Progress { start: self.record.first.0, time, end: self.end, steps };
+        self.reporter.as_mut().is_none_or(|reporter| reporter.step(progress))
+    }
+}
+
+impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Recorder<'_, '_, M, C> {
+    fn looks_before(&self, to: M::Scalar) -> bool {
+        self.record.looks_before(to)
+    }
+
+    fn happen(&mut self, origin: Origin, event: &Found<C>, kind: EventKind<M::Scalar>) {
+        let name = match origin {
+            Origin::Declared => C::EVENTS[event.event].name.to_string(),
+            Origin::Given(index) => self.given[index].clone(),
+        };
+        self.record.event(Event { name, time: event.time, state: event.state, kind });
+    }
+
+    fn reach_end(&mut self, system: &C, stepper: &mut impl Stepper<C>, time: M::Scalar) -> bool {
+        let state = *stepper.state();
+        self.reach(system, stepper, (time, &state))
     }
 
     /// Keeps what is asked for of the last step, and reports while that goes on; whether the run does.
-    fn keep(&mut self, record: &mut Record<'a, '_, M, C>, time: M::Scalar, state: &M::State) -> bool {
-        let (start, end, steps) = (record.first.0, self.end, self.stepper.work().steps);
+    fn reach(&mut self, system: &C, stepper: &mut impl Stepper<C>, reached: (M::Scalar, &M::State)) -> bool {
+        let (start, end, steps) = (self.record.first.0, self.end, stepper.work().steps);
         let reporter = &mut self.reporter;
-        record.keep(&mut self.stepper, (time, state), |time| {
+        self.record.keep(system, stepper, reached, |time| {
             let progress = Progress { start, time, end, steps };
             reporter.as_mut().is_none_or(|reporter| reporter.step(progress))
         })
     }
 
-    /// What comes of an event and of the others at the same time, which follow each other, each from the state that the last one
-    /// left.
-    fn happen(
-        &mut self,
-        record: &mut Record<'a, '_, M, C>,
-        first: Happened<C>,
-    ) -> Result<Course<C>, Cause<M::Scalar>> {
-        let time = first.time;
-        let mut course = Course::new();
-        let mut next = Some(first);
-        while let Some(Happened { event, state, answer, .. }) = next {
-            if let Some(event) = event {
-                record.event(event);
-            }
-            course.add(answer?, state);
-            if course.goes_on() {
-                break;
-            }
-            next = self.watchers.next_at_once(record.system(), &course, &mut self.stepper, time)?;
-        }
-        Ok(course)
+    fn switch(&mut self, system: &C) {
+        self.record.switch(system);
     }
 
-    /// Reports progress; whether to go on.
-    fn report(&mut self, start: M::Scalar) -> bool {
-        let (time, steps) = (self.stepper.time(), self.stepper.work().steps);
-        let progress = Progress { start, time, end: self.end, steps };
-        self.reporter.as_mut().is_none_or(|reporter| reporter.step(progress))
+    fn replace(&mut self, system: &C, (_, state): (M::Scalar, &M::State), is_silent: bool) {
+        if !is_silent {
+            self.record.jump(system, state);
+        }
+    }
+
+    fn exchange(&mut self, system: &C, (time, state): (M::Scalar, &M::State)) {
+        self.record.act(system, time, state);
     }
 }

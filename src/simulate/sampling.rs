@@ -1,8 +1,7 @@
 //! Which times of a run are kept.
 
-use crate::integrate::Cause;
 use crate::scalar::Scalar;
-use crate::system::Undefined;
+use crate::system::{StepFailure, Undefined};
 
 /// Which times of a run are kept, besides its start and its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -31,28 +30,28 @@ const MOST_SAMPLES: f64 = 1e8;
 const SNAP: f64 = 1e-9;
 
 impl<S: Scalar> Grid<S> {
-    pub(super) fn new(start: S, end: S, interval: S) -> Result<Self, Cause<S>> {
+    pub(super) fn new(start: S, end: S, interval: S) -> Result<Self, StepFailure<S>> {
         if !(interval > S::ZERO && interval.is_finite()) {
-            return Err(Cause::Setting("the interval of sampling must be positive and finite"));
+            return Err(StepFailure::Setting("the interval of sampling must be positive and finite"));
         }
         let interval = if end < start { -interval } else { interval };
         if !end.is_finite() {
-            return Err(Cause::Undefined(Undefined::EndTime { value: end }));
+            return Err(StepFailure::Undefined(Undefined::EndTime { value: end }));
         }
         if start + interval == start || end - interval == end {
-            return Err(Cause::Setting("the interval of sampling is lost in the rounding of time"));
+            return Err(StepFailure::Setting("the interval of sampling is lost in the rounding of time"));
         }
         Ok(Grid { start, interval, end, index: 1 })
     }
 
     /// The same if its times can be kept.
-    pub(super) fn that_can_be_kept(self) -> Result<Self, Cause<S>> {
+    pub(super) fn that_can_be_kept(self) -> Result<Self, StepFailure<S>> {
         let samples = (self.end - self.start) / self.interval;
         let most = S::from_f64(MOST_SAMPLES);
         if samples.is_finite() && samples <= most {
             return Ok(self);
         }
-        Err(Cause::TooManySamples { samples, most })
+        Err(StepFailure::TooManySamples { samples, most })
     }
 
     /// The next time, if it comes before the end and not after `reached`.

@@ -9,10 +9,9 @@ use super::error::SimulationError;
 use super::events::Event;
 use super::progress::{Progress, Verdict};
 use super::trajectory::Trajectory;
-use crate::event::{Direction, Reaction};
 use crate::integrate::{Method, Verner98};
 use crate::scalar::Scalar;
-use crate::system::{ControlledSystem, MechanicalSystem, OdeSystem};
+use crate::system::{Action, ControlledSystem, Direction, MechanicalSystem, OdeSystem};
 
 /// A run that knows when it ends.
 #[doc(hidden)]
@@ -127,7 +126,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
         name: &str,
         direction: Direction,
         value: impl FnMut(&M, Number<M>, &State<M>) -> Number<M> + 'a,
-        react: impl FnMut(&M, &Event<Number<M>, State<M>>) -> Reaction<State<M>> + 'a,
+        react: impl FnMut(&M, &Event<Number<M>, State<M>>) -> Action<State<M>> + 'a,
     ) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,

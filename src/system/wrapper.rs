@@ -4,8 +4,7 @@ use super::{
     Component, EnergyFunction, MechanicalSystem, OdeSystem, Reacted, StateMatrix, StateVector, Undefined,
     join, split,
 };
-use crate::event::{Answer, DeclaredEvent, Reaction};
-use crate::integrate::Cause;
+use crate::system::{Action, DeclaredEvent, Response, StepFailure};
 
 type Number<W> = <<W as Wrapper>::Inner as OdeSystem>::Scalar;
 type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
@@ -145,17 +144,17 @@ impl<W: Wrapper> OdeSystem for W {
     const IS_CONSTRAINED: bool = W::Inner::IS_CONSTRAINED;
 
     #[inline]
-    fn correct(&self, t: Number<W>, y: &mut W::State) -> Result<(), Cause<Number<W>>> {
+    fn correct(&self, t: Number<W>, y: &mut W::State) -> Result<(), StepFailure<Number<W>>> {
         change(self, t, y, |inner, part| inner.correct(t, part))
     }
 
     #[inline]
-    fn admit(&self, t: Number<W>, y: &mut W::State) -> Result<(), Cause<Number<W>>> {
+    fn admit(&self, t: Number<W>, y: &mut W::State) -> Result<(), StepFailure<Number<W>>> {
         change(self, t, y, |inner, part| inner.admit(t, part))
     }
 
     #[inline]
-    fn restore(&self, t: Number<W>, y: &mut W::State) -> Result<(), Cause<Number<W>>> {
+    fn restore(&self, t: Number<W>, y: &mut W::State) -> Result<(), StepFailure<Number<W>>> {
         change(self, t, y, |inner, part| inner.restore(t, part))
     }
 
@@ -168,16 +167,16 @@ impl<W: Wrapper> OdeSystem for W {
 
     fn react(&self, event: usize, t: Number<W>, y: &W::State) -> Reacted<W> {
         let answer = self.present(t, y, |inner| inner.react(event, t, &part::<W>(y)));
-        let Answer { reaction, system, happening } = answer?;
-        let reaction = match reaction {
-            Reaction::Continue => Reaction::Continue,
-            Reaction::Stop => Reaction::Stop,
-            Reaction::Replace(part) => Reaction::Replace(replaced::<W>(y, &part)),
+        let Response { action, system, kind } = answer?;
+        let action = match action {
+            Action::Continue => Action::Continue,
+            Action::Stop => Action::Stop,
+            Action::Replace(part) => Action::Replace(replaced::<W>(y, &part)),
         };
-        Ok(Answer { reaction, system: system.map(|inner| self.around(inner)), happening })
+        Ok(Response { action, system: system.map(|inner| self.around(inner)), kind })
     }
 
-    fn begin(&self, t: Number<W>, y: &W::State) -> Result<Option<W>, Cause<Number<W>>> {
+    fn begin(&self, t: Number<W>, y: &W::State) -> Result<Option<W>, StepFailure<Number<W>>> {
         let begun = self.present(t, y, |inner| inner.begin(t, &part::<W>(y)))?;
         Ok(begun.map(|inner| self.around(inner)))
     }
@@ -244,8 +243,8 @@ fn change<W: Wrapper>(
     wrapper: &W,
     t: Number<W>,
     y: &mut W::State,
-    change: impl FnOnce(&W::Inner, &mut InnerState<W>) -> Result<(), Cause<Number<W>>>,
-) -> Result<(), Cause<Number<W>>> {
+    change: impl FnOnce(&W::Inner, &mut InnerState<W>) -> Result<(), StepFailure<Number<W>>>,
+) -> Result<(), StepFailure<Number<W>>> {
     let mut part = part::<W>(y);
     wrapper.present(t, y, |inner| change(inner, &mut part))?;
     *y = replaced::<W>(y, &part);

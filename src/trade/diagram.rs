@@ -5,7 +5,8 @@ use std::string::{String, ToString};
 use std::vec;
 use std::vec::Vec;
 
-use super::report::{Measurement, Report, Row};
+use super::measurement::{Measurement, Row};
+use super::report::Report;
 use crate::plot::{Curve, Figure, Panel, Scale};
 
 const SIZE: (u32, u32) = (860, 420);

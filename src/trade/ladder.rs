@@ -6,7 +6,7 @@ use std::time::Instant;
 use std::vec::Vec;
 
 use super::contestant::{Contestant, Knob, Run};
-use super::report::{Measurement, Row};
+use super::measurement::{Measurement, Row};
 
 /// Tolerances from 10⁻¹ to 10⁻¹⁵, in this many rungs to the decade.
 const RUNGS_A_DECADE: i32 = 2;

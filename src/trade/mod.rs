@@ -23,7 +23,9 @@
 
 mod contestant;
 mod diagram;
+mod files;
 mod ladder;
+mod measurement;
 mod report;
 
 use std::boxed::Box;
@@ -39,7 +41,8 @@ use crate::integrate::{
 use crate::scalar::Scalar;
 use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem};
 
-pub use self::report::{Measurement, Report, Row};
+pub use self::measurement::{Measurement, Row};
+pub use self::report::Report;
 
 /// A motion, and all that compete for it.
 pub struct Trade<'a> {

@@ -1,45 +1,14 @@
 //! What came of a trade, and what to choose.
 
 use std::format;
-use std::fs;
-use std::path::Path;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::diagram::diagram;
+use super::measurement::{Measurement, Row};
 use crate::integrate::Work;
-use crate::simulate::PlotError;
 
 /// Accuracies for which a choice is recommended.
 const GOALS: [f64; 7] = [1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-
-/// What a setting of a method gave.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// What the method is called.
-    pub method: String,
-    /// The number type.
-    pub scalar: &'static str,
-    /// Which of the systems.
-    pub variant: String,
-    /// Whether `setting` is a tolerance; the length of a step otherwise.
-    pub is_tolerance: bool,
-    /// What the method was told.
-    pub setting: f64,
-    /// What came of it, or why nothing did.
-    pub outcome: Result<Measurement, String>,
-}
-
-/// A run that reached its end.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Measurement {
-    /// The largest error of a component of the state at the end, in its unit.
-    pub error: f64,
-    /// The shortest time of several runs.
-    pub seconds: f64,
-    /// What it took.
-    pub work: Work,
-}
 
 /// All runs of a [`Trade`](super::Trade).
 #[derive(Clone, Debug)]
@@ -115,26 +84,6 @@ impl Report {
             };
         }
         text
-    }
-
-    /// Writes the runs (CSV), the diagrams (SVG) and the recommendation (Markdown) into a directory, in files named for
-    /// the title; makes the directory if there is none.
-    ///
-    /// # Errors
-    /// What the operating system says, or why the diagram could not be drawn.
-    pub fn save(&self, directory: impl AsRef<Path>) -> Result<(), PlotError> {
-        let directory = directory.as_ref();
-        let at = |path: &Path| {
-            let path = path.to_path_buf();
-            move |error| PlotError::Io { path, error }
-        };
-        fs::create_dir_all(directory).map_err(at(directory))?;
-        let name = self.file_name();
-        for (extension, text) in [("csv", self.csv()), ("md", self.recommendation())] {
-            let path = directory.join(format!("{name}.{extension}"));
-            fs::write(&path, text).map_err(at(&path))?;
-        }
-        diagram(self).save(&directory.join(format!("{name}.svg")))
     }
 
     /// The title in small letters, digits and underscores.

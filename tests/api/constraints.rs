@@ -331,7 +331,7 @@ fn states_that_events_assign_are_put_onto_the_constraints() {
 #[test]
 fn a_motion_that_constraints_do_not_determine_is_refused_in_finite_work() {
     use lagrange::Simulate;
-    use lagrange::integrate::Cause;
+    use lagrange::integrate::StepFailure;
     use std::f64::consts::PI;
     let (turning, tolerance) = ([0.0, 0.0, PI, 2.0, 0.0, 2.0], 1e-12);
     let run =
@@ -340,7 +340,7 @@ fn a_motion_that_constraints_do_not_determine_is_refused_in_finite_work() {
         // It may pass the line again and again,
         Ok(trajectory) => assert!((trajectory.p()[trajectory.len() - 1] - 60.0).abs() < 1e-6),
         // or stop there, but not crawl.
-        Err(error) => assert!(matches!(error.cause, Cause::Stuck(_)), "{error}"),
+        Err(error) => assert!(matches!(error.cause, StepFailure::Stuck(_)), "{error}"),
     }
 }
 

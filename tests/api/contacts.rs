@@ -3,7 +3,7 @@
 use lagrange::Simulate;
 use lagrange::contact::{Contact, Friction};
 use lagrange::event::Direction;
-use lagrange::integrate::Cause;
+use lagrange::integrate::StepFailure;
 use lagrange::system::OdeSystem;
 
 lagrange::system! {
@@ -83,11 +83,11 @@ fn events_are_listed_in_the_order_of_declaration() {
 
 #[test]
 fn assignments_see_the_state_before_all_of_them() {
-    use lagrange::event::Reaction;
+    use lagrange::event::Action;
     let answer = Crate::default().react(1, 0.0, &[1.5, 0.25, 0.7, -0.4]).expect("it reacts");
-    assert_eq!(answer.reaction, Reaction::Replace([0.5, 0.25, -0.7, -0.4]));
+    assert_eq!(answer.action, Action::Replace([0.5, 0.25, -0.7, -0.4]));
     let end = Crate::default().react(3, 0.0, &[1.5, 0.25, 0.7, -0.4]).expect("it stops");
-    assert_eq!(end.reaction, Reaction::Stop);
+    assert_eq!(end.action, Action::Stop);
 }
 
 /// The friction of the crate is its second reaction and its fifth event.
@@ -215,7 +215,7 @@ fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_an_error() {
     };
     for (e, share) in [(1.01, 1.0), (-0.01, 1.0), (f64::NAN, 1.0), (0.6, 2.0), (f64::INFINITY, 1.0)] {
         let refused = cause(Restituted { e, share, ..Restituted::default() }, [0.5, 0.0]);
-        let Err((Cause::Restitution { contact: "floor", value }, said, 0.0)) = refused else {
+        let Err((StepFailure::Restitution { contact: "floor", value }, said, 0.0)) = refused else {
             panic!("{refused:?}")
         };
         assert_eq!(value.to_bits(), (e * share).to_bits());
@@ -229,7 +229,7 @@ fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_an_error() {
     // Downwards its formula for the ceiling exceeds one, upwards at 4 m/s it is −1 for the second of these.
     assert!(cause(Restituted::default(), [0.5, -1.0]).is_ok());
     let refused = cause(Restituted { loss: 0.5, ..Restituted::default() }, [0.0, 6.0]);
-    let Err((Cause::Restitution { contact: "ceiling", value }, _, time)) = refused else {
+    let Err((StepFailure::Restitution { contact: "ceiling", value }, _, time)) = refused else {
         panic!("{refused:?}")
     };
     let speed = (36.0_f64 - 2.0 * 9.81).sqrt();

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use lagrange::Simulate;
 use lagrange::contact::Contact;
-use lagrange::integrate::{Cause, GaussLegendre4, RungeKutta4, Verner98};
+use lagrange::integrate::{GaussLegendre4, RungeKutta4, StepFailure, Verner98};
 use lagrange::simulate::{Ending, Trajectory};
 use lagrange::system::{ControlledSystem, OdeSystem};
 
@@ -414,7 +414,7 @@ fn what_a_control_does_wrong_is_named() {
     assert!(error.to_string().starts_with("the input `u` is NaN at time "), "{error}");
     for period in [0.0, -0.1, f64::NAN, f64::INFINITY] {
         let error = cart.simulate(TILTED).until(1.0).sampled(period, balance).run().expect_err("no period");
-        assert_eq!(error.cause, Cause::Setting("the interval of sampling must be positive and finite"));
+        assert_eq!(error.cause, StepFailure::Setting("the interval of sampling must be positive and finite"));
     }
 }
 
@@ -524,16 +524,12 @@ fn controllers_see_a_system_with_its_sides_free() {
 /// An event that a jump of inputs makes happens although another one replaced the state at the same instant.
 #[test]
 fn events_by_jumps_are_found_beside_others() {
-    use lagrange::event::{Direction, Reaction};
+    use lagrange::event::{Action, Direction};
     let axis = Axis::default();
     let jump = |_: &Axis, t: f64, _| AxisInputs { u: if t < 0.25 { 0.0 } else { 30.0 } };
     let run = axis.simulate([0.0; 2]).until(1.0).sampled(0.1, jump);
-    let run = run.event_with(
-        "tick",
-        Direction::Rising,
-        |_, t, _| t - 0.3,
-        |_, event| Reaction::Replace(event.state),
-    );
+    let run =
+        run.event_with("tick", Direction::Rising, |_, t, _| t - 0.3, |_, event| Action::Replace(event.state));
     let motion = run.event("strong", Direction::Rising, |axis, _, _| axis.u - 25.0).run().expect("moves");
     let mut names = motion.events().iter().map(|event| event.name.as_str()).collect::<Vec<_>>();
     names.sort_unstable();

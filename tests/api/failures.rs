@@ -1,6 +1,6 @@
 //! What runs of emitted systems say when they fail: parameters, components, events and coordinates by name, with values and times.
 
-use lagrange::event::{Direction, Occurrence, Reaction, integrate_with_events};
+use lagrange::event::{Action, Direction, Occurrence, integrate_with_events};
 use lagrange::integrate::{RungeKutta4, Verner98, integrate};
 use lagrange::system::Wrapper;
 use lagrange::{Scalar, Simulate};
@@ -158,7 +158,7 @@ fn events_that_accumulate_are_named_as_they_were_given() {
     let high = Thrown { floor: -9.0 };
     let lose = |_: &Thrown, event: &lagrange::simulate::Event<f64, [f64; 4]>| {
         let [y, theta, v, omega] = event.state;
-        Reaction::Replace([y, theta, -0.5 * v, omega])
+        Action::Replace([y, theta, -0.5 * v, omega])
     };
     let run = high.simulate([1.0, 0.0, 0.0, 0.0]).until(5.0);
     let run = run.event("level", Direction::Rising, |_, _, [y, ..]| y - 10.0);
@@ -188,7 +188,7 @@ fn events_are_named_as_they_were_declared_or_given() {
     assert!(given.to_string().starts_with("the function of event `my angle` is NaN or infinite"), "{given}");
 
     let watch = ([Direction::Rising; 2], |t: f64, _: &[f64; 4]| [1.0, if t > 1.0 { f64::NAN } else { 1.0 }]);
-    let go_on = |_: &Occurrence<f64, [f64; 4]>| Reaction::Continue;
+    let go_on = |_: &Occurrence<f64, [f64; 4]>| Action::Continue;
     let method = RungeKutta4 { step: 0.01 };
     let bare = integrate_with_events(&cart, (0.0, START), 1.5, &method, watch, go_on).expect_err("NaN");
     let expected = "the function of the event at index 1 of those that were given is NaN or infinite";

@@ -1,7 +1,7 @@
 //! Motions with contacts, friction and events of declarations.
 
 use lagrange::Simulate;
-use lagrange::contact::{Contact, Friction, Happening};
+use lagrange::contact::{Contact, EventKind, Friction};
 use lagrange::event::Direction;
 use lagrange::integrate::{GaussLegendre4, Method, RungeKutta4, Variational, Verner98, integrate};
 use lagrange::simulate::Ending;
@@ -58,7 +58,7 @@ fn a_declared_ball_comes_to_rest_and_is_carried() {
         .tolerance(1e-12)
         .observe("press", |ball, t, y| ball.press(t, &[y[0]], &[y[1]]));
     let trajectory = run.run().expect("no hang and no error");
-    let Some(Happening::Closed { at, .. }) = trajectory.events().last().map(|event| event.happening) else {
+    let Some(EventKind::Closed { at, .. }) = trajectory.events().last().map(|event| event.kind) else {
         panic!("{:?}", trajectory.events().last())
     };
     assert!((at - 4.063_712_768_871_58).abs() < 1e-11, "{at}");
@@ -89,8 +89,8 @@ fn a_declared_block_stops_and_starts_again() {
     let block = Block { pull: 1.0, ..Block::default() };
     let trajectory = block.simulate([-3.0, 0.0, 1.0, 0.0]).until(7.0).tolerance(1e-12).run().expect("runs");
     let rubbing: Vec<_> = trajectory.events().iter().filter(|event| event.name == "rub").collect();
-    assert_eq!(rubbing[0].happening, Happening::Stuck);
-    assert_eq!(rubbing[1].happening, Happening::Slipped);
+    assert_eq!(rubbing[0].kind, EventKind::Stuck);
+    assert_eq!(rubbing[1].kind, EventKind::Slipped);
     let gives_way = rubbing[1].time;
     assert!((gives_way - 1.2 * 0.25 * 2.0 * 9.81).abs() < 1e-11, "{gives_way}");
     let end = trajectory.system_at_end().expect("switched");
@@ -124,7 +124,7 @@ fn given_events_see_the_system_as_it_is_then() {
             |_, t, _| (t - 0.3) * (t - 1.0) * (t - 1.5),
             |ball, _| {
                 modes.push(ball.floor);
-                lagrange::event::Reaction::Continue
+                lagrange::event::Action::Continue
             },
         )
         .run()
@@ -206,8 +206,7 @@ fn balls_come_to_rest_wherever_the_floor_is_and_however_they_bounce() {
         let end = rest(e) + 1.0;
         let trajectory =
             ball.simulate([6.0, 0.0]).until(end).tolerance(1e-12).ends_only().run().expect("runs");
-        let Some(Happening::Closed { at, .. }) = trajectory.events().last().map(|event| event.happening)
-        else {
+        let Some(EventKind::Closed { at, .. }) = trajectory.events().last().map(|event| event.kind) else {
             panic!("{:?} for {e}", trajectory.events().last())
         };
         // Heights are rounded to 10⁻¹⁵, which small speeds turn into longer times, and later bounces carry on.
@@ -220,7 +219,7 @@ fn balls_come_to_rest_wherever_the_floor_is_and_however_they_bounce() {
 fn a_ball_in_single_precision_comes_to_rest() {
     let light = Light::default();
     let trajectory = light.simulate([6.0, 0.0]).until(6.0).run().expect("runs");
-    let Some(Happening::Closed { at, .. }) = trajectory.events().last().map(|event| event.happening) else {
+    let Some(EventKind::Closed { at, .. }) = trajectory.events().last().map(|event| event.kind) else {
         panic!("{:?}", trajectory.events().last())
     };
     assert!((f64::from(at) - rest(0.8)).abs() < 1e-3, "{at}");
@@ -251,7 +250,7 @@ fn a_block_that_lies_is_thrown_back_by_a_wall() {
     let [x, y, u, v] = trajectory.last();
     assert!((x - (1.0 - 0.25 * hit * hit / (2.0 * slowing))).abs() < 1e-11, "{x}");
     assert!(y == 0.0 && u.abs() < 1e-15 && v.abs() < 1e-15);
-    let Happening::Impact(impact) = trajectory.events()[0].happening else { panic!("no impact") };
+    let EventKind::Impact(impact) = trajectory.events()[0].kind else { panic!("no impact") };
     assert!((impact.impulse - 2.0 * 1.5 * hit).abs() < 1e-11);
     assert!((impact.energy_loss - 0.75 * hit * hit).abs() < 1e-11);
     let end = trajectory.system_at_end().expect("switched");
@@ -274,7 +273,7 @@ fn friction_that_begins_on_the_way_is_met_and_is_no_event() {
     let rougher = Rougher::default();
     let trajectory = rougher.simulate([0.0, 2.0]).until(4.0).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
-    assert_eq!((event.name.as_str(), event.happening), ("rough", Happening::Stuck));
+    assert_eq!((event.name.as_str(), event.kind), ("rough", EventKind::Stuck));
     // A quarter of a swing about x = 1 with ω = √(c/m).
     let omega = (3.0_f64 / 2.0).sqrt();
     assert!((trajectory.last()[0] - (1.0 + 2.0 / omega)).abs() < 1e-10);

@@ -2,7 +2,7 @@
 
 use lagrange::Simulate;
 use lagrange::constraint::{Unprojected, Violated, Violation};
-use lagrange::integrate::{Cause, RungeKutta4, Verner98, integrate};
+use lagrange::integrate::{RungeKutta4, StepFailure, Verner98, integrate};
 
 lagrange::system! {
     /// A point mass on a rod that a motor swings.
@@ -73,9 +73,9 @@ fn a_start_off_the_constraints_is_refused_by_name_with_what_is_left_of_them() {
         failed.cause
     };
     let wanted = Violation { constraint: "length", residual: 0.36 - 0.25, of: Violated::Positions };
-    assert_eq!(refused([0.0, -0.6, 1.0, 0.0]), Cause::Violated(wanted));
+    assert_eq!(refused([0.0, -0.6, 1.0, 0.0]), StepFailure::Violated(wanted));
     let wanted = Violation { constraint: "motor", residual: -1.0, of: Violated::Velocities };
-    assert_eq!(refused([0.0, -0.5, 0.0, 0.0]), Cause::Violated(wanted));
+    assert_eq!(refused([0.0, -0.5, 0.0, 0.0]), StepFailure::Violated(wanted));
     assert_eq!(
         wanted.to_string(),
         "the velocities violate the constraint `motor`, which comes to -1.0 instead of 0"
@@ -107,10 +107,10 @@ fn a_start_must_satisfy_stabilised_constraints_too_and_those_that_are_not_projec
     let method = RungeKutta4 { step: 0.01 };
     let off = [1.1, 0.0, 0.0, 1.0];
     let failed = integrate(&Stabilised {}, 0.0, off, 1.0, &method, |_, _| {}).expect_err("refused");
-    assert!(matches!(failed.cause, Cause::Violated(Violation { constraint: "rod", .. })), "{failed}");
+    assert!(matches!(failed.cause, StepFailure::Violated(Violation { constraint: "rod", .. })), "{failed}");
     let failed =
         integrate(&Unprojected(Stabilised {}), 0.0, off, 1.0, &method, |_, _| {}).expect_err("refused");
-    assert!(matches!(failed.cause, Cause::Violated(Violation { constraint: "rod", .. })), "{failed}");
+    assert!(matches!(failed.cause, StepFailure::Violated(Violation { constraint: "rod", .. })), "{failed}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use lagrange::Simulate;
 use lagrange::constraint::Unprojected;
 use lagrange::event::{Direction, Switches};
 use lagrange::integrate::{
-    Cause, GaussLegendre4, ImplicitMidpoint, Method, RungeKutta4, StormerVerlet, Verner98, integrate,
+    GaussLegendre4, ImplicitMidpoint, Method, RungeKutta4, StepFailure, StormerVerlet, Verner98, integrate,
 };
 use lagrange::system::Wrapper;
 
@@ -120,7 +120,7 @@ lagrange::system! {
 fn a_state_that_slides_along_a_switch_is_told_of_friction() {
     let rubbed = Rubbed::default();
     let error = rubbed.simulate([1.0, 0.0]).until(20.0).tolerance(1e-10).run().unwrap_err();
-    assert!(matches!(error.cause, Cause::Slides { surface: "`dot(x)` in `force x`" }), "{error}");
+    assert!(matches!(error.cause, StepFailure::Slides { surface: "`dot(x)` in `force x`" }), "{error}");
     let text = error.to_string();
     assert!(text.contains("`dot(x)` in `force x`") && text.contains("friction name ="), "{text}");
     // It turns at 1, −0.4 and then stays at −0.2: after two halves of a period.
@@ -129,7 +129,7 @@ fn a_state_that_slides_along_a_switch_is_told_of_friction() {
     assert!((error.trajectory.times().last().unwrap() - 2.0 * std::f64::consts::PI).abs() < 1e-8);
     assert!(error.trajectory.work().steps < 200, "{}", error.trajectory.work().steps);
     let rk4 = rubbed.simulate([1.0, 0.0]).until(20.0).method(RungeKutta4 { step: 0.01 }).run().unwrap_err();
-    assert!(matches!(rk4.cause, Cause::Slides { .. }), "{rk4}");
+    assert!(matches!(rk4.cause, StepFailure::Slides { .. }), "{rk4}");
 }
 
 lagrange::system! {
@@ -471,6 +471,6 @@ fn states_that_slide_along_two_switches_stand_still_in_no_run() {
     let rubbed = TwoRubbed::default();
     for start in [[1.0, 1.0, 0.0, 0.0], [0.1, -0.2, 0.0, 0.0], [0.2, 0.1, 1e-3, 1e-3]] {
         let error = rubbed.simulate(start).until(20.0).tolerance(1e-9).max_steps(5_000).run().unwrap_err();
-        assert!(matches!(error.cause, Cause::Slides { .. }), "{error} from {start:?}");
+        assert!(matches!(error.cause, StepFailure::Slides { .. }), "{error} from {start:?}");
     }
 }

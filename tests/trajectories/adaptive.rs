@@ -1,7 +1,7 @@
 //! The adaptive pair on motions whose answers are known.
 
-use lagrange::event::{Direction, Occurrence, Reaction, integrate_with_events};
-use lagrange::integrate::{Cause, RungeKutta4, Verner98, integrate};
+use lagrange::event::{Action, Direction, Occurrence, integrate_with_events};
+use lagrange::integrate::{RungeKutta4, StepFailure, Verner98, integrate};
 use lagrange::system::OdeSystem;
 
 use super::references::{Numbers, state};
@@ -82,7 +82,7 @@ fn periods_of_the_pendulum_are_right_at_every_amplitude() {
     ];
     for (amplitude, period) in known {
         let watch = ([Direction::Falling], |_: f64, [theta, _]: &[f64; 2]| [*theta]);
-        let stop = |_: &Occurrence<f64, [f64; 2]>| Reaction::Stop;
+        let stop = |_: &Occurrence<f64, [f64; 2]>| Action::Stop;
         let start = (0.0, [amplitude, 0.0]);
         let fall = integrate_with_events(&Pendulum::default(), start, period, &tight(), watch, stop);
         let found = 4.0 * fall.expect("falls").0;
@@ -100,7 +100,7 @@ fn a_fall_from_the_top_takes_as_long_as_it_should() {
     let offset = (core::f64::consts::PI - start) + 1.224_646_799_147_353_2e-16;
     let quarter = (1.0_f64 / 9.81).sqrt() * (4.0 / (0.5 * offset).sin()).ln();
     let watch = ([Direction::Falling], |_: f64, [theta, _]: &[f64; 2]| [*theta]);
-    let stop = |_: &Occurrence<f64, [f64; 2]>| Reaction::Stop;
+    let stop = |_: &Occurrence<f64, [f64; 2]>| Action::Stop;
     let (time, _) =
         integrate_with_events(&Pendulum::default(), (0.0, [start, 0.0]), 20.0, &tight(), watch, stop)
             .expect("falls");
@@ -138,7 +138,7 @@ fn a_pivot_that_vibrates_a_thousand_times_a_second_keeps_the_pendulum_up() {
     let watch = ([Direction::Falling], |_: f64, [theta, _]: &[f64; 2]| [*theta]);
     integrate_with_events(&system, (0.0, [0.05, 0.0]), 4.0, &Verner98::tolerance(1e-10), watch, |event| {
         crossings.push(event.time);
-        Reaction::Continue
+        Action::Continue
     })
     .expect("reaches the end");
     let speed: f64 = 0.002 * 2.0 * core::f64::consts::PI * 1000.0;
@@ -163,7 +163,7 @@ fn a_stiff_spring_is_refused_with_the_stable_step() {
         |_, _| {},
     )
     .expect_err("stiff");
-    let Cause::Stiff { limit } = failed.cause else { panic!("{failed}") };
+    let StepFailure::Stiff { limit } = failed.cause else { panic!("{failed}") };
     // 2.9 over the frequency √(k/m).
     assert!((limit / 9.17e-5 - 1.0).abs() < 0.1, "{limit}");
     assert!(failed.state.iter().all(|component| component.is_finite()));

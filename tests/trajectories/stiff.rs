@@ -1,6 +1,6 @@
 //! Explicit methods and a pendulum on a stiff spring.
 
-use lagrange::integrate::{BlanesMoan4, Cause, Method, RungeKutta4, Stepper, StormerVerlet, integrate};
+use lagrange::integrate::{BlanesMoan4, Method, RungeKutta4, StepFailure, Stepper, StormerVerlet, integrate};
 use lagrange::system::MechanicalSystem;
 
 use crate::systems::Planet;
@@ -22,7 +22,7 @@ fn swing<K: Method<ElasticPendulum>>(method: &K) -> Result<[f64; 4], f64> {
         assert!((y[0].hypot(y[1]) - 1.0).abs() < 0.1, "an unstable state was shown: {y:?}");
     });
     outcome.map_err(|error| match error.cause {
-        Cause::StepTooLong { limit, .. } => limit,
+        StepFailure::StepTooLong { limit, .. } => limit,
         cause => panic!("{cause}"),
     })
 }

@@ -122,7 +122,7 @@ pub(super) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 fn reactions(shape: &Shape<'_>, parts: &Parts, event: &Ident) -> TokenStream {
     let (krate, state) = (shape.krate, &parts.names.state);
     let time = &parts.names.time;
-    let answer = |reaction: TokenStream| quote!(::core::result::Result::Ok(#krate::event::Answer::new(#krate::event::Reaction::#reaction)));
+    let answer = |reaction: TokenStream| quote!(::core::result::Result::Ok(#krate::event::Response::new(#krate::event::Action::#reaction)));
     let declared = shape.events.iter().enumerate().filter_map(|(i, event)| {
         let index = length(i);
         let answer = match &event.action {
@@ -178,7 +178,7 @@ fn begin(shape: &Shape<'_>, parts: &Parts) -> Option<TokenStream> {
                 &self,
                 #time: #scalar,
                 #state: &[#scalar; #twice],
-            ) -> ::core::result::Result<::core::option::Option<Self>, #krate::integrate::Cause<#scalar>> {
+            ) -> ::core::result::Result<::core::option::Option<Self>, #krate::system::StepFailure<#scalar>> {
                 #begun
             }
             #freed

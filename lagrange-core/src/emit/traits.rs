@@ -113,7 +113,7 @@ fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (is_held, is_touching) = (!parts.constrained.is_empty(), !shape.touching.is_empty());
     let is_corrected = is_touching || (is_held && !shape.is_stabilised);
     let touching = is_touching.then(|| quote!(#krate::contact::correct(self, #time, #state)?;));
-    let outcome = quote!(::core::result::Result<(), #krate::integrate::Cause<#scalar>>);
+    let outcome = quote!(::core::result::Result<(), #krate::system::StepFailure<#scalar>>);
     let correct = is_corrected.then(|| {
         let projected = (is_held && !shape.is_stabilised)
             .then(|| quote!(#krate::constraint::correct(self, #time, #state)?;));

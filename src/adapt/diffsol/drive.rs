@@ -5,8 +5,8 @@ use ::diffsol::{DiffsolError, OdeEquations, OdeSolverMethod, OdeSolverStopReason
 
 use super::Stiff;
 use super::problem::{Context, Vector, direction};
-use crate::integrate::{Cause, IntegrationError};
-use crate::system::StateVector;
+use crate::integrate::IntegrationError;
+use crate::system::{StateVector, StepFailure};
 
 /// Steps from start to end.
 pub(super) fn drive<'a, E, K, Y>(
@@ -29,7 +29,7 @@ where
         let mut next = Y::ZERO;
         next.as_mut().copy_from_slice(solver.state().y.batch_as_slice(0));
         if next.as_ref().iter().any(|component| !component.is_finite()) {
-            return Err(failed(Cause::NotFinite, time, state));
+            return Err(failed(StepFailure::NotFinite, time, state));
         }
         let is_end = reason == OdeSolverStopReason::TstopReached;
         (time, state) = (if is_end { t_end } else { direction * solver.state().t }, next);
@@ -38,22 +38,22 @@ where
             return Ok(state);
         }
     }
-    Err(failed(Cause::TooManySteps { limit: method.max_steps }, time, state))
+    Err(failed(StepFailure::TooManySteps { limit: method.max_steps }, time, state))
 }
 
 /// Why a step failed, `h` being the one that was tried last.
-fn cause(error: &DiffsolError, h: f64) -> Cause<f64> {
+fn cause(error: &DiffsolError, h: f64) -> StepFailure<f64> {
     match error {
         DiffsolError::OdeSolverError(OdeSolverError::StepSizeTooSmall { .. }) => {
-            Cause::StepUnderflow { step: h }
+            StepFailure::StepUnderflow { step: h }
         }
         DiffsolError::OdeSolverError(OdeSolverError::TooManyNonlinearSolverFailures { .. }) => {
-            Cause::Adapted("diffsol could not solve the equations of a step, however short")
+            StepFailure::Adapted("diffsol could not solve the equations of a step, however short")
         }
         DiffsolError::OdeSolverError(OdeSolverError::TooManyErrorTestFailures { .. }) => {
-            Cause::Adapted("diffsol found the error of a step too large, however short")
+            StepFailure::Adapted("diffsol found the error of a step too large, however short")
         }
-        DiffsolError::LaError(_) => Cause::Adapted("diffsol met a singular matrix"),
-        _ => Cause::Adapted("diffsol could not take a step"),
+        DiffsolError::LaError(_) => StepFailure::Adapted("diffsol met a singular matrix"),
+        _ => StepFailure::Adapted("diffsol could not take a step"),
     }
 }

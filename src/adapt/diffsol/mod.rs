@@ -16,8 +16,8 @@ use ::diffsol::NalgebraLU;
 
 use self::drive::drive;
 use self::problem::problem;
-use crate::integrate::{Cause, IntegrationError, Outcome, explained};
-use crate::system::OdeSystem;
+use crate::integrate::{IntegrationError, Outcome, explained};
+use crate::system::{OdeSystem, StepFailure};
 
 /// Backward differentiation of orders one to five with steps and orders as the tolerance allows, for stiff systems.
 ///
@@ -38,12 +38,12 @@ impl Stiff {
         Stiff { relative: tolerance, absolute: tolerance, max_steps: 10_000_000 }
     }
 
-    fn check(&self) -> Result<(), Cause<f64>> {
+    fn check(&self) -> Result<(), StepFailure<f64>> {
         let is_tolerance = |part: f64| part > 0.0 && part.is_finite();
         if is_tolerance(self.relative) && is_tolerance(self.absolute) {
             return Ok(());
         }
-        Err(Cause::Setting("tolerances must be positive and finite"))
+        Err(StepFailure::Setting("tolerances must be positive and finite"))
     }
 }
 
@@ -91,14 +91,14 @@ where
     method.check().map_err(failed)?;
     let is_finite = |y: &M::State| y.as_ref().iter().all(|component| component.is_finite());
     if !(t0.is_finite() && t_end.is_finite() && is_finite(&y0) && is_finite(&system.rhs(t0, &y0))) {
-        return Err(failed(explained(Cause::NotFinite, system, (t0, &y0), t_end)));
+        return Err(failed(explained(StepFailure::NotFinite, system, (t0, &y0), t_end)));
     }
     observe(t0, &y0);
     if t0 == t_end {
         return Ok(y0);
     }
     let problem = problem(system, t0, &y0, t_end, method).map_err(failed)?;
-    let refused = |_| failed(Cause::Adapted("diffsol refused the initial state"));
+    let refused = |_| failed(StepFailure::Adapted("diffsol refused the initial state"));
     let span = (t0, y0, t_end);
     drive(problem.bdf::<NalgebraLU<f64>>().map_err(refused)?, span, method, observe)
 }

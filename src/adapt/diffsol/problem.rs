@@ -6,8 +6,7 @@ use ::diffsol::{MatrixCommon, NalgebraMat, OdeBuilder, OdeEquationsImplicit, Ode
 
 use super::Stiff;
 use crate::adapt::jacobian::jacobian;
-use crate::integrate::Cause;
-use crate::system::{OdeSystem, StateMatrix, StateVector};
+use crate::system::{OdeSystem, StateMatrix, StateVector, StepFailure};
 
 pub(super) type Matrix = NalgebraMat<f64>;
 pub(super) type Vector = <Matrix as MatrixCommon>::V;
@@ -22,7 +21,7 @@ pub(super) fn problem<'a, M>(
     method: &Stiff,
 ) -> Result<
     OdeSolverProblem<impl OdeEquationsImplicit<T = f64, V = Vector, M = Matrix, C = Context> + use<'a, M>>,
-    Cause<f64>,
+    StepFailure<f64>,
 >
 where
     M: OdeSystem<Scalar = f64> + ?Sized,
@@ -51,7 +50,7 @@ where
         )
         .init(move |_: &[f64], _: f64, y: &mut [f64]| y.copy_from_slice(start.as_ref()), y0.as_ref().len())
         .build()
-        .map_err(|_| Cause::Adapted("diffsol refused the problem"))
+        .map_err(|_| StepFailure::Adapted("diffsol refused the problem"))
 }
 
 /// 1 forwards and −1 backwards.

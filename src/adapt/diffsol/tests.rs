@@ -2,8 +2,7 @@ use core::cell::Cell;
 use std::string::ToString;
 
 use super::{Stiff, integrate_stiff};
-use crate::integrate::Cause;
-use crate::system::OdeSystem;
+use crate::system::{OdeSystem, StepFailure};
 
 /// ẏ = −10⁶ (y − cos t) − sin t, which is solved by cos t.
 #[derive(Default)]
@@ -103,7 +102,7 @@ fn no_more_steps_are_taken_than_allowed() {
     let method = Stiff { max_steps: 5, ..Stiff::tolerance(1e-8) };
     let error = integrate_stiff(&ENDLESS, 0.0, [1.0, 0.0], 100.0, &method, |_, _| {})
         .expect_err("five steps are few");
-    assert_eq!(error.cause, Cause::TooManySteps { limit: 5 });
+    assert_eq!(error.cause, StepFailure::TooManySteps { limit: 5 });
     assert!(error.time > 0.0 && error.time < 100.0);
 }
 
@@ -112,8 +111,8 @@ fn settings_and_starts_without_sense_are_refused() {
     let run = |tolerance, start| {
         integrate_stiff(&ENDLESS, 0.0, start, 1.0, &Stiff::tolerance(tolerance), |_, _| {})
     };
-    assert!(matches!(run(0.0, [1.0, 0.0]).map_err(|error| error.cause), Err(Cause::Setting(_))));
-    assert!(matches!(run(f64::NAN, [1.0, 0.0]).map_err(|error| error.cause), Err(Cause::Setting(_))));
+    assert!(matches!(run(0.0, [1.0, 0.0]).map_err(|error| error.cause), Err(StepFailure::Setting(_))));
+    assert!(matches!(run(f64::NAN, [1.0, 0.0]).map_err(|error| error.cause), Err(StepFailure::Setting(_))));
     let what = run(1e-8, [f64::INFINITY, 0.0]).map_err(|error| error.cause.to_string());
     assert_eq!(what, Err("the component at index 0 of the state is inf".into()));
 }

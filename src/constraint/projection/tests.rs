@@ -1,10 +1,9 @@
 //! How fast corrections converge, what they leave alone, and what is refused.
 
 use super::{admit, consistent_velocity, correct, project};
+use crate::constraint::ConstrainedSystem;
 use crate::constraint::systems::{Bead, Mechanism, Parallelogram, Pendulum, Skate, System};
-use crate::constraint::{ConstrainedSystem, Violated, Violation};
-use crate::integrate::Cause;
-use crate::system::split;
+use crate::system::{StepFailure, Violated, Violation, split};
 
 const PENDULUM: System<Pendulum, 2, 1> = System(Pendulum);
 
@@ -51,7 +50,9 @@ fn moving_constraints_demand_velocities() {
     let bead = System::<_, 2, 1>(Bead { rate: 2.0 });
     let mut y = [3.0 * 0.8_f64.cos(), 3.0 * 0.8_f64.sin(), 0.0, 0.0];
     let refused = admit(&bead, 0.4, &mut y);
-    let Err(Cause::Violated(Violation { constraint, residual, of })) = refused else { panic!("{refused:?}") };
+    let Err(StepFailure::Violated(Violation { constraint, residual, of })) = refused else {
+        panic!("{refused:?}")
+    };
     assert_eq!((constraint, of), ("wire", Violated::Velocities));
     assert!((residual - 6.0).abs() < 1e-14, "{residual}");
     let (q, v) = split::<System<Bead, 2, 1>>(&y);
@@ -74,7 +75,7 @@ fn starts_are_mended_if_they_are_near_and_refused_with_the_constraint_if_not() {
             assert_eq!(y, start);
             let [residual] = PENDULUM.position_residuals(0.0, &[start[0], start[1]]);
             let wanted = Violation { constraint: "rod", residual, of: Violated::Positions };
-            assert_eq!(admitted, Err(Cause::Violated(wanted)));
+            assert_eq!(admitted, Err(StepFailure::Violated(wanted)));
         }
     }
 }

@@ -3,9 +3,10 @@
 use std::vec::Vec;
 
 use super::systems::{BACKWARDS, Block, CLOSED, FORWARDS, FREE, OPEN, STICKS, Slider};
-use crate::contact::{ContactSystem, Happening, Mode, begin, reactions, switch_values};
+use crate::contact::{ContactSystem, Mode, begin, reactions, switch_values};
 use crate::integrate::RungeKutta4;
 use crate::simulate::Simulate;
+use crate::system::EventKind;
 
 /// A block of 2 kg on an incline that pulls it with 6 N down.
 const INCLINE: Block = Block {
@@ -24,7 +25,7 @@ fn a_block_thrown_up_an_incline_stops_and_stays() {
     let trajectory = INCLINE.simulate([0.0, 13.0]).until(5.0).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
     // (6 + 7)/2 slows it down.
-    assert!((event.time - 2.0).abs() < 1e-12 && event.happening == Happening::Stuck);
+    assert!((event.time - 2.0).abs() < 1e-12 && event.kind == EventKind::Stuck);
     let [x, v] = trajectory.last();
     assert!((x - 13.0).abs() < 1e-11 && v == 0.0, "{x} {v}");
     assert_eq!(trajectory.system_at_end().map(|block| block.modes), Some([STICKS]));
@@ -35,7 +36,7 @@ fn a_block_on_a_steep_incline_slides_back() {
     let steep = Block { weight: -10.0, ..INCLINE };
     let trajectory = steep.simulate([0.0, 17.0]).until(5.0).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
-    assert!((event.time - 2.0).abs() < 1e-12 && event.happening == Happening::Slipped);
+    assert!((event.time - 2.0).abs() < 1e-12 && event.kind == EventKind::Slipped);
     let [x, v] = trajectory.last();
     // Up with −17/2, down with −3/2.
     assert!((x - (17.0 - 0.75 * 9.0)).abs() < 1e-11 && (v + 4.5).abs() < 1e-11);
@@ -47,7 +48,7 @@ fn a_block_at_rest_starts_when_the_drive_exceeds_the_static_limit() {
     let driven = Block { weight: 0.0, drive: 2.0, ..INCLINE };
     let trajectory = driven.simulate([0.0, 0.0]).until(6.0).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
-    assert!((event.time - 4.0).abs() < 1e-12 && event.happening == Happening::Slipped);
+    assert!((event.time - 4.0).abs() < 1e-12 && event.kind == EventKind::Slipped);
     // a = (2 t − 7)/2 from t = 4 on.
     let v = |t: f64| 0.5 * t * t - 3.5 * t - (0.5 * 16.0 - 3.5 * 4.0);
     assert!((trajectory.last()[1] - v(6.0)).abs() < 1e-11);
@@ -76,8 +77,8 @@ fn a_block_on_a_belt_sticks_and_slips() {
     let events = trajectory.events();
     assert!(events.len() > 6, "{events:?}");
     for (n, event) in events.iter().enumerate() {
-        let wanted = if n % 2 == 0 { Happening::Slipped } else { Happening::Stuck };
-        assert_eq!(event.happening, wanted, "{n}");
+        let wanted = if n % 2 == 0 { EventKind::Slipped } else { EventKind::Stuck };
+        assert_eq!(event.kind, wanted, "{n}");
     }
     // It gives way at x = 6/8, and swings about 4/8 with ω = 2: x − 1/2 = A cos 2τ + B sin 2τ with A = 1/4 = B.
     for event in events.iter().step_by(2) {
@@ -121,7 +122,7 @@ fn a_block_slides_to_rest_on_a_floor_and_keeps_lying() {
     let trajectory = SLIDER.simulate([0.0, 0.0, 3.0, 0.0]).until(3.0).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
     let slowing = 0.25 * 9.81;
-    assert_eq!((event.name.as_str(), event.happening), ("rubbing", Happening::Stuck));
+    assert_eq!((event.name.as_str(), event.kind), ("rubbing", EventKind::Stuck));
     assert!((event.time - 3.0 / slowing).abs() < 1e-12);
     let end = trajectory.last();
     assert!((end[0] - 4.5 / slowing).abs() < 1e-11 && end[2] == 0.0 && end[1] == 0.0, "{end:?}");
@@ -133,9 +134,8 @@ fn a_contact_that_opens_frees_its_friction() {
     // Lifted with 4 N/s: the floor is left at t = m g/4 = 4.905. Pulled with 1 N/s, the block gives way where t = 0.3 (m g − 4 t).
     let lifted = Slider { lift: 4.0, pull: 1.0, ..SLIDER };
     let trajectory = lifted.simulate([0.0; 4]).until(6.0).tolerance(1e-12).run().expect("runs");
-    let found: Vec<_> =
-        trajectory.events().iter().map(|event| (event.name.as_str(), event.happening)).collect();
-    assert_eq!(found, [("rubbing", Happening::Slipped), ("floor", Happening::Opened)]);
+    let found: Vec<_> = trajectory.events().iter().map(|event| (event.name.as_str(), event.kind)).collect();
+    assert_eq!(found, [("rubbing", EventKind::Slipped), ("floor", EventKind::Opened)]);
     let gives_way = 0.3 * 19.62 / 2.2;
     assert!((trajectory.events()[0].time - gives_way).abs() < 1e-12);
     assert!((trajectory.events()[1].time - 4.905).abs() < 1e-12);
@@ -182,7 +182,7 @@ fn friction_whose_limit_begins_later_is_met() {
     let simulation = slider.simulate([0.0, 0.0, 1.0, 0.0]).until(3.0).tolerance(1e-12).max_steps(2_000);
     let trajectory = simulation.run().expect("runs");
     let stop = trajectory.events().last().expect("it stops");
-    assert_eq!((stop.name.as_str(), stop.happening), ("rubbing", Happening::Stuck));
+    assert_eq!((stop.name.as_str(), stop.kind), ("rubbing", EventKind::Stuck));
     assert!((stop.time - 2.0).abs() < 1e-9, "{}", stop.time);
     assert_eq!(trajectory.system_at_end().map(|slider| slider.modes), Some([CLOSED, STICKS]));
 }

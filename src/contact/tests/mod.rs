@@ -1,8 +1,7 @@
 //! Contacts, impacts and friction on systems that are written by hand.
 
-mod complementarity;
 mod friction;
 mod impacts;
-mod least_norm;
+mod lemke;
 mod motions;
 mod systems;

@@ -3,11 +3,11 @@
 use std::vec::Vec;
 
 use super::systems::{Ball, CLOSED, Cradle, OPEN, Rod};
-use crate::contact::{ContactSystem, Happening, reactions};
-use crate::event::{Direction, Reaction, integrate_with_events};
-use crate::integrate::{Cause, IntegrationError, RungeKutta4, Verner98, integrate};
+use crate::contact::{ContactSystem, reactions};
+use crate::event::integrate_with_events;
+use crate::integrate::{IntegrationError, RungeKutta4, Verner98, integrate};
 use crate::simulate::{Ending, Simulate};
-use crate::system::split;
+use crate::system::{Action, Direction, EventKind, StepFailure, split};
 
 /// When the ball that falls from 1 m with e = 0.8 at g = 9.81 first hits the ground, and when it has come to rest.
 const FIRST: f64 = 0.451_523_640_985_73;
@@ -30,7 +30,7 @@ fn a_ball_comes_to_rest_where_its_bounces_accumulate() {
     assert_eq!(trajectory.ending(), Ending::Reached);
     let events = trajectory.events();
     assert!((events[0].time - FIRST).abs() < 1e-12);
-    let Some(Happening::Closed { at, .. }) = events.last().map(|event| event.happening) else {
+    let Some(EventKind::Closed { at, .. }) = events.last().map(|event| event.kind) else {
         panic!("{events:?}")
     };
     assert!((at - REST).abs() < 1e-11, "{at}");
@@ -50,8 +50,8 @@ fn every_loss_of_a_bouncing_ball_is_told() {
     let losses: Vec<f64> = trajectory
         .events()
         .iter()
-        .map(|event| match event.happening {
-            Happening::Impact(impact) | Happening::Closed { impact, .. } => impact.energy_loss,
+        .map(|event| match event.kind {
+            EventKind::Impact(impact) | EventKind::Closed { impact, .. } => impact.energy_loss,
             other => panic!("{other:?}"),
         })
         .collect();
@@ -66,7 +66,7 @@ fn a_ball_at_rest_leaves_the_floor_when_it_is_lifted() {
     let ball = Ball { lift: 3.0, ..Ball::new(0.5) };
     let trajectory = ball.simulate([0.0, 0.0]).until(8.0).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
-    assert_eq!((event.name.as_str(), event.happening), ("floor", Happening::Opened));
+    assert_eq!((event.name.as_str(), event.kind), ("floor", EventKind::Opened));
     assert!((event.time - 6.54).abs() < 1e-12);
     let since: f64 = 8.0 - 6.54;
     assert!((trajectory.last()[0] - 3.0 / 2.0 * since.powi(3) / 6.0).abs() < 1e-11);
@@ -98,7 +98,7 @@ fn all_loops_and_methods_tell_the_same() {
         ([Direction::Falling], |_, y: &[f64; 2]| [y[1]]),
         |top| {
             heights.push(top.state[0]);
-            Reaction::Continue
+            Action::Continue
         },
     )
     .expect("runs");
@@ -116,7 +116,7 @@ fn all_loops_and_methods_tell_the_same() {
 fn a_body_that_touches_and_goes_down_at_the_start_hits_at_once() {
     let trajectory = Ball::new(0.8).simulate([0.0, -1.0]).until(0.1).tolerance(1e-12).run().expect("runs");
     let [event] = trajectory.events() else { panic!("{:?}", trajectory.events()) };
-    assert!(event.time < 1e-12 && matches!(event.happening, Happening::Impact(_)));
+    assert!(event.time < 1e-12 && matches!(event.kind, EventKind::Impact(_)));
     assert!((trajectory.last()[0] - (0.08 - 0.5 * 9.81 * 0.01)).abs() < 1e-12);
 }
 
@@ -126,8 +126,8 @@ fn a_ball_that_just_touches_goes_on() {
     let ball = Ball { g: -9.81, ..Ball::new(0.5) };
     let speed = (2.0_f64 * 9.81).sqrt();
     let trajectory = ball.simulate([1.0, -speed]).until(1.0).tolerance(1e-13).run().expect("runs");
-    let slow = trajectory.events().iter().all(|event| match event.happening {
-        Happening::Impact(impact) => impact.impulse < 1e-5,
+    let slow = trajectory.events().iter().all(|event| match event.kind {
+        EventKind::Impact(impact) => impact.impulse < 1e-5,
         _ => false,
     });
     assert!(slow, "{:?}", trajectory.events());
@@ -159,7 +159,7 @@ fn a_kick_opens_a_closed_contact() {
         .simulate([0.0, 0.0])
         .until(2.0)
         .tolerance(1e-12)
-        .event_with("kick", Direction::Rising, |_, t, _| t - 1.0, |_, _| Reaction::Replace([0.0, 2.0]))
+        .event_with("kick", Direction::Rising, |_, t, _| t - 1.0, |_, _| Action::Replace([0.0, 2.0]))
         .observe("N", force)
         .run()
         .expect("runs");
@@ -177,15 +177,15 @@ fn a_kick_opens_a_closed_contact() {
 #[test]
 fn contacts_do_not_run_backwards() {
     let error = Ball::new(0.5).simulate([1.0, 0.0]).until(-1.0).run().expect_err("refused");
-    assert!(matches!(error.cause, Cause::Setting(_)));
+    assert!(matches!(error.cause, StepFailure::Setting(_)));
     let refused = integrate(&Ball::new(0.5), 0.0, [1.0, 0.0], -1.0, &pair(), |_, _| {});
-    assert!(matches!(refused, Err(IntegrationError { cause: Cause::Setting(_), .. })));
+    assert!(matches!(refused, Err(IntegrationError { cause: StepFailure::Setting(_), .. })));
 }
 
 #[test]
 fn an_inconsistent_start_is_refused_by_name() {
     let error = Ball::new(0.5).simulate([-1.0, 0.0]).until(1.0).run().expect_err("refused");
-    assert!(matches!(error.cause, Cause::Violated(violation) if violation.constraint == "floor"));
+    assert!(matches!(error.cause, StepFailure::Violated(violation) if violation.constraint == "floor"));
     assert_eq!((error.time(), error.state()), (0.0, [-1.0, 0.0]));
 }
 

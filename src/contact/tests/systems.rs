@@ -15,7 +15,11 @@ macro_rules! contact_system {
 
             const IS_CONSTRAINED: bool = true;
 
-            fn correct(&self, t: f64, y: &mut [f64; 2 * $n]) -> Result<(), crate::integrate::Cause<f64>> {
+            fn correct(
+                &self,
+                t: f64,
+                y: &mut [f64; 2 * $n],
+            ) -> Result<(), crate::integrate::StepFailure<f64>> {
                 crate::contact::correct::<_, $n, $k>(self, t, y)
             }
 
@@ -38,7 +42,11 @@ macro_rules! contact_system {
                 crate::contact::react::<_, $n, $k>(self, event, t, y)
             }
 
-            fn begin(&self, t: f64, y: &[f64; 2 * $n]) -> Result<Option<Self>, crate::integrate::Cause<f64>> {
+            fn begin(
+                &self,
+                t: f64,
+                y: &[f64; 2 * $n],
+            ) -> Result<Option<Self>, crate::integrate::StepFailure<f64>> {
                 crate::contact::begin::<_, $n, $k>(self, t, y)
             }
         }

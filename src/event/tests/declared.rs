@@ -3,9 +3,11 @@
 use std::string::ToString;
 use std::vec::Vec;
 
-use crate::event::{Answer, DeclaredEvent, Direction, Occurrence, Reaction, integrate_with_events};
-use crate::integrate::{Cause, EventSource, RungeKutta4, integrate};
-use crate::system::{OdeSystem, Reacted};
+use crate::event::{Occurrence, integrate_with_events};
+use crate::integrate::{RungeKutta4, integrate};
+use crate::system::{
+    Action, DeclaredEvent, Direction, EventSource, OdeSystem, Reacted, Response, StepFailure,
+};
 
 /// ẏ = 1 with an event that is recorded, one that moves the state, one that ends the motion, and one that is not a number late.
 #[derive(Clone, Copy)]
@@ -36,10 +38,10 @@ impl OdeSystem for Marks {
     }
 
     fn react(&self, event: usize, _t: f64, y: &[f64; 1]) -> Reacted<Self> {
-        Ok(Answer::new(match event {
-            1 => Reaction::Replace([y[0] + self.jump]),
-            2 => Reaction::Stop,
-            _ => Reaction::Continue,
+        Ok(Response::new(match event {
+            1 => Action::Replace([y[0] + self.jump]),
+            2 => Action::Stop,
+            _ => Action::Continue,
         }))
     }
 }
@@ -63,7 +65,7 @@ fn given_events_come_between_declared_ones() {
     let watch = ([Direction::Rising; 2], |t: f64, _: &[f64; 1]| [t - 1.5, t - 3.5]);
     let react = |event: &Occurrence<f64, [f64; 1]>| {
         times.push(event.state[0]);
-        Reaction::Continue
+        Action::Continue
     };
     let method = RungeKutta4 { step: 2.0 };
     let (t, _) = integrate_with_events(&MARKS, (0.0, [0.0]), 9.0, &method, watch, react).expect("stops");
@@ -73,20 +75,20 @@ fn given_events_come_between_declared_ones() {
 
 #[test]
 fn what_is_not_a_number_is_told_by_its_name_or_its_place_among_those_given() {
-    let go_on = |_: &Occurrence<f64, [f64; 1]>| Reaction::Continue;
+    let go_on = |_: &Occurrence<f64, [f64; 1]>| Action::Continue;
     let run = |system: Marks, bad: f64| {
         let watch = ([Direction::Rising; 2], move |t: f64, _: &[f64; 1]| [-1.0, (bad - t).sqrt()]);
         let method = RungeKutta4 { step: 0.1 };
         integrate_with_events(&system, (0.0, [0.0]), 4.0, &method, watch, go_on).expect_err("NaN")
     };
     let declared = run(Marks { edge: 0.55, ..MARKS }, 1e9);
-    assert_eq!(declared.cause, Cause::EventNotFinite { event: EventSource::Declared("edge") });
+    assert_eq!(declared.cause, StepFailure::EventNotFinite { event: EventSource::Declared("edge") });
     assert!(declared.state[0].is_finite());
     assert!(
         declared.to_string().starts_with("the function of event `edge` is NaN or infinite (at time 0.5"),
         "{declared}"
     );
-    assert_eq!(run(MARKS, 0.55).cause, Cause::EventNotFinite { event: EventSource::Given(1) });
+    assert_eq!(run(MARKS, 0.55).cause, StepFailure::EventNotFinite { event: EventSource::Given(1) });
 }
 
 #[test]

@@ -3,18 +3,23 @@
 use std::vec::Vec;
 
 use super::Ball;
-use crate::event::{Direction, Occurrence, Reaction, integrate_with_events};
-use crate::integrate::{Cause, EventSource, Method, RungeKutta4, Verner98};
+use crate::event::{Occurrence, integrate_with_events};
+use crate::integrate::{Method, RungeKutta4, Verner98};
+use crate::system::{Action, Direction, EventSource, StepFailure};
 
 /// Lets a ball fall by 5 m onto a floor at this height, where it keeps a part of its speed, and follows it beyond the time at which
 /// it comes to rest. What came of it, and the lowest place that was seen above the floor.
-fn bounce(method: &impl Method<Ball>, floor: f64, kept: f64) -> (Result<f64, Cause<f64>>, f64, Vec<f64>) {
+fn bounce(
+    method: &impl Method<Ball>,
+    floor: f64,
+    kept: f64,
+) -> (Result<f64, StepFailure<f64>>, f64, Vec<f64>) {
     let (mut lowest, mut times) = (0.0_f64, Vec::new());
     let watch = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0] - floor]);
     let react = |event: &Occurrence<f64, [f64; 2]>| {
         lowest = lowest.min(event.state[0] - floor);
         times.push(event.time);
-        Reaction::Replace([event.state[0], -kept * event.state[1]])
+        Action::Replace([event.state[0], -kept * event.state[1]])
     };
     let rest = 1.0 + 2.0 * kept / (1.0 - kept);
     let ended = integrate_with_events(&Ball, (0.0, [floor + 5.0, 0.0]), rest + 2.0, method, watch, react);
@@ -38,7 +43,7 @@ fn no_ball_tunnels_through_a_floor() {
                 let what =
                     std::format!("{floor} {kept} {tolerance:e}: {result:?} after {} bounces", times.len());
                 assert!(
-                    matches!(result, Err(Cause::EventsAccumulate { event: EventSource::Given(0), .. })),
+                    matches!(result, Err(StepFailure::EventsAccumulate { event: EventSource::Given(0), .. })),
                     "{what}"
                 );
                 assert!(lowest > -1e-6 * (1.0 + floor.abs()), "{what}: {lowest}");
@@ -52,7 +57,10 @@ fn no_ball_tunnels_through_a_floor() {
                 }
             }
             let (result, lowest, _) = bounce(&RungeKutta4 { step: 0.1 }, floor, kept);
-            assert!(matches!(result, Err(Cause::EventsAccumulate { .. })), "{floor} {kept}: {result:?}");
+            assert!(
+                matches!(result, Err(StepFailure::EventsAccumulate { .. })),
+                "{floor} {kept}: {result:?}"
+            );
             assert!(lowest > -1e-6 * (1.0 + floor.abs()), "{floor} {kept}: {lowest}");
         }
     }
@@ -66,7 +74,7 @@ fn what_goes_on_in_its_direction_has_one_event() {
         let watch = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0]]);
         let react = |event: &Occurrence<f64, [f64; 2]>| {
             events.push(event.time);
-            Reaction::Replace([event.state[0], kept * event.state[1]])
+            Action::Replace([event.state[0], kept * event.state[1]])
         };
         let end =
             integrate_with_events(&Ball, (0.0, [5.0, 0.0]), 2.0, &Verner98::tolerance(1e-10), watch, react);
@@ -87,7 +95,7 @@ fn what_is_taken_elsewhere_counts_from_there() {
         let watch = ([Direction::Falling], |_: f64, y: &[f64; 2]| [y[0]]);
         let react = |_: &Occurrence<f64, [f64; 2]>| {
             events += 1;
-            Reaction::Replace([to, 0.0])
+            Action::Replace([to, 0.0])
         };
         integrate_with_events(&Ball, (0.0, [5.0, 0.0]), 3.4, &Verner98::tolerance(1e-10), watch, react)
             .expect("finite");

@@ -3,9 +3,9 @@
 use std::vec::Vec;
 
 use super::{PI, pair};
-use crate::event::{Direction, Occurrence, Reaction, integrate_with_events};
+use crate::event::{Occurrence, integrate_with_events};
 use crate::integrate::{Method, RungeKutta4, Verner98};
-use crate::system::OdeSystem;
+use crate::system::{Action, Direction, OdeSystem};
 
 /// ẏ = 0: all that happens is what functions of time say.
 struct Rest;
@@ -29,7 +29,7 @@ fn all<const E: usize>(
     let mut found = Vec::new();
     let react = |event: &Occurrence<f64, [f64; 1]>| {
         found.push((event.event, event.time));
-        Reaction::Continue
+        Action::Continue
     };
     let watch = (directions, |t: f64, _: &[f64; 1]| functions(t));
     integrate_with_events(&Rest, (0.0, [1.0]), end, method, watch, react).expect("reaches its end");
@@ -157,7 +157,7 @@ fn zeros_along_a_chaotic_motion_are_those_of_a_close_look() {
         let run = |values: &mut dyn FnMut(f64, f64)| {
             let react = |event: &Occurrence<f64, [f64; 2]>| {
                 values(event.time, function(&event.state));
-                Reaction::Continue
+                Action::Continue
             };
             let watch = ([Direction::Crossing], |_: f64, y: &[f64; 2]| [function(y)]);
             integrate_with_events(&Driven, (0.0, [0.2, 0.0]), end, &Verner98::tolerance(1e-10), watch, react)

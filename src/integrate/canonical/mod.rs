@@ -11,19 +11,19 @@
 //! so that the Jacobian of the system and the mass matrix do. The last term is left out: it changes the number of
 //! iterations alone, and no more than the change of the derivatives within a step does.
 
-mod held;
+mod constrained;
 mod pencil;
 mod velocities;
 
-use crate::integrate::canonical::held::held_velocities;
-use crate::integrate::error::Cause;
-use crate::integrate::linear::Matrix;
+use crate::integrate::canonical::constrained::constrained_velocities;
 use crate::integrate::method::Work;
 use crate::integrate::newton::finite;
+use crate::linalg::pivoted::Matrix;
+use crate::linalg::vector::add;
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
+use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
 
-pub(super) use self::held::{stiffened, stiffness};
+pub(super) use self::constrained::{stiffened, stiffness};
 pub(super) use self::pencil::Pencil;
 pub(super) use self::velocities::{factors, velocities};
 
@@ -85,7 +85,7 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         guess: M::Coordinates,
         h: M::Scalar,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (q, p) = split::<M>(variables);
         let mass = Matrix(system.mass_matrix(t, &q, &guess));
         let v = velocities(system, t, (&q, &p), guess, &mass, h, work)?;
@@ -103,9 +103,9 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         guess: M::Coordinates,
         h: M::Scalar,
         work: &mut Work,
-    ) -> Result<M::Coordinates, Cause<M::Scalar>> {
+    ) -> Result<M::Coordinates, StepFailure<M::Scalar>> {
         let mass = Matrix(system.mass_matrix(t, q, &guess));
-        let [v, reaction] = held_velocities(system, t, (q, p), guess, &mass, h, work)?;
+        let [v, reaction] = constrained_velocities(system, t, (q, p), guess, &mass, h, work)?;
         self.next = (v, mass);
         Ok(reaction)
     }
@@ -147,7 +147,7 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         step: &Step<'_, M>,
         v: &M::Coordinates,
         work: &mut Work,
-    ) -> Result<Derivatives<M>, Cause<M::Scalar>> {
+    ) -> Result<Derivatives<M>, StepFailure<M::Scalar>> {
         let h = step.h;
         let half = h / M::Scalar::from_f64(2.0);
         let mass = Matrix::of(|i, j| self.mass_rate[(i, j)].multiply_add(half, self.mass[(i, j)]));
@@ -176,12 +176,4 @@ pub(super) fn magnitude<S: Scalar, Y: StateVector<S>>(mut slopes: Y, from: &Y, h
         *slope = slope.abs() + (S::ONE + from.abs()) / h.abs();
     }
     slopes
-}
-
-/// y + c x
-#[inline]
-pub(super) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
-    for (y, x) in y.as_mut().iter_mut().zip(x.as_ref()) {
-        *y = x.multiply_add(c, *y);
-    }
 }

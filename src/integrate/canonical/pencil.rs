@@ -1,6 +1,6 @@
 //! The derivatives of the equations of a step, frozen.
 
-use crate::integrate::linear::Matrix;
+use crate::linalg::pivoted::Matrix;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 

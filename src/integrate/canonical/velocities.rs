@@ -1,12 +1,11 @@
 //! Velocities that belong to momenta.
 
 use crate::integrate::canonical::magnitude;
-use crate::integrate::error::Cause;
-use crate::integrate::linear::{Factors, Matrix};
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations, finite};
+use crate::linalg::pivoted::{Factors, Matrix};
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, StateVector};
+use crate::system::{CanonicalSystem, StateVector, StepFailure};
 
 /// The velocities v with ∂L/∂v = p, from a guess and the mass matrix there.
 ///
@@ -20,7 +19,7 @@ pub(in crate::integrate) fn velocities<M: CanonicalSystem + ?Sized>(
     mass: &Matrix<M::Scalar, M::Coordinates>,
     h: M::Scalar,
     work: &mut Work,
-) -> Result<M::Coordinates, Cause<M::Scalar>> {
+) -> Result<M::Coordinates, StepFailure<M::Scalar>> {
     let mut unknowns = [guess];
     let mut uncounted = Work::default();
     let mut equations = Momenta { system, t, q, p, h, mass, factors: factors(mass)? };
@@ -32,11 +31,11 @@ pub(in crate::integrate) fn velocities<M: CanonicalSystem + ?Sized>(
 /// The factors of a mass matrix.
 pub(in crate::integrate) fn factors<S: Scalar, Y: StateVector<S>>(
     mass: &Matrix<S, Y>,
-) -> Result<Factors<S, Y>, Cause<S>> {
+) -> Result<Factors<S, Y>, StepFailure<S>> {
     if !finite(mass.0.as_ref()) {
-        return Err(Cause::NotFinite);
+        return Err(StepFailure::NotFinite);
     }
-    Factors::new(*mass).ok_or(Cause::SingularMassMatrix)
+    Factors::new(*mass).ok_or(StepFailure::SingularMassMatrix)
 }
 
 /// The equations ∂L/∂v = p for v.

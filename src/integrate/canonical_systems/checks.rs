@@ -2,8 +2,8 @@
 
 use std::vec::Vec;
 
-use crate::integrate::linear::{Factors, Matrix};
 use crate::integrate::{GaussLegendre6, Method, integrate};
+use crate::linalg::pivoted::{Factors, Matrix};
 use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
 
 /// The largest difference of two states.

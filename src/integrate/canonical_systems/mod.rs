@@ -2,7 +2,7 @@
 
 pub(crate) mod checks;
 
-use crate::integrate::linear::{Factors, Matrix};
+use crate::linalg::pivoted::{Factors, Matrix};
 use crate::scalar::Scalar;
 use crate::system::{
     CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem, StateMatrix, StateVector, join, split,

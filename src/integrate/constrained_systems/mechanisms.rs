@@ -1,7 +1,7 @@
 //! Mechanisms in numbers.
 
 use super::Mechanism;
-use crate::constraint::ConstraintValues;
+use crate::system::ConstraintValues;
 
 /// Gravity.
 const G: f64 = 9.81;

@@ -3,11 +3,11 @@
 pub(crate) mod checks;
 mod mechanisms;
 
-use crate::constraint::ConstraintValues;
-use crate::integrate::linear::Matrix;
-use crate::integrate::linear::ranked::RankedFactors;
+use crate::linalg::pivoted::Matrix;
+use crate::linalg::ranked::RankedFactors;
 use crate::system::{
-    CanonicalSystem, EnergyFunction, LeapfrogSystem, MechanicalSystem, OdeSystem, StateVector, join, split,
+    CanonicalSystem, ConstraintValues, EnergyFunction, LeapfrogSystem, MechanicalSystem, OdeSystem,
+    StateVector, join, split,
 };
 
 pub(super) use self::mechanisms::{
@@ -39,9 +39,9 @@ pub(super) trait Mechanism<const N: usize> {
 
 /// A mechanism as a system.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Held<L, const N: usize>(pub(super) L);
+pub(super) struct Pinned<L, const N: usize>(pub(super) L);
 
-impl<L: Mechanism<N>, const N: usize> Held<L, N> {
+impl<L: Mechanism<N>, const N: usize> Pinned<L, N> {
     /// x with M x = f + Aᵀμ, A x = d
     fn solve(
         &self,
@@ -74,7 +74,7 @@ impl<L: Mechanism<N>, const N: usize> Held<L, N> {
     }
 }
 
-impl<L: Mechanism<N>, const N: usize> OdeSystem for Held<L, N> {
+impl<L: Mechanism<N>, const N: usize> OdeSystem for Pinned<L, N> {
     type Scalar = f64;
     type State = L::State;
 
@@ -86,7 +86,7 @@ impl<L: Mechanism<N>, const N: usize> OdeSystem for Held<L, N> {
     }
 }
 
-impl<L: Mechanism<N>, const N: usize> MechanicalSystem for Held<L, N> {
+impl<L: Mechanism<N>, const N: usize> MechanicalSystem for Pinned<L, N> {
     type Coordinates = [f64; N];
     type Columns<C> = crate::system::Unnamed<C>;
 
@@ -99,7 +99,7 @@ impl<L: Mechanism<N>, const N: usize> MechanicalSystem for Held<L, N> {
     }
 }
 
-impl<L: Mechanism<N>, const N: usize> CanonicalSystem for Held<L, N> {
+impl<L: Mechanism<N>, const N: usize> CanonicalSystem for Pinned<L, N> {
     fn momenta(&self, _t: f64, q: &[f64; N], v: &[f64; N]) -> [f64; N] {
         Matrix::<_, [f64; N]>(self.0.mass(q)).apply(v)
     }
@@ -125,7 +125,7 @@ impl<L: Mechanism<N>, const N: usize> CanonicalSystem for Held<L, N> {
     }
 }
 
-impl<L: Mechanism<N>, const N: usize> EnergyFunction for Held<L, N> {
+impl<L: Mechanism<N>, const N: usize> EnergyFunction for Pinned<L, N> {
     fn energy(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> f64 {
         let momenta = self.momenta(t, q, v);
         momenta.iter().zip(v).fold(0.0, |sum, (p, v)| sum + 0.5 * p * v) + self.0.potential(q)
@@ -133,7 +133,7 @@ impl<L: Mechanism<N>, const N: usize> EnergyFunction for Held<L, N> {
 }
 
 /// For those whose mass matrix is constant.
-impl<L: Mechanism<N>, const N: usize> LeapfrogSystem for Held<L, N> {
+impl<L: Mechanism<N>, const N: usize> LeapfrogSystem for Pinned<L, N> {
     const IS_HELD: bool = true;
 
     fn position_correction(&self, t: f64, q: &[f64; N], later: f64, to: &[f64; N]) -> [f64; N] {

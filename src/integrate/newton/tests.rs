@@ -1,8 +1,8 @@
 //! The iteration on equations whose solutions are known.
 
 use super::{Equations, solve};
-use crate::integrate::error::Cause;
 use crate::integrate::method::Work;
+use crate::system::StepFailure;
 
 /// x² = target for every unknown, with the derivative 2x taken at a wrong place; unknowns of several scales.
 struct Roots {
@@ -25,7 +25,7 @@ impl Equations<f64, [f64; 3], 1> for Roots {
     }
 }
 
-fn roots(slopes: [f64; 3]) -> Result<([f64; 3], Work), Cause<f64>> {
+fn roots(slopes: [f64; 3]) -> Result<([f64; 3], Work), StepFailure<f64>> {
     let mut work = Work::default();
     let mut unknowns = [[1.5, 2e8, 4e-12]];
     let mut equations = Roots { targets: [2.0, 9e16, 1e-23], slopes };
@@ -46,9 +46,12 @@ fn unknowns_of_all_scales_are_found_to_rounding() {
 
 #[test]
 fn what_does_not_converge_is_reported() {
-    assert!(matches!(roots([1.0, 6e8, 6e-12]), Err(Cause::NotConverged { .. })));
+    assert!(matches!(roots([1.0, 6e8, 6e-12]), Err(StepFailure::NotConverged { .. })));
     assert_eq!(roots([-3.0, 6e8, 6e-12]).err(), roots([-3.0, 6e8, 6e-12]).err());
-    assert!(matches!(roots([-3.0, 6e8, 6e-12]), Err(Cause::NotConverged { .. } | Cause::NotFinite)));
+    assert!(matches!(
+        roots([-3.0, 6e8, 6e-12]),
+        Err(StepFailure::NotConverged { .. } | StepFailure::NotFinite)
+    ));
 }
 
 /// x = 1 + y/100, y = x/100, of which each waits for the other.
@@ -78,7 +81,7 @@ fn unknowns_that_change_in_turns_converge() {
 
 #[test]
 fn what_is_not_a_number_is_reported() {
-    assert_eq!(roots([f64::NAN, 6e8, 6e-12]).err(), Some(Cause::NotFinite));
+    assert_eq!(roots([f64::NAN, 6e8, 6e-12]).err(), Some(StepFailure::NotFinite));
 }
 
 #[test]

@@ -4,9 +4,9 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::{RungeKutta4, rk4_step};
-use crate::integrate::{Cause, IntegrationError, Method, Stepper, integrate};
+use crate::integrate::{IntegrationError, Method, Stepper, integrate};
 use crate::scalar::Scalar;
-use crate::system::{Component, OdeSystem, Undefined};
+use crate::system::{Component, OdeSystem, StepFailure, Undefined};
 
 /// ẍ = −x with solution (cos t, −sin t) from (1, 0).
 struct Oscillator;
@@ -145,7 +145,10 @@ fn nan_stops_at_the_last_good_state() {
     let (time, state) = good[good.len() - 1];
     let error = outcome.expect_err("NaN");
     assert_eq!((error.time, error.state), (time, state));
-    assert!(matches!(error.cause, Cause::Undefined(Undefined::Rate { time, .. }) if time > 1.0), "{error}");
+    assert!(
+        matches!(error.cause, StepFailure::Undefined(Undefined::Rate { time, .. }) if time > 1.0),
+        "{error}"
+    );
     assert_eq!(time, 1.0);
     assert!((state[0] - 2.0 / 3.0).abs() < 1e-2);
 }
@@ -188,7 +191,7 @@ fn the_longest_step_of_stiff_oscillations_is_named() {
             };
             for factor in [4.0, 30.0, 1e3, 1e80, 1e300] {
                 let error = run(factor / frequency).expect_err("unstable");
-                let Cause::StepTooLong { step, limit } = error.cause else {
+                let StepFailure::StepTooLong { step, limit } = error.cause else {
                     panic!("{frequency} {damping} {factor}: {error}")
                 };
                 assert_eq!(step, factor / frequency);
@@ -221,7 +224,8 @@ fn what_is_not_finite_at_the_start_is_refused() {
     let start = [f64::INFINITY, 0.0];
     let method = RungeKutta4 { step: 0.1 };
     let outcome = integrate(&Oscillator, 3.0, start, 3.0, &method, |_, _| panic!("observed"));
-    let cause = Cause::Undefined(Undefined::State { component: Component::Index(0), value: f64::INFINITY });
+    let cause =
+        StepFailure::Undefined(Undefined::State { component: Component::Index(0), value: f64::INFINITY });
     assert_eq!(outcome, Err(IntegrationError { cause, time: 3.0, state: start }));
     for end in [f64::NAN, f64::INFINITY] {
         let outcome = rk4(&Oscillator, 2.0, [0.3, -1.2], end, 0.1);
@@ -246,7 +250,10 @@ fn spans_without_length_are_the_start_alone() {
 fn steps_without_length_are_refused() {
     for step in [0.0, -0.1, f64::NAN, f64::INFINITY] {
         let outcome = rk4(&Oscillator, 2.0, [0.3, -1.2], 3.0, step);
-        assert!(matches!(outcome, Err(IntegrationError { cause: Cause::Setting(_), .. })), "{outcome:?}");
+        assert!(
+            matches!(outcome, Err(IntegrationError { cause: StepFailure::Setting(_), .. })),
+            "{outcome:?}"
+        );
     }
 }
 

@@ -8,11 +8,10 @@
 //! Computational and Applied Mathematics 142 (2002), 313–330, table 3, the method of order four with six stages that
 //! begins with a kick.
 
-use crate::integrate::error::Cause;
 use crate::integrate::fixed::FixedStepper;
 use crate::integrate::method::Method;
 use crate::integrate::splitting::{Composition, Splitting};
-use crate::system::SeparableSystem;
+use crate::system::{SeparableSystem, StepFailure};
 
 /// The optimised composition of order four by Blanes and Moan in equal steps.
 ///
@@ -63,7 +62,7 @@ impl<M: SeparableSystem + ?Sized> Method<M> for BlanesMoan4<M::Scalar> {
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
     }
 }

@@ -16,17 +16,17 @@
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §II.5 and §VI.3.
 
 mod blanes_moan;
-mod held;
+mod constrained;
 mod symplectic_euler;
 mod verlet;
 
-use crate::integrate::error::Cause;
 use crate::integrate::fixed::Formula;
 use crate::integrate::interpolation::{Motion, Place, quintic};
 use crate::integrate::method::Work;
 use crate::integrate::stability::{self, Watch};
+use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::Scalar;
-use crate::system::{LeapfrogSystem, StateVector, join, split};
+use crate::system::{LeapfrogSystem, StateVector, StepFailure, join, split};
 
 pub use self::blanes_moan::BlanesMoan4;
 pub use self::symplectic_euler::SymplecticEuler;
@@ -99,7 +99,7 @@ where
         y: &M::State,
         h: M::Scalar,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (q, v) = split::<M>(y);
         let start = match self.known {
             Some(time) if time == t => self.taken.accelerations[1],
@@ -110,7 +110,7 @@ where
         };
         work.evaluations += DRIFTS as u64;
         let (trial, gain) = if M::IS_HELD {
-            held::composed(system, &self.composition, t, (&q, &v), h, &start, work)?
+            constrained::composed(system, &self.composition, t, (&q, &v), h, &start, work)?
         } else {
             composed(system, &self.composition, t, (&q, &v), h, &start)
         };
@@ -159,7 +159,7 @@ where
         let Trial { h, change, accelerations, .. } = self.taken;
         let place = Place { h, s: (t - from) / (to - from) };
         let (change, velocity) = quintic(place, &Motion { change, velocities: [v, v_end], accelerations });
-        join::<M>(&stability::combined(&q, M::Scalar::ONE, &change), &velocity)
+        join::<M>(&combined(&q, M::Scalar::ONE, &change), &velocity)
     }
 }
 
@@ -176,14 +176,14 @@ fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
 ) -> (Trial<M::Scalar, M::Coordinates>, M::Coordinates) {
     let (number, zero) = (M::Scalar::from_f64, M::Coordinates::ZERO);
     let (mut change, mut acceleration, mut drifted) = (zero, *start, 0.0);
-    let mut gain = stability::combined(&zero, number(composition.first) * h, start);
+    let mut gain = combined(&zero, number(composition.first) * h, start);
     for (drift, kick) in composition.rest {
         drifted += drift;
-        let velocity = stability::combined(v, M::Scalar::ONE, &gain);
-        change = stability::combined(&change, number(drift) * h, &velocity);
-        let position = stability::combined(q, M::Scalar::ONE, &change);
+        let velocity = combined(v, M::Scalar::ONE, &gain);
+        change = combined(&change, number(drift) * h, &velocity);
+        let position = combined(q, M::Scalar::ONE, &change);
         acceleration = system.acceleration(t + number(drifted) * h, &position, &velocity);
-        gain = stability::combined(&gain, number(kick) * h, &acceleration);
+        gain = combined(&gain, number(kick) * h, &acceleration);
     }
     (Trial { h, change, accelerations: [*start, acceleration] }, gain)
 }
@@ -191,22 +191,22 @@ fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
 impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> {
     /// Refuses the step if an oscillation is too fast for it.
     #[inline]
-    fn check<M>(&mut self, system: &M, t: S, (q, v): (&Q, &Q), work: &mut Work) -> Result<(), Cause<S>>
+    fn check<M>(&mut self, system: &M, t: S, (q, v): (&Q, &Q), work: &mut Work) -> Result<(), StepFailure<S>>
     where
         M: LeapfrogSystem<Scalar = S, Coordinates = Q> + ?Sized,
     {
         let ([start, end], h) = (&self.trial.accelerations, self.trial.h);
         let stable = S::from_f64(self.composition.stable);
-        let (change, bent) = (stability::length(&self.trial.change), stability::distance(start, end));
+        let (change, bent) = (l1_norm(&self.trial.change), l1_distance(start, end));
         if !self.watch.follows(bent * (h * h) > stable * stable * change) {
             return Ok(());
         }
         work.evaluations += stability::EVALUATIONS;
         let rates = |q: &Q| system.acceleration(t, q, v);
-        let direction = stability::combined(end, -S::ONE, start);
+        let direction = combined(end, -S::ONE, start);
         let limit = stable / stability::largest_eigenvalue(rates, q, change, &direction).sqrt();
         if h.abs() > limit {
-            return Err(Cause::StepTooLong { step: h.abs(), limit });
+            return Err(StepFailure::StepTooLong { step: h.abs(), limit });
         }
         Ok(())
     }

@@ -2,11 +2,10 @@
 //!
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §I.1.2 and theorem VI.3.3.
 
-use crate::integrate::error::Cause;
 use crate::integrate::fixed::FixedStepper;
 use crate::integrate::method::Method;
 use crate::integrate::splitting::{Composition, Splitting};
-use crate::system::LeapfrogSystem;
+use crate::system::{LeapfrogSystem, StepFailure};
 
 /// The symplectic Euler method in equal steps: velocities first, then coordinates with the new velocities.
 ///
@@ -38,7 +37,7 @@ impl<M: LeapfrogSystem + ?Sized> Method<M> for SymplecticEuler<M::Scalar> {
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
     }
 }

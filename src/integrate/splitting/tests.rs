@@ -1,6 +1,6 @@
 //! The methods on hand-written systems.
 
-mod held;
+mod constrained;
 mod order;
 mod refusals;
 mod structure;

@@ -3,11 +3,10 @@
 //! Source: Hairer, Lubich, Wanner, *Geometric numerical integration illustrated by the Störmer–Verlet method*, Acta
 //! Numerica 12 (2003), 399–450.
 
-use crate::integrate::error::Cause;
 use crate::integrate::fixed::FixedStepper;
 use crate::integrate::method::Method;
 use crate::integrate::splitting::{Composition, Splitting};
-use crate::system::LeapfrogSystem;
+use crate::system::{LeapfrogSystem, StepFailure};
 
 /// The Störmer–Verlet method in equal steps: half a kick, a drift, half a kick.
 ///
@@ -62,7 +61,7 @@ impl<M: LeapfrogSystem + ?Sized> Method<M> for StormerVerlet<M::Scalar> {
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
     }
 }

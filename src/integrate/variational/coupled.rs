@@ -1,14 +1,15 @@
 //! The linear equations of an iteration under constraints: velocities at both ends of a step, multipliers at its start and
 //! in its middle.
 
-use crate::constraint::{ConstraintValues, inner};
-use crate::integrate::canonical::{Derivatives, Pencil, add, factors, stiffened, stiffness};
-use crate::integrate::error::Cause;
-use crate::integrate::linear::Matrix;
-use crate::integrate::linear::ranked::RankedFactors;
+use crate::integrate::canonical::{Derivatives, Pencil, factors, stiffened, stiffness};
 use crate::integrate::variational::linearised::{Linearised, turned};
+use crate::linalg::pivoted::Matrix;
+use crate::linalg::ranked::RankedFactors;
+use crate::linalg::vector::{add, dot};
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
+use crate::system::{
+    CanonicalSystem, ConstraintValues, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split,
+};
 
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
 type Square<M> = <<M as MechanicalSystem>::Coordinates as StateVector<<M as OdeSystem>::Scalar>>::Square;
@@ -46,7 +47,7 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
         pencil: &Derivatives<M>,
         places: [Values<M>; 3],
         h: M::Scalar,
-    ) -> Result<Self, Cause<M::Scalar>> {
+    ) -> Result<Self, StepFailure<M::Scalar>> {
         let (linearised, stiffness) = linearised::<M>(pencil, &places[1])?;
         let moved = moved::<M>(&linearised, &places, h);
         let count = places[0].count();
@@ -60,7 +61,7 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
                 }
             }
         }
-        let mobility = RankedFactors::new(mobility, 2 * count).ok_or(Cause::NotFinite)?;
+        let mobility = RankedFactors::new(mobility, 2 * count).ok_or(StepFailure::NotFinite)?;
         Ok(Coupled { linearised, stiffness, places, moved, mobility })
     }
 
@@ -119,7 +120,7 @@ type Stiffened<M> =
 fn linearised<M: CanonicalSystem + ?Sized>(
     pencil: &Derivatives<M>,
     middle: &Values<M>,
-) -> Result<Stiffened<M>, Cause<M::Scalar>> {
+) -> Result<Stiffened<M>, StepFailure<M::Scalar>> {
     if let Some(linearised) = Linearised::new(pencil) {
         return Ok((linearised, M::Scalar::ZERO));
     }
@@ -127,7 +128,7 @@ fn linearised<M: CanonicalSystem + ?Sized>(
     let constant = stiffened(&pencil.constant, middle, stiffness);
     match Linearised::new(&Pencil { constant, ..*pencil }) {
         Some(linearised) => Ok((linearised, stiffness)),
-        None => Err(factors(&constant).err().unwrap_or(Cause::NotFinite)),
+        None => Err(factors(&constant).err().unwrap_or(StepFailure::NotFinite)),
     }
 }
 
@@ -161,12 +162,12 @@ fn demands<M: CanonicalSystem + ?Sized>(places: &[Values<M>; 3], ends: &[M::Coor
         let middle = combined(&[0.5, 0.5], ends);
         for i in 0..count {
             let demand = if places[0].is_holonomic(i) {
-                inner(places[part + 1].row(i), &moved)
+                dot(places[part + 1].row(i), &moved)
             } else {
                 let rates = [&ends[0], &middle, &ends[1]];
                 let terms = parts.into_iter().zip(places).zip(rates);
                 terms.fold(M::Scalar::ZERO, |sum, ((part, place), rate)| {
-                    M::Scalar::from_f64(part).multiply_add(inner(place.row(i), rate), sum)
+                    M::Scalar::from_f64(part).multiply_add(dot(place.row(i), rate), sum)
                 })
             };
             demands.as_mut()[part * count + i] = demand;

@@ -1,7 +1,8 @@
 //! The linear equations of a Newton iteration over the velocities at both ends of a step.
 
-use crate::integrate::canonical::{Pencil, add};
-use crate::integrate::linear::{Factors, Matrix};
+use crate::integrate::canonical::Pencil;
+use crate::linalg::pivoted::{Factors, Matrix};
+use crate::linalg::vector::add;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 

@@ -20,21 +20,21 @@
 //! Sources: Marsden, West, *Discrete mechanics and variational integrators*, Acta Numerica 10 (2001), §1.5, §2.2, §2.6 and
 //! §3.2; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VI.6.
 
+mod constrained;
 mod coupled;
-mod held;
 mod linearised;
 
-use crate::integrate::canonical::{Derivatives, Reached, Step, add, factors, magnitude};
-use crate::integrate::error::Cause;
+use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
 use crate::integrate::fixed::{FixedStepper, Formula};
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, Work};
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::Prediction;
-use crate::integrate::variational::held::{HeldEquations, Solved};
+use crate::integrate::variational::constrained::{ConstrainedEquations, Solved};
 use crate::integrate::variational::linearised::Linearised;
+use crate::linalg::vector::add;
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, join, split};
+use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
 
 type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
@@ -81,7 +81,7 @@ impl<M: CanonicalSystem + ?Sized> Method<M> for Variational<M::Scalar> {
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Discrete::new(), self.step, system, t, y, end)
     }
 }
@@ -129,13 +129,13 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         step: &Step<'_, M>,
         mut ends: [Vector<M>; 2],
         work: &mut Work,
-    ) -> Result<M::State, Cause<Number<M>>> {
+    ) -> Result<M::State, StepFailure<Number<M>>> {
         let derivatives = self.reached.derivatives(step, &mean(&ends), work)?;
         if M::SAYS_CONSTRAINTS {
             return self.solve_held(step, derivatives, &ends, work);
         }
         let Some(linearised) = Linearised::new(&derivatives) else {
-            return Err(factors(&derivatives.constant).err().unwrap_or(Cause::NotFinite));
+            return Err(factors(&derivatives.constant).err().unwrap_or(StepFailure::NotFinite));
         };
         let mut equations = StepEquations { step, derivatives, linearised, change: Vector::<M>::ZERO };
         newton::solve(&mut equations, &mut ends, self.rounding, work)?;
@@ -152,8 +152,8 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         derivatives: Derivatives<M>,
         ends: &[Vector<M>; 2],
         work: &mut Work,
-    ) -> Result<M::State, Cause<Number<M>>> {
-        let equations = HeldEquations::new(step, derivatives, ends)?;
+    ) -> Result<M::State, StepFailure<Number<M>>> {
+        let equations = ConstrainedEquations::new(step, derivatives, ends)?;
         let Solved { ends, multipliers, mut change } =
             equations.solve(ends, &self.multipliers, self.rounding, work)?;
         let (one, (t, q, v)) = (Number::<M>::ONE, places(step, &ends)[2]);
@@ -192,7 +192,7 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
         variables: &M::State,
         h: M::Scalar,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (q, p) = split::<M>(variables);
         let (start, predicted) = ([self.reached.velocities; 2], self.predict(h));
         let step = Step { system, t, q, p, h };
@@ -205,7 +205,7 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
         t: M::Scalar,
         variables: &M::State,
         work: &mut Work,
-    ) -> Result<M::State, Cause<M::Scalar>> {
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
         let (ends, h) = self.ends;
         if M::SAYS_CONSTRAINTS {
             return Ok(join::<M>(&split::<M>(variables).0, &self.reached.held()));

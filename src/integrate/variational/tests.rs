@@ -1,6 +1,6 @@
 //! Order and structure of the variational integrator.
 
-mod held;
+mod constrained;
 
 use super::Variational;
 use crate::integrate::canonical_systems::checks::{
@@ -9,7 +9,8 @@ use crate::integrate::canonical_systems::checks::{
 use crate::integrate::canonical_systems::{
     DoublePendulum, HeavyTop, Kepler, Lagrangian, ShakenPendulum, SpringPendulum, System, opaque, smooth,
 };
-use crate::integrate::{Cause, GaussLegendre6, Method, Stepper, integrate};
+use crate::integrate::{GaussLegendre6, Method, Stepper, integrate};
+use crate::system::StepFailure;
 
 const PENDULUM: [f64; 4] = [0.8, 1.1, 0.5, -0.4];
 const TOP: [f64; 6] = [0.1, 0.6, 0.0, 1.0, 0.2, 30.0];
@@ -115,6 +116,6 @@ fn steps_that_do_not_resolve_a_vibration_are_refused() {
     let start = [1.0 + 1e-6, 0.5, 0.0, 0.0];
     let error =
         integrate(&system, 0.0, start, 1.0, &Variational { step: 0.01 }, |_, _| {}).expect_err("refused");
-    assert!(matches!(error.cause, Cause::NotConverged { .. }), "{error}");
+    assert!(matches!(error.cause, StepFailure::NotConverged { .. }), "{error}");
     assert_eq!((error.time, error.state), (0.0, start));
 }

@@ -17,10 +17,9 @@ mod stiffness;
 mod tableau;
 mod tolerance;
 
-use crate::integrate::error::Cause;
 use crate::integrate::method::Method;
 use crate::scalar::Scalar;
-use crate::system::OdeSystem;
+use crate::system::{OdeSystem, StepFailure};
 
 pub use self::stepper::VernerStepper;
 
@@ -60,19 +59,21 @@ impl<S: Scalar> Verner98<S> {
         }
     }
 
-    fn check(&self) -> Result<(), Cause<S>> {
+    fn check(&self) -> Result<(), StepFailure<S>> {
         let is_length = |step: Option<S>| step.is_none_or(|step| step > S::ZERO && step.is_finite());
         let is_tolerance = |part: S| part >= S::ZERO && part.is_finite();
         if !is_tolerance(self.relative)
             || !is_tolerance(self.absolute)
             || self.relative + self.absolute == S::ZERO
         {
-            return Err(Cause::Setting("tolerances must be finite and not negative, and not both zero"));
+            return Err(StepFailure::Setting(
+                "tolerances must be finite and not negative, and not both zero",
+            ));
         }
         if is_length(self.first_step) && is_length(self.longest_step) {
             return Ok(());
         }
-        Err(Cause::Setting("lengths of steps must be positive and finite"))
+        Err(StepFailure::Setting("lengths of steps must be positive and finite"))
     }
 }
 
@@ -100,12 +101,12 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self::Stepper, Cause<M::Scalar>> {
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         self.check()?;
         VernerStepper::start(*self, system, t, y, end)
     }
 
-    fn with_longest_step(self, longest: M::Scalar) -> Result<Self, Cause<M::Scalar>> {
+    fn with_longest_step(self, longest: M::Scalar) -> Result<Self, StepFailure<M::Scalar>> {
         let method = Verner98 { longest_step: Some(longest), ..self };
         method.check().map(|()| method)
     }

@@ -13,11 +13,11 @@ use crate::constraint::UNDETERMINED;
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected};
-use crate::integrate::error::Cause;
 use crate::integrate::method::{Stepper, Work};
-use crate::integrate::stability::{EVALUATIONS, combined, distance, largest_eigenvalue, length};
+use crate::integrate::stability::{EVALUATIONS, largest_eigenvalue};
+use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StateVector};
+use crate::system::{OdeSystem, StateVector, StepFailure};
 
 /// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
 const FINEST: f64 = 4096.0;
@@ -81,7 +81,7 @@ enum Verdict<S> {
     /// Its error was too large.
     Inaccurate,
     /// It led where the system is not defined, or where constraints cannot be satisfied.
-    Lost(Cause<S>),
+    Lost(StepFailure<S>),
 }
 
 /// The length of a step and the clock after it.
@@ -98,7 +98,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         t: M::Scalar,
         y: &M::State,
         end: M::Scalar,
-    ) -> Result<Self, Cause<M::Scalar>> {
+    ) -> Result<Self, StepFailure<M::Scalar>> {
         check_finite(end, y)?;
         let (clock, state) = (Clock::new(t, M::Scalar::ZERO), Compensated::new(*y));
         let mut stepper = VernerStepper {
@@ -129,7 +129,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
     }
 
     /// The next step to try, or that it is lost in rounding.
-    fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, Cause<M::Scalar>> {
+    fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, StepFailure<M::Scalar>> {
         let length = self.control.step.min(self.settings.longest(self.span, self.is_at_rest));
         let t = self.clock.time();
         let mut clock = self.clock.with_step(if limit < t { -length } else { length });
@@ -137,7 +137,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let is_lost = t + M::Scalar::from_f64(FINEST) * length == t && t != limit;
         let is_step = length > M::Scalar::ZERO;
         if is_lost || !is_step {
-            return Err(Cause::StepUnderflow { step: length });
+            return Err(StepFailure::StepUnderflow { step: length });
         }
         Ok(Attempt { h, clock })
     }
@@ -206,7 +206,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         system: &M,
         Attempt { h, clock }: Attempt<M::Scalar>,
         limit: M::Scalar,
-    ) -> Result<Verdict<M::Scalar>, Cause<M::Scalar>> {
+    ) -> Result<Verdict<M::Scalar>, StepFailure<M::Scalar>> {
         let y = *self.state.value();
         let ends = self.stages(system, &y, h);
         let mut state = self.advanced(h);
@@ -251,20 +251,20 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         system: &M,
         h: M::Scalar,
         ends: &[M::State; 2],
-    ) -> Result<(), Cause<M::Scalar>> {
+    ) -> Result<(), StepFailure<M::Scalar>> {
         let t = self.clock.time();
         let direction = combined(&ends[0], -M::Scalar::ONE, &ends[1]);
-        let change = distance(self.state.value(), &ends[0]);
+        let change = l1_distance(self.state.value(), &ends[0]);
         let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), &ends[0], change, &direction);
         self.work.evaluations += EVALUATIONS;
         self.stiffness = Stiffness::default();
         let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
         let is_at_limit = h.abs() > M::Scalar::from_f64(NEAR) * limit;
-        let (size, speed) = (length(&ends[0]), length(&self.rates[14]));
+        let (size, speed) = (l1_norm(&ends[0]), l1_norm(&self.rates[14]));
         // A motion that is slower than its tolerance, or has ended, may take the steps that stability leaves.
         let goes_on = speed * h.abs() > M::Scalar::from_f64(SLOWEST) * size;
         let is_fast = eigenvalue * size > M::Scalar::from_f64(FAST) * speed;
-        if is_at_limit && goes_on && is_fast { Err(Cause::Stiff { limit }) } else { Ok(()) }
+        if is_at_limit && goes_on && is_fast { Err(StepFailure::Stiff { limit }) } else { Ok(()) }
     }
 
     /// The state after a step of length `h` whose stages are known.
@@ -288,16 +288,16 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
         self.state.value()
     }
 
-    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), Cause<M::Scalar>> {
+    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
         if self.crawled >= MOST_CRAWLING {
-            return Err(Cause::Stuck(UNDETERMINED));
+            return Err(StepFailure::Stuck(UNDETERMINED));
         }
         self.rates[0] = self.end_rate(system);
         self.forget_last();
         let mut lost = None;
         loop {
             if self.work.steps + self.work.rejections >= self.settings.max_steps {
-                return Err(Cause::TooManySteps { limit: self.settings.max_steps });
+                return Err(StepFailure::TooManySteps { limit: self.settings.max_steps });
             }
             let attempt = self.next(limit).map_err(|underflow| lost.unwrap_or(underflow))?;
             lost = match self.attempt(system, attempt, limit)? {
@@ -349,7 +349,7 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
         self.settings.max_steps = self.settings.max_steps.min(most);
     }
 
-    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), Cause<M::Scalar>> {
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>> {
         let y = &admitted(system, t, y)?;
         let rate = system.rhs(t, y);
         self.work.evaluations += 1;
@@ -384,7 +384,7 @@ fn correct<M: OdeSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     state: &mut Compensated<M::State>,
-) -> Result<(), Cause<M::Scalar>> {
+) -> Result<(), StepFailure<M::Scalar>> {
     if !M::IS_CONSTRAINED {
         return Ok(());
     }

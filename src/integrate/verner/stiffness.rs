@@ -4,7 +4,7 @@
 //! eigenvalue of the Jacobian, which is computed before a system is refused.
 //! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
 
-use crate::integrate::stability::{distance, length};
+use crate::linalg::vector::{l1_distance, l1_norm};
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
@@ -45,12 +45,12 @@ impl Stiffness {
         one: Point<'_, Y>,
         other: Point<'_, Y>,
     ) -> bool {
-        let change = distance(one.0, other.0);
+        let change = l1_distance(one.0, other.0);
         let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
         let is_many = (ahead / h).abs() > S::from_f64(BEARABLE);
-        let eigenvalue = distance(one.1, other.1) / change;
+        let eigenvalue = l1_distance(one.1, other.1) / change;
         let is_at_limit = (h * eigenvalue).abs() > S::from_f64(STABLE);
-        if is_many && is_at_limit && change > rounding * length(one.0) {
+        if is_many && is_at_limit && change > rounding * l1_norm(one.0) {
             self.below = 0;
             self.at_limit += 1;
         } else {

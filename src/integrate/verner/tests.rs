@@ -5,13 +5,11 @@ mod pulses;
 use std::string::ToString;
 use std::vec::Vec;
 
-use super::Verner98;
-use super::interpolant;
 use super::stage::Stage;
-use super::tableau as table;
-use crate::integrate::{Cause, Method, Stepper, integrate};
+use super::{Verner98, interpolant, tableau as table};
+use crate::integrate::{Method, Stepper, integrate};
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, Undefined};
+use crate::system::{OdeSystem, StepFailure, Undefined};
 
 /// ẍ = −x with solution (cos t, −sin t) from (1, 0).
 struct Oscillator;
@@ -235,7 +233,7 @@ fn a_pole_is_an_underflow_of_the_step() {
     let blow_up = Equation(|_: f64, y: f64| y * y);
     let error =
         integrate(&blow_up, 0.0, [1.0], 2.0, &Verner98::tolerance(1e-9), |_, _| {}).expect_err("a pole");
-    assert!(matches!(error.cause, Cause::StepUnderflow { .. } | Cause::NotFinite), "{error:?}");
+    assert!(matches!(error.cause, StepFailure::StepUnderflow { .. } | StepFailure::NotFinite), "{error:?}");
     assert!((error.time - 1.0).abs() < 1e-6 && error.state[0].is_finite());
 }
 
@@ -245,7 +243,10 @@ fn nan_stops_at_the_last_good_state() {
     let mut last = (0.0, [0.0]);
     let run = integrate(&root, 0.0, [0.0], 2.0, &Verner98::tolerance(1e-6), |t, y| last = (t, *y));
     let error = run.expect_err("NaN");
-    assert!(matches!(error.cause, Cause::Undefined(Undefined::Rate { time, .. }) if time > 1.0), "{error}");
+    assert!(
+        matches!(error.cause, StepFailure::Undefined(Undefined::Rate { time, .. }) if time > 1.0),
+        "{error}"
+    );
     assert_eq!((error.time, error.state), last);
     assert!(error.time <= 1.0 + f64::EPSILON && error.time > 0.99, "{}", error.time);
 }
@@ -262,7 +263,7 @@ fn settings_that_make_no_sense_are_refused() {
     ];
     for method in settings {
         let refused = integrate(&Oscillator, 0.0, [1.0, 0.0], 1.0, &method, |_, _| {});
-        assert!(matches!(refused.expect_err("no sense").cause, Cause::Setting(_)), "{method:?}");
+        assert!(matches!(refused.expect_err("no sense").cause, StepFailure::Setting(_)), "{method:?}");
     }
     for end in [f64::NAN, f64::INFINITY] {
         let refused = integrate(&Oscillator, 0.0, [1.0, 0.0], end, &good, |_, _| {});
@@ -277,7 +278,7 @@ fn the_number_of_steps_is_limited() {
     let mut steps = 0;
     let error =
         integrate(&Oscillator, 0.0, [1.0, 0.0], 100.0, &method, |_, _| steps += 1).expect_err("too many");
-    assert_eq!(error.cause, Cause::TooManySteps { limit: 7 });
+    assert_eq!(error.cause, StepFailure::TooManySteps { limit: 7 });
     assert!(steps <= 8 && error.time > 0.0);
 }
 
@@ -287,7 +288,7 @@ fn stiff_systems_are_refused_with_the_stable_step() {
     let relaxation = Equation(|t: f64, y: f64| -1e6 * (y - t.cos()));
     let method = Verner98::tolerance(1e-6);
     let error = integrate(&relaxation, 0.0, [1.0], 10.0, &method, |_, _| {}).expect_err("stiff");
-    let Cause::Stiff { limit } = error.cause else { panic!("{error:?}") };
+    let StepFailure::Stiff { limit } = error.cause else { panic!("{error:?}") };
     assert!(limit > 1e-6 && limit < 1e-5, "{limit}");
     assert!(error.time < 0.1);
     let patient = Verner98 { refuses_stiff: false, ..method };

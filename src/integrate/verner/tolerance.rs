@@ -1,10 +1,9 @@
 //! Errors and rates measured by what is tolerated.
 
 use super::{AT_REST, LONGEST, LONGEST_AT_REST, Verner98};
-use crate::integrate::error::Cause;
-use crate::integrate::stability::combined;
+use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StateVector};
+use crate::system::{OdeSystem, StateVector, StepFailure};
 
 /// Fewer roundings of the state than this are tolerated in any case, since shorter steps only round more.
 const LEAST_ROUNDINGS: f64 = 16.0;
@@ -45,7 +44,7 @@ impl<S: Scalar> Verner98<S> {
         (t, y): (S, &M::State),
         rate: &M::State,
         (longest, is_backwards): (S, bool),
-    ) -> Result<S, Cause<S>>
+    ) -> Result<S, StepFailure<S>>
     where
         M: OdeSystem<Scalar = S> + ?Sized,
     {
@@ -67,7 +66,7 @@ impl<S: Scalar> Verner98<S> {
         if first > S::ZERO && first.is_finite() && speed.is_finite() {
             return Ok(first);
         }
-        Err(Cause::NoFirstStep { relative: self.relative, absolute: self.absolute })
+        Err(StepFailure::NoFirstStep { relative: self.relative, absolute: self.absolute })
     }
 
     /// How fast rates change, measured over an Euler step of the length `h`.

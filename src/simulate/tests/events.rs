@@ -5,9 +5,8 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::{Oscillator, START, exact};
-use crate::event::{Direction, Reaction};
-use crate::integrate::{Cause, EventSource};
 use crate::simulate::{Ending, Simulate};
+use crate::system::{Action, Direction, EventSource, StepFailure};
 
 #[test]
 fn events_are_recorded_by_name_and_in_order() {
@@ -49,7 +48,7 @@ fn a_run_stops_at_an_event() {
 fn a_run_goes_on_from_another_state() {
     let simulation = || {
         let simulation = Oscillator.simulate(START).until(7.0).tolerance(1e-12).dense();
-        let bounce = |_: &Oscillator, [x, v]: [f64; 2]| Reaction::Replace([x, -v]);
+        let bounce = |_: &Oscillator, [x, v]: [f64; 2]| Action::Replace([x, -v]);
         simulation.event_with(
             "bounce",
             Direction::Falling,
@@ -83,7 +82,7 @@ fn an_event_function_that_is_not_a_number_is_an_error_that_names_it() {
         .event("broken", Direction::Rising, |_, t, _| if t > 3.0 { f64::NAN } else { 1.0 })
         .run()
         .expect_err("fails");
-    assert_eq!(error.cause, Cause::EventNotFinite { event: EventSource::Given(1) });
+    assert_eq!(error.cause, StepFailure::EventNotFinite { event: EventSource::Given(1) });
     assert_eq!(error.name.as_deref(), Some("broken"));
     assert!(
         error.to_string().starts_with("the function of event `broken` is NaN or infinite (at time "),

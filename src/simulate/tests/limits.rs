@@ -6,9 +6,9 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::{Broken, Oscillator, START, assert_exact};
-use crate::integrate::{Cause, RungeKutta4};
+use crate::integrate::RungeKutta4;
 use crate::simulate::{Ending, Progress, Simulate};
-use crate::system::{Component, MechanicalSystem, OdeSystem, Undefined, Unnamed};
+use crate::system::{Component, MechanicalSystem, OdeSystem, StepFailure, Undefined, Unnamed};
 
 #[test]
 fn a_failure_keeps_the_samples_so_far() {
@@ -30,7 +30,9 @@ fn a_failure_keeps_the_samples_so_far() {
 fn a_failure_of_a_fixed_step_says_why_and_when() {
     let method = RungeKutta4 { step: 0.01 };
     let error = Broken(0.5).simulate(START).until(10.0).method(method).run().expect_err("fails");
-    let Cause::Undefined(Undefined::Rate { component, value, time }) = error.cause else { panic!("{error}") };
+    let StepFailure::Undefined(Undefined::Rate { component, value, time }) = error.cause else {
+        panic!("{error}")
+    };
     assert_eq!(component, Component::Velocity("x"));
     assert!(value.is_nan() && time > error.time() && time <= error.time() + 0.01, "{time}");
     assert_eq!(error.trajectory.work().steps, 104);
@@ -56,10 +58,10 @@ fn an_initial_state_that_is_not_finite_is_refused_and_shown() {
 #[test]
 fn settings_of_methods_are_checked() {
     let error = Oscillator.simulate(START).until(1.0).tolerance(-1.0).run().expect_err("refused");
-    assert!(matches!(error.cause, Cause::Setting(_)));
+    assert!(matches!(error.cause, StepFailure::Setting(_)));
     let method = RungeKutta4 { step: 0.0 };
     let error = Oscillator.simulate(START).until(1.0).method(method).run().expect_err("refused");
-    assert!(matches!(error.cause, Cause::Setting(_)));
+    assert!(matches!(error.cause, StepFailure::Setting(_)));
 }
 
 #[test]
@@ -70,7 +72,7 @@ fn no_more_steps_are_taken_than_allowed() {
     };
     assert_eq!(run(8).expect("just enough").len(), 9);
     let error = run(7).expect_err("one too few");
-    assert_eq!(error.cause, Cause::TooManySteps { limit: 7 });
+    assert_eq!(error.cause, StepFailure::TooManySteps { limit: 7 });
     assert_eq!((error.time(), error.trajectory.len()), (0.875, 8));
     assert_exact(&error.trajectory, 1e-4);
     assert_eq!(run(0).expect_err("none").trajectory.times(), [0.0]);
@@ -154,11 +156,11 @@ fn the_longest_step_is_limited_where_steps_have_no_length_of_their_own() {
     };
     for limit in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let run = Oscillator.simulate(START).until(1.0).longest_step(limit).run();
-        assert!(matches!(refused(run), Cause::Setting(_)), "{limit}");
+        assert!(matches!(refused(run), StepFailure::Setting(_)), "{limit}");
     }
     let fixed = Oscillator.simulate(START).until(1.0).method(RungeKutta4 { step: 0.1 });
     let cause = refused(fixed.longest_step(0.5).run());
-    assert!(matches!(cause, Cause::Setting(what) if what.contains("shorten")), "{cause}");
+    assert!(matches!(cause, StepFailure::Setting(what) if what.contains("shorten")), "{cause}");
 }
 
 /// ẍ = 0, or NaN after the start: every step is rejected.
@@ -186,7 +188,7 @@ impl MechanicalSystem for Wall {
 #[test]
 fn steps_that_are_rejected_count() {
     let error = Wall.simulate(START).until(1.0).max_steps(20).run().expect_err("gives up");
-    assert_eq!(error.cause, Cause::TooManySteps { limit: 20 });
+    assert_eq!(error.cause, StepFailure::TooManySteps { limit: 20 });
     assert_eq!(error.trajectory.work().rejections, 20);
     let error = Wall.simulate(START).until(1.0).run().expect_err("gives up by itself");
     let cause = error.cause.to_string();

@@ -4,8 +4,9 @@ use std::vec;
 use std::vec::Vec;
 
 use super::{Oscillator, START, assert_exact};
-use crate::integrate::{Cause, RungeKutta4};
+use crate::integrate::RungeKutta4;
 use crate::simulate::Simulate;
+use crate::system::StepFailure;
 
 fn sampled(from: f64, until: f64, every: f64) -> Vec<f64> {
     let run = Oscillator.simulate(START).from(from).until(until).every(every).tolerance(1e-10).run();
@@ -103,7 +104,7 @@ fn intervals_that_make_no_sense_are_refused() {
     for interval in [0.0, -0.1, f64::NAN, f64::INFINITY, 1e-17] {
         let error =
             Oscillator.simulate(START).from(1.0).until(2.0).every(interval).run().expect_err("refused");
-        assert!(matches!(error.cause, Cause::Setting(_)), "{interval}: {error}");
+        assert!(matches!(error.cause, StepFailure::Setting(_)), "{interval}: {error}");
         assert_eq!(error.trajectory.times(), vec![1.0]);
     }
 }
@@ -112,7 +113,7 @@ fn intervals_that_make_no_sense_are_refused() {
 fn more_samples_than_can_be_kept_are_refused_with_their_number() {
     for (until, interval, samples) in [(2.0, 1e-9, 2e9), (1e15, 0.1, 1e16), (-1e15, 0.1, 1e16)] {
         let error = Oscillator.simulate(START).until(until).every(interval).run().expect_err("too many");
-        let Cause::TooManySamples { samples: found, .. } = error.cause else { panic!("{error}") };
+        let StepFailure::TooManySamples { samples: found, .. } = error.cause else { panic!("{error}") };
         assert!((found / samples - 1.0).abs() < 1e-9, "{found}");
         assert!(std::format!("{error}").contains(".ends_only()"), "{error}");
         assert_eq!(error.trajectory.work().steps, 0);

@@ -336,7 +336,7 @@ const _: () = {
             y: &[f64; 2],
         ) -> ::core::result::Result<
             ::core::option::Option<Self>,
-            ::lagrange::integrate::Cause<f64>,
+            ::lagrange::system::StepFailure<f64>,
         > {
             ::core::result::Result::Ok(::lagrange::event::choose_sides(self, t, y))
         }

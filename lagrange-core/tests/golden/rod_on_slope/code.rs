@@ -718,7 +718,7 @@ const _: () = {
             &self,
             t: f64,
             state: &mut [f64; 6],
-        ) -> ::core::result::Result<(), ::lagrange::integrate::Cause<f64>> {
+        ) -> ::core::result::Result<(), ::lagrange::system::StepFailure<f64>> {
             ::lagrange::constraint::correct(self, t, state)?;
             ::core::result::Result::Ok(())
         }
@@ -727,7 +727,7 @@ const _: () = {
             &self,
             t: f64,
             state: &mut [f64; 6],
-        ) -> ::core::result::Result<(), ::lagrange::integrate::Cause<f64>> {
+        ) -> ::core::result::Result<(), ::lagrange::system::StepFailure<f64>> {
             ::lagrange::constraint::admit(self, t, state)?;
             ::core::result::Result::Ok(())
         }
@@ -736,7 +736,7 @@ const _: () = {
             &self,
             t: f64,
             state: &mut [f64; 6],
-        ) -> ::core::result::Result<(), ::lagrange::integrate::Cause<f64>> {
+        ) -> ::core::result::Result<(), ::lagrange::system::StepFailure<f64>> {
             ::lagrange::constraint::restore(self, t, state)?;
             ::core::result::Result::Ok(())
         }

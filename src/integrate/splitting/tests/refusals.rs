@@ -4,10 +4,9 @@ use std::vec::Vec;
 
 use super::{DRIVEN, Force, KEPLER, PENDULUM, difference};
 use crate::integrate::{
-    BlanesMoan4, Cause, IntegrationError, Method, RungeKutta4, Stepper, StormerVerlet, SymplecticEuler,
-    integrate,
+    BlanesMoan4, IntegrationError, Method, RungeKutta4, Stepper, StormerVerlet, SymplecticEuler, integrate,
 };
-use crate::system::{Component, OdeSystem, Undefined};
+use crate::system::{Component, OdeSystem, StepFailure, Undefined};
 
 /// A unit mass on a spring of stiffness 10⁹.
 const STIFF: Force<f64, 1, 2> = Force { acceleration: |_, [x]| [-1e9 * x] };
@@ -24,7 +23,7 @@ where
         assert!(y.iter().all(|y| y.abs() <= 10.0 * largest * FREQUENCY), "{y:?} from {start:?}");
     });
     match outcome {
-        Err(IntegrationError { cause: Cause::StepTooLong { limit, .. }, .. }) => Some(limit),
+        Err(IntegrationError { cause: StepFailure::StepTooLong { limit, .. }, .. }) => Some(limit),
         Err(error) => panic!("{error}"),
         Ok(_) => None,
     }
@@ -61,7 +60,7 @@ fn stiffness_is_refused_in_single_precision() {
     for (outcome, stable) in limits.into_iter().zip([2.0, 2.785]) {
         let cause = outcome.expect_err("refused").cause;
         let near = |limit: f32| (f64::from(limit) * FREQUENCY / stable - 1.0).abs() < 0.01;
-        assert!(matches!(cause, Cause::StepTooLong { limit, .. } if near(limit)), "{cause:?}");
+        assert!(matches!(cause, StepFailure::StepTooLong { limit, .. } if near(limit)), "{cause:?}");
     }
 }
 
@@ -80,7 +79,7 @@ fn a_stiff_part_at_rest_is_found_before_it_shows() {
     let outcome = integrate(&BOTH, 0.0, [1.0, 0.0, 0.0, 0.0], 10.0, &StormerVerlet { step: 1e-3 }, |_, _| {});
     let error = outcome.expect_err("refused");
     assert!(
-        matches!(error.cause, Cause::StepTooLong { limit, .. } if (limit * FREQUENCY / 2.0 - 1.0).abs() < 0.01)
+        matches!(error.cause, StepFailure::StepTooLong { limit, .. } if (limit * FREQUENCY / 2.0 - 1.0).abs() < 0.01)
     );
     assert!(error.state[1].abs() < 1e-2, "{error:?}");
 }
@@ -154,7 +153,7 @@ fn nan_stops_at_the_last_good_state() {
     let (time, state) = good[good.len() - 1];
     let error = outcome.expect_err("NaN");
     assert_eq!((error.time, error.state), (time, state));
-    let Cause::Undefined(Undefined::Rate { component: Component::Index(1), time: later, value }) =
+    let StepFailure::Undefined(Undefined::Rate { component: Component::Index(1), time: later, value }) =
         error.cause
     else {
         panic!("{error}")
@@ -172,7 +171,7 @@ fn a_failed_step_leaves_nothing_behind() {
         stepper.step(&gap, 1.0).expect("before the gap");
     }
     let (before, halfway) = (*stepper.state(), stepper.interpolate(&gap, 0.25));
-    assert_eq!(stepper.step(&gap, 1.0), Err(Cause::NotFinite));
+    assert_eq!(stepper.step(&gap, 1.0), Err(StepFailure::NotFinite));
     assert_eq!((*stepper.state(), stepper.interpolate(&gap, 0.25)), (before, halfway));
     let mut again = method.start(&gap, stepper.time(), &before, 1.0).expect("valid");
     stepper.step(&gap, 0.34).expect("a shorter step");
@@ -191,7 +190,7 @@ fn after_a_restart_nothing_old_is_used() {
     stepper.step(&PENDULUM, 10.0).expect("stable");
     fresh.step(&PENDULUM, 10.0).expect("stable");
     assert_eq!(stepper.state(), fresh.state());
-    assert_eq!(stepper.restart(&PENDULUM, t, &[f64::NAN, 0.0]), Err(Cause::NotFinite));
+    assert_eq!(stepper.restart(&PENDULUM, t, &[f64::NAN, 0.0]), Err(StepFailure::NotFinite));
 }
 
 #[test]

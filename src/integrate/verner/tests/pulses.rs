@@ -1,8 +1,9 @@
 //! Forces that are felt for a short time only, and what lies within steps that meet them.
 
 use super::{Equation, Oscillator};
-use crate::integrate::{Cause, Method, Restarts, Stepper, Verner98, Work, integrate};
-use crate::system::OdeSystem;
+use crate::integrate::{Method, Stepper, Verner98, Work, integrate};
+use crate::run::Restarts;
+use crate::system::{OdeSystem, StepFailure};
 
 /// ẍ = −x + exp(−((t − centre)/width)²)
 #[derive(Clone, Copy)]
@@ -162,7 +163,7 @@ fn a_start_that_the_tolerance_cannot_measure_is_refused_with_the_tolerance() {
     for (start, method) in [([5e-324, 1.0], method), ([0.0, 1e300], Verner98::tolerance(1e-9))] {
         let error = integrate(&Oscillator, 0.0, start, 1.0, &method, |_, _| {}).expect_err("no first step");
         let (relative, absolute) = (method.relative, method.absolute);
-        assert_eq!(error.cause, Cause::NoFirstStep { relative, absolute });
+        assert_eq!(error.cause, StepFailure::NoFirstStep { relative, absolute });
         let message = std::format!("{}", error.cause);
         assert!(message.contains("1e-9") && message.contains("tolerance"), "{message}");
     }

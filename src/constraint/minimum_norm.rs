@@ -1,0 +1,298 @@
+//! Multipliers where constraints depend on each other.
+//!
+//! Redundant constraints share a force in ways that the motion does not tell apart, and a mechanism may pass through
+//! configurations in which constraints lose their independence for an instant. Of all multipliers that give the same motion,
+//! those with the smallest sum of squares are taken. Independence is judged by orthogonal factors of the scaled equations, never
+//! by products of matrices with themselves, which would hide half of the digits.
+//! Sources: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.4, §5.5; García de Jalón, Bayo, *Kinematic and Dynamic
+//! Simulation of Multibody Systems*; Ruiz, *A scaling algorithm to equilibrate both rows and columns norms in matrices*,
+//! Rutherford Appleton Laboratory report RAL-TR-2001-034.
+
+use crate::linalg::orthogonal::{Factors, euclidean_norm};
+use crate::scalar::Scalar;
+
+/// Of a symmetric matrix, so many roundings for each row are taken for zero beside its largest column once it is scaled.
+const ROUNDINGS: f64 = 32.0;
+/// Rounds of scaling; each takes the root of how far magnitudes lie apart.
+const SCALINGS: u32 = 6;
+
+/// Accelerations and multipliers of a system whose constraints may depend on each other: N coordinates, D constraints.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RedundantMotion<S, const N: usize, const D: usize> {
+    /// The accelerations a.
+    pub acceleration: [S; N],
+    /// The multipliers λ, of all that give these accelerations those with the smallest sum of squares.
+    pub multipliers: [S; D],
+    /// How many constraints are independent.
+    pub rank: usize,
+}
+
+/// The part of a constraint's gradient below which what other constraints leave of it is taken for nothing: ε^(5/16), which is
+/// 1.3·10⁻⁵ for `f64`.
+///
+/// Gradients are measured with the roots of the masses as units and scaled to length one. Where a part σ of one is left, positions
+/// are found to ε/σ, and velocities and accelerations to ε/σ²: worse than nothing long before σ is as small as rounding. Moreover,
+/// stages of a method lie beside the constraints by their own errors, where constraints that depend on each other on the motion
+/// differ by as much; a tolerance near rounding would take these differences for constraints.
+pub fn rank_tolerance<S: Scalar>() -> S {
+    let root = S::epsilon().sqrt().sqrt();
+    root * root.sqrt().sqrt()
+}
+
+/// The vector x with the smallest sum of squares among those for which that of `matrix` x − `right` is smallest. The matrix is
+/// symmetric and may be singular or indefinite.
+///
+/// Rows and columns are scaled alike to decide on the rank: columns of which others leave less than 32 D roundings of the largest
+/// one depend on these. An entry of the matrix that is a rounding error by itself must therefore stand beside what it is
+/// the rounding error of: a Schur complement that has vanished altogether cannot be told from one that is small.
+/// NaN or infinity anywhere gives NaN everywhere.
+///
+/// ```
+/// use lagrange::constraint::minimum_norm;
+///
+/// // One constraint, stated twice: each copy takes half of the force.
+/// assert_eq!(minimum_norm([[2.0, 2.0], [2.0, 2.0]], [4.0, 4.0]).map(|x: f64| (x * 1e15).round() / 1e15), [1.0, 1.0]);
+/// ```
+pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D]) -> [S; D] {
+    if !(finite(&matrix) && finite(&[right])) {
+        return [S::NAN; D];
+    }
+    let scales = equilibration(&matrix);
+    let scaled: [[S; D]; D] =
+        core::array::from_fn(|j| core::array::from_fn(|i| scales[i] * matrix[i][j] * scales[j]));
+    let factors = Factors::new(scaled, roundings::<S, D>());
+    let scale = |right: &[S; D]| factors.inward(core::array::from_fn(|i| scales[i] * right[i]));
+    let mut inner = scale(&right);
+    if euclidean_norm(&inner[factors.rank()..]) > roundings::<S, D>() * euclidean_norm(&inner) {
+        inner = scale(&Ignored::new(&factors, &scales).remove(right));
+    }
+    shortest(&factors, &inner, &scales)
+}
+
+/// Accelerations and multipliers of
+///
+/// ```text
+/// M a = f + Aᵀλ,    A a + b = 0
+/// ```
+///
+/// from the symmetric mass matrix M and the matrix A of the constraints, both in rows, the forcing f and the drift b.
+/// The mass matrix may be singular as long as the constraints determine what it does not.
+///
+/// Constraints depend on each other as [`rank_tolerance`] says. All is NaN if what is given is not finite, if the accelerations
+/// are not determined, or if the constraints contradict each other: if one that depends on others is missed by more than a hundred
+/// times that tolerance, beside the accelerations with and without constraints and the drifts.
+pub fn redundant_motion<S: Scalar, const N: usize, const D: usize>(
+    mass: &[[S; N]; N],
+    forcing: &[S; N],
+    jacobian: &[[S; N]; D],
+    drift: &[S; D],
+) -> RedundantMotion<S, N, D> {
+    let equations = Equations::new(mass, jacobian).filter(|_| finite(&[*forcing]) && finite(&[*drift]));
+    let motion = equations.and_then(|equations| {
+        let (acceleration, multipliers) = equations.solve(forcing, drift)?;
+        equations.agrees(&acceleration, forcing, drift).then(|| RedundantMotion {
+            acceleration: equations.in_coordinates(&acceleration),
+            multipliers,
+            rank: equations.rank(),
+        })
+    });
+    motion.unwrap_or(RedundantMotion { acceleration: [S::NAN; N], multipliers: [S::NAN; D], rank: 0 })
+}
+
+/// The smallest change δ of the coordinates, measured by the mass matrix, with A δ = −`residuals` for the constraints that are
+/// independent; the others are left alone, since what they still miss is of second order unless they contradict the first.
+///
+/// NaN if what is given is not finite, if δ is not determined, or if a constraint without a gradient has a residual.
+pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
+    mass: &[[S; N]; N],
+    jacobian: &[[S; N]; D],
+    residuals: &[S; D],
+) -> [S; N] {
+    let is_lost = |(row, residual): (&[S; N], &S)| *residual != S::ZERO && row.iter().all(|x| *x == S::ZERO);
+    let are_possible = finite(&[*residuals]) && !jacobian.iter().zip(residuals).any(is_lost);
+    let equations = Equations::new(mass, jacobian).filter(|_| are_possible);
+    let change = equations.and_then(|equations| {
+        let (change, _) = equations.solve(&[S::ZERO; N], residuals)?;
+        Some(equations.in_coordinates(&change))
+    });
+    change.unwrap_or([S::NAN; N])
+}
+
+/// The matrices in coordinates whose masses are one, with the gradients of the constraints scaled to length one.
+#[derive(Debug)]
+struct Equations<S, const N: usize, const D: usize> {
+    mass: [[S; N]; N],
+    /// By which coordinates were multiplied: a = scales a′.
+    scales: [S; N],
+    rows: [[S; N]; D],
+    /// By which constraints were multiplied: λ = row_scales λ′.
+    row_scales: [S; D],
+    factors: Factors<S, N, D>,
+}
+
+impl<S: Scalar, const N: usize, const D: usize> Equations<S, N, D> {
+    /// Scales and factorises; nothing if a matrix is not finite.
+    fn new(mass: &[[S; N]; N], jacobian: &[[S; N]; D]) -> Option<Self> {
+        if !(finite(mass) && finite(jacobian)) {
+            return None;
+        }
+        let scales = core::array::from_fn(|j| {
+            let column = jacobian.iter().fold(S::ZERO, |most, row| most.max(row[j].abs()));
+            reciprocal(if mass[j][j] > S::ZERO { mass[j][j].sqrt() } else { column })
+        });
+        let mass = core::array::from_fn(|i| core::array::from_fn(|j| scales[i] * mass[i][j] * scales[j]));
+        let mut rows: [[S; N]; D] =
+            core::array::from_fn(|i| core::array::from_fn(|j| jacobian[i][j] * scales[j]));
+        let row_scales = core::array::from_fn(|i| reciprocal(euclidean_norm(&rows[i])));
+        for (row, scale) in rows.iter_mut().zip(row_scales) {
+            *row = row.map(|entry| entry * scale);
+        }
+        Some(Equations { mass, scales, rows, row_scales, factors: Factors::new(rows, rank_tolerance()) })
+    }
+
+    fn rank(&self) -> usize {
+        self.factors.rank()
+    }
+
+    /// The scaled accelerations, and the multipliers; nothing if accelerations are not determined.
+    fn solve(&self, forcing: &[S; N], drift: &[S; D]) -> Option<([S; N], [S; D])> {
+        let demanded = core::array::from_fn(|i| -(self.row_scales[i] * drift[i]));
+        let mut acceleration = self.factors.shortest(&demanded);
+        let free = self.free_part(self.forces_on(&acceleration, forcing))?;
+        for (sum, part) in acceleration.iter_mut().zip(free) {
+            *sum = *sum + part;
+        }
+        let missing = self.forces_on(&acceleration, forcing).map(|force| -force);
+        let components = self.factors.inward(missing);
+        Some((acceleration, shortest(&self.factors, &components, &self.row_scales)))
+    }
+
+    /// f − M a
+    fn forces_on(&self, acceleration: &[S; N], forcing: &[S; N]) -> [S; N] {
+        core::array::from_fn(|i| {
+            let row = self.mass[i].iter().zip(acceleration);
+            row.fold(self.scales[i] * forcing[i], |sum, (mass, part)| (-*mass).multiply_add(*part, sum))
+        })
+    }
+
+    /// The acceleration by these forces in the directions that no constraint restricts.
+    fn free_part(&self, forces: [S; N]) -> Option<[S; N]> {
+        let (rank, mut right) = (self.rank(), self.factors.inward(forces));
+        right[..rank].fill(S::ZERO);
+        let reduced: [[S; N]; N] = core::array::from_fn(|j| {
+            let mut direction = [S::ZERO; N];
+            direction[j] = S::ONE;
+            if j < rank {
+                return direction;
+            }
+            let direction = self.factors.outward(direction);
+            let mut column =
+                self.factors.inward(self.forces_on(&direction, &[S::ZERO; N])).map(|force| -force);
+            column[..rank].fill(S::ZERO);
+            column
+        });
+        let factors = Factors::new(reduced, roundings::<S, N>());
+        let is_determined = factors.rank() == N;
+        is_determined.then(|| self.factors.outward(factors.combination(right)))
+    }
+
+    /// Whether the constraints that depend on others hold, too.
+    fn agrees(&self, acceleration: &[S; N], forcing: &[S; N], drift: &[S; D]) -> bool {
+        let scaled_forcing: [S; N] = core::array::from_fn(|j| self.scales[j] * forcing[j]);
+        let drifts: [S; D] = core::array::from_fn(|i| self.row_scales[i] * drift[i]);
+        let size = euclidean_norm(acceleration) + euclidean_norm(&scaled_forcing) + euclidean_norm(&drifts);
+        let most = S::from_f64(100.0) * rank_tolerance::<S>() * size;
+        self.factors.order()[self.rank()..].iter().all(|&i| {
+            let row = self.rows[i].iter().zip(acceleration);
+            row.fold(drifts[i], |sum, (entry, part)| entry.multiply_add(*part, sum)).abs() <= most
+        })
+    }
+
+    fn in_coordinates(&self, scaled: &[S; N]) -> [S; N] {
+        core::array::from_fn(|j| self.scales[j] * scaled[j])
+    }
+}
+
+/// The shortest x for which the columns of the factors, in the amounts x / `scales`, add up to what has these components in the
+/// directions of the independent columns.
+fn shortest<S: Scalar, const ROWS: usize, const COLUMNS: usize>(
+    factors: &Factors<S, ROWS, COLUMNS>,
+    components: &[S; ROWS],
+    scales: &[S; COLUMNS],
+) -> [S; COLUMNS] {
+    let mut products = [S::ZERO; COLUMNS];
+    let mut rows = [[S::ZERO; COLUMNS]; COLUMNS];
+    for (k, (row, product)) in rows.iter_mut().zip(&mut products).enumerate().take(factors.rank()) {
+        for (l, &column) in factors.order().iter().enumerate().skip(k) {
+            row[column] = factors.entry(k, l) / scales[column];
+        }
+        let scale = reciprocal(euclidean_norm(row));
+        *product = components[k] * scale;
+        *row = row.map(|entry| entry * scale);
+    }
+    Factors::new(rows, S::ZERO).shortest(&products)
+}
+
+/// What a symmetric matrix maps to zero.
+#[derive(Debug)]
+struct Ignored<S, const D: usize> {
+    basis: Factors<S, D, D>,
+}
+
+impl<S: Scalar, const D: usize> Ignored<S, D> {
+    fn new(factors: &Factors<S, D, D>, scales: &[S; D]) -> Self {
+        let basis = core::array::from_fn(|l| {
+            if l < factors.rank() {
+                return [S::ZERO; D];
+            }
+            let amounts = factors.dependence(l);
+            let vector: [S; D] = core::array::from_fn(|i| scales[i] * amounts[i]);
+            let scale = reciprocal(euclidean_norm(&vector));
+            vector.map(|entry| entry * scale)
+        });
+        Ignored { basis: Factors::new(basis, S::ZERO) }
+    }
+
+    /// What is left of a vector without its part of this.
+    fn remove(&self, x: [S; D]) -> [S; D] {
+        if self.basis.rank() == 0 {
+            return x;
+        }
+        let mut inner = self.basis.inward(x);
+        inner[..self.basis.rank()].fill(S::ZERO);
+        self.basis.outward(inner)
+    }
+}
+
+/// Factors that bring the largest entry of each row of a symmetric matrix near one, if columns are multiplied by them, too.
+pub(super) fn equilibration<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [S; D] {
+    let mut scales = [S::ONE; D];
+    for _ in 0..SCALINGS {
+        let before = scales;
+        for (i, scale) in scales.iter_mut().enumerate() {
+            let row = matrix[i].iter().zip(&before);
+            let largest =
+                row.fold(S::ZERO, |most, (entry, other)| most.max((before[i] * *entry * *other).abs()));
+            *scale = before[i] * reciprocal(largest.sqrt());
+        }
+    }
+    scales
+}
+
+/// The reciprocal; one if that is not finite.
+fn reciprocal<S: Scalar>(x: S) -> S {
+    let reciprocal = S::ONE / x;
+    if reciprocal.is_finite() { reciprocal } else { S::ONE }
+}
+
+/// What is rounding in a matrix of K rows that is scaled.
+pub(super) fn roundings<S: Scalar, const K: usize>() -> S {
+    S::from_f64(ROUNDINGS * K as f64) * S::epsilon()
+}
+
+pub(super) fn finite<S: Scalar, const K: usize>(rows: &[[S; K]]) -> bool {
+    rows.iter().all(|row| row.iter().all(|entry| entry.is_finite()))
+}
+
+#[cfg(test)]
+mod tests;

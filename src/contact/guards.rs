@@ -1,0 +1,86 @@
+//! When modes switch.
+
+use core::array;
+
+use super::reaction_forces::{Balance, reactions};
+use super::{Contact, ContactSystem, Friction, Mode, Terms};
+use crate::constraint::sizes;
+use crate::scalar::Scalar;
+use crate::system::split;
+
+/// Friction whose limit is smaller than this is none.
+pub(super) fn nothing<S: Scalar>() -> S {
+    S::epsilon() * S::epsilon()
+}
+
+/// Forces may miss their bounds by this many roundings of the terms that make them: more than what counts as none when modes are
+/// chosen, so that a body exactly at a bound does not go back and forth.
+const ROUNDINGS: f64 = 64.0;
+
+/// A function for each reaction that is positive while its mode may last and falls through zero where it ends: the gap of an open
+/// contact, the force of a closed one, the slip velocity in the direction of slipping, and what is left to the static
+/// limit while friction sticks. Forces fall through zero a few roundings later than they do.
+pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
+    terms: &Terms<S, N, K>,
+    modes: &[Mode; K],
+) -> [S; K] {
+    let reactions = reactions(terms, modes);
+    let balance = Balance::of_forces(terms);
+    let rounding = |k: usize| match balance.response(k) {
+        response if response > S::ZERO => {
+            S::from_f64(ROUNDINGS) * S::epsilon() * balance.size(k, &reactions) / response
+        }
+        _ => S::ZERO,
+    };
+    let value = |k: usize| match modes[k] {
+        Mode::Contact(Contact::Open) => terms.gaps[k],
+        Mode::Contact(Contact::Closed) => reactions[k] + rounding(k),
+        Mode::Friction(Friction::SlipsForwards) => terms.rates[k],
+        Mode::Friction(Friction::SlipsBackwards) => -terms.rates[k],
+        Mode::Friction(Friction::Sticks) => balance.fixed(k, &reactions) + rounding(k) - reactions[k].abs(),
+        Mode::Friction(Friction::Slips) => nothing::<S>() - balance.fixed(k, &reactions),
+        Mode::Smooth => S::ONE,
+    };
+    array::from_fn(value)
+}
+
+/// Writes [`switch_values`] of the state to the places of the declared events that belong to reactions.
+///
+/// Slip velocities count as positive down to what rounding makes of zero: friction may be at its limit where other contacts
+/// hold its slip velocity, as that of a block pushed against a wall, and would come to its end in every step.
+///
+/// # Panics
+/// If `values` has no place for one of them.
+pub fn event_values<M, const N: usize, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    y: &M::State,
+    values: &mut [M::Scalar],
+) where
+    M: ContactSystem<N, K>,
+{
+    let (q, v) = split::<M>(y);
+    let modes = system.modes();
+    let terms = system.terms(t, &q, &v);
+    let found = switch_values(&terms, &modes);
+    for k in (0..K).filter(|k| modes[*k] != Mode::Smooth) {
+        let is_slipping =
+            matches!(modes[k], Mode::Friction(Friction::SlipsForwards | Friction::SlipsBackwards));
+        let noise = if is_slipping { terms.slip_noise(k, t, &v) } else { M::Scalar::ZERO };
+        values[system.event_of(k)] = found[k] + noise;
+    }
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// What rounding may make of slip velocity k where it is held at zero: of the velocities, and of accelerations in the time that
+    /// has passed.
+    fn slip_noise(&self, k: usize, t: S, v: &[S; N]) -> S {
+        let size = self.size_of(k, &sizes(v)) + self.acceleration_of(k) * t.abs();
+        S::from_f64(ROUNDINGS) * S::epsilon() * size
+    }
+
+    /// How large the terms are of the rate of rate k without reactions.
+    pub(super) fn acceleration_of(&self, k: usize) -> S {
+        self.size_of(k, &self.free) + self.drifts[k].abs()
+    }
+}

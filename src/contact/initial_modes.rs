@@ -1,0 +1,154 @@
+//! Modes that fit a state.
+
+use core::array;
+
+use super::complementarity::Choice;
+use super::guards::nothing;
+use super::reaction_forces::{Balance, Rule};
+use super::{Contact, ContactSystem, Friction, Mode, Terms};
+use crate::constraint::sizes;
+use crate::linalg::vector::dot;
+use crate::scalar::Scalar;
+use crate::system::{StepFailure, Violation, split};
+
+/// Gaps and rates are zero if they are smaller than this many roundings of what they would be if each coordinate were off by its
+/// size, as constraints are measured: a gap that is a coordinate has no other terms beside which it could be small.
+const ROUNDINGS: f64 = 4096.0;
+const NO_FORCES: &str = "no forces in contacts and friction fit the state: friction is too strong there for rigid bodies that slip this \
+                         way (the paradox of Painlevé)";
+
+/// The system as a motion from this state starts: contacts that touch and press are closed, friction at rest sticks if it can
+/// and slips the way it is driven otherwise. `None` if it is in these modes already.
+///
+/// A contact that touches and approaches stays open: its event is the impact, at once.
+///
+/// # Errors
+/// If a gap is negative, if a coefficient of restitution that does not depend on the state is not from 0 to 1, if something is not
+/// finite, or if no modes fit.
+pub fn begin<M, const N: usize, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    y: &M::State,
+) -> Result<Option<M>, StepFailure<M::Scalar>>
+where
+    M: ContactSystem<N, K>,
+{
+    let (q, v) = split::<M>(y);
+    let (terms, modes) = (system.terms(t, &q, &v), system.modes());
+    let is_finite = |values: &[M::Scalar; K]| values.iter().all(|value| value.is_finite());
+    if !(is_finite(&terms.gaps) && is_finite(&terms.rates)) {
+        return Err(StepFailure::NotFinite);
+    }
+    terms.restitutions::<M>(&modes, |k| !M::RESTITUTIONS_VARY[k])?;
+    let position = Position::of(&terms, &modes, (t, &q, &v));
+    if let Some(k) = position.is_beyond.iter().position(|is_beyond| *is_beyond) {
+        return Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])));
+    }
+    let settled = terms.settle(&modes, &position, None)?;
+    Ok((settled != modes).then(|| system.in_modes(settled)))
+}
+
+/// Which gaps and rates are zero.
+pub(super) struct Position<const K: usize> {
+    pub(super) is_touching: [bool; K],
+    /// Whether bodies overlap by more than rounding.
+    is_beyond: [bool; K],
+    pub(super) is_still: [bool; K],
+}
+
+impl<const K: usize> Position<K> {
+    /// Judged by rounding; contacts and friction that already hold are given half of all digits.
+    pub(super) fn of<S: Scalar, const N: usize>(
+        terms: &Terms<S, N, K>,
+        modes: &[Mode; K],
+        (t, q, v): (S, &[S; N], &[S; N]),
+    ) -> Self {
+        let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
+        let share = |k: usize| if holds(modes[k]) { S::epsilon().sqrt() } else { rounding };
+        let (lengths, speeds) = (lengths(q), sizes(v));
+        let near: [S; K] = array::from_fn(|k| {
+            let size = terms.size_of(k, &lengths) + terms.speed_of(k, v) * t.abs();
+            share(k) * terms.size_of(k, q) + rounding * size
+        });
+        let slow: [S; K] = array::from_fn(|k| {
+            let size = terms.size_of(k, &speeds) + terms.acceleration_of(k) * t.abs();
+            share(k) * terms.speed_of(k, v) + rounding * size
+        });
+        let is_contact = |k: usize| matches!(modes[k], Mode::Contact(_));
+        Position {
+            is_touching: array::from_fn(|k| is_contact(k) && terms.gaps[k].abs() <= near[k]),
+            is_beyond: array::from_fn(|k| is_contact(k) && terms.gaps[k] < -near[k]),
+            is_still: array::from_fn(|k| terms.rates[k].abs() <= slow[k]),
+        }
+    }
+}
+
+/// What coordinates are measured by where gaps are judged. If all of them are zero nothing tells how large they might be but their
+/// unit, as in the tolerances of methods.
+pub(super) fn lengths<S: Scalar, const N: usize>(q: &[S; N]) -> [S; N] {
+    if q.iter().all(|entry| *entry == S::ZERO) { [S::ONE; N] } else { sizes(q) }
+}
+
+/// Whether this mode keeps a rate at zero.
+pub(super) fn holds(mode: Mode) -> bool {
+    matches!(mode, Mode::Contact(Contact::Closed) | Mode::Friction(Friction::Sticks))
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// How large the terms of rate k are, that of a motion of the surroundings included.
+    pub(super) fn speed_of(&self, k: usize, v: &[S; N]) -> S {
+        let own = dot(&self.rows[k], v);
+        self.size_of(k, v) + (self.rates[k] - own).abs()
+    }
+
+    /// Modes that fit together where gaps and rates that are zero are known. The mode that reaction `ended` had has just come
+    /// to its end, so that it is none of them.
+    ///
+    /// # Errors
+    /// If there are none, or if something is not finite.
+    pub(super) fn settle(
+        &self,
+        modes: &[Mode; K],
+        position: &Position<K>,
+        ended: Option<(usize, Rule)>,
+    ) -> Result<[Mode; K], StepFailure<S>> {
+        let mut choices = [Choice::Only(Rule::Smooth); K];
+        for k in 0..K {
+            choices[k] = match modes[k] {
+                Mode::Smooth => Choice::Only(Rule::Smooth),
+                _ if ended.is_some_and(|(ended, _)| ended == k) => {
+                    Choice::Only(ended.map_or(Rule::Absent, |(_, rule)| rule))
+                }
+                Mode::Contact(_) if position.is_touching[k] && position.is_still[k] => Choice::Touch,
+                Mode::Contact(_) => Choice::Only(Rule::Absent),
+                Mode::Friction(_) if position.is_still[k] => Choice::Rest,
+                Mode::Friction(_) => Choice::Only(Rule::slipping(self.rates[k])),
+            };
+        }
+        let balance = Balance::of_forces(self);
+        if !balance.is_finite() {
+            return Err(StepFailure::NotFinite);
+        }
+        let settled = balance.settle(&choices).ok_or(StepFailure::Stuck(NO_FORCES))?;
+        let mut result = *modes;
+        for k in 0..K {
+            let is_limited = balance.fixed(k, &settled.reactions) > nothing();
+            result[k] = mode(modes[k], settled.rules[k], is_limited);
+        }
+        Ok(result)
+    }
+}
+
+/// The mode with this rule. Friction without a limit just slips.
+fn mode(kind: Mode, rule: Rule, is_limited: bool) -> Mode {
+    match (kind, rule) {
+        (Mode::Smooth, _) => Mode::Smooth,
+        (Mode::Contact(_), Rule::Holds) => Mode::Contact(Contact::Closed),
+        (Mode::Contact(_), _) => Mode::Contact(Contact::Open),
+        (Mode::Friction(_), _) if !is_limited => Mode::Friction(Friction::Slips),
+        (Mode::Friction(_), Rule::Holds) => Mode::Friction(Friction::Sticks),
+        (Mode::Friction(_), Rule::Forwards) => Mode::Friction(Friction::SlipsForwards),
+        (Mode::Friction(_), Rule::Backwards) => Mode::Friction(Friction::SlipsBackwards),
+        (Mode::Friction(_), _) => Mode::Friction(Friction::Slips),
+    }
+}

@@ -1,0 +1,275 @@
+//! The small system that reactions solve.
+//!
+//! A reaction r_k changes the rates that it acts on by G r, with G_kj = d_k·w_j: accelerations of gaps and slip velocities if
+//! the reactions are forces, these velocities themselves if they are impulses. Rules say of each reaction whether it is absent,
+//! holds its rate at zero, or is friction at its limit.
+//!
+//! Reactions are measured in √G_kk, which makes them comparable whatever their units. Where holding rates leaves reactions
+//! undetermined, as those of a table on four legs, the shortest are taken in this measure; the motion does not depend on it.
+
+use core::array;
+
+use super::{Contact, Friction, Mode, Terms};
+use crate::linalg::singular::{nearest, solve};
+use crate::linalg::vector::dot;
+use crate::scalar::Scalar;
+
+/// By what rule a reaction acts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Rule {
+    /// Not at all.
+    Absent,
+    /// So that its rate is zero.
+    Holds,
+    /// r = −|kinetic limit|
+    Forwards,
+    /// r = +|kinetic limit|
+    Backwards,
+    /// r = −kinetic limit, which has the sign of the slip velocity already.
+    Smooth,
+}
+
+/// Rates as they are without reactions, and how reactions change them.
+#[derive(Clone, Copy)]
+pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
+    terms: &'a Terms<S, N, K>,
+    /// G
+    matrix: [[S; K]; K],
+    /// Rates without reactions.
+    offsets: [S; K],
+    /// How large the terms are of which the offsets are sums.
+    sizes: [S; K],
+    /// One if limits hold what is there without reactions; zero for impulses, to which finite forces do not contribute.
+    presence: S,
+    /// Whether rates that cannot be held together are an error; else they are held as nearly as they can be.
+    is_exact: bool,
+}
+
+impl Rule {
+    /// The rule of a mode at a rate.
+    pub(super) fn of<S: Scalar>(mode: Mode, rate: S) -> Rule {
+        match mode {
+            Mode::Contact(Contact::Open) => Rule::Absent,
+            Mode::Contact(Contact::Closed) | Mode::Friction(Friction::Sticks) => Rule::Holds,
+            Mode::Friction(Friction::SlipsForwards) => Rule::Forwards,
+            Mode::Friction(Friction::SlipsBackwards) => Rule::Backwards,
+            Mode::Friction(Friction::Slips) => Rule::slipping(rate),
+            Mode::Smooth => Rule::Smooth,
+        }
+    }
+
+    /// The rule of friction at a slip velocity.
+    pub(super) fn slipping<S: Scalar>(rate: S) -> Rule {
+        if rate > S::ZERO {
+            Rule::Forwards
+        } else if rate < S::ZERO {
+            Rule::Backwards
+        } else {
+            Rule::Absent
+        }
+    }
+}
+
+impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
+    /// Of forces and the rates of rates.
+    pub(super) fn of_forces(terms: &'a Terms<S, N, K>) -> Self {
+        let offset = |k: usize| dot(&terms.rows[k], &terms.free) + terms.drifts[k];
+        let size = |k: usize| terms.size_of(k, &terms.free) + terms.drifts[k].abs();
+        let (offsets, sizes) = (array::from_fn(offset), array::from_fn(size));
+        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ONE, is_exact: true }
+    }
+
+    /// Of impulses and what is to be zero or positive after an impact: rate⁺ + e rate⁻.
+    pub(super) fn of_impulses(terms: &'a Terms<S, N, K>, restitutions: &[S; K]) -> Self {
+        let offsets: [S; K] = array::from_fn(|k| match terms.rates[k] {
+            rate if rate < S::ZERO => rate + restitutions[k] * rate,
+            rate => rate,
+        });
+        let sizes = array::from_fn(|k| offsets[k].abs());
+        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: true }
+    }
+
+    /// The same where these contacts approach with a part of the largest slip velocity that their friction meets.
+    pub(super) fn approached(mut self, part: S, contacts: &[bool; K]) -> Self {
+        let units = self.units();
+        let meets_friction = |k: &usize| !contacts[*k] && self.has_limit(*k, |j| contacts[j]);
+        let slips = (0..K).filter(meets_friction).map(|k| self.offsets[k].abs() / units[k]);
+        let largest = slips.fold(S::ZERO, S::max);
+        for k in (0..K).filter(|k| contacts[*k]) {
+            self.offsets[k] = self.offsets[k] - part * largest * units[k];
+            self.sizes[k] = self.offsets[k].abs();
+        }
+        self
+    }
+
+    /// Of changes of the state that take away these values. Those of a state that is at rest but for rounding need not fit together.
+    pub(super) fn of_values(terms: &'a Terms<S, N, K>, values: [S; K]) -> Self {
+        let (offsets, sizes) = (values, values);
+        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: false }
+    }
+
+    /// Whether rates without reactions, and what reactions change, are numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        self.matrix.iter().chain([&self.offsets]).flatten().all(|entry| entry.is_finite())
+    }
+
+    /// Whether reactions are impulses.
+    pub(super) fn is_of_impulses(&self) -> bool {
+        self.is_exact && self.presence == S::ZERO
+    }
+
+    /// What rate k is under these reactions.
+    pub(super) fn rate(&self, k: usize, reactions: &[S; K]) -> S {
+        self.offsets[k] + self.change(k, reactions)
+    }
+
+    /// By how much these reactions change rate k.
+    pub(super) fn change(&self, k: usize, reactions: &[S; K]) -> S {
+        dot(&self.matrix[k], reactions)
+    }
+
+    /// How large the terms are of which that is the sum.
+    pub(super) fn size(&self, k: usize, reactions: &[S; K]) -> S {
+        let parts = self.matrix[k].iter().zip(reactions);
+        parts.fold(self.sizes[k], |sum, (g, r)| sum + (*g * *r).abs())
+    }
+
+    /// By how much reaction k changes its own rate.
+    pub(super) fn response(&self, k: usize) -> S {
+        self.matrix[k][k]
+    }
+
+    /// G in row k and column j.
+    pub(super) fn entry(&self, k: usize, j: usize) -> S {
+        self.matrix[k][j]
+    }
+
+    /// Rate k without reactions.
+    pub(super) fn offset(&self, k: usize) -> S {
+        self.offsets[k]
+    }
+
+    /// The kinetic limit of friction k without reactions, and how it grows with each.
+    pub(super) fn limit(&self, k: usize) -> (S, &[S; K]) {
+        (self.presence * self.terms.kinetic[k], &self.terms.kinetic_slopes[k])
+    }
+
+    /// What rates are measured in; reactions are measured in its reciprocal.
+    pub(super) fn units(&self) -> [S; K] {
+        array::from_fn(|k| match self.response(k) {
+            response if response > S::ZERO => response.sqrt(),
+            _ => S::ONE,
+        })
+    }
+
+    /// Whether friction k has a limit if these reactions may act.
+    pub(super) fn has_limit(&self, k: usize, may_act: impl Fn(usize) -> bool) -> bool {
+        let Terms { kinetic, fixed, kinetic_slopes, static_slopes, .. } = self.terms;
+        let is_present = self.presence * (kinetic[k].abs() + fixed[k].abs()) != S::ZERO;
+        let grows = |j: usize| kinetic_slopes[k][j] != S::ZERO || static_slopes[k][j] != S::ZERO;
+        is_present || (0..K).any(|j| grows(j) && may_act(j))
+    }
+
+    /// What friction k has at most while it slips, with the sign that comes out.
+    pub(super) fn kinetic(&self, k: usize, reactions: &[S; K]) -> S {
+        self.presence * self.terms.kinetic[k] + dot(&self.terms.kinetic_slopes[k], reactions)
+    }
+
+    /// What friction k has at most while it sticks; never less than while it slips.
+    pub(super) fn fixed(&self, k: usize, reactions: &[S; K]) -> S {
+        let fixed = self.presence * self.terms.fixed[k] + dot(&self.terms.static_slopes[k], reactions);
+        fixed.abs().max(self.kinetic(k, reactions).abs())
+    }
+
+    /// The reactions under these rules; NaN if there are none.
+    ///
+    /// A limit that comes out negative, as that of a guide pressed from its other side, counts by its size: then the system is
+    /// solved again with its sign changed.
+    pub(super) fn reactions(&self, rules: &[Rule; K]) -> [S; K] {
+        let is_reversed = |k: usize| rules[k] == Rule::Smooth && self.terms.rates[k] < S::ZERO;
+        let expected = array::from_fn(|k| if is_reversed(k) { -S::ONE } else { S::ONE });
+        let mut signs = expected;
+        for _ in 0..=K {
+            let reactions = self.solve(rules, &signs, &expected);
+            let mut is_consistent = true;
+            for k in 0..K {
+                let is_limited = matches!(rules[k], Rule::Forwards | Rule::Backwards | Rule::Smooth);
+                let is_negative = self.kinetic(k, &reactions) * signs[k] < S::ZERO;
+                if is_limited && is_negative && !self.is_beyond(k, rules, &reactions) {
+                    signs[k] = -signs[k];
+                    is_consistent = false;
+                }
+            }
+            if is_consistent {
+                return reactions;
+            }
+        }
+        [S::NAN; K]
+    }
+
+    /// Whether the limit of friction k is that of a contact which pulls. Such states lie beyond the event by which the contact opens;
+    /// methods look at them on their way there, and want what continues the motion smoothly.
+    fn is_beyond(&self, k: usize, rules: &[Rule; K], reactions: &[S; K]) -> bool {
+        let slopes = &self.terms.kinetic_slopes[k];
+        (0..K).any(|j| rules[j] == Rule::Holds && slopes[j] > S::ZERO && reactions[j] < S::ZERO)
+    }
+
+    /// The reactions under these rules if the limits have these signs.
+    fn solve(&self, rules: &[Rule; K], signs: &[S; K], expected: &[S; K]) -> [S; K] {
+        let units = self.units();
+        let factor = |k: usize| {
+            let factor = signs[k] * expected[k];
+            if rules[k] == Rule::Backwards { -factor } else { factor }
+        };
+        // What is absent takes no part: rounding of nothing would have a sign, by which limits are judged.
+        let is_absent = |k: usize| rules[k] == Rule::Absent;
+        let entry = |k: usize, j: usize| {
+            let own = if j == k { S::ONE } else { S::ZERO };
+            match rules[k] {
+                _ if is_absent(k) || is_absent(j) => own,
+                Rule::Holds => self.matrix[k][j] / (units[k] * units[j]),
+                _ => own + factor(k) * self.terms.kinetic_slopes[k][j] * units[k] / units[j],
+            }
+        };
+        let right = |k: usize| match rules[k] {
+            Rule::Absent => S::ZERO,
+            Rule::Holds => -self.offsets[k] / units[k],
+            _ => -(factor(k) * self.presence * self.terms.kinetic[k] * units[k]),
+        };
+        let matrix: [[S; K]; K] = array::from_fn(|k| array::from_fn(|j| entry(k, j)));
+        let right = array::from_fn(right);
+        let reactions = if self.is_exact { solve(&matrix, &right) } else { nearest(&matrix, &right) };
+        array::from_fn(|k| if is_absent(k) { S::ZERO } else { reactions[k] / units[k] })
+    }
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// G: in row k how rate k changes with each reaction.
+    fn matrix(&self) -> [[S; K]; K] {
+        array::from_fn(|k| array::from_fn(|j| dot(&self.rows[k], &self.responses[j])))
+    }
+
+    /// How large the terms of d_k·x are.
+    pub(super) fn size_of(&self, k: usize, x: &[S; N]) -> S {
+        self.rows[k].iter().zip(x).fold(S::ZERO, |sum, (d, x)| sum + (*d * *x).abs())
+    }
+}
+
+/// The reactions of a system in these modes: none of open contacts, forces that keep gaps closed and slip velocities zero, and
+/// friction at its kinetic limit against the slip. NaN if there are none.
+///
+/// Of reactions that the motion does not determine, as those of a table on four legs, the shortest are taken, each measured in
+/// the unit in which it changes its own rate.
+pub fn reactions<S: Scalar, const N: usize, const K: usize>(
+    terms: &Terms<S, N, K>,
+    modes: &[Mode; K],
+) -> [S; K] {
+    if terms.rates.iter().any(|rate| !rate.is_finite()) {
+        return [S::NAN; K];
+    }
+    let rules: [Rule; K] = array::from_fn(|k| Rule::of(modes[k], terms.rates[k]));
+    if rules.iter().all(|rule| *rule == Rule::Absent) {
+        return [S::ZERO; K];
+    }
+    Balance::of_forces(terms).reactions(&rules)
+}

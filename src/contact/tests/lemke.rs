@@ -1,0 +1,156 @@
+//! The law of contacts and friction, held to its own inequalities on random bodies.
+
+use super::systems::{BACKWARDS, CLOSED, FORWARDS, FREE, OPEN, STICKS, Stick, nothing};
+use crate::contact::complementarity::Choice;
+use crate::contact::reaction_forces::Balance;
+use crate::contact::{ContactSystem, Mode, Terms, begin};
+use crate::system::{Action, OdeSystem};
+
+/// Contacts of a body with friction in each, which follows its contact.
+const CONTACTS: usize = 4;
+const K: usize = 2 * CONTACTS;
+/// Of a body of mass 1 kg, in kg m².
+const INERTIA: f64 = 0.3;
+
+struct Random(u64);
+
+impl Random {
+    fn within(&mut self, from: f64, to: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// A plane body that touches four walls at random places, and its velocities.
+fn body(random: &mut Random) -> (Terms<f64, 3, K>, [f64; 3]) {
+    let mut terms = nothing::<3, K>();
+    let v: [f64; 3] = core::array::from_fn(|_| random.within(-1.0, 1.0));
+    let mu = random.within(0.0, 3.0);
+    for k in (0..K).step_by(2) {
+        let (x, y) = (random.within(-1.0, 1.0), random.within(-1.0, 1.0));
+        let (sin, cos) = random.within(-3.0, 3.0).sin_cos();
+        terms.rows[k] = [-sin, cos, x * cos + y * sin];
+        terms.rows[k + 1] = [cos, sin, x * sin - y * cos];
+        (terms.kinetic_slopes[k + 1][k], terms.static_slopes[k + 1][k]) = (mu, mu);
+    }
+    terms.responses = terms.rows.map(|[x, y, angle]| [x, y, angle / INERTIA]);
+    terms.rates = terms.rows.map(|row| inner(&row, &v));
+    (terms, v)
+}
+
+fn inner(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn kinetic_energy(v: &[f64; 3]) -> f64 {
+    0.5 * (v[0] * v[0] + v[1] * v[1] + INERTIA * v[2] * v[2])
+}
+
+/// How far impulses are from the law at velocities after an impact without restitution, in its own terms.
+fn violation(terms: &Terms<f64, 3, K>, impulses: &[f64; K], after: &[f64; 3]) -> f64 {
+    let mut worst = 0.0_f64;
+    for k in (0..K).step_by(2) {
+        let (normal, friction, limit) =
+            (impulses[k], impulses[k + 1], terms.kinetic_slopes[k + 1][k] * impulses[k]);
+        let (rate, slip) = (inner(&terms.rows[k], after), inner(&terms.rows[k + 1], after));
+        let brakes = (friction * slip + limit * slip.abs()).abs();
+        worst = [-normal, -rate, (normal * rate).abs(), friction.abs() - limit, brakes]
+            .into_iter()
+            .fold(worst, f64::max);
+    }
+    worst
+}
+
+/// Wedged between four walls, with any friction: there are impulses, they obey the law, and no energy comes of them.
+#[test]
+fn every_impact_has_impulses() {
+    let modes: [Mode; K] = core::array::from_fn(|k| if k % 2 == 0 { OPEN } else { FREE });
+    let is_touching = core::array::from_fn(|k| k % 2 == 0);
+    let mut random = Random(7);
+    for case in 0..500 {
+        let (terms, v) = body(&mut random);
+        let collision = terms.impact(&v, &modes, &is_touching, &[0.0; K]);
+        let collision = collision.unwrap_or_else(|error| panic!("{error} in case {case}"));
+        let worst = violation(&terms, &collision.impulses, &collision.velocities);
+        let size = collision.impulses.iter().fold(1.0_f64, |size, impulse| size.max(impulse.abs()));
+        assert!(worst <= 1e-9 * size * size, "{worst:e} in case {case}: {:?}", collision.impulses);
+        let lost = kinetic_energy(&v) - kinetic_energy(&collision.velocities);
+        assert!(
+            (lost - collision.energy_loss).abs() < 1e-9 * size * size && lost > -1e-12,
+            "{lost} in case {case}"
+        );
+    }
+}
+
+/// With restitution there are impulses, too, nothing is left that approaches, and no energy is created.
+#[test]
+fn every_impact_with_restitution_has_impulses() {
+    let modes: [Mode; K] = core::array::from_fn(|k| if k % 2 == 0 { OPEN } else { FREE });
+    let is_touching = core::array::from_fn(|k| k % 2 == 0);
+    let mut random = Random(11);
+    for case in 0..40 {
+        let (terms, v) = body(&mut random);
+        let restitutions = core::array::from_fn(|k| if k % 2 == 0 { random.within(0.0, 1.0) } else { 0.0 });
+        let collision = terms.impact(&v, &modes, &is_touching, &restitutions);
+        let collision = collision.unwrap_or_else(|error| panic!("{error} in case {case}"));
+        let lost = kinetic_energy(&v) - kinetic_energy(&collision.velocities);
+        assert!(lost > -1e-12, "{lost} in case {case}");
+        for k in (0..K).step_by(2) {
+            let rate = inner(&terms.rows[k], &collision.velocities);
+            assert!(rate > -1e-8 && collision.impulses[k] > -1e-9, "{rate} in case {case}");
+        }
+    }
+}
+
+/// Lemke's method alone finds impulses in each of them.
+#[test]
+fn lemkes_method_ends_at_impulses() {
+    let choices = core::array::from_fn(|k| if k % 2 == 0 { Choice::Touch } else { Choice::Rest });
+    let mut random = Random(13);
+    for case in 0..500 {
+        let (terms, v) = body(&mut random);
+        let balance = Balance::of_impulses(&terms, &[0.0; K]);
+        let settled = balance.complementary(&choices).unwrap_or_else(|| panic!("a ray in case {case}"));
+        let mut after = v;
+        for (response, impulse) in terms.responses.iter().zip(&settled.reactions) {
+            after = core::array::from_fn(|i| after[i] + response[i] * impulse);
+        }
+        let size = settled.reactions.iter().fold(1.0_f64, |size, impulse| size.max(impulse.abs()));
+        let worst = violation(&terms, &settled.reactions, &after);
+        assert!(worst <= 1e-8 * size * size, "{worst:e} in case {case}");
+    }
+}
+
+/// A rod that is dragged over a floor so rough that no force fits its slip stops slipping at once, by impulses that follow from
+/// G Λ = −(0, slip), and holds.
+#[test]
+fn a_rod_that_is_dragged_against_strong_friction_jams() {
+    let angle: f64 = 1.0;
+    let mut jammed = 0;
+    for slip in [-2.0, -0.01, 0.01, 2.0] {
+        let stick = Stick { m: 1.0, length: 2.0, g: 9.81, e: 0.0, mu: 3.0, modes: [OPEN, FREE] };
+        let y = [0.0, angle.sin(), angle, slip, 0.0, 0.0];
+        if begin(&stick, 0.0, &y).is_ok() {
+            continue;
+        }
+        let slips = if slip > 0.0 { FORWARDS } else { BACKWARDS };
+        let answer = stick.in_modes([CLOSED, slips]).react(0, 1.0, &y).expect("it jams");
+        let Action::Replace(after) = answer.action else { panic!("{:?}", answer.action) };
+        assert_eq!(answer.system.map(|system| system.modes), Some([CLOSED, STICKS]));
+        // J = m L²/12, and the end is at (−cos, −sin) from the centre.
+        let (sin, cos) = angle.sin_cos();
+        let g = [[1.0 + 3.0 * cos * cos, -3.0 * sin * cos], [-3.0 * sin * cos, 1.0 + 3.0 * sin * sin]];
+        let determinant = g[0][0] * g[1][1] - g[0][1] * g[1][0];
+        let (normal, friction) = (g[0][1] * slip / determinant, -g[0][0] * slip / determinant);
+        assert!(normal > 0.0 && friction.abs() < 3.0 * normal);
+        let wanted = [slip + friction, normal, 3.0 * (sin * friction - cos * normal)];
+        for (found, wanted) in after[3..].iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-13 * slip.abs(), "{found} for {wanted}");
+        }
+        let lost =
+            stick.kinetic_energy([slip, 0.0, 0.0]) - stick.kinetic_energy([after[3], after[4], after[5]]);
+        assert!(lost > 0.0);
+        jammed += 1;
+    }
+    assert_eq!(jammed, 2, "one way, fast and slowly");
+}

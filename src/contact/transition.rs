@@ -1,0 +1,148 @@
+//! What happens where a mode ends.
+
+use super::initial_modes::{Position, holds};
+use super::project::{close, correct, halt, part};
+use super::reaction_forces::{Rule, reactions};
+use super::resume::Instant;
+use super::{Contact, ContactSystem, Friction, Mode, Terms};
+use crate::scalar::Scalar;
+use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
+
+/// What the declared event of this index, which belongs to a reaction, does to the state at which it happened: an impact, a
+/// contact that opens, friction that comes to hold or gives way. Nothing if it belongs to none.
+///
+/// Bounces whose series would end within 10⁻⁹ of the time that has passed, or whose height is near the rounding of the
+/// gap, are taken together: the contact closes, and the time at which the series ends is told.
+///
+/// # Errors
+/// If no impulses, or no forces after it, fit, or if a coefficient of restitution is not from 0 to 1.
+pub fn react<M, const N: usize, const K: usize>(
+    system: &M,
+    event: usize,
+    t: M::Scalar,
+    y: &M::State,
+) -> Reacted<M>
+where
+    M: ContactSystem<N, K>,
+{
+    let modes = system.modes();
+    let Some(k) = (0..K).find(|k| modes[*k] != Mode::Smooth && system.event_of(*k) == event) else {
+        return Ok(Response::new(Action::Continue));
+    };
+    let mut held = *y;
+    correct(system, t, &mut held)?;
+    let (q, v) = split::<M>(&held);
+    let instant = Instant { system, t, q, v };
+    match modes[k] {
+        Mode::Contact(Contact::Open) => instant.hit(k),
+        Mode::Contact(Contact::Closed) => instant.end(k, Rule::Absent),
+        Mode::Friction(Friction::Sticks) => instant.give_way(k),
+        Mode::Friction(_) => instant.stop(k),
+        Mode::Smooth => Ok(Response::new(Action::Continue)),
+    }
+}
+
+impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K> {
+    /// The contact of this index touches.
+    fn hit(mut self, k: usize) -> Reacted<M> {
+        let modes = self.system.modes();
+        let mut is_closed = modes.map(|mode| mode == Mode::Contact(Contact::Closed));
+        is_closed[k] = true;
+        close(self.system, self.t, &mut self.q, &self.v, is_closed)?;
+        let mut terms = self.terms(&self.v);
+        let mut position = Position::of(&terms, &modes, (self.t, &self.q, &self.v));
+        for j in 0..K {
+            position.is_touching[j] |= is_closed[j];
+            if holds(modes[j]) {
+                (position.is_still[j], terms.rates[j]) = (true, M::Scalar::ZERO);
+            }
+        }
+        if position.is_still[k] || terms.rates[k] >= M::Scalar::ZERO {
+            return self.graze(k, &terms, &position);
+        }
+        let restitutions = terms.restitutions::<M>(&modes, |j| position.is_touching[j])?;
+        let collision = terms.impact(&self.v, &modes, &position.is_touching, &restitutions)?;
+        let resumed = self.resume(&terms, collision.velocities, position.is_touching, collision.is_still)?;
+        let impact = Impact { impulse: collision.impulses[k], energy_loss: collision.energy_loss };
+        let kind = match resumed.modes[k] {
+            Mode::Contact(Contact::Closed) => EventKind::Closed { at: self.t + resumed.rest[k], impact },
+            _ => EventKind::Impact(impact),
+        };
+        Ok(self.answer(resumed.modes, &resumed.velocities, kind))
+    }
+
+    /// A contact that touches and does not approach: it closes if it is pressed. Else nothing happens, but that the body is put
+    /// onto the side on which it was.
+    fn graze(&self, k: usize, terms: &Terms<M::Scalar, N, K>, position: &Position<K>) -> Reacted<M> {
+        let modes = self.system.modes();
+        let is_still = core::array::from_fn(|j| position.is_still[j] && (j == k || holds(modes[j])));
+        let resumed = self.resume(terms, self.v, position.is_touching, is_still)?;
+        if resumed.modes == modes {
+            let mut q = self.q;
+            let is_open = |j: usize| modes[j] == Mode::Contact(Contact::Open);
+            let are_touching = core::array::from_fn(|j| is_open(j) && position.is_touching[j]);
+            part(terms, &mut q, are_touching, modes.map(|mode| mode == Mode::Contact(Contact::Closed)));
+            return Ok(Response::new(Action::Replace(join::<M>(&q, &self.v))));
+        }
+        let none = Impact { impulse: M::Scalar::ZERO, energy_loss: M::Scalar::ZERO };
+        let at = self.t + resumed.rest[k];
+        Ok(self.answer(resumed.modes, &resumed.velocities, EventKind::Closed { at, impact: none }))
+    }
+
+    /// The force of a closed contact has fallen to zero.
+    fn end(&self, k: usize, rule: Rule) -> Reacted<M> {
+        let (mut v, terms) = (self.v, self.terms(&self.v));
+        let settled = self.settle(&mut v, &mut self.held(&terms), Some((k, rule)))?;
+        let kind = if rule == Rule::Absent { EventKind::Opened } else { EventKind::Slipped };
+        Ok(self.answer(settled, &v, kind))
+    }
+
+    /// Friction that held has reached its limit: it slips against its force.
+    fn give_way(&self, k: usize) -> Reacted<M> {
+        let terms = self.terms(&self.v);
+        let force = reactions(&terms, &self.system.modes())[k];
+        self.end(k, if force < M::Scalar::ZERO { Rule::Forwards } else { Rule::Backwards })
+    }
+
+    /// Slipping has come to its end, or friction has got a limit.
+    fn stop(mut self, k: usize) -> Reacted<M> {
+        let modes = self.system.modes();
+        let terms = self.terms(&self.v);
+        let mut position = self.held(&terms);
+        if modes[k] != Mode::Friction(Friction::Slips) {
+            position.is_still[k] = true;
+        }
+        let mut is_held = modes.map(holds);
+        is_held[k] = position.is_still[k];
+        halt(&terms, &mut self.v, is_held);
+        let mut v = self.v;
+        let settled = self.settle(&mut v, &mut position, None)?;
+        let kind = match (modes[k], settled[k]) {
+            (_, Mode::Friction(Friction::Sticks)) => EventKind::Stuck,
+            // What slips without friction and what slips with it pass into each other smoothly.
+            (Mode::Friction(Friction::Slips), _) | (_, Mode::Friction(Friction::Slips)) => EventKind::Zero,
+            _ => EventKind::Slipped,
+        };
+        Ok(self.answer(settled, &v, kind))
+    }
+
+    /// Which gaps and rates are zero, those that are held at zero among them.
+    fn held(&self, terms: &Terms<M::Scalar, N, K>) -> Position<K> {
+        let modes = self.system.modes();
+        let mut position = Position::of(terms, &modes, (self.t, &self.q, &self.v));
+        for k in (0..K).filter(|k| holds(modes[*k])) {
+            (position.is_touching[k], position.is_still[k]) = (true, true);
+        }
+        position
+    }
+
+    fn answer(
+        &self,
+        modes: [Mode; K],
+        v: &[M::Scalar; N],
+        kind: EventKind<M::Scalar>,
+    ) -> Response<M, M::Scalar, M::State> {
+        let action = Action::Replace(join::<M>(&self.q, v));
+        Response { action, system: Some(self.system.in_modes(modes)), kind }
+    }
+}

@@ -1,0 +1,28 @@
+//! Forces and moments of a scene.
+
+use std::string::String;
+
+use crate::draw::picture::Point;
+use crate::scene::Cause;
+
+/// A force or a moment.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Load {
+    pub(super) name: String,
+    pub(super) cause: Cause,
+    pub(super) body: Option<String>,
+    pub(super) at: Point,
+    pub(super) value: Value,
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Value {
+    Force(Point),
+    Moment(f64),
+}
+
+impl Load {
+    pub(super) fn is_moment(&self) -> bool {
+        matches!(self.value, Value::Moment(_))
+    }
+}

@@ -1,0 +1,191 @@
+//! Gauss methods in coordinates and momenta.
+//!
+//! Hamilton's equations with velocities in the place of momenta: the stages hold velocities Vᵢ that satisfy
+//!
+//! ```text
+//! Qᵢ = q + h Σ aᵢⱼ Vⱼ,    P(Qᵢ, Vᵢ) = p + h Σ aᵢⱼ R(Qⱼ, Vⱼ),    P = ∂L/∂v,    R = ∂L/∂q + Q,
+//! ```
+//!
+//! so that no mass matrix has to be inverted within a stage. To first order, a change of the velocities changes what is
+//! left of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
+
+use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
+use crate::integrate::fixed::Formula;
+use crate::integrate::gauss_legendre::dense;
+use crate::integrate::gauss_legendre::linearised::Linearised;
+use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
+use crate::integrate::method::Work;
+use crate::integrate::newton::{self, Equations};
+use crate::integrate::prediction::{Prediction, sum, weights};
+use crate::linalg::vector::add;
+use crate::scalar::Scalar;
+use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
+
+type Number<M> = <M as OdeSystem>::Scalar;
+type Vector<M> = <M as MechanicalSystem>::Coordinates;
+type Stages<M, const K: usize> = [Vector<M>; K];
+
+/// The formula of [`GaussLegendre`](crate::integrate::GaussLegendre) with K stages.
+#[derive(Debug)]
+pub struct Canonical<M: CanonicalSystem + ?Sized, const K: usize> {
+    tableau: Tableau<Number<M>, K>,
+    rounding: Number<M>,
+    /// How the velocity at the end of a step follows from its stages and its start.
+    end: ([Number<M>; K], Number<M>),
+    prediction: Prediction<Number<M>, Vector<M>, K>,
+    reached: Reached<M>,
+    /// Velocities at the stages of the step that is being taken, and its length.
+    stages: (Stages<M, K>, Number<M>),
+}
+
+impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K>
+where
+    Tableau<Number<M>, K>: Coefficients,
+{
+    pub(super) fn new() -> Self {
+        let tableau = Tableau::<Number<M>, K>::coefficients();
+        Canonical {
+            tableau,
+            rounding: Scalar::epsilon(),
+            end: weights(&tableau.c, Number::<M>::ZERO, Number::<M>::ONE),
+            prediction: Prediction::new(tableau.c, tableau.c),
+            reached: Reached::NOTHING,
+            stages: ([Vector::<M>::ZERO; K], Number::<M>::ONE),
+        }
+    }
+}
+
+impl<M: CanonicalSystem + ?Sized, const K: usize> Clone for Canonical<M, K> {
+    fn clone(&self) -> Self {
+        Canonical { reached: self.reached.clone(), ..*self }
+    }
+}
+
+impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K> {
+    fn variables(&mut self, system: &M, t: M::Scalar, y: &M::State) -> M::State {
+        self.prediction.forget();
+        self.reached.start(system, t, y)
+    }
+
+    fn increment(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        variables: &M::State,
+        h: M::Scalar,
+        work: &mut Work,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        let (q, p) = split::<M>(variables);
+        let start = [self.reached.velocities; K];
+        let predicted = self.prediction.slopes(&self.reached.velocities, h);
+        let step = Step { system, t, q, p, h };
+        self.solve(&step, predicted, work).or_else(|_| self.solve(&step, start, work))
+    }
+
+    fn state(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        variables: &M::State,
+        work: &mut Work,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        let (stages, h) = self.stages;
+        let guess = sum(&self.end.0, &stages, self.end.1, &self.reached.velocities);
+        self.reached.finish(system, (t, variables), guess, h, work)
+    }
+
+    fn follow(&mut self, system: &M, t: M::Scalar, ends: (&M::State, &M::State), variables: &mut M::State) {
+        self.reached.follow(system, t, ends, variables);
+    }
+
+    fn accept(&mut self, _t: M::Scalar) {
+        let (stages, h) = self.stages;
+        self.prediction.learn(stages, h);
+        self.reached.accept(h);
+    }
+
+    fn interpolate(
+        &mut self,
+        system: &M,
+        from: (M::Scalar, &M::State),
+        to: (M::Scalar, &M::State),
+        t: M::Scalar,
+        work: &mut Work,
+    ) -> M::State {
+        dense::between::<M, K>(system, from, to, t, work)
+    }
+}
+
+impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
+    /// The change of coordinates and momenta, iterating from these velocities of the stages.
+    fn solve(
+        &mut self,
+        step: &Step<'_, M>,
+        mut stages: Stages<M, K>,
+        work: &mut Work,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        let mut mean = Vector::<M>::ZERO;
+        for (weight, stage) in self.tableau.b.iter().zip(&stages) {
+            add(&mut mean, *weight, stage);
+        }
+        let pencil = self.reached.derivatives(step, &mean, work)?;
+        let Some(linearised) = Linearised::new(&pencil, &self.tableau) else {
+            return Err(factors(&pencil.constant).err().unwrap_or(StepFailure::NotFinite));
+        };
+        let tableau = &self.tableau;
+        let mut equations =
+            StageEquations { step, tableau, pencil, linearised, rates: [Vector::<M>::ZERO; K] };
+        newton::solve(&mut equations, &mut stages, self.rounding, work)?;
+        let (mut q, mut p) = (Vector::<M>::ZERO, Vector::<M>::ZERO);
+        for ((weight, velocities), rates) in tableau.b.iter().zip(&stages).zip(&equations.rates) {
+            add(&mut q, step.h * *weight, velocities);
+            add(&mut p, step.h * *weight, rates);
+        }
+        self.stages = (stages, step.h);
+        Ok(join::<M>(&q, &p))
+    }
+}
+
+/// The equations of the stages.
+struct StageEquations<'a, M: CanonicalSystem + ?Sized, const K: usize> {
+    step: &'a Step<'a, M>,
+    tableau: &'a Tableau<M::Scalar, K>,
+    pencil: Derivatives<M>,
+    linearised: Linearised<M::Scalar, M::Coordinates, K>,
+    /// The rates of momenta at the last evaluation.
+    rates: Stages<M, K>,
+}
+
+impl<M: CanonicalSystem + ?Sized, const K: usize> Equations<M::Scalar, M::Coordinates, K>
+    for StageEquations<'_, M, K>
+{
+    #[inline]
+    fn residual(&mut self, velocities: &Stages<M, K>, work: &mut Work) -> Stages<M, K> {
+        let Step { system, t, q, p, h } = *self.step;
+        let Tableau { a, c, .. } = self.tableau;
+        let mut residual = [p; K];
+        for i in 0..K {
+            let (mut position, time) = (q, c[i].multiply_add(h, t));
+            for (part, velocity) in a[i].iter().zip(velocities) {
+                add(&mut position, h * *part, velocity);
+            }
+            self.rates[i] = system.momentum_rates(time, &position, &velocities[i]);
+            add(&mut residual[i], -M::Scalar::ONE, &system.momenta(time, &position, &velocities[i]));
+        }
+        for (residual, row) in residual.iter_mut().zip(a) {
+            for (part, rates) in row.iter().zip(&self.rates) {
+                add(residual, h * *part, rates);
+            }
+        }
+        work.evaluations += K as u64;
+        residual
+    }
+
+    fn correction(&self, residual: &Stages<M, K>) -> Stages<M, K> {
+        self.linearised.solve(residual)
+    }
+
+    fn magnitude(&self, velocities: &Stages<M, K>) -> M::Coordinates {
+        self.pencil.magnitude(&magnitude(newton::largest(velocities), &self.step.q, self.step.h))
+    }
+}

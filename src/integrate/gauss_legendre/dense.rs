@@ -1,0 +1,143 @@
+//! States within a step of a Gauss method.
+//!
+//! The polynomial through the stages is accurate to the order K + 1 of h only, so that for two and three stages states
+//! and rates at the ends serve better. Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
+//! §II.6.
+
+use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
+use crate::integrate::method::Work;
+use crate::linalg::vector::combined;
+use crate::scalar::Scalar;
+use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
+
+/// A state with its time.
+type At<'a, M> = (<M as OdeSystem>::Scalar, &'a <M as OdeSystem>::State);
+
+/// The state between the ends of a step of the method with K stages, with an error of the order of the method.
+pub(super) fn between<M: MechanicalSystem + ?Sized, const K: usize>(
+    system: &M,
+    from: At<'_, M>,
+    to: At<'_, M>,
+    t: M::Scalar,
+    work: &mut Work,
+) -> M::State {
+    match K {
+        1 => linear::<M>(from, to, t),
+        2 => third_degree(system, from, to, t, work),
+        _ => sixth_order(system, from, to, t, work),
+    }
+}
+
+/// As [`between`], for a system without coordinates and velocities; for three stages the error is O(h⁵).
+pub(super) fn plainly_between<M: OdeSystem + ?Sized, const K: usize>(
+    system: &M,
+    from: At<'_, M>,
+    to: At<'_, M>,
+    t: M::Scalar,
+    work: &mut Work,
+) -> M::State {
+    match K {
+        1 => linear::<M>(from, to, t),
+        2 => third_degree(system, from, to, t, work),
+        _ => fifth_order(system, from, to, t, work),
+    }
+}
+
+/// The straight line between the ends. The error is O(h²).
+fn linear<M: OdeSystem + ?Sized>(from: At<'_, M>, to: At<'_, M>, t: M::Scalar) -> M::State {
+    let part = (t - from.0) / (to.0 - from.0);
+    let mut y = *from.1;
+    for (y, end) in y.as_mut().iter_mut().zip(to.1.as_ref()) {
+        *y = (*end - *y).multiply_add(part, *y);
+    }
+    y
+}
+
+/// The cubic with the right rates at the ends. The error is O(h⁴).
+fn third_degree<M: OdeSystem + ?Sized>(
+    system: &M,
+    from: At<'_, M>,
+    to: At<'_, M>,
+    t: M::Scalar,
+    work: &mut Work,
+) -> M::State {
+    work.evaluations += 2;
+    let h = to.0 - from.0;
+    let rates = [system.rhs(from.0, from.1), system.rhs(to.0, to.1)];
+    cubic(Place { h, s: (t - from.0) / h }, [from.1, to.1], [&rates[0], &rates[1]])
+}
+
+/// States at both ends, with the rates there and at two places between, to which the cubic leads. The error is O(h⁵).
+fn fifth_order<M: OdeSystem + ?Sized>(
+    system: &M,
+    from: At<'_, M>,
+    to: At<'_, M>,
+    t: M::Scalar,
+    work: &mut Work,
+) -> M::State {
+    work.evaluations += 4;
+    let h = to.0 - from.0;
+    let (f0, f1) = (system.rhs(from.0, from.1), system.rhs(to.0, to.1));
+    let [first, second] = thirds().map(|s| {
+        let y = cubic(Place { h, s }, [from.1, to.1], [&f0, &f1]);
+        system.rhs(s.multiply_add(h, from.0), &y)
+    });
+    integrated([from.1, to.1], &[f0, first, second, f1], Place { h, s: (t - from.0) / h })
+}
+
+/// Coordinates by the quintic through states and accelerations at the ends; velocities from those and from the
+/// accelerations at two places between, to which the quintic leads. The error is O(h⁶).
+fn sixth_order<M: MechanicalSystem + ?Sized>(
+    system: &M,
+    from: At<'_, M>,
+    to: At<'_, M>,
+    t: M::Scalar,
+    work: &mut Work,
+) -> M::State {
+    work.evaluations += 4;
+    let h = to.0 - from.0;
+    let ((q0, v0), (q1, v1)) = (split::<M>(from.1), split::<M>(to.1));
+    let (a0, a1) = (system.acceleration(from.0, &q0, &v0), system.acceleration(to.0, &q1, &v1));
+    let change = combined(&q1, -M::Scalar::ONE, &q0);
+    let motion = Motion { change, velocities: [v0, v1], accelerations: [a0, a1] };
+    let moved = |s| {
+        let (change, velocities) = quintic(Place { h, s }, &motion);
+        (combined(&q0, M::Scalar::ONE, &change), velocities)
+    };
+    let [first, second] = thirds().map(|s| {
+        let (q, v) = moved(s);
+        system.acceleration(s.multiply_add(h, from.0), &q, &v)
+    });
+    let s = (t - from.0) / h;
+    join::<M>(&moved(s).0, &integrated([&v0, &v1], &[a0, first, second, a1], Place { h, s }))
+}
+
+/// One and two thirds.
+fn thirds<S: Scalar>() -> [S; 2] {
+    [1.0, 2.0].map(|number| S::from_f64(number) / S::from_f64(3.0))
+}
+
+/// Values from those at the ends and from their rates at zero, one, two and three thirds of the step.
+fn integrated<S: Scalar, Y: StateVector<S>>(ends: [&Y; 2], rates: &[Y; 4], place: Place<S>) -> Y {
+    let mut result = *ends[0];
+    for (i, (y, end)) in result.as_mut().iter_mut().zip(ends[1].as_ref()).enumerate() {
+        *y = *y + integral(rates.each_ref().map(|rates| rates.as_ref()[i]), *end - *y, place);
+    }
+    result
+}
+
+/// By how much a value changes up to the part s of a step over which it changes by `change`.
+fn integral<S: Scalar>([f0, f1, f2, f3]: [S; 4], change: S, Place { h, s }: Place<S>) -> S {
+    let n = S::from_f64;
+    let (d1, d2) = (f1 - f0, (f2 - f1) - (f1 - f0));
+    let d3 = ((f3 - f2) - (f2 - f1)) - d2;
+    // Newton's formula, integrated over x, three times the part of the step.
+    let cubic = |x: S| {
+        let (second, third) = (x / n(6.0) - n(0.25), (x / n(24.0) - n(1.0) / n(6.0)) * x + n(1.0) / n(6.0));
+        h / n(3.0) * x * (f0 + x * (d1 / n(2.0) + d2 * second + d3 * third))
+    };
+    let missing = change - cubic(n(3.0));
+    // The quintic that leads from zero to one without changing the rates.
+    let blend = s * s * (n(30.0) + s * (s * (n(135.0) - n(54.0) * s) - n(110.0)));
+    cubic(n(3.0) * s) + missing * blend
+}

@@ -1,0 +1,180 @@
+//! Gauss methods in the state itself.
+//!
+//! The stages hold slopes Fᵢ = f(t + cᵢ h, y + h Σ aᵢⱼ Fⱼ). Where the system is stiff, the solution of these equations is
+//! more accurate than f at its rounded argument; the step therefore adds up the solution.
+
+use crate::integrate::canonical::{Pencil, magnitude};
+use crate::integrate::fixed::Formula;
+use crate::integrate::gauss_legendre::dense;
+use crate::integrate::gauss_legendre::linearised::Linearised;
+use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
+use crate::integrate::method::Work;
+use crate::integrate::newton::{self, Equations, finite};
+use crate::integrate::prediction::Prediction;
+use crate::linalg::pivoted::Matrix;
+use crate::linalg::vector::add;
+use crate::scalar::Scalar;
+use crate::system::{OdeSystem, StateVector, StepFailure};
+
+type Number<M> = <M as OdeSystem>::Scalar;
+type State<M> = <M as OdeSystem>::State;
+type Stages<M, const K: usize> = [State<M>; K];
+type Derivatives<M> = Pencil<Number<M>, State<M>>;
+
+/// The formula of [`PlainGaussLegendre`](crate::integrate::PlainGaussLegendre) with K stages.
+#[derive(Debug)]
+pub struct Plain<M: OdeSystem + ?Sized, const K: usize> {
+    tableau: Tableau<Number<M>, K>,
+    rounding: Number<M>,
+    prediction: Prediction<Number<M>, State<M>, K>,
+    /// Slopes of the step that is being taken, and its length.
+    stages: (Stages<M, K>, Number<M>),
+}
+
+impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K>
+where
+    Tableau<Number<M>, K>: Coefficients,
+{
+    pub(super) fn new() -> Self {
+        let tableau = Tableau::<Number<M>, K>::coefficients();
+        Plain {
+            tableau,
+            rounding: Scalar::epsilon(),
+            prediction: Prediction::new(tableau.c, tableau.c),
+            stages: ([State::<M>::ZERO; K], Number::<M>::ONE),
+        }
+    }
+}
+
+impl<M: OdeSystem + ?Sized, const K: usize> Clone for Plain<M, K> {
+    fn clone(&self) -> Self {
+        Plain { ..*self }
+    }
+}
+
+impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
+    fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
+        self.prediction.forget();
+        *y
+    }
+
+    fn increment(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        h: M::Scalar,
+        work: &mut Work,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        let slope = system.rhs(t, y);
+        work.evaluations += 1;
+        let predicted = self.prediction.slopes(&slope, h);
+        let step = Step { system, t, y, h };
+        self.solve(&step, predicted, work).or_else(|_| self.solve(&step, [slope; K], work))
+    }
+
+    fn accept(&mut self, _t: M::Scalar) {
+        let (slopes, h) = self.stages;
+        self.prediction.learn(slopes, h);
+    }
+
+    fn interpolate(
+        &mut self,
+        system: &M,
+        from: (M::Scalar, &M::State),
+        to: (M::Scalar, &M::State),
+        t: M::Scalar,
+        work: &mut Work,
+    ) -> M::State {
+        dense::plainly_between::<M, K>(system, from, to, t, work)
+    }
+}
+
+/// A step to be taken.
+struct Step<'a, M: OdeSystem + ?Sized> {
+    system: &'a M,
+    t: M::Scalar,
+    y: &'a M::State,
+    h: M::Scalar,
+}
+
+impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
+    /// The change of the state, iterating from these slopes of the stages.
+    fn solve(
+        &mut self,
+        step: &Step<'_, M>,
+        mut stages: Stages<M, K>,
+        work: &mut Work,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        let pencil = self.pencil(step, &stages, work)?;
+        let tableau = &self.tableau;
+        let linearised = Linearised::new(&pencil, tableau).ok_or(StepFailure::NotFinite)?;
+        let mut equations = StageEquations { step, tableau, pencil, linearised };
+        newton::solve(&mut equations, &mut stages, self.rounding, work)?;
+        let mut change = State::<M>::ZERO;
+        for (weight, slope) in tableau.b.iter().zip(&stages) {
+            add(&mut change, step.h * *weight, slope);
+        }
+        self.stages = (stages, step.h);
+        Ok(change)
+    }
+
+    /// The derivatives of the equations in the middle of the step.
+    fn pencil(
+        &self,
+        step: &Step<'_, M>,
+        stages: &Stages<M, K>,
+        work: &mut Work,
+    ) -> Result<Derivatives<M>, StepFailure<M::Scalar>> {
+        let half = step.h / M::Scalar::from_f64(2.0);
+        let mut y = *step.y;
+        for (weight, slope) in self.tableau.b.iter().zip(stages) {
+            add(&mut y, half * *weight, slope);
+        }
+        let Some(jacobian) = step.system.jacobian(step.t + half, &y) else {
+            return Ok(Pencil { constant: Matrix::identity(), derivatives: None });
+        };
+        work.jacobians += 1;
+        if !finite(jacobian.as_ref()) {
+            // The rates may be smooth enough for fixed points where their slopes are not defined.
+            return Ok(Pencil { constant: Matrix::identity(), derivatives: None });
+        }
+        let jacobian = Matrix::<M::Scalar, M::State>(jacobian);
+        let linear = Matrix::of(|i, j| step.h * jacobian[(i, j)]);
+        Ok(Pencil { constant: Matrix::identity(), derivatives: Some((linear, Matrix::ZERO)) })
+    }
+}
+
+/// The equations of the stages.
+struct StageEquations<'a, M: OdeSystem + ?Sized, const K: usize> {
+    step: &'a Step<'a, M>,
+    tableau: &'a Tableau<M::Scalar, K>,
+    pencil: Derivatives<M>,
+    linearised: Linearised<M::Scalar, M::State, K>,
+}
+
+impl<M: OdeSystem + ?Sized, const K: usize> Equations<M::Scalar, M::State, K> for StageEquations<'_, M, K> {
+    #[inline]
+    fn residual(&mut self, slopes: &Stages<M, K>, work: &mut Work) -> Stages<M, K> {
+        let Step { system, t, y, h } = *self.step;
+        let mut residual = [State::<M>::ZERO; K];
+        for (i, residual) in residual.iter_mut().enumerate() {
+            let mut argument = *y;
+            for (part, slope) in self.tableau.a[i].iter().zip(slopes) {
+                add(&mut argument, h * *part, slope);
+            }
+            *residual = system.rhs(self.tableau.c[i].multiply_add(h, t), &argument);
+            add(residual, -M::Scalar::ONE, &slopes[i]);
+        }
+        work.evaluations += K as u64;
+        residual
+    }
+
+    fn correction(&self, residual: &Stages<M, K>) -> Stages<M, K> {
+        self.linearised.solve(residual)
+    }
+
+    fn magnitude(&self, slopes: &Stages<M, K>) -> M::State {
+        self.pencil.magnitude(&magnitude(newton::largest(slopes), self.step.y, self.step.h))
+    }
+}

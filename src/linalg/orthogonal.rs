@@ -1,0 +1,159 @@
+//! Orthogonal factors of matrices that may lack full rank.
+//!
+//! Householder reflections bring the columns of a matrix to triangular form, each time that column first of which most is left.
+//! The rank is the number of columns of which more than rounding is left. Source: Golub, Van Loan, *Matrix Computations*,
+//! 4th ed., §5.2, §5.4.
+
+use crate::scalar::Scalar;
+
+/// The factors Q and R of a matrix whose columns are `columns`, in the order in which they were taken.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Factors<S, const ROWS: usize, const COLUMNS: usize> {
+    /// Of the column taken k-th, R above row k and, if k is below the rank, the reflection u with I − u uᵀ from there on.
+    columns: [[S; ROWS]; COLUMNS],
+    /// The diagonal of R.
+    diagonal: [S; COLUMNS],
+    /// Which column was taken k-th.
+    order: [usize; COLUMNS],
+    rank: usize,
+}
+
+impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMNS> {
+    /// The factors of finite columns. Columns of which no more is left than the part `tolerance` of the largest one depend on
+    /// those before.
+    pub(crate) fn new(mut columns: [[S; ROWS]; COLUMNS], tolerance: S) -> Self {
+        let mut diagonal = [S::ZERO; COLUMNS];
+        let mut order = core::array::from_fn(|k| k);
+        let mut rank = 0;
+        let mut first = S::ZERO;
+        while rank < ROWS.min(COLUMNS) {
+            let k = rank;
+            let (pivot, left) = largest(&columns, k);
+            first = first.max(left);
+            if left <= tolerance * first {
+                break;
+            }
+            columns.swap(k, pivot);
+            order.swap(k, pivot);
+            diagonal[k] = reflect(&mut columns[k..], k, left);
+            rank += 1;
+        }
+        Factors { columns, diagonal, order, rank }
+    }
+
+    /// How many columns are independent.
+    pub(crate) fn rank(&self) -> usize {
+        self.rank
+    }
+
+    /// Which columns were taken, the independent ones first.
+    pub(crate) fn order(&self) -> &[usize; COLUMNS] {
+        &self.order
+    }
+
+    /// Entry of R in row k and for the column taken l-th, k ≤ l.
+    pub(crate) fn entry(&self, k: usize, l: usize) -> S {
+        if k == l { self.diagonal[k] } else { self.columns[l][k] }
+    }
+
+    /// Qᵀx
+    pub(crate) fn inward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
+        for k in 0..self.rank {
+            apply(&self.columns[k], k, &mut x);
+        }
+        x
+    }
+
+    /// Q x
+    pub(crate) fn outward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
+        for k in (0..self.rank).rev() {
+            apply(&self.columns[k], k, &mut x);
+        }
+        x
+    }
+
+    /// Amounts of the independent columns that add up to `right` as closely as possible; zero of the others.
+    pub(crate) fn combination(&self, right: [S; ROWS]) -> [S; COLUMNS] {
+        let mut inner = self.inward(right);
+        let mut amounts = [S::ZERO; COLUMNS];
+        for k in (0..self.rank).rev() {
+            let amount = inner[k] / self.diagonal[k];
+            for (inner, entry) in inner[..k].iter_mut().zip(&self.columns[k]) {
+                *inner = (-amount).multiply_add(*entry, *inner);
+            }
+            amounts[self.order[k]] = amount;
+        }
+        amounts
+    }
+
+    /// The shortest x whose products with the independent columns are those entries of `products`.
+    pub(crate) fn shortest(&self, products: &[S; COLUMNS]) -> [S; ROWS] {
+        let mut inner = [S::ZERO; ROWS];
+        for k in 0..self.rank {
+            let known = (0..k).fold(S::ZERO, |sum, i| self.columns[k][i].multiply_add(inner[i], sum));
+            inner[k] = (products[self.order[k]] - known) / self.diagonal[k];
+        }
+        self.outward(inner)
+    }
+
+    /// A combination of columns that is zero but for rounding: one of the column taken l-th, which depends on the others.
+    pub(crate) fn dependence(&self, l: usize) -> [S; COLUMNS] {
+        let mut amounts = [S::ZERO; COLUMNS];
+        amounts[self.order[l]] = S::ONE;
+        let mut left = self.columns[l];
+        for k in (0..self.rank).rev() {
+            let amount = -(left[k] / self.diagonal[k]);
+            for (left, entry) in left[..k].iter_mut().zip(&self.columns[k]) {
+                *left = amount.multiply_add(*entry, *left);
+            }
+            amounts[self.order[k]] = amount;
+        }
+        amounts
+    }
+}
+
+/// A column is taken before others of which as much is left but for this part, so that rounding does not choose between equals: the
+/// rank must not flicker near where it changes.
+const PRECEDENCE: f64 = 0.125;
+
+/// The column, from the k-th on, of which most is left from row k on or nearly so, and how much.
+fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], k: usize) -> (usize, S) {
+    let mut most = (k, S::ZERO);
+    for (index, column) in columns.iter().enumerate().skip(k) {
+        let length = euclidean_norm(&column[k..]);
+        if length - S::from_f64(PRECEDENCE) * length > most.1 {
+            most = (index, length);
+        }
+    }
+    most
+}
+
+/// Reflects what is left of the first column, of this length, onto row k, and the other columns with it. The reflection takes
+/// the place of what is left; returns the entry on the diagonal.
+fn reflect<S: Scalar, const ROWS: usize>(columns: &mut [[S; ROWS]], k: usize, length: S) -> S {
+    let Some((column, others)) = columns.split_first_mut() else { return S::ZERO };
+    let diagonal = if column[k] > S::ZERO { -length } else { length };
+    // With this u the half of its square is length (length + |x|), which makes I − u uᵀ a reflection once u is divided by its root.
+    let root = (length * (length + column[k].abs())).sqrt();
+    column[k] = column[k] - diagonal;
+    for entry in &mut column[k..] {
+        *entry = *entry / root;
+    }
+    for other in others {
+        apply(column, k, other);
+    }
+    diagonal
+}
+
+/// x − u (uᵀx) from row k on.
+fn apply<S: Scalar, const ROWS: usize>(u: &[S; ROWS], k: usize, x: &mut [S; ROWS]) {
+    let product = u[k..].iter().zip(&x[k..]).fold(S::ZERO, |sum, (u, x)| u.multiply_add(*x, sum));
+    for (x, u) in x[k..].iter_mut().zip(&u[k..]) {
+        *x = (-product).multiply_add(*u, *x);
+    }
+}
+
+/// The Euclidean length.
+pub(crate) fn euclidean_norm<S: Scalar>(x: &[S]) -> S {
+    x.iter().fold(S::ZERO, |sum, x| x.multiply_add(*x, sum)).sqrt()
+}

@@ -1,0 +1,263 @@
+//! Small dense systems of linear equations, real and complex, in arrays of fixed size.
+//!
+//! Gaussian elimination with partial pivoting, without scaling. A matrix that is singular or not finite has no factors. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §3.4.
+
+use core::ops::{Index, IndexMut};
+
+use crate::linalg::vector::{StateVector, dot};
+use crate::scalar::Scalar;
+
+/// A square matrix in rows.
+#[derive(Debug)]
+pub(crate) struct Matrix<S: Scalar, Y: StateVector<S>>(pub(crate) Y::Square);
+
+impl<S: Scalar, Y: StateVector<S>> Clone for Matrix<S, Y> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: Scalar, Y: StateVector<S>> Copy for Matrix<S, Y> {}
+
+impl<S: Scalar, Y: StateVector<S>> Index<(usize, usize)> for Matrix<S, Y> {
+    type Output = S;
+
+    #[inline(always)]
+    fn index(&self, (row, column): (usize, usize)) -> &S {
+        &self.0.as_ref()[row].as_ref()[column]
+    }
+}
+
+impl<S: Scalar, Y: StateVector<S>> IndexMut<(usize, usize)> for Matrix<S, Y> {
+    #[inline(always)]
+    fn index_mut(&mut self, (row, column): (usize, usize)) -> &mut S {
+        &mut self.0.as_mut()[row].as_mut()[column]
+    }
+}
+
+impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
+    pub(crate) const ZERO: Self = Matrix(Y::ZERO_SQUARE);
+
+    /// The number of rows.
+    #[inline(always)]
+    pub(crate) fn rows(&self) -> usize {
+        self.0.as_ref().len()
+    }
+
+    /// The matrix whose entry in a row and column is `entry` of them.
+    #[inline]
+    pub(crate) fn of(entry: impl Fn(usize, usize) -> S) -> Self {
+        let mut matrix = Self::ZERO;
+        for row in 0..matrix.rows() {
+            for column in 0..matrix.rows() {
+                matrix[(row, column)] = entry(row, column);
+            }
+        }
+        matrix
+    }
+
+    /// The matrix of ones on the diagonal.
+    pub(crate) fn identity() -> Self {
+        Self::of(|row, column| if row == column { S::ONE } else { S::ZERO })
+    }
+
+    /// The product with another matrix.
+    #[inline]
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        let rows = 0..self.rows();
+        Self::of(|i, j| rows.clone().fold(S::ZERO, |sum, k| self[(i, k)].multiply_add(other[(k, j)], sum)))
+    }
+
+    /// The product with a vector.
+    #[inline]
+    pub(crate) fn apply(&self, x: &Y) -> Y {
+        let mut product = Y::ZERO;
+        for (entry, row) in product.as_mut().iter_mut().zip(self.0.as_ref()) {
+            *entry = dot(row, x);
+        }
+        product
+    }
+
+    pub(super) fn swap_rows(&mut self, one: usize, other: usize) {
+        self.0.as_mut().swap(one, other);
+    }
+}
+
+/// The factors L and U of a real matrix with rows exchanged.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Factors<S: Scalar, Y: StateVector<S>> {
+    /// L without its diagonal of ones below, U above; the reciprocals of pivots on the diagonal.
+    factors: Matrix<S, Y>,
+    /// With which row each was exchanged.
+    exchanged: Y::Indices,
+}
+
+impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
+    /// The factors of a matrix, unless it is singular or not finite.
+    #[inline]
+    pub(crate) fn new(mut matrix: Matrix<S, Y>) -> Option<Self> {
+        let mut exchanged = Y::ZERO_INDICES;
+        for (k, exchanged) in exchanged.as_mut().iter_mut().enumerate() {
+            *exchanged = largest(k..matrix.rows(), |row| matrix[(row, k)].abs());
+            matrix.swap_rows(k, *exchanged);
+            let reciprocal = S::ONE / matrix[(k, k)];
+            if !reciprocal.is_finite() || reciprocal == S::ZERO {
+                return None;
+            }
+            matrix[(k, k)] = reciprocal;
+            eliminate(&mut matrix, k);
+        }
+        Some(Factors { factors: matrix, exchanged })
+    }
+
+    /// The size of the smallest pivot.
+    pub(crate) fn smallest_pivot(&self) -> S {
+        let reciprocals = (0..self.factors.rows()).map(|row| self.factors[(row, row)].abs());
+        S::ONE / reciprocals.fold(S::ZERO, S::max)
+    }
+
+    /// The solution for a right-hand side.
+    #[inline]
+    pub(crate) fn solve(&self, right: &Y) -> Y {
+        let mut solution = *right;
+        let (x, factors) = (solution.as_mut(), &self.factors);
+        for (row, other) in self.exchanged.as_ref().iter().enumerate() {
+            x.swap(row, *other);
+        }
+        for row in 1..factors.rows() {
+            for column in 0..row {
+                x[row] = (-factors[(row, column)]).multiply_add(x[column], x[row]);
+            }
+        }
+        for row in (0..factors.rows()).rev() {
+            for column in row + 1..factors.rows() {
+                x[row] = (-factors[(row, column)]).multiply_add(x[column], x[row]);
+            }
+            x[row] = x[row] * factors[(row, row)];
+        }
+        solution
+    }
+}
+
+/// Subtracts multiples of row k, whose pivot is a reciprocal already, from the rows below.
+#[inline]
+fn eliminate<S: Scalar, Y: StateVector<S>>(matrix: &mut Matrix<S, Y>, k: usize) {
+    for row in k + 1..matrix.rows() {
+        let multiple = matrix[(row, k)] * matrix[(k, k)];
+        matrix[(row, k)] = multiple;
+        for column in k + 1..matrix.rows() {
+            matrix[(row, column)] = (-multiple).multiply_add(matrix[(k, column)], matrix[(row, column)]);
+        }
+    }
+}
+
+/// The factors L and U of a complex matrix with rows exchanged.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ComplexFactors<S: Scalar, Y: StateVector<S>> {
+    /// As in [`Factors`].
+    real: Matrix<S, Y>,
+    imaginary: Matrix<S, Y>,
+    exchanged: Y::Indices,
+}
+
+impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
+    /// The factors of a matrix, unless it is singular or not finite.
+    #[inline]
+    pub(crate) fn new(real: Matrix<S, Y>, imaginary: Matrix<S, Y>) -> Option<Self> {
+        let mut factors = ComplexFactors { real, imaginary, exchanged: Y::ZERO_INDICES };
+        for k in 0..factors.real.rows() {
+            factors.exchange(k);
+            let pivot = factors.at(k, k);
+            let square = pivot.0 * pivot.0 + pivot.1 * pivot.1;
+            let reciprocal = (pivot.0 / square, -(pivot.1 / square));
+            if !(square.is_finite()
+                && square > S::ZERO
+                && reciprocal.0.is_finite()
+                && reciprocal.1.is_finite())
+            {
+                return None;
+            }
+            factors.put(k, k, reciprocal);
+            factors.eliminate(k);
+        }
+        Some(factors)
+    }
+
+    /// The solution for a right-hand side, with its real and its imaginary part.
+    #[inline]
+    pub(crate) fn solve(&self, right: (&Y, &Y)) -> (Y, Y) {
+        let mut solution = (*right.0, *right.1);
+        let rows = self.real.rows();
+        for (row, other) in self.exchanged.as_ref().iter().enumerate() {
+            solution.0.as_mut().swap(row, *other);
+            solution.1.as_mut().swap(row, *other);
+        }
+        let (x, y) = (solution.0.as_mut(), solution.1.as_mut());
+        for row in 1..rows {
+            for column in 0..row {
+                (x[row], y[row]) = less((x[row], y[row]), self.at(row, column), (x[column], y[column]));
+            }
+        }
+        for row in (0..rows).rev() {
+            for column in row + 1..rows {
+                (x[row], y[row]) = less((x[row], y[row]), self.at(row, column), (x[column], y[column]));
+            }
+            (x[row], y[row]) = product((x[row], y[row]), self.at(row, row));
+        }
+        solution
+    }
+
+    fn exchange(&mut self, k: usize) {
+        let other = largest(k..self.real.rows(), |row| {
+            let (x, y) = self.at(row, k);
+            x.abs() + y.abs()
+        });
+        self.real.swap_rows(k, other);
+        self.imaginary.swap_rows(k, other);
+        self.exchanged.as_mut()[k] = other;
+    }
+
+    fn eliminate(&mut self, k: usize) {
+        for row in k + 1..self.real.rows() {
+            let multiple = product(self.at(row, k), self.at(k, k));
+            self.put(row, k, multiple);
+            for column in k + 1..self.real.rows() {
+                self.put(row, column, less(self.at(row, column), multiple, self.at(k, column)));
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn at(&self, row: usize, column: usize) -> (S, S) {
+        (self.real[(row, column)], self.imaginary[(row, column)])
+    }
+
+    #[inline(always)]
+    fn put(&mut self, row: usize, column: usize, (x, y): (S, S)) {
+        self.real[(row, column)] = x;
+        self.imaginary[(row, column)] = y;
+    }
+}
+
+/// The row with the largest size. What is not a number spoils the factors whichever row is taken.
+#[inline]
+fn largest<S: Scalar>(rows: core::ops::Range<usize>, size: impl Fn(usize) -> S) -> usize {
+    let first = rows.start;
+    rows.fold(first, |best, row| if size(row) <= size(best) { best } else { row })
+}
+
+/// The product of two complex numbers.
+#[inline(always)]
+fn product<S: Scalar>(a: (S, S), b: (S, S)) -> (S, S) {
+    ((-a.1).multiply_add(b.1, a.0 * b.0), a.1.multiply_add(b.0, a.0 * b.1))
+}
+
+/// a − b c
+#[inline(always)]
+fn less<S: Scalar>(a: (S, S), b: (S, S), c: (S, S)) -> (S, S) {
+    let bc = product(b, c);
+    (a.0 - bc.0, a.1 - bc.1)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,44 @@
+//! Small systems of linear equations that may be singular.
+//!
+//! Regular ones by elimination. Of the solutions of a singular one the shortest, from orthogonal factors of its rows.
+
+use crate::linalg::orthogonal;
+use crate::linalg::pivoted::{Factors, Matrix};
+use crate::linalg::vector::dot;
+use crate::scalar::Scalar;
+
+/// The shortest x with A x = b, or NaN if there is none. Rows and columns are taken to be scaled, so that A has entries of about one.
+pub(crate) fn solve<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
+    let x = nearest(a, b);
+    if residual(a, b, &x) <= size(a, b, &x) * negligible::<S>().sqrt() { x } else { [S::NAN; K] }
+}
+
+/// The same without a look at whether A x = b: rows that depend on others are left out, and may contradict these.
+pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
+    let negligible = negligible::<S>();
+    let factors = Factors::<S, [S; K]>::new(Matrix(*a));
+    match factors.filter(|factors| factors.smallest_pivot() > negligible) {
+        Some(factors) => factors.solve(b),
+        None => orthogonal::Factors::new(*a, negligible).shortest(b),
+    }
+}
+
+/// What is rounding beside one: a little below the three quarters of all digits.
+pub(crate) fn negligible<S: Scalar>() -> S {
+    let root = S::epsilon().sqrt();
+    root * root.sqrt()
+}
+
+fn residual<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], x: &[S; K]) -> S {
+    let rows = a.iter().zip(b);
+    rows.fold(S::ZERO, |sum, (row, b)| sum + (dot(row, x) - *b).abs())
+}
+
+/// How large the terms are whose difference is the residual.
+fn size<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], x: &[S; K]) -> S {
+    let terms = |row: &[S; K]| row.iter().zip(x).fold(S::ZERO, |sum, (a, x)| sum + (*a * *x).abs());
+    a.iter().zip(b).fold(S::ZERO, |sum, (row, b)| sum + terms(row) + b.abs())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,80 @@
+//! Vectors whose length is part of their type, and the few operations on them.
+
+use core::fmt::Debug;
+
+use crate::scalar::Scalar;
+
+/// A vector whose length is part of its type, such as `[S; K]`.
+pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
+    /// A square matrix in rows, such as `[[S; K]; K]`.
+    type Square: Copy + Debug + AsRef<[Self]> + AsMut<[Self]>;
+    /// As many indices as the vector has entries, such as `[usize; K]`.
+    type Indices: Copy + Debug + AsRef<[usize]> + AsMut<[usize]>;
+
+    /// The vector of zeros.
+    const ZERO: Self;
+    /// The matrix of zeros.
+    const ZERO_SQUARE: Self::Square;
+    /// Indices that are all zero.
+    const ZERO_INDICES: Self::Indices;
+}
+
+impl<S: Scalar, const K: usize> StateVector<S> for [S; K] {
+    type Square = [[S; K]; K];
+    type Indices = [usize; K];
+
+    const ZERO: Self = [S::ZERO; K];
+    const ZERO_SQUARE: [[S; K]; K] = [[S::ZERO; K]; K];
+    const ZERO_INDICES: [usize; K] = [0; K];
+}
+
+/// aᵀb
+#[inline]
+pub(crate) fn dot<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
+    a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| a.multiply_add(*b, sum))
+}
+
+/// a − b
+#[inline]
+pub(crate) fn difference<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> Y {
+    let mut difference = *a;
+    for (entry, b) in difference.as_mut().iter_mut().zip(b.as_ref()) {
+        *entry = *entry - *b;
+    }
+    difference
+}
+
+/// Adds c x to y.
+#[inline]
+pub(crate) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
+    for (y, x) in y.as_mut().iter_mut().zip(x.as_ref()) {
+        *y = x.multiply_add(c, *y);
+    }
+}
+
+/// The sum of magnitudes, which neither overflows nor underflows where the components do not.
+#[inline]
+pub(crate) fn l1_norm<S: Scalar, Y: StateVector<S>>(y: &Y) -> S {
+    y.as_ref().iter().fold(S::ZERO, |sum, component| sum + component.abs())
+}
+
+/// The sum of the magnitudes of differences.
+#[inline]
+pub(crate) fn l1_distance<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
+    a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| sum + (*a - *b).abs())
+}
+
+/// The vector of this length in the direction of `y`.
+pub(crate) fn scaled<S: Scalar, Y: StateVector<S>>(y: &Y, size: S) -> Y {
+    combined(&Y::ZERO, size / l1_norm(y), y)
+}
+
+/// a + c b
+#[inline]
+pub(crate) fn combined<S: Scalar, Y: StateVector<S>>(a: &Y, c: S, b: &Y) -> Y {
+    let mut sum = *a;
+    for (a, b) in sum.as_mut().iter_mut().zip(b.as_ref()) {
+        *a = b.multiply_add(c, *a);
+    }
+    sum
+}

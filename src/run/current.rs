@@ -1,0 +1,71 @@
+//! The system of a run as it is at present.
+
+use crate::system::{MOST_LOCATED, OdeSystem, StepFailure};
+
+/// A system that was given, or what contacts, friction, switches or inputs have made of it since.
+pub struct Current<'a, M> {
+    given: &'a M,
+    switched: Option<M>,
+}
+
+impl<'a, M: OdeSystem> Current<'a, M> {
+    /// The system as it was given.
+    pub fn new(given: &'a M) -> Self {
+        Current { given, switched: None }
+    }
+
+    /// Becomes the system as a motion starts from this time and state towards `end`, after `act` has had its way with it.
+    ///
+    /// # Errors
+    /// If no motion starts there; the system is then what it was.
+    pub fn begin(
+        &mut self,
+        (t, y): (M::Scalar, &M::State),
+        end: M::Scalar,
+        act: impl FnOnce(&M) -> Result<Option<M>, StepFailure<M::Scalar>>,
+    ) -> Result<(), StepFailure<M::Scalar>> {
+        check_direction::<M>(t, end)?;
+        let acted = act(self.system())?;
+        let begun = acted.as_ref().unwrap_or(self.system()).begin(t, y)?;
+        self.switch(begun.or(acted));
+        Ok(())
+    }
+
+    /// The system.
+    #[inline]
+    pub fn system(&self) -> &M {
+        self.switched.as_ref().unwrap_or(self.given)
+    }
+
+    /// The system if it is another one than that which was given.
+    pub fn switched(&self) -> Option<&M> {
+        self.switched.as_ref()
+    }
+
+    /// The same, to be kept.
+    pub fn into_switched(self) -> Option<M> {
+        self.switched
+    }
+
+    /// Goes on with this system, if it is another one.
+    #[inline]
+    pub fn switch(&mut self, system: Option<M>) {
+        if system.is_some() {
+            self.switched = system;
+        }
+    }
+}
+
+/// Whether a run may go this way: not backwards through impacts and friction, whose past does not follow from the present.
+///
+/// # Errors
+/// If it may not, or if there are more events than can be looked for.
+fn check_direction<M: OdeSystem>(t: M::Scalar, end: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
+    if M::EVENTS.len() > MOST_LOCATED {
+        return Err(StepFailure::Setting("the system declares more events than can be looked for"));
+    }
+    if end < t && M::EVENTS.iter().any(|event| event.is_switch && !event.is_side) {
+        return Err(StepFailure::Setting("contacts and dry friction run forwards in time only"));
+    }
+    Ok(())
+}

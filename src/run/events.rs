@@ -1,0 +1,122 @@
+//! Where a run looks for events: in the declaration of its system, among those that it was given, or nowhere.
+
+use crate::event::Occurrence;
+use crate::integrate::Stepper;
+use crate::scalar::Scalar;
+use crate::system::{OdeSystem, Reacted, StepFailure};
+
+/// Whose event it is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Origin {
+    /// The declaration's.
+    Declared,
+    /// That of the functions given under this index.
+    Given(usize),
+}
+
+/// Whose event comes next, and when.
+pub type Next<M> = Result<Option<(Origin, <M as OdeSystem>::Scalar)>, StepFailure<<M as OdeSystem>::Scalar>>;
+
+/// An event with the state reached.
+pub type Found<M> = Occurrence<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
+
+/// Functions of time and state whose zeros are looked for, with what comes of them.
+pub trait Events<M: OdeSystem> {
+    /// Whether there is nothing to look for.
+    fn is_empty(&self) -> bool;
+
+    /// The next event in the last step of a run to `end`: of those at the same time, the one given first.
+    ///
+    /// # Errors
+    /// As [`Detector::next`](crate::event::Detector::next).
+    fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>, end: M::Scalar) -> Next<M>;
+
+    /// The event that was found; the next look finds the one after it.
+    fn take(&mut self, origin: Origin) -> Option<Found<M>>;
+
+    /// What comes of an event.
+    ///
+    /// # Errors
+    /// If the motion cannot go on.
+    fn react(&mut self, system: &M, origin: Origin, event: &Found<M>) -> Reacted<M>;
+
+    /// Goes on from another state.
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State);
+
+    /// Goes on where the system is another one, with other inputs.
+    fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State);
+}
+
+/// The events of a declaration together with those that a run was given.
+pub struct AllEvents<D, G> {
+    /// Those of the declaration, which come before others at the same time.
+    pub declared: D,
+    /// Those that were given.
+    pub given: G,
+}
+
+impl<M: OdeSystem, D: Events<M>, G: Events<M>> Events<M> for AllEvents<D, G> {
+    fn is_empty(&self) -> bool {
+        self.declared.is_empty() && self.given.is_empty()
+    }
+
+    fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>, end: M::Scalar) -> Next<M> {
+        let from = stepper.last_time();
+        let first = self.declared.look(system, stepper, end)?;
+        let second = self.given.look(system, stepper, end)?;
+        Ok(match (first, second) {
+            (Some((_, one)), Some((_, other))) if (other - from).abs() < (one - from).abs() => second,
+            (Some(_), _) => first,
+            (None, second) => second,
+        })
+    }
+
+    fn take(&mut self, origin: Origin) -> Option<Found<M>> {
+        match origin {
+            Origin::Declared => self.declared.take(origin),
+            Origin::Given(_) => self.given.take(origin),
+        }
+    }
+
+    fn react(&mut self, system: &M, origin: Origin, event: &Found<M>) -> Reacted<M> {
+        match origin {
+            Origin::Declared => self.declared.react(system, origin, event),
+            Origin::Given(_) => self.given.react(system, origin, event),
+        }
+    }
+
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
+        self.declared.restart(system, t, y);
+        self.given.restart(system, t, y);
+    }
+
+    fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State) {
+        self.declared.jump(system, t, y);
+        self.given.jump(system, t, y);
+    }
+}
+
+/// No events: not even memory for them.
+pub struct NoEvents;
+
+impl<M: OdeSystem> Events<M> for NoEvents {
+    fn is_empty(&self) -> bool {
+        true
+    }
+
+    fn look(&mut self, _system: &M, _stepper: &mut impl Stepper<M>, _end: M::Scalar) -> Next<M> {
+        Ok(None)
+    }
+
+    fn take(&mut self, _origin: Origin) -> Option<Found<M>> {
+        None
+    }
+
+    fn react(&mut self, system: &M, _origin: Origin, event: &Found<M>) -> Reacted<M> {
+        system.react(event.event, event.time, &event.state)
+    }
+
+    fn restart(&mut self, _system: &M, _t: M::Scalar, _y: &M::State) {}
+
+    fn jump(&mut self, _system: &M, _t: M::Scalar, _y: &M::State) {}
+}

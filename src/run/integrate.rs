@@ -1,0 +1,61 @@
+//! From a start to an end without keeping anything.
+
+use super::declared::DeclaredEvents;
+use super::drive::drive;
+use super::events::NoEvents;
+use crate::integrate::{Method, Outcome};
+use crate::system::OdeSystem;
+
+/// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
+///
+/// `observe` is called with time and state at the start and after every step; where an event of the declaration replaced the
+/// state, before and after it. This is the loop for microcontrollers
+/// and inner loops: no heap, nothing kept.
+///
+/// # Errors
+/// What the method met, with the last good state; `observe` never sees one that is not finite.
+///
+/// # Example
+///
+/// ```
+/// use lagrange::integrate::{RungeKutta4, integrate};
+/// use lagrange::system::OdeSystem;
+///
+/// /// ẍ = −x
+/// struct Oscillator;
+///
+/// impl OdeSystem for Oscillator {
+///     type Scalar = f64;
+///     type State = [f64; 2];
+///
+///     fn rhs(&self, _t: f64, [x, v]: &[f64; 2]) -> [f64; 2] {
+///         [*v, -x]
+///     }
+/// }
+///
+/// let mut largest = 0.0_f64;
+/// let method = RungeKutta4 { step: 2e-3 };
+/// let [x, v] = integrate(&Oscillator, 0.0, [1.0, 0.0], 2.0, &method, |_, [_, v]| largest = largest.max(v.abs()))?;
+/// assert!((x - 2.0_f64.cos()).abs() < 1e-12);
+/// assert!((v + 2.0_f64.sin()).abs() < 1e-12);
+/// assert!((largest - 1.0).abs() < 1e-6);
+/// # Ok::<(), lagrange::integrate::IntegrationError<f64, [f64; 2]>>(())
+/// ```
+pub fn integrate<M, K>(
+    system: &M,
+    t0: M::Scalar,
+    y0: M::State,
+    t_end: M::Scalar,
+    method: &K,
+    observe: impl FnMut(M::Scalar, &M::State),
+) -> Outcome<M, M::State>
+where
+    M: OdeSystem,
+    K: Method<M>,
+{
+    if M::EVENTS.is_empty() {
+        return drive(system, (t0, y0), t_end, method, |_, _| NoEvents, observe).map(|(_, state)| state);
+    }
+    let events = |system: &M, y: &M::State| DeclaredEvents::new(system, t0, y);
+    drive(system, (t0, y0), t_end, method, events, observe).map(|(_, state)| state)
+}

@@ -1,0 +1,25 @@
+//! Runs: a method's steps from a start to an end, and what happens in them.
+//!
+//! [`Run`] is the one loop: [`integrate()`] and [`integrate_with_events`] drive it without heap and keep nothing, the front door `simulate`
+//! keeps what is asked for. It is gone through turn by turn, so that others may act between the turns.
+
+mod current;
+mod declared;
+mod drive;
+mod events;
+mod integrate;
+mod outcome;
+mod pending;
+mod restarts;
+mod steps;
+mod with_events;
+
+pub use self::current::Current;
+pub use self::declared::DeclaredEvents;
+pub use self::events::{AllEvents, Events, Found, Next, NoEvents, Origin};
+pub use self::integrate::integrate;
+pub use self::outcome::EventOutcome;
+pub use self::pending::Pending;
+pub use self::restarts::Restarts;
+pub use self::steps::{Run, Sink, Turn};
+pub use self::with_events::integrate_with_events;

@@ -1,0 +1,59 @@
+//! How a motion goes on after events at the same time.
+
+use crate::system::{Action, OdeSystem, Response, StepFailure};
+
+/// What comes of events that happen at the same time. To stop prevails.
+pub struct EventOutcome<M: OdeSystem> {
+    action: Action<M::State>,
+    /// The system that goes on, if events switched it.
+    pub system: Option<M>,
+}
+
+/// The state that a motion goes on from, and the system if it is another one.
+type Resumed<M> = Result<(<M as OdeSystem>::State, Option<M>), StepFailure<<M as OdeSystem>::Scalar>>;
+
+impl<M: OdeSystem> EventOutcome<M> {
+    /// To go on.
+    pub fn new() -> Self {
+        EventOutcome { action: Action::Continue, system: None }
+    }
+
+    /// Another event happened at this state.
+    pub fn add(&mut self, answer: Response<M, M::Scalar, M::State>, state: M::State) {
+        let later = match answer.action {
+            Action::Continue if answer.system.is_some() => Action::Replace(state),
+            action => action,
+        };
+        self.system = answer.system.or(self.system.take());
+        self.action = match (later, self.action) {
+            (Action::Continue, earlier) | (_, earlier @ Action::Stop) => earlier,
+            (later, _) => later,
+        };
+    }
+
+    /// Whether nothing has changed.
+    pub fn goes_on(&self) -> bool {
+        matches!(self.action, Action::Continue)
+    }
+
+    /// The state that was left, if it is another one.
+    pub fn state(&self) -> Option<M::State> {
+        if let Action::Replace(state) = self.action { Some(state) } else { None }
+    }
+
+    /// The state to go on from, put onto the constraints, and the system if it is another one than `system`; `None` if the motion
+    /// ends.
+    ///
+    /// # Errors
+    /// If no motion goes on from there.
+    pub fn resume(self, system: &M, t: M::Scalar) -> Option<Resumed<M>> {
+        self.state().map(|mut state| {
+            let next = match self.system {
+                Some(next) => Some(next),
+                None => system.begin(t, &state)?,
+            };
+            next.as_ref().unwrap_or(system).restore(t, &mut state)?;
+            Ok((state, next))
+        })
+    }
+}

@@ -1,0 +1,64 @@
+//! An event ahead: the next one of several functions, kept until its turn comes.
+
+use crate::event::{Detector, Occurrence};
+use crate::integrate::Stepper;
+use crate::scalar::Scalar;
+use crate::system::{OdeSystem, StepFailure};
+
+/// A detector, and the event that it found next.
+#[derive(Clone, Copy, Debug)]
+pub struct Pending<S, Y, const K: usize> {
+    detector: Detector<S, K>,
+    pub(super) next: Option<Occurrence<S, Y>>,
+}
+
+impl<S: Scalar, Y: Copy, const K: usize> Pending<S, Y, K> {
+    /// Nothing ahead yet.
+    pub fn new(detector: Detector<S, K>) -> Self {
+        Pending { detector, next: None }
+    }
+
+    /// When the next event in the last step of a run to `end` happens.
+    ///
+    /// # Errors
+    /// As [`Detector::next`].
+    pub fn look<M>(
+        &mut self,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+        end: S,
+        values: impl FnMut(S, &Y) -> [S; K],
+    ) -> Result<Option<S>, StepFailure<S>>
+    where
+        M: OdeSystem<Scalar = S, State = Y>,
+    {
+        if self.next.is_none() {
+            self.next = self.detector.next(system, stepper, values)?;
+        }
+        if self.next.is_none() && stepper.time() == end {
+            self.next = self.detector.next_at_end(end, stepper.state());
+        }
+        Ok(self.time())
+    }
+
+    /// When the event that was found happens.
+    pub fn time(&self) -> Option<S> {
+        self.next.as_ref().map(|next| next.time)
+    }
+
+    /// The event that was found.
+    pub fn take(&mut self) -> Option<Occurrence<S, Y>> {
+        self.next.take()
+    }
+
+    /// Goes on from another state, in which the functions have these values.
+    pub fn restart(&mut self, t: S, values: [S; K]) {
+        self.next = None;
+        self.detector.restart(t, values);
+    }
+
+    /// Goes on where the functions jumped to these values.
+    pub fn jump(&mut self, values: [S; K]) {
+        self.detector.jump(values);
+    }
+}

@@ -1,0 +1,148 @@
+//! Times at which a step ends and a new one starts.
+//!
+//! A right-hand side that jumps, or whose derivatives do, at a time known beforehand is integrated up to that time and from
+//! there on. The methods themselves know nothing of it: each step is limited, and the method restarted from the state that it
+//! reached. A system with sides fixed goes on from that very time, on another side. Otherwise steps end two roundings of time before
+//! the jump and start two after it, so that every evaluation lies on one side of it, wherever its definition puts the instant itself.
+
+use crate::integrate::Stepper;
+use crate::scalar::Scalar;
+use crate::system::{OdeSystem, StepFailure};
+
+/// Steps keep so many roundings of time away from a restart.
+const ROUNDINGS: f64 = 2.0;
+
+/// Restarts of a run: at the times that were given, and at those that the system names.
+#[derive(Clone, Copy, Debug)]
+pub struct Restarts<'a, S> {
+    end: S,
+    is_backwards: bool,
+    /// In the order in which the run meets them.
+    given: &'a [S],
+    /// The one that the last step ended at, if it did.
+    due: Option<Restart<S>>,
+}
+
+/// A time of restart with the end of the step before it and the start of the step after it.
+#[derive(Clone, Copy, Debug)]
+struct Restart<S> {
+    before: S,
+    at: S,
+    after: S,
+}
+
+impl<'a, S: Scalar> Restarts<'a, S> {
+    /// Those of a run between these times, with `given` times in the order in which it meets them.
+    pub fn new(start: S, end: S, given: &'a [S]) -> Self {
+        Restarts { end, is_backwards: end < start, given, due: None }
+    }
+
+    /// Restarts the method where that is due, before a step; the system that goes on from there, if it is another one.
+    ///
+    /// # Errors
+    /// As [`Stepper::restart`].
+    pub fn resume<M>(&self, system: &M, stepper: &mut impl Stepper<M>) -> Result<Option<M>, StepFailure<S>>
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        let Some(restart) = self.due_at(stepper.time()) else { return Ok(None) };
+        let (other, state) = (system.beyond(restart.at, self.end), *stepper.state());
+        stepper.restart(other.as_ref().unwrap_or(system), restart.after, &state)?;
+        Ok(other)
+    }
+
+    /// Takes one step towards the end, to the next restart at most; `instant` is one more.
+    ///
+    /// What lies within the last step can be asked for until the next one is taken. `is_of_interest` tells of a step between two
+    /// times whether it will be: such a step is repeated, shorter, until what lies within it is as accurate as its end.
+    ///
+    /// # Errors
+    /// As [`Stepper::step`].
+    pub fn step<M>(
+        &mut self,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+        instant: Option<S>,
+        is_of_interest: impl Fn(S, S) -> bool,
+    ) -> Result<(), StepFailure<S>>
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        self.due = self.next(system, stepper.time(), instant);
+        let limit = self.due.map_or(self.end, |restart| restart.before);
+        loop {
+            stepper.step(system, limit)?;
+            let is_asked = is_of_interest(stepper.last_time(), stepper.time());
+            if !is_asked || stepper.confirm(system) {
+                return Ok(());
+            }
+        }
+    }
+
+    /// The time that was reached: that of the restart if the last step ended there.
+    pub fn time<M>(&self, stepper: &impl Stepper<M>) -> S
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        self.due_at(stepper.time()).map_or(stepper.time(), |restart| restart.at)
+    }
+
+    /// The time from which the motion goes on: after the restart if the last step ended there.
+    pub fn beyond<M>(&self, stepper: &impl Stepper<M>) -> S
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        self.due_at(stepper.time()).map_or(stepper.time(), |restart| restart.after)
+    }
+
+    /// Whether the last step ended at a restart, so that [`resume`](Self::resume) restarts the method.
+    pub fn is_due<M>(&self, stepper: &impl Stepper<M>) -> bool
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        self.due_at(stepper.time()).is_some()
+    }
+
+    /// The restart that is due where this time was reached.
+    fn due_at(&self, t: S) -> Option<Restart<S>> {
+        self.due.filter(|restart| restart.before == t)
+    }
+
+    /// The first restart after `t`.
+    fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S, instant: Option<S>) -> Option<Restart<S>> {
+        let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
+        let given = self.given[past..].iter().find_map(|time| self.between(t, *time, ROUNDINGS));
+        let named = system.next_restart(t, self.end).and_then(|time| {
+            let is_on_sides = system.beyond(time, self.end).is_some();
+            self.between(t, time, if is_on_sides { 0.0 } else { ROUNDINGS })
+        });
+        let instant = instant.and_then(|time| self.between(t, time, 0.0));
+        let known = match (given, named) {
+            (Some(given), Some(named)) if self.is_ahead(given.at, named.at) => Some(given),
+            (given, None) => given,
+            (_, named) => named,
+        };
+        match (known, instant) {
+            (Some(known), Some(instant)) if self.is_ahead(instant.at, known.before) => Some(instant),
+            (None, instant) => instant,
+            (known, _) => known,
+        }
+    }
+
+    /// A restart at `at` on the way from `t`, with so many roundings of time on both sides of it, if there is room for steps, too.
+    fn between(&self, t: S, at: S, roundings: f64) -> Option<Restart<S>> {
+        let rounding = S::from_f64(roundings) * S::epsilon() * t.abs().max(at.abs());
+        let gap = if self.is_backwards { -rounding } else { rounding };
+        let restart = Restart { before: at - gap, at, after: at + gap };
+        let has_room = self.is_ahead(t, restart.before) && self.is_ahead(restart.after, self.end);
+        has_room.then_some(restart)
+    }
+
+    /// Whether the run meets `later` after `time`; not so if one of them is NaN.
+    fn is_ahead(&self, time: S, later: S) -> bool {
+        if self.is_backwards { later < time } else { time < later }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,267 @@
+//! A run in progress, turn by turn.
+//!
+//! One turn is a step of the method and what happens in it: restarts at times known beforehand, events one by one in the order of time, and how the
+//! motion goes on after one that replaces its state or its system. What is seen of it goes to a [`Sink`], so that loops that
+//! keep nothing and the front door, which keeps what is asked for, are the same.
+
+use super::current::Current;
+use super::events::{Events, Found, Origin};
+use super::outcome::EventOutcome;
+use super::restarts::Restarts;
+use crate::event::{Occurrence, is_at_once};
+use crate::integrate::{IntegrationError, Outcome, Stepper, Work, explained};
+use crate::system::{EventKind, OdeSystem, StepFailure};
+
+/// What sees a run.
+pub trait Sink<M: OdeSystem> {
+    /// Whether states before the end of a step to `to` will be asked for.
+    fn looks_before(&self, _to: M::Scalar) -> bool {
+        false
+    }
+
+    /// An event happened.
+    fn happen(&mut self, _origin: Origin, _event: &Found<M>, _kind: EventKind<M::Scalar>) {}
+
+    /// The motion has got to the end of the last step, which counts as this time; whether it is to go on.
+    fn reach_end(&mut self, system: &M, stepper: &mut impl Stepper<M>, time: M::Scalar) -> bool;
+
+    /// The motion has got to an event at this time and state in the last step; whether it is to go on.
+    fn reach(&mut self, system: &M, stepper: &mut impl Stepper<M>, reached: (M::Scalar, &M::State)) -> bool;
+
+    /// The system is another one from here on.
+    fn switch(&mut self, _system: &M) {}
+
+    /// The motion goes on from this state at the time that was reached, after an event that was told, unless it `is_silent`.
+    fn replace(&mut self, system: &M, from: (M::Scalar, &M::State), is_silent: bool);
+
+    /// The motion goes on with other inputs from this time and state.
+    fn exchange(&mut self, _system: &M, _from: (M::Scalar, &M::State)) {}
+}
+
+/// What a turn came to.
+#[derive(Clone, Copy, Debug)]
+pub enum Turn<S, Y> {
+    /// The motion goes on, unless it has reached its end.
+    GoesOn,
+    /// An event stopped it at this time and state.
+    Stopped(S, Y),
+    /// The sink did not want it to go on.
+    Cancelled,
+}
+
+/// What one turn of a run of the system M came to, or why there is none.
+type Turned<M> = Outcome<M, Turn<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>>;
+
+/// What came of events, and whether the first of them was not told.
+type Reaction<M> = Result<(EventOutcome<M>, bool), StepFailure<<M as OdeSystem>::Scalar>>;
+
+/// A run of a system by a method, whose stepper this is, with events of the kind E.
+pub struct Run<'r, 's, M: OdeSystem, T, E> {
+    current: &'r mut Current<'s, M>,
+    stepper: T,
+    events: E,
+    restarts: Restarts<'r, M::Scalar>,
+    end: M::Scalar,
+}
+
+impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
+    /// A run that has been started, with `restarts` in the order in which it meets them.
+    pub fn new(
+        current: &'r mut Current<'s, M>,
+        stepper: T,
+        events: E,
+        (start, end): (M::Scalar, M::Scalar),
+        restarts: &'r [M::Scalar],
+    ) -> Self {
+        Run { current, stepper, events, restarts: Restarts::new(start, end, restarts), end }
+    }
+
+    /// Whether the end is reached.
+    pub fn is_over(&self) -> bool {
+        self.stepper.time() == self.end
+    }
+
+    /// The system as it is at present.
+    pub fn system(&self) -> &M {
+        self.current.system()
+    }
+
+    /// The time at which the last step ended.
+    pub fn step_end(&self) -> M::Scalar {
+        self.stepper.time()
+    }
+
+    /// The time that was reached: that of the restart if the last step ended there.
+    pub fn time(&self) -> M::Scalar {
+        self.restarts.time(&self.stepper)
+    }
+
+    /// The time from which the motion goes on: after the restart if the last step ended there.
+    pub fn beyond(&self) -> M::Scalar {
+        self.restarts.beyond(&self.stepper)
+    }
+
+    /// The state that was reached.
+    pub fn state(&self) -> &M::State {
+        self.stepper.state()
+    }
+
+    /// What it took so far.
+    pub fn work(&self) -> Work {
+        self.stepper.work()
+    }
+
+    /// Takes a step, to `instant` at most, and goes through its events up to one after which the motion does not just go on.
+    ///
+    /// # Errors
+    /// What the method met, the search for events or an event, with the last good state.
+    #[inline]
+    pub fn next(&mut self, sink: &mut impl Sink<M>, instant: Option<M::Scalar>) -> Turned<M> {
+        if let Err(cause) = self.step(sink, instant) {
+            return Err(IntegrationError { cause, time: self.stepper.time(), state: *self.stepper.state() });
+        }
+        while let Some((origin, event)) = self.next_event()? {
+            let (time, state) = (event.time, event.state);
+            let reaction = self.react(sink, origin, event);
+            if !reaction.as_ref().is_ok_and(|(outcome, _)| outcome.goes_on()) {
+                return self.resume(sink, (time, state), reaction);
+            }
+        }
+        let time = self.time();
+        let goes_on = sink.reach_end(self.current.system(), &mut self.stepper, time);
+        Ok(if goes_on { Turn::GoesOn } else { Turn::Cancelled })
+    }
+
+    /// Goes on with this system from the time and state that were reached, as with other inputs.
+    ///
+    /// # Errors
+    /// If the method cannot go on from there.
+    pub fn exchange(&mut self, sink: &mut impl Sink<M>, system: M) -> Result<(), StepFailure<M::Scalar>> {
+        let (time, state) = (self.time(), *self.stepper.state());
+        // Several surfaces may have been passed by the jump.
+        let on_sides = system.on_sides(time, &state);
+        self.current.switch(on_sides.or(Some(system)));
+        let system = self.current.system();
+        sink.switch(system);
+        sink.exchange(system, (time, &state));
+        self.events.jump(system, time, &state);
+        if self.restarts.is_due(&self.stepper) {
+            return Ok(());
+        }
+        self.stepper.restart(system, time, &state)
+    }
+
+    /// Takes one step, after a restart if one is due.
+    #[inline]
+    fn step(
+        &mut self,
+        sink: &mut impl Sink<M>,
+        instant: Option<M::Scalar>,
+    ) -> Result<(), StepFailure<M::Scalar>> {
+        if let Some(beyond) = self.restarts.resume(self.current.system(), &mut self.stepper)? {
+            self.current.switch(Some(beyond));
+            sink.switch(self.current.system());
+        }
+        let has_events = !self.events.is_empty();
+        let is_of_interest = |_, to| has_events || sink.looks_before(to);
+        self.restarts.step(self.current.system(), &mut self.stepper, instant, is_of_interest)
+    }
+
+    /// The next event of the last step.
+    #[inline]
+    fn next_event(&mut self) -> Outcome<M, Option<(Origin, Found<M>)>> {
+        let system = self.current.system();
+        match self.events.look(system, &mut self.stepper, self.end) {
+            Ok(next) => Ok(next.and_then(|(origin, _)| Some((origin, self.events.take(origin)?)))),
+            Err(cause) => {
+                let time = self.stepper.last_time();
+                Err(IntegrationError { cause, time, state: self.stepper.interpolate(system, time) })
+            }
+        }
+    }
+
+    /// What comes of an event and of those at the same time, which follow each other, each from the state that the last one left.
+    fn react(&mut self, sink: &mut impl Sink<M>, origin: Origin, first: Found<M>) -> Reaction<M> {
+        let time = first.time;
+        let mut outcome = EventOutcome::new();
+        let is_told = self.answer(sink, &mut outcome, origin, &first)?;
+        if !outcome.goes_on() {
+            while let Some((origin, event)) = self.next_at_once(&outcome, time)? {
+                self.answer(sink, &mut outcome, origin, &event)?;
+            }
+        }
+        Ok((outcome, !is_told))
+    }
+
+    /// Adds what comes of an event; whether it was told. A contact may touch without an impact and without closing, which is none.
+    fn answer(
+        &mut self,
+        sink: &mut impl Sink<M>,
+        outcome: &mut EventOutcome<M>,
+        origin: Origin,
+        event: &Found<M>,
+    ) -> Result<bool, StepFailure<M::Scalar>> {
+        let system = outcome.system.as_ref().unwrap_or(self.current.system());
+        let response = self.events.react(system, origin, event);
+        let kind = response.as_ref().map_or(EventKind::Zero, |response| response.kind);
+        let is_told = !(is_switch::<M>(origin, event) && kind == EventKind::Zero);
+        if is_told {
+            sink.happen(origin, event, kind);
+        }
+        outcome.add(response?, event.state);
+        Ok(is_told)
+    }
+
+    /// The next event that cannot be told from `time`, taken to find the state as it was replaced by then, if it was. What
+    /// contacts and friction do is not among them: they have been settled, or are once the motion goes on.
+    fn next_at_once(
+        &mut self,
+        outcome: &EventOutcome<M>,
+        time: M::Scalar,
+    ) -> Result<Option<(Origin, Found<M>)>, StepFailure<M::Scalar>> {
+        let (from, to) = (self.stepper.last_time(), self.stepper.time());
+        loop {
+            let next = self.events.look(self.current.system(), &mut self.stepper, self.end)?;
+            let next = next.filter(|(_, other)| is_at_once(time, *other, from, to));
+            let Some((origin, _)) = next else { return Ok(None) };
+            let Some(event) = self.events.take(origin) else { return Ok(None) };
+            if !is_switch::<M>(origin, &event) {
+                let state = outcome.state().unwrap_or(event.state);
+                return Ok(Some((origin, Occurrence { time, state, ..event })));
+            }
+        }
+    }
+
+    /// Goes on after events at this time and state, unless they stop the motion.
+    fn resume(
+        &mut self,
+        sink: &mut impl Sink<M>,
+        (time, state): (M::Scalar, M::State),
+        reaction: Reaction<M>,
+    ) -> Turned<M> {
+        if !sink.reach(self.current.system(), &mut self.stepper, (time, &state)) {
+            return Ok(Turn::Cancelled);
+        }
+        let failed = |cause| IntegrationError { cause, time, state };
+        let (outcome, is_silent) = reaction.map_err(failed)?;
+        let Some(resumed) = outcome.resume(self.current.system(), time) else {
+            return Ok(Turn::Stopped(time, state));
+        };
+        let (other, switched) = resumed.map_err(failed)?;
+        if switched.is_some() {
+            self.current.switch(switched);
+            sink.switch(self.current.system());
+        }
+        let system = self.current.system();
+        let restarted = self.stepper.restart(system, time, &other);
+        restarted.map_err(|cause| failed(explained(cause, system, (time, &other), self.end)))?;
+        self.events.restart(system, time, &other);
+        sink.replace(system, (time, &other), is_silent);
+        Ok(Turn::GoesOn)
+    }
+}
+
+/// Whether an event is that of a contact, of friction or of a switch, by which a mode ends.
+fn is_switch<M: OdeSystem>(origin: Origin, event: &Found<M>) -> bool {
+    origin == Origin::Declared && M::EVENTS[event.event].is_switch
+}

@@ -1,0 +1,128 @@
+//! Events that belong to a system: what it declares, and what it answers when one happens.
+
+use crate::scalar::Scalar;
+
+/// An event that the declaration of a system states.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct DeclaredEvent {
+    /// Its name.
+    pub name: &'static str,
+    /// Which zeros count.
+    pub direction: Direction,
+    /// Whether it belongs to a contact or to dry friction. Its function then is positive, but for rounding, while the present
+    /// mode lasts, and falling through zero is what ends the mode: a body that touches at the start and is pushed below the
+    /// ground has hit it.
+    pub is_switch: bool,
+    /// Whether it belongs to a surface on which the equations are not smooth, and then its name says to which. It is no event for
+    /// those who watch a motion.
+    pub is_side: bool,
+}
+
+impl DeclaredEvent {
+    /// An event whose zeros in this direction count.
+    pub const fn new(name: &'static str, direction: Direction) -> Self {
+        DeclaredEvent { name, direction, is_switch: false, is_side: false }
+    }
+
+    /// The event by which a contact or dry friction switches its mode.
+    pub const fn switch(name: &'static str) -> Self {
+        DeclaredEvent { name, direction: Direction::Falling, is_switch: true, is_side: false }
+    }
+
+    /// The event by which a [switch](crate::event::Switches) changes its side.
+    pub const fn side(name: &'static str) -> Self {
+        DeclaredEvent { is_side: true, ..DeclaredEvent::switch(name) }
+    }
+}
+
+/// The largest number of events that a system can declare.
+pub const MOST_DECLARED: usize = 32;
+
+/// The largest number of events that runs look for, those by which [switches](crate::event::Switches) change their sides among them.
+pub(crate) const MOST_LOCATED: usize = 64;
+
+/// How a function passes zero as the integration proceeds; in backward time, as time runs backwards.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Direction {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// Either.
+    Crossing,
+}
+
+impl Direction {
+    /// Whether a change from a value of the sign of `before` to one of the sign of `after`, not zero, counts.
+    pub(crate) fn counts<S: Scalar>(self, before: S, after: S) -> bool {
+        let (rises, falls) = (before < S::ZERO && after > S::ZERO, before > S::ZERO && after < S::ZERO);
+        match self {
+            Direction::Rising => rises,
+            Direction::Falling => falls,
+            Direction::Crossing => rises || falls,
+        }
+    }
+}
+
+/// What a declared event does.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Response<M, S, Y> {
+    /// How to go on.
+    pub action: Action<Y>,
+    /// The system that goes on, if it is not the same: with other contacts closed, other friction sticking.
+    pub system: Option<M>,
+    /// What happened.
+    pub kind: EventKind<S>,
+}
+
+impl<M, S, Y> Response<M, S, Y> {
+    /// Nothing but this action.
+    pub fn new(action: Action<Y>) -> Self {
+        Response { action, system: None, kind: EventKind::Zero }
+    }
+}
+
+/// What to do at an event.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Action<Y> {
+    /// Go on.
+    Continue,
+    /// End the integration here.
+    Stop,
+    /// Go on from this state instead.
+    Replace(Y),
+}
+
+/// What an impact did.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Impact<S> {
+    /// The impulse in the contact, in N s for SI units; never negative.
+    pub impulse: S,
+    /// The kinetic energy that was lost, in all contacts that were hit at once and by friction; with moving surfaces, as seen from
+    /// them. Never negative but for rounding.
+    pub energy_loss: S,
+}
+
+/// What a declared event was.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+#[non_exhaustive]
+pub enum EventKind<S> {
+    /// A zero of a function.
+    #[default]
+    Zero,
+    /// An impact after which the contact opened again.
+    Impact(Impact<S>),
+    /// A contact closed: after a plastic impact, or after infinitely many that accumulate at `at`.
+    Closed {
+        /// When the contact is at rest; later than the event by what the last bounces take, and so perhaps after the end of the run.
+        at: S,
+        /// The impact by which it closed.
+        impact: Impact<S>,
+    },
+    /// The force of a closed contact fell to zero, and it opened.
+    Opened,
+    /// Friction came to hold.
+    Stuck,
+    /// Friction gave way.
+    Slipped,
+}

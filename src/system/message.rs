@@ -1,0 +1,94 @@
+//! What is said about runs that stopped early.
+
+use core::fmt::{Debug, Display, Formatter, Result};
+
+use super::step_failure::{EventSource, StepFailure};
+
+impl<S: Debug> Display for StepFailure<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self.event() {
+            Some(event) => explain(self, &event, f),
+            None => explain(self, &"an event", f),
+        }
+    }
+}
+
+impl Display for EventSource {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            EventSource::Declared(name) => write!(f, "event `{name}`"),
+            EventSource::Given(0) => f.write_str("the first of the events that were given"),
+            EventSource::Given(index) => write!(f, "the event at index {index} of those that were given"),
+        }
+    }
+}
+
+/// Writes why a run stopped, and of an event that it is about that it is this one.
+pub(crate) fn explain<S: Debug>(
+    cause: &StepFailure<S>,
+    event: &dyn Display,
+    f: &mut Formatter<'_>,
+) -> Result {
+    match cause {
+        StepFailure::Setting(what) | StepFailure::Stuck(what) | StepFailure::Adapted(what) => {
+            f.write_str(what)
+        }
+        StepFailure::Violated(violation) => write!(f, "{violation}"),
+        StepFailure::Restitution { contact, value } => write!(
+            f,
+            "the coefficient of restitution of contact `{contact}` is {value:?}; it must be from 0 to 1"
+        ),
+        StepFailure::RepeatedColumn => f.write_str("two columns have the same name"),
+        StepFailure::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
+        StepFailure::Undefined(what) => write!(f, "{what}"),
+        StepFailure::NoFirstStep { relative, absolute } => write!(
+            f,
+            "no first step fits the tolerance, {relative:?} of the state and {absolute:?} beside it: the state is too small or \
+             its rates are too large for that; tolerate a larger absolute error"
+        ),
+        StepFailure::StepUnderflow { step } => {
+            write!(f, "a step of {step:?} is lost in the rounding of time; the motion may be singular here")
+        }
+        StepFailure::TooManySteps { limit } => write!(f, "all {limit} steps that are allowed were taken"),
+        StepFailure::TooManySamples { samples, most } => write!(
+            f,
+            "{samples:?} samples would be kept, more than {most:?}: take a longer interval, or `.ends_only()`"
+        ),
+        StepFailure::UnknownOutput { name, known } => {
+            write!(f, "there is no output `{name}`; there are")?;
+            let mut known = known.iter().enumerate();
+            known.try_for_each(|(index, name)| write!(f, "{} `{name}`", if index == 0 { "" } else { "," }))
+        }
+        StepFailure::Stiff { limit } => write!(
+            f,
+            "the system is stiff: steps longer than about {limit:?} are unstable; take an implicit method"
+        ),
+        StepFailure::StepTooLong { step, limit } => write!(
+            f,
+            "a step of {step:?} is too long for this method: steps longer than about {limit:?} are unstable here, as the fastest \
+             part of the motion tells, the largest eigenvalue of the linearised equations; take shorter steps, or an implicit method"
+        ),
+        StepFailure::NotConverged { iterations } => write!(
+            f,
+            "an implicit step did not converge in {iterations} iterations; take shorter steps, or let the \
+             declaration `emit {{ jacobian }}`"
+        ),
+        StepFailure::SingularMassMatrix => {
+            f.write_str("the mass matrix is singular: velocities do not follow from momenta here")
+        }
+        StepFailure::EventNotFinite { .. } => write!(f, "the function of {event} is NaN or infinite"),
+        StepFailure::EventsAccumulate { events, .. } => write!(
+            f,
+            "events accumulate: the last {events} of {event} cannot be told apart in time; stop there, or declare a body that \
+             comes to rest with `impact(…)`, which closes the contact"
+        ),
+        StepFailure::Slides { surface } => write!(
+            f,
+            "the state stays where the sign of {surface} changes: on either side the equations lead back there, and they do \
+             not say what holds it; dry friction is declared by `friction name = slip velocity, limit;`"
+        ),
+        StepFailure::EventNotLocated { bisections, .. } => {
+            write!(f, "the zero of {event} could not be located in {bisections} bisections")
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! Why a step could not be taken.
+
+use super::event::DeclaredEvent;
+use super::undefined::Undefined;
+use super::violation::Violation;
+
+/// Why a step could not be taken.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum StepFailure<S> {
+    /// A setting that makes no sense, in words.
+    Setting(&'static str),
+    /// Two columns that a run is to keep have the same name.
+    RepeatedColumn,
+    /// A time, the state or its rate is NaN or infinite. Which it is, methods do not know; runs say it by name where it can be
+    /// told, as [`Undefined`](StepFailure::Undefined).
+    NotFinite,
+    /// This is NaN or infinite, or makes what follows from it so.
+    Undefined(Undefined<S>),
+    /// Errors of the initial state, measured by the tolerance, are not numbers or too large for them, so that no first step can be
+    /// chosen.
+    NoFirstStep {
+        /// The error that is tolerated as a part of the state.
+        relative: S,
+        /// The error that is tolerated in the units of the state.
+        absolute: S,
+    },
+    /// The step that the tolerance asks for is lost in the rounding of time.
+    StepUnderflow {
+        /// That step.
+        step: S,
+    },
+    /// As many steps were taken as are allowed.
+    TooManySteps {
+        /// How many that is.
+        limit: u64,
+    },
+    /// More samples were asked for than can be kept.
+    TooManySamples {
+        /// How many there would be.
+        samples: S,
+        /// How many there may be.
+        most: S,
+    },
+    /// An output was asked for that the system does not declare.
+    UnknownOutput {
+        /// What was asked for.
+        name: &'static str,
+        /// The outputs that there are, or their components.
+        known: &'static [&'static str],
+    },
+    /// An explicit method whose steps are limited by stability and not by accuracy.
+    Stiff {
+        /// About the longest step that is stable.
+        limit: S,
+    },
+    /// A method in steps of given length whose step is longer than stability allows.
+    StepTooLong {
+        /// The length of the step.
+        step: S,
+        /// About the longest step that is stable at this state: what the method stands over the magnitude of the largest
+        /// eigenvalue of the linearised equations.
+        limit: S,
+    },
+    /// The equations of an implicit step could not be solved.
+    NotConverged {
+        /// How many iterations were made.
+        iterations: u32,
+    },
+    /// The mass matrix is singular, so that velocities do not follow from momenta.
+    SingularMassMatrix,
+    /// An event function is NaN or infinite.
+    EventNotFinite {
+        /// Which event.
+        event: EventSource,
+    },
+    /// A state violates a constraint, and cannot be brought onto it.
+    Violated(Violation<S>),
+    /// A coefficient of restitution that is not from 0 to 1.
+    Restitution {
+        /// The name of the contact.
+        contact: &'static str,
+        /// What it is.
+        value: S,
+    },
+    /// No motion goes on from here, in words: no contact forces or friction fit the state.
+    Stuck(&'static str),
+    /// A method of another crate failed, in words.
+    Adapted(&'static str),
+    /// So many events follow each other at the same time that they are taken for infinitely many, as the bounces of a ball
+    /// that comes to rest.
+    EventsAccumulate {
+        /// How many were counted.
+        events: u32,
+        /// Which event the last of them was.
+        event: EventSource,
+    },
+    /// The state slides along a surface on which the equations are not smooth: on either side they lead back to it.
+    Slides {
+        /// The function that vanishes there and changes its sign, and the statement that holds it.
+        surface: &'static str,
+    },
+    /// The zero of an event function could not be located.
+    EventNotLocated {
+        /// Which event.
+        event: EventSource,
+        /// How many bisections were made.
+        bisections: u32,
+    },
+}
+
+/// Where the function of an event comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum EventSource {
+    /// The declaration of the system, where it has this name.
+    Declared(&'static str),
+    /// The run, to which it was given beside others, counted from zero. The front door knows it by name.
+    Given(usize),
+}
+
+impl<S> StepFailure<S> {
+    /// The event that it is about, if it is about one.
+    pub fn event(&self) -> Option<EventSource> {
+        match *self {
+            StepFailure::EventNotFinite { event }
+            | StepFailure::EventsAccumulate { event, .. }
+            | StepFailure::EventNotLocated { event, .. } => Some(event),
+            _ => None,
+        }
+    }
+
+    /// The same about the event that `source` makes of the one that it is about.
+    pub(crate) fn of_event(mut self, source: impl FnOnce(EventSource) -> EventSource) -> Self {
+        if let StepFailure::EventNotFinite { event }
+        | StepFailure::EventsAccumulate { event, .. }
+        | StepFailure::EventNotLocated { event, .. } = &mut self
+        {
+            *event = source(*event);
+        }
+        self
+    }
+
+    /// The same with the name of the event among these instead of its place. Where switches accumulate the state slides.
+    pub(crate) fn named(self, declared: &'static [DeclaredEvent]) -> Self {
+        let Some(EventSource::Given(index)) = self.event() else { return self };
+        match (declared.get(index), self) {
+            (Some(side), StepFailure::EventsAccumulate { .. }) if side.is_side => {
+                StepFailure::Slides { surface: side.name }
+            }
+            (Some(event), cause) => cause.of_event(|_| EventSource::Declared(event.name)),
+            (None, cause) => cause,
+        }
+    }
+}
