@@ -57,34 +57,22 @@ extern crate std;
 
 #[cfg(any(feature = "differential-equations", feature = "diffsol"))]
 pub mod adapt;
-pub mod body;
-pub mod constraint;
-pub mod contact;
-#[cfg(feature = "draw")]
-pub mod draw;
 pub mod event;
-pub mod inertia;
 pub mod integrate;
-#[cfg(any(feature = "plot", feature = "draw"))]
-mod lettering;
-mod linalg;
-#[cfg(feature = "plot")]
-mod plot;
-pub mod run;
-pub mod scalar;
-pub mod scene;
-#[cfg(feature = "std")]
-pub mod simulate;
-pub mod system;
 #[cfg(feature = "trade")]
 pub mod trade;
 
 #[doc(hidden)]
 pub mod private;
 
-pub use crate::scalar::Scalar;
+#[cfg(feature = "draw")]
+#[doc(inline)]
+pub use lagrange_draw as draw;
 #[cfg(feature = "std")]
-pub use crate::simulate::Simulate;
+#[doc(inline)]
+pub use lagrange_runtime::simulate::{self, Simulate};
+#[doc(inline)]
+pub use lagrange_runtime::{Scalar, body, constraint, contact, inertia, scalar, scene, system};
 
 /// Keeps the example of the README true.
 #[cfg(doctest)]

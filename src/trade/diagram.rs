@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use super::measurement::{Measurement, Row};
 use super::report::Report;
-use crate::plot::{Curve, Figure, Panel, Scale};
+use lagrange_plot::{Curve, Figure, Panel, Scale};
 
 const SIZE: (u32, u32) = (860, 420);
 /// Errors above this say only that the motion was lost.

@@ -16,7 +16,9 @@ use ::diffsol::NalgebraLU;
 
 use self::drive::drive;
 use self::problem::problem;
-use crate::integrate::{IntegrationError, Outcome, explained};
+use lagrange_runtime::integrate::explained;
+
+use crate::integrate::{IntegrationError, Outcome};
 use crate::system::{OdeSystem, StepFailure};
 
 /// Backward differentiation of orders one to five with steps and orders as the tolerance allows, for stiff systems.

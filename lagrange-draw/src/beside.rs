@@ -1,0 +1,80 @@
+//! Pictures side by side.
+
+use crate::geometry::{add, moved};
+use crate::picture::{Mark, Picture, Point};
+
+/// Up to this many pictures are in one row.
+const ROW: usize = 3;
+/// Between the titles of all of them.
+pub(super) const SEPARATOR: &str = "; ";
+
+impl Picture {
+    /// Pictures side by side, each with its title above; more than three in several rows.
+    pub fn beside(pictures: &[Picture]) -> Picture {
+        let columns = columns(pictures.len());
+        let (mut size, mut marks) = ([0.0_f64, 0.0_f64], Vec::new());
+        for row in pictures.chunks(columns) {
+            let mut left = 0.0;
+            for picture in row {
+                marks.extend(picture.marks.iter().map(|mark| shifted(mark, [left, size[1]])));
+                left += picture.size[0];
+            }
+            size[0] = size[0].max(left);
+            size[1] += row.iter().map(|picture| picture.size[1]).fold(0.0, f64::max);
+        }
+        let titles = pictures.iter().map(|picture| picture.title.as_str()).filter(|title| !title.is_empty());
+        Picture { size, title: titles.collect::<Vec<&str>>().join(SEPARATOR), marks }
+    }
+}
+
+fn columns(count: usize) -> usize {
+    if count <= ROW { count.max(1) } else { (1..=count).find(|side| side * side >= count).unwrap_or(count) }
+}
+
+fn shifted(mark: &Mark, by: Point) -> Mark {
+    match mark {
+        Mark::Path { segments, style } => {
+            Mark::Path { segments: moved(segments, |p| add(p, by)), style: style.clone() }
+        }
+        Mark::Text { at, text, size, anchor, colour } => {
+            let text: String = text.clone();
+            Mark::Text { at: add(*at, by), text, size: *size, anchor: *anchor, colour: *colour }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+
+    use crate::colour::INK;
+    use crate::picture::{Anchor, Mark, Picture};
+
+    #[test]
+    fn captions_are_the_title_and_no_labels() {
+        let text = |text: &str, size| Mark::Text {
+            at: [50.0, 20.0],
+            text: text.into(),
+            size,
+            anchor: Anchor::Middle,
+            colour: INK,
+        };
+        let picture = |title: &str| Picture {
+            size: [100.0, 80.0],
+            title: title.into(),
+            marks: vec![text(title, 15.0), text("M", 14.0)],
+        };
+        let svg = Picture::beside(&[picture("Start"), picture("The centre M")]).svg();
+        assert!(svg.contains("<title>Start; The centre M</title>"), "{svg}");
+        assert!(svg.contains("<desc>Labels: M.</desc>"), "{svg}");
+    }
+
+    #[test]
+    fn three_are_in_a_row_and_four_in_a_square() {
+        let picture =
+            |title: &str| Picture { size: [100.0, 80.0], title: title.into(), ..Picture::default() };
+        let all = [picture("a"), picture("b"), picture("c"), picture("d")];
+        assert_eq!(Picture::beside(&all[..3]).size, [300.0, 80.0]);
+        let square = Picture::beside(&all);
+        assert_eq!((square.size, &*square.title), ([200.0, 160.0], "a; b; c; d"));
+    }
+}

@@ -1,0 +1,59 @@
+//! Colours of drawings: those of Okabe and Ito, *Color Universal Design* (2008), which people with any colour vision tell
+//! apart.
+
+use crate::picture::Colour;
+
+/// Outlines, joints and text.
+pub(super) const INK: Colour = Colour([40, 40, 40, 255]);
+/// Lines that help.
+pub(super) const PALE: Colour = Colour([130, 130, 130, 255]);
+pub(super) const HATCHING: Colour = Colour([150, 150, 150, 255]);
+/// What is behind everything.
+pub(super) const PAPER: Colour = Colour([255, 255, 255, 255]);
+
+/// The colours of what moves and acts.
+pub(super) const VELOCITY: Colour = INKS[1];
+pub(super) const ACCELERATION: Colour = INKS[4];
+pub(super) const FORCE: Colour = INKS[2];
+/// Forces without a name.
+pub(super) const REST: Colour = INK;
+pub(super) const CENTER: Colour = INKS[3];
+
+const INKS: [Colour; 7] = [
+    INK,
+    Colour([0, 114, 178, 255]),
+    Colour([213, 94, 0, 255]),
+    Colour([0, 158, 115, 255]),
+    Colour([204, 121, 167, 255]),
+    Colour([230, 159, 0, 255]),
+    Colour([86, 180, 233, 255]),
+];
+
+/// How much paper there is in the colour of a body.
+const LIGHTNESS: f64 = 0.78;
+/// The order of the colours of bodies: neighbours differ much.
+const BODIES: [usize; 6] = [6, 5, 3, 4, 1, 2];
+
+/// The order of the colours of traces.
+const TRACES: [usize; 6] = [3, 5, 6, 4, 1, 2];
+
+/// The colour of the trace of this index.
+pub(super) fn trace(index: usize) -> Colour {
+    INKS[TRACES[index % TRACES.len()]]
+}
+
+/// The colour of this number; numbers beyond the last start again.
+pub(super) fn ink(number: usize) -> Colour {
+    INKS[number % INKS.len()]
+}
+
+/// The light colour of the body of this index.
+pub(super) fn body(index: usize) -> Colour {
+    light(INKS[BODIES[index % BODIES.len()]])
+}
+
+/// The same colour, light enough for areas with something dark on them.
+pub(super) fn light(Colour([red, green, blue, opacity]): Colour) -> Colour {
+    let mix = |channel: u8| (f64::from(channel) + LIGHTNESS * (255.0 - f64::from(channel))).round() as u8;
+    Colour([mix(red), mix(green), mix(blue), opacity])
+}

@@ -1,0 +1,196 @@
+//! What a picture consists of, in the coordinates of the world.
+
+use crate::geometry::{Place, add};
+use crate::outline::Piece;
+use crate::picture::{Colour, Point};
+
+/// Something in a picture.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Element {
+    /// What it is called in messages, and by what it is found again in the other pictures of a film.
+    pub(super) name: String,
+    /// What is written beside it; none if nothing is.
+    pub(super) label: String,
+    pub(super) colour: Colour,
+    pub(super) layer: Layer,
+    pub(super) shape: Shape,
+}
+
+/// From back to front.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub(super) enum Layer {
+    Ground,
+    Body,
+    Connector,
+    Joint,
+    Trace,
+    Arrow,
+    Sketch,
+}
+
+/// What it looks like.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) enum Shape {
+    /// A body whose own coordinates are placed so, with its centre of mass.
+    Body { place: Place, center: Point, pieces: Vec<Piece> },
+    /// A line with hatching on its right, along these stretches from a point of it, whose ends may be infinite; these points of
+    /// it are to be seen.
+    Ground { place: Place, stretches: Vec<[f64; 2]>, seen: Vec<Point> },
+    /// A spring, so many places on the left of the line between its ends.
+    Coil { from: Point, to: Point, lane: f64 },
+    /// A damper, likewise.
+    Dashpot { from: Point, to: Point, lane: f64 },
+    /// A torsion spring, around so many others.
+    Spiral { at: Point, lane: f64 },
+    /// A torsion damper, likewise.
+    Drum { at: Point, lane: f64 },
+    /// Two bodies turn about it.
+    Pin { at: Point },
+    /// A body turns about it, and it is at rest.
+    Anchor { at: Point },
+    /// A short line with hatching on its right, which holds a connector on its left.
+    Wall { at: Point, angle: f64 },
+    /// A point on a line.
+    Slider { at: Point },
+    /// An arrow from a point, or to it if it pushes.
+    Arrow { from: Point, vector: Point, measure: Measure, is_push: bool },
+    /// An arrow around a point, counterclockwise if positive, outside of so many others.
+    Turn { at: Point, moment: f64, ring: usize },
+    /// A point.
+    Dot { at: Point },
+    /// A dashed line to a point that may be far away, which is marked if it is in the picture.
+    Ray { from: Point, to: Point },
+    /// A straight line between two points.
+    Segment { ends: [Point; 2], is_dashed: bool },
+    /// A dashed straight line without ends.
+    Through { points: [Point; 2] },
+    /// A circle.
+    Circle { center: Point, radius: f64, is_dashed: bool },
+    /// An arc with an arrowhead from one angle to another.
+    Angle { at: Point, from: f64, to: f64 },
+    /// A line with arrowheads at both ends, on the left of two points.
+    Dimension { ends: [Point; 2] },
+    /// A line through points.
+    Polyline { points: Vec<Point> },
+    /// An area with these corners.
+    Area { points: Vec<Point> },
+    /// Nothing but its label.
+    Words { at: Point },
+}
+
+/// What the length of an arrow means.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Measure {
+    /// Lengths of the world.
+    World,
+    /// Pixels.
+    Pixels,
+    Velocity,
+    Acceleration,
+    Force,
+}
+
+/// A place that must be in a picture.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Reach {
+    /// In the world.
+    pub(super) at: Point,
+    /// From there, in pixels, y upwards.
+    pub(super) offset: Point,
+    /// Pixels to all sides.
+    pub(super) room: f64,
+}
+
+/// Room for joints, connectors and bodies around their points, for hatching, and for arcs of moments and angles.
+const ROOM: f64 = 9.0;
+const GROUND: f64 = 16.0;
+const ROUND: f64 = 30.0;
+/// From one connector to the next between the same points, and by how much one about a point is wider than that within it.
+pub(super) const LANE: f64 = 20.0;
+pub(super) const WIDER: f64 = 0.6;
+/// From one arc about a point to the next.
+pub(super) const RING: f64 = 8.0;
+
+impl Element {
+    /// All numbers of it, which must be finite.
+    pub(super) fn numbers(&self) -> Vec<f64> {
+        let mut numbers: Vec<f64> =
+            self.reaches(&|_| 1.0).iter().flat_map(|r| [r.at, r.offset].concat()).collect();
+        match &self.shape {
+            Shape::Ground { place, .. } => numbers.extend([place.at[0], place.at[1], place.angle]),
+            Shape::Turn { moment, .. } => numbers.push(*moment),
+            Shape::Ray { to, .. } => numbers.extend(to),
+            Shape::Through { points } => numbers.extend(points.as_flattened()),
+            Shape::Angle { from, to, .. } => numbers.extend([from, to]),
+            Shape::Body { pieces, .. } => numbers.extend(pieces.iter().flat_map(Piece::rim).flatten()),
+            _ => {}
+        }
+        numbers
+    }
+
+    /// The places that must be in the picture, if so many pixels stand for a unit of what is measured.
+    pub(super) fn reaches(&self, pixels: &dyn Fn(Measure) -> f64) -> Vec<Reach> {
+        let point = |at: Point, room: f64| Reach { at, offset: [0.0, 0.0], room };
+        let all = |points: &[Point]| points.iter().map(|at| point(*at, ROOM)).collect();
+        match &self.shape {
+            Shape::Body { place, center, pieces } => body(place, *center, pieces),
+            Shape::Ground { seen, .. } => seen.iter().map(|at| point(*at, GROUND)).collect(),
+            Shape::Through { .. } => Vec::new(),
+            Shape::Coil { from, to, lane } | Shape::Dashpot { from, to, lane } => {
+                [*from, *to].map(|at| point(at, ROOM + LANE * lane.abs())).into()
+            }
+            Shape::Pin { at } | Shape::Dot { at } | Shape::Words { at } => vec![point(*at, ROOM)],
+            Shape::Anchor { at } | Shape::Wall { at, .. } | Shape::Slider { at } => vec![point(*at, GROUND)],
+            Shape::Spiral { at, lane } | Shape::Drum { at, lane } => {
+                vec![point(*at, ROUND * (1.0 + WIDER * lane))]
+            }
+            Shape::Angle { at, .. } => vec![point(*at, ROUND)],
+            Shape::Turn { at, ring, .. } => vec![point(*at, ROUND + RING * *ring as f64)],
+            Shape::Arrow { from, vector, measure: Measure::World, .. } => all(&[*from, add(*from, *vector)]),
+            Shape::Arrow { from, vector, measure, is_push } => {
+                let sign = if *is_push { -1.0 } else { 1.0 };
+                let offset = vector.map(|part| sign * pixels(*measure) * part);
+                vec![point(*from, ROOM), Reach { at: *from, offset, room: GROUND }]
+            }
+            Shape::Ray { from, .. } => vec![point(*from, ROOM)],
+            Shape::Segment { ends, .. } => all(ends),
+            Shape::Dimension { ends } => ends.iter().map(|at| point(*at, ROUND)).collect(),
+            Shape::Circle { center: [x, y], radius: r, .. } => all(&[[x - r, y - r], [x + r, y + r]]),
+            Shape::Polyline { points } | Shape::Area { points } => all(points),
+        }
+    }
+}
+
+impl Shape {
+    /// What is wrong if its numbers are not finite, and by what it is told from elements of other kinds.
+    pub(super) fn what(&self) -> &'static str {
+        match self {
+            Shape::Body { .. } => "position or shape",
+            Shape::Ground { .. } => "line",
+            Shape::Coil { .. } | Shape::Dashpot { .. } => "end",
+            Shape::Wall { .. } => "anchor",
+            Shape::Spiral { .. } | Shape::Drum { .. } => "place",
+            Shape::Pin { .. } | Shape::Anchor { .. } | Shape::Slider { .. } => "position of the joint",
+            Shape::Arrow { measure: Measure::Velocity, .. } => "velocity",
+            Shape::Arrow { measure: Measure::Acceleration, .. } => "acceleration",
+            Shape::Arrow { measure: Measure::Force, .. } => "force",
+            Shape::Arrow { .. } => "arrow",
+            Shape::Turn { .. } => "moment",
+            Shape::Dot { .. } => "point",
+            Shape::Ray { .. } => "instantaneous centre",
+            Shape::Segment { .. } => "segment",
+            Shape::Through { .. } => "straight line",
+            Shape::Circle { .. } => "circle",
+            Shape::Angle { .. } => "angle",
+            Shape::Dimension { .. } => "dimension",
+            Shape::Polyline { .. } => "path",
+            Shape::Area { .. } => "area",
+            Shape::Words { .. } => "place of the text",
+        }
+    }
+}
+
+fn body(place: &Place, center: Point, pieces: &[Piece]) -> Vec<Reach> {
+    let rim = pieces.iter().filter(|piece| !piece.is_hole).flat_map(Piece::rim).map(|p| place.of(p));
+    rim.chain([center]).map(|at| Reach { at, offset: [0.0, 0.0], room: ROOM }).collect()
+}

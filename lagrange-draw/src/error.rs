@@ -1,0 +1,86 @@
+//! Why a picture could not be made.
+
+use std::fmt::{Display, Formatter};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a picture could not be made or written.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum DrawError {
+    /// A number is not finite; such a moment cannot be drawn.
+    NotFinite {
+        /// What was to be drawn.
+        item: String,
+        /// Which of its numbers.
+        what: &'static str,
+        /// When.
+        time: f64,
+    },
+    /// The scene has no body of this name.
+    UnknownBody(String),
+    /// The scene has nothing of this name that could be hidden.
+    UnknownItem(String),
+    /// There is no moment, or nothing in it that has a place.
+    NothingToDraw,
+    /// The picture is too small for its margins, or larger than an image can be.
+    Size([f64; 2]),
+    /// The extension of the file is none of those that can be written.
+    Extension {
+        /// The file.
+        path: PathBuf,
+        /// The extensions that can be written.
+        known: &'static [&'static str],
+    },
+    /// Pictures and times do not make a film; the text says why.
+    Film(String),
+    /// A file could not be written.
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system says.
+        error: io::Error,
+    },
+}
+
+impl DrawError {
+    pub(super) fn extension(path: &Path, known: &'static [&'static str]) -> Self {
+        DrawError::Extension { path: path.to_owned(), known }
+    }
+
+    /// What became of writing a file.
+    pub(super) fn written(path: &Path, result: io::Result<()>) -> Result<(), Self> {
+        result.map_err(|error| DrawError::Io { path: path.to_owned(), error })
+    }
+}
+
+impl Display for DrawError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self {
+            DrawError::NotFinite { item, what, time } => {
+                write!(f, "the {what} of `{item}` is not finite at time {time}")
+            }
+            DrawError::UnknownBody(name) => write!(f, "the scene has no body `{name}`"),
+            DrawError::UnknownItem(name) => write!(f, "the scene has nothing named `{name}`"),
+            DrawError::NothingToDraw => f.write_str("there is nothing to draw"),
+            DrawError::Size([width, height]) => {
+                write!(f, "a picture cannot be {width} by {height} pixels large")
+            }
+            DrawError::Extension { path, known } => {
+                let known = known.join(", ");
+                write!(f, "`{}` does not end in the name of a format: one of {known}", path.display())
+            }
+            DrawError::Film(reason) => f.write_str(reason),
+            DrawError::Io { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
+        }
+    }
+}
+
+impl std::error::Error for DrawError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            DrawError::Io { error, .. } => Some(error),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! Pictures as files.
+
+use std::fs;
+use std::path::Path;
+
+use crate::error::DrawError;
+use crate::picture::Picture;
+use crate::{raster, svg};
+
+impl Picture {
+    /// The picture as an SVG document.
+    pub fn svg(&self) -> String {
+        svg::document(self)
+    }
+
+    /// Writes the picture to a file. Its extension says what it is: `svg`, or `png` with two pixels to that of a screen.
+    ///
+    /// # Errors
+    /// If the extension is another, the picture is too large for an image, or what the operating system says.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), DrawError> {
+        let path = path.as_ref();
+        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        match extension.to_ascii_lowercase().as_str() {
+            "svg" => DrawError::written(path, fs::write(path, self.svg())),
+            "png" => raster::save(self, path),
+            _ => Err(DrawError::extension(path, &["svg", "png"])),
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! Animated SVG: browsers play it without a script (W3C, *SVG Animations Level 2*).
+
+use crate::film::Film;
+use crate::film::layers::{Change, Layer, layers, lengths};
+use crate::film::motion::Pose;
+use crate::picture::Mark;
+use crate::svg;
+
+/// The value that something takes on in a picture, counted from zero.
+type Key = (usize, String);
+
+impl Film {
+    /// The film as SVG that plays by itself, again and again. Still viewers show its first picture.
+    pub fn svg(&self) -> String {
+        let clock = Clock::new(self);
+        let marks: String = layers(&self.pictures).iter().map(|layer| clock.animated(layer)).collect();
+        self.with_marks(&marks)
+    }
+
+    /// The frame of a picture around marks that are already written.
+    pub(super) fn with_marks(&self, marks: &str) -> String {
+        format!("{}{marks}</svg>\n", svg::opening(&self.pictures[0]))
+    }
+}
+
+/// When pictures are shown.
+struct Clock {
+    /// In seconds.
+    duration: f64,
+    /// Parts of the duration.
+    keys: Vec<String>,
+    /// Whether pictures follow each other at equal intervals, so that their times need not be written.
+    is_even: bool,
+}
+
+/// By how much of an interval pictures may be off and still count as evenly spaced.
+const EVENNESS: f64 = 1e-3;
+
+impl Clock {
+    fn new(film: &Film) -> Clock {
+        let (elapsed, duration) = (film.elapsed(), film.duration());
+        let intervals = elapsed.len().saturating_sub(1) as f64;
+        let part = |time: &f64| if duration > 0.0 { time / duration } else { 0.0 };
+        let is_even = |(index, time): (usize, &f64)| (part(time) * intervals - index as f64).abs() < EVENNESS;
+        // A tenth of a millisecond, or of a picture if they are shorter.
+        let digits = (duration.max(intervals) * 1e4).log10().clamp(3.0, 12.0).ceil() as usize;
+        let key = |time: &f64| short(&format!("{:.digits$}", part(time)));
+        Clock {
+            duration,
+            keys: elapsed.iter().map(key).collect(),
+            is_even: elapsed.iter().enumerate().all(is_even),
+        }
+    }
+
+    fn animated(&self, layer: &Layer) -> String {
+        let shown = layer.change.shown();
+        let mark = match &layer.change {
+            Change::Shows(_) => svg::mark(&layer.mark),
+            Change::Moves(poses) => self.moving(&layer.mark, poses),
+            Change::Grows(drawn) => self.growing(&layer.mark, drawn),
+            Change::Bends(shapes) => {
+                let data = |shape: &Vec<_>| svg::path_data(shape);
+                with_children(&layer.mark, "", &self.animate("d", &self.held(shapes, data)))
+            }
+        };
+        if shown.iter().all(|is_shown| *is_shown) {
+            return mark;
+        }
+        let keys: Vec<Key> = shown.iter().map(|is_shown| visibility(*is_shown)).enumerate().collect();
+        let what = "attributeName=\"visibility\" calcMode=\"discrete\"";
+        // Without times, discrete values would share the duration equally, the last one included.
+        let animation = self.written("animate", what, &steps(&keys), true);
+        format!("<g visibility=\"{}\">{animation}{mark}</g>\n", keys[0].1)
+    }
+
+    /// A group that moves around one that turns around the mark.
+    fn moving(&self, mark: &Mark, poses: &[Option<Pose>]) -> String {
+        let places = self.held(poses, |pose| place(*pose));
+        let angles = self.held(poses, |pose| degrees(*pose));
+        let turned = self.transformed("rotate", &angles, &svg::mark(mark));
+        self.transformed("translate", &places, &turned)
+    }
+
+    fn transformed(&self, kind: &str, keys: &[Key], inner: &str) -> String {
+        let is_still = keys.iter().all(|key| key.1 == keys[0].1);
+        if is_still && keys[0].1 == "0" {
+            return inner.to_string();
+        }
+        let what = format!("attributeName=\"transform\" type=\"{kind}\"");
+        let animation = if is_still { String::new() } else { self.element("animateTransform", &what, keys) };
+        format!("<g transform=\"{kind}({})\">{animation}{inner}</g>", keys[0].1)
+    }
+
+    /// A line of one dash, which is pushed forward.
+    fn growing(&self, mark: &Mark, drawn: &[Option<f64>]) -> String {
+        let all = full_length(mark);
+        let keys = self.held(drawn, |drawn| svg::number(all - drawn));
+        let dash = format!(" stroke-dasharray=\"{}\" stroke-dashoffset=\"{}\"", svg::number(all), keys[0].1);
+        with_children(mark, &dash, &self.animate("stroke-dashoffset", &keys))
+    }
+
+    fn animate(&self, attribute: &str, keys: &[Key]) -> String {
+        self.element("animate", &format!("attributeName=\"{attribute}\""), keys)
+    }
+
+    /// An element that animates its parent; nothing if nothing changes.
+    fn element(&self, name: &str, what: &str, keys: &[Key]) -> String {
+        if keys.iter().all(|key| key.1 == keys[0].1) || self.duration == 0.0 {
+            return String::new();
+        }
+        let keys = without_repetition(keys);
+        let has_times = !self.is_even || keys.len() < self.keys.len();
+        self.written(name, what, &keys, has_times)
+    }
+
+    fn written(&self, name: &str, what: &str, keys: &[Key], has_times: bool) -> String {
+        let values: Vec<&str> = keys.iter().map(|key| key.1.as_str()).collect();
+        let times: Vec<&str> = keys.iter().map(|key| self.keys[key.0].as_str()).collect();
+        let times = if has_times { format!(" keyTimes=\"{}\"", times.join(";")) } else { String::new() };
+        let (values, duration) = (values.join(";"), seconds(self.duration));
+        format!("<{name} {what} dur=\"{duration}s\" repeatCount=\"indefinite\"{times} values=\"{values}\"/>")
+    }
+
+    /// Values for all pictures: those that do not show the mark hold the last one, or wait with the first.
+    fn held<T>(&self, track: &[Option<T>], write: impl Fn(&T) -> String) -> Vec<Key> {
+        let mut held = track.iter().flatten().next().map(&write).unwrap_or_default();
+        let mut value = |value: &Option<T>| {
+            if let Some(value) = value {
+                held = write(value);
+            }
+            held.clone()
+        };
+        track.iter().map(&mut value).enumerate().collect()
+    }
+}
+
+/// Keys without those between two others of the same value, if that is shorter in spite of times that must be written then.
+fn without_repetition(keys: &[Key]) -> Vec<Key> {
+    let is_needed = |index: usize| {
+        let is_inner = index > 0 && index + 1 < keys.len();
+        !(is_inner && keys[index - 1].1 == keys[index].1 && keys[index].1 == keys[index + 1].1)
+    };
+    let needed: Vec<Key> =
+        keys.iter().enumerate().filter(|(index, _)| is_needed(*index)).map(|(_, key)| key.clone()).collect();
+    if 2 * needed.len() > keys.len() { keys.to_vec() } else { needed }
+}
+
+/// Keys where the value changes; values in between are held.
+fn steps(keys: &[Key]) -> Vec<Key> {
+    let changes = |index: &usize| *index == 0 || keys[*index].1 != keys[*index - 1].1;
+    (0..keys.len()).filter(changes).map(|index| keys[index].clone()).collect()
+}
+
+/// The element of a mark with more attributes and with children.
+pub(super) fn with_children(mark: &Mark, attributes: &str, children: &str) -> String {
+    let element = svg::mark(mark);
+    match element.trim_end().strip_suffix("/>") {
+        Some(open) => format!("{open}{attributes}>{children}</path>\n"),
+        None => element,
+    }
+}
+
+/// The length of a line that grows; a little more than its points say, so that rounding never leaves its end undrawn.
+pub(super) fn full_length(mark: &Mark) -> f64 {
+    let Mark::Path { segments, .. } = mark else { return 0.0 };
+    lengths(segments).last().map_or(0.0, |length| length.ceil() + 1.0)
+}
+
+pub(super) fn place(pose: Pose) -> String {
+    format!("{},{}", svg::number(pose.at[0]), svg::number(pose.at[1]))
+}
+
+/// An angle to a thousandth of a degree, which is less than a hundredth of a pixel on what fits on a screen.
+pub(super) fn degrees(pose: Pose) -> String {
+    short(&format!("{:.3}", pose.angle.to_degrees()))
+}
+
+pub(super) fn visibility(is_shown: bool) -> String {
+    if is_shown { "visible" } else { "hidden" }.to_string()
+}
+
+fn seconds(duration: f64) -> String {
+    short(&format!("{duration:.6}"))
+}
+
+/// A decimal number without what it can do without.
+pub(super) fn short(number: &str) -> String {
+    let number =
+        if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number };
+    match number {
+        "-0" | "0" => "0".to_string(),
+        _ => match (number.strip_prefix("0."), number.strip_prefix("-0.")) {
+            (Some(rest), _) => format!(".{rest}"),
+            (_, Some(rest)) => format!("-.{rest}"),
+            _ => number.to_string(),
+        },
+    }
+}

@@ -1,0 +1,117 @@
+//! GIF: one palette, and of each picture only what differs from the one before.
+
+use std::borrow::Cow;
+
+use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
+
+use crate::error::DrawError;
+use crate::film::palette::{Histogram, Palette};
+use crate::film::{Film, refusal};
+use crate::raster::{Pixels, rasterise};
+
+/// The colour number that leaves a pixel as it is.
+const UNCHANGED: u8 = u8::MAX;
+/// Pictures that are looked at for colours.
+const SAMPLES: usize = 16;
+/// The shortest time, in hundredths of a second, for which viewers show a picture; they take less for a mistake.
+const SHORTEST: u64 = 2;
+
+impl Film {
+    /// The film as a GIF that plays again and again. Times are rounded to hundredths of a second, without adding up; of pictures
+    /// that follow each other faster than fifty times a second, some are left out.
+    ///
+    /// # Errors
+    /// If pictures are larger than 65535 pixels, or one is to be shown for longer than 655 seconds.
+    pub fn gif(&self) -> Result<Vec<u8>, DrawError> {
+        let mut palette = self.palette()?;
+        let Pixels { width, height, .. } = rasterise(&self.pictures[0], 1.0)?;
+        let (Ok(width), Ok(height)) = (u16::try_from(width), u16::try_from(height)) else {
+            return Err(refusal("a GIF is at most 65535 pixels wide and high"));
+        };
+        let mut encoder = Encoder::new(Vec::new(), width, height, palette.colours.as_flattened())
+            .map_err(|error| failure(&error))?;
+        encoder.set_repeat(Repeat::Infinite).map_err(|error| failure(&error))?;
+        let mut before: Option<Vec<u8>> = None;
+        for (index, delay) in shown(&self.elapsed()) {
+            let picture = palette.indices(&rasterise(&self.pictures[index], 1.0)?.rgba);
+            let mut frame = difference(before.as_deref(), &picture, width, height);
+            frame.delay =
+                u16::try_from(delay).map_err(|_| refusal("a GIF shows a picture for at most 655 seconds"))?;
+            encoder.write_frame(&frame).map_err(|error| failure(&error))?;
+            before = Some(picture);
+        }
+        encoder.into_inner().map_err(|error| failure(&error))
+    }
+
+    fn palette(&self) -> Result<Palette, DrawError> {
+        let mut histogram = Histogram::default();
+        for picture in self.pictures.iter().step_by(self.pictures.len().div_ceil(SAMPLES)) {
+            histogram.add(&rasterise(picture, 1.0)?.rgba);
+        }
+        Ok(histogram.palette(usize::from(UNCHANGED)))
+    }
+}
+
+/// Which pictures are shown, and for how many hundredths of a second. The last one is shown as long as the one before it.
+fn shown(elapsed: &[f64]) -> Vec<(usize, u64)> {
+    let mut starts: Vec<(usize, u64)> = Vec::new();
+    for (index, time) in elapsed.iter().enumerate() {
+        let start = (100.0 * time).round() as u64;
+        match starts.last() {
+            Some((_, last)) if start < last + SHORTEST => {}
+            _ => starts.push((index, start)),
+        }
+    }
+    // How a motion ends must be seen.
+    if let Some(last) = starts.last_mut().filter(|last| last.0 > 0) {
+        last.0 = elapsed.len() - 1;
+    }
+    let mut delays: Vec<u64> = starts.windows(2).map(|pair| pair[1].1 - pair[0].1).collect();
+    delays.push(delays.last().copied().unwrap_or(SHORTEST));
+    starts.into_iter().zip(delays).map(|((index, _), delay)| (index, delay)).collect()
+}
+
+/// The part of a picture that differs from the one before; at least a pixel, since every picture takes its time.
+fn difference(before: Option<&[u8]>, picture: &[u8], width: u16, height: u16) -> Frame<'static> {
+    let Some(before) = before else {
+        return Frame {
+            width,
+            height,
+            dispose: DisposalMethod::Keep,
+            buffer: Cow::Owned(picture.to_vec()),
+            ..Frame::default()
+        };
+    };
+    let (columns, rows) = extent(before, picture, usize::from(width));
+    let pixel = |index: usize| if before[index] == picture[index] { UNCHANGED } else { picture[index] };
+    let row = |row: usize| columns.clone().map(move |column| row * usize::from(width) + column).map(pixel);
+    // Parts of pictures whose sides fit into 16 bits do, too.
+    Frame {
+        left: columns.start as u16,
+        top: rows.start as u16,
+        width: columns.len() as u16,
+        height: rows.len() as u16,
+        dispose: DisposalMethod::Keep,
+        transparent: Some(UNCHANGED),
+        buffer: Cow::Owned(rows.clone().flat_map(row).collect()),
+        ..Frame::default()
+    }
+}
+
+type Range = std::ops::Range<usize>;
+
+/// Columns and rows around all pixels that differ; the first pixel if none does.
+fn extent(before: &[u8], picture: &[u8], width: usize) -> (Range, Range) {
+    let differs = |index: &usize| before[*index] != picture[*index];
+    let places = (0..picture.len()).filter(differs).map(|index| (index % width, index / width));
+    let with = |range: Range, at: usize| range.start.min(at)..range.end.max(at + 1);
+    let extent = places.fold(None, |extent: Option<(Range, Range)>, (column, row)| match extent {
+        Some((columns, rows)) => Some((with(columns, column), with(rows, row))),
+        None => Some((column..column + 1, row..row + 1)),
+    });
+    extent.unwrap_or((0..1, 0..1))
+}
+
+fn failure(error: &EncodingError) -> DrawError {
+    DrawError::Film(std::format!("the pictures cannot be written as GIF: {error}"))
+}

@@ -1,0 +1,169 @@
+//! Films: pictures of one scene at several times, as animated SVG, as GIF, or as an HTML page.
+//!
+//! | file | what it is for |
+//! |---|---|
+//! | `svg` | plays in any browser, without a script; sharp at any size |
+//! | `gif` | plays wherever pictures are shown |
+//! | `html` | one file without anything from elsewhere: play, pause, scrub, speed, and curves of energy with a cursor |
+//!
+//! All of them play in real time: one second of the motion, in its own unit of time, is a second of the film.
+//!
+//! [`layers`] finds out how each mark changes, which the files hold instead of whole pictures; [`motion`] finds marks that only
+//! turn and move.
+
+mod animation;
+mod chart;
+mod gif;
+mod layers;
+mod motion;
+mod page;
+mod palette;
+mod trajectory;
+
+use std::fs;
+use std::path::Path;
+
+use crate::error::DrawError;
+use crate::picture::{Mark, Picture, Segment};
+
+/// Pictures of one scene, and when each is shown.
+///
+/// ```text
+/// let film = Drawing::of(&system).film(&trajectory)?.with_columns(&trajectory, &["kinetic", "potential"])?;
+/// film.save("pendulum.html")?;
+/// ```
+#[derive(Clone, PartialEq, Debug)]
+pub struct Film {
+    pub(super) pictures: Vec<Picture>,
+    /// In seconds, rising or falling.
+    pub(super) times: Vec<f64>,
+    pub(super) curves: Vec<Curve>,
+}
+
+/// A quantity that is plotted under the picture of a page.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Curve {
+    pub(super) name: String,
+    /// One for each picture; what is not finite leaves a gap.
+    pub(super) values: Vec<f64>,
+}
+
+impl Film {
+    /// A film of pictures that are shown at these times, in seconds: rising, or falling if the motion ran backwards.
+    ///
+    /// # Errors
+    /// If there is no picture, not one time for each picture, if times do not rise or fall throughout, if pictures differ in size or
+    /// in their number of marks, or if a mark is not at a finite place.
+    pub fn new(pictures: Vec<Picture>, times: Vec<f64>) -> Result<Film, DrawError> {
+        check_times(&times, pictures.len())?;
+        check_pictures(&pictures)?;
+        Ok(Film { pictures, times, curves: Vec::new() })
+    }
+
+    /// Adds a curve to the plot under the picture of a page: a value for each picture, in joule if it is an energy in SI units.
+    /// Values that are not finite leave a gap.
+    ///
+    /// # Errors
+    /// If there is not one value for each picture.
+    pub fn with_values(mut self, name: &str, values: Vec<f64>) -> Result<Film, DrawError> {
+        if values.len() != self.pictures.len() {
+            let (values, pictures) = (values.len(), self.pictures.len());
+            return Err(refusal(&std::format!("`{name}` has {values} values for {pictures} pictures")));
+        }
+        self.curves.push(Curve { name: name.to_string(), values });
+        Ok(self)
+    }
+
+    /// When its pictures are shown.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// Its pictures.
+    pub fn pictures(&self) -> &[Picture] {
+        &self.pictures
+    }
+
+    /// Writes it to a file: animated SVG, GIF or an HTML page, by the extension.
+    ///
+    /// # Errors
+    /// If the extension is none of `svg`, `gif`, `html`, or the file cannot be written.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), DrawError> {
+        let path = path.as_ref();
+        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        let bytes = match extension.to_ascii_lowercase().as_str() {
+            "svg" => self.svg().into_bytes(),
+            "html" => self.html().into_bytes(),
+            "gif" => self.gif()?,
+            _ => return Err(DrawError::extension(path, &["svg", "gif", "html"])),
+        };
+        DrawError::written(path, fs::write(path, bytes))
+    }
+
+    /// How many seconds it lasts.
+    fn duration(&self) -> f64 {
+        self.elapsed().last().copied().unwrap_or(0.0)
+    }
+
+    /// Seconds from its start to each of its pictures.
+    fn elapsed(&self) -> Vec<f64> {
+        let start = self.times.first().copied().unwrap_or(0.0);
+        self.times.iter().map(|time| (time - start).abs()).collect()
+    }
+}
+
+fn check_times(times: &[f64], pictures: usize) -> Result<(), DrawError> {
+    if pictures == 0 {
+        return Err(refusal("a film needs at least one picture"));
+    }
+    if times.len() != pictures {
+        return Err(refusal(&std::format!("{pictures} pictures have {} times", times.len())));
+    }
+    let is_finite = times.iter().all(|time| time.is_finite());
+    let rises = times.windows(2).all(|pair| pair[0] < pair[1]);
+    let falls = times.windows(2).all(|pair| pair[0] > pair[1]);
+    if is_finite && (rises || falls) {
+        return Ok(());
+    }
+    Err(refusal("times must be finite, and rise or fall from picture to picture"))
+}
+
+fn check_pictures(pictures: &[Picture]) -> Result<(), DrawError> {
+    for (index, picture) in pictures.iter().enumerate() {
+        if picture.size != pictures[0].size {
+            return Err(refusal(&std::format!("picture {index} has another size than the first")));
+        }
+        if picture.marks.len() != pictures[0].marks.len() {
+            return Err(refusal(&std::format!("picture {index} has other marks than the first")));
+        }
+        if !picture.marks.iter().all(is_finite) {
+            return Err(refusal(&std::format!("a mark of picture {index} is not at a finite place")));
+        }
+    }
+    Ok(())
+}
+
+fn is_finite(mark: &Mark) -> bool {
+    match mark {
+        Mark::Path { segments, .. } => {
+            segments.iter().copied().flat_map(points).flatten().all(f64::is_finite)
+        }
+        Mark::Text { at, .. } => at.iter().all(|coordinate| coordinate.is_finite()),
+    }
+}
+
+/// The points of a segment, in the order in which they are written.
+fn points(segment: Segment) -> Vec<[f64; 2]> {
+    match segment {
+        Segment::Move(end) | Segment::Line(end) => std::vec![end],
+        Segment::Curve(first, second, end) => std::vec![first, second, end],
+        Segment::Close => Vec::new(),
+    }
+}
+
+fn refusal(reason: &str) -> DrawError {
+    DrawError::Film(reason.to_string())
+}
+
+#[cfg(test)]
+mod tests;

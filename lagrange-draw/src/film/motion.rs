@@ -1,0 +1,88 @@
+//! Finds marks that turn and move without changing their shape.
+//!
+//! The turn between two sets of corresponding points that fits best in the sense of least squares is, about their means, the
+//! angle of Σ (a·b, a×b). Source: Kanatani, *Statistical Optimization for Geometric Computation* (1996), the plane case of
+//! fitting a rotation.
+
+use std::f64::consts::TAU;
+
+use crate::film::points;
+use crate::picture::{Point, Segment};
+
+/// Where a mark is: its own coordinates are turned by the angle and then moved.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Pose {
+    /// Where the origin of its own coordinates is, in pixels.
+    pub(super) at: Point,
+    /// In radians, clockwise as seen, since y points downwards.
+    pub(super) angle: f64,
+}
+
+/// How far points may be from where the motion puts them, in pixels: no more than the rounding of what is written.
+const TOLERANCE: f64 = 0.01;
+
+/// The shape in coordinates of its own and its pose in each picture that shows it; none if it changes its shape.
+pub(super) fn rigid_motion(
+    first: &[Segment],
+    shapes: &[Option<&[Segment]>],
+) -> Option<(Vec<Segment>, Vec<Option<Pose>>)> {
+    let pivot = mean(&all_points(first))?;
+    let own: Vec<Segment> = first.iter().map(|segment| map(*segment, |point| minus(point, pivot))).collect();
+    let corners = all_points(&own);
+    let mut angle = 0.0;
+    let mut poses = Vec::with_capacity(shapes.len());
+    for shape in shapes {
+        let Some(shape) = shape else {
+            poses.push(None);
+            continue;
+        };
+        let pose = fit(&corners, &all_points(shape), angle)?;
+        angle = pose.angle;
+        poses.push(Some(pose));
+    }
+    Some((own, poses))
+}
+
+/// The pose that takes points about the origin to others, with the angle nearest to the one before.
+fn fit(own: &[Point], points: &[Point], before: f64) -> Option<Pose> {
+    let at = mean(points)?;
+    let (mut along, mut across) = (0.0, 0.0);
+    for (a, point) in own.iter().zip(points) {
+        let b = minus(*point, at);
+        along += a[0] * b[0] + a[1] * b[1];
+        across += a[0] * b[1] - a[1] * b[0];
+    }
+    let angle = across.atan2(along);
+    let angle = angle + TAU * ((before - angle) / TAU).round();
+    let pose = Pose { at, angle };
+    let (sin, cos) = angle.sin_cos();
+    let is_there = |(a, point): (&Point, &Point)| {
+        let there = [at[0] + cos * a[0] - sin * a[1], at[1] + sin * a[0] + cos * a[1]];
+        let [dx, dy] = minus(*point, there);
+        dx.hypot(dy) <= TOLERANCE
+    };
+    own.iter().zip(points).all(is_there).then_some(pose)
+}
+
+fn all_points(segments: &[Segment]) -> Vec<Point> {
+    segments.iter().copied().flat_map(points).collect()
+}
+
+fn mean(points: &[Point]) -> Option<Point> {
+    let count = points.len() as f64;
+    let sum = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;
+    (!points.is_empty()).then(|| [sum(0), sum(1)])
+}
+
+fn minus(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn map(segment: Segment, f: impl Fn(Point) -> Point) -> Segment {
+    match segment {
+        Segment::Move(end) => Segment::Move(f(end)),
+        Segment::Line(end) => Segment::Line(f(end)),
+        Segment::Curve(first, second, end) => Segment::Curve(f(first), f(second), f(end)),
+        Segment::Close => Segment::Close,
+    }
+}

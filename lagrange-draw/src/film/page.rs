@@ -1,0 +1,193 @@
+//! The film as one HTML file: its first picture, what changes of it as JSON, and a script that plays it.
+
+use crate::film::animation::{full_length, visibility, with_children};
+use crate::film::chart::{Chart, look};
+use crate::film::layers::{Change, Layer, kinds, layers};
+use crate::film::motion::Pose;
+use crate::film::{Film, points};
+use crate::picture::Segment;
+use crate::{svg, text};
+
+const PAGE: &str = include_str!("page.html");
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+/// What a page without a title is called.
+const UNTITLED: &str = "Film";
+
+impl Film {
+    /// The film as an HTML page that needs nothing else: to play, pause and scrub, with curves under the picture. Without scripts it
+    /// shows the first picture; where less motion is preferred, it waits to be started.
+    pub fn html(&self) -> String {
+        let (layers, chart) = (layers(&self.pictures), Chart::of(self));
+        fill(PAGE, |name| match name {
+            "title" => Some(self.name()),
+            "style" => Some(STYLE.to_string()),
+            "picture" => Some(self.first_picture(&layers)),
+            "duration" => Some(format!("{}", self.duration())),
+            "chart" => Some(chart.as_ref().map(|chart| self.figure(chart)).unwrap_or_default()),
+            "film" => Some(self.json(&layers, chart.as_ref())),
+            "script" => Some(SCRIPT.to_string()),
+            _ => None,
+        })
+    }
+
+    fn name(&self) -> String {
+        let title = text::plain(&self.pictures[0].title);
+        if title.is_empty() { UNTITLED.to_string() } else { svg::escape(&title) }
+    }
+
+    fn first_picture(&self, layers: &[Layer]) -> String {
+        let mut changing = 0;
+        let mark = |layer: &Layer| {
+            if is_still(layer) {
+                return svg::mark(&layer.mark);
+            }
+            changing += 1;
+            group(layer, changing - 1)
+        };
+        let marks: String = layers.iter().map(mark).collect();
+        self.with_marks(&marks)
+    }
+
+    fn figure(&self, chart: &Chart<'_>) -> String {
+        let entry = |(index, curve): (usize, &super::Curve)| {
+            let name = svg::escape(&curve.name);
+            format!(
+                "<li><svg viewBox=\"0 0 35 12\" aria-hidden=\"true\"><path class=\"{}\" d=\"M0 8H35\"/></svg> \
+                 {name} <output id=\"value-{index}\"></output></li>",
+                look(index),
+            )
+        };
+        let legend: String = self.curves.iter().enumerate().map(entry).collect();
+        format!("{}\n<ul class=\"legend\">{legend}</ul>", chart.svg())
+    }
+
+    fn json(&self, layers: &[Layer], chart: Option<&Chart<'_>>) -> String {
+        let curve = |curve: &super::Curve| {
+            let values = list(curve.values.iter().map(|value| exact(*value)));
+            format!("{{\"name\":{},\"values\":{values}}}", quoted(&curve.name))
+        };
+        format!(
+            "{{\"times\":{},\n\"layers\":[\n{}],\n\"curves\":{},\n\"chart\":{}}}",
+            list(self.times.iter().map(|time| exact(*time))),
+            layers.iter().filter(|layer| !is_still(layer)).map(layer_json).collect::<Vec<_>>().join(",\n"),
+            list(self.curves.iter().map(curve)),
+            chart.map_or("null".to_string(), Chart::json),
+        )
+    }
+}
+
+/// Whether a layer is shown all the time and never changes.
+fn is_still(layer: &Layer) -> bool {
+    matches!(&layer.change, Change::Shows(shown) if shown.iter().all(|is_shown| *is_shown))
+}
+
+/// A layer as it is in the first picture, for the script to change.
+fn group(layer: &Layer, number: usize) -> String {
+    let (transform, mark) = match &layer.change {
+        Change::Shows(_) | Change::Bends(_) => (String::new(), svg::mark(&layer.mark)),
+        Change::Moves(poses) => {
+            let pose = poses.iter().flatten().next();
+            let transform = |pose: &Pose| {
+                let [x, y] = pose.at.map(svg::number);
+                format!(" transform=\"translate({x} {y}) rotate({})\"", angle(*pose))
+            };
+            (pose.map(transform).unwrap_or_default(), svg::mark(&layer.mark))
+        }
+        Change::Grows(drawn) => {
+            let all = full_length(&layer.mark);
+            let left = all - drawn.iter().flatten().next().unwrap_or(&0.0);
+            let (all, left) = (svg::number(all), svg::number(left));
+            let dash = format!(" stroke-dasharray=\"{all}\" stroke-dashoffset=\"{left}\"");
+            (String::new(), with_children(&layer.mark, &dash, ""))
+        }
+    };
+    let is_shown = layer.change.shown().first().copied().unwrap_or(false);
+    format!("<g id=\"layer-{number}\"{transform} visibility=\"{}\">{mark}</g>", visibility(is_shown))
+}
+
+fn layer_json(layer: &Layer) -> String {
+    match &layer.change {
+        Change::Shows(shown) => format!("{{\"change\":\"shows\",\"track\":{}}}", list(runs(shown))),
+        Change::Moves(poses) => {
+            let turns = poses.iter().flatten().any(|pose| angle(*pose) != "0");
+            let pose = |pose: &Pose| {
+                let [x, y] = pose.at.map(svg::number);
+                if turns { format!("[{x},{y},{}]", angle(*pose)) } else { format!("[{x},{y}]") }
+            };
+            format!("{{\"change\":\"moves\",\"track\":{}}}", track(poses, pose))
+        }
+        Change::Grows(drawn) => {
+            let length = svg::number(full_length(&layer.mark));
+            let drawn = track(drawn, |length| svg::number(*length));
+            format!("{{\"change\":\"grows\",\"length\":{length},\"track\":{drawn}}}")
+        }
+        Change::Bends(shapes) => {
+            let numbers = |segments: &Vec<Segment>| {
+                list(segments.iter().copied().flat_map(points).flatten().map(svg::number))
+            };
+            let (kinds, shapes) = (kinds(&layer.mark), track(shapes, numbers));
+            format!("{{\"change\":\"bends\",\"kinds\":\"{kinds}\",\"track\":{shapes}}}")
+        }
+    }
+}
+
+/// The first picture of each run of pictures that show a layer, and the first one after it.
+fn runs(shown: &[bool]) -> Vec<String> {
+    let mut start = 0;
+    let mut runs = Vec::new();
+    for run in shown.chunk_by(|a, b| a == b) {
+        if run[0] {
+            runs.push(format!("[{start},{}]", start + run.len()));
+        }
+        start += run.len();
+    }
+    runs
+}
+
+fn track<T>(values: &[Option<T>], write: impl Fn(&T) -> String) -> String {
+    list(values.iter().map(|value| value.as_ref().map_or("null".to_string(), &write)))
+}
+
+fn list(items: impl IntoIterator<Item = String>) -> String {
+    format!("[{}]", items.into_iter().collect::<Vec<_>>().join(","))
+}
+
+/// In degrees.
+fn angle(pose: Pose) -> String {
+    let text = format!("{:.3}", pose.angle.to_degrees());
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_string() } else { text.to_string() }
+}
+
+/// A number with all its digits.
+fn exact(value: f64) -> String {
+    if value.is_finite() { format!("{value:e}") } else { "null".to_string() }
+}
+
+/// A string of JSON that may stand within an element of HTML.
+fn quoted(text: &str) -> String {
+    let escaped = |letter: char| match letter {
+        '"' | '\\' | '<' | '>' | '&' | '\u{2028}' | '\u{2029}' | '\0'..='\u{1f}' => {
+            format!("\\u{:04x}", u32::from(letter))
+        }
+        _ => letter.to_string(),
+    };
+    format!("\"{}\"", text.chars().map(escaped).collect::<String>())
+}
+
+/// The template with each `{{name}}` replaced; what has no value stays.
+fn fill(template: &str, value: impl Fn(&str) -> Option<String>) -> String {
+    let mut filled = String::new();
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once("{{") {
+        filled += before;
+        rest = after;
+        let Some((name, after)) = after.split_once("}}") else { break };
+        if let Some(value) = value(name) {
+            filled += &value;
+        }
+        rest = after;
+    }
+    filled + rest
+}

@@ -1,0 +1,100 @@
+//! The colours of a GIF: at most 256 for all of its pictures.
+//!
+//! Boxes of colours are halved across their longest side until there are enough of them, as in Heckbert, *Color image
+//! quantization for frame buffer display* (1982), but in the middle instead of at the median: pictures are mostly background,
+//! and what counts are the shades between it and the lines.
+
+use std::collections::BTreeMap;
+
+/// Red, green, blue.
+pub(super) type Rgb = [u8; 3];
+
+/// How often each colour was seen.
+#[derive(Default)]
+pub(super) struct Histogram {
+    counts: BTreeMap<Rgb, u64>,
+}
+
+impl Histogram {
+    /// Counts the pixels of a picture.
+    pub(super) fn add(&mut self, rgba: &[u8]) {
+        // Neighbours are mostly equal, so that they are counted together.
+        for run in pixels(rgba).collect::<Vec<_>>().chunk_by(|a, b| a == b) {
+            *self.counts.entry(run[0]).or_default() += run.len() as u64;
+        }
+    }
+
+    /// The colours that stand for all, no more than this many: of each box the most frequent, so that areas keep their colour.
+    pub(super) fn palette(self, limit: usize) -> Palette {
+        let mut boxes: Vec<Vec<(Rgb, u64)>> = std::vec![self.counts.into_iter().collect()];
+        while boxes.len() < limit {
+            let widest = (0..boxes.len()).max_by_key(|index| longest_side(&boxes[*index]).1);
+            let Some(index) = widest.filter(|index| longest_side(&boxes[*index]).1 > 0) else { break };
+            let halves = halve(boxes.swap_remove(index));
+            boxes.extend(halves);
+        }
+        let most_frequent =
+            |colours: &Vec<(Rgb, u64)>| colours.iter().max_by_key(|(_, count)| *count).copied();
+        let mut colours: Vec<Rgb> =
+            boxes.iter().filter_map(most_frequent).map(|(colour, _)| colour).collect();
+        colours.sort_unstable();
+        Palette { colours, known: BTreeMap::new() }
+    }
+}
+
+/// Its axis and length.
+fn longest_side(colours: &[(Rgb, u64)]) -> (usize, u8) {
+    let side = |axis: usize| {
+        let values = || colours.iter().map(|(colour, _)| colour[axis]);
+        values().max().unwrap_or(0) - values().min().unwrap_or(0)
+    };
+    let axis = (0..3).max_by_key(|axis| side(*axis)).unwrap_or(0);
+    (axis, side(axis))
+}
+
+fn halve(colours: Vec<(Rgb, u64)>) -> [Vec<(Rgb, u64)>; 2] {
+    let (axis, length) = longest_side(&colours);
+    let low = colours.iter().map(|(colour, _)| colour[axis]).min().unwrap_or(0);
+    let (dark, light) = colours.into_iter().partition(|(colour, _)| colour[axis] - low <= length / 2);
+    [dark, light]
+}
+
+/// Colours with numbers.
+pub(super) struct Palette {
+    pub(super) colours: Vec<Rgb>,
+    /// Numbers of colours that were asked for before.
+    known: BTreeMap<Rgb, u8>,
+}
+
+impl Palette {
+    /// The numbers of the nearest colours of all pixels.
+    pub(super) fn indices(&mut self, rgba: &[u8]) -> Vec<u8> {
+        let mut last = None;
+        let index = |colour: Rgb| match last {
+            Some((known, index)) if known == colour => index,
+            _ => {
+                let index = self.index(colour);
+                last = Some((colour, index));
+                index
+            }
+        };
+        pixels(rgba).map(index).collect()
+    }
+
+    fn index(&mut self, colour: Rgb) -> u8 {
+        if let Some(index) = self.known.get(&colour) {
+            return *index;
+        }
+        let distance = |other: &Rgb| -> u32 {
+            other.iter().zip(colour).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
+        };
+        let nearest = (0..self.colours.len()).min_by_key(|index| distance(&self.colours[*index]));
+        let index = nearest.unwrap_or(0) as u8;
+        self.known.insert(colour, index);
+        index
+    }
+}
+
+fn pixels(rgba: &[u8]) -> impl Iterator<Item = Rgb> + '_ {
+    rgba.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]])
+}

@@ -1,0 +1,122 @@
+//! Films of simulated motions.
+
+use crate::drawing::{Drawing, Shot};
+use crate::error::DrawError;
+use crate::film::{Film, refusal};
+use lagrange_runtime::scalar::Scalar;
+use lagrange_runtime::scene::Scene;
+use lagrange_runtime::simulate::Trajectory;
+use lagrange_runtime::system::MechanicalSystem;
+
+/// The column that a film takes along by itself.
+const ENERGY: &str = "energy";
+
+impl<M: Scene> Drawing<'_, M>
+where
+    M::Scalar: Into<f64>,
+{
+    /// A film of the samples of a trajectory, such as those of a run
+    /// [`every`](lagrange_runtime::simulate::Simulation::every) twenty-fifth of a second. Of samples at the same time, which impacts may leave,
+    /// it shows the last. Where a control set inputs, forces are those of the inputs of each sample. If the run observed its [`energy`](lagrange_runtime::simulate::Simulation::energy), pages plot it.
+    ///
+    /// # Errors
+    /// If a picture cannot be made, as [`pictures`](Drawing::pictures) says.
+    pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
+        let times = trajectory.times();
+        let is_last = |index: usize| times.get(index + 1).is_none_or(|next| *next != times[index]);
+        let samples = trajectory.iter().enumerate().filter(|(index, _)| is_last(*index));
+        let shot = |(index, sample)| (sample, trajectory.with_inputs_at(index, self.system()));
+        let film = self.film_of(samples.map(shot).collect())?;
+        if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
+    }
+
+    /// A film of about this many pictures a second from a run that was [`dense`](lagrange_runtime::simulate::Simulation::dense). The intervals are
+    /// equal, and such that the last picture shows the end. Where a control set inputs, forces are those of the inputs of the last sample before
+    /// each picture.
+    ///
+    /// # Errors
+    /// If the run was not dense, the number is not positive and finite, or a picture cannot be made.
+    pub fn film_at(&self, pictures_a_second: f64, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
+        if !(pictures_a_second > 0.0 && pictures_a_second.is_finite()) {
+            return Err(refusal("a film needs a positive number of pictures a second"));
+        }
+        let (start, end) = (trajectory.start_time(), trajectory.end_time());
+        let duration: f64 = (end - start).into();
+        let intervals = (duration.abs() * pictures_a_second).round().max(1.0);
+        let time = |index: u64| start + (end - start) * M::Scalar::from_f64(index as f64 / intervals);
+        let state = |t| trajectory.at(t).map(|state| (t, state)).map_err(|error| refusal(&error.to_string()));
+        let inner = (0..intervals as u64).map(time).map(state);
+        let last = Ok((end, trajectory.last()));
+        let is_past = |t: M::Scalar, other: M::Scalar| if end < start { other >= t } else { other <= t };
+        let shot = |instant: Result<(M::Scalar, M::State), DrawError>| {
+            let (t, y) = instant?;
+            let passed = trajectory.times().partition_point(|sample| is_past(t, *sample));
+            Ok(((t, y), trajectory.with_inputs_at(passed.saturating_sub(1), self.system())))
+        };
+        self.film_of(inner.chain([last]).map(shot).collect::<Result<_, DrawError>>()?)
+    }
+
+    fn film_of(&self, shots: Vec<Shot<M>>) -> Result<Film, DrawError> {
+        let times = shots.iter().map(|((t, _), _)| (*t).into()).collect();
+        Film::new(self.pictures_of(shots)?, times)
+    }
+}
+
+impl Film {
+    /// Adds columns of the trajectory that the film was made of to what pages plot.
+    ///
+    /// # Errors
+    /// If there is no such column, or no sample at the time of one of the pictures.
+    pub fn with_columns<M: MechanicalSystem>(
+        mut self,
+        trajectory: &Trajectory<M>,
+        names: &[&str],
+    ) -> Result<Film, DrawError>
+    where
+        M::Scalar: Into<f64>,
+    {
+        for name in names {
+            let column = trajectory
+                .column(name)
+                .ok_or_else(|| refusal(&std::format!("the trajectory has no column `{name}`")))?;
+            let value = |t: &f64| Some(column[sample(trajectory, *t)?].into());
+            let values: Option<Vec<f64>> = self.times.iter().map(value).collect();
+            let values = values.ok_or_else(|| refusal("columns hold values at the times of samples only"))?;
+            self = self.with_values(name, values)?;
+        }
+        Ok(self)
+    }
+
+    /// Adds a quantity to what pages plot, such as a kinetic energy, from times and states of the trajectory that the film was made of.
+    ///
+    /// # Errors
+    /// If the trajectory does not know the state at the time of one of the pictures.
+    pub fn with_energy<M: MechanicalSystem>(
+        self,
+        name: &str,
+        trajectory: &Trajectory<M>,
+        energy: impl Fn(M::Scalar, &M::State) -> M::Scalar,
+    ) -> Result<Film, DrawError>
+    where
+        M::Scalar: Into<f64>,
+    {
+        let value = |time: &f64| {
+            let t = M::Scalar::from_f64(*time);
+            let state = match sample(trajectory, *time).and_then(|index| trajectory.state(index)) {
+                Some(state) => state,
+                None => trajectory.at(t).map_err(|error| refusal(&error.to_string()))?,
+            };
+            Ok(energy(t, &state).into())
+        };
+        let values = self.times.iter().map(value).collect::<Result<Vec<f64>, DrawError>>()?;
+        self.with_values(name, values)
+    }
+}
+
+/// The last sample at a time.
+fn sample<M: MechanicalSystem>(trajectory: &Trajectory<M>, time: f64) -> Option<usize>
+where
+    M::Scalar: Into<f64>,
+{
+    trajectory.times().iter().rposition(|known| Into::<f64>::into(*known) == time)
+}

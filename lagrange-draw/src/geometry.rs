@@ -1,0 +1,184 @@
+//! Vectors and curves of the plane.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::picture::{Point, Segment};
+
+pub(super) fn add(a: Point, b: Point) -> Point {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+pub(super) fn subtract(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+pub(super) fn times(factor: f64, a: Point) -> Point {
+    [factor * a[0], factor * a[1]]
+}
+
+pub(super) fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// The third component of a × b.
+pub(super) fn cross(a: Point, b: Point) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// By a right angle from x to y.
+pub(super) fn turned(a: Point) -> Point {
+    [-a[1], a[0]]
+}
+
+pub(super) fn length(a: Point) -> f64 {
+    a[0].hypot(a[1])
+}
+
+pub(super) fn direction(angle: f64) -> Point {
+    [angle.cos(), angle.sin()]
+}
+
+/// The direction of a vector, if it has one.
+pub(super) fn unit(a: Point) -> Option<Point> {
+    let length = length(a);
+    (length > 0.0).then(|| times(1.0 / length, a))
+}
+
+pub(super) fn mix(a: Point, b: Point, part: f64) -> Point {
+    add(a, times(part, subtract(b, a)))
+}
+
+/// A rotation followed by a shift.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Place {
+    pub(super) at: Point,
+    pub(super) angle: f64,
+}
+
+impl Place {
+    pub(super) fn of(&self, p: Point) -> Point {
+        let (sin, cos) = self.angle.sin_cos();
+        add(self.at, [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]])
+    }
+}
+
+/// The same line with its points somewhere else.
+pub(super) fn moved(segments: &[Segment], to: impl Fn(Point) -> Point) -> Vec<Segment> {
+    let moved = |segment: &Segment| match *segment {
+        Segment::Move(p) => Segment::Move(to(p)),
+        Segment::Line(p) => Segment::Line(to(p)),
+        Segment::Curve(a, b, p) => Segment::Curve(to(a), to(b), to(p)),
+        Segment::Close => Segment::Close,
+    };
+    segments.iter().map(moved).collect()
+}
+
+/// A line through points, closed or not; none through none.
+pub(super) fn polyline(points: impl IntoIterator<Item = Point>, is_closed: bool) -> Vec<Segment> {
+    let mut points = points.into_iter();
+    let mut segments: Vec<Segment> = points.next().map(Segment::Move).into_iter().collect();
+    segments.extend(points.map(Segment::Line));
+    if is_closed && !segments.is_empty() {
+        segments.push(Segment::Close);
+    }
+    segments
+}
+
+/// An arc of an ellipse about the origin, without a start: Bézier curves for at most a right angle each, whose control points
+/// are 4/3 tan(δ/4) along the tangents. Source: Goldapp, *Computer Aided Geometric Design* 8 (1991).
+pub(super) fn arc(radii: Point, from: f64, to: f64) -> Vec<Segment> {
+    let count = arc_pieces(to - from);
+    let step = (to - from) / count as f64;
+    let handle = 4.0 / 3.0 * (0.25 * step).tan();
+    let scaled = |p: Point| [radii[0] * p[0], radii[1] * p[1]];
+    let piece = |index: usize| {
+        let (start, end) = (from + step * index as f64, from + step * (index + 1) as f64);
+        let (a, b) = (direction(start), direction(end));
+        let controls = [add(a, times(handle, turned(a))), subtract(b, times(handle, turned(b)))];
+        Segment::Curve(scaled(controls[0]), scaled(controls[1]), scaled(b))
+    };
+    (0..count).map(piece).collect()
+}
+
+/// At most a turn and some, whatever the angle; a right angle may be a little more by rounding.
+fn arc_pieces(angle: f64) -> usize {
+    ((angle.abs() / FRAC_PI_2 - 1e-9).ceil().max(1.0) as usize).min(64)
+}
+
+/// An ellipse about the origin.
+pub(super) fn ellipse(radii: Point) -> Vec<Segment> {
+    let mut segments = std::vec![Segment::Move([radii[0], 0.0])];
+    segments.extend(arc(radii, 0.0, TAU));
+    segments.push(Segment::Close);
+    segments
+}
+
+/// The points of a line, curves cut into as many straight pieces.
+pub(super) fn flattened(segments: &[Segment], pieces: usize) -> Vec<Point> {
+    let mut points: Vec<Point> = Vec::new();
+    for segment in segments {
+        match *segment {
+            Segment::Move(p) | Segment::Line(p) => points.push(p),
+            Segment::Curve(a, b, end) => {
+                let start = points.last().copied().unwrap_or(a);
+                points.extend((1..=pieces).map(|k| bezier([start, a, b, end], k as f64 / pieces as f64)));
+            }
+            Segment::Close => {}
+        }
+    }
+    points
+}
+
+/// De Casteljau's construction.
+fn bezier([a, b, c, d]: [Point; 4], s: f64) -> Point {
+    let (ab, bc, cd) = (mix(a, b, s), mix(b, c, s), mix(c, d, s));
+    mix(mix(ab, bc, s), mix(bc, cd, s), s)
+}
+
+/// The part of a segment inside a box, if there is one (Liang, Barsky, *ACM Transactions on Graphics* 3, 1984).
+pub(super) fn clipped([a, b]: [Point; 2], [low, high]: [Point; 2]) -> Option<[Point; 2]> {
+    let along = subtract(b, a);
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        for (speed, room) in [(-along[axis], a[axis] - low[axis]), (along[axis], high[axis] - a[axis])] {
+            if speed == 0.0 && room < 0.0 {
+                return None;
+            }
+            if speed < 0.0 {
+                enter = enter.max(room / speed);
+            } else if speed > 0.0 {
+                leave = leave.min(room / speed);
+            }
+        }
+    }
+    (enter <= leave).then(|| [mix(a, b, enter), mix(a, b, leave)])
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::{arc, clipped, direction, ellipse, flattened, length, times};
+    use crate::picture::Segment;
+
+    #[test]
+    fn arcs_keep_their_distance_from_the_middle() {
+        let mut line = std::vec![Segment::Move(times(2.0, direction(0.3)))];
+        line.extend(arc([2.0, 2.0], 0.3, 0.3 + 1.5 * PI));
+        for p in flattened(&line, 16) {
+            assert!((length(p) - 2.0).abs() < 1e-3, "{p:?}");
+        }
+        let turn = flattened(&ellipse([3.0, 1.0]), 16);
+        assert!(turn.iter().all(|[x, y]| ((x / 3.0).hypot(*y) - 1.0).abs() < 5e-4));
+        assert_eq!(turn.len(), 1 + 4 * 16, "four pieces make a turn");
+    }
+
+    #[test]
+    fn segments_end_where_the_box_ends() {
+        let window = [[0.0, 0.0], [2.0, 1.0]];
+        assert_eq!(clipped([[-1.0, 0.5], [3.0, 0.5]], window), Some([[0.0, 0.5], [2.0, 0.5]]));
+        assert_eq!(clipped([[0.5, -1.0], [0.5, 0.5]], window), Some([[0.5, 0.0], [0.5, 0.5]]));
+        assert_eq!(clipped([[-1.0, 2.0], [3.0, 2.0]], window), None);
+        assert_eq!(clipped([[3.0, 0.0], [4.0, 1.0]], window), None);
+    }
+}

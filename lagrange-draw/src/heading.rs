@@ -1,0 +1,137 @@
+//! Titles above pictures and notes below them: in several lines or smaller letters if they are long.
+
+use crate::colour::{INK, REST};
+use crate::picture::{Anchor, Mark};
+use crate::tag::LEEWAY;
+use crate::text::width;
+use crate::view::{BORDER, MARGIN};
+
+/// A title as it is set.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Heading {
+    size: f64,
+    lines: Vec<String>,
+}
+
+/// The size of letters, and by what it is made smaller until all fits.
+const FONT: f64 = 15.0;
+const SMALLER: f64 = 0.9;
+/// The size of the letters of notes beside those of titles.
+const NOTE: f64 = 0.8;
+/// From one line to the next, and below the last one, in terms of the size of letters.
+const LINE: f64 = 1.2;
+const BELOW: f64 = 4.0;
+/// The most lines, and the largest part of the height of the picture that they take.
+const MOST: usize = 3;
+const SHARE: f64 = 0.25;
+/// Smaller letters are no letters any more.
+const LEAST: f64 = 0.5;
+
+/// A note in small letters, if there is anything to note.
+pub(super) fn note(text: &str, size: [f64; 2]) -> Heading {
+    let Heading { size, lines } = lines(text, size);
+    // Broken for larger letters, it fits in smaller ones.
+    Heading { size: NOTE * size, lines }
+}
+
+/// A title in the largest letters in which it fits above a picture of this size.
+pub(super) fn lines(title: &str, [across, down]: [f64; 2]) -> Heading {
+    let room = across - 2.0 * BORDER;
+    let mut size = FONT;
+    loop {
+        let lines = wrapped(title, size, room);
+        let is_narrow = lines.iter().all(|line| LEEWAY * width(line, size) <= room);
+        let is_low = lines.len() <= 1 || lines.len() as f64 * LINE * size <= SHARE * down;
+        // Without any room the picture is refused for its size.
+        if (is_narrow && is_low && lines.len() <= MOST) || size < LEAST || room.is_nan() {
+            return Heading { size, lines };
+        }
+        size *= SMALLER;
+    }
+}
+
+/// Broken at blanks where a line would be too long.
+fn wrapped(title: &str, size: f64, room: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in title.split_whitespace() {
+        match lines.last_mut() {
+            // Blanks within braces belong to a subscript.
+            Some(line) if line.matches('{').count() > line.matches('}').count() => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            Some(line) if LEEWAY * width(&std::format!("{line} {word}"), size) <= room => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_string()),
+        }
+    }
+    lines
+}
+
+/// The pixels that it takes below the margin.
+pub(super) fn height(heading: &Heading) -> f64 {
+    match heading.lines.len() {
+        0 => 0.0,
+        count => heading.size + LINE * heading.size * (count - 1) as f64 + 0.2 * heading.size + BELOW,
+    }
+}
+
+/// Its lines in the middle of the upper border.
+pub(super) fn marks(heading: &Heading, [across, _]: [f64; 2]) -> Vec<Mark> {
+    let size = heading.size;
+    let mark = |(index, text): (usize, &String)| Mark::Text {
+        at: [0.5 * across, MARGIN + size * (1.0 + LINE * index as f64)],
+        text: text.clone(),
+        size,
+        anchor: Anchor::Middle,
+        colour: INK,
+    };
+    heading.lines.iter().enumerate().map(mark).collect()
+}
+
+/// Its lines in the middle of the lower border instead.
+pub(super) fn marks_below(heading: &Heading, size: [f64; 2]) -> Vec<Mark> {
+    let shift = size[1] - 2.0 * MARGIN - height(heading);
+    let mut marks = marks(heading, size);
+    for mark in &mut marks {
+        if let Mark::Text { at, colour, .. } = mark {
+            at[1] += shift + BELOW;
+            *colour = REST;
+        }
+    }
+    marks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FONT, LINE, lines};
+    use crate::text::width;
+
+    const LONG: &str = "A step ladder whose right foot slips along the floor, and the instantaneous centre of rotation of \
+                        its right half, with the circle on which it runs";
+
+    #[test]
+    fn no_title_is_wider_than_its_picture_nor_is_a_word_lost() {
+        for [across, down] in [[640.0, 400.0], [320.0, 320.0], [120.0, 90.0]] {
+            for title in
+                [LONG, "Antidisestablishmentarianisms_of_electroencephalographs", "Short", "J_{S P} of it"]
+            {
+                let heading = lines(title, [across, down]);
+                assert!(heading.lines.iter().all(|line| width(line, heading.size) <= across), "{heading:?}");
+                assert!(heading.lines.len() as f64 * LINE * heading.size <= 0.3 * down);
+                assert_eq!(heading.lines.join(" "), title);
+            }
+        }
+    }
+
+    #[test]
+    fn what_fits_stays_as_it_is_and_what_is_long_is_broken_before_it_shrinks() {
+        let short = lines("Short", [640.0, 400.0]);
+        assert_eq!((short.size, short.lines.len()), (FONT, 1));
+        let long = lines(LONG, [640.0, 400.0]);
+        assert_eq!((long.size, long.lines.len()), (FONT, 3));
+        assert!(lines(LONG, [120.0, 90.0]).size < FONT);
+    }
+}

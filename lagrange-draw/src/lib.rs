@@ -1,0 +1,75 @@
+//! Pictures and films of systems of plane rigid bodies.
+//!
+//! A [`Drawing`] turns a [`Scene`](lagrange_runtime::scene::Scene) and states of it into [`Picture`]s. Nothing is computed of the motion
+//! here, and nothing needs tuning: window, scales, colours and places of labels follow from what is drawn.
+//!
+//! ```
+//! use std::f64::consts::FRAC_PI_2;
+//!
+//! use lagrange::draw::Drawing;
+//!
+//! lagrange::system! {
+//!     /// A rod that swings about its upper end; θ is measured from the rest position.
+//!     pub struct Pendulum;
+//!
+//!     param m = 1.0, l = 1.0, g = 9.81;
+//!     coord theta;
+//!     gravity = (0, -g);
+//!     body rod {
+//!         mass: m;
+//!         shape: slender_rod(l);
+//!         center: l / 2 * (sin(theta), -cos(theta));
+//!         angle: theta - pi / 2;
+//!     }
+//!     pin rod.point(-l / 2, 0) to (0, 0);
+//!     emit { drawing }
+//! }
+//!
+//! let pendulum = Pendulum::default();
+//! let drawing = Drawing::of(&pendulum).title("A pendulum").velocities().annotate(|sketch, moment| {
+//!     sketch.dashed([0.0, 0.0], [0.0, -1.0]);
+//!     sketch.angle([0.0, 0.0], -FRAC_PI_2, moment.q[0] - FRAC_PI_2, "theta");
+//! });
+//! let picture = drawing.picture(0.0, &[0.5, 1.0])?;
+//! assert!(picture.svg().contains("θ"));
+//! # Ok::<(), lagrange::draw::DrawError>(())
+//! ```
+#![forbid(unsafe_code)]
+
+mod anchored;
+mod beside;
+mod colour;
+mod cut;
+mod drawing;
+mod element;
+mod error;
+mod files;
+mod film;
+mod geometry;
+mod heading;
+mod labels;
+mod layout;
+mod load;
+mod load_label;
+mod marks;
+mod moment;
+mod outline;
+mod parallel;
+mod picture;
+mod raster;
+mod remainder;
+mod sketch;
+mod snapshot;
+mod stage;
+mod stretch;
+mod svg;
+mod tag;
+mod text;
+mod view;
+
+pub use drawing::Drawing;
+pub use error::DrawError;
+pub use film::Film;
+pub use moment::Moment;
+pub use picture::Picture;
+pub use sketch::Sketch;

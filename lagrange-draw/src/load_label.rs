@@ -1,0 +1,81 @@
+//! What is written beside forces and moments.
+//!
+//! Weights are G, forces of springs, dampers and pins F, normal forces N, friction forces H, moments M. Names stand as subscripts
+//! where there are several.
+
+use std::collections::BTreeSet;
+
+use crate::load::{Load, Value};
+use crate::snapshot::Snapshot;
+use crate::text::{formula, symbol};
+use lagrange_runtime::scene::{Cause, Joint};
+
+/// The label of a force or moment.
+pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
+    let letter = match load.value {
+        Value::Force(_) => "F",
+        Value::Moment(_) => "M",
+    };
+    match (load.cause, &load.body) {
+        (Cause::Gravity, Some(body)) => symbol("G", body, snapshot.bodies.len() > 1),
+        // Declared loads have no names of their own.
+        (Cause::Applied, _) if ["force", "torque"].contains(&&*load.name) => letter.into(),
+        (Cause::Connector, _) => symbol(letter, &load.name, true),
+        (Cause::Joint, _) => of_joint(load, snapshot).unwrap_or_else(|| formula(&load.name)),
+        _ => formula(&load.name),
+    }
+}
+
+/// The symbol of a constraint force, if the scene has its joint.
+fn of_joint(load: &Load, snapshot: &Snapshot) -> Option<String> {
+    let name = joint_of(load);
+    let (_, kind, _) = snapshot.joints.iter().find(|(joint, ..)| joint == name)?;
+    let letter = match (kind, load.name.strip_prefix(name)) {
+        (Joint::Slide, _) | (_, Some(".normal")) => "N",
+        (_, Some(".friction")) => "H",
+        _ => "F",
+    };
+    let joints = snapshot.loads.iter().filter(|load| load.cause == Cause::Joint).map(joint_of);
+    Some(symbol(letter, name, joints.collect::<BTreeSet<&str>>().len() > 1))
+}
+
+/// The name of the joint: the part before a point.
+fn joint_of(load: &Load) -> &str {
+    load.name.split_once('.').map_or(&load.name, |(joint, _)| joint)
+}
+
+#[cfg(test)]
+mod tests {
+
+    use super::load_label;
+    use crate::load::{Load, Value};
+    use crate::snapshot::Snapshot;
+    use lagrange_runtime::scene::{Cause, Joint};
+
+    fn force(name: &str, cause: Cause) -> Load {
+        let body = Some("rod".to_string());
+        Load { name: name.to_string(), cause, body, at: [0.0, 0.0], value: Value::Force([1.0, 0.0]) }
+    }
+
+    #[test]
+    fn forces_have_the_symbols_of_textbooks() {
+        let joint = |name: &str, kind| (name.to_string(), kind, [0.0, 0.0]);
+        let wheel = Snapshot { joints: vec![joint("contact", Joint::Roll)], ..Snapshot::default() };
+        let loads = vec![force("contact.normal", Cause::Joint), force("contact.friction", Cause::Joint)];
+        let wheel = Snapshot { loads, ..wheel };
+        assert_eq!(wheel.loads.iter().map(|load| load_label(load, &wheel)).collect::<Vec<_>>(), ["N", "H"]);
+
+        let mut rod = Snapshot { joints: vec![joint("hinge", Joint::Pin)], ..Snapshot::default() };
+        rod.loads =
+            vec![force("hinge", Cause::Joint), force("k1", Cause::Connector), force("force", Cause::Applied)];
+        assert_eq!(
+            rod.loads.iter().map(|load| load_label(load, &rod)).collect::<Vec<_>>(),
+            ["F", "F_{k1}", "F"]
+        );
+        rod.joints.push(joint("foot", Joint::Slide));
+        rod.loads.push(force("foot", Cause::Joint));
+        assert_eq!(load_label(&rod.loads[0], &rod), "F_{hinge}", "there are several joints now");
+        assert_eq!(load_label(&rod.loads[3], &rod), "N_{foot}");
+        assert_eq!(load_label(&force("S", Cause::Joint), &rod), "S", "nothing is known of it");
+    }
+}

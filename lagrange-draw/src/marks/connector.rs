@@ -1,0 +1,142 @@
+//! Springs and dampers.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use crate::element::{LANE, WIDER};
+use crate::geometry::{add, arc, direction, length, moved, polyline, subtract, times, turned};
+use crate::picture::{Point, Segment};
+
+/// Windings of a spring, and how far they reach to both sides.
+const WINDINGS: usize = 8;
+const AMPLITUDE: f64 = 6.0;
+/// What is straight at either end, and the largest part of the length that it takes.
+const STRAIGHT: (f64, f64) = (10.0, 0.15);
+/// What lies on the line between the ends of a connector that lies beside it, and the largest part of the length that it takes.
+const INSET: (f64, f64) = (8.0, 0.12);
+/// Length and half width of the cylinder of a damper, and where the piston is in it.
+const CYLINDER: (f64, f64) = (22.0, 6.0);
+const PISTON: f64 = 0.4;
+/// Radius and turns of a spiral.
+const SPIRAL: f64 = 15.0;
+const TURNS: f64 = 2.25;
+const POINTS: usize = 54;
+
+/// Along and across a line between two points; a frame of its own where both are the same.
+fn frame(from: Point, to: Point) -> (f64, impl Fn([f64; 2]) -> Point) {
+    let along = subtract(to, from);
+    let size = length(along);
+    let along = if size > 0.0 { times(1.0 / size, along) } else { [1.0, 0.0] };
+    (size, move |[x, y]: [f64; 2]| add(from, add(times(x, along), times(y, turned(along)))))
+}
+
+/// A zigzag that stretches with the distance.
+pub(super) fn coil(from: Point, to: Point) -> Vec<Segment> {
+    let (size, place) = frame(from, to);
+    let straight = STRAIGHT.0.min(STRAIGHT.1 * size);
+    let step = (size - 2.0 * straight) / (2 * WINDINGS) as f64;
+    let side = |k: usize| if k.is_multiple_of(2) { AMPLITUDE } else { -AMPLITUDE };
+    let mut points = vec![[0.0, 0.0], [straight, 0.0]];
+    points.extend((0..2 * WINDINGS).map(|k| [straight + (k as f64 + 0.5) * step, side(k)]));
+    points.extend([[size - straight, 0.0], [size, 0.0]]);
+    polyline(points.into_iter().map(place), false)
+}
+
+/// A cylinder at the first end and a piston at the second.
+pub(super) fn dashpot(from: Point, to: Point) -> Vec<Segment> {
+    let (size, place) = frame(from, to);
+    let (cylinder, half) = CYLINDER;
+    let cylinder = cylinder.min(0.6 * size);
+    let bottom = 0.5 * (size - cylinder);
+    let piston = bottom + PISTON * cylinder;
+    let top = bottom + cylinder;
+    let lines = [
+        vec![[0.0, 0.0], [bottom, 0.0]],
+        vec![[top, half], [bottom, half], [bottom, -half], [top, -half]],
+        vec![[piston, 0.7 * half], [piston, -0.7 * half]],
+        vec![[piston, 0.0], [size, 0.0]],
+    ];
+    lines.into_iter().flat_map(|line| polyline(line.into_iter().map(&place), false)).collect()
+}
+
+/// A connector so many places on the left of the line between its ends, with which it is joined at both of them.
+pub(super) fn beside(
+    [from, to]: [Point; 2],
+    lane: f64,
+    connector: impl Fn(Point, Point) -> Vec<Segment>,
+) -> Vec<Segment> {
+    if lane == 0.0 {
+        return connector(from, to);
+    }
+    let (size, place) = frame(from, to);
+    // Pixels go downwards.
+    let (inset, aside) = (INSET.0.min(INSET.1 * size), -LANE * lane);
+    let [start, end] = [inset, size - inset].map(|x| [[x, 0.0], [x, aside]].map(&place));
+    let mut segments = polyline([from, start[0], start[1]], false);
+    segments.extend(connector(start[1], end[1]));
+    segments.extend(polyline([end[1], end[0], to], false));
+    segments
+}
+
+/// A spiral about a point, around so many others.
+pub(super) fn spiral(at: Point, lane: f64) -> Vec<Segment> {
+    let radius = SPIRAL * (1.0 + WIDER * lane);
+    let point = |k: usize| {
+        let part = k as f64 / POINTS as f64;
+        add(at, times(radius * part, direction(-TURNS * TAU * part)))
+    };
+    polyline((0..=POINTS).map(point), false)
+}
+
+/// Two arcs about a point, one within the other, around so many others.
+pub(super) fn drum(at: Point, lane: f64) -> Vec<Segment> {
+    let mut segments = Vec::new();
+    let wide = SPIRAL * (1.0 + WIDER * lane);
+    for (radius, from, to) in [(wide, FRAC_PI_2, TAU), (0.7 * wide, -FRAC_PI_2, PI)] {
+        segments.push(Segment::Move(times(radius, direction(from))));
+        segments.extend(arc([radius, radius], from, to));
+    }
+    moved(&segments, |[x, y]| [at[0] + x, at[1] - y])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LANE, beside, coil, dashpot};
+    use crate::geometry::{flattened, length, subtract};
+
+    #[test]
+    fn springs_and_dampers_reach_from_end_to_end_however_long() {
+        for to in [[100.0, 0.0], [3.0, 4.0], [-50.0, 80.0], [0.0, 0.0]] {
+            for drawn in [coil([0.0, 0.0], to), dashpot([0.0, 0.0], to)] {
+                let points = flattened(&drawn, 1);
+                let ends = [points[0], points[points.len() - 1]];
+                assert_eq!(ends[0], [0.0, 0.0]);
+                assert!(length(subtract(ends[1], to)) < 1e-9, "{ends:?}");
+                assert!(points.iter().flatten().all(|x| x.is_finite()));
+            }
+        }
+        assert_eq!(coil([0.0, 0.0], [9.0, 0.0]).len(), coil([0.0, 0.0], [99.0, 7.0]).len());
+    }
+
+    /// Two of opposite places keep a distance in between, reach from end to end, and swap sides where one is declared against the
+    /// other.
+    #[test]
+    fn connectors_beside_each_other_do_not_touch() {
+        for to in [[100.0, 0.0], [30.0, 40.0], [-50.0, 80.0]] {
+            let ends = [[0.0, 0.0], to];
+            let normal = [-to[1], to[0]].map(|part| part / length(to));
+            let across = |drawn: &[crate::picture::Segment]| {
+                let points = flattened(drawn, 1);
+                assert_eq!(points[0], [0.0, 0.0]);
+                assert!(length(subtract(points[points.len() - 1], to)) < 1e-9, "{points:?}");
+                let middle = 2..points.len() - 2;
+                let offsets = points[middle].iter().map(|p| p[0] * normal[0] + p[1] * normal[1]);
+                offsets.collect::<Vec<f64>>()
+            };
+            let (left, right) = (across(&beside(ends, 0.5, coil)), across(&beside(ends, -0.5, dashpot)));
+            let least = right.iter().copied().fold(f64::INFINITY, f64::min);
+            let most = left.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            assert!(least - most >= LANE - 12.0 - 1e-9, "{most} {least}");
+            assert_eq!(beside(ends, 0.0, coil), coil(ends[0], ends[1]));
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Which springs and dampers lie on each other, and how far apart they are drawn instead.
+//!
+//! A spring and a damper between the same two points, as in every textbook on oscillations, are drawn side by side; a torsion damper
+//! about the place of a torsion spring is drawn around it. What merely meets at one moment stays where it is.
+
+use std::collections::BTreeMap;
+
+use crate::geometry::{length, subtract};
+use crate::picture::Point;
+use crate::snapshot::Snapshot;
+use lagrange_runtime::scene::Connector;
+
+/// The place of connectors among those that would lie on each other, by name. Between points: so many places on the left of the
+/// middle between them, going from its first end to the second. About a point: so many are within it. What lies alone has none.
+pub(super) type Lanes = BTreeMap<String, f64>;
+
+/// What is closer than this part of the length of a connector is in the same place.
+const TOUCHING: f64 = 1e-6;
+
+/// A connector that lies on the first one of its group, in the same direction or against it.
+struct Member {
+    name: String,
+    is_damper: bool,
+    is_reversed: bool,
+}
+
+/// The places throughout a film, given also the scene in another configuration, `elsewhere`.
+pub(super) fn lanes(film: &[Snapshot], elsewhere: Option<&Snapshot>) -> Lanes {
+    let moments: Vec<&Snapshot> = film.iter().chain(elsewhere).collect();
+    let mut groups: Vec<(bool, Vec<Member>)> = Vec::new();
+    for (name, kind, _) in film.first().into_iter().flat_map(|snapshot| &snapshot.connectors) {
+        let turns = matches!(kind, Connector::TorsionSpring | Connector::TorsionDamper);
+        let is_damper = matches!(kind, Connector::Damper | Connector::TorsionDamper);
+        let found = groups.iter_mut().filter(|(other, _)| *other == turns).find_map(|(_, members)| {
+            let is_reversed = meets(&members[0].name, name, &moments)?;
+            Some((members, is_reversed))
+        });
+        let member = |is_reversed| Member { name: name.clone(), is_damper, is_reversed };
+        match found {
+            Some((members, is_reversed)) => members.push(member(is_reversed)),
+            None => groups.push((turns, [member(false)].into())),
+        }
+    }
+    groups.into_iter().flat_map(|(turns, members)| places(turns, members)).collect()
+}
+
+/// The places within a group.
+fn places(turns: bool, mut members: Vec<Member>) -> Vec<(String, f64)> {
+    let middle = 0.5 * (members.len() - 1) as f64;
+    if turns {
+        members.sort_by_key(|member| member.is_damper);
+    }
+    let place = |(index, member): (usize, Member)| {
+        let side = if member.is_reversed { -1.0 } else { 1.0 };
+        (member.name, if turns { index as f64 } else { side * (middle - index as f64) })
+    };
+    let placed = members.into_iter().enumerate().map(place);
+    placed.filter(|(_, place)| *place != 0.0).collect()
+}
+
+/// Whether two connectors have the same ends at all moments, and then whether one goes against the other.
+fn meets(one: &str, other: &str, moments: &[&Snapshot]) -> Option<bool> {
+    [false, true].into_iter().find(|is_reversed| {
+        moments.iter().all(|snapshot| match (ends_of(one, snapshot), ends_of(other, snapshot)) {
+            (Some(ends), Some([from, to])) => {
+                is_same(ends, if *is_reversed { [to, from] } else { [from, to] })
+            }
+            _ => false,
+        })
+    })
+}
+
+fn is_same([from, to]: [Point; 2], others: [Point; 2]) -> bool {
+    let close = TOUCHING * length(subtract(to, from));
+    [from, to].into_iter().zip(others).all(|(one, other)| length(subtract(one, other)) <= close)
+}
+
+fn ends_of(name: &str, snapshot: &Snapshot) -> Option<[Point; 2]> {
+    snapshot.connectors.iter().find(|(other, ..)| other == name).map(|(.., ends)| *ends)
+}
+
+#[cfg(test)]
+mod tests {
+
+    use super::lanes;
+    use crate::snapshot::Snapshot;
+    use lagrange_runtime::scene::Connector::{self, Damper, Spring, TorsionDamper, TorsionSpring};
+
+    type Row = (&'static str, Connector, [[f64; 2]; 2]);
+
+    fn scene(connectors: &[Row]) -> Snapshot {
+        let connectors = connectors.iter().map(|(name, kind, ends)| (name.to_string(), *kind, *ends));
+        Snapshot { connectors: connectors.collect(), ..Snapshot::default() }
+    }
+
+    fn found(film: &[Snapshot]) -> Vec<(String, f64)> {
+        lanes(film, None).into_iter().collect()
+    }
+
+    #[test]
+    fn a_spring_and_a_damper_lie_side_by_side_in_whichever_direction_they_are_declared() {
+        let (p, q) = ([0.0, 0.0], [2.0, 1.0]);
+        let along = found(&[scene(&[("k", Spring, [p, q]), ("d", Damper, [p, q])])]);
+        assert_eq!(along, [("d".to_string(), -0.5), ("k".to_string(), 0.5)]);
+        let against = found(&[scene(&[("k", Spring, [p, q]), ("d", Damper, [q, p])])]);
+        assert_eq!(against, [("d".to_string(), 0.5), ("k".to_string(), 0.5)]);
+        let three = found(&[scene(&[("a", Spring, [p, q]), ("b", Spring, [p, q]), ("c", Damper, [p, q])])]);
+        assert_eq!(three, [("a".to_string(), 1.0), ("c".to_string(), -1.0)]);
+    }
+
+    #[test]
+    fn what_only_meets_for_a_moment_or_at_one_end_stays_where_it_is() {
+        let (p, q, r) = ([0.0, 0.0], [2.0, 1.0], [2.0, 3.0]);
+        let meeting = scene(&[("k", Spring, [p, q]), ("d", Damper, [p, q])]);
+        let apart = scene(&[("k", Spring, [p, q]), ("d", Damper, [p, r])]);
+        assert!(found(&[meeting.clone(), apart.clone()]).is_empty());
+        assert!(lanes(&[meeting], Some(&apart)).is_empty());
+        assert!(found(&[apart]).is_empty());
+    }
+
+    #[test]
+    fn a_torsion_damper_lies_around_a_torsion_spring() {
+        let at = [[1.0, 1.0]; 2];
+        let pair = vec![("d", TorsionDamper, at), ("k", TorsionSpring, at), ("m", Spring, at)];
+        assert_eq!(found(&[scene(&pair)]), [("d".to_string(), 1.0)]);
+    }
+}

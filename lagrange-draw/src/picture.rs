@@ -1,0 +1,79 @@
+//! A finished picture: marks in pixels, from back to front, for any format.
+
+/// A point in pixels, x to the right, y **downwards** from the top left corner.
+pub(crate) type Point = [f64; 2];
+
+/// A picture in pixels of 1/96 inch.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Picture {
+    /// Width and height.
+    pub(crate) size: [f64; 2],
+    /// What it shows in words, for those who cannot see it.
+    pub(crate) title: String,
+    /// From back to front. Pictures of one film have the same marks in the same order; those without anything to show are empty.
+    pub(crate) marks: Vec<Mark>,
+}
+
+/// A mark on a picture.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) enum Mark {
+    /// Lines and areas.
+    Path {
+        /// What is drawn.
+        segments: Vec<Segment>,
+        /// How it is drawn.
+        style: Style,
+    },
+    /// A line of text.
+    Text {
+        /// Where its anchor is on the base line.
+        at: Point,
+        /// What it says; none if nothing is to be shown.
+        text: String,
+        /// Height of the font.
+        size: f64,
+        /// Which part of the text is at the point.
+        anchor: Anchor,
+        /// Its colour.
+        colour: Colour,
+    },
+}
+
+/// A piece of a path.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) enum Segment {
+    /// Starts a line.
+    Move(Point),
+    /// A straight line.
+    Line(Point),
+    /// A cubic Bézier curve: two control points and its end.
+    Curve(Point, Point, Point),
+    /// Closes the line.
+    Close,
+}
+
+/// How a path is drawn.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Style {
+    /// The colour of the line, if there is one.
+    pub(crate) stroke: Option<Colour>,
+    /// Its width.
+    pub(crate) width: f64,
+    /// Lengths of dashes and gaps; empty for a full line.
+    pub(crate) dashes: &'static [f64],
+    /// The colour inside, if there is one. What two lines enclose both is outside.
+    pub(crate) fill: Option<Colour>,
+}
+
+/// Red, green, blue and opacity, each to 255.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Colour(pub(crate) [u8; 4]);
+
+/// Which part of a text is at its point.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[allow(dead_code, reason = "films and pages align texts to the left and right")]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
+}

@@ -1,0 +1,136 @@
+//! What the named forces on a body leave open.
+//!
+//! By Newton's law and the axiom of angular momentum all forces on a body sum up to m a and all moments about its centre of mass
+//! to J α. What is named may be less: joints that the coordinates fulfil by themselves, hand-written constraints and
+//! potentials, contacts and friction hand out no force. The rest is known all the same,
+//!
+//! ```text
+//! R = m a − Σ F,    M_R = J α − Σ (M + r × F).
+//! ```
+
+use crate::geometry::{cross, length, subtract, times};
+use crate::load::{Load, Value};
+use crate::picture::Point;
+use lagrange_runtime::body::Motion;
+
+/// The resultant of all forces and moments on a body that have no name, at its centre of mass.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Remainder {
+    pub(super) at: Point,
+    /// Zero where only rounding is left.
+    pub(super) force: Point,
+    /// Zero where only rounding is left.
+    pub(super) moment: f64,
+}
+
+/// How it is called.
+pub(super) const REMAINDER: &str = "R";
+/// Positions are known to so many roundings.
+const ROUNDINGS: f64 = 64.0;
+
+impl Remainder {
+    /// Of a body that moves so under these loads, in numbers whose relative distance is `epsilon`.
+    pub(super) fn of<'a>(
+        motion: &Motion<f64>,
+        loads: impl Iterator<Item = &'a Load>,
+        epsilon: f64,
+    ) -> Remainder {
+        let center = motion.center;
+        let mut force = times(motion.mass, motion.acceleration);
+        let mut moment = motion.inertia * motion.angular_acceleration;
+        let (mut forces, mut moments, mut shifts) = (length(force), moment.abs(), 0.0);
+        for load in loads {
+            match load.value {
+                Value::Force(part) => {
+                    let arm = subtract(load.at, center);
+                    force = subtract(force, part);
+                    moment -= cross(arm, part);
+                    forces += length(part);
+                    moments += length(arm) * length(part);
+                    shifts += (length(load.at) + length(center)) * length(part);
+                }
+                Value::Moment(part) => {
+                    moment -= part;
+                    moments += part.abs();
+                }
+            }
+        }
+        // Accelerations lose digits in the elimination of the others. Half of all digits is more than a picture can show.
+        let half = epsilon.sqrt();
+        let gyration = (motion.inertia / motion.mass).abs().sqrt();
+        let gyration = if gyration.is_finite() { gyration } else { 0.0 };
+        let least = half * (moments + gyration * forces) + ROUNDINGS * epsilon * shifts;
+        // What is not a number is passed on and refused.
+        let is_rounding = length(force) <= half * forces;
+        Remainder {
+            at: center,
+            force: if is_rounding { [0.0, 0.0] } else { force },
+            moment: if moment.abs() <= least { 0.0 } else { moment },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+
+    use super::Remainder;
+    use crate::load::{Load, Value};
+    use lagrange_runtime::body::Motion;
+    use lagrange_runtime::scene::Cause;
+
+    const EPSILON: f64 = f64::EPSILON;
+
+    /// A rod of mass 3 and length 2 that swings about its end in the origin, level at this moment: α = −3 g/(2 l).
+    const ROD: Motion<f64> = Motion {
+        mass: 3.0,
+        inertia: 1.0,
+        centroid: [0.0, 0.0],
+        center: [1.0, 0.0],
+        angle: 0.0,
+        velocity: [0.0, 0.0],
+        angular_velocity: 0.0,
+        acceleration: [0.0, -7.5],
+        angular_acceleration: -7.5,
+    };
+
+    fn load(at: [f64; 2], value: Value) -> Load {
+        Load { name: "F".to_string(), cause: Cause::Applied, body: Some("rod".to_string()), at, value }
+    }
+
+    fn weight() -> Load {
+        load([1.0, 0.0], Value::Force([0.0, -30.0]))
+    }
+
+    #[test]
+    fn the_force_of_a_hinge_that_nobody_names_is_found() {
+        // The hinge carries a quarter of the weight.
+        let found = Remainder::of(&ROD, [weight()].iter(), EPSILON);
+        assert_eq!((found.at, found.force, found.moment), ([1.0, 0.0], [0.0, 7.5], -7.5));
+    }
+
+    #[test]
+    fn nothing_is_left_where_all_forces_are_named_but_for_rounding() {
+        let all = |at, hinge| [weight(), load(at, Value::Force(hinge))];
+        let found = Remainder::of(&ROD, all([0.0, 0.0], [0.0, 7.5]).iter(), EPSILON);
+        assert_eq!((found.force, found.moment), ([0.0, 0.0], 0.0));
+        let found = Remainder::of(&ROD, all([1e-15, 0.0], [1e-12, 7.5 - 1e-12]).iter(), EPSILON);
+        assert_eq!((found.force, found.moment), ([0.0, 0.0], 0.0));
+        let found = Remainder::of(&ROD, all([1e-3, 0.0], [0.0, 7.5]).iter(), EPSILON);
+        assert!((found.moment + 7.5e-3).abs() < 1e-12, "{found:?}");
+    }
+
+    #[test]
+    fn a_moment_is_left_that_nobody_names() {
+        let loads: Vec<Load> =
+            [weight(), load([0.0, 0.0], Value::Force([0.0, 7.5])), load([9.0, 9.0], Value::Moment(2.0))]
+                .into();
+        let found = Remainder::of(&ROD, loads.iter(), EPSILON);
+        assert_eq!((found.force, found.moment), ([0.0, 0.0], -2.0));
+    }
+
+    #[test]
+    fn what_is_not_a_number_stays_so() {
+        let found = Remainder::of(&ROD, [load([0.0, 0.0], Value::Force([f64::NAN, 0.0]))].iter(), EPSILON);
+        assert!(found.force[0].is_nan() && found.moment.is_nan());
+    }
+}

@@ -1,0 +1,214 @@
+//! From scenes to elements: what is drawn of each item, and what is written beside it.
+
+use crate::anchored::Anchored;
+use crate::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, REST, VELOCITY};
+use crate::element::{Element, Layer, Measure, Shape};
+use crate::geometry::{add, direction, dot, length, subtract, times, turned};
+use crate::load::{Load, Value};
+use crate::load_label::load_label;
+use crate::parallel::Lanes;
+use crate::picture::{Colour, Point};
+use crate::remainder::{REMAINDER, Remainder};
+use crate::snapshot::{Body, Snapshot};
+use crate::stretch::{self, Stretches};
+use crate::text::{formula, symbol};
+use lagrange_runtime::scene::{Cause, Connector, Joint};
+
+/// What is drawn beside the scene itself.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(super) struct Wanted {
+    pub(super) velocities: bool,
+    pub(super) accelerations: bool,
+    pub(super) forces: bool,
+    pub(super) centers: bool,
+    pub(super) frames: bool,
+    pub(super) names: bool,
+    /// Whether a body is drawn without what surrounds it.
+    pub(super) is_free: bool,
+}
+
+/// What is the same throughout a film.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Fixed {
+    pub(super) stretches: Stretches,
+    pub(super) anchored: Anchored,
+    pub(super) lanes: Lanes,
+}
+
+/// Length of the axes of a body in pixels.
+const AXIS: f64 = 42.0;
+/// A body that turns slower than by this part of the fastest one of a film has no centre that could be drawn.
+const TURNING: f64 = 1e-9;
+
+/// All elements of a scene.
+pub(super) fn elements(snapshot: &Snapshot, wanted: Wanted, fixed: &Fixed, fastest: f64) -> Vec<Element> {
+    let mut elements = lines(snapshot, &fixed.stretches);
+    elements.extend(walls(snapshot, &fixed.anchored));
+    for body in &snapshot.bodies {
+        let label = if wanted.names && !wanted.is_free { formula(&body.name) } else { String::new() };
+        let shape =
+            Shape::Body { place: body.place(), center: body.motion.center, pieces: body.pieces.clone() };
+        elements.push(element(&body.name, label, colour::body(body.index), Layer::Body, shape));
+    }
+    elements.extend(snapshot.connectors.iter().map(|(name, kind, ends)| {
+        let lane = fixed.lanes.get(name).copied().unwrap_or_default();
+        connector(name, *kind, *ends, lane, wanted)
+    }));
+    if !wanted.is_free {
+        elements.extend(snapshot.joints.iter().map(|(name, kind, at)| joint(name, *kind, *at)));
+    }
+    for body in &snapshot.bodies {
+        elements.extend(kinematics(body, wanted, snapshot.bodies.len() > 1, fastest));
+    }
+    if wanted.forces {
+        elements.extend(snapshot.loads.iter().enumerate().map(|(index, item)| {
+            let before = &snapshot.loads[..index];
+            load(item, before, snapshot, wanted.is_free)
+        }));
+        elements.extend(snapshot.remainder.iter().flat_map(|rest| remainder(rest, &snapshot.loads)));
+    }
+    elements
+}
+
+fn element(name: &str, label: String, colour: Colour, layer: Layer, shape: Shape) -> Element {
+    Element { name: name.to_owned(), label, colour, layer, shape }
+}
+
+fn lines(snapshot: &Snapshot, stretches: &Stretches) -> Vec<Element> {
+    let of = |line: &crate::snapshot::Line| {
+        let stretches = stretches.get(&line.name).cloned().unwrap_or_default();
+        let seen = stretch::seen(line, snapshot, &stretches);
+        let shape = Shape::Ground { place: line.place, stretches, seen };
+        element(&line.name, String::new(), INK, Layer::Ground, shape)
+    };
+    snapshot.lines.iter().map(of).collect()
+}
+
+/// What holds connectors.
+fn walls(snapshot: &Snapshot, anchored: &Anchored) -> Vec<Element> {
+    let ends = snapshot.connectors.iter().flat_map(|(name, _, ends)| {
+        let walls =
+            ends.iter().enumerate().map(move |(end, at)| (name, *at, anchored.get(&(name.clone(), end))));
+        walls.filter_map(|(name, at, angle)| Some((name, at, *angle?)))
+    });
+    let wall = |(name, at, angle): (&String, Point, f64)| {
+        element(name, String::new(), INK, Layer::Ground, Shape::Wall { at, angle })
+    };
+    ends.map(wall).collect()
+}
+
+fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], lane: f64, wanted: Wanted) -> Element {
+    let shape = match kind {
+        Connector::Spring => Shape::Coil { from, to, lane },
+        Connector::Damper => Shape::Dashpot { from, to, lane },
+        Connector::TorsionSpring => Shape::Spiral { at: from, lane },
+        Connector::TorsionDamper => Shape::Drum { at: from, lane },
+    };
+    let label = if wanted.names && !is_made_up(name, kind) { formula(name) } else { String::new() };
+    element(name, label, INK, Layer::Connector, shape)
+}
+
+/// Whether a connector was declared without a name: it is called by its kind and a number then.
+fn is_made_up(name: &str, kind: Connector) -> bool {
+    let kind = match kind {
+        Connector::Spring => "spring_",
+        Connector::Damper => "damper_",
+        Connector::TorsionSpring => "torsion_spring_",
+        Connector::TorsionDamper => "torsion_damper_",
+    };
+    name.strip_prefix(kind).is_some_and(|number| number.bytes().all(|digit| digit.is_ascii_digit()))
+}
+
+fn joint(name: &str, kind: Joint, at: Point) -> Element {
+    let shape = match kind {
+        Joint::Pin => Shape::Pin { at },
+        Joint::Anchor => Shape::Anchor { at },
+        Joint::Slide => Shape::Slider { at },
+        Joint::Roll => Shape::Dot { at },
+    };
+    element(name, String::new(), INK, Layer::Joint, shape)
+}
+
+fn kinematics(body: &Body, wanted: Wanted, has_others: bool, fastest: f64) -> Vec<Element> {
+    let motion = &body.motion;
+    let mut elements = Vec::new();
+    let mut arrow = |letter, colour, from, vector, measure| {
+        let shape = Shape::Arrow { from, vector, measure, is_push: false };
+        elements.push(element(
+            &body.name,
+            symbol(letter, &body.name, has_others),
+            colour,
+            Layer::Arrow,
+            shape,
+        ));
+    };
+    if wanted.frames {
+        let place = body.place();
+        for (letter, axis) in [("X", direction(place.angle)), ("Y", turned(direction(place.angle)))] {
+            arrow(letter, PALE, place.at, times(AXIS, axis), Measure::Pixels);
+        }
+    }
+    if wanted.velocities {
+        arrow("v", VELOCITY, motion.center, motion.velocity, Measure::Velocity);
+    }
+    if wanted.accelerations {
+        arrow("a", ACCELERATION, motion.center, motion.acceleration, Measure::Acceleration);
+    }
+    // What is not a number is passed on and refused.
+    let is_translating = motion.angular_velocity.abs() <= TURNING * fastest;
+    if wanted.centers && !is_translating {
+        // r_M = r_S + e_z × v_S/ω.
+        let to = add(motion.center, times(1.0 / motion.angular_velocity, turned(motion.velocity)));
+        let shape = Shape::Ray { from: motion.center, to };
+        elements.push(element(&body.name, symbol("M", &body.name, has_others), CENTER, Layer::Arrow, shape));
+    }
+    elements
+}
+
+/// A force or moment behind others.
+fn load(load: &Load, before: &[Load], snapshot: &Snapshot, is_free: bool) -> Element {
+    let body = load.body.as_deref().and_then(|name| snapshot.body(name));
+    let shape = match load.value {
+        Value::Force(vector) => {
+            let is_push = is_free && pushes(load, vector, body.map(|body| body.motion.center));
+            Shape::Arrow { from: load.at, vector, measure: Measure::Force, is_push }
+        }
+        // A moment acts on the whole of a body, wherever it comes from.
+        Value::Moment(moment) => {
+            let at = body.map_or(load.at, |body| body.motion.center);
+            Shape::Turn { at, moment, ring: moments(before, load.body.as_deref()) }
+        }
+    };
+    element(&load.name, load_label(load, snapshot), FORCE, Layer::Arrow, shape)
+}
+
+/// How many moments there are on a body.
+fn moments(loads: &[Load], body: Option<&str>) -> usize {
+    loads.iter().filter(|load| load.is_moment() && load.body.as_deref() == body).count()
+}
+
+/// What the loads of a free body leave open.
+fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
+    let Remainder { at, force, moment } = *rest;
+    let arrow = Shape::Arrow { from: at, vector: force, measure: Measure::Force, is_push: false };
+    let turn = Shape::Turn { at, moment, ring: loads.iter().filter(|load| load.is_moment()).count() };
+    let of = |label: &str, shape| element(REMAINDER, label.to_owned(), REST, Layer::Arrow, shape);
+    vec![of(REMAINDER, arrow), of("M_R", turn)]
+}
+
+/// Whether a force of contact points into the body; on a free body it is then drawn from outside.
+fn pushes(load: &Load, force: Point, center: Option<Point>) -> bool {
+    const NARROW: f64 = 0.5;
+    let inwards = center.map_or([0.0, 0.0], |center| subtract(center, load.at));
+    load.cause == Cause::Joint && dot(force, inwards) > NARROW * length(force) * length(inwards)
+}
+
+/// The path of a point so far, and where it is now.
+pub(super) fn trace(label: &str, points: &[Point], colour: Colour) -> Vec<Element> {
+    let path = Shape::Polyline { points: points.to_vec() };
+    let mut elements = vec![element(label, String::new(), colour, Layer::Trace, path)];
+    if let Some(at) = points.last() {
+        elements.push(element(label, formula(label), colour, Layer::Trace, Shape::Dot { at: *at }));
+    }
+    elements
+}

@@ -1,0 +1,193 @@
+//! Pictures as SVG: a document of paths and texts without script, style sheet or anything from elsewhere.
+
+use crate::beside::SEPARATOR;
+use crate::picture::{Anchor, Colour, Mark, Picture, Segment, Style};
+use crate::text::{self, Run};
+
+/// Fonts of formulas.
+pub(crate) const FONT: &str =
+    "'STIX Two Text', 'Latin Modern Roman', Cambria, 'Times New Roman', Times, serif";
+
+/// The document.
+pub(crate) fn document(picture: &Picture) -> String {
+    let marks: String = picture.marks.iter().filter(|mark| !is_empty(mark)).map(mark).collect();
+    format!("{}{marks}</svg>\n", opening(picture))
+}
+
+/// The start of the document: its size, title and description, and what all marks share.
+pub(crate) fn opening(picture: &Picture) -> String {
+    let [width, height] = picture.size.map(number);
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FONT}\" stroke-linecap=\"round\" \
+         stroke-linejoin=\"round\" fill-rule=\"evenodd\">\n<title>{}</title>\n<desc>{}</desc>\n\
+         <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
+        escape(&text::plain(&picture.title)),
+        escape(&description(picture)),
+    )
+}
+
+/// What is written in the picture, for those who cannot see it.
+fn description(picture: &Picture) -> String {
+    let mut labels: Vec<String> = Vec::new();
+    for mark in &picture.marks {
+        if let Mark::Text { text, .. } = mark {
+            let label = text::plain(text);
+            // Titles and lines of them are no labels.
+            let is_caption = picture.title.split(SEPARATOR).any(|part| part == text);
+            let is_title = is_caption || (text.contains(' ') && picture.title.contains(text));
+            if !label.is_empty() && !is_title && !labels.contains(&label) {
+                labels.push(label);
+            }
+        }
+    }
+    if labels.is_empty() {
+        "A drawing without labels.".into()
+    } else {
+        format!("Labels: {}.", labels.join(", "))
+    }
+}
+
+/// Whether a mark shows nothing.
+pub(crate) fn is_empty(mark: &Mark) -> bool {
+    match mark {
+        Mark::Path { segments, .. } => segments.is_empty(),
+        Mark::Text { text, .. } => text.is_empty(),
+    }
+}
+
+/// The element of a mark.
+pub(crate) fn mark(mark: &Mark) -> String {
+    match mark {
+        Mark::Path { segments, style: how } => {
+            format!("<path d=\"{}\"{}/>\n", path_data(segments), style(how))
+        }
+        Mark::Text { at, text, size, anchor, colour } => format!(
+            "<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}>{}</text>\n",
+            number(at[0]),
+            number(at[1]),
+            number(*size),
+            anchored(*anchor),
+            paint("fill", Some(*colour)),
+            content(text),
+        ),
+    }
+}
+
+fn anchored(anchor: Anchor) -> &'static str {
+    match anchor {
+        Anchor::Start => "",
+        Anchor::Middle => " text-anchor=\"middle\"",
+        Anchor::End => " text-anchor=\"end\"",
+    }
+}
+
+/// The attribute `d` of a path.
+pub(crate) fn path_data(segments: &[Segment]) -> String {
+    let point = |[x, y]: [f64; 2]| format!("{} {}", number(x), number(y));
+    let command = |segment: &Segment| match *segment {
+        Segment::Move(to) => format!("M{}", point(to)),
+        Segment::Line(to) => format!("L{}", point(to)),
+        Segment::Curve(a, b, to) => format!("C{} {} {}", point(a), point(b), point(to)),
+        Segment::Close => "Z".into(),
+    };
+    segments.iter().map(command).collect()
+}
+
+/// The attributes that say how a path is drawn, each after a blank.
+pub(crate) fn style(style: &Style) -> String {
+    let mut attributes = paint("fill", style.fill);
+    if style.stroke.is_some() {
+        attributes += &paint("stroke", style.stroke);
+        attributes += &format!(" stroke-width=\"{}\"", number(style.width));
+        if !style.dashes.is_empty() {
+            let lengths: Vec<String> = style.dashes.iter().map(|length| number(*length)).collect();
+            attributes += &format!(" stroke-dasharray=\"{}\"", lengths.join(" "));
+        }
+    }
+    attributes
+}
+
+fn paint(attribute: &str, colour: Option<Colour>) -> String {
+    let Some(Colour([red, green, blue, opacity])) = colour else { return format!(" {attribute}=\"none\"") };
+    let colour = format!(" {attribute}=\"#{red:02x}{green:02x}{blue:02x}\"");
+    if opacity == u8::MAX {
+        return colour;
+    }
+    format!("{colour} {attribute}-opacity=\"{}\"", number(f64::from(opacity) / 255.0))
+}
+
+/// What stands between the tags of a text: symbols in italics, subscripts smaller and lower.
+pub(crate) fn content(text: &str) -> String {
+    let mut content = String::new();
+    let mut is_lowered = false;
+    for run in text::runs(text) {
+        content += &element(&run, is_lowered);
+        is_lowered = run.is_subscript;
+    }
+    content
+}
+
+/// One piece; `is_lowered` says whether the one before was a subscript.
+fn element(run: &Run, is_lowered: bool) -> String {
+    let (factor, lowered) = text::SUBSCRIPT;
+    let mut attributes = String::new();
+    if run.is_subscript {
+        // An em is the size of the smaller font.
+        let (lowered, percent) = (number(lowered / factor), number(100.0 * factor));
+        attributes += &format!(" dy=\"{lowered}em\" font-size=\"{percent}%\"");
+    } else if is_lowered {
+        attributes += &format!(" dy=\"-{lowered}em\"");
+    }
+    if run.is_symbol() {
+        attributes += " font-style=\"italic\"";
+    }
+    let text = escape(&run.text);
+    if attributes.is_empty() { text } else { format!("<tspan{attributes}>{text}</tspan>") }
+}
+
+/// A number with at most two decimals.
+pub(crate) fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}
+
+/// Text in which nothing is taken for a tag. Characters that no document may hold are left out.
+pub(crate) fn escape(text: &str) -> String {
+    let mut escaped = String::new();
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            character if character.is_control() => escaped.push(' '),
+            character => escaped.push(character),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{content, escape, number};
+
+    #[test]
+    fn numbers_have_two_decimals_at_most() {
+        let pairs = [(1.0, "1"), (-0.001, "0"), (0.126, "0.13"), (1200.0, "1200"), (-2.5, "-2.5")];
+        for (value, written) in pairs {
+            assert_eq!(number(value), written);
+        }
+    }
+
+    #[test]
+    fn names_cannot_break_a_document() {
+        assert_eq!(escape("a<b & \"c\"\u{0}"), "a&lt;b &amp; &quot;c&quot; ");
+        let text = format!("<text>{}</text>", content("<v>_P'&_{<Q>}"));
+        let document = roxmltree::Document::parse(&text).expect("is well formed");
+        let words: String = document.descendants().filter_map(|node| node.text()).collect();
+        assert!(words.contains("<v>") && words.contains("<Q>"));
+    }
+}

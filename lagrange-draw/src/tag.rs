@@ -1,0 +1,144 @@
+//! Where the label of an element belongs.
+
+use crate::colour::{INK, PALE};
+use crate::element::{Element, LANE, RING, Shape, WIDER};
+use crate::geometry::{add, direction, length, mix, subtract, times, turned, unit};
+use crate::marks::arrow::{self, ANGLE, BESIDE};
+use crate::outline::Piece;
+use crate::picture::{Colour, Point};
+use crate::text;
+use crate::view::View;
+
+/// A label and the place beside which it is written.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Tag {
+    pub(super) text: String,
+    pub(super) at: Point,
+    pub(super) side: Side,
+    /// From the place to the text.
+    pub(super) gap: f64,
+    pub(super) colour: Colour,
+    /// Whether it may be left out where there is no room.
+    pub(super) may_hide: bool,
+    /// How far what it names reaches from the place.
+    pub(super) reach: f64,
+    /// The size of its letters.
+    pub(super) size: f64,
+    /// Half width and half height of the text.
+    pub(super) half: Point,
+}
+
+/// On which side of its place a label is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Side {
+    /// Anywhere around.
+    Around,
+    /// On it if there is room, else around.
+    Within,
+    /// In this direction if there is room.
+    Along(Point),
+}
+
+/// The size of labels.
+pub(super) const FONT: f64 = 14.0;
+/// The part of the width of a picture that a label may take, unless its letters were smaller than these.
+const WIDEST: f64 = 0.5;
+const SMALLEST: f64 = 8.0;
+/// Fonts of browsers may be wider by so much than the one by which widths are measured.
+pub(super) const LEEWAY: f64 = 1.06;
+const GAP: f64 = 4.0;
+/// From the middle of a body or connector.
+const WIDE_GAP: f64 = 8.0;
+
+/// The label of an element, if it has one.
+pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
+    if element.label.is_empty() {
+        return None;
+    }
+    let (at, side, gap) = anchor(&element.shape, view)?;
+    let is_thing = matches!(element.shape, Shape::Body { .. } | Shape::Coil { .. } | Shape::Dashpot { .. });
+    let colour = match element.shape {
+        Shape::Body { .. } => INK,
+        _ if element.colour == PALE => INK,
+        _ => element.colour,
+    };
+    // Subscripts hang below.
+    let has_subscript = text::runs(&element.label).iter().any(|run| run.is_subscript);
+    let (size, width) = fitting(&element.label, view.window[1][0] - view.window[0][0]);
+    let height = if has_subscript { size * (1.0 + text::SUBSCRIPT.1) } else { size };
+    let half = [0.5 * width, 0.5 * height];
+    let reach = reach(&element.shape, view);
+    Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, reach, size, half })
+}
+
+/// The pixels from the centre of a body to the farthest point of its rim.
+fn reach(shape: &Shape, view: &View) -> f64 {
+    let Shape::Body { place, center, pieces } = shape else { return 0.0 };
+    let rim = pieces.iter().flat_map(Piece::rim).map(|p| subtract(place.of(p), *center));
+    view.length(rim.map(length).fold(0.0, f64::max))
+}
+
+/// The size of the letters of a label, and its width: smaller where it would take more than a part of the room.
+fn fitting(label: &str, room: f64) -> (f64, f64) {
+    let width = text::width(label, 1.0);
+    let size = FONT.min((WIDEST * room / width).max(SMALLEST)).min(room / (LEEWAY * width));
+    (size, size * width)
+}
+
+fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
+    let middle = |ends: &[Point; 2]| {
+        let ends = ends.map(|p| view.point(p));
+        let normal = unit(turned(subtract(ends[1], ends[0])));
+        // Above rather than below.
+        let normal = normal.map(|n| if n[1] > 0.0 { times(-1.0, n) } else { n });
+        (mix(ends[0], ends[1], 0.5), normal.map_or(Side::Around, Side::Along))
+    };
+    let around = |at: &Point| Some((view.point(*at), Side::Around, GAP));
+    match shape {
+        Shape::Body { center, .. } => Some((view.point(*center), Side::Within, WIDE_GAP)),
+        Shape::Coil { from, to, lane } | Shape::Dashpot { from, to, lane } => {
+            let (at, side) = middle(&[*from, *to]);
+            let left = unit(subtract(view.point(*to), view.point(*from)))
+                .map(|along| times(-LANE * lane, turned(along)));
+            let aside = left.filter(|_| *lane != 0.0);
+            let outwards = aside.and_then(unit).map(Side::Along);
+            Some((add(at, aside.unwrap_or_default()), outwards.unwrap_or(side), WIDE_GAP))
+        }
+        Shape::Spiral { at, lane } | Shape::Drum { at, lane } => {
+            Some((view.point(*at), Side::Around, ANGLE * (1.0 + WIDER * lane)))
+        }
+        // What does not turn has no label either.
+        Shape::Turn { moment: 0.0, .. } => None,
+        Shape::Turn { at, ring, .. } => Some((view.point(*at), Side::Around, ANGLE + RING * *ring as f64)),
+        Shape::Arrow { from, vector, measure, is_push } => {
+            let vector = view.vector(*vector, *measure);
+            // What has no arrow has no label either.
+            (length(vector) >= 1.0).then_some(())?;
+            let start = arrow::start(view.point(*from), vector, *is_push);
+            let (end, outwards) =
+                if *is_push { (start, times(-1.0, vector)) } else { (add(start, vector), vector) };
+            Some((end, Side::Along(unit(outwards)?), GAP))
+        }
+        Shape::Ray { to, .. } => view.holds(view.point(*to)).then(|| around(to))?,
+        Shape::Segment { ends, .. } => {
+            let (at, side) = middle(ends);
+            Some((at, side, GAP))
+        }
+        Shape::Dimension { ends } => {
+            let ends = ends.map(|p| view.point(p));
+            let left = times(-1.0, turned(unit(subtract(ends[1], ends[0]))?));
+            Some((add(mix(ends[0], ends[1], 0.5), times(BESIDE, left)), Side::Along(left), GAP))
+        }
+        Shape::Angle { at, from, to } => {
+            let [x, y] = direction(0.5 * (from + to));
+            let outwards = [x, -y];
+            Some((add(view.point(*at), times(ANGLE, outwards)), Side::Along(outwards), GAP))
+        }
+        Shape::Words { at } => Some((view.point(*at), Side::Within, GAP)),
+        Shape::Pin { at } | Shape::Anchor { at } | Shape::Slider { at } | Shape::Dot { at } => around(at),
+        Shape::Circle { center, radius, .. } => around(&add(*center, times(*radius, direction(0.8)))),
+        Shape::Polyline { points } | Shape::Area { points } => points.last().and_then(around),
+        Shape::Through { points } => around(&points[0]),
+        Shape::Ground { .. } | Shape::Wall { .. } => None,
+    }
+}

@@ -1,0 +1,195 @@
+//! The window of a film: which part of the world is shown, and how large.
+
+use crate::element::{Measure, Reach};
+use crate::error::DrawError;
+use crate::geometry::{clipped, subtract, times};
+use crate::picture::Point;
+
+/// What is left free at the borders, and at least by labels and titles.
+pub(super) const MARGIN: f64 = 12.0;
+pub(super) const BORDER: f64 = 2.0;
+
+/// From the world to pixels, alike in both directions.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct View {
+    /// Pixels to a unit of length.
+    scale: f64,
+    /// A point of the world, and its pixel: numbers near each other keep their digits when they are subtracted.
+    base: Point,
+    origin: Point,
+    /// The corners of what may be drawn on, in pixels.
+    pub(super) window: [Point; 2],
+    /// Pixels to a unit of velocity, acceleration and force.
+    pub(super) arrows: [f64; 3],
+}
+
+/// Halvings of the range of scales.
+const ROUNDS: usize = 60;
+/// If all that is shown is in one place, this part of the smaller side stands for a unit of length.
+const UNIT: f64 = 0.25;
+/// A window is wider than this many distances of neighbouring numbers, so that what is in it has a place.
+const ROUNDINGS: f64 = 4096.0;
+/// Smaller extents have no reciprocal.
+const TINY: f64 = 1e-300;
+
+impl View {
+    /// The largest scale at which everything lies within the window, its middle in the middle.
+    pub(super) fn new(window: [Point; 2], arrows: [f64; 3], reaches: &[Reach]) -> Result<Self, DrawError> {
+        let size = subtract(window[1], window[0]);
+        let spans = [0, 1].map(|axis| range(reaches, axis, None));
+        let extent = spans.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+        let farthest = spans.as_flattened().iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let [smaller, larger] = [size[0].min(size[1]), size[0].max(size[1])];
+        let widest = if extent > 0.0 { larger / extent.max(TINY) } else { UNIT * smaller };
+        let most = widest.min(larger / (ROUNDINGS * f64::EPSILON * farthest).max(TINY));
+        let base = spans.map(|[low, high]| low + 0.5 * (high - low));
+        let from_base = |reach: &Reach| Reach { at: subtract(reach.at, base), ..*reach };
+        let reaches: Vec<Reach> = reaches.iter().map(from_base).collect();
+        let reaches = &reaches[..];
+        let fits = |scale: f64| {
+            (0..2).all(|axis| {
+                let [low, high] = range(reaches, axis, Some(scale));
+                high - low <= size[axis]
+            })
+        };
+        if reaches.is_empty() {
+            return Err(DrawError::NothingToDraw);
+        }
+        let scale = largest(most, fits).ok_or(DrawError::Size(size))?;
+        let middle = |axis: usize| {
+            let [low, high] = range(reaches, axis, Some(scale));
+            0.5 * (low + high)
+        };
+        let of_window = [0, 1].map(|axis| 0.5 * (window[0][axis] + window[1][axis]));
+        let origin = [of_window[0] - middle(0), of_window[1] + middle(1)];
+        Ok(View { scale, base, origin, window, arrows })
+    }
+
+    pub(super) fn point(&self, p: Point) -> Point {
+        let [x, y] = subtract(p, self.base);
+        [self.origin[0] + self.scale * x, self.origin[1] - self.scale * y]
+    }
+
+    /// A length in pixels.
+    pub(super) fn length(&self, length: f64) -> f64 {
+        self.scale * length
+    }
+
+    /// A length of the world.
+    pub(super) fn of_pixels(&self, pixels: f64) -> f64 {
+        pixels / self.scale
+    }
+
+    /// A vector in pixels, y downwards.
+    pub(super) fn vector(&self, vector: Point, measure: Measure) -> Point {
+        let [x, y] = times(self.pixels(measure), vector);
+        [x, -y]
+    }
+
+    pub(super) fn pixels(&self, measure: Measure) -> f64 {
+        match measure {
+            Measure::World => self.scale,
+            Measure::Pixels => 1.0,
+            Measure::Velocity => self.arrows[0],
+            Measure::Acceleration => self.arrows[1],
+            Measure::Force => self.arrows[2],
+        }
+    }
+
+    /// The part of a segment in pixels that is in the window.
+    pub(super) fn clipped(&self, ends: [Point; 2]) -> Option<[Point; 2]> {
+        clipped(ends, self.window)
+    }
+
+    pub(super) fn holds(&self, p: Point) -> bool {
+        (0..2).all(|axis| (self.window[0][axis]..=self.window[1][axis]).contains(&p[axis]))
+    }
+}
+
+/// The range of an axis in pixels at a scale, or of points of the world without one.
+pub(super) fn range(reaches: &[Reach], axis: usize, scale: Option<f64>) -> [f64; 2] {
+    reaches.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], reach| {
+        let (at, room) = match scale {
+            Some(scale) => (scale * reach.at[axis] + reach.offset[axis], reach.room),
+            None => (reach.at[axis], 0.0),
+        };
+        [low.min(at - room), high.max(at + room)]
+    })
+}
+
+/// The largest number up to a limit that fits, if small ones do.
+fn largest(most: f64, fits: impl Fn(f64) -> bool) -> Option<f64> {
+    if !most.is_finite() || most <= 0.0 || !fits(0.0) {
+        return None;
+    }
+    let (mut low, mut high) = (0.0, most);
+    for _ in 0..ROUNDS {
+        let middle = 0.5 * (low + high);
+        if fits(middle) { low = middle } else { high = middle }
+    }
+    (low > 0.0).then_some(low)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::View;
+    use crate::element::Reach;
+    use crate::error::DrawError;
+
+    const WINDOW: [[f64; 2]; 2] = [[0.0, 0.0], [200.0, 100.0]];
+
+    fn reach(at: [f64; 2], offset: [f64; 2], room: f64) -> Reach {
+        Reach { at, offset, room }
+    }
+
+    #[test]
+    fn everything_fits_and_nothing_could_be_larger() {
+        let reaches = [reach([-1.0, 0.0], [0.0, 0.0], 10.0), reach([1.0, 0.5], [20.0, 0.0], 10.0)];
+        let view = View::new(WINDOW, [0.0; 3], &reaches).expect("fits");
+        let [left, right] = [view.point([-1.0, 0.0])[0] - 10.0, view.point([1.0, 0.5])[0] + 30.0];
+        assert!(left.abs() < 1e-9 && (right - 200.0).abs() < 1e-9, "{left} {right}");
+        let [top, bottom] = [view.point([1.0, 0.5])[1], view.point([-1.0, 0.0])[1]];
+        assert!((top + bottom - 100.0).abs() < 1e-9, "in the middle of the height");
+    }
+
+    #[test]
+    fn a_single_place_is_in_the_middle() {
+        let view = View::new(WINDOW, [0.0; 3], &[reach([3.0, 4.0], [0.0, 0.0], 5.0)]).expect("fits");
+        assert_eq!(view.point([3.0, 4.0]), [100.0, 50.0]);
+    }
+
+    #[test]
+    fn places_far_from_the_origin_are_where_they_are_seen() {
+        let reaches = [[1e12, 3e12], [1e12 + 8.0, 3e12]].map(|at| reach(at, [0.0, 0.0], 10.0));
+        let view = View::new(WINDOW, [0.0; 3], &reaches).expect("fits");
+        let [left, right] = reaches.each_ref().map(|reach| view.point(reach.at));
+        assert!((left[0] - 10.0).abs() < 1e-9 && (right[0] - 190.0).abs() < 1e-9, "{left:?} {right:?}");
+        assert_eq!([left[1], right[1]], [50.0, 50.0]);
+    }
+
+    #[test]
+    fn a_window_is_never_narrower_than_what_numbers_can_tell_apart() {
+        let near = 1e9_f64.next_up();
+        for places in
+            [[[1e300, 1e300]; 2], [[1e9, 0.0], [near, 0.0]], [[5e-324, 0.0], [0.0, 0.0]], [[-1e9, 1e9]; 2]]
+        {
+            let view =
+                View::new(WINDOW, [0.0; 3], &places.map(|at| reach(at, [0.0, 0.0], 5.0))).expect("fits");
+            let points = places.map(|at| view.point(at));
+            assert!(
+                points.iter().all(|p| (p[0] - 100.0).abs() < 1.0 && (p[1] - 50.0).abs() < 1.0),
+                "{points:?}"
+            );
+        }
+        let ends = [[1e9, 0.0], [1e9 + 1.0, 0.0]].map(|at| reach(at, [0.0, 0.0], 5.0));
+        let view = View::new(WINDOW, [0.0; 3], &ends).expect("fits");
+        assert!((view.point([1e9, 0.0])[0] - 5.0).abs() < 1e-6, "what can be told apart is as large as ever");
+    }
+
+    #[test]
+    fn what_needs_more_pixels_than_there_are_is_refused() {
+        let result = View::new(WINDOW, [0.0; 3], &[reach([0.0, 0.0], [0.0, 0.0], 60.0)]);
+        assert!(matches!(result, Err(DrawError::Size(_))), "{result:?}");
+        assert!(matches!(View::new(WINDOW, [0.0; 3], &[]), Err(DrawError::NothingToDraw)));
+    }
+}

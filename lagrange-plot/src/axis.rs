@@ -1,0 +1,138 @@
+//! Axes: what they span, where their marks are, and what is written there.
+
+/// How values are spread over an axis.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By powers of ten; zero lies at the lower end.
+    Logarithmic,
+}
+
+/// An axis from its lower to its upper end.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Axis {
+    scale: Scale,
+    /// On a logarithmic axis, decimal logarithms.
+    from: f64,
+    to: f64,
+    pub(crate) marks: Vec<Mark>,
+    /// What every label is to be multiplied by, and what is to be added.
+    pub(crate) note: String,
+}
+
+/// A label and where it belongs: 0 at the lower, 1 at the upper end.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Mark {
+    pub(crate) place: f64,
+    pub(crate) label: String,
+}
+
+/// An axis spans at least this part of the values on it, so that their rounding does not fill it.
+const LEAST_SPAN: f64 = 3e-14;
+/// An axis on which everything is zero goes so far to both sides.
+const ZERO_SPAN: f64 = 1.0;
+/// Labels of numbers from 10⁻³ to 10⁵ are written as they are, others with a power of ten beside the axis.
+const PLAIN: core::ops::Range<f64> = 1e-3..1e5;
+/// If labels would have to differ after this many digits, most of the number stands beside the axis.
+const DIGITS: f64 = 1e6;
+
+impl Axis {
+    /// An axis for values of this range, with some room at both ends in terms of it, and about this many marks.
+    pub(crate) fn new(scale: Scale, range: Option<(f64, f64)>, room: f64, marks: u32) -> Self {
+        match scale {
+            Scale::Linear => linear(range.unwrap_or((0.0, 1.0)), room, marks),
+            Scale::Logarithmic => logarithmic(range.unwrap_or((0.1, 1.0)), marks),
+        }
+    }
+
+    /// Where a value lies; not finite if the value is not.
+    pub(crate) fn place(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => (value - self.from) / (self.to - self.from),
+            Scale::Logarithmic if value.is_nan() => value,
+            Scale::Logarithmic => (value.log10().max(self.from) - self.from) / (self.to - self.from),
+        }
+    }
+}
+
+fn linear((low, high): (f64, f64), room: f64, marks: u32) -> Axis {
+    let size = low.abs().max(high.abs());
+    let least = if size > 0.0 { LEAST_SPAN * size } else { ZERO_SPAN };
+    let is_constant = high - low < least;
+    let room = if is_constant { least } else { room * (high - low) };
+    let (from, to) = (low - room, high + room);
+    let step = nice((to - from) / f64::from(marks));
+    let indices = (from / step).ceil()..=(to / step).floor();
+    let ticks = std::iter::successors(Some(*indices.start()), |index| Some(index + 1.0));
+    let ticks: Vec<f64> =
+        ticks.take_while(|index| index <= indices.end()).map(|index| index * step).collect();
+    let (labels, note) = labels(&ticks, step);
+    let place = |tick: f64| (tick - from) / (to - from);
+    let marks = ticks.iter().zip(labels).map(|(tick, label)| Mark { place: place(*tick), label }).collect();
+    Axis { scale: Scale::Linear, from, to, marks, note }
+}
+
+fn logarithmic((low, high): (f64, f64), marks: u32) -> Axis {
+    let from = low.log10().floor();
+    let to = high.log10().ceil().max(from + 1.0);
+    let step = ((to - from) / f64::from(marks)).ceil().max(1.0);
+    let powers =
+        std::iter::successors(Some(from), |power| Some(power + step)).take_while(|power| *power <= to);
+    let mark = |power: f64| Mark { place: (power - from) / (to - from), label: power_of_ten(power) };
+    Axis { scale: Scale::Logarithmic, from, to, marks: powers.map(mark).collect(), note: String::new() }
+}
+
+/// The smallest of 1, 2, 5 times a power of ten that is not smaller.
+fn nice(step: f64) -> f64 {
+    let power = 10_f64.powf(step.log10().floor());
+    let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| factor * power >= step * (1.0 - 1e-9));
+    factor.unwrap_or(10.0) * power
+}
+
+/// Labels of ticks this far apart, and what stands beside the axis.
+fn labels(ticks: &[f64], step: f64) -> (Vec<String>, String) {
+    let largest = |offset: f64| ticks.iter().fold(0.0_f64, |most, tick| most.max((tick - offset).abs()));
+    let offset =
+        if largest(0.0) < DIGITS * step { 0.0 } else { ticks.get(ticks.len() / 2).copied().unwrap_or(0.0) };
+    let offset = round_to(offset, 100.0 * step);
+    let largest = largest(offset);
+    let exponent =
+        if largest == 0.0 || PLAIN.contains(&largest) { 0.0 } else { (largest * 1.000_001).log10().floor() };
+    let decimals = (exponent - (step * 1.000_001).log10().floor()).max(0.0) as usize;
+    let label = |tick: &f64| {
+        let value = (tick - offset) / 10_f64.powf(exponent);
+        minus(&if (tick - offset).abs() < 1e-6 * step {
+            "0".to_string()
+        } else {
+            format!("{value:.decimals$}")
+        })
+    };
+    let factor = if exponent == 0.0 { String::new() } else { format!("×{}", power_of_ten(exponent)) };
+    let sign = if offset < 0.0 { "− " } else { "+ " };
+    let shift = if offset == 0.0 { String::new() } else { format!("{sign}{}", offset.abs()) };
+    let note = [factor, shift].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+    (ticks.iter().map(label).collect(), note)
+}
+
+fn round_to(value: f64, unit: f64) -> f64 {
+    (value / unit).round() * unit
+}
+
+/// With the sign that is as wide as a plus.
+fn minus(number: &str) -> String {
+    number.replace('-', "−")
+}
+
+fn power_of_ten(exponent: f64) -> String {
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        // The other superscripts lie side by side.
+        digit => digit.to_digit(10).and_then(|digit| char::from_u32('⁰' as u32 + digit)).unwrap_or(digit),
+    };
+    let digits: String = format!("{exponent:.0}").chars().map(raised).collect();
+    format!("10{digits}")
+}

@@ -1,0 +1,152 @@
+//! Figures of curves, drawn on any backend of `plotters` and saved as SVG or PNG.
+//!
+//! A [`Figure`] is a grid of panels with axes of their own, a [`Panel`] holds curves. Nothing needs tuning: ranges, marks,
+//! labels and colours follow from the numbers. Colours are those of Okabe and Ito, *Color Universal Design* (2008), which
+//! people with any colour vision tell apart; more than seven curves run from blue to yellow.
+
+use std::fmt::{Display, Formatter};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use plotters::backend::SVGBackend;
+use plotters::style::WHITE;
+use plotters_backend::{DrawingBackend, DrawingErrorKind};
+
+use crate::canvas::Canvas;
+use crate::panel::{FINENESS, Frame, Panel};
+
+/// Panels side by side.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Figure {
+    /// The panels, row by row.
+    pub panels: Vec<Panel>,
+    /// How many panels are side by side.
+    pub columns: usize,
+    /// Width and height of a panel with its labels, as on a screen: 96 to the inch.
+    pub size: (u32, u32),
+}
+
+/// Points to the pixel of PNG files, which are so twice as fine as a screen of 96 dots to the inch.
+const POINTS_A_PIXEL: u32 = 5;
+
+impl Figure {
+    /// Writes the figure to a file: SVG or PNG, by its extension.
+    ///
+    /// # Errors
+    /// If the extension is another one, or what the operating system or the library of plots says.
+    pub fn save(&self, path: &Path) -> Result<(), PlotError> {
+        let written =
+            |result: io::Result<()>| result.map_err(|error| PlotError::Io { path: path.to_owned(), error });
+        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        match extension.to_ascii_lowercase().as_str() {
+            "svg" => written(fs::write(path, self.svg()?)),
+            "png" => {
+                let mut canvas = Canvas::new(self.points(), POINTS_A_PIXEL);
+                self.draw(&mut canvas)?;
+                written(canvas.save(path))
+            }
+            _ => Err(PlotError::Extension(path.to_owned())),
+        }
+    }
+
+    /// The figure as SVG.
+    ///
+    /// # Errors
+    /// What the library of plots says.
+    pub fn svg(&self) -> Result<String, PlotError> {
+        let mut text = String::new();
+        let (width, height) = self.points();
+        let mut backend = SVGBackend::with_string(&mut text, (width, height));
+        self.draw(&mut backend)?;
+        drop(backend);
+        // Points are finer than what a size is given in, and corners of curves must not stick out.
+        let size = |points: u32| std::format!("=\"{points}\"");
+        let wanted = |points: u32| std::format!("=\"{}\"", points / FINENESS);
+        let text = text.replacen(&size(width), &wanted(width), 1).replacen(&size(height), &wanted(height), 1);
+        Ok(text.replacen("<svg ", "<svg stroke-linejoin=\"round\" stroke-linecap=\"round\" ", 1))
+    }
+
+    pub(crate) fn draw<B: DrawingBackend>(&self, backend: &mut B) -> Result<(), PlotError>
+    where
+        B::ErrorType: 'static,
+    {
+        let (width, height) = self.points();
+        let drawn = |result: Result<(), DrawingErrorKind<B::ErrorType>>| {
+            result.map_err(|error| PlotError::Backend(Box::new(error)))
+        };
+        drawn(backend.draw_rect((0, 0), (width as i32, height as i32), &WHITE, true))?;
+        for (index, panel) in self.panels.iter().enumerate() {
+            let (row, column) = (index / self.columns, index % self.columns);
+            let corner = (column as u32 * self.size.0, row as u32 * self.size.1);
+            drawn(panel.draw(backend, &Frame::new(corner, self.size)))?;
+        }
+        drawn(backend.present())
+    }
+
+    /// Its size in points.
+    pub(crate) fn points(&self) -> (u32, u32) {
+        let columns = self.columns.min(self.panels.len()) as u32;
+        let rows = self.panels.len().div_ceil(self.columns) as u32;
+        (FINENESS * columns * self.size.0, FINENESS * rows * self.size.1)
+    }
+}
+
+/// Why a plot could not be made.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum PlotError {
+    /// The trajectory has no column of this name.
+    UnknownColumn {
+        /// The name that was asked for.
+        name: String,
+        /// The names that it has.
+        known: Vec<String>,
+    },
+    /// No column was named.
+    NoColumns,
+    /// Only an observed energy can be plotted.
+    NoEnergy,
+    /// The extension of the file is neither `svg` nor `png`.
+    Extension(PathBuf),
+    /// A file could not be written.
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system says.
+        error: io::Error,
+    },
+    /// The library of plots failed.
+    Backend(Box<dyn std::error::Error + Send + Sync>),
+}
+
+impl Display for PlotError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self {
+            PlotError::UnknownColumn { name, known } => {
+                write!(f, "the trajectory has no column `{name}`; it has `{}`", known.join("`, `"))
+            }
+            PlotError::NoColumns => {
+                f.write_str("there is nothing to plot: name at least one column, such as a coordinate")
+            }
+            PlotError::NoEnergy => {
+                f.write_str("the trajectory has no column `energy`; add `.energy()` to the simulation")
+            }
+            PlotError::Extension(path) => {
+                write!(f, "`{}` ends neither in .svg nor in .png", path.display())
+            }
+            PlotError::Io { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
+            PlotError::Backend(error) => write!(f, "the plot could not be drawn: {error}"),
+        }
+    }
+}
+
+impl std::error::Error for PlotError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            PlotError::Io { error, .. } => Some(error),
+            PlotError::Backend(error) => Some(&**error),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Figures of curves over numbers, and the letters that pictures without fonts are written in.
+//!
+//! Nothing here knows of mechanics: what is plotted comes as names and points. Without the feature `figures` there are letters only, which
+//! pictures of mechanisms use, too.
+#![forbid(unsafe_code)]
+
+#[cfg(feature = "figures")]
+mod axis;
+#[cfg(feature = "figures")]
+mod canvas;
+#[cfg(feature = "figures")]
+mod figure;
+pub mod lettering;
+#[cfg(feature = "figures")]
+mod panel;
+#[cfg(all(test, feature = "figures"))]
+mod tests;
+#[cfg(feature = "figures")]
+mod thin;
+
+#[cfg(feature = "figures")]
+pub use self::axis::Scale;
+#[cfg(feature = "figures")]
+pub use self::figure::{Figure, PlotError};
+#[cfg(feature = "figures")]
+pub use self::panel::{Curve, Panel};

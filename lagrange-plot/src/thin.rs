@@ -1,0 +1,84 @@
+//! As many points of a curve as can be told apart.
+
+use std::collections::BTreeSet;
+
+use crate::lettering::Point;
+
+/// Splits a curve where it is not finite, and leaves out what cannot be seen at this width of a line.
+///
+/// Of the points of a curve over time that lie within one column, the first, the lowest, the highest and the last stay, so
+/// that no extreme is lost. Of any other curve, points stay that lie in another square than the one before, and a segment
+/// that joins the same squares as an earlier one is left out: where it runs along itself, it is drawn once.
+pub(crate) fn thin(points: impl Iterator<Item = Point>, width: f64) -> Vec<Vec<Point>> {
+    let mut pieces = Vec::new();
+    for piece in finite(points) {
+        if piece.is_sorted_by(|a, b| a.0 <= b.0) || piece.is_sorted_by(|a, b| a.0 >= b.0) {
+            pieces.push(by_columns(&piece, width));
+        } else {
+            by_squares(&piece, width, &mut pieces);
+        }
+    }
+    pieces
+}
+
+/// The finite pieces of a curve.
+fn finite(points: impl Iterator<Item = Point>) -> Vec<Vec<Point>> {
+    let mut pieces = Vec::from([Vec::new()]);
+    for point in points {
+        match pieces.last_mut() {
+            Some(piece) if point.0.is_finite() && point.1.is_finite() => piece.push(point),
+            _ => pieces.push(Vec::new()),
+        }
+    }
+    pieces.retain(|piece| !piece.is_empty());
+    pieces
+}
+
+/// Which interval of this width a coordinate is in.
+fn cell(coordinate: f64, width: f64) -> i64 {
+    (coordinate / width).floor() as i64
+}
+
+/// At most four points of each column.
+fn by_columns(piece: &[Point], width: f64) -> Vec<Point> {
+    let mut kept = Vec::new();
+    for column in piece.chunk_by(|a, b| cell(a.0, width) == cell(b.0, width)) {
+        let indices = || 0..column.len();
+        let by_height = |a: &usize, b: &usize| column[*a].1.total_cmp(&column[*b].1);
+        let extremes = [indices().min_by(by_height), indices().max_by(by_height)];
+        let ends = [indices().next(), indices().next_back()];
+        let wanted: BTreeSet<usize> = ends.into_iter().chain(extremes).flatten().collect();
+        kept.extend(wanted.into_iter().map(|index| column[index]));
+    }
+    kept
+}
+
+/// Pieces of which no two segments join the same squares.
+fn by_squares(piece: &[Point], width: f64, pieces: &mut Vec<Vec<Point>>) {
+    let square = |point: &Point| (cell(point.0, width), cell(point.1, width));
+    let mut seen = BTreeSet::new();
+    let mut current: Vec<Point> = Vec::new();
+    let mut last = None;
+    for point in piece {
+        let to = square(point);
+        let Some((from, before)) = last.replace((to, *point)) else { continue };
+        if from == to {
+            // The point before counts, so that squares are left where they were entered.
+            last = Some((from, before));
+        } else if seen.insert((from.min(to), from.max(to))) {
+            if current.is_empty() {
+                current.push(before);
+            }
+            current.push(*point);
+        } else if !current.is_empty() {
+            pieces.push(std::mem::take(&mut current));
+        }
+    }
+    // A curve that never leaves its square is a dot.
+    if current.is_empty() && seen.is_empty() {
+        current.extend(piece.first());
+    }
+    if !current.is_empty() {
+        pieces.push(current);
+    }
+}

@@ -1,0 +1,23 @@
+//! Zeros of functions of time and state, found while a system is integrated.
+//!
+//! A [`Detector`] looks at several functions within each step, on the state that the method itself gives there, and returns their zeros one
+//! by one in the order of time. Switches are zeros at which a system is not smooth.
+
+mod detector;
+mod function;
+mod locate;
+mod piece;
+mod polynomial;
+mod search;
+mod switches;
+
+pub(crate) use self::detector::is_at_once;
+pub use self::detector::{Detector, Occurrence};
+pub(crate) use self::locate::locate;
+pub use self::switches::{
+    SwitchedSystem, Switches, beyond, change_side, choose_sides, free_sides, next_switch_time, side_values,
+};
+pub use crate::system::{Action, DeclaredEvent, Direction, MOST_DECLARED, Response};
+
+#[cfg(test)]
+mod tests;

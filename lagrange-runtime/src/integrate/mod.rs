@@ -1,0 +1,42 @@
+//! Methods that advance a system ẏ = f(t, y) in time.
+//!
+//! One file per family of methods, each citing its source. A [`Method`] holds settings and starts a [`Stepper`], which needs no heap. Steps end
+//! with a [`StepFailure`] instead of passing on NaN or infinity, and states and times are summed with compensation, so that
+//! rounding errors do not grow with the number of steps where the method itself lets them not.
+
+mod canonical;
+#[cfg(test)]
+mod canonical_systems;
+mod clock;
+mod compensated;
+#[cfg(test)]
+mod constrained;
+#[cfg(test)]
+mod constrained_systems;
+mod corrected;
+mod error;
+mod fixed;
+mod gauss_legendre;
+mod interpolation;
+mod method;
+mod newton;
+mod prediction;
+mod rk4;
+mod splitting;
+mod stability;
+mod undefined;
+mod variational;
+mod verner;
+
+pub use self::error::{IntegrationError, Outcome};
+pub use self::fixed::{FixedStepper, Formula};
+pub use self::gauss_legendre::{
+    GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
+};
+pub use self::method::{Method, Stepper, Work};
+pub use self::rk4::{RungeKutta4, rk4_step};
+pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
+pub use self::undefined::{explained, undefined};
+pub use self::variational::Variational;
+pub use self::verner::{Verner98, VernerStepper};
+pub use crate::system::{EventSource, StepFailure};

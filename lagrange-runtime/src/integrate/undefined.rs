@@ -1,0 +1,107 @@
+//! What it is that is not finite, where a method says only that something is.
+//!
+//! Methods check what they go on from and leave the rest to the loops that drive them: they know the system, whose
+//! [`undefined`](OdeSystem::undefined) gives names. What is finite where a run stopped is looked at ahead of there, along the
+//! direction of the motion at distances that double from rounding on: a root of 1 − t is finite up to t = 1, and NaN right behind.
+
+use crate::linalg::pivoted::Matrix;
+use crate::linalg::ranked::RankedFactors;
+use crate::linalg::vector::combined;
+use crate::scalar::Scalar;
+use crate::system::{
+    Component, CoordinateMatrix, MechanicalSystem, OdeSystem, StepFailure, Undefined, split,
+};
+
+/// Steps that became too short for times to be told apart were stopped by what lies within this part of the way.
+const NEAR: f64 = 1e-9;
+
+/// The cause by name, of a run that stopped at this time and state on its way to `end`.
+#[cold]
+pub fn explained<M: OdeSystem + ?Sized>(
+    cause: StepFailure<M::Scalar>,
+    system: &M,
+    (t, y): (M::Scalar, &M::State),
+    end: M::Scalar,
+) -> StepFailure<M::Scalar> {
+    let here = || system.undefined(t, y, &system.rhs(t, y));
+    let found = match cause {
+        StepFailure::NotFinite => {
+            of_times(t, end).or_else(here).or_else(|| ahead(system, (t, y), end, M::Scalar::ONE))
+        }
+        StepFailure::StepUnderflow { .. } => ahead(system, (t, y), end, M::Scalar::from_f64(NEAR)),
+        StepFailure::Violated(violation) if !violation.residual.is_finite() => here(),
+        StepFailure::SingularMassMatrix => here().filter(|what| matches!(what, Undefined::MassMatrix { .. })),
+        _ => None,
+    };
+    found.map_or(cause, StepFailure::Undefined)
+}
+
+fn of_times<S: Scalar>(start: S, end: S) -> Option<Undefined<S>> {
+    match (start.is_finite(), end.is_finite()) {
+        (false, _) => Some(Undefined::StartTime { value: start }),
+        (true, false) => Some(Undefined::EndTime { value: end }),
+        (true, true) => None,
+    }
+}
+
+/// What is not finite first on this part of the way to `end`, along the rates at the start.
+fn ahead<M: OdeSystem + ?Sized>(
+    system: &M,
+    (t, y): (M::Scalar, &M::State),
+    end: M::Scalar,
+    part: M::Scalar,
+) -> Option<Undefined<M::Scalar>> {
+    let (rates, left) = (system.rhs(t, y), (end - t).abs());
+    let mut distance = M::Scalar::epsilon() * t.abs().max(left);
+    let farthest = part * left;
+    while distance > M::Scalar::ZERO && distance <= farthest {
+        let h = if end < t { -distance } else { distance };
+        let (later, there) = (t + h, combined(y, h, &rates));
+        let found = system.undefined(later, &there, &system.rhs(later, &there));
+        // The state is only a guess: where it overflows there is nothing to be seen.
+        if let Some(found) = found {
+            return (!matches!(found, Undefined::State { .. })).then_some(found);
+        }
+        distance = distance + distance;
+    }
+    None
+}
+
+/// The first of the components of the state and of its rates at a time that is not finite, where rates are blamed on parameters and
+/// inputs that are not, or else on a singular mass matrix, if there is one that determines accelerations.
+///
+/// What emitted types answer to [`OdeSystem::undefined`].
+#[cold]
+pub fn undefined<M: MechanicalSystem>(
+    (time, y, rates): (M::Scalar, &M::State, &M::State),
+    parameters: &[(&'static str, M::Scalar)],
+    inputs: &[(&'static str, M::Scalar)],
+    mass_matrix: impl FnOnce(&M::Coordinates, &M::Coordinates) -> Option<CoordinateMatrix<M>>,
+) -> Option<Undefined<M::Scalar>> {
+    let component = |index| Component::of(M::COORDINATES, index);
+    let found = Undefined::of_state(time, y.as_ref(), rates.as_ref(), component)?;
+    if let Undefined::State { .. } = found {
+        return Some(found);
+    }
+    let bad = parameters.iter().find(|(_, value)| !value.is_finite());
+    if let Some(&(name, value)) = bad {
+        return Some(Undefined::Parameter { name, value });
+    }
+    let bad = inputs.iter().find(|(_, value)| !value.is_finite());
+    if let Some(&(name, value)) = bad {
+        return Some(Undefined::Input { name, value, time });
+    }
+    let (q, v) = split::<M>(y);
+    let singular = mass_matrix(&q, &v).and_then(|mass| {
+        let (index, pivot) = lost_pivot::<M>(&mass)?;
+        Some(Undefined::MassMatrix { coordinate: M::COORDINATES.get(index)?, pivot, time })
+    });
+    singular.or(Some(found))
+}
+
+/// The column and the value of the first pivot that is lost in rounding, if the mass matrix is singular.
+fn lost_pivot<M: MechanicalSystem>(mass: &CoordinateMatrix<M>) -> Option<(usize, M::Scalar)> {
+    let rows: &[M::Coordinates] = mass.as_ref();
+    let matrix = Matrix::<M::Scalar, M::Coordinates>::of(|row, column| rows[row].as_ref()[column]);
+    RankedFactors::new(matrix, rows.len())?.lost_pivot()
+}

@@ -1,0 +1,36 @@
+//! What systems that are derived at compile time need at run time: traits, integrators, contacts, runs, and the front door.
+//!
+//! Users depend on `lagrange`, which shows all of this under its own paths. Below it stand plots, which know numbers and names only;
+//! pictures and films of systems stand above.
+//!
+//! | layer | what it holds |
+//! |---|---|
+//! | [`scalar`], `linalg` | numbers; vectors and small solvers |
+//! | [`system`] | traits of systems, and what passes between a system and a run |
+//! | [`body`], [`inertia`], [`scene`] | plane rigid bodies and what there is to draw of them |
+//! | [`constraint`] | residuals, projection, dependent constraints |
+//! | [`integrate`] | methods |
+//! | [`contact`], [`event`] | contacts and friction; zeros within steps |
+//! | [`run`] | the one loop |
+//! | `simulate` (`std`) | the front door |
+#![no_std]
+#![forbid(unsafe_code)]
+
+#[cfg(any(feature = "std", test))]
+extern crate std;
+
+pub mod body;
+pub mod constraint;
+pub mod contact;
+pub mod event;
+pub mod inertia;
+pub mod integrate;
+mod linalg;
+pub mod run;
+pub mod scalar;
+pub mod scene;
+#[cfg(feature = "std")]
+pub mod simulate;
+pub mod system;
+
+pub use crate::scalar::Scalar;

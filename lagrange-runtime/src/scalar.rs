@@ -1,0 +1,304 @@
+//! Numbers that emitted code can compute with.
+//!
+//! [`Scalar`] is the contract between emitted code and a number type. It is no general numeric
+//! abstraction: it holds what the language of `system!` can express and integrators
+//! need, nothing else. `f64` and `f32` implement it, with the functions of the platform under the `std`
+//! feature and those of `libm` without it.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number with elementary functions.
+///
+/// Angles are in radians. Outside the domain of a function the result is NaN. NaN in gives NaN out, save
+/// for `hypot` with an infinite and `powi` with a zero argument, as stated there; emitted code relies on
+/// this to never hide a failed computation. Zeros keep their sign where IEEE 754 says so.
+pub trait Scalar:
+    Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// Not a number.
+    const NAN: Self;
+
+    /// The nearest number; infinite if the magnitude is out of range.
+    fn from_f64(value: f64) -> Self;
+
+    /// Whether this is neither NaN nor infinite.
+    fn is_finite(self) -> bool;
+
+    /// The distance from one to the next number, as [`f64::EPSILON`].
+    #[inline]
+    fn epsilon() -> Self {
+        // A third has no finite binary expansion; rounding it leaves this much.
+        let three = Self::from_f64(3.0);
+        let rounded = three * (Self::from_f64(4.0) / three - Self::ONE) - Self::ONE;
+        if rounded < Self::ZERO { -rounded } else { rounded }
+    }
+
+    /// Sine and cosine; NaN at infinity.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Sine and cosine of each angle, for declarations with `#[accuracy(fast)]`; NaN at infinity.
+    ///
+    /// For `f64` and `f32` this is [`lagrange_math`]'s: computed several at a time where the target can, the
+    /// error below 0.9 units in the last place for `f64` up to 10⁵ rad, and 0.5000001 for `f32`. For other
+    /// numbers it is [`sin_cos`](Scalar::sin_cos) unless their implementation knows better; what comes of an
+    /// angle must not depend on the others.
+    ///
+    /// ```
+    /// use lagrange::Scalar;
+    ///
+    /// let [(sin_a, cos_a), (sin_b, cos_b)] = f64::sin_cos_each([0.3, 0.5]);
+    /// assert!((sin_a * cos_b + cos_a * sin_b - 0.8_f64.sin()).abs() < 1e-15);
+    /// ```
+    #[inline(always)]
+    fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        angles.map(Self::sin_cos)
+    }
+
+    /// Sine; NaN at infinity.
+    fn sin(self) -> Self;
+
+    /// Cosine; NaN at infinity.
+    fn cos(self) -> Self;
+
+    /// Tangent; NaN at infinity. Finite elsewhere, since no binary number is an odd multiple of π/2.
+    fn tan(self) -> Self;
+
+    /// The angle in [−π/2, π/2] with this sine; NaN outside [−1, 1].
+    fn asin(self) -> Self;
+
+    /// The angle in [0, π] with this cosine; NaN outside [−1, 1].
+    fn acos(self) -> Self;
+
+    /// The angle in [−π/2, π/2] with this tangent; ±π/2 at ±∞.
+    fn atan(self) -> Self;
+
+    /// The angle in [−π, π] of the point with ordinate `self` and the given abscissa.
+    ///
+    /// As in IEEE 754, the sign of a zero picks the side of the cut: (±0, −1) gives ±π and (±0, 1) gives
+    /// ±0, and the origin counts as a point of the axis its zeros lie on.
+    fn atan2(self, abscissa: Self) -> Self;
+
+    /// Hyperbolic sine.
+    fn sinh(self) -> Self;
+
+    /// Hyperbolic cosine.
+    fn cosh(self) -> Self;
+
+    /// Hyperbolic tangent; ±1 at ±∞.
+    fn tanh(self) -> Self;
+
+    /// e to this power.
+    fn exp(self) -> Self;
+
+    /// Natural logarithm; −∞ at ±0, NaN below.
+    fn ln(self) -> Self;
+
+    /// Square root, correctly rounded; −0 at −0, NaN below.
+    fn sqrt(self) -> Self;
+
+    /// Magnitude.
+    fn abs(self) -> Self;
+
+    /// √(self² + other²) without intermediate overflow or underflow; +∞ if either is infinite.
+    fn hypot(self, other: Self) -> Self;
+
+    /// `self` to a real power: NaN for a negative base with an exponent that is no integer, and for NaN in
+    /// either place; else as IEEE 754 `pow`.
+    ///
+    /// Unlike [`f64::powf`], which hides NaN in 1^NaN and NaN^0.
+    fn powf(self, exponent: Self) -> Self;
+
+    /// −1, 0 or +1; zeros keep their sign, NaN stays NaN.
+    #[inline]
+    fn sign(self) -> Self {
+        if self > Self::ZERO {
+            Self::ONE
+        } else if self < Self::ZERO {
+            -Self::ONE
+        } else {
+            self
+        }
+    }
+
+    /// The smaller of two numbers, `self` if they are equal; NaN if either is, unlike [`f64::min`].
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if self <= other {
+            self
+        } else if other < self {
+            other
+        } else {
+            Self::NAN
+        }
+    }
+
+    /// The larger of two numbers, `self` if they are equal; NaN if either is, unlike [`f64::max`].
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        if self >= other {
+            self
+        } else if other > self {
+            other
+        } else {
+            Self::NAN
+        }
+    }
+
+    /// `self` to an integer power, by repeated squaring; the empty product, one, for exponent zero.
+    ///
+    /// A negative power is the reciprocal of the positive one. Rounding errors grow in proportion to the
+    /// exponent. The result depends on no library and is the same on every platform.
+    #[inline]
+    fn powi(self, exponent: i32) -> Self {
+        let mut product = Self::ONE;
+        let mut square = self;
+        let mut remaining = exponent.unsigned_abs();
+        while remaining > 0 {
+            if remaining % 2 == 1 {
+                product = product * square;
+            }
+            remaining /= 2;
+            if remaining > 0 {
+                square = square * square;
+            }
+        }
+        if exponent < 0 { Self::ONE / product } else { product }
+    }
+
+    /// `self * factor + addend`; for `f64` and `f32` with one rounding exactly when the target feature
+    /// `fma` is enabled at compile time.
+    ///
+    /// On a target without the instruction a fused product is a library call, many times slower than the
+    /// product and the sum it stands for; there the result is rounded twice.
+    #[inline]
+    fn multiply_add(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
+    }
+}
+
+/// Calls the method of the standard library or, without it, the function of `libm`.
+macro_rules! platform {
+    ($scalar:ident :: $method:ident | $libm:ident ($($argument:expr),*)) => {{
+        #[cfg(feature = "std")]
+        let value = $scalar::$method($($argument),*);
+        #[cfg(not(feature = "std"))]
+        let value = libm::$libm($($argument),*);
+        value
+    }};
+}
+
+/// Implements `Scalar`; each row is a method with its further arguments and its name in `libm`.
+macro_rules! implement_scalar {
+    (
+        $scalar:ident, sin_cos: $sin_cos:ident, sin_cos_each: $sin_cos_each:ident, powf: $powf:ident, mul_add: $mul_add:ident;
+        $($method:ident($($argument:ident)?): $libm:ident;)*
+    ) => {
+        impl Scalar for $scalar {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const NAN: Self = $scalar::NAN;
+
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                value as $scalar
+            }
+
+            #[inline]
+            fn is_finite(self) -> bool {
+                $scalar::is_finite(self)
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                $scalar::abs(self)
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                platform!($scalar::sin_cos | $sin_cos(self))
+            }
+
+            #[inline(always)]
+            fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+                lagrange_math::$sin_cos_each(angles)
+            }
+
+            #[inline]
+            fn powf(self, exponent: Self) -> Self {
+                if self.is_nan() || exponent.is_nan() {
+                    return $scalar::NAN;
+                }
+                platform!($scalar::powf | $powf(self, exponent))
+            }
+
+            #[inline]
+            fn multiply_add(self, factor: Self, addend: Self) -> Self {
+                if cfg!(target_feature = "fma") {
+                    platform!($scalar::mul_add | $mul_add(self, factor, addend))
+                } else {
+                    self * factor + addend
+                }
+            }
+
+            $(
+                #[inline]
+                fn $method(self $(, $argument: Self)?) -> Self {
+                    platform!($scalar::$method | $libm(self $(, $argument)?))
+                }
+            )*
+        }
+    };
+}
+
+implement_scalar! {
+    f64, sin_cos: sincos, sin_cos_each: sin_cos_each, powf: pow, mul_add: fma;
+    sin(): sin;
+    cos(): cos;
+    tan(): tan;
+    asin(): asin;
+    acos(): acos;
+    atan(): atan;
+    atan2(abscissa): atan2;
+    sinh(): sinh;
+    cosh(): cosh;
+    tanh(): tanh;
+    exp(): exp;
+    ln(): log;
+    sqrt(): sqrt;
+    hypot(other): hypot;
+}
+
+implement_scalar! {
+    f32, sin_cos: sincosf, sin_cos_each: sin_cos_each_f32, powf: powf, mul_add: fmaf;
+    sin(): sinf;
+    cos(): cosf;
+    tan(): tanf;
+    asin(): asinf;
+    acos(): acosf;
+    atan(): atanf;
+    atan2(abscissa): atan2f;
+    sinh(): sinhf;
+    cosh(): coshf;
+    tanh(): tanhf;
+    exp(): expf;
+    ln(): logf;
+    sqrt(): sqrtf;
+    hypot(other): hypotf;
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,111 @@
+//! The front door: from a system and a start to a trajectory with named columns.
+//!
+//! ```
+//! use lagrange::Simulate;
+//!
+//! lagrange::system! {
+//!     /// A point mass on a massless rod.
+//!     pub struct Pendulum;
+//!     param m = 1.0, l = 1.0, g = 9.81;
+//!     coord theta;
+//!     kinetic = 1/2 * m * (l * dot(theta))^2;
+//!     potential = -m * g * l * cos(theta);
+//! }
+//!
+//! let trajectory = Pendulum::default().simulate([0.5, 0.0]).until(10.0).tolerance(1e-10).energy().run()?;
+//! println!("{:?} after {} steps", trajectory.last(), trajectory.work().steps);
+//! trajectory.write_csv(std::io::stdout())?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A run is asked for in words: [`simulate`](Simulate::simulate) a start, [`until`](Start::until) an end, and then as
+//! much of [`Simulation`] as is wanted. What comes back is a [`Trajectory`], or a [`SimulationError`] that holds the
+//! trajectory up to the last good state.
+//!
+//! | to | say |
+//! |---|---|
+//! | ask for accuracy | [`tolerance`](Simulation::tolerance), or another [`method`](Simulation::method) |
+//! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
+//! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`outputs`](Simulation::outputs), [`observe`](Simulation::observe) anything |
+//! | set inputs | [`drive`](Simulation::drive) by a law, or by a controller that is [`sampled`](Simulation::sampled) |
+//! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |
+//! | name times at which forces jump | [`restart_at`](Simulation::restart_at) |
+//! | set limits, see progress | [`max_steps`](Simulation::max_steps), [`progress`](Simulation::progress), which can also cancel |
+//! | read | columns by name, [`state`](Trajectory::state), [`iter`](Trajectory::iter), [`at`](Trajectory::at), [`events`](Trajectory::events), [`work`](Trajectory::work) |
+//! | save | [`save_csv`](Trajectory::save_csv); `save_parquet` with the feature `parquet` |
+//! | plot | `plot_states`, `plot_energy`, `plot_phase`, `plot_pair`, `plot_columns` with the feature `plot` |
+//!
+//! # Methods
+//!
+//! [`integrate`](crate::integrate) lists them, with what each is for; the default is [`Verner98`]. Code for microcontrollers
+//! and inner loops goes without heap through [`integrate()`](crate::run::integrate).
+
+mod builder;
+mod control;
+mod csv;
+mod dense;
+mod error;
+mod events;
+mod observer;
+#[cfg(feature = "parquet")]
+mod parquet;
+#[cfg(feature = "plot")]
+mod plots;
+mod ports;
+mod progress;
+mod record;
+mod run;
+mod sampling;
+mod start;
+mod table;
+mod trajectory;
+mod unended;
+#[cfg(not(all(feature = "plot", feature = "parquet")))]
+mod without_features;
+
+#[cfg(doc)]
+use crate::integrate::Verner98;
+use crate::scalar::Scalar;
+use crate::system::MechanicalSystem;
+
+pub use self::builder::{Simulation, Start};
+pub use self::control::{ClosedLoop, Drive, Driven, Law, Undriven};
+pub use self::error::SimulationError;
+pub use self::events::Event;
+pub use self::progress::{Progress, Verdict};
+pub use self::start::InitialState;
+pub use self::table::Table;
+pub use self::trajectory::{Ending, NotKept, Trajectory};
+#[cfg(feature = "plot")]
+pub use lagrange_plot::PlotError;
+
+/// Lets every mechanical system be simulated.
+pub trait Simulate: MechanicalSystem + Sized {
+    /// Starts from a state at time 0: an array `[q…, v…]`, or the emitted type with named fields.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// # lagrange::system! {
+    /// #     pub struct Pendulum;
+    /// #     param m = 1.0, l = 1.0, g = 9.81;
+    /// #     coord theta;
+    /// #     kinetic = 1/2 * m * (l * dot(theta))^2;
+    /// #     potential = -m * g * l * cos(theta);
+    /// # }
+    /// use lagrange::Simulate;
+    ///
+    /// let start = PendulumState { theta: 0.5, theta_dot: 0.0 };
+    /// let trajectory = Pendulum::default().simulate(start).until(2.0).every(0.1).run()?;
+    /// assert_eq!(trajectory.len(), 21);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    fn simulate(&self, start: impl InitialState<Self::State>) -> Start<'_, Self> {
+        Start::new(self, Self::Scalar::ZERO, start.into_state())
+    }
+}
+
+impl<M: MechanicalSystem> Simulate for M {}
+
+#[cfg(test)]
+mod tests;

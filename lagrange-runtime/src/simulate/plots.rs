@@ -1,0 +1,163 @@
+//! Pictures of trajectories.
+
+use std::path::Path;
+use std::string::{String, ToString};
+use std::vec;
+use std::vec::Vec;
+
+use crate::simulate::builder::ENERGY;
+use crate::simulate::trajectory::Trajectory;
+use crate::system::MechanicalSystem;
+use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
+
+/// What the axis of time is called; SI units, as everywhere.
+const TIME: &str = "time t in s";
+/// Up to this many coordinates have a panel each.
+const SEPARATE: usize = 4;
+/// Sizes of figures and panels.
+const WIDE: (u32, u32) = (860, 420);
+const SMALL: (u32, u32) = (480, 230);
+const SQUARE: (u32, u32) = (560, 520);
+/// Energies that change by more than this part of their initial value are not set in relation to it.
+const LARGE_DRIFT: f64 = 0.1;
+/// A drift that grows by more than this factor after the first tenth of the run is shown on a logarithmic axis.
+const GROWTH: f64 = 1e3;
+
+impl<M: MechanicalSystem> Trajectory<M>
+where
+    M::Scalar: Into<f64>,
+{
+    /// Plots coordinates and velocities against time: a panel for each up to four coordinates, else one for all
+    /// coordinates and one for all velocities.
+    ///
+    /// The extension of the file says what it is, here and in all plots: `svg` for drawings and `png` for pixels.
+    ///
+    /// # Errors
+    /// If the extension is another, or what the operating system says.
+    pub fn plot_states(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
+        let count = M::COORDINATES.len();
+        let names = &self.names()[..2 * count];
+        let (coordinates, velocities) = names.split_at(count);
+        if count > SEPARATE {
+            let panels =
+                vec![self.over_time("coordinates", coordinates)?, self.over_time("velocities", velocities)?];
+            return Figure { panels, columns: 1, size: WIDE }.save(path.as_ref());
+        }
+        let pairs = coordinates.iter().zip(velocities).flat_map(|(q, v)| [q, v]);
+        let panels = pairs.map(|name| self.over_time(name, std::slice::from_ref(name)));
+        let (columns, size) = if count == 1 { (1, WIDE) } else { (2, SMALL) };
+        Figure { panels: panels.collect::<Result<_, _>>()?, columns, size }.save(path.as_ref())
+    }
+
+    /// Plots columns against time, all in one panel.
+    ///
+    /// # Errors
+    /// If no column is named, there is no such column, or the file cannot be written.
+    pub fn plot_columns(&self, names: &[&str], path: impl AsRef<Path>) -> Result<(), PlotError> {
+        some(names)?;
+        let names: Vec<String> = names.iter().map(ToString::to_string).collect();
+        let title = if names.len() == 1 { names[0].clone() } else { String::new() };
+        Figure { panels: vec![self.over_time(&title, &names)?], columns: 1, size: WIDE }.save(path.as_ref())
+    }
+
+    /// Plots the velocity of a coordinate against the coordinate.
+    ///
+    /// # Errors
+    /// If there is no such coordinate, or the file cannot be written.
+    pub fn plot_phase(&self, coordinate: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
+        self.plot_pair(coordinate, &std::format!("{coordinate}_dot"), path)
+    }
+
+    /// Plots one column against another, as for the path of a point.
+    ///
+    /// # Errors
+    /// If there is no such column, or the file cannot be written.
+    pub fn plot_pair(&self, x: &str, y: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
+        let points = self.numbers(x)?.into_iter().zip(self.numbers(y)?).collect();
+        let panel = Panel { has_room: true, ..panel(x, y, vec![Curve { name: y.to_string(), points }]) };
+        Figure { panels: vec![panel], columns: 1, size: SQUARE }.save(path.as_ref())
+    }
+
+    /// Plots columns against another one, all in one panel.
+    ///
+    /// # Errors
+    /// If no column is named, there is no such column, or the file cannot be written.
+    pub fn plot_against(&self, x: &str, names: &[&str], path: impl AsRef<Path>) -> Result<(), PlotError> {
+        some(names)?;
+        let abscissae = self.numbers(x)?;
+        let curve = |name: &&str| {
+            let points = abscissae.iter().copied().zip(self.numbers(name)?).collect();
+            Ok(Curve { name: (*name).to_string(), points })
+        };
+        let curves = names.iter().map(curve).collect::<Result<_, PlotError>>()?;
+        let title = if let [name] = names { name } else { "" };
+        Figure { panels: vec![panel(x, title, curves)], columns: 1, size: WIDE }.save(path.as_ref())
+    }
+
+    /// Plots how far the energy is from its initial value E₀, relative to that unless it is too small for it: against
+    /// time, and on a logarithmic axis if the distance grows by orders of magnitude.
+    ///
+    /// # Errors
+    /// If the run was not asked to observe its [`energy`](crate::simulate::Simulation::energy), or the file cannot be
+    /// written.
+    pub fn plot_energy(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
+        let energies = self.numbers(ENERGY).map_err(|_| PlotError::NoEnergy)?;
+        let (drift, [signed, absolute]) = drift(&energies);
+        let is_growing = grows(&drift);
+        let (name, y_scale) =
+            if is_growing { (absolute, Scale::Logarithmic) } else { (signed, Scale::Linear) };
+        let shown = drift.iter().map(|drift| if is_growing { drift.abs() } else { *drift });
+        let points = self.seconds().zip(shown).collect();
+        let panel = Panel { y_scale, ..panel(TIME, name, vec![Curve { name: name.to_string(), points }]) };
+        Figure { panels: vec![panel], columns: 1, size: WIDE }.save(path.as_ref())
+    }
+
+    /// Columns against time.
+    fn over_time(&self, title: &str, names: &[String]) -> Result<Panel, PlotError> {
+        let curve = |name: &String| {
+            let points = self.seconds().zip(self.numbers(name)?).collect();
+            Ok(Curve { name: name.clone(), points })
+        };
+        Ok(panel(TIME, title, names.iter().map(curve).collect::<Result<_, PlotError>>()?))
+    }
+
+    fn seconds(&self) -> impl Iterator<Item = f64> + '_ {
+        self.times().iter().map(|time| (*time).into())
+    }
+
+    fn numbers(&self, name: &str) -> Result<Vec<f64>, PlotError> {
+        let column = self.column(name).ok_or_else(|| PlotError::UnknownColumn {
+            name: name.to_string(),
+            known: self.names().to_vec(),
+        })?;
+        Ok(column.iter().map(|value| (*value).into()).collect())
+    }
+}
+
+/// That columns are named at all.
+fn some(names: &[&str]) -> Result<(), PlotError> {
+    if names.is_empty() { Err(PlotError::NoColumns) } else { Ok(()) }
+}
+
+fn panel(x: &str, y: &str, curves: Vec<Curve>) -> Panel {
+    let (x_scale, y_scale) = (Scale::Linear, Scale::Linear);
+    Panel { x: x.to_string(), y: y.to_string(), x_scale, y_scale, has_room: false, curves }
+}
+
+/// How far energies are from the first, and what that is called, with and without its sign.
+fn drift(energies: &[f64]) -> (Vec<f64>, [&'static str; 2]) {
+    let start = energies.first().copied().unwrap_or(0.0);
+    let drift: Vec<f64> = energies.iter().map(|energy| energy - start).collect();
+    let largest = drift.iter().copied().map(f64::abs).fold(0.0, f64::max);
+    if start != 0.0 && largest < LARGE_DRIFT * start.abs() {
+        return (drift.iter().map(|drift| drift / start.abs()).collect(), ["(E − E0)/|E0|", "|E − E0|/|E0|"]);
+    }
+    (drift, ["E − E0", "|E − E0|"])
+}
+
+/// Whether a drift grows by orders of magnitude.
+fn grows(drift: &[f64]) -> bool {
+    let largest = |drift: &[f64]| drift.iter().copied().map(f64::abs).fold(0.0, f64::max);
+    let early = largest(&drift[..drift.len().div_ceil(10).max(2).min(drift.len())]);
+    early > 0.0 && largest(drift) > GROWTH * early
+}

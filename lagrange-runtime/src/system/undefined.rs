@@ -1,0 +1,144 @@
+//! Numbers that are NaN or infinite, by their names.
+
+use core::fmt::{Debug, Display, Formatter, Result};
+
+use crate::scalar::Scalar;
+
+/// A number that is not finite, or that makes what follows from it so.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum Undefined<S> {
+    /// The time at which a run starts.
+    StartTime {
+        /// What it is.
+        value: S,
+    },
+    /// The time at which a run ends.
+    EndTime {
+        /// What it is.
+        value: S,
+    },
+    /// An input of the system, as it was set or as a control gave it.
+    Input {
+        /// Its name.
+        name: &'static str,
+        /// What it is.
+        value: S,
+        /// At which time.
+        time: S,
+    },
+    /// A parameter of the system.
+    Parameter {
+        /// Its name.
+        name: &'static str,
+        /// What it is.
+        value: S,
+    },
+    /// A component of the state: of the initial one, or of one that an event put in the place of another.
+    State {
+        /// Which it is.
+        component: Component,
+        /// What it is.
+        value: S,
+    },
+    /// The rate of a component of the state, where the state itself is finite.
+    Rate {
+        /// Whose rate it is.
+        component: Component,
+        /// What it is.
+        value: S,
+        /// At which time.
+        time: S,
+    },
+    /// The mass matrix, which is singular, so that accelerations do not follow from forces.
+    MassMatrix {
+        /// The coordinate of the first pivot that is lost in rounding if velocities are eliminated with the largest pivots first.
+        coordinate: &'static str,
+        /// That pivot.
+        pivot: S,
+        /// At which time.
+        time: S,
+    },
+}
+
+/// A component of a state.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Component {
+    /// The coordinate of this name.
+    Coordinate(&'static str),
+    /// The velocity of the coordinate of this name.
+    Velocity(&'static str),
+    /// The component at this index of a state without names.
+    Index(usize),
+}
+
+impl Component {
+    /// The component at this index of a state that begins with coordinates of these names and their velocities.
+    #[must_use]
+    pub fn of(coordinates: &[&'static str], index: usize) -> Self {
+        let velocity = index.checked_sub(coordinates.len()).and_then(|index| coordinates.get(index));
+        match (coordinates.get(index), velocity) {
+            (Some(name), _) => Component::Coordinate(name),
+            (None, Some(name)) => Component::Velocity(name),
+            (None, None) => Component::Index(index),
+        }
+    }
+}
+
+impl<S: Scalar> Undefined<S> {
+    /// The first component of a state that is not finite, or else of its rates at this time.
+    pub fn of_state(time: S, y: &[S], rates: &[S], component: impl Fn(usize) -> Component) -> Option<Self> {
+        let not_finite = |values: &[S]| values.iter().position(|value| !value.is_finite());
+        let state = not_finite(y).map(|k| Undefined::State { component: component(k), value: y[k] });
+        let rate = |k: usize| Undefined::Rate { component: component(k), value: rates[k], time };
+        state.or_else(|| not_finite(rates).map(rate))
+    }
+
+    /// The same of a state that begins with coordinates of these names and their velocities.
+    #[must_use]
+    pub fn with_names(mut self, coordinates: &[&'static str]) -> Self {
+        if let Undefined::State { component, .. } | Undefined::Rate { component, .. } = &mut self
+            && let Component::Index(index) = *component
+        {
+            *component = Component::of(coordinates, index);
+        }
+        self
+    }
+}
+
+impl Display for Component {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            Component::Coordinate(name) => write!(f, "`{name}`"),
+            Component::Velocity(name) => write!(f, "`{name}_dot`"),
+            Component::Index(index) => write!(f, "the component at index {index}"),
+        }
+    }
+}
+
+impl<S: Debug> Display for Undefined<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            Undefined::StartTime { value } => write!(f, "the time of the start is {value:?}"),
+            Undefined::EndTime { value } => write!(f, "the time of the end is {value:?}"),
+            Undefined::Input { name, value, time } => {
+                write!(f, "the input `{name}` is {value:?} at time {time:?}")
+            }
+            Undefined::Parameter { name, value } => write!(f, "the parameter `{name}` is {value:?}"),
+            Undefined::State { component, value } => write!(f, "{component} of the state is {value:?}"),
+            Undefined::Rate { component, value, time } => {
+                match component {
+                    Component::Coordinate(name) => write!(f, "the rate `{name}_dot`")?,
+                    Component::Velocity(name) => write!(f, "the acceleration `{name}_ddot`")?,
+                    Component::Index(_) => write!(f, "the rate of {component}")?,
+                }
+                write!(f, " comes to {value:?} at time {time:?}, although the state is finite")
+            }
+            Undefined::MassMatrix { coordinate, pivot, time } => write!(
+                f,
+                "the mass matrix is singular at time {time:?}: its pivot for `{coordinate}` is {pivot:?}, so that the acceleration \
+                 `{coordinate}_ddot` does not follow from the forces"
+            ),
+        }
+    }
+}
