@@ -26,7 +26,7 @@ pub(super) struct Remainder {
 /// How it is called.
 pub(super) const REMAINDER: &str = "R";
 /// Positions are known to so many roundings.
-const ROUNDINGS: f64 = 64.0;
+const POSITION_ROUNDINGS: f64 = 64.0;
 
 impl Remainder {
     /// Of a body that moves so under these loads, in numbers whose relative distance is `epsilon`.
@@ -59,7 +59,7 @@ impl Remainder {
         let half = epsilon.sqrt();
         let gyration = (motion.inertia / motion.mass).abs().sqrt();
         let gyration = if gyration.is_finite() { gyration } else { 0.0 };
-        let least = half * (moments + gyration * forces) + ROUNDINGS * epsilon * shifts;
+        let least = half * (moments + gyration * forces) + POSITION_ROUNDINGS * epsilon * shifts;
         // What is not a number is passed on and refused.
         let is_rounding = length(force) <= half * forces;
         Remainder {

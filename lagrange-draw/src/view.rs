@@ -28,7 +28,7 @@ const ROUNDS: usize = 60;
 /// If all that is shown is in one place, this part of the smaller side stands for a unit of length.
 const UNIT: f64 = 0.25;
 /// A window is wider than this many distances of neighbouring numbers, so that what is in it has a place.
-const ROUNDINGS: f64 = 4096.0;
+const NEIGHBOURS: f64 = 4096.0;
 /// Smaller extents have no reciprocal.
 const TINY: f64 = 1e-300;
 
@@ -41,7 +41,7 @@ impl View {
         let farthest = spans.as_flattened().iter().map(|x| x.abs()).fold(0.0, f64::max);
         let [smaller, larger] = [size[0].min(size[1]), size[0].max(size[1])];
         let widest = if extent > 0.0 { larger / extent.max(TINY) } else { UNIT * smaller };
-        let most = widest.min(larger / (ROUNDINGS * f64::EPSILON * farthest).max(TINY));
+        let most = widest.min(larger / (NEIGHBOURS * f64::EPSILON * farthest).max(TINY));
         let base = spans.map(|[low, high]| low + 0.5 * (high - low));
         let from_base = |reach: &Reach| Reach { at: subtract(reach.at, base), ..*reach };
         let reaches: Vec<Reach> = reaches.iter().map(from_base).collect();

@@ -32,5 +32,6 @@ pub mod scene;
 #[cfg(feature = "std")]
 pub mod simulate;
 pub mod system;
+mod tolerance;
 
 pub use crate::scalar::Scalar;

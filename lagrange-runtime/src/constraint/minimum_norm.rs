@@ -10,9 +10,8 @@
 
 use crate::linalg::orthogonal::{Factors, euclidean_norm};
 use crate::scalar::Scalar;
+use crate::tolerance::DEPENDENT_COLUMN;
 
-/// Of a symmetric matrix, so many roundings for each row are taken for zero beside its largest column once it is scaled.
-const ROUNDINGS: f64 = 32.0;
 /// Rounds of scaling; each takes the root of how far magnitudes lie apart.
 const SCALINGS: u32 = 6;
 
@@ -287,7 +286,7 @@ fn reciprocal<S: Scalar>(x: S) -> S {
 
 /// What is rounding in a matrix of K rows that is scaled.
 pub(super) fn roundings<S: Scalar, const K: usize>() -> S {
-    S::from_f64(ROUNDINGS * K as f64) * S::epsilon()
+    DEPENDENT_COLUMN.times(K).part::<S>()
 }
 
 pub(super) fn finite<S: Scalar, const K: usize>(rows: &[[S; K]]) -> bool {

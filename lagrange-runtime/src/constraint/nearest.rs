@@ -12,6 +12,7 @@ use super::residuals::largest;
 use crate::linalg::vector::{add, difference};
 use crate::scalar::Scalar;
 use crate::system::{MechanicalSystem, OdeSystem, StateVector};
+use crate::tolerance::PULL;
 
 type Number<M> = <M as OdeSystem>::Scalar;
 type Vector<M> = <M as MechanicalSystem>::Coordinates;
@@ -20,8 +21,6 @@ type Vector<M> = <M as MechanicalSystem>::Coordinates;
 const MOST: u32 = 100;
 /// More lengths of one step are not tried.
 const MOST_LENGTHS: u32 = 20;
-/// A pull of so many roundings of the positions is none.
-const ROUNDINGS: f64 = 8.0;
 /// A step ends where no more than this part of the slope at its beginning is left.
 const LEFT: f64 = 0.1;
 /// A length beyond all that were tried is at most so many times the last one.
@@ -62,8 +61,7 @@ impl<M: ConstrainedSystem + ?Sized> Search<'_, M> {
         let mut length = Number::<M>::ONE;
         for _ in 0..MOST {
             let size = largest(point.q.as_ref()).max(largest(self.from.as_ref()));
-            let is_pulled =
-                largest(point.pull.as_ref()) > Number::<M>::from_f64(ROUNDINGS) * epsilon::<M>() * size;
+            let is_pulled = largest(point.pull.as_ref()) > PULL.part::<Number<M>>() * size;
             let slope = self.product(&point.q, &point.pull, &direction);
             // Neither may be something that is not a number.
             if !(is_pulled && slope > Number::<M>::ZERO) {
@@ -123,7 +121,7 @@ impl<M: ConstrainedSystem + ?Sized> Search<'_, M> {
             let way = difference(self.from, q);
             self.product(start, &way, &way)
         });
-        let rounding = Number::<M>::from_f64(ROUNDINGS) * epsilon::<M>();
+        let rounding = PULL.part::<Number<M>>();
         // What is not a number is nowhere.
         let is_near = after <= before + rounding * before;
         !is_near
@@ -170,8 +168,4 @@ fn between<S: Scalar>((short, falls): (S, S), long: Option<(S, S)>) -> S {
     let part = falls / (falls - rises);
     let part = part.max(S::from_f64(MARGIN)).min(S::from_f64(1.0 - MARGIN));
     (long - short).multiply_add(part, short)
-}
-
-fn epsilon<M: OdeSystem + ?Sized>() -> M::Scalar {
-    M::Scalar::epsilon()
 }

@@ -3,11 +3,10 @@
 use super::ConstrainedSystem;
 use crate::scalar::Scalar;
 use crate::system::{StateVector, Violated, Violation};
+use crate::tolerance::RESIDUAL;
 
 /// The largest coordinate counts as no smaller than this.
 const SMALLEST: f64 = 1e-6;
-/// So many roundings of the largest scale are no violation: where a gradient vanishes, its scale is rounding itself.
-const ROUNDINGS: f64 = 16.0;
 
 /// The constraint that is violated most in proportion to its scale.
 pub(super) struct Worst<S> {
@@ -101,8 +100,7 @@ impl<S: Scalar> Worst<S> {
             },
             part: S::ZERO,
         };
-        let rounding =
-            S::from_f64(ROUNDINGS) * S::epsilon() * scales.iter().fold(S::ZERO, |most, s| most.max(*s));
+        let rounding = RESIDUAL.part::<S>() * scales.iter().fold(S::ZERO, |most, s| most.max(*s));
         for ((&constraint, &residual), &scale) in names.iter().zip(residuals).zip(scales) {
             let part = if residual.abs() <= rounding { S::ZERO } else { proportion(residual, scale) };
             if part > worst.part {

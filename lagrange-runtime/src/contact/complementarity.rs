@@ -15,6 +15,7 @@
 
 use super::reaction_forces::{Balance, Rule};
 use crate::scalar::Scalar;
+use crate::tolerance::{BALANCED, BALANCED_BY_SEARCH, HELD_TOGETHER, Roundings};
 
 /// What a reaction may do.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,12 +37,6 @@ pub(super) struct Settled<S, const K: usize> {
 
 /// Combinations are not tried if there are more.
 const MOST_COMBINATIONS: u64 = 1_296;
-/// Rounding errors of a sum are this many times those of its largest terms.
-const ROUNDINGS: f64 = 16.0;
-/// Impulses that the motion does not determine hold rates together but for so many.
-const HELD: f64 = 1_048_576.0;
-/// What Lemke's method finds fits but for so many.
-const NEARLY: f64 = 65_536.0;
 
 impl Choice {
     fn rules(self) -> &'static [Rule] {
@@ -82,7 +77,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// What Lemke's method finds, made exact.
     fn complement(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
         let found = self.complementary(choices)?;
-        let is_near = || self.contradiction(choices, &found, NEARLY).is_none();
+        let is_near = || self.contradiction(choices, &found, BALANCED_BY_SEARCH).is_none();
         self.pivot(choices, found.rules).or_else(|| is_near().then_some(found))
     }
 
@@ -90,7 +85,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     fn pivot(&self, choices: &[Choice; K], mut rules: [Rule; K]) -> Option<Settled<S, K>> {
         for _ in 0..=8 + 4 * K {
             let settled = self.under(rules)?;
-            let Some((k, rule)) = self.contradiction(choices, &settled, ROUNDINGS) else {
+            let Some((k, rule)) = self.contradiction(choices, &settled, BALANCED) else {
                 return Some(settled);
             };
             rules[k] = rule;
@@ -100,7 +95,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
 
     /// Reactions under these rules if they fit together, but for a little more than rounding.
     pub(super) fn confirmed(&self, choices: &[Choice; K], rules: [Rule; K]) -> Option<Settled<S, K>> {
-        self.under(rules).filter(|settled| self.contradiction(choices, settled, NEARLY).is_none())
+        self.under(rules).filter(|settled| self.contradiction(choices, settled, BALANCED_BY_SEARCH).is_none())
     }
 
     fn try_all(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
@@ -116,7 +111,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
                 number /= count(&choice);
                 rule
             });
-            self.under(rules).filter(|settled| self.contradiction(choices, settled, ROUNDINGS).is_none())
+            self.under(rules).filter(|settled| self.contradiction(choices, settled, BALANCED).is_none())
         })
     }
 
@@ -124,7 +119,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         let reactions = self.reactions(&rules);
         let is_finite = reactions.iter().all(|reaction| reaction.is_finite());
         let is_held = |k: usize| {
-            let rounding = S::from_f64(HELD) * S::epsilon() * self.size(k, &reactions);
+            let rounding = HELD_TOGETHER.part::<S>() * self.size(k, &reactions);
             rules[k] != Rule::Holds || self.rate(k, &reactions).abs() <= rounding
         };
         let fits = is_finite && (!self.is_of_impulses() || (0..K).all(is_held));
@@ -136,7 +131,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         &self,
         choices: &[Choice; K],
         settled: &Settled<S, K>,
-        roundings: f64,
+        roundings: Roundings,
     ) -> Option<(usize, Rule)> {
         (0..K).find_map(|k| {
             let other = match choices[k] {
@@ -149,8 +144,13 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     }
 
     /// A contact that presses by no more than rounding is open.
-    fn touch(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>, roundings: f64) -> Option<Rule> {
-        let rounding = S::from_f64(roundings) * S::epsilon() * self.size(k, reactions);
+    fn touch(
+        &self,
+        k: usize,
+        Settled { rules, reactions }: &Settled<S, K>,
+        roundings: Roundings,
+    ) -> Option<Rule> {
+        let rounding = roundings.part::<S>() * self.size(k, reactions);
         match rules[k] {
             Rule::Holds if reactions[k] * self.response(k) <= rounding => Some(Rule::Absent),
             Rule::Absent if self.rate(k, reactions) < -(rounding + rounding) => Some(Rule::Holds),
@@ -158,8 +158,13 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         }
     }
 
-    fn rest(&self, k: usize, Settled { rules, reactions }: &Settled<S, K>, roundings: f64) -> Option<Rule> {
-        let rounding = S::from_f64(roundings) * S::epsilon() * self.size(k, reactions);
+    fn rest(
+        &self,
+        k: usize,
+        Settled { rules, reactions }: &Settled<S, K>,
+        roundings: Roundings,
+    ) -> Option<Rule> {
+        let rounding = roundings.part::<S>() * self.size(k, reactions);
         let (rate, reaction) = (self.rate(k, reactions), reactions[k]);
         match rules[k] {
             Rule::Holds if (reaction.abs() - self.fixed(k, reactions)) * self.response(k) > rounding => {

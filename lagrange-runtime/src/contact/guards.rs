@@ -7,15 +7,12 @@ use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
 use crate::scalar::Scalar;
 use crate::system::split;
+use crate::tolerance::BOUND;
 
 /// Friction whose limit is smaller than this is none.
 pub(super) fn nothing<S: Scalar>() -> S {
     S::epsilon() * S::epsilon()
 }
-
-/// Forces may miss their bounds by this many roundings of the terms that make them: more than what counts as none when modes are
-/// chosen, so that a body exactly at a bound does not go back and forth.
-const ROUNDINGS: f64 = 64.0;
 
 /// A function for each reaction that is positive while its mode may last and falls through zero where it ends: the gap of an open
 /// contact, the force of a closed one, the slip velocity in the direction of slipping, and what is left to the static
@@ -27,9 +24,7 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     let reactions = reactions(terms, modes);
     let balance = Balance::of_forces(terms);
     let rounding = |k: usize| match balance.response(k) {
-        response if response > S::ZERO => {
-            S::from_f64(ROUNDINGS) * S::epsilon() * balance.size(k, &reactions) / response
-        }
+        response if response > S::ZERO => BOUND.part::<S>() * balance.size(k, &reactions) / response,
         _ => S::ZERO,
     };
     let value = |k: usize| match modes[k] {
@@ -76,7 +71,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// has passed.
     fn slip_noise(&self, k: usize, t: S, v: &[S; N]) -> S {
         let size = self.size_of(k, &sizes(v)) + self.acceleration_of(k) * t.abs();
-        S::from_f64(ROUNDINGS) * S::epsilon() * size
+        BOUND.part::<S>() * size
     }
 
     /// How large the terms are of the rate of rate k without reactions.

@@ -28,6 +28,7 @@ use super::reaction_forces::{Balance, Rule};
 use super::{Mode, Terms};
 use crate::scalar::Scalar;
 use crate::system::StepFailure;
+use crate::tolerance::IMPACT_ENERGY;
 
 /// The part of restitution is found to so many binary digits where it must be found.
 const MOST_BISECTIONS: u32 = 40;
@@ -37,8 +38,6 @@ const FEW_BISECTIONS: u32 = 6;
 /// slips much more slowly than another.
 const APPROACHES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 const NO_IMPULSES: &str = "no impulses of contacts and friction fit the impact";
-/// Energies are equal if they differ by fewer roundings of what is exchanged.
-const ROUNDINGS: f64 = 256.0;
 
 /// What an impact changed.
 pub(super) struct Collision<S, const N: usize, const K: usize> {
@@ -164,7 +163,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     fn rounding(&self, collision: &Collision<S, N, K>) -> S {
         let works = collision.impulses.iter().zip(&self.rates);
         let exchanged = works.fold(S::ZERO, |sum, (impulse, rate)| sum + (*impulse * *rate).abs());
-        S::from_f64(ROUNDINGS) * S::epsilon() * exchanged
+        IMPACT_ENERGY.part::<S>() * exchanged
     }
 
     /// Whether the limits of friction k grow with reactions.

@@ -10,10 +10,8 @@ use crate::constraint::sizes;
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 use crate::system::{StepFailure, Violation, split};
+use crate::tolerance::TOUCHING;
 
-/// Gaps and rates are zero if they are smaller than this many roundings of what they would be if each coordinate were off by its
-/// size, as constraints are measured: a gap that is a coordinate has no other terms beside which it could be small.
-const ROUNDINGS: f64 = 4096.0;
 const NO_FORCES: &str = "no forces in contacts and friction fit the state: friction is too strong there for rigid bodies that slip this \
                          way (the paradox of Painlevé)";
 
@@ -63,7 +61,7 @@ impl<const K: usize> Position<K> {
         modes: &[Mode; K],
         (t, q, v): (S, &[S; N], &[S; N]),
     ) -> Self {
-        let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
+        let rounding = TOUCHING.part::<S>();
         let share = |k: usize| if holds(modes[k]) { S::epsilon().sqrt() } else { rounding };
         let (lengths, speeds) = (lengths(q), sizes(v));
         let near: [S; K] = array::from_fn(|k| {

@@ -7,13 +7,10 @@ use super::reaction_forces::{Balance, Rule};
 use super::{Contact, ContactSystem, Mode, Terms};
 use crate::scalar::Scalar;
 use crate::system::{StepFailure, Violation, join, split};
+use crate::tolerance::{CLOSED_GAP, SLIT};
 
 /// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
 const MOST_ROUNDS: u32 = 12;
-/// A gap is closed if it is smaller than this many roundings of the terms that make it.
-const ROUNDINGS: f64 = 64.0;
-/// Bodies that touch without pressing are put so many roundings apart.
-const SLIT: f64 = 16.0;
 
 /// Brings a state onto the closed contacts and sticking friction: gaps to zero by the smallest change of the coordinates that the
 /// mechanism allows, measured by the mass matrix, and then their rates and slip velocities by the smallest change of the
@@ -82,7 +79,7 @@ where
 
 /// Whether two vectors differ by no more than the rounding of a third. One that is not a number differs from every other.
 fn is_same<S: Scalar, const N: usize>(one: &[S; N], other: &[S; N], scale: &[S; N]) -> bool {
-    let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
+    let rounding = CLOSED_GAP.part::<S>();
     let differences = one.iter().zip(other).zip(scale);
     differences.into_iter().all(|((a, b), scale)| a == b || (*a - *b).abs() <= rounding * scale.abs())
 }
@@ -93,7 +90,7 @@ fn widest<S: Scalar, const N: usize, const K: usize>(
     scale: &[S; N],
     is_closed: [bool; K],
 ) -> Option<usize> {
-    let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
+    let rounding = CLOSED_GAP.part::<S>();
     let mut widest: Option<usize> = None;
     for k in (0..K).filter(|k| is_closed[*k]) {
         let gap = terms.gaps[k].abs();
@@ -133,7 +130,7 @@ pub(super) fn part<S: Scalar, const N: usize, const K: usize>(
     are_touching: [bool; K],
     are_closed: [bool; K],
 ) {
-    let slits: [S; K] = array::from_fn(|k| S::from_f64(SLIT) * S::epsilon() * terms.size_of(k, q));
+    let slits: [S; K] = array::from_fn(|k| SLIT.part::<S>() * terms.size_of(k, q));
     let is_parted: [bool; K] = array::from_fn(|k| are_touching[k] && terms.gaps[k] < slits[k]);
     if is_parted != [false; K] {
         let values = array::from_fn(|k| if is_parted[k] { terms.gaps[k] - slits[k] } else { S::ZERO });

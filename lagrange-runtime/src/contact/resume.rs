@@ -22,13 +22,10 @@ use super::reaction_forces::{Balance, Rule, reactions};
 use super::{ContactSystem, Mode, Terms};
 use crate::scalar::Scalar;
 use crate::system::StepFailure;
+use crate::tolerance::{HOP, HOP_TIME};
 
 /// A part of the time that has passed: what bounces take less than is not resolved.
 const SHORT: f64 = 1e-9;
-/// Hops are not resolved that are lower than this many roundings of the terms of the gap: how long they take would be rounding,
-const ROUNDINGS: f64 = 256.0;
-/// and times that are smaller than so many of the time.
-const TIMES: f64 = 64.0;
 
 /// A system at a state.
 pub(super) struct Instant<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
@@ -100,8 +97,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             let hop = Hop { speed: after.rates[k], pull: -balance.rate(k, &forces) };
             (leaves && hop.returns()).then_some(hop)
         });
-        let limit =
-            self.t.abs() * M::Scalar::from_f64(SHORT).max(M::Scalar::from_f64(TIMES) * M::Scalar::epsilon());
+        let limit = self.t.abs() * M::Scalar::from_f64(SHORT).max(HOP_TIME.part::<M::Scalar>());
         let is_short = |k: usize| hops[k].as_ref().is_some_and(|hop| hop.time() <= limit);
         let approached = |k: usize| position.is_touching[k] && before.rates[k] < M::Scalar::ZERO;
         let left = part_left(before, after, array::from_fn(|k| is_short(k) || approached(k)));
@@ -109,8 +105,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             let hop = hops[k].as_ref()?;
             let time = if left < one { hop.time() / (one - left) } else { hop.time() };
             let is_resolved = !(left < one && time <= limit);
-            let is_low = hop.height()
-                <= M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * after.size_of(k, &self.q);
+            let is_low = hop.height() <= HOP.part::<M::Scalar>() * after.size_of(k, &self.q);
             (!is_resolved || is_low).then_some(time)
         })
     }

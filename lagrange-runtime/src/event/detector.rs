@@ -9,15 +9,13 @@ use crate::integrate::EventSource::Given;
 use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::system::{DeclaredEvent, Direction, OdeSystem, StateVector, StepFailure};
+use crate::tolerance::SAME_EVENT;
 
 /// The part of a step after which the state has left what it was replaced by.
 const SHORTLY: f64 = 1e-10;
 /// A step is halved so often in search of a hop that is shorter.
 const MOST_HALVINGS: u32 = 60;
-/// Times that differ by fewer roundings than this are taken for the same, and so are those between which a function did not get
-/// farther from zero than so many roundings of the state change it;
-const ROUNDINGS: f64 = 64.0;
-/// so many events at the same time are taken for infinitely many.
+/// So many events at the same time are taken for infinitely many.
 const MOST_REPETITIONS: u32 = 50;
 
 /// An event that happened.
@@ -333,7 +331,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     /// The signs that count from now on are those shortly after: a ball that was turned round on the ground is above it.
     pub fn restart(&mut self, t: S, values: [S; K]) {
         let distance = (t - self.started).abs();
-        let is_at_once = distance <= S::from_f64(ROUNDINGS) * S::epsilon() * t.abs();
+        let is_at_once = distance <= SAME_EVENT.part::<S>() * t.abs();
         let is_noise = core::mem::take(&mut self.is_noise);
         let is_same = self.repetitions > 0 && (is_at_once || is_noise);
         self.repetitions = if is_same { self.repetitions + 1 } else { 1 };
@@ -377,7 +375,7 @@ fn is_rounding<S: Scalar, Y: StateVector<S>>(state: &Y, mut value: impl FnMut(&Y
     let change = |entry: usize| {
         let mut rounded = *state;
         let size = state.as_ref()[entry].abs();
-        rounded.as_mut()[entry] = state.as_ref()[entry] + S::from_f64(ROUNDINGS) * S::epsilon() * size;
+        rounded.as_mut()[entry] = state.as_ref()[entry] + SAME_EVENT.part::<S>() * size;
         (value(&rounded) - here).abs()
     };
     here.abs() <= (0..state.as_ref().len()).map(change).fold(S::ZERO, |sum, change| sum + change)

@@ -7,6 +7,7 @@
 //! centennial retrospective", *Computer Aided Geometric Design* 29 (2012) 379–419, §5.
 
 use crate::scalar::Scalar;
+use crate::tolerance::BERNSTEIN_COEFFICIENT;
 
 /// The degree of polynomials.
 const DEGREE: usize = 8;
@@ -21,8 +22,6 @@ const BERNSTEIN: [[f64; POINTS]; POINTS] = bernstein();
 const CUT_OFF: f64 = 4.0;
 /// and a polynomial is trusted where these are a smaller part of its largest value than this.
 const TRUSTED: f64 = 1e-3;
-/// Rounding of values changes Bernstein coefficients by less than so many roundings of the largest value.
-const ROUNDINGS: f64 = 512.0;
 /// A piece is not cut into smaller parts than this in search of a change of sign.
 const NARROWEST: f64 = 1e-12;
 /// A polynomial that is not trusted may be wrong by this part of its largest value.
@@ -68,7 +67,7 @@ impl<S: Scalar> Polynomial<S> {
             *entry = terms.fold(S::ZERO, |sum, (weight, c)| c.multiply_add(S::from_f64(*weight), sum));
         }
         let scale = values.iter().fold(S::ZERO, |scale, value| scale.max(value.abs()));
-        let rounding = S::from_f64(ROUNDINGS) * S::epsilon() * scale;
+        let rounding = BERNSTEIN_COEFFICIENT.part::<S>() * scale;
         let cut_off = S::from_f64(CUT_OFF) * (chebyshev[DEGREE - 1].abs() + chebyshev[DEGREE].abs());
         Polynomial { bernstein, scale, rounding, cut_off }
     }
@@ -87,7 +86,7 @@ impl<S: Scalar> Polynomial<S> {
     /// less than a motion that starts at rest gains.
     pub(super) fn rise(&self, sign: S) -> S {
         let rise = sign.sign() * (self.bernstein[1] - self.bernstein[0]);
-        let at_rest = S::from_f64(AT_REST).max(S::from_f64(ROUNDINGS) * S::epsilon()) * self.scale;
+        let at_rest = S::from_f64(AT_REST).max(BERNSTEIN_COEFFICIENT.part::<S>()) * self.scale;
         let noise = self.rounding + S::from_f64(NOISE) * self.cut_off + at_rest;
         if rise > noise { S::from_f64(DEGREE as f64) * rise } else { S::ZERO }
     }

@@ -10,8 +10,6 @@ mod canonical_systems;
 mod clock;
 mod compensated;
 #[cfg(test)]
-mod constrained;
-#[cfg(test)]
 mod constrained_systems;
 mod corrected;
 mod error;

@@ -3,9 +3,7 @@
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::vector::StateVector;
 use crate::scalar::Scalar;
-
-/// Pivots below this many roundings, where the largest entries are ones, are those of dependent equations.
-const DEPENDENT: f64 = 1e3;
+use crate::tolerance::DEPENDENT_PIVOT;
 
 /// The factors L and U of the first rows and columns of a matrix, both exchanged for the largest pivots.
 ///
@@ -32,7 +30,7 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
         factors.equilibrate();
         for k in 0..size {
             let (row, column) = factors.largest(k);
-            if factors.factors[(row, column)].abs() <= S::from_f64(DEPENDENT) * S::epsilon() {
+            if factors.factors[(row, column)].abs() <= DEPENDENT_PIVOT.part::<S>() {
                 factors.rank = k;
                 break;
             }

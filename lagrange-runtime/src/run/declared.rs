@@ -6,6 +6,7 @@ use crate::event::{Detector, Occurrence, locate};
 use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::system::{Direction, MOST_LOCATED, OdeSystem, Reacted, StepFailure};
+use crate::tolerance::SURFACE;
 
 /// The events that the declaration of the system M states.
 pub struct DeclaredEvents<M: OdeSystem> {
@@ -117,16 +118,12 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     }
 }
 
-/// A switch is looked for this many roundings of the state's largest component beyond its surface, lest rounding on the surface
-/// pass it again and again.
-const ROUNDINGS: f64 = 32.0;
-
 /// The values of all declared events, and of others that never happen. Those of switches are zero a little beyond their surfaces.
 fn values<M: OdeSystem>(system: &M, t: M::Scalar, y: &M::State) -> [M::Scalar; MOST_LOCATED] {
     let mut values = exact_values(system, t, y);
     if M::EVENTS.iter().any(|event| event.is_side) {
         let size = y.as_ref().iter().fold(M::Scalar::ZERO, |size, entry| size.max(entry.abs()));
-        let width = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * size;
+        let width = SURFACE.part::<M::Scalar>() * size;
         let sides = values.iter_mut().zip(M::EVENTS).filter(|(_, event)| event.is_side);
         sides.for_each(|(value, _)| *value = *value + width);
     }

@@ -3,6 +3,8 @@
 //! [`Run`] is the one loop: [`integrate()`] and [`integrate_with_events`] drive it without heap and keep nothing, the front door `simulate`
 //! keeps what is asked for. It is gone through turn by turn, so that others may act between the turns.
 
+#[cfg(test)]
+mod constrained;
 mod current;
 mod declared;
 mod drive;
@@ -18,7 +20,6 @@ pub use self::current::Current;
 pub use self::declared::DeclaredEvents;
 pub use self::events::{AllEvents, Events, Found, Next, NoEvents, Origin};
 pub use self::integrate::integrate;
-pub use self::outcome::EventOutcome;
 pub use self::pending::Pending;
 pub use self::restarts::Restarts;
 pub use self::steps::{Run, Sink, Turn};

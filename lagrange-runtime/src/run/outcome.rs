@@ -3,10 +3,10 @@
 use crate::system::{Action, OdeSystem, Response, StepFailure};
 
 /// What comes of events that happen at the same time. To stop prevails.
-pub struct EventOutcome<M: OdeSystem> {
+pub(super) struct EventOutcome<M: OdeSystem> {
     action: Action<M::State>,
     /// The system that goes on, if events switched it.
-    pub system: Option<M>,
+    pub(super) system: Option<M>,
 }
 
 /// The state that a motion goes on from, and the system if it is another one.
@@ -14,12 +14,12 @@ type Resumed<M> = Result<(<M as OdeSystem>::State, Option<M>), StepFailure<<M as
 
 impl<M: OdeSystem> EventOutcome<M> {
     /// To go on.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         EventOutcome { action: Action::Continue, system: None }
     }
 
     /// Another event happened at this state.
-    pub fn add(&mut self, answer: Response<M, M::Scalar, M::State>, state: M::State) {
+    pub(super) fn add(&mut self, answer: Response<M, M::Scalar, M::State>, state: M::State) {
         let later = match answer.action {
             Action::Continue if answer.system.is_some() => Action::Replace(state),
             action => action,
@@ -32,12 +32,12 @@ impl<M: OdeSystem> EventOutcome<M> {
     }
 
     /// Whether nothing has changed.
-    pub fn goes_on(&self) -> bool {
+    pub(super) fn goes_on(&self) -> bool {
         matches!(self.action, Action::Continue)
     }
 
     /// The state that was left, if it is another one.
-    pub fn state(&self) -> Option<M::State> {
+    pub(super) fn state(&self) -> Option<M::State> {
         if let Action::Replace(state) = self.action { Some(state) } else { None }
     }
 
@@ -46,7 +46,7 @@ impl<M: OdeSystem> EventOutcome<M> {
     ///
     /// # Errors
     /// If no motion goes on from there.
-    pub fn resume(self, system: &M, t: M::Scalar) -> Option<Resumed<M>> {
+    pub(super) fn resume(self, system: &M, t: M::Scalar) -> Option<Resumed<M>> {
         self.state().map(|mut state| {
             let next = match self.system {
                 Some(next) => Some(next),

@@ -8,9 +8,7 @@
 use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StepFailure};
-
-/// Steps keep so many roundings of time away from a restart.
-const ROUNDINGS: f64 = 2.0;
+use crate::tolerance::{RESTART, Roundings};
 
 /// Restarts of a run: at the times that were given, and at those that the system names.
 #[derive(Clone, Copy, Debug)]
@@ -111,12 +109,12 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     /// The first restart after `t`.
     fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S, instant: Option<S>) -> Option<Restart<S>> {
         let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
-        let given = self.given[past..].iter().find_map(|time| self.between(t, *time, ROUNDINGS));
+        let given = self.given[past..].iter().find_map(|time| self.between(t, *time, RESTART));
         let named = system.next_restart(t, self.end).and_then(|time| {
             let is_on_sides = system.beyond(time, self.end).is_some();
-            self.between(t, time, if is_on_sides { 0.0 } else { ROUNDINGS })
+            self.between(t, time, if is_on_sides { Roundings::NONE } else { RESTART })
         });
-        let instant = instant.and_then(|time| self.between(t, time, 0.0));
+        let instant = instant.and_then(|time| self.between(t, time, Roundings::NONE));
         let known = match (given, named) {
             (Some(given), Some(named)) if self.is_ahead(given.at, named.at) => Some(given),
             (given, None) => given,
@@ -130,8 +128,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
     }
 
     /// A restart at `at` on the way from `t`, with so many roundings of time on both sides of it, if there is room for steps, too.
-    fn between(&self, t: S, at: S, roundings: f64) -> Option<Restart<S>> {
-        let rounding = S::from_f64(roundings) * S::epsilon() * t.abs().max(at.abs());
+    fn between(&self, t: S, at: S, roundings: Roundings) -> Option<Restart<S>> {
+        let rounding = roundings.part::<S>() * t.abs().max(at.abs());
         let gap = if self.is_backwards { -rounding } else { rounding };
         let restart = Restart { before: at - gap, at, after: at + gap };
         let has_room = self.is_ahead(t, restart.before) && self.is_ahead(restart.after, self.end);

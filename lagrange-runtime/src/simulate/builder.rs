@@ -15,6 +15,7 @@ use crate::simulate::sampling::Sampling;
 use crate::system::{
     Action, CanonicalSystem, Direction, EnergyFunction, MechanicalSystem, StepFailure, split,
 };
+use crate::tolerance::DEFAULT_TOLERANCE;
 
 /// Where a run starts. It wants to know when it ends.
 #[derive(Clone, Copy, Debug)]
@@ -110,11 +111,9 @@ pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven> {
 pub(super) const ENERGY: &str = "energy";
 /// The tolerance of the default method if none is given, where numbers are fine enough.
 const TOLERANCE: f64 = 1e-9;
-/// No default tolerance is smaller than this many roundings.
-const ROUNDINGS: f64 = 10.0;
 
 fn default_tolerance<S: Scalar>() -> S {
-    S::from_f64(TOLERANCE).max(S::from_f64(ROUNDINGS) * S::epsilon())
+    S::from_f64(TOLERANCE).max(DEFAULT_TOLERANCE.part::<S>())
 }
 
 impl<M: MechanicalSystem, D> Simulation<'_, M, Verner98<M::Scalar>, D> {

@@ -12,6 +12,7 @@ use crate::system::{
     CanonicalSystem, ConstraintValues, ControlledSystem, CoordinateMatrix, MechanicalSystem, OdeSystem,
     StateMatrix, StateVector, StepFailure, Wrapper, join,
 };
+use crate::tolerance::SAME_INSTANT;
 
 /// What sets the inputs of the system M at every instant of a run: nothing, or a [`Law`].
 pub trait Drive<M: MechanicalSystem>: Clone {
@@ -286,9 +287,6 @@ impl<'a, M: MechanicalSystem> Controller<'a, M> {
     }
 }
 
-/// Instants that are so many roundings of time apart are the same.
-pub(super) const ROUNDINGS: f64 = 4.0;
-
 /// The controllers of a run.
 pub(super) struct Controllers<'a, M: MechanicalSystem> {
     controllers: Vec<Controller<'a, M>>,
@@ -321,7 +319,7 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
 
     /// Those act whose instants have been reached, or nearly so: instants that differ by rounding are the same.
     pub(super) fn act(&mut self, system: &M, reached: M::Scalar, (t, y): (M::Scalar, &M::State)) -> Acted<M> {
-        let rounding = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * reached.abs();
+        let rounding = SAME_INSTANT.part::<M::Scalar>() * reached.abs();
         let reached = if self.end < t { reached - rounding } else { reached + rounding };
         let is_due = |grid: &mut Grid<M::Scalar>| {
             let mut is_due = false;

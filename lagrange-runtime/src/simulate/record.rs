@@ -7,7 +7,7 @@ use std::vec::Vec;
 use crate::integrate::{Stepper, Work};
 use crate::run::Current;
 use crate::scalar::Scalar;
-use crate::simulate::control::{ClosedLoop, ROUNDINGS};
+use crate::simulate::control::ClosedLoop;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::observer::Observer;
@@ -15,6 +15,7 @@ use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::Table;
 use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::system::{MechanicalSystem, StepFailure};
+use crate::tolerance::SAME_INSTANT;
 
 /// What is kept of a run while it goes on.
 pub(super) struct Record<'a, M: MechanicalSystem, C> {
@@ -153,7 +154,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
 
     /// Goes on from this time and state with other inputs: a sample that was kept there has these.
     pub(super) fn act(&mut self, system: &C, time: M::Scalar, state: &M::State) {
-        let rounding = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * time.abs();
+        let rounding = SAME_INSTANT.part::<M::Scalar>() * time.abs();
         if let Some(&last) = self.table.times().last()
             && (time - last).abs() <= rounding
         {

@@ -18,6 +18,7 @@ use crate::integrate::stability::{EVALUATIONS, largest_eigenvalue};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector, StepFailure};
+use crate::tolerance::DEFECT;
 
 /// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
 const FINEST: f64 = 4096.0;
@@ -35,8 +36,6 @@ const CHECKED: [f64; 2] = [0.34, 0.94];
 /// The interpolant is refused if its defect times the step is larger than this times what is tolerated. On smooth motions the defect
 /// at the places above is a third to a half of the estimated error of the step, and the error within the step less than that.
 const LARGEST_DEFECT: f64 = 2.0;
-/// Rounding leaves a defect of less than this many roundings of the rates.
-const ROUNDINGS: f64 = 256.0;
 /// Where the rate at the end of a step, which begins the next one, has its place.
 const END: usize = 16;
 
@@ -188,7 +187,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
     fn excess(&self, system: &M) -> M::Scalar {
         let Span { y, h, .. } = &self.last;
         let norm = |error: &M::State| self.settings.norm(*h, error, y, self.state.value());
-        let rounding = M::Scalar::from_f64(ROUNDINGS) * M::Scalar::epsilon() * norm(&self.rates[0]);
+        let rounding = DEFECT.part::<M::Scalar>() * norm(&self.rates[0]);
         let defects = CHECKED.map(|s| norm(&defect(system, &self.last, M::Scalar::from_f64(s), &self.rates)));
         defects.into_iter().fold(M::Scalar::ZERO, M::Scalar::max)
             / (M::Scalar::from_f64(LARGEST_DEFECT) + rounding)

@@ -7,6 +7,7 @@
 use crate::linalg::vector::{l1_distance, l1_norm};
 use crate::scalar::Scalar;
 use crate::system::StateVector;
+use crate::tolerance::SAME_STATE;
 
 /// The method is stable up to |h λ| about this: 2.9 on the imaginary axis, 4.4 on the negative real one.
 pub(super) const STABLE: f64 = 2.9;
@@ -18,8 +19,6 @@ const ENOUGH_BELOW: u32 = 6;
 const INTERVAL: u64 = 100;
 /// If no more steps than this are ahead, the system is not stiff enough to bother.
 const BEARABLE: f64 = 1e4;
-/// States that differ by less than this many roundings say nothing.
-const ROUNDINGS: f64 = 1e3;
 
 /// What was seen of the limit.
 #[derive(Clone, Copy, Default, Debug)]
@@ -46,7 +45,7 @@ impl Stiffness {
         other: Point<'_, Y>,
     ) -> bool {
         let change = l1_distance(one.0, other.0);
-        let rounding = S::from_f64(ROUNDINGS) * S::epsilon();
+        let rounding = SAME_STATE.part::<S>();
         let is_many = (ahead / h).abs() > S::from_f64(BEARABLE);
         let eigenvalue = l1_distance(one.1, other.1) / change;
         let is_at_limit = (h * eigenvalue).abs() > S::from_f64(STABLE);

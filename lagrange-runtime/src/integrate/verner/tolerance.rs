@@ -4,15 +4,13 @@ use super::{AT_REST, LONGEST, LONGEST_AT_REST, Verner98};
 use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StateVector, StepFailure};
-
-/// Fewer roundings of the state than this are tolerated in any case, since shorter steps only round more.
-const LEAST_ROUNDINGS: f64 = 16.0;
+use crate::tolerance::LEAST_TOLERANCE;
 
 impl<S: Scalar> Verner98<S> {
     /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
     pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         let ends = from.as_ref().iter().zip(to.as_ref());
-        let relative = self.relative.max(S::from_f64(LEAST_ROUNDINGS) * S::epsilon());
+        let relative = self.relative.max(LEAST_TOLERANCE.part::<S>());
         let mut sum = S::ZERO;
         for (error, (from, to)) in error.as_ref().iter().zip(ends) {
             let size = from.abs().max(to.abs());

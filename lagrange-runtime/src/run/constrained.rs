@@ -2,9 +2,11 @@
 
 use std::vec::Vec;
 
-use super::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, Stepper, Verner98};
 use crate::constraint::Unprojected;
 use crate::constraint::systems::{Bead, Parallelogram, Pendulum, Skate, Spherical, System};
+use crate::integrate::{
+    GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, Stepper, Verner98,
+};
 use crate::run::{integrate, integrate_with_events};
 use crate::system::{Action, Direction, OdeSystem, StepFailure, Violated, Violation};
 

@@ -1,0 +1,102 @@
+//! Sizes below which a difference counts as rounding: one table.
+//!
+//! The unit is ε, the distance from one to the next number, times the magnitude in the third column. Each value is large enough for what
+//! sums and eliminations make of ε, and small enough that nothing that is meant is lost. They have room: no unit test of this crate fails
+//! if one of them is halved or doubled. The last column names the first test, if there is one, that fails at a 64th or else a 4096th,
+//! and at 64 or else 4096 times the value.
+//!
+//! | constant | ε | times | why | told by |
+//! |---|---|---|---|---|
+//! | [`DEPENDENT_COLUMN`] | 32 | the largest column of a scaled symmetric matrix, for each row | what other columns leave of one that depends on them is rounding | × 1/4096: `units_of_the_rows_do_not_matter_to_the_rank` |
+//! | [`DEPENDENT_PIVOT`] | 1000 | one, the largest entries of a scaled matrix | what those before leave of a dependent pivot is the rounding of all of them | × 1/4096: `dependent_constraints_and_dead_points_do_not_matter` |
+//! | [`PULL`] | 8 | the largest coordinate | a pull is a difference of positions, each rounded, less what the constraints take of it | × 1/64: `corrections_that_overshoot_are_shortened` |
+//! | [`RESIDUAL`] | 16 | the largest scale of a residual | where a gradient vanishes its scale is rounding itself, and a proportion to it says nothing | — |
+//! | [`TOUCHING`] | 4096 | what gaps and rates would be if each coordinate were off by its size | starts are computed by formulas of their own; a gap that is a coordinate has no other terms beside which it could be small | × 4096: `a_ball_comes_to_rest_where_its_bounces_accumulate` |
+//! | [`CLOSED_GAP`] | 64 | the terms that make the gap | a Newton correction leaves a few roundings of the terms | — |
+//! | [`SLIT`] | 16 | the terms that make the gap | bodies that touch without pressing are put so far apart: less than a closed gap, more than rounding | — |
+//! | [`HOP`] | 256 | the terms that make the gap | how long a hop takes that is lower would be rounding; more than a closed gap | — |
+//! | [`HOP_TIME`] | 64 | the time that has passed | hops that last less are not resolved, in numbers so coarse that 10⁻⁹ of the time is less | — |
+//! | [`BALANCED`] | 16 | the terms of a rate or of a limit | a sum of a handful of terms | — |
+//! | [`BALANCED_BY_SEARCH`] | 2¹⁶ | the same | Lemke's method exchanges many variables, and each exchange rounds what the last one left | — |
+//! | [`HELD_TOGETHER`] | 2²⁰ | the same | the shortest of undetermined impulses leave out equations that depend on others but for rounding | — |
+//! | [`BOUND`] | 64 | the terms that make a force or slip velocity | more than what counts as balanced, so that a body exactly at a bound does not go back and forth | × 64: `a_block_at_rest_starts_when_the_drive_exceeds_the_static_limit` |
+//! | [`IMPACT_ENERGY`] | 256 | the energy that is exchanged | squares of velocities that are solved for | × 1/4096: `an_impact_conserves_momentum_and_an_elastic_one_energy`; × 64: `no_impact_creates_energy` |
+//! | [`BERNSTEIN_COEFFICIENT`] | 512 | the largest value | the sums of magnitudes in the change to Bernstein coefficients | × 1/4096: `what_only_touches_zero_does_not_change`; × 64: `zeros_next_to_each_other_are_found` |
+//! | [`SAME_EVENT`] | 64 | time; the change of a function with the state | a restart puts times and states beside each other by a few roundings | × 1/64: runs that do not end |
+//! | [`SURFACE`] | 32 | the largest component of the state | a switch is looked for so far beyond its surface, lest rounding on it pass it again and again | — |
+//! | [`RESTART`] | 2 | time | steps end so far before a jump and start so far after it that no evaluation falls on it | × 1/64: `no_step_sees_a_jump`; × 64: `a_restart_that_fails_is_an_error_at_the_jump` |
+//! | [`SAME_INSTANT`] | 4 | time | instants are multiples of a period, rounded, on both sides of a restart | — |
+//! | [`DEFAULT_TOLERANCE`] | 10 | the state | no default asks for more than numbers give | — |
+//! | [`LEAST_TOLERANCE`] | 16 | the state | shorter steps would only round more | × 64: `a_pendulum_in_the_plane_moves_as_its_angle_does` |
+//! | [`DEFECT`] | 256 | the rates | the slope of an interpolant is a sum of 26 rates with weights of both signs | — |
+//! | [`SAME_STATE`] | 1000 | the state | the quotient of two differences means something if each has three digits | — |
+
+use crate::scalar::Scalar;
+
+/// So many roundings.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Roundings(f64);
+
+impl Roundings {
+    /// None at all.
+    pub(crate) const NONE: Roundings = Roundings(0.0);
+
+    /// The part of a magnitude that they are.
+    #[inline]
+    pub(crate) fn part<S: Scalar>(self) -> S {
+        S::from_f64(self.0) * S::epsilon()
+    }
+
+    /// So many times as many.
+    #[inline]
+    pub(crate) fn times(self, count: usize) -> Roundings {
+        Roundings(self.0 * count as f64)
+    }
+}
+
+/// What is left of a column that depends on others, for each row.
+pub(crate) const DEPENDENT_COLUMN: Roundings = Roundings(32.0);
+/// A pivot of dependent equations.
+pub(crate) const DEPENDENT_PIVOT: Roundings = Roundings(1e3);
+/// No pull towards the nearest positions.
+pub(crate) const PULL: Roundings = Roundings(8.0);
+/// No residual.
+pub(crate) const RESIDUAL: Roundings = Roundings(16.0);
+/// A gap or rate that is zero where a motion starts.
+pub(crate) const TOUCHING: Roundings = Roundings(4096.0);
+/// A gap that is closed.
+pub(crate) const CLOSED_GAP: Roundings = Roundings(64.0);
+/// How far bodies are put apart that touch without pressing.
+pub(crate) const SLIT: Roundings = Roundings(16.0);
+/// A hop too low to be resolved.
+pub(crate) const HOP: Roundings = Roundings(256.0);
+/// A hop too short to be resolved.
+pub(crate) const HOP_TIME: Roundings = Roundings(64.0);
+/// Rates and limits that are met.
+pub(crate) const BALANCED: Roundings = Roundings(16.0);
+/// The same of what Lemke's method finds.
+pub(crate) const BALANCED_BY_SEARCH: Roundings = Roundings(65_536.0);
+/// Rates held together by impulses that the motion does not determine.
+pub(crate) const HELD_TOGETHER: Roundings = Roundings(1_048_576.0);
+/// How far forces may miss their bounds before a mode ends.
+pub(crate) const BOUND: Roundings = Roundings(64.0);
+/// Equal energies.
+pub(crate) const IMPACT_ENERGY: Roundings = Roundings(256.0);
+/// Rounding of Bernstein coefficients.
+pub(crate) const BERNSTEIN_COEFFICIENT: Roundings = Roundings(512.0);
+/// Times and values that do not tell two events apart.
+pub(crate) const SAME_EVENT: Roundings = Roundings(64.0);
+/// How far beyond its surface a switch is looked for.
+pub(crate) const SURFACE: Roundings = Roundings(32.0);
+/// How far steps keep away from a restart.
+pub(crate) const RESTART: Roundings = Roundings(2.0);
+/// Instants that are the same.
+pub(crate) const SAME_INSTANT: Roundings = Roundings(4.0);
+/// The smallest default tolerance.
+pub(crate) const DEFAULT_TOLERANCE: Roundings = Roundings(10.0);
+/// What is tolerated in any case.
+pub(crate) const LEAST_TOLERANCE: Roundings = Roundings(16.0);
+/// No defect of an interpolant.
+pub(crate) const DEFECT: Roundings = Roundings(256.0);
+/// States whose difference says nothing.
+pub(crate) const SAME_STATE: Roundings = Roundings(1e3);
