@@ -91,8 +91,10 @@ pub(crate) const SURFACE: Roundings = Roundings(32.0);
 /// How far steps keep away from a restart.
 pub(crate) const RESTART: Roundings = Roundings(2.0);
 /// Instants that are the same.
+#[cfg(feature = "std")]
 pub(crate) const SAME_INSTANT: Roundings = Roundings(4.0);
 /// The smallest default tolerance.
+#[cfg(feature = "std")]
 pub(crate) const DEFAULT_TOLERANCE: Roundings = Roundings(10.0);
 /// What is tolerated in any case.
 pub(crate) const LEAST_TOLERANCE: Roundings = Roundings(16.0);
