@@ -3,28 +3,34 @@
 //! What a path names and what it leads to must both be below: a re-export does not make an import downward.
 //! The root of a crate is above all layers, so that no module imports what the root itself defines.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use crate::imports::Crate;
 use crate::tables::Library;
 
-/// Imports from the own or from later layers.
+/// Imports from the own or from later layers, each item once for each file.
 pub(crate) fn upward_imports(krate: &Crate, library: &Library) -> Vec<String> {
     let leads = krate.imports.iter().map(|import| {
-        let to = krate.module_of[import.to].as_deref();
-        (import.from, to, import.line, format!("`{}` of {}", import.item, krate.files[import.to].path))
+        let what = format!("`{}` of {}", import.item, krate.files[import.to].path);
+        (import.from, krate.module_of[import.to].as_deref(), what, import.line)
     });
-    let names = krate.mentions.iter().map(|mention| {
-        (mention.from, Some(mention.module.as_str()), mention.line, format!("`{}`", mention.module))
+    let is_led = |from: usize, module: &str| {
+        let mut imports = krate.imports.iter().filter(|import| import.from == from);
+        imports.any(|import| krate.module_of[import.to].as_deref() == Some(module))
+    };
+    let names = krate.mentions.iter().filter(|mention| !is_led(mention.from, &mention.module));
+    let names = names.map(|mention| {
+        (mention.from, Some(mention.module.as_str()), format!("`{}`", mention.module), mention.line)
     });
-    let mut complaints = BTreeSet::new();
-    for (from, to, line, what) in leads.chain(names) {
+    let mut complaints = BTreeMap::new();
+    for (from, to, what, line) in leads.chain(names) {
         let Some(own) = krate.module_of[from].as_deref() else { continue };
         if Some(own) != to && !is_below(to, own, library) {
-            complaints.insert((&krate.files[from].path, line, what));
+            complaints.entry((&krate.files[from].path, what)).or_insert(line);
         }
     }
-    complaints.into_iter().map(|(path, line, what)| format!("{path}:{line} imports upward: {what}")).collect()
+    let complaints = complaints.into_iter();
+    complaints.map(|((path, what), line)| format!("{path}:{line} imports upward: {what}")).collect()
 }
 
 /// Modules that are in no layer or in several, and those in the table that do not exist.
