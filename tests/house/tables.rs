@@ -1,5 +1,5 @@
 //! The layers of every crate, the one place to edit when a module comes, goes or moves. After a change
-//! `UPDATE_ARCHITECTURE=1 cargo test --test house` writes the tables to `ARCHITECTURE.md`.
+//! `UPDATE_ARCHITECTURE=1 cargo test -p lagrange-tests --test house` writes the tables to `ARCHITECTURE.md`.
 
 /// Layers of one package with sources, from the ground up. None, if the crate is one file.
 pub(crate) struct Library {

@@ -1,9 +1,10 @@
-use core::cell::Cell;
-use std::string::ToString;
+//! Stiff systems in the hands of `diffsol`.
 
-use super::{Stiff, integrate_stiff};
-use crate::integrate::Cause;
-use crate::system::OdeSystem;
+use std::cell::Cell;
+
+use lagrange::adapt::diffsol::{Stiff, integrate_stiff};
+use lagrange::integrate::Cause;
+use lagrange::system::OdeSystem;
 
 /// ẏ = −10⁶ (y − cos t) − sin t, which is solved by cos t.
 #[derive(Default)]
