@@ -1,6 +1,6 @@
 //! Chains of a hundred links compile, and compute what the interpreter computes.
 //!
-//! `RUSTFLAGS="--cfg large" cargo test --test large` does the same for two hundred.
+//! `RUSTFLAGS="--cfg large" cargo test -p lagrange-tests --test large` does the same for two hundred.
 
 #[path = "../benches/chains/absolute_100.rs"]
 mod absolute_100;

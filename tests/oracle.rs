@@ -133,7 +133,7 @@ macro_rules! declare {
 mod systems;
 
 fn directory() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/oracle"))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/oracle"))
 }
 
 #[test]

@@ -1,10 +1,12 @@
-use ::differential_equations::ivp::IVP;
-use ::differential_equations::linalg::Matrix;
-use ::differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
-use ::differential_equations::ode::ODE;
+//! Systems in the hands of `differential-equations`.
 
-use super::Adapter;
-use crate::system::OdeSystem;
+use differential_equations::ivp::IVP;
+use differential_equations::linalg::Matrix;
+use differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
+use differential_equations::ode::ODE;
+
+use lagrange::adapt::differential_equations::Adapter;
+use lagrange::system::OdeSystem;
 
 /// ẏ = (y₂, −sin y₁ − t y₂), with or without a Jacobian.
 struct Damped {
@@ -48,7 +50,7 @@ fn explicit_and_implicit_solvers_agree() {
     let adapter = Adapter(&system);
     let explicit = ExplicitRungeKutta::dop853().rtol(1e-11).atol(1e-11);
     let implicit = ImplicitRungeKutta::radau5().rtol(1e-9).atol(1e-9);
-    let end = |y: std::vec::Vec<[f64; 2]>| *y.last().expect("the end is kept");
+    let end = |y: Vec<[f64; 2]>| *y.last().expect("the end is kept");
     let one = end(IVP::ode(&adapter, 0.0, 3.0, [1.0, 0.0]).method(explicit).solve().expect("solved").y);
     let other = end(IVP::ode(&adapter, 0.0, 3.0, [1.0, 0.0]).method(implicit).solve().expect("solved").y);
     assert!((one[0] - other[0]).abs() < 1e-7 && (one[1] - other[1]).abs() < 1e-7, "{one:?} is not {other:?}");

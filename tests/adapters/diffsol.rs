@@ -1,8 +1,9 @@
-use core::cell::Cell;
-use std::string::ToString;
+//! Stiff systems in the hands of `diffsol`.
 
-use super::{Stiff, integrate_stiff};
-use crate::system::{OdeSystem, StepFailure};
+use std::cell::Cell;
+
+use lagrange::adapt::diffsol::{Stiff, integrate_stiff};
+use lagrange::system::{OdeSystem, StepFailure};
 
 /// ẏ = −10⁶ (y − cos t) − sin t, which is solved by cos t.
 #[derive(Default)]
