@@ -5,7 +5,7 @@
 //! waits for, with the compilation of the emitted code.
 
 use criterion::{BatchSize, Criterion, SamplingMode, criterion_group, criterion_main};
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::RoadChoice;
 use lagrange_core::pipeline::{Derived, System, parse};
 use proc_macro2::TokenStream;
 

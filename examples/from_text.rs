@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use std::{env, fs};
 
 use common::compare;
-use lagrange::symbolic::mechanics::RoadChoice;
+use lagrange::symbolic::derive::RoadChoice;
 use lagrange::symbolic::pipeline::{Derived, NumericSystem, parse};
 
 /// Compiles a declaration and keeps its text.

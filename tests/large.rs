@@ -17,7 +17,7 @@ use std::array::from_fn;
 use std::fmt::Write;
 
 use lagrange::system::MechanicalSystem;
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::RoadChoice;
 use lagrange_core::pipeline::{NumericSystem, parse};
 
 const GRAVITY: f64 = 9.81;

@@ -8,7 +8,8 @@ mod reference;
 
 use std::path::Path;
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::RoadChoice;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, parse};
 
 use complex::Complex;

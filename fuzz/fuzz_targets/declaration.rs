@@ -1,7 +1,7 @@
 //! Whatever the text, it is emitted or complained about.
 #![no_main]
 
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::RoadChoice;
 use lagrange_core::pipeline::parse;
 use libfuzzer_sys::fuzz_target;
 

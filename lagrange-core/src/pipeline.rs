@@ -7,10 +7,11 @@ use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
 use crate::bodies::plain;
+use crate::derive::{Equations, RoadChoice, undetermined};
 use crate::diagnostics::Report;
-use crate::emit;
-use crate::emit::{Emitted, Refusal};
-use crate::mechanics::{Equations, Model, Product, Reduced, RoadChoice, elaborate, undetermined};
+use crate::elaborate::elaborate;
+use crate::emit::{self, Emitted, Refusal};
+use crate::model::{Model, Product, Reduced};
 use crate::syntax::ast::{Declaration, StatementKind};
 use crate::syntax::{parse_text, parse_tokens, print};
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use lagrange_core::mechanics::{Road, RoadChoice};
+use lagrange_core::derive::{Road, RoadChoice};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 use serde_json::Value;

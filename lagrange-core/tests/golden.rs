@@ -6,8 +6,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use lagrange_core::emit::text;
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::RoadChoice;
+use lagrange_core::formula::text;
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, listing, lower, optimise};
 use quote::quote;

@@ -5,17 +5,21 @@ use std::path::{Path, PathBuf};
 
 /// Modules in layers: each imports only from its own module and from earlier layers. Modules of one layer
 /// may import each other.
-const LAYERS: [&[&str]; 12] = [
+const LAYERS: [&[&str]; 16] = [
     &["number", "symbol", "diagnostics", "collections"],
     &["expr"],
     &["functions"],
     &["calculus"],
+    &["formula"],
     &["simplify"],
     &["solids"],
     &["syntax"],
     &["bodies"],
-    &["mechanics"],
+    &["model"],
+    &["elaborate"],
+    &["derive"],
     &["program"],
+    &["code"],
     &["emit"],
     &["pipeline"],
 ];

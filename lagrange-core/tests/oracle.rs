@@ -6,8 +6,9 @@ mod reference;
 
 use std::path::Path;
 
+use lagrange_core::derive::{Road, RoadChoice, Sums};
 use lagrange_core::expr::ExprId;
-use lagrange_core::mechanics::{Product, Road, RoadChoice, Sums};
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 

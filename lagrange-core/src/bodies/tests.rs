@@ -1,7 +1,7 @@
 //! Scenes of bodies mean the same as the same systems written by hand.
 
+use crate::derive::RoadChoice;
 use crate::expr::Node;
-use crate::mechanics::RoadChoice;
 use crate::pipeline::{Derived, NumericSystem, parse};
 
 fn derive(text: &str) -> Derived {

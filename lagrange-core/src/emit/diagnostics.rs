@@ -3,8 +3,8 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
-use super::attributes::{NOTICE, UNUSED, conditions, expectations, of_warnings};
-use super::size::report_hopeless;
+use super::base::attributes::{NOTICE, UNUSED, conditions, expectations, of_warnings};
+use super::base::size::report_hopeless;
 use super::system::Refusal;
 use crate::diagnostics::{Diagnostic, Origin, Report, Severity};
 use crate::syntax::ast::{Declaration, ScalarType};

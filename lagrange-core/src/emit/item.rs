@@ -5,15 +5,15 @@ use std::collections::BTreeSet;
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
 
-use super::attributes::{conditions, deprecated_exception};
-use super::constrained::projections;
-use super::contacts::mode_fields;
-use super::method::{ArgumentNames, Method};
-use super::ports::{inputs_impls, inputs_struct, outputs_impl};
-use super::scene::motion_name;
-use super::shape::{Shape, doc, identifier, length, local};
-use super::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
-use super::switches::switches_declaration;
+use super::base::attributes::{conditions, deprecated_exception};
+use super::base::method::{ArgumentNames, Method};
+use super::base::shape::{Shape, doc, identifier, length, local};
+use super::base::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
+use super::features::constrained::projections;
+use super::features::contacts::mode_fields;
+use super::features::ports::{inputs_impls, inputs_struct, outputs_impl};
+use super::features::scene::motion_name;
+use super::features::switches::switches_declaration;
 use super::traits::trait_impls;
 
 /// Everything that differs between a derived system and a skeleton.

@@ -5,15 +5,15 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::base::method::{ArgumentNames, Arguments, Method, Returns};
+use super::base::shape::{Shape, identifier, local};
+use super::features::jacobian::parameter_names;
+use super::features::reduced::skeletons;
+use super::features::scene::{motion_method, motion_name, statements_constant};
 use super::item::{Parts, argument_names, items};
-use super::jacobian::parameter_names;
-use super::method::{ArgumentNames, Arguments, Method, Returns};
-use super::reduced::skeletons;
-use super::rust_body::Names;
-use super::scene::{motion_method, motion_name, statements_constant};
-use super::shape::{Shape, identifier, local};
 use super::system::{equations_latex, user_names};
-use crate::mechanics::Product;
+use crate::code::Names;
+use crate::model::Product;
 use crate::syntax::ast::{Action, Declaration};
 
 /// Members that do not come from products; an output of such a name is a mistake.

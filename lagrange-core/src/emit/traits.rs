@@ -3,14 +3,14 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
-use super::contacts::contact_impl;
-use super::events::event_members;
+use super::base::method::{ArgumentNames, Arguments};
+use super::base::shape::{Shape, identifier, length, local};
+use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
+use super::features::contacts::contact_impl;
+use super::features::events::event_members;
+use super::features::scene::scene_impl;
+use super::features::switches::switched_impl;
 use super::item::Parts;
-use super::method::{ArgumentNames, Arguments};
-use super::scene::scene_impl;
-use super::shape::{Shape, identifier, length, local};
-use super::switches::switched_impl;
 use crate::syntax::ast::Name;
 
 /// The implementations of all traits that the system has the methods for.

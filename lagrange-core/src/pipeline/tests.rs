@@ -7,7 +7,7 @@ use quote::quote;
 
 use super::{Derived, NumericSystem, expand, parse};
 use crate::calculus::evaluate;
-use crate::mechanics::{Conserved, Road, RoadChoice};
+use crate::derive::{Conserved, Road, RoadChoice};
 use crate::syntax::ast::Accuracy;
 
 fn derived(text: &str) -> Derived {

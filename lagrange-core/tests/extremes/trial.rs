@@ -1,7 +1,8 @@
 //! A declaration under test, beside its reference, at samples of its parameters and states.
 
 use lagrange_core::calculus::evaluate;
-use lagrange_core::mechanics::{Model, Product, Road, RoadChoice};
+use lagrange_core::derive::{Road, RoadChoice};
+use lagrange_core::model::{Model, Product};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::symbol::Role;
 use lagrange_core::syntax::ast::Accuracy;
@@ -26,7 +27,7 @@ impl Sample {
             let default = || evaluate(&model.graph, &[Option::expect(default, "a default")], |_| f64::NAN)[0];
             set.map_or_else(default, |(_, value)| *value)
         };
-        let parameter = |of: &[lagrange_core::mechanics::Parameter], i: u32| {
+        let parameter = |of: &[lagrange_core::model::Parameter], i: u32| {
             let parameter = &of[i as usize];
             setting(&parameter.name, parameter.default)
         };

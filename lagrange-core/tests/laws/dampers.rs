@@ -1,7 +1,8 @@
 //! Springs and dampers whose ends meet. The force of a damper has a limit there along any motion, −c ṙ; the direction of a spring
 //! with a rest length has none.
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::RoadChoice;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, parse};
 use proptest::prelude::{prop_assert, proptest};
 

@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::LazyLock;
 use std::{env, fs};
 
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::RoadChoice;
 use lagrange_core::pipeline::{expand, parse};
 use proc_macro2::TokenStream;
 use proptest::prelude::{Strategy, any, prop, prop_assert_eq, prop_oneof, proptest};

@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use lagrange_core::mechanics::{Road, RoadChoice};
+use lagrange_core::derive::{Road, RoadChoice};
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 use proc_macro2::{TokenStream, TokenTree};

@@ -4,7 +4,8 @@
 //! differentiated in exact rational arithmetic. `PROPTEST_CASES=2560 cargo test -p lagrange-core --release --test laws
 //! magnitudes` takes 5120 systems.
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::RoadChoice;
+use lagrange_core::model::Product;
 use lagrange_core::number::Number;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use proptest::prelude::ProptestConfig;

@@ -3,8 +3,9 @@
 //! nothing of the derivation is used to check itself.
 
 use lagrange_core::calculus::evaluate;
+use lagrange_core::derive::{Road, RoadChoice};
 use lagrange_core::expr::ExprId;
-use lagrange_core::mechanics::{Model, Product, Road, RoadChoice};
+use lagrange_core::model::{Model, Product};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::symbol::Role;
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};

@@ -6,7 +6,7 @@
 
 use std::fmt::Write;
 
-use lagrange_core::mechanics::{Road, RoadChoice};
+use lagrange_core::derive::{Road, RoadChoice};
 use lagrange_core::pipeline::{NumericSystem, parse};
 
 const GRAVITY: f64 = 9.81;

@@ -1,7 +1,7 @@
 //! Motions that are determined although a pivot vanishes: masses that are zero under constraints, inertia that is switched off, and
 //! indefinite Lagrangians.
 
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::RoadChoice;
 use lagrange_core::pipeline::{NumericSystem, parse};
 use proptest::prelude::{prop, prop_assert, prop_assume, proptest};
 

@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use lagrange_core::bodies::plain;
+use lagrange_core::derive::RoadChoice;
 use lagrange_core::diagnostics::Report;
-use lagrange_core::mechanics::{RoadChoice, elaborate};
+use lagrange_core::elaborate::elaborate;
 use lagrange_core::pipeline::System;
 use lagrange_core::syntax::ast::{Declaration, Statement};
 use lagrange_core::syntax::{parse_text, print};

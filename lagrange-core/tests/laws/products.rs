@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::RoadChoice;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::parse;
 use quote::{ToTokens, quote};
 

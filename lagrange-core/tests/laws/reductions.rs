@@ -1,7 +1,8 @@
 //! What holds for reduced types of any machine, by the inverse dynamics of the whole one: coordinates that are
 //! frozen drop out, and in small ones the reduced machine differs by what is neglected and by no more.
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::RoadChoice;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use proptest::prelude::{prop, prop_assert, prop_assume, proptest};
 

@@ -6,8 +6,9 @@ use std::fmt::Write;
 
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::calculus::evaluate;
+use lagrange_core::derive::RoadChoice;
 use lagrange_core::expr::ExprId;
-use lagrange_core::mechanics::{BodyMotion, RoadChoice};
+use lagrange_core::model::BodyMotion;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_core::symbol::Role;
 use proptest::prelude::{Strategy, any, prop, prop_assert, proptest};

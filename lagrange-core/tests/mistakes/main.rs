@@ -9,8 +9,8 @@ mod corpus;
 mod slips;
 
 use corpus::{Mistake, mistakes};
+use lagrange_core::derive::RoadChoice;
 use lagrange_core::diagnostics::{Diagnostic, Report, Severity};
-use lagrange_core::mechanics::RoadChoice;
 use lagrange_core::pipeline::{expand, parse};
 use proc_macro2::TokenStream;
 use quote::quote;

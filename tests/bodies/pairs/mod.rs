@@ -6,7 +6,7 @@ mod closed;
 mod open;
 
 use lagrange::system::{OdeSystem, StateVector};
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::RoadChoice;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 

@@ -4,8 +4,8 @@
 use std::fs;
 use std::path::Path;
 
-use lagrange_core::emit::rust_body::{Names, Scalar, body};
-use lagrange_core::mechanics::{Road, RoadChoice, Sums};
+use lagrange_core::code::{Names, Scalar, body};
+use lagrange_core::derive::{Road, RoadChoice, Sums};
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, Pass, Program, lower, passes};
 use lagrange_core::symbol::Role;

@@ -1,0 +1,188 @@
+//! The roads from a quadratic form to the accelerations, and which one to take.
+
+use std::fmt;
+
+use super::algebra::Sums;
+use super::cost::cost;
+use super::elimination::contracted::{MOST_CONTRACTED, solve_contracted};
+use super::elimination::solve::{Solution, solve_dense, solve_recursive};
+use super::least_constraint::{SplitLagrangian, Terms, loads_beside_squares};
+use super::messages;
+use super::quadratic_form::QuadraticForm;
+use super::sum_of_squares::{Obstacle, solve_squares};
+use crate::calculus::AccelerationTerms;
+use crate::expr::ExprId;
+use crate::model::Model;
+use crate::syntax::ast::Accuracy;
+
+/// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
+/// the factorisation down would be all that the trial finds.
+const LARGEST_TRIAL: usize = 40;
+
+/// How the accelerations are computed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Road {
+    /// The mass matrix is formed and factorised.
+    Dense,
+    /// Coordinates are eliminated body by body; the mass matrix is never formed.
+    Recursive,
+    /// The same, with the kinetic energy kept a sum of squares: no coefficient of it is ever subtracted from.
+    Squares,
+}
+
+impl Road {
+    /// Every road, in the order of [`Equations::costs`](super::Equations::costs).
+    pub const ALL: [Road; 3] = [Road::Dense, Road::Recursive, Road::Squares];
+}
+
+/// Which road to take.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum RoadChoice {
+    /// The one with the lower counted cost.
+    #[default]
+    Cheapest,
+    /// This one; the dense one instead of squares where the kinetic energy is no sum of squares.
+    Always(Road),
+    /// Squares, if the kinetic energy is a sum of them, with sums simplified in this way.
+    Squares(Sums),
+}
+
+/// The mass matrix is singular whatever the values of the parameters.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SingularMassMatrix;
+
+impl fmt::Display for SingularMassMatrix {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(messages::SINGULAR_MASS_MATRIX)
+    }
+}
+
+impl std::error::Error for SingularMassMatrix {}
+
+impl SingularMassMatrix {
+    /// What is wrong, in the user's words, with the names of the coordinates that take part in a motion without inertia.
+    pub fn message(self, coordinates: &[&str]) -> String {
+        messages::singular_mass_matrix(coordinates)
+    }
+
+    /// What to do about it.
+    pub fn help(self) -> &'static str {
+        messages::SINGULAR_HELP
+    }
+}
+
+/// A solution, the road to it, and the counted cost of each road that was tried.
+pub(super) type Solved = (Solution, Road, [Option<f64>; 3]);
+
+/// What the roads to the accelerations start from.
+pub(super) struct Roads<'a> {
+    pub(super) model: &'a mut Model,
+    pub(super) split: &'a SplitLagrangian,
+    pub(super) form: QuadraticForm,
+    /// The form over the generalised velocities.
+    pub(super) pushed: QuadraticForm,
+}
+
+impl Roads<'_> {
+    pub(super) fn solve(mut self, choice: RoadChoice) -> Result<Solved, SingularMassMatrix> {
+        let choice = match choice {
+            RoadChoice::Always(Road::Squares) | RoadChoice::Squares(_) if !self.has_squares_only() => {
+                RoadChoice::Always(Road::Dense)
+            }
+            RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
+                return self.most_accurate();
+            }
+            choice => choice,
+        };
+        let mut best = None;
+        let mut costs = [None; 3];
+        // The mass matrix last, since it is not worth writing down its factors if it is large.
+        for (n, road) in Road::ALL.into_iter().enumerate().rev() {
+            let solution = match choice {
+                RoadChoice::Always(only) if only != road => None,
+                RoadChoice::Squares(_) if road != Road::Squares => None,
+                RoadChoice::Cheapest if road == Road::Dense && best.is_some() && self.is_large() => None,
+                RoadChoice::Squares(sums) => self.squares(&[sums])?,
+                _ => self.take(road)?,
+            };
+            let Some(solution) = solution else { continue };
+            let cost = cost(&self.model.graph, &solution.values);
+            costs[n] = Some(cost);
+            if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
+                best = Some((solution, road, cost));
+            }
+        }
+        best.map(|(solution, road, _)| (solution, road, costs)).ok_or(SingularMassMatrix)
+    }
+
+    /// Nothing is more accurate than what needs no elimination. Otherwise squares come first; where they lead nowhere, the
+    /// mass matrix if what cancels in it can be looked for, and elimination body by body if it is too large for that:
+    /// this adds up less before it subtracts.
+    fn most_accurate(&mut self) -> Result<Solved, SingularMassMatrix> {
+        let velocities = self.model.velocities();
+        let is_coupled = velocities.iter().any(|&velocity| self.pushed.degree(velocity) > 0);
+        let is_contracted = velocities.len() <= MOST_CONTRACTED;
+        let roads = match (is_coupled, is_contracted) {
+            (false, _) => [Road::Dense, Road::Recursive, Road::Squares],
+            (true, true) => [Road::Squares, Road::Dense, Road::Recursive],
+            (true, false) => [Road::Squares, Road::Recursive, Road::Dense],
+        };
+        for road in roads {
+            if let Some(solution) = self.take(road)? {
+                return Ok((solution, road, [None; 3]));
+            }
+        }
+        Err(SingularMassMatrix)
+    }
+
+    fn is_large(&self) -> bool {
+        let count = self.model.coordinates.len();
+        count > LARGEST_TRIAL && self.pushed.is_mostly_full(count)
+    }
+
+    /// The solution along one road, if it leads anywhere.
+    fn take(&mut self, road: Road) -> Result<Option<Solution>, SingularMassMatrix> {
+        let unknowns = self.model.unknowns();
+        match road {
+            Road::Dense => Ok(self.factorised(&unknowns)),
+            Road::Recursive => Ok(solve_recursive(&mut self.model.graph, self.form.clone(), &unknowns)),
+            Road::Squares if !self.has_squares_only() => Ok(None),
+            Road::Squares if self.model.accuracy == Accuracy::Strict => self.squares(&[Sums::Contracted]),
+            Road::Squares => self.squares(&[Sums::Contracted, Sums::Collected]),
+        }
+    }
+
+    /// Whether there is nothing but squares of rates; multipliers stand in products.
+    fn has_squares_only(&self) -> bool {
+        !self.split.has_other_inertia && self.model.constraints.is_empty()
+    }
+
+    fn factorised(&mut self, unknowns: &[ExprId]) -> Option<Solution> {
+        let graph = &mut self.model.graph;
+        let is_strict = self.model.accuracy == Accuracy::Strict && self.model.constraints.is_empty();
+        let contracted = is_strict.then(|| solve_contracted(graph, &self.pushed, unknowns)).flatten();
+        contracted.or_else(|| solve_dense(graph, self.pushed.clone(), unknowns))
+    }
+
+    /// The cheapest solution by way of squares, with sums simplified in each of these ways; the first of equals.
+    fn squares(&mut self, ways: &[Sums]) -> Result<Option<Solution>, SingularMassMatrix> {
+        let velocities = self.model.velocities();
+        let dropped = AccelerationTerms::Dropped;
+        let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
+        let mut best: Option<(f64, Solution)> = None;
+        for &sums in ways {
+            let graph = &mut self.model.graph;
+            match solve_squares(graph, self.split, loads.clone(), &velocities, sums) {
+                Ok(solution) => {
+                    let cost = cost(graph, &solution.values);
+                    if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                        best = Some((cost, solution));
+                    }
+                }
+                Err(Obstacle::NothingMoves) => return Err(SingularMassMatrix),
+                Err(Obstacle::Pivot | Obstacle::Size) => {}
+            }
+        }
+        Ok(best.map(|(_, solution)| solution))
+    }
+}

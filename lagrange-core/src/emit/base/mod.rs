@@ -1,0 +1,10 @@
+//! What features share: the shape of the emitted type, methods and their arguments, documentation, limits of size.
+
+pub(super) mod attributes;
+pub(super) mod bindings;
+pub(super) mod docs;
+pub(super) mod messages;
+pub(super) mod method;
+pub(super) mod shape;
+pub(super) mod size;
+pub(super) mod state;

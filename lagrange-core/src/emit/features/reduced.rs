@@ -1,0 +1,285 @@
+//! Reduced types: what is said of them, and how they and their states convert to the whole system and back.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::switches::free_switches;
+use crate::code::{Names, body};
+use crate::collections::HashMap;
+use crate::derive::Equations;
+use crate::elaborate::METHODS_OF_REDUCED;
+use crate::emit::base::attributes::{conditions, deprecated_exception};
+use crate::emit::base::bindings::field_bindings;
+use crate::emit::base::shape::{Shape, doc, identifier, local};
+use crate::emit::item::{rounded_exception, split_attributes};
+use crate::emit::skeleton::skeleton_of_type;
+use crate::emit::system::Refusal;
+use crate::formula::text;
+use crate::model::{Held, Model, Reduced};
+use crate::program::{Labels, Op, lower, optimise};
+use crate::syntax::ast::{Declaration, ScalarType, StatementKind};
+
+/// Values with longer texts are not written out in documentation.
+const LONGEST_VALUE: usize = 60;
+
+/// The declarations of reduced types, documented, in the order of their `reduce` statements.
+pub fn reduced_declarations(declaration: &Declaration, reduced: &[Reduced]) -> Vec<Declaration> {
+    let pairs = declaration.reductions().zip(reduced);
+    let documented = pairs.map(|((syntax, docs), reduced)| {
+        let summary = summary(declaration, reduced);
+        declaration.reduced(syntax, attributes(declaration, docs, &summary))
+    });
+    documented.collect()
+}
+
+/// The attributes of the whole system with other documentation.
+fn attributes(declaration: &Declaration, docs: &TokenStream, summary: &[String]) -> TokenStream {
+    let (_, kept) = split_attributes(&declaration.attributes);
+    let blank = (!docs.is_empty()).then(|| doc(""));
+    let summary = summary.iter().map(|line| doc(line));
+    quote!(#docs #blank #(#summary)* #(#kept)*)
+}
+
+fn summary(declaration: &Declaration, reduced: &Reduced) -> Vec<String> {
+    let names = declaration.coordinates();
+    let graph = &reduced.model.graph;
+    let name = |held: &Held| names.get(held.coordinate).map_or("", |name| name.text.as_str());
+    let value = |held: &Held| match text::definitions(graph, &[held.value], LONGEST_VALUE) {
+        (abbreviations, texts) if abbreviations.is_empty() => texts.concat(),
+        _ => "an expression of parameters".to_owned(),
+    };
+    let list = |helds: &[Held], relation: &str| {
+        let item = |held: &Held| format!("`{} {relation} {}`", name(held), value(held));
+        helds.iter().map(item).collect::<Vec<_>>().join(", ")
+    };
+    let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
+    let frozen = (!frozen.is_empty()).then(|| format!("{} frozen", list(frozen, "=")));
+    let nearby = (!small.is_empty()).then(|| format!("{} small", list(small, "≈")));
+    let parts = frozen.into_iter().chain(nearby).collect::<Vec<_>>().join(", ");
+    let mut lines = vec![format!("Reduced from [`{}`]: {parts}.", declaration.name.text)];
+    if !small.is_empty() {
+        lines.extend(["".to_owned(), EXPANDED[0].to_owned(), EXPANDED[1].to_owned()]);
+    }
+    lines
+}
+
+const EXPANDED: [&str; 2] = [
+    "Energies and dissipation are expanded to second order in what is small and its rates together, forces on",
+    "it to first order. Outputs are exact.",
+];
+
+/// Conversions between a system and a reduced type of it.
+///
+/// # Errors
+/// If a value is too large for the scalar.
+pub fn conversions(
+    (full, model, equations): (&Declaration, &Model, &Equations),
+    (part, reduced, reduced_equations): (&Declaration, &Reduced, &Equations),
+    krate: &TokenStream,
+) -> Result<TokenStream, Refusal> {
+    let full = Shape::new(full, krate).with_switches(&model.graph, equations);
+    let part = Shape::new(part, krate).with_switches(&reduced.model.graph, reduced_equations);
+    let state_methods = state_methods(&full, &part, reduced)?;
+    Ok(items(&full, &part, &state_methods))
+}
+
+fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> TokenStream {
+    let systems = [system_conversion(full, part), system_conversion(part, full)];
+    let states = state_conversion(full, part);
+    let scalar = part.scalar_path();
+    let import = part.generics().is_empty().then(|| quote!(use #scalar;));
+    let attributes = &full.declaration.attributes;
+    let (conditions, deprecated) = (conditions(attributes), deprecated_exception(attributes));
+    quote! {
+        #conditions
+        #deprecated
+        const _: () = {
+            #import
+            #(#systems)*
+            #states
+            #state_methods
+        };
+    }
+}
+
+/// Parameters, inputs and what contacts and friction do are the same.
+fn system_conversion(from: &Shape<'_>, to: &Shape<'_>) -> TokenStream {
+    let (source, target, generics, bounds) = (from.name(), to.name(), to.generics(), to.bounds());
+    let system = local("system");
+    let fields = to.fields.iter().copied().chain(to.fields_of_modes()).map(identifier).collect::<Vec<_>>();
+    let switches = free_switches(to);
+    let marker = to.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData));
+    quote! {
+        #[automatically_derived]
+        impl #bounds ::core::convert::From<&#source #generics> for #target #generics {
+            #[inline]
+            fn from(#system: &#source #generics) -> Self {
+                Self { #(#fields: #system.#fields,)* #switches #marker }
+            }
+        }
+    }
+}
+
+/// What is frozen is left out.
+fn state_conversion(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
+    let (source, target, generics) = (full.state_name(), part.state_name(), part.generics());
+    let (state, fields) = (local("state"), part.state_fields());
+    quote! {
+        #[automatically_derived]
+        impl #generics ::core::convert::From<#source #generics> for #target #generics {
+            #[inline]
+            fn from(#state: #source #generics) -> Self {
+                Self { #(#fields: #state.#fields),* }
+            }
+        }
+    }
+}
+
+/// The methods that need the values of coordinates, which may depend on parameters.
+fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Result<TokenStream, Refusal> {
+    let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
+    let expand = with_values(part, reduced, frozen, |state, values, zero| {
+        let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
+            let value = match held(frozen, values, i, full.coordinates.len()) {
+                None => quote!(#state.#field),
+                Some(value) => value.unwrap_or(zero).clone(),
+            };
+            quote!(#field: #value)
+        });
+        quote!(#(#entries),*)
+    })?;
+    let all = frozen.iter().chain(small).cloned().collect::<Vec<_>>();
+    let deviation = with_values(part, reduced, &all, |state, values, zero| {
+        let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
+            match held(&all, values, i, full.coordinates.len()) {
+                None => quote!(#field: #zero),
+                Some(None) => quote!(#field: #state.#field),
+                Some(Some(value)) => quote!(#field: #state.#field - #value),
+            }
+        });
+        quote!(#(#entries),*)
+    })?;
+    Ok(inherent_impl(full, part, &expand, &deviation))
+}
+
+/// The value of an entry of the state, if the entry belongs to one of `all`: `Some(None)` is a value of zero.
+fn held<'v>(
+    all: &[Held],
+    values: &'v [Option<TokenStream>],
+    entry: usize,
+    coordinates: usize,
+) -> Option<Option<&'v TokenStream>> {
+    let position = all.iter().position(|held| held.coordinate == entry % coordinates)?;
+    Some(if entry < coordinates { values.get(position).and_then(Option::as_ref) } else { None })
+}
+
+/// A body that computes values and puts them into a state of the whole system; `fields` gets the state, the
+/// values that are not zero, and zero.
+fn with_values(
+    part: &Shape<'_>,
+    reduced: &Reduced,
+    all: &[Held],
+    fields: impl Fn(&Ident, &[Option<TokenStream>], &TokenStream) -> TokenStream,
+) -> Result<Body, Refusal> {
+    let mut graph = reduced.model.graph.clone();
+    let mut roots = all.iter().map(|held| held.value).collect::<Vec<_>>();
+    let is_zero = roots.iter().map(|&value| graph.is_zero(value)).collect::<Vec<_>>();
+    roots.push(graph.number(0));
+    let mut labels = Labels::default();
+    all.iter().for_each(|held| labels.insert(held.value, "held"));
+    let program = optimise(&lower(&graph, &roots, &labels), reduced.model.accuracy);
+    let is_rounded = program.values().any(|(_, op)| matches!(op, Op::Float(_)));
+    let (state, mut names) = (local("state"), Names::new(["state"]));
+    let written = body(&program, graph.symbols(), &part.computed_with(), &mut names)
+        .map_err(|error| Refusal::Constants(error.constants))?;
+    let bindings = field_bindings(part, &reduced.model, &written.used, &mut names);
+    let values = written.outputs.iter().zip(&is_zero);
+    let values = values.map(|(value, is_zero)| (!is_zero).then(|| value.clone())).collect::<Vec<_>>();
+    let zero = written.outputs.last().cloned().unwrap_or_default();
+    let (statements, fields) = (&written.statements, fields(&state, &values, &zero));
+    let krate = part.krate;
+    let functions = written.functions.iter().map(|name| local(name));
+    let functions = (!written.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
+    Ok(Body { statements: quote!(#functions #bindings #statements), fields, is_rounded })
+}
+
+/// Statements and the fields of the state that is returned behind them.
+struct Body {
+    statements: TokenStream,
+    fields: TokenStream,
+    /// Whether it holds rounded values of irrational constants.
+    is_rounded: bool,
+}
+
+fn inherent_impl(full: &Shape<'_>, part: &Shape<'_>, expand: &Body, deviation: &Body) -> TokenStream {
+    let (name, generics, bounds) = (part.name(), part.generics(), part.bounds());
+    let (whole, reduced, state) = (full.state_name(), part.state_name(), local("state"));
+    let rounded = rounded_exception(expand.is_rounded || deviation.is_rounded);
+    let (expand, deviation) = (returning(&whole, expand), returning(&whole, deviation));
+    let system = &full.declaration.name.text;
+    let expand_docs = doc(&format!("The state of [`{system}`] that belongs to a state of this system:"));
+    let deviation_docs =
+        doc(&format!("How far a state of [`{system}`] is from those that this system stands for:"));
+    quote! {
+        #rounded
+        impl #bounds #name #generics {
+            #expand_docs
+            /// frozen coordinates have their values, and no velocity.
+            #[must_use]
+            #[inline]
+            pub fn expand(&self, #state: #reduced #generics) -> #whole #generics {
+                #expand
+            }
+
+            #deviation_docs
+            /// differences from their values for coordinates that are frozen or small, their velocities, and
+            /// zero for everything else. What is frozen is lost in the reduced state; of what is small, the
+            /// third power is neglected in energies.
+            #[must_use]
+            #[inline]
+            pub fn deviation(&self, #state: #whole #generics) -> #whole #generics {
+                #deviation
+            }
+        }
+    }
+}
+
+fn returning(state: &Ident, Body { statements, fields, .. }: &Body) -> TokenStream {
+    match fields.is_empty() {
+        true => quote!(::core::unreachable!()),
+        false => quote!(#statements #state { #fields }),
+    }
+}
+
+/// Whether it is an output with the name of a method, which is reported.
+fn is_reserved(statement: &StatementKind) -> bool {
+    matches!(statement, StatementKind::Output(name, _) if METHODS_OF_REDUCED.contains(&name.text.as_str()))
+}
+
+/// The same types and methods for a declaration with errors.
+pub(in crate::emit) fn skeletons(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
+    let mut taken = HashMap::default();
+    let mut is_new = |name: &str| {
+        let mut insert = |name: String| taken.insert(name, ()).is_none();
+        insert(name.to_owned())
+            & insert(format!("{name}State"))
+            & insert(format!("{name}Columns"))
+            & insert(format!("{name}Inputs"))
+    };
+    is_new(&declaration.name.text);
+    if let ScalarType::Generic(name) = &declaration.scalar {
+        is_new(&name.text);
+    }
+    let full = Shape::new(declaration, krate);
+    let types = declaration.reductions().filter(|(reduction, _)| is_new(&reduction.name.text));
+    let types = types.map(|(reduction, docs)| {
+        let mut part = declaration.reduced(reduction, attributes(declaration, docs, &[]));
+        part.statements.retain(|statement| !is_reserved(&statement.kind));
+        let nothing = Body { statements: TokenStream::new(), fields: TokenStream::new(), is_rounded: false };
+        let shape = Shape::new(&part, krate);
+        let methods = inherent_impl(&full, &shape, &nothing, &nothing);
+        let (system, conversions) = (skeleton_of_type(&part, krate), items(&full, &shape, &methods));
+        quote!(#system #conversions)
+    });
+    types.collect()
+}
