@@ -1,7 +1,7 @@
 //! `body` and `line` statements.
 
 use super::messages;
-use super::names::{Body, Line, Object};
+use super::object::{Body, Line, Object};
 use super::terms::{Pair, Terms};
 use super::translation::Translation;
 use super::{Claim, Drawn, DrawnKind, Motion, Outline};

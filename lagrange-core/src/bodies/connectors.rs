@@ -1,7 +1,7 @@
 //! Springs and dampers between points and between angles.
 
 use super::messages;
-use super::names::{Body, Connector, Object};
+use super::object::{Body, Connector, Object};
 use super::terms::{Pair, Terms};
 use super::translation::Translation;
 use super::{Cause, Drawn, DrawnKind};

@@ -2,7 +2,7 @@
 
 use super::Claim;
 use super::messages;
-use super::names::{Body, Joint, Line, Object};
+use super::object::{Body, Joint, Line, Object};
 use super::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, Name};
 use crate::syntax::foreign;

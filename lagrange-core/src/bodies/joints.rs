@@ -4,7 +4,7 @@
 //! λ times the direction.
 
 use super::messages;
-use super::names::{Body, Joint, Line, Object};
+use super::object::{Body, Joint, Line, Object};
 use super::terms::Pair;
 use super::translation::Translation;
 use super::{Cause, Drawn, DrawnKind, JointForm};

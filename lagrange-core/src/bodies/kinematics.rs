@@ -3,7 +3,7 @@
 //! Source: Meriam, Kraige, *Engineering Mechanics: Dynamics*, §5/4 to 5/6 and 6/8.
 
 use super::messages;
-use super::names::{Body, Line};
+use super::object::{Body, Line};
 use super::terms::Pair;
 use super::translation::Translation;
 use crate::syntax::ast::AstId;

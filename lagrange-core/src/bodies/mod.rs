@@ -16,6 +16,7 @@ mod joints;
 mod kinematics;
 mod messages;
 mod names;
+mod object;
 mod terms;
 mod translation;
 

@@ -1,7 +1,8 @@
 //! The statements of a declaration, one by one, in plain words.
 
 use super::messages;
-use super::names::{Body, Line, Names, Object};
+use super::names::Names;
+use super::object::{Body, Line, Object};
 use super::terms::{Pair, Terms};
 use super::{Cause, Claim, Drawn, DrawnKind, Motion, Plain};
 use crate::collections::HashMap;

@@ -14,6 +14,7 @@ mod names;
 mod naming;
 mod pairs;
 mod parts;
+mod sine_cosine;
 mod writer;
 
 use std::collections::BTreeSet;

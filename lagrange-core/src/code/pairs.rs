@@ -6,26 +6,7 @@ use quote::quote_spanned;
 use super::fragment::Fragment;
 use super::parts::Statement;
 use super::writer::{Writer, Written};
-use crate::collections::HashMap;
-use crate::program::{Op, Program, ValueId};
-
-/// The sine and the cosine taken from each pair, and from each place in a batch.
-pub(super) type Parts = HashMap<(ValueId, u32), [Option<ValueId>; 2]>;
-
-pub(super) fn parts_of_pairs(program: &Program) -> Parts {
-    let mut parts = Parts::default();
-    for (id, op) in program.values() {
-        let (pair, place, part) = match op {
-            Op::SinOf(pair) => (*pair, 0, 0),
-            Op::CosOf(pair) => (*pair, 0, 1),
-            Op::SinIn(batch, place) => (*batch, *place, 0),
-            Op::CosIn(batch, place) => (*batch, *place, 1),
-            _ => continue,
-        };
-        parts.get_or_insert_with((pair, place), || [None; 2])[part] = Some(id);
-    }
-    parts
-}
+use crate::program::ValueId;
 
 impl Writer<'_> {
     /// `let (sin_x, cos_x) = sin_cos(x);`
@@ -55,7 +36,8 @@ impl Writer<'_> {
 
     /// Adds the statement that defines the variables of a pair or a batch.
     fn define_pairs(&mut self, id: ValueId, tokens: TokenStream, pairs: Vec<[Ident; 2]>) -> Written {
-        let parts = |place: usize| self.parts.get(&(id, place as u32)).copied().unwrap_or_default();
+        let parts =
+            |place: usize| self.sines_and_cosines.get(&(id, place as u32)).copied().unwrap_or_default();
         let named = pairs.iter().enumerate().flat_map(|(place, names)| parts(place).into_iter().zip(names));
         let variables = named.filter_map(|(part, name)| Some((part?, name.clone()))).collect();
         self.statements.push(Statement { tokens, variables });
@@ -64,7 +46,7 @@ impl Writer<'_> {
 
     /// Variables for the sine and the cosine at a place in a batch.
     fn name_parts(&mut self, id: ValueId, place: u32, argument: Option<&str>) -> [Ident; 2] {
-        let parts = self.parts.get(&(id, place)).copied().unwrap_or_default();
+        let parts = self.sines_and_cosines.get(&(id, place)).copied().unwrap_or_default();
         let [sine, cosine] = [("sin", parts[0]), ("cos", parts[1])];
         [sine, cosine].map(|(function, part)| self.name_part(function, part, argument))
     }

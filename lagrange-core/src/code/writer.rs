@@ -7,8 +7,8 @@ use quote::{ToTokens, quote_spanned};
 
 use super::fragment::Fragment;
 use super::literal::Constant;
-use super::pairs::{Parts, parts_of_pairs};
 use super::parts::{Statement, assemble};
+use super::sine_cosine::{SinesAndCosines, sines_and_cosines};
 use super::{Body, Names, Scalar, Unrepresentable};
 use crate::expr::Relation;
 use crate::functions::row;
@@ -42,7 +42,7 @@ pub(super) struct Writer<'a> {
     pub(super) variability: ValueTable<Variability>,
     /// Whether a value is used once, as a branch of a selection.
     is_branch: ValueTable<bool>,
-    pub(super) parts: Parts,
+    pub(super) sines_and_cosines: SinesAndCosines,
     /// Which values are in variables whose names only number them.
     pub(super) is_numbered: ValueTable<bool>,
     pub(super) written: ValueTable<Written>,
@@ -67,7 +67,7 @@ impl<'a> Writer<'a> {
             is_branch: branches(program),
             uses: program.uses(),
             variability: Variability::of_values(program),
-            parts: parts_of_pairs(program),
+            sines_and_cosines: sines_and_cosines(program),
             is_numbered: ValueTable::filled(program.len(), false),
             written: ValueTable::with_capacity(program.len()),
             statements: Vec::new(),

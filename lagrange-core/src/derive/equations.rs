@@ -6,8 +6,9 @@ use super::elimination::contracted::contracted;
 use super::elimination::order::Elimination;
 use super::elimination::solve::{Solution, push_down, solve_dense};
 use super::indefinite::pivot_growth;
+use super::inverse_dynamics::residual;
 use super::jacobian::{Derivatives, Forms};
-use super::least_constraint::{SplitLagrangian, Terms, gauss_form, linear_form};
+use super::least_constraint::{SplitLagrangian, Terms, gauss_form};
 use super::quadratic_form::QuadraticForm;
 use super::responses::{ReactionEquations, reaction_forces};
 use super::strategies::{Road, RoadChoice, Roads, SingularMassMatrix};
@@ -293,19 +294,6 @@ fn forcing(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> 
         graph.negate(value)
     };
     velocities.iter().map(opposite).collect()
-}
-
-/// The linear part at the generalised velocities.
-pub(super) fn residual(
-    model: &mut Model,
-    split: &SplitLagrangian,
-    accelerations: AccelerationTerms,
-    terms: Terms,
-) -> Vec<ExprId> {
-    let velocities = model.velocities();
-    let form = linear_form(model, split, accelerations, terms);
-    let pushed = push_down(&mut model.graph, form, &velocities);
-    velocities.iter().map(|&v| pushed.linear(&mut model.graph, v)).collect()
 }
 
 /// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act.

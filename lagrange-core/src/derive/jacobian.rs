@@ -7,7 +7,7 @@
 
 use super::cost::cost;
 use super::elimination::order::Elimination;
-use super::equations::residual;
+use super::inverse_dynamics::residual;
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::quadratic_form::QuadraticForm;
 use super::strategies::Road;

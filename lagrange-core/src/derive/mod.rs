@@ -8,6 +8,7 @@ mod cost;
 mod elimination;
 mod equations;
 mod indefinite;
+mod inverse_dynamics;
 mod jacobian;
 mod least_constraint;
 mod messages;

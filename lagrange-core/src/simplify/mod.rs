@@ -17,6 +17,7 @@ mod cancel;
 mod collect;
 mod content;
 mod contract;
+mod effort;
 mod expand;
 mod group;
 mod monomial;
@@ -25,6 +26,7 @@ mod pairs;
 mod polynomial;
 mod present;
 mod rules;
+mod sign;
 mod size;
 mod vanishing;
 mod waves;
@@ -37,6 +39,7 @@ pub use contract::{contract, contract_all};
 pub use open::{count_opened, factors_to_open, is_no_difference, open};
 pub use present::{multiply_out, present, present_all, proves_zero};
 pub use rules::{Arguments, RULES, Rule};
+pub use sign::never_vanishes;
 pub use vanishing::vanishing;
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! §4.3.16–17), then sin² becomes 1 - cos² and sinh² becomes cosh² - 1. If the single angles are
 //! independent, two polynomials of that form are equal only if they are the same.
 
-use super::expand::Expander;
+use super::effort::Effort;
 use super::monomial::{Monomial, Term};
 use super::polynomial::Polynomial;
 use crate::expr::{ExprId, Function, Graph, Node};
@@ -22,7 +22,7 @@ struct Wave {
 
 /// sin or cos of an angle; `None` if that takes more than the budget.
 pub(super) fn expand(
-    expander: &mut Expander,
+    effort: &mut Effort,
     graph: &mut Graph,
     function: Function,
     angle: &Polynomial,
@@ -37,7 +37,7 @@ pub(super) fn expand(
         };
         let unit = wave_of(graph, monomial, unit, sign);
         for _ in 0..times {
-            total = add_angles(expander, &total, &unit)?;
+            total = add_angles(effort, &total, &unit)?;
         }
     }
     Some(if function == Function::Sin { total.sin } else { total.cos })
@@ -55,30 +55,26 @@ fn wave_of(graph: &mut Graph, monomial: &Monomial, coefficient: Number, sign: i3
     Wave { sin: signed, cos }
 }
 
-fn add_angles(expander: &mut Expander, a: &Wave, b: &Wave) -> Option<Wave> {
-    let mut sin = expander.times(&a.sin, &b.cos)?;
-    sin.add_scaled(&expander.times(&a.cos, &b.sin)?, &Number::ONE);
-    let mut cos = expander.times(&a.cos, &b.cos)?;
-    cos.add_scaled(&expander.times(&a.sin, &b.sin)?, &Number::MINUS_ONE);
-    Some(Wave { sin: expander.within_budget(sin)?, cos: expander.within_budget(cos)? })
+fn add_angles(effort: &mut Effort, a: &Wave, b: &Wave) -> Option<Wave> {
+    let mut sin = effort.times(&a.sin, &b.cos)?;
+    sin.add_scaled(&effort.times(&a.cos, &b.sin)?, &Number::ONE);
+    let mut cos = effort.times(&a.cos, &b.cos)?;
+    cos.add_scaled(&effort.times(&a.sin, &b.sin)?, &Number::MINUS_ONE);
+    Some(Wave { sin: effort.within_budget(sin)?, cos: effort.within_budget(cos)? })
 }
 
 /// The polynomial without powers of sines and hyperbolic sines above the first.
-pub(super) fn reduce(
-    expander: &mut Expander,
-    graph: &mut Graph,
-    polynomial: &Polynomial,
-) -> Option<Polynomial> {
+pub(super) fn reduce(effort: &mut Effort, graph: &mut Graph, polynomial: &Polynomial) -> Option<Polynomial> {
     let mut polynomial = polynomial.clone();
     loop {
         let mut reduced = Polynomial::default();
         let mut changed = false;
         for term in polynomial.terms() {
-            let replaced = reduce_term(expander, graph, &term)?;
+            let replaced = reduce_term(effort, graph, &term)?;
             changed |= replaced.is_some();
             reduced.add_scaled(&replaced.unwrap_or_else(|| Polynomial::of_terms([term])), &Number::ONE);
         }
-        polynomial = expander.within_budget(reduced)?;
+        polynomial = effort.within_budget(reduced)?;
         if !changed {
             return Some(polynomial);
         }
@@ -86,7 +82,7 @@ pub(super) fn reduce(
 }
 
 /// The term with two powers of a sine replaced, `Some(None)` if it has no such power.
-fn reduce_term(expander: &mut Expander, graph: &mut Graph, term: &Term) -> Option<Option<Polynomial>> {
+fn reduce_term(effort: &mut Effort, graph: &mut Graph, term: &Term) -> Option<Option<Polynomial>> {
     let is_square = |&(base, ref exponent): &(ExprId, Number)| {
         let partner = partner(graph, base)?;
         exponent.to_i32().filter(|&e| e > 1).map(|_| (base, partner))
@@ -97,7 +93,7 @@ fn reduce_term(expander: &mut Expander, graph: &mut Graph, term: &Term) -> Optio
     let other = apply(graph, cofunction, &[argument]);
     let sign = if cofunction == Function::Cos { Number::ONE } else { Number::MINUS_ONE };
     let rest = term.monomial.times_power(base, -2);
-    expander.spend(2)?;
+    effort.spend(2)?;
     let square = Term { coefficient: -&(&term.coefficient * &sign), monomial: rest.times_power(other, 2) };
     let one = Term { coefficient: &term.coefficient * &sign, monomial: rest };
     Some(Some(Polynomial::of_terms([one, square])))

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::composition::Expansion;
-use super::rotation::{Carried, Carriers};
+use super::square::{Carried, Carriers};
 use crate::derive::algebra::{Algebra, LinearForm};
 use crate::expr::ExprId;
 use crate::number::Number;
@@ -20,32 +20,30 @@ pub(super) struct Frame {
     pub(super) bend: ExprId,
 }
 
-impl Carriers {
-    /// The frame in which to write the accelerations of two carriers, if the unknown moves them by a unit vector.
-    pub(super) fn frame(
-        &self,
-        algebra: &mut Algebra<'_>,
-        squares: &[Carried],
-        pivot: ExprId,
-    ) -> Option<Frame> {
-        let ([x, y], [a, b]) = (self.ids.as_slice(), self.expansions.as_slice()) else { return None };
-        let length = [a, b].map(|e| (e.slope, e.slope, Number::ONE));
-        let length = algebra.products(&length);
-        if !algebra.graph.is_one(length) || squares.iter().any(|square| !square.others.is_empty()) {
-            return None;
-        }
-        let arms = squares.iter().map(|square| {
-            let along_normal = algebra.products(&[
-                (a.slope, square.carriers[1], Number::ONE),
-                (b.slope, square.carriers[0], Number::MINUS_ONE),
-            ]);
-            (square.weight, square.arm, along_normal, Number::ONE)
-        });
-        let arms = arms.collect::<Vec<_>>();
-        let arm = algebra.weighted(&arms);
-        let bend = simplify::quotient(algebra.graph, arm, pivot);
-        Some(Frame { carriers: [(*x, a.clone()), (*y, b.clone())], bend })
+/// The frame in which to write the accelerations of two carriers, if the unknown moves them by a unit vector.
+pub(super) fn frame(
+    carriers: &Carriers,
+    algebra: &mut Algebra<'_>,
+    squares: &[Carried],
+    pivot: ExprId,
+) -> Option<Frame> {
+    let ([x, y], [a, b]) = (carriers.ids.as_slice(), carriers.expansions.as_slice()) else { return None };
+    let length = [a, b].map(|e| (e.slope, e.slope, Number::ONE));
+    let length = algebra.products(&length);
+    if !algebra.graph.is_one(length) || squares.iter().any(|square| !square.others.is_empty()) {
+        return None;
     }
+    let arms = squares.iter().map(|square| {
+        let along_normal = algebra.products(&[
+            (a.slope, square.carriers[1], Number::ONE),
+            (b.slope, square.carriers[0], Number::MINUS_ONE),
+        ]);
+        (square.weight, square.arm, along_normal, Number::ONE)
+    });
+    let arms = arms.collect::<Vec<_>>();
+    let arm = algebra.weighted(&arms);
+    let bend = simplify::quotient(algebra.graph, arm, pivot);
+    Some(Frame { carriers: [(*x, a.clone()), (*y, b.clone())], bend })
 }
 
 impl Frame {

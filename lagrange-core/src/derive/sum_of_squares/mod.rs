@@ -9,6 +9,7 @@ mod composition;
 mod frame;
 mod guard;
 mod rotation;
+mod square;
 
 use std::collections::BTreeSet;
 
@@ -23,7 +24,9 @@ use crate::number::Number;
 use crate::simplify;
 use back::{Step, Substitution, Way, substitute_back};
 use composition::{Composition, Expansion};
-use rotation::{Carried, Carriers, Pull, Square, eliminate};
+use frame::frame;
+use rotation::{Pull, eliminate};
+use square::{Carried, Carriers, Square};
 
 /// Why no accelerations are found among squares.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -203,7 +206,7 @@ impl<'g> Elimination<'g> {
         applied: ExprId,
     ) -> Substitution {
         let loads = [pull.applied, applied];
-        if let Some(frame) = carriers.frame(&mut self.algebra, touched, pull.pivot) {
+        if let Some(frame) = frame(&carriers, &mut self.algebra, touched, pull.pivot) {
             if !self.algebra.graph.is_zero(applied) {
                 let factors = frame.factors(&mut self.algebra);
                 self.pass_on(&factors, applied);

@@ -19,60 +19,21 @@
 //! aᵢ pⱼ − aⱼ pᵢ = Σ_{k<l} (Jᵢₖ Jⱼₗ − Jᵢₗ Jⱼₖ) (t_k y′_l − t_l y′_k),
 //! ```
 //!
-//! so that what is left depends on the y′ only by way of the *moments* t_k y′_l − t_l y′_k. A rod between two
+//! so that what is left depends on the y′ only by way of the *minors* t_k y′_l − t_l y′_k. A rod between two
 //! points has a single one: the acceleration of its end across it.
 
 use std::collections::BTreeMap;
 
-use super::composition::Expansion;
-use super::guard::{Guard, never_vanishes};
+use super::guard::Guard;
+use super::square::{Carried, Carriers, Minor, Square};
 use crate::derive::algebra::{Algebra, LinearForm};
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
-use crate::simplify;
+use crate::simplify::{self, never_vanishes};
 
 /// Squares times variables up to which they are rotated one after the other. Every rotation may fill in all variables,
 /// so that many squares of many variables cost far more than the mass matrix that they add up to.
 const LARGEST_ROTATION: usize = 1000;
-
-/// ½ weight·r² + linear·r with r = form.
-#[derive(Clone, Debug)]
-pub(super) struct Square {
-    pub(super) weight: ExprId,
-    pub(super) linear: ExprId,
-    pub(super) form: LinearForm,
-}
-
-/// A square that holds the unknown, by way of its carriers.
-#[derive(Clone, Debug)]
-pub(super) struct Carried {
-    pub(super) weight: ExprId,
-    pub(super) linear: ExprId,
-    /// The coefficient aᵢ of the unknown.
-    pub(super) arm: ExprId,
-    /// Jᵢₖ for the carriers.
-    pub(super) carriers: Vec<ExprId>,
-    /// The other variables.
-    pub(super) others: LinearForm,
-}
-
-/// The variables through which squares hold the unknown: y_k = t_k x + y′_k.
-#[derive(Debug)]
-pub(super) struct Carriers {
-    pub(super) ids: Vec<ExprId>,
-    pub(super) expansions: Vec<Expansion>,
-    /// t_k y′_l − t_l y′_k for k < l.
-    moments: Vec<Moment>,
-}
-
-/// `content` times a form and its drift.
-#[derive(Debug)]
-struct Moment {
-    pair: (usize, usize),
-    content: ExprId,
-    form: LinearForm,
-    drift: ExprId,
-}
 
 /// How the unknown depends on the rest: pivot · x = −Σ numerator · y′ − Σ others − load.
 #[derive(Debug)]
@@ -89,100 +50,21 @@ pub(super) struct Pull {
     pub(super) applied: ExprId,
 }
 
-impl Carriers {
-    pub(super) fn new(algebra: &mut Algebra<'_>, ids: Vec<ExprId>, expansions: Vec<Expansion>) -> Carriers {
-        let mut moments = Vec::new();
-        for (l, b) in expansions.iter().enumerate() {
-            for (k, a) in expansions[..l].iter().enumerate() {
-                let moment = moment(algebra, (k, l), a, b);
-                let is_nothing = moment.form.is_empty() && algebra.graph.is_zero(moment.drift);
-                moments.extend((!is_nothing).then_some(moment));
-            }
-        }
-        Carriers { ids, expansions, moments }
-    }
-
-    /// Splits the form of a square into carriers and others.
-    pub(super) fn carry(&self, algebra: &mut Algebra<'_>, square: Square) -> Carried {
-        let zero = algebra.graph.number(0);
-        let mut carriers = vec![zero; self.ids.len()];
-        let mut others = Vec::new();
-        let mut arm = Vec::new();
-        for (variable, coefficient) in square.form {
-            match self.ids.iter().position(|&id| id == variable) {
-                Some(k) => {
-                    carriers[k] = coefficient;
-                    arm.push((coefficient, self.expansions[k].slope, Number::ONE));
-                }
-                None => others.push((variable, coefficient)),
-            }
-        }
-        let arm = algebra.products(&arm);
-        Carried { weight: square.weight, linear: square.linear, arm, carriers, others }
-    }
-
-    /// The square written in what is left when the unknown is gone.
-    pub(super) fn without_unknown(&self, algebra: &mut Algebra<'_>, square: &Carried) -> Square {
-        let one = algebra.graph.number(1);
-        let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
-        let mut drifts = Vec::new();
-        for (&coefficient, expansion) in square.carriers.iter().zip(&self.expansions) {
-            for &(part, slope) in &expansion.rest {
-                form.entry(part).or_default().push((coefficient, slope, Number::ONE));
-            }
-            drifts.push((coefficient, expansion.drift, Number::ONE));
-        }
-        for &(variable, coefficient) in &square.others {
-            form.entry(variable).or_default().push((coefficient, one, Number::ONE));
-        }
-        let drift = algebra.products(&drifts);
-        let drift = algebra.graph.multiply(square.weight, drift);
-        let linear = algebra.graph.add(square.linear, drift);
-        Square { weight: square.weight, linear, form: algebra.form_of_products(form) }
-    }
-}
-
-impl Carried {
-    /// Whether the square holds the unknown in every configuration.
-    fn is_certain(&self, graph: &Graph) -> bool {
-        never_vanishes(graph, self.weight) && never_vanishes(graph, self.arm)
-    }
-}
-
-/// t_k y′_l − t_l y′_k
-fn moment(algebra: &mut Algebra<'_>, pair: (usize, usize), a: &Expansion, b: &Expansion) -> Moment {
-    let mut slopes: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
-    for &(part, slope) in &b.rest {
-        slopes.entry(part).or_default().push((a.slope, slope, Number::ONE));
-    }
-    for &(part, slope) in &a.rest {
-        slopes.entry(part).or_default().push((b.slope, slope, Number::MINUS_ONE));
-    }
-    let drift = algebra.products(&[(a.slope, b.drift, Number::ONE), (b.slope, a.drift, Number::MINUS_ONE)]);
-    let form = algebra.form_of_products(slopes);
-    let (content, primitive) = algebra.primitive(&form);
-    match simplify::safe_quotient(algebra.graph, drift, content) {
-        Some(drift) => Moment { pair, content, form: primitive, drift },
-        None => Moment { pair, content: algebra.graph.number(1), form, drift },
-    }
-}
-
 /// Eliminates the unknown; returns what it depends on and the squares that are left. `None` if those would be too many.
 pub(super) fn eliminate(
     algebra: &mut Algebra<'_>,
     carriers: &Carriers,
     squares: &[Carried],
 ) -> Option<(Pull, Vec<Square>)> {
-    let is_single_moment =
-        carriers.moments.len() < 2 && squares.iter().all(|square| square.others.is_empty());
-    if is_single_moment {
+    let is_single_minor = carriers.minors.len() < 2 && squares.iter().all(|square| square.others.is_empty());
+    if is_single_minor {
         let pull = pull(algebra, carriers, squares);
         // What depends on no acceleration cannot be made smaller.
-        let moment = carriers.moments.iter().find(|moment| !moment.form.is_empty());
-        let left = moment.map(|moment| across(algebra, moment, squares, pull.pivot));
+        let minor = carriers.minors.iter().find(|minor| !minor.form.is_empty());
+        let left = minor.map(|minor| across(algebra, minor, squares, pull.pivot));
         return Some((pull, left.into_iter().collect()));
     }
-    let entries = carriers.moments.iter().map(|moment| moment.form.len());
+    let entries = carriers.minors.iter().map(|minor| minor.form.len());
     let entries = entries.chain(squares.iter().map(|square| square.others.len())).sum::<usize>();
     (squares.len() * entries <= LARGEST_ROTATION).then(|| rotate(algebra, carriers, squares))
 }
@@ -198,7 +80,7 @@ fn rotate(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -
     let mut is_certain = false;
     for square in &before[1..] {
         let pair = [kept, square.clone()];
-        is_certain |= pair.iter().any(|square| square.is_certain(algebra.graph));
+        is_certain |= pair.iter().any(|square| always_holds_unknown(algebra.graph, square));
         let (lost, found) = rotate_pair(algebra, carriers, &pair, &mut is_certain);
         left.extend(lost);
         kept = found;
@@ -228,6 +110,11 @@ fn rotate_pair(
     algebra.guards.push(pull.pivot);
     let lost = guard.left(algebra, carriers, &pair[1], lost);
     (Some(lost), guard.kept(algebra.graph, &pair[0], &kept))
+}
+
+/// Whether a square holds the unknown in every configuration.
+fn always_holds_unknown(graph: &Graph, square: &Carried) -> bool {
+    never_vanishes(graph, square.weight) && never_vanishes(graph, square.arm)
 }
 
 fn pull(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -> Pull {
@@ -264,17 +151,17 @@ fn drifting(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried])
     algebra.weighted(&drifts)
 }
 
-/// The square across the only moment, from all pairs of squares.
-fn across(algebra: &mut Algebra<'_>, moment: &Moment, squares: &[Carried], pivot: ExprId) -> Square {
+/// The square across the only minor, from all pairs of squares.
+fn across(algebra: &mut Algebra<'_>, minor: &Minor, squares: &[Carried], pivot: ExprId) -> Square {
     let (mut weights, mut loads) = (Vec::new(), Vec::new());
     for (j, b) in squares.iter().enumerate() {
         let mut arms = Vec::new();
         for (i, a) in squares.iter().enumerate() {
-            let minor = minor(algebra, moment.pair, a, b);
-            arms.push((a.weight, a.arm, minor, Number::ONE));
+            let factor = row_minor(algebra, minor.pair, a, b);
+            arms.push((a.weight, a.arm, factor, Number::ONE));
             if i < j {
                 let weight = algebra.graph.multiply(a.weight, b.weight);
-                weights.push((weight, minor, minor, Number::ONE));
+                weights.push((weight, factor, factor, Number::ONE));
             }
         }
         let arm = algebra.weighted(&arms);
@@ -282,19 +169,19 @@ fn across(algebra: &mut Algebra<'_>, moment: &Moment, squares: &[Carried], pivot
     }
     let weight = algebra.weighted(&weights);
     let weight = algebra.factored(weight);
-    let squared = algebra.graph.square(moment.content);
+    let squared = algebra.graph.square(minor.content);
     let weight = algebra.graph.multiply(squared, weight);
     let weight = simplify::quotient(algebra.graph, weight, pivot);
     let load = algebra.total(loads);
-    let load = algebra.graph.multiply(moment.content, load);
+    let load = algebra.graph.multiply(minor.content, load);
     let load = simplify::quotient(algebra.graph, load, pivot);
-    let drift = algebra.graph.multiply(weight, moment.drift);
+    let drift = algebra.graph.multiply(weight, minor.drift);
     let linear = algebra.total(vec![(load, Number::ONE), (drift, Number::ONE)]);
-    Square { weight, linear, form: moment.form.clone() }
+    Square { weight, linear, form: minor.form.clone() }
 }
 
 /// Jᵢₖ Jⱼₗ − Jᵢₗ Jⱼₖ
-fn minor(algebra: &mut Algebra<'_>, (k, l): (usize, usize), a: &Carried, b: &Carried) -> ExprId {
+fn row_minor(algebra: &mut Algebra<'_>, (k, l): (usize, usize), a: &Carried, b: &Carried) -> ExprId {
     algebra.products(&[
         (a.carriers[k], b.carriers[l], Number::ONE),
         (a.carriers[l], b.carriers[k], Number::MINUS_ONE),
@@ -323,19 +210,19 @@ fn residual(
     Some(Square { weight, linear, form })
 }
 
-/// a₁ p₂ − a₂ p₁ by way of the moments: the form and its drift.
+/// a₁ p₂ − a₂ p₁ by way of the minors: the form and its drift.
 fn difference(algebra: &mut Algebra<'_>, carriers: &Carriers, [a, b]: &[Carried; 2]) -> (LinearForm, ExprId) {
     let mut coefficients: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
     let mut drifts = Vec::new();
-    for moment in &carriers.moments {
-        let minor = minor(algebra, moment.pair, a, b);
-        if algebra.graph.is_zero(minor) {
+    for minor in &carriers.minors {
+        let factor = row_minor(algebra, minor.pair, a, b);
+        if algebra.graph.is_zero(factor) {
             continue;
         }
-        let minor = algebra.graph.multiply(minor, moment.content);
-        drifts.push((minor, moment.drift, Number::ONE));
-        for &(part, slope) in &moment.form {
-            coefficients.entry(part).or_default().push((minor, slope, Number::ONE));
+        let factor = algebra.graph.multiply(factor, minor.content);
+        drifts.push((factor, minor.drift, Number::ONE));
+        for &(part, slope) in &minor.form {
+            coefficients.entry(part).or_default().push((factor, slope, Number::ONE));
         }
     }
     for (arm, others, sign) in [(a.arm, &b.others, Number::ONE), (b.arm, &a.others, Number::MINUS_ONE)] {

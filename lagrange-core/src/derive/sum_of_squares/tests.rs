@@ -3,7 +3,9 @@
 use proptest::prelude::{ProptestConfig, Strategy, prop, prop_assert, proptest};
 
 use super::composition::Expansion;
-use super::rotation::{Carried, Carriers, Pull, Square, eliminate};
+use super::frame::frame;
+use super::rotation::{Pull, eliminate};
+use super::square::{Carried, Carriers, Square};
 use crate::calculus::evaluate;
 use crate::derive::algebra::{Algebra, LinearForm, Sums};
 use crate::expr::{ExprId, Function, Graph};
@@ -184,7 +186,7 @@ proptest! {
             let mut algebra = Algebra::new(&mut graph, sums);
             let (carriers, carried, pull, left) = setting.eliminated(&mut algebra);
             let factors = pull.factors(&mut algebra, &carriers);
-            let frame = carriers.frame(&mut algebra, &carried, pull.pivot);
+            let frame = frame(&carriers, &mut algebra, &carried, pull.pivot);
             let in_frame = frame.map(|frame| frame.factors(&mut algebra));
             prop_assert!(in_frame.is_some() == (is_rod && shape.0 == 2 && !shape.2) || shape.0 == 1);
             let mut differences = [0.0; 3];

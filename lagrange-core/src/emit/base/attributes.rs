@@ -127,3 +127,22 @@ pub(in crate::emit) fn deprecated_exception(attributes: &TokenStream) -> Option<
     let found = mapped(attributes, |attribute| attribute.is("deprecated").then(|| attribute.tokens()));
     (!found.is_empty()).then_some(exception)
 }
+
+/// The lines of documentation and the other attributes.
+pub(in crate::emit) fn split_attributes(attributes: &TokenStream) -> (Vec<TokenStream>, Vec<TokenStream>) {
+    let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
+    // An attribute is a number sign and a group in brackets.
+    let (docs, others) = tokens.chunks(2).partition::<Vec<_>, _>(|attribute| is_documentation(attribute));
+    let attributes = |list: Vec<&[TokenTree]>| {
+        list.into_iter().map(|attribute| attribute.iter().cloned().collect()).collect()
+    };
+    (attributes(docs), attributes(others))
+}
+
+/// `#[doc = …]`, which is also what comments become, but not `#[doc(hidden)]`.
+fn is_documentation(attribute: &[TokenTree]) -> bool {
+    let Some(TokenTree::Group(group)) = attribute.get(1) else { return false };
+    let mut tokens = group.stream().into_iter();
+    let is_doc = matches!(tokens.next(), Some(TokenTree::Ident(word)) if word == "doc");
+    is_doc && matches!(tokens.next(), Some(TokenTree::Punct(punct)) if punct.as_char() == '=')
+}

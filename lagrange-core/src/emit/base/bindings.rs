@@ -7,19 +7,21 @@ use super::method::{ArgumentNames, Arguments};
 use super::shape::{Shape, identifier, length, local};
 use crate::code::Names;
 use crate::collections::HashMap;
-use crate::emit::system::Writer;
 use crate::model::Model;
 use crate::symbol::Role;
 
-impl Writer<'_> {
+/// What the bodies of one system find their symbols in.
+pub(super) struct Bindings<'a> {
+    pub(super) shape: &'a Shape<'a>,
+    pub(super) model: &'a Model,
+    pub(super) arguments: &'a ArgumentNames,
+}
+
+impl Bindings<'_> {
     /// Parameters, coordinates and rates under the names that the body uses.
-    pub(in crate::emit) fn bindings(
-        &self,
-        used: &[Role],
-        names: &mut Names,
-        arguments: Arguments,
-    ) -> TokenStream {
-        let ArgumentNames { time, positions, velocities, accelerations, state, residuals, .. } = &self.names;
+    pub(super) fn of(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
+        let ArgumentNames { time, positions, velocities, accelerations, state, residuals, .. } =
+            self.arguments;
         let fields = field_bindings(self.shape, self.model, used, names);
         let sides = self.side_bindings(used, names, arguments);
         let fields = quote!(#fields #sides);
@@ -54,7 +56,7 @@ impl Writer<'_> {
 
     /// The sides of switches that a body uses.
     fn side_bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> Option<TokenStream> {
-        let ArgumentNames { time, positions, velocities, state, .. } = &self.names;
+        let ArgumentNames { time, positions, velocities, state, .. } = self.arguments;
         let pattern = self.pattern((0..self.shape.switches.len() as u32).map(Role::Side), used, names)?;
         let (krate, n) = (self.shape.krate, length(self.model.coordinates.len()));
         Some(match arguments {

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::shape::{Shape, length};
+use crate::code::Names;
 
 /// What a method is a function of, beside the parameters.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -54,6 +55,29 @@ pub(in crate::emit) struct Method {
     pub(in crate::emit) arguments: Arguments,
     pub(in crate::emit) returns: Returns,
     pub(in crate::emit) body: TokenStream,
+}
+
+impl ArgumentNames {
+    /// Distinct names beside those of the user.
+    pub(in crate::emit) fn beside(user_names: &[String]) -> ArgumentNames {
+        let mut names = Names::new(user_names.iter().map(String::as_str));
+        let mut allocate = |wish: &str| names.fresh(wish);
+        let (residuals, shares, visit) = (allocate("residuals"), allocate("shares"), allocate("visit"));
+        let mut either = |short: &str, long: &str| {
+            let name = allocate(short);
+            if name == short { name } else { allocate(long) }
+        };
+        ArgumentNames {
+            time: either("t", "time"),
+            positions: either("q", "positions"),
+            velocities: either("v", "velocities"),
+            accelerations: either("a", "accelerations"),
+            state: either("y", "state"),
+            residuals,
+            shares,
+            visit,
+        }
+    }
 }
 
 impl Arguments {

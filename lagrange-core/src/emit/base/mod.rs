@@ -3,8 +3,13 @@
 pub(super) mod attributes;
 pub(super) mod bindings;
 pub(super) mod docs;
+pub(super) mod lints;
+pub(super) mod members;
 pub(super) mod messages;
 pub(super) mod method;
+pub(super) mod refusal;
 pub(super) mod shape;
+pub(super) mod sides;
 pub(super) mod size;
 pub(super) mod state;
+pub(super) mod writer;

@@ -5,7 +5,6 @@ use quote::{format_ident, quote};
 
 use crate::code::Scalar;
 use crate::collections::HashMap;
-use crate::emit::features::contacts::Touch;
 use crate::model::Product;
 use crate::syntax::ast::{
     Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType, Statement,
@@ -34,6 +33,17 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) outputs: Vec<(&'a Name, usize)>,
     /// The user's documentation of fields, coordinates and outputs.
     docs: HashMap<&'a str, &'a TokenStream>,
+}
+
+/// How the mode of a reaction is kept.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(in crate::emit) enum Touch {
+    /// In a field that says whether it is open.
+    Contact,
+    /// In a field that says whether it sticks.
+    Friction,
+    /// It has none.
+    Smooth,
 }
 
 impl<'a> Shape<'a> {
@@ -241,6 +251,13 @@ impl<'a> Shape<'a> {
         self.fields.is_empty() && matches!(self.declaration.scalar, ScalarType::Generic(_))
     }
 
+    /// Names of the user that stand in the methods' bodies beside the arguments.
+    pub(in crate::emit) fn user_names(&self) -> Vec<String> {
+        let coordinates = self.coordinates.iter();
+        let rates = coordinates.clone().map(|name| format!("{}_dot", name.text));
+        self.fields.iter().chain(coordinates).map(|name| name.text.clone()).chain(rates).collect()
+    }
+
     /// Fields of the state: coordinates, then velocities.
     pub(in crate::emit) fn state_fields(&self) -> Vec<Ident> {
         let positions = self.coordinates.iter().map(|name| identifier(name));
@@ -323,4 +340,9 @@ pub(in crate::emit) fn doc(line: &str) -> TokenStream {
 /// The length of an array, as people write it.
 pub(in crate::emit) fn length(length: usize) -> Literal {
     Literal::usize_unsuffixed(length)
+}
+
+/// The name of the method that says how a body moves.
+pub(in crate::emit) fn motion_name(body: &Name) -> Ident {
+    Ident::new(&format!("{}_motion", body.text), body.span)
 }

@@ -3,9 +3,9 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
+use super::lints::{name_exception, type_name_exception};
 use super::shape::{Shape, doc, length};
 use crate::code::Names;
-use crate::emit::item::{name_exception, type_name_exception};
 
 pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());

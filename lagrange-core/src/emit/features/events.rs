@@ -4,74 +4,54 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::switches::{switch_events, timed_members};
+use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::state::state_variables;
-use crate::emit::item::Parts;
-use crate::emit::system::Writer;
+use crate::emit::base::writer::MethodWriter;
 use crate::model::{Action, Assignment};
 use crate::syntax::ast::{self, Direction};
 
-impl Writer<'_> {
-    /// The functions of the events, and the states that assignments lead to.
-    pub(in crate::emit) fn write_events(&mut self) {
-        if self.model.events.is_empty() {
-            return;
-        }
-        // Of contacts the function depends on the mode; its place is filled by run-time code.
-        let one = self.model.graph.number(1);
-        let value = |event: &crate::model::Event| match event.action {
-            Action::Impact(_) => one,
-            _ => event.value,
-        };
-        let values = self.model.events.iter().map(value).collect::<Vec<_>>();
-        let returns = Returns::Vector(values.len());
-        let (body, _) = self.lowered(&values, Arguments::State, |results| returns.collect(results));
-        self.push_hidden("event_functions", returns, &body);
-        for (i, event) in self.model.events.clone().iter().enumerate() {
-            if let Action::Assign(assignments) = &event.action {
-                self.write_assignments(i, assignments);
-            }
-        }
+/// The functions of the events, and the states that assignments lead to.
+pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
+    if writer.model.events.is_empty() {
+        return;
     }
-
-    fn write_assignments(&mut self, event: usize, assignments: &[Assignment]) {
-        let mut state = [self.model.positions(), self.model.velocities()].concat();
-        for assignment in assignments {
-            state[assignment.index] = assignment.value;
+    // Of contacts the function depends on the mode; its place is filled by run-time code.
+    let one = writer.model.graph.number(1);
+    let value = |event: &crate::model::Event| match event.action {
+        Action::Impact(_) => one,
+        _ => event.value,
+    };
+    let values = writer.model.events.iter().map(value).collect::<Vec<_>>();
+    let returns = Returns::Vector(values.len());
+    let (body, _) = writer.lowered(&values, Arguments::State, |results| returns.collect(results));
+    writer.push_hidden("event_functions", returns, &body);
+    for (i, event) in writer.model.events.clone().iter().enumerate() {
+        if let Action::Assign(assignments) = &event.action {
+            write_assignments(writer, i, assignments);
         }
-        let returns = Returns::Vector(state.len());
-        let (body, _) = self.lowered(&state, Arguments::State, |results| returns.collect(results));
-        self.push_hidden(&format!("after_event_{event}"), returns, &body);
-    }
-
-    pub(in crate::emit) fn push_hidden(&mut self, name: &str, returns: Returns, body: &TokenStream) {
-        let (name, scalar, n) =
-            (format_ident!("{name}"), self.shape.scalar(), length(self.shape.coordinates.len()));
-        let ArgumentNames { time, positions, velocities, .. } = &self.names;
-        let returns = returns.tokens(&scalar);
-        self.hidden.extend(quote! {
-            #[inline]
-            fn #name(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #n],
-                #velocities: &[#scalar; #n],
-            ) -> #returns {
-                #body
-            }
-        });
     }
 }
 
+fn write_assignments(writer: &mut MethodWriter<'_>, event: usize, assignments: &[Assignment]) {
+    let mut state = [writer.model.positions(), writer.model.velocities()].concat();
+    for assignment in assignments {
+        state[assignment.index] = assignment.value;
+    }
+    let returns = Returns::Vector(state.len());
+    let (body, _) = writer.lowered(&state, Arguments::State, |results| returns.collect(results));
+    writer.push_hidden(&format!("after_event_{event}"), returns, &body);
+}
+
 /// The members of `OdeSystem` that belong to events.
-pub(in crate::emit) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let names = shape.event_names();
     if names.is_empty() && shape.switches.is_empty() {
         return TokenStream::new();
     }
     let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
-    let ArgumentNames { time, state, .. } = &parts.names;
+    let ArgumentNames { time, state, .. } = &members.names;
     let events = names.iter().map(|(name, direction)| {
         let name = &name.text;
         match direction.map(|direction| direction_tokens(shape, direction)) {
@@ -82,7 +62,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenS
     let events = events.chain(switch_events(shape));
     let (values, event) = (local("values"), local("event"));
     let functions = (!shape.events.is_empty()).then(|| {
-        let call = call(shape, parts, "event_functions");
+        let call = call(shape, members, "event_functions");
         quote! {
             for (value, found) in ::core::iter::Iterator::zip(#values.iter_mut(), #call) {
                 *value = found;
@@ -93,8 +73,8 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenS
         .then(|| quote!(#krate::contact::event_values(self, #time, #state, #values);));
     let switches = (!shape.switches.is_empty())
         .then(|| quote!(#krate::event::side_values(self, #time, #state, #values);));
-    let (reactions, begin) = (reactions(shape, parts, &event), begin(shape, parts));
-    let timed = timed_members(shape, parts);
+    let (reactions, begin) = (reactions(shape, members, &event), begin(shape, members));
+    let timed = timed_members(shape, members);
     quote! {
         const EVENTS: &'static [#krate::event::DeclaredEvent] = &[#(#events),*];
         #[inline]
@@ -119,16 +99,16 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, parts: &Parts) -> TokenS
 }
 
 /// An arm for each event that does more than go on, and one for all others.
-fn reactions(shape: &Shape<'_>, parts: &Parts, event: &Ident) -> TokenStream {
-    let (krate, state) = (shape.krate, &parts.names.state);
-    let time = &parts.names.time;
+fn reactions(shape: &Shape<'_>, members: &Members, event: &Ident) -> TokenStream {
+    let (krate, state) = (shape.krate, &members.names.state);
+    let time = &members.names.time;
     let answer = |reaction: TokenStream| quote!(::core::result::Result::Ok(#krate::event::Response::new(#krate::event::Action::#reaction)));
     let declared = shape.events.iter().enumerate().filter_map(|(i, event)| {
         let index = length(i);
         let answer = match &event.action {
             ast::Action::Stop => answer(quote!(Stop)),
             ast::Action::Assign(_) => {
-                let call = call(shape, parts, &format!("after_event_{i}"));
+                let call = call(shape, members, &format!("after_event_{i}"));
                 answer(quote!(Replace(#call)))
             }
             ast::Action::Record | ast::Action::Impact(_) => return None,
@@ -147,9 +127,9 @@ fn reactions(shape: &Shape<'_>, parts: &Parts, event: &Ident) -> TokenStream {
     declared.chain(touching).chain([quote!(_ => #others,)]).collect()
 }
 
-fn begin(shape: &Shape<'_>, parts: &Parts) -> Option<TokenStream> {
+fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
-    let ArgumentNames { time, state, .. } = &parts.names;
+    let ArgumentNames { time, state, .. } = &members.names;
     let contacts = quote!(#krate::contact::begin);
     let sides = quote!(#krate::event::choose_sides(self, #time, #state));
     let begun = match (shape.touching.is_empty(), shape.switches.is_empty()) {
@@ -187,8 +167,8 @@ fn begin(shape: &Shape<'_>, parts: &Parts) -> Option<TokenStream> {
 }
 
 /// A call of a hidden method with the halves of the state.
-fn call(shape: &Shape<'_>, parts: &Parts, method: &str) -> TokenStream {
-    let ArgumentNames { time, state, .. } = &parts.names;
+fn call(shape: &Shape<'_>, members: &Members, method: &str) -> TokenStream {
+    let ArgumentNames { time, state, .. } = &members.names;
     let variables = state_variables(shape);
     let (positions, velocities) = variables.split_at(shape.coordinates.len());
     let method = format_ident!("{method}");

@@ -1,10 +1,6 @@
 //! Jacobians of the right-hand side ẏ = [v, a], as methods.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use crate::emit::base::method::Returns;
-use crate::emit::base::shape::{Shape, length};
 use crate::expr::{ExprId, Graph};
 
 pub(in crate::emit) const JACOBIAN: [&str; 2] = [
@@ -38,13 +34,4 @@ pub(in crate::emit) fn by_fields(
     let mut entries = vec![graph.number(0); n * count];
     entries.extend(accelerations.iter().flatten());
     (Returns::Matrix(2 * n, count), entries)
-}
-
-/// The constant that says in which order the fields are differentiated by.
-pub(in crate::emit) fn parameter_names(shape: &Shape<'_>) -> TokenStream {
-    let (names, count) = (shape.fields.iter().map(|name| &name.text), length(shape.fields.len()));
-    quote! {
-        /// Parameters, then inputs: the columns of `parameter_jacobian`.
-        pub const PARAMETERS: [&'static ::core::primitive::str; #count] = [#(#names),*];
-    }
 }

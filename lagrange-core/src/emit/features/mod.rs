@@ -1,5 +1,6 @@
 //! What is emitted, one feature a file.
 
+pub(super) mod constants;
 pub(super) mod constrained;
 pub(super) mod contacts;
 pub(super) mod events;

@@ -5,30 +5,19 @@ use quote::{format_ident, quote};
 
 use super::switches::kept_switches;
 use crate::code::Names;
+use crate::emit::base::lints::{name_exception, type_name_exception};
+use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, identifier, length, local};
-use crate::emit::item::{Parts, name_exception, type_name_exception};
 use crate::syntax::ast::Name;
 
 /// What the first components of a vector are called; further ones have their index.
 const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
-impl<'a> Shape<'a> {
-    /// The inputs in declaration order.
-    fn inputs(&self) -> Vec<&'a Name> {
-        self.fields.iter().copied().filter(|name| self.is_input(name)).collect()
-    }
-
-    fn inputs_name(&self) -> Ident {
-        let name = &self.declaration.name;
-        format_ident!("{}Inputs", name.text, span = name.span)
-    }
-}
-
 /// The struct of the inputs, if there are any.
 pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
-    let inputs = shape.inputs();
-    let (name, generics, scalar) = (shape.inputs_name(), shape.generics(), shape.scalar_path());
+    let inputs = inputs(shape);
+    let (name, generics, scalar) = (inputs_name(shape), shape.generics(), shape.scalar_path());
     let visibility = &shape.declaration.visibility;
     let title = doc(&format!("Inputs of [`{}`].", shape.declaration.name.text));
     let docs = inputs.iter().map(|input| shape.docs(input, &format!("Input `{}`.", input.text)));
@@ -52,8 +41,8 @@ pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
 
 /// Conversions of the inputs from and into arrays, and `ControlledSystem`.
 pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
-    let inputs = shape.inputs();
-    let (system, name, krate) = (shape.name(), shape.inputs_name(), shape.krate);
+    let inputs = inputs(shape);
+    let (system, name, krate) = (shape.name(), inputs_name(shape), shape.krate);
     let (generics, bounds, scalar) = (shape.generics(), shape.bounds(), shape.scalar());
     let (state, k) = (shape.state_name(), length(inputs.len()));
     let texts = inputs.iter().map(|input| input.text.as_str());
@@ -100,19 +89,30 @@ pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
     (!inputs.is_empty()).then_some(impls)
 }
 
+/// The inputs in declaration order.
+fn inputs<'a>(shape: &Shape<'a>) -> Vec<&'a Name> {
+    shape.fields.iter().copied().filter(|name| shape.is_input(name)).collect()
+}
+
+/// The name of the struct of inputs.
+fn inputs_name(shape: &Shape<'_>) -> Ident {
+    let name = &shape.declaration.name;
+    format_ident!("{}Inputs", name.text, span = name.span)
+}
+
 /// `OutputSystem`, if there are outputs.
-pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, parts: &Parts) -> Option<TokenStream> {
+pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     // In a declaration with errors something else may have the name of an output.
     let is_output = |method: &Method| {
         method.arguments == Arguments::State && !matches!(method.returns, Returns::Matrix(..))
     };
     let written = |name: &Name| {
-        parts.methods.iter().filter(|method| is_output(method)).find(|method| method.name == name.text)
+        members.methods.iter().filter(|method| is_output(method)).find(|method| method.name == name.text)
     };
     let outputs = shape.outputs.iter().filter_map(|(name, _)| Some((*name, written(name)?.returns)));
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));
-    let ArgumentNames { time, positions, velocities, .. } = &parts.names;
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let (mut texts, mut statements, mut all) = (Vec::new(), TokenStream::new(), Vec::new());
     for (output, returns) in outputs {
         let (first, count) = (all.len(), returns.count());

@@ -3,21 +3,18 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::switches::free_switches;
+use super::switches::{derived_shape, free_switches};
 use crate::code::{Names, body};
-use crate::collections::HashMap;
 use crate::derive::Equations;
-use crate::elaborate::METHODS_OF_REDUCED;
-use crate::emit::base::attributes::{conditions, deprecated_exception};
+use crate::emit::base::attributes::{conditions, deprecated_exception, split_attributes};
 use crate::emit::base::bindings::field_bindings;
+use crate::emit::base::lints::rounded_exception;
+use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::{Shape, doc, identifier, local};
-use crate::emit::item::{rounded_exception, split_attributes};
-use crate::emit::skeleton::skeleton_of_type;
-use crate::emit::system::Refusal;
 use crate::formula::text;
 use crate::model::{Held, Model, Reduced};
 use crate::program::{Labels, Op, lower, optimise};
-use crate::syntax::ast::{Declaration, ScalarType, StatementKind};
+use crate::syntax::ast::Declaration;
 
 /// Values with longer texts are not written out in documentation.
 const LONGEST_VALUE: usize = 60;
@@ -27,13 +24,17 @@ pub fn reduced_declarations(declaration: &Declaration, reduced: &[Reduced]) -> V
     let pairs = declaration.reductions().zip(reduced);
     let documented = pairs.map(|((syntax, docs), reduced)| {
         let summary = summary(declaration, reduced);
-        declaration.reduced(syntax, attributes(declaration, docs, &summary))
+        declaration.reduced(syntax, reduced_attributes(declaration, docs, &summary))
     });
     documented.collect()
 }
 
 /// The attributes of the whole system with other documentation.
-fn attributes(declaration: &Declaration, docs: &TokenStream, summary: &[String]) -> TokenStream {
+pub(in crate::emit) fn reduced_attributes(
+    declaration: &Declaration,
+    docs: &TokenStream,
+    summary: &[String],
+) -> TokenStream {
     let (_, kept) = split_attributes(&declaration.attributes);
     let blank = (!docs.is_empty()).then(|| doc(""));
     let summary = summary.iter().map(|line| doc(line));
@@ -77,10 +78,16 @@ pub fn conversions(
     (part, reduced, reduced_equations): (&Declaration, &Reduced, &Equations),
     krate: &TokenStream,
 ) -> Result<TokenStream, Refusal> {
-    let full = Shape::new(full, krate).with_switches(&model.graph, equations);
-    let part = Shape::new(part, krate).with_switches(&reduced.model.graph, reduced_equations);
+    let full = derived_shape(full, krate, &model.graph, equations);
+    let part = derived_shape(part, krate, &reduced.model.graph, reduced_equations);
     let state_methods = state_methods(&full, &part, reduced)?;
     Ok(items(&full, &part, &state_methods))
+}
+
+/// The same items without values, for a declaration with errors.
+pub(in crate::emit) fn placeholder_conversions(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
+    let nothing = StateBody { statements: TokenStream::new(), fields: TokenStream::new(), is_rounded: false };
+    items(full, part, &inherent_impl(full, part, &nothing, &nothing))
 }
 
 fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> TokenStream {
@@ -180,7 +187,7 @@ fn with_values(
     reduced: &Reduced,
     all: &[Held],
     fields: impl Fn(&Ident, &[Option<TokenStream>], &TokenStream) -> TokenStream,
-) -> Result<Body, Refusal> {
+) -> Result<StateBody, Refusal> {
     let mut graph = reduced.model.graph.clone();
     let mut roots = all.iter().map(|held| held.value).collect::<Vec<_>>();
     let is_zero = roots.iter().map(|&value| graph.is_zero(value)).collect::<Vec<_>>();
@@ -200,18 +207,23 @@ fn with_values(
     let krate = part.krate;
     let functions = written.functions.iter().map(|name| local(name));
     let functions = (!written.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
-    Ok(Body { statements: quote!(#functions #bindings #statements), fields, is_rounded })
+    Ok(StateBody { statements: quote!(#functions #bindings #statements), fields, is_rounded })
 }
 
 /// Statements and the fields of the state that is returned behind them.
-struct Body {
+struct StateBody {
     statements: TokenStream,
     fields: TokenStream,
     /// Whether it holds rounded values of irrational constants.
     is_rounded: bool,
 }
 
-fn inherent_impl(full: &Shape<'_>, part: &Shape<'_>, expand: &Body, deviation: &Body) -> TokenStream {
+fn inherent_impl(
+    full: &Shape<'_>,
+    part: &Shape<'_>,
+    expand: &StateBody,
+    deviation: &StateBody,
+) -> TokenStream {
     let (name, generics, bounds) = (part.name(), part.generics(), part.bounds());
     let (whole, reduced, state) = (full.state_name(), part.state_name(), local("state"));
     let rounded = rounded_exception(expand.is_rounded || deviation.is_rounded);
@@ -244,42 +256,9 @@ fn inherent_impl(full: &Shape<'_>, part: &Shape<'_>, expand: &Body, deviation: &
     }
 }
 
-fn returning(state: &Ident, Body { statements, fields, .. }: &Body) -> TokenStream {
+fn returning(state: &Ident, StateBody { statements, fields, .. }: &StateBody) -> TokenStream {
     match fields.is_empty() {
         true => quote!(::core::unreachable!()),
         false => quote!(#statements #state { #fields }),
     }
-}
-
-/// Whether it is an output with the name of a method, which is reported.
-fn is_reserved(statement: &StatementKind) -> bool {
-    matches!(statement, StatementKind::Output(name, _) if METHODS_OF_REDUCED.contains(&name.text.as_str()))
-}
-
-/// The same types and methods for a declaration with errors.
-pub(in crate::emit) fn skeletons(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
-    let mut taken = HashMap::default();
-    let mut is_new = |name: &str| {
-        let mut insert = |name: String| taken.insert(name, ()).is_none();
-        insert(name.to_owned())
-            & insert(format!("{name}State"))
-            & insert(format!("{name}Columns"))
-            & insert(format!("{name}Inputs"))
-    };
-    is_new(&declaration.name.text);
-    if let ScalarType::Generic(name) = &declaration.scalar {
-        is_new(&name.text);
-    }
-    let full = Shape::new(declaration, krate);
-    let types = declaration.reductions().filter(|(reduction, _)| is_new(&reduction.name.text));
-    let types = types.map(|(reduction, docs)| {
-        let mut part = declaration.reduced(reduction, attributes(declaration, docs, &[]));
-        part.statements.retain(|statement| !is_reserved(&statement.kind));
-        let nothing = Body { statements: TokenStream::new(), fields: TokenStream::new(), is_rounded: false };
-        let shape = Shape::new(&part, krate);
-        let methods = inherent_impl(&full, &shape, &nothing, &nothing);
-        let (system, conversions) = (skeleton_of_type(&part, krate), items(&full, &shape, &methods));
-        quote!(#system #conversions)
-    });
-    types.collect()
 }

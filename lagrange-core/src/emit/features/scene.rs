@@ -7,47 +7,51 @@ use quote::quote;
 
 use crate::bodies::{Cause, DrawnKind, JointForm};
 use crate::emit::base::docs;
+use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments};
-use crate::emit::base::shape::{Shape, length, local};
-use crate::emit::item::Parts;
-use crate::emit::system::Writer;
+use crate::emit::base::shape::{Shape, length, local, motion_name};
+use crate::emit::base::writer::MethodWriter;
 use crate::expr::ExprId;
 use crate::model::{BodyMotion, DrawnItem, OutlinedPart, Product, Scene};
 use crate::syntax::ast::{ConnectorKind, Name};
 
-impl Writer<'_> {
-    /// A method for each body, and the body of `Scene::items`.
-    pub(in crate::emit) fn write_scene(&mut self) {
-        let wants = |product| self.model.products.contains(&product);
-        let (moves, is_drawn) = (wants(Product::Motion), wants(Product::Drawing));
-        let scene = self.model.scene.clone();
-        if moves {
-            scene.motions.iter().for_each(|motion| self.write_motion(motion));
-        }
-        if is_drawn {
-            self.items = Some(self.visits(&scene));
-        }
+/// A method for each body, and the body of `Scene::items`.
+pub(in crate::emit) fn write_scene(writer: &mut MethodWriter<'_>) {
+    let wants = |product| writer.model.products.contains(&product);
+    let (moves, is_drawn) = (wants(Product::Motion), wants(Product::Drawing));
+    let scene = writer.model.scene.clone();
+    if moves {
+        scene.motions.iter().for_each(|motion| write_motion(writer, motion));
     }
+    if is_drawn {
+        writer.members.items = Some(visits(writer, &scene));
+    }
+}
 
-    fn write_motion(&mut self, motion: &BodyMotion) {
-        let krate = self.shape.krate;
-        let (body, counts) =
-            self.lowered(&motion.values, Arguments::State, |results| Values::new(results).motion(krate));
-        let line = format!("How the body `{}` moves.", motion.body.text);
-        let docs = docs::with_counts(self.shape.body_docs(&motion.body, &line), counts);
-        self.motions.extend(motion_method(self.shape, &self.names, &motion.body, &docs, &body));
-    }
+fn write_motion(writer: &mut MethodWriter<'_>, motion: &BodyMotion) {
+    let krate = writer.shape.krate;
+    let (body, counts) =
+        writer.lowered(&motion.values, Arguments::State, |results| Values::new(results).motion(krate));
+    let line = format!("How the body `{}` moves.", motion.body.text);
+    let docs = docs::with_counts(writer.shape.body_docs(&motion.body, &line), counts);
+    writer.members.motions.extend(motion_method(
+        writer.shape,
+        &writer.members.names,
+        &motion.body,
+        &docs,
+        &body,
+    ));
+}
 
-    fn visits(&mut self, scene: &Scene) -> TokenStream {
-        let roots = scene.drawing.iter().flat_map(|item| roots(scene, item)).collect::<Vec<_>>();
-        let (krate, visit) = (self.shape.krate, self.names.visit.clone());
-        let (body, _) = self.lowered(&roots, Arguments::State, |results| {
-            let mut values = Values::new(results);
-            let items = scene.drawing.iter().map(|item| values.item(krate, scene, item));
-            quote!(#(#visit(#items);)*)
-        });
-        body
-    }
+fn visits(writer: &mut MethodWriter<'_>, scene: &Scene) -> TokenStream {
+    let roots = scene.drawing.iter().flat_map(|item| roots(scene, item)).collect::<Vec<_>>();
+    let (krate, visit) = (writer.shape.krate, writer.members.names.visit.clone());
+    let (body, _) = writer.lowered(&roots, Arguments::State, |results| {
+        let mut values = Values::new(results);
+        let items = scene.drawing.iter().map(|item| values.item(krate, scene, item));
+        quote!(#(#visit(#items);)*)
+    });
+    body
 }
 
 /// The numbers of an item: for a body how it moves, then its shape.
@@ -217,12 +221,7 @@ fn cause(cause: Cause) -> Ident {
     })
 }
 
-/// The method that says how a body moves.
-pub(in crate::emit) fn motion_name(body: &Name) -> Ident {
-    Ident::new(&format!("{}_motion", body.text), body.span)
-}
-
-/// That method with this body.
+/// The method that says how a body moves, with this content.
 pub(in crate::emit) fn motion_method(
     shape: &Shape<'_>,
     names: &ArgumentNames,
@@ -248,11 +247,11 @@ pub(in crate::emit) fn motion_method(
 }
 
 /// The implementation of `Scene`, if it is asked for.
-pub(in crate::emit) fn scene_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
-    let Some(items) = &parts.items else { return TokenStream::new() };
+pub(in crate::emit) fn scene_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let Some(items) = &members.items else { return TokenStream::new() };
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));
-    let ArgumentNames { time, positions, velocities, visit, .. } = &parts.names;
+    let ArgumentNames { time, positions, velocities, visit, .. } = &members.names;
     quote! {
         #[automatically_derived]
         impl #bounds #krate::scene::Scene for #name #generics {
@@ -267,13 +266,5 @@ pub(in crate::emit) fn scene_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStre
                 #items
             }
         }
-    }
-}
-
-/// The constant that holds the plain statements.
-pub(in crate::emit) fn statements_constant(statements: &str) -> TokenStream {
-    quote! {
-        /// The statements that those about rigid bodies stand for.
-        pub const STATEMENTS: &'static ::core::primitive::str = #statements;
     }
 }

@@ -5,7 +5,7 @@ use quote::quote;
 
 use crate::emit::base::method::{Arguments, Returns};
 use crate::emit::base::shape::length;
-use crate::emit::system::Writer;
+use crate::emit::base::writer::MethodWriter;
 use crate::expr::{ExprId, Graph};
 use crate::program::OperationCounts;
 
@@ -43,30 +43,28 @@ impl Sparse {
     }
 }
 
-impl Writer<'_> {
-    /// A body that computes a matrix.
-    pub(in crate::emit) fn lowered_sparse(
-        &mut self,
-        sparse: &Sparse,
-        arguments: Arguments,
-    ) -> (TokenStream, OperationCounts) {
-        let krate = self.shape.krate;
-        self.lowered(&sparse.roots, arguments, |entries| {
-            let list = sparse.list(entries);
-            quote!(#krate::private::matrix(&#list))
-        })
-    }
+/// A body that computes a matrix.
+pub(in crate::emit) fn lowered_sparse(
+    writer: &mut MethodWriter<'_>,
+    sparse: &Sparse,
+    arguments: Arguments,
+) -> (TokenStream, OperationCounts) {
+    let krate = writer.shape.krate;
+    writer.lowered(&sparse.roots, arguments, |entries| {
+        let list = sparse.list(entries);
+        quote!(#krate::private::matrix(&#list))
+    })
+}
 
-    /// `ConstrainedSystem::residual_scales`, if the Jacobian of the constraints is not worth forming for it.
-    pub(in crate::emit) fn write_sparse_scales(&mut self) {
-        let (n, m) = (self.model.coordinates.len(), self.model.constraints.len());
-        let roots = self.equations.constraints.jacobian.concat();
-        let Some(sparse) = Sparse::of(&self.model.graph, Returns::Matrix(m, n), &roots) else { return };
-        let (krate, shares) = (self.shape.krate, self.names.shares.clone());
-        let (body, _) = self.lowered(&sparse.roots, Arguments::Shares, |entries| {
-            let list = sparse.list(entries);
-            quote!(#krate::constraint::weighed_entries(&#list, #shares))
-        });
-        self.push_constrained("residual_scales", Arguments::Shares, Returns::Vector(m), body);
-    }
+/// `ConstrainedSystem::residual_scales`, if the Jacobian of the constraints is not worth forming for it.
+pub(in crate::emit) fn write_sparse_scales(writer: &mut MethodWriter<'_>) {
+    let (n, m) = (writer.model.coordinates.len(), writer.model.constraints.len());
+    let roots = writer.equations.constraints.jacobian.concat();
+    let Some(sparse) = Sparse::of(&writer.model.graph, Returns::Matrix(m, n), &roots) else { return };
+    let (krate, shares) = (writer.shape.krate, writer.members.names.shares.clone());
+    let (body, _) = writer.lowered(&sparse.roots, Arguments::Shares, |entries| {
+        let list = sparse.list(entries);
+        quote!(#krate::constraint::weighed_entries(&#list, #shares))
+    });
+    writer.push_constrained("residual_scales", Arguments::Shares, Returns::Vector(m), body);
 }
