@@ -24,36 +24,33 @@ struct LengthRate {
     speed: ExprId,
 }
 
-impl Elaborator<'_> {
-    /// A Rayleigh function that has its limit where lengths are zero whose rates it holds squares of. Lengths on which the
-    /// potential depends otherwise than by their squares keep their roots: there is no limit of the elastic force.
-    pub(super) fn with_limits(&mut self, dissipation: ExprId) -> ExprId {
-        let potential =
-            self.potential.iter().chain(&self.lagrangian).map(|term| term.value).collect::<Vec<_>>();
-        let bent = roots_in(&self.evaluator.graph, &potential);
-        let graph = &mut self.evaluator.graph;
-        let mut replacements = HashMap::default();
-        for id in graph.reachable(&[dissipation]) {
-            let Node::Product(factors) = graph.node(id).clone() else { continue };
-            let squared = factors.iter().position(|(base, exponent)| {
-                *exponent == Number::TWO && self.evaluator.named_rates.contains(base)
-            });
-            let Some(at) = squared else { continue };
-            let rate = factors[at].0;
-            let Some(&position) = self.evaluator.named_rates.get(&rate) else { continue };
-            let Some(length) =
-                length_rate(graph, rate, position).filter(|length| !bent.contains(&length.square))
-            else {
-                continue;
-            };
-            let mut others = factors.to_vec();
-            others.remove(at);
-            let square = limited_square(graph, &length);
-            others.push((square, Number::ONE));
-            replacements.insert(id, graph.product(others));
-        }
-        substitute(graph, dissipation, &replacements)
+/// A Rayleigh function that has its limit where lengths are zero whose rates it holds squares of. Lengths on which the
+/// potential depends otherwise than by their squares keep their roots: there is no limit of the elastic force.
+pub(super) fn with_limits(elaborator: &mut Elaborator<'_>, dissipation: ExprId) -> ExprId {
+    let potential =
+        elaborator.potential.iter().chain(&elaborator.lagrangian).map(|term| term.value).collect::<Vec<_>>();
+    let bent = roots_in(&elaborator.evaluator.graph, &potential);
+    let graph = &mut elaborator.evaluator.graph;
+    let mut replacements = HashMap::default();
+    for id in graph.reachable(&[dissipation]) {
+        let Node::Product(factors) = graph.node(id).clone() else { continue };
+        let squared = factors.iter().position(|(base, exponent)| {
+            *exponent == Number::TWO && elaborator.evaluator.named_rates.contains(base)
+        });
+        let Some(at) = squared else { continue };
+        let rate = factors[at].0;
+        let Some(&position) = elaborator.evaluator.named_rates.get(&rate) else { continue };
+        let Some(length) = length_rate(graph, rate, position).filter(|length| !bent.contains(&length.square))
+        else {
+            continue;
+        };
+        let mut others = factors.to_vec();
+        others.remove(at);
+        let square = limited_square(graph, &length);
+        others.push((square, Number::ONE));
+        replacements.insert(id, graph.product(others));
     }
+    substitute(graph, dissipation, &replacements)
 }
 
 /// Sums of squares of which roots are taken.

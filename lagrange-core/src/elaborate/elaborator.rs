@@ -1,32 +1,37 @@
-//! Statements to a model.
+//! The model under construction, and what all statements need of it.
 
 use proc_macro2::Span;
 
-use super::expression::Evaluator;
+use super::evaluator::Evaluator;
+use super::expression::value_of;
 use super::messages;
-use super::numbers::{holds, largest};
 use super::operand::Operand;
-use super::scene::Staged;
 use super::scope::Kind;
+use super::staged::Staged;
+use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::bodies::Plain;
 use crate::calculus::evaluate;
-use crate::diagnostics::{Report, nearest};
+use crate::diagnostics::Report;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{
-    Constraint, Coordinate, Event, Load, Output, Parameter, Product, Reaction, Reduction, Scene,
+    Action, Constraint, Coordinate, Event, Load, Output, Parameter, Product, Reaction, Reduction, Scene,
 };
-use crate::symbol::Role;
-use crate::syntax::ast::{AstId, Declaration, Definition, EmitItem, Name, Statement, StatementKind};
-
-/// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 7] =
-    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
-/// Products that later versions will emit.
-const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
+use crate::syntax::ast::{self, AstId, Declaration, Name};
 
 /// What only the equations of motion determine.
 pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
+
+/// What a value must not depend on, the most telling first.
+const CHANGING: [Dependencies; 7] = [
+    Dependencies::MULTIPLIER,
+    Dependencies::REACTION,
+    Dependencies::ACCELERATION,
+    Dependencies::VELOCITY,
+    Dependencies::COORDINATE,
+    Dependencies::INPUT,
+    Dependencies::TIME,
+];
 
 /// An expression of a statement and where it stands.
 pub(super) struct Term {
@@ -50,7 +55,7 @@ pub(super) struct Elaborator<'a> {
     /// Names of the constraints of joints.
     pub(super) joints: &'a [Name],
     /// Names of `let`s that are places, with what they are places of.
-    places: &'a [(String, String)],
+    pub(super) places: &'a [(String, String)],
     /// Those of them that the coordinates fulfil by themselves.
     pub(super) implied: Vec<String>,
     /// Constraints, with where their names stand.
@@ -101,164 +106,66 @@ impl<'a> Elaborator<'a> {
         }
     }
 
-    pub(super) fn statement(&mut self, statement: &Statement) {
-        let keyword = statement.origin.start;
-        match &statement.kind {
-            StatementKind::Parameters(list) => list.iter().for_each(|d| self.parameter(d, Kind::Parameter)),
-            StatementKind::Inputs(list) => list.iter().for_each(|d| self.parameter(d, Kind::Input)),
-            StatementKind::Constants(list) => list.iter().for_each(|d| self.constant(d)),
-            StatementKind::Coordinates(names) => names.iter().for_each(|name| self.coordinate(name)),
-            StatementKind::Let(name, value) => self.abbreviation(name, *value),
-            StatementKind::LetTuple(names, value) => self.abbreviations(names, *value),
-            StatementKind::Kinetic(value) => {
-                let term = self.term(*value, keyword, "the kinetic energy");
-                self.kinetic.extend(term);
-            }
-            StatementKind::Potential(value) => {
-                let term = self.term(*value, keyword, "the potential energy");
-                self.potential.extend(term);
-            }
-            StatementKind::Lagrangian(value) => {
-                let term = self.term(*value, keyword, "the Lagrangian");
-                self.lagrangian.extend(term);
-            }
-            StatementKind::Dissipation(value) => {
-                let term = self.term(*value, keyword, "the dissipation function");
-                self.dissipation.extend(term);
-            }
-            StatementKind::ForceOn(coordinate, value) => self.force_on(coordinate, *value),
-            StatementKind::ForceAt { force, point } => self.force_at(*force, *point),
-            StatementKind::Torque { moment, angle } => self.torque(*moment, *angle, keyword),
-            StatementKind::Constraint(name, value) => self.constraint(name, *value),
-            StatementKind::Stabilise(rate) => self.stabilise(*rate, keyword),
-            StatementKind::Event(event) => self.event(event),
-            StatementKind::Friction(friction) => self.friction(friction),
-            StatementKind::Output(name, value) => self.output(name, *value),
-            StatementKind::Emit(items) => items.iter().for_each(|item| self.emit(item)),
-            StatementKind::Reduce(reduction) => self.reduction(reduction),
-            // Plain statements have taken its place.
-            StatementKind::Scene(_) => {}
-        }
-    }
-
-    fn parameter(&mut self, definition: &Definition, kind: Kind) {
-        let default = definition.value.and_then(|value| self.default_value(&definition.name, value));
-        let name = &definition.name.text;
-        let is_input = kind == Kind::Input;
-        let list = if is_input { &mut self.inputs } else { &mut self.parameters };
-        let index = list.len() as u32;
-        let role = if is_input { Role::Input(index) } else { Role::Parameter(index) };
-        let symbol = self.evaluator.graph.symbol(name, role);
-        let default = match default {
-            None if is_input => Some(self.evaluator.graph.number(0)),
-            given => given,
-        };
-        list.push(Parameter { name: name.clone(), symbol, default });
-        self.declare(&definition.name, kind, Some(Operand::Scalar(symbol)));
-    }
-
-    fn default_value(&mut self, name: &Name, syntax: AstId) -> Option<ExprId> {
-        let value = self.constant_scalar(syntax, "a default")?;
-        let numeric = evaluate(&self.evaluator.graph, &[value], |_| f64::NAN)[0];
-        if !holds(&self.declaration.scalar, numeric) {
-            let (scalar, largest) = largest(&self.declaration.scalar);
-            let message = messages::number_too_large(&name.text, scalar);
-            let error = self.evaluator.report.error(self.evaluator.origin(syntax), message);
-            error.help(messages::largest_help(scalar, largest));
-        }
-        Some(value)
-    }
-
-    fn constant_scalar(&mut self, syntax: AstId, what: &str) -> Option<ExprId> {
-        self.evaluator.evaluate(syntax)?;
-        let value = self.evaluator.scalar(syntax, what)?;
-        let dependencies = self.evaluator.graph.dependencies(value);
-        if dependencies != Dependencies::NONE {
-            let (place, _) = self.evaluator.blame(syntax, dependencies);
-            let error = self.evaluator.report.error(place, messages::not_constant(what));
-            error.help(messages::NOT_CONSTANT_HELP);
-            return None;
-        }
-        Some(value)
-    }
-
-    fn constant(&mut self, definition: &Definition) {
-        let value = definition.value.and_then(|value| self.constant_scalar(value, "a constant"));
-        self.declare(&definition.name, Kind::Constant, value.map(Operand::Scalar));
-    }
-
     pub(super) fn declare(&mut self, name: &Name, kind: Kind, value: Option<Operand>) {
         self.evaluator.scope.declare(name, kind, value, self.evaluator.report);
     }
 
-    fn coordinate(&mut self, name: &Name) {
-        let index = self.coordinates.len() as u32;
-        let graph = &mut self.evaluator.graph;
-        let coordinate = Coordinate {
-            name: name.text.clone(),
-            position: graph.symbol(&name.text, Role::Coordinate(index)),
-            velocity: graph.symbol(&name.text, Role::Velocity(index)),
-            acceleration: graph.symbol(&name.text, Role::Acceleration(index)),
+    pub(super) fn products(&self) -> Vec<Product> {
+        let last_word = |product| self.wanted.iter().rev().find(|(named, ..)| *named == product);
+        let asked =
+            |product: Product, otherwise| last_word(product).map_or(otherwise, |(_, wanted, _)| *wanted);
+        let wanted = |&product: &Product| {
+            let otherwise = match product {
+                Product::ParameterJacobian => asked(Product::Jacobian, false),
+                product => product.is_default(),
+            };
+            asked(product, otherwise) && !self.is_undefined(product)
         };
-        self.declare(name, Kind::Coordinate, Some(Operand::Scalar(coordinate.position)));
-        self.coordinates.push((coordinate, name.span));
+        Product::ALL.into_iter().filter(wanted).collect()
     }
 
-    fn abbreviation(&mut self, name: &Name, syntax: AstId) {
-        let value = self.evaluator.evaluate(syntax).filter(|value| self.is_sound_place(name, syntax, value));
-        match &value {
-            Some(Operand::Scalar(id)) => self.labels.push((*id, name.text.clone())),
-            Some(Operand::Vector(components)) => {
-                for (id, axis) in components.iter().zip(["x", "y", "z"]) {
-                    self.labels.push((*id, format!("{}_{axis}", name.text)));
-                }
-            }
-            None => {}
-        }
-        self.declare(name, Kind::Abbreviation, value);
+    pub(super) fn is_undefined(&self, product: Product) -> bool {
+        let is_energy = matches!(product, Product::KineticEnergy | Product::PotentialEnergy);
+        !self.lagrangian.is_empty() && is_energy
+            || self.constraints.is_empty() && product.is_of_constraints()
+            || self.staged.lacks(product)
     }
 
-    /// Whether a name is that of no place, or of one made of coordinates and time.
-    fn is_sound_place(&mut self, name: &Name, syntax: AstId, value: &Operand) -> bool {
-        let Some((_, what)) = self.places.iter().find(|(place, _)| *place == name.text) else { return true };
-        let moving = Dependencies::VELOCITY
-            | Dependencies::ACCELERATION
-            | Dependencies::MULTIPLIER
-            | Dependencies::REACTION;
-        let depends = |&id: &ExprId| self.evaluator.graph.dependencies(id).intersects(moving);
-        if !value.components().iter().any(depends) {
-            return true;
-        }
-        let (place, _) = self.evaluator.blame(syntax, moving);
-        self.evaluator.report.error(place, messages::no_place(what)).help(messages::PLACE_HELP);
-        false
-    }
-
-    fn abbreviations(&mut self, names: &[Name], syntax: AstId) {
-        let components = match self.evaluator.evaluate(syntax) {
-            Some(Operand::Vector(components)) if components.len() == names.len() => {
-                components.into_iter().map(Some).collect()
-            }
-            Some(other) => {
-                let message = messages::tuple_size(names.len(), &other.kind());
-                let error = self.evaluator.report.error(self.evaluator.origin(syntax), message);
-                error.help(messages::TUPLE_SIZE_HELP);
-                vec![None; names.len()]
-            }
-            None => vec![None; names.len()],
-        };
-        for (name, component) in names.iter().zip(components) {
-            self.labels.extend(component.map(|id| (id, name.text.clone())));
-            self.declare(name, Kind::Abbreviation, component.map(Operand::Scalar));
-        }
+    pub(super) fn push_event(&mut self, event: &ast::Event, value: ExprId, action: Action) {
+        let name = event.name.text.clone();
+        self.events.push((Event { name, value, direction: event.direction, action }, event.name.span));
     }
 
     /// A scalar expression without accelerations.
     pub(super) fn term(&mut self, syntax: AstId, keyword: Span, what: &str) -> Option<Term> {
-        self.evaluator.evaluate(syntax)?;
+        value_of(&mut self.evaluator, syntax)?;
         let value = self.evaluator.scalar(syntax, what)?;
         self.forbid_accelerations(syntax, value, what)?;
         Some(Term { value, syntax, keyword })
+    }
+
+    /// A value that does not change during the motion.
+    pub(super) fn constant_in_motion(&mut self, syntax: AstId, what: &str) -> Option<ExprId> {
+        value_of(&mut self.evaluator, syntax)?;
+        let value = self.evaluator.scalar(syntax, what)?;
+        for kind in CHANGING {
+            if self.evaluator.graph.dependencies(value).intersects(kind) {
+                let (place, _) = self.evaluator.blame(syntax, kind);
+                self.evaluator
+                    .report
+                    .error(place, messages::not_constant(what))
+                    .help(messages::CONSTANT_IN_MOTION_HELP);
+                return None;
+            }
+        }
+        Some(value)
+    }
+
+    /// The number that an expression is in every motion of every system, if it is one.
+    pub(super) fn numeric(&self, value: ExprId) -> Option<f64> {
+        let graph = &self.evaluator.graph;
+        let is_number = graph.dependencies(value) == Dependencies::NONE;
+        is_number.then(|| evaluate(graph, &[value], |_| f64::NAN)[0])
     }
 
     pub(super) fn forbid_accelerations(&mut self, syntax: AstId, value: ExprId, what: &str) -> Option<()> {
@@ -281,45 +188,34 @@ impl<'a> Elaborator<'a> {
         None
     }
 
-    fn output(&mut self, name: &Name, syntax: AstId) {
-        let value = self.evaluator.evaluate(syntax);
-        let mut methods = Product::ALL.iter().filter(|product| !product.is_of_bodies());
-        if methods.any(|method| method.name() == name.text) || GENERATED_METHODS.contains(&name.text.as_str())
-        {
-            let error = self.evaluator.report.error(name.span, messages::reserved_output(&name.text));
-            error.help(messages::OTHER_NAME_HELP);
-        }
-        self.declare(name, Kind::Output, None);
-        let Some(value) = value else { return };
-        let graph = &self.evaluator.graph;
-        let uses = |kind| value.components().iter().any(|&c| graph.dependencies(c).intersects(kind));
-        let uses_accelerations = uses(Dependencies::ACCELERATION);
-        let uses_multipliers = uses(Dependencies::MULTIPLIER);
-        let uses_reactions = uses(Dependencies::REACTION);
-        let components = value.components().to_vec();
-        self.outputs.push(Output {
-            name: name.text.clone(),
-            components,
-            uses_accelerations,
-            uses_multipliers,
-            uses_reactions,
-        });
+    /// Reports an expression.
+    pub(super) fn refuse<T>(&mut self, syntax: AstId, message: &str, help: &str) -> Option<T> {
+        self.evaluator.report.error(self.evaluator.origin(syntax), message).help(help);
+        None
     }
 
-    fn emit(&mut self, item: &EmitItem) {
-        let name = item.product.text.as_str();
-        if let Some(&product) = Product::ALL.iter().find(|product| product.name() == name) {
-            self.wanted.push((product, item.wanted, item.product.span));
+    /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of something else.
+    pub(super) fn report_no_coordinate(&mut self, name: &Name, usage: &str) {
+        let (text, origin) = (&name.text, name.span.into());
+        let is_unknown = self.evaluator.scope.find(text).is_none();
+        let is_told = |evaluator: &mut Evaluator| {
+            is_known_unresolved(evaluator, text, origin) || is_declared_elsewhere(evaluator, text, origin)
+        };
+        if is_unknown && is_told(&mut self.evaluator) {
             return;
         }
-        let message = match PLANNED_PRODUCTS.contains(&name) {
-            true => messages::product_not_available(name),
-            false => messages::unknown_product(name),
-        };
-        let help = match nearest(name, Product::ALL.iter().map(|product| product.name())) {
+        let scope = &self.evaluator.scope;
+        let coordinates = self.coordinates.iter().map(|(coordinate, _)| coordinate.name.as_str());
+        let help = match scope.nearest(&name.text, |kind| kind == Kind::Coordinate) {
             Some(nearest) => messages::names::did_you_mean(nearest),
-            None => messages::products(),
+            None if scope.find(&name.text).is_some() => usage.to_owned(),
+            None => messages::coordinates_are(&coordinates.collect::<Vec<_>>(), usage),
         };
-        self.evaluator.report.error(item.product.span, message).help(help);
+        match is_unknown {
+            true => report_unknown(&mut self.evaluator, text, origin, help),
+            false => {
+                self.evaluator.report.error(name.span, messages::not_a_coordinate(text)).help(help);
+            }
+        }
     }
 }

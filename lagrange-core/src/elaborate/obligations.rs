@@ -1,6 +1,7 @@
 //! What must hold of masses and moments of inertia, checked as far as the numbers are known.
 
 use super::elaborator::Elaborator;
+use super::expression::value_of;
 use super::messages::inertia as words;
 use super::operand::Operand;
 use crate::bodies::Claim;
@@ -57,7 +58,7 @@ fn uniform(elaborator: &mut Elaborator, gravity: AstId) {
 
 /// Reports a value that holds what it must not.
 fn free_of(elaborator: &mut Elaborator, syntax: AstId, is_wrong: fn(Dependencies) -> bool, message: &str) {
-    let Some(value) = elaborator.evaluator.evaluate(syntax) else { return };
+    let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
     let graph = &elaborator.evaluator.graph;
     if value.components().iter().any(|&component| is_wrong(graph.dependencies(component))) {
         let origin = elaborator.evaluator.origin(syntax);
@@ -106,7 +107,7 @@ fn same_inertia(elaborator: &mut Elaborator, body: &Name, inertias: [AstId; 2], 
 }
 
 fn plane_vector(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
-    let Some(value) = elaborator.evaluator.evaluate(syntax) else { return };
+    let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
     if !matches!(&value, Operand::Vector(components) if components.len() == 2) {
         let origin = elaborator.evaluator.origin(syntax);
         let message = words::plane_vector_needed(what, &value.kind());
@@ -118,7 +119,7 @@ fn plane_vector(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
 fn moves(elaborator: &mut Elaborator, body: &Name, placed: [AstId; 2]) {
     let mut components = Vec::new();
     for syntax in placed {
-        let Some(value) = elaborator.evaluator.evaluate(syntax) else { return };
+        let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
         components.extend_from_slice(value.components());
     }
     let graph = &elaborator.evaluator.graph;
@@ -131,7 +132,7 @@ fn moves(elaborator: &mut Elaborator, body: &Name, placed: [AstId; 2]) {
 
 /// The value of an expression that is a scalar; anything else has been reported where it is used.
 fn scalar(elaborator: &mut Elaborator, syntax: AstId) -> Option<ExprId> {
-    match elaborator.evaluator.evaluate(syntax)? {
+    match value_of(&mut elaborator.evaluator, syntax)? {
         Operand::Scalar(value) => Some(value),
         Operand::Vector(_) => None,
     }

@@ -89,3 +89,11 @@ pub(super) fn half_square(graph: &mut Graph, weight: ExprId, a: &[ExprId]) -> Ex
     let product = graph.multiply(weight, square);
     graph.scale(Number::ratio(1, 2).unwrap_or(Number::ONE), product)
 }
+
+/// An operand of the kind of `like` with these components.
+pub(super) fn rebuild(like: &Operand, components: Vec<ExprId>) -> Operand {
+    match like {
+        Operand::Scalar(_) => Operand::Scalar(components[0]),
+        Operand::Vector(_) => Operand::Vector(components),
+    }
+}

@@ -10,22 +10,20 @@ use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
 
-impl Elaborator<'_> {
-    /// Reports coordinates whose kinetic energy falls with their velocity.
-    pub(super) fn check_signs(&mut self) {
-        let values = self.kinetic.iter().map(|term| term.value).collect::<Vec<_>>();
-        let total = weights(&self.evaluator.graph, &values);
-        for (coordinate, _) in &self.coordinates {
-            if !falls_with(&total, coordinate.velocity) {
-                continue;
-            }
-            let graph = &self.evaluator.graph;
-            let falls = |value: ExprId| falls_with(&weights(graph, &[value]), coordinate.velocity);
-            let Some(term) = self.kinetic.iter().find(|term| falls(term.value)) else { continue };
-            let origin = self.evaluator.origin(term.syntax);
-            let message = messages::negative_kinetic_energy(&coordinate.name);
-            self.evaluator.report.error(origin, message).help(messages::NEGATIVE_INERTIA_HELP);
+/// Reports coordinates whose kinetic energy falls with their velocity.
+pub(super) fn check_signs(elaborator: &mut Elaborator<'_>) {
+    let values = elaborator.kinetic.iter().map(|term| term.value).collect::<Vec<_>>();
+    let total = weights(&elaborator.evaluator.graph, &values);
+    for (coordinate, _) in &elaborator.coordinates {
+        if !falls_with(&total, coordinate.velocity) {
+            continue;
         }
+        let graph = &elaborator.evaluator.graph;
+        let falls = |value: ExprId| falls_with(&weights(graph, &[value]), coordinate.velocity);
+        let Some(term) = elaborator.kinetic.iter().find(|term| falls(term.value)) else { continue };
+        let origin = elaborator.evaluator.origin(term.syntax);
+        let message = messages::negative_kinetic_energy(&coordinate.name);
+        elaborator.evaluator.report.error(origin, message).help(messages::NEGATIVE_INERTIA_HELP);
     }
 }
 

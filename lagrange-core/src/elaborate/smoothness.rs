@@ -23,26 +23,26 @@ struct Local {
     jumps: bool,
 }
 
-impl Elaborator<'_> {
-    /// Reports what makes the Lagrangian or one of its momenta jump.
-    pub(super) fn check_smoothness(&mut self, lagrangian: ExprId, momenta: &[ExprId]) {
-        let roots = [&[lagrangian], momenta].concat();
-        let mut places = HashMap::default();
-        for (kink, factors) in kinks(&mut self.evaluator.graph, lagrangian) {
-            let jumps = factors.into_iter().any(|factor| jumps(&mut self.evaluator.graph, &roots, factor));
-            if jumps && places.insert(kink, ()).is_none() {
-                self.report_kink(kink);
-            }
+/// Reports what makes the Lagrangian or one of its momenta jump.
+pub(super) fn check_smoothness(elaborator: &mut Elaborator<'_>, lagrangian: ExprId, momenta: &[ExprId]) {
+    let roots = [&[lagrangian], momenta].concat();
+    let mut places = HashMap::default();
+    for (kink, factors) in kinks(&mut elaborator.evaluator.graph, lagrangian) {
+        let jumps = factors.into_iter().any(|factor| jumps(&mut elaborator.evaluator.graph, &roots, factor));
+        if jumps && places.insert(kink, ()).is_none() {
+            report_kink(elaborator, kink);
         }
     }
+}
 
-    fn report_kink(&mut self, kink: ExprId) {
-        let terms = self.kinetic.iter().chain(&self.lagrangian);
-        let places = terms.filter_map(|term| self.evaluator.place_of(term.syntax, kink)).collect::<Vec<_>>();
-        let whole = self.kinetic.iter().chain(&self.lagrangian).next().map(|term| term.keyword.into());
-        if let Some(place) = places.first().copied().or(whole) {
-            self.evaluator.report.error(place, messages::MOMENTA_JUMP).help(messages::MOMENTA_JUMP_HELP);
-        }
+fn report_kink(elaborator: &mut Elaborator<'_>, kink: ExprId) {
+    let terms = elaborator.kinetic.iter().chain(&elaborator.lagrangian);
+    let places =
+        terms.filter_map(|term| elaborator.evaluator.place_of(term.syntax, kink)).collect::<Vec<_>>();
+    let whole =
+        elaborator.kinetic.iter().chain(&elaborator.lagrangian).next().map(|term| term.keyword.into());
+    if let Some(place) = places.first().copied().or(whole) {
+        elaborator.evaluator.report.error(place, messages::MOMENTA_JUMP).help(messages::MOMENTA_JUMP_HELP);
     }
 }
 

@@ -49,6 +49,14 @@ pub struct DrawnItem {
     pub parts: Vec<OutlinedPart>,
 }
 
+impl DrawnItem {
+    /// A load that is not known.
+    pub(crate) fn omitted(name: &str) -> DrawnItem {
+        let kind = DrawnKind::Omitted { name: name.to_owned() };
+        DrawnItem { kind, values: Vec::new(), parts: Vec::new() }
+    }
+}
+
 /// A part of a body's shape.
 #[derive(Clone, Debug)]
 pub struct OutlinedPart {

@@ -206,7 +206,7 @@ impl<'g> Elimination<'g> {
         applied: ExprId,
     ) -> Substitution {
         let loads = [pull.applied, applied];
-        if let Some(frame) = frame(&carriers, &mut self.algebra, touched, pull.pivot) {
+        if let Some(frame) = frame(carriers, &mut self.algebra, touched, pull.pivot) {
             if !self.algebra.graph.is_zero(applied) {
                 let factors = frame.factors(&mut self.algebra);
                 self.pass_on(&factors, applied);

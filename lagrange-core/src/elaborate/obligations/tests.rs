@@ -1,6 +1,7 @@
 use super::check_claims;
 use crate::bodies::{Claim, plain};
 use crate::diagnostics::{Origin, Report};
+use crate::elaborate::add_statement;
 use crate::elaborate::elaborator::Elaborator;
 use crate::pipeline::parse;
 use crate::syntax::ast::{AstId, Declaration, Name, StatementKind};
@@ -22,7 +23,7 @@ fn reported(statements: &str, claims: impl Fn(&Declaration) -> Vec<Claim>) -> St
     let claims = claims(&declaration);
     let plain = plain(declaration, &mut report);
     let mut elaborator = Elaborator::new(&plain, &mut report);
-    plain.declaration.statements.iter().for_each(|statement| elaborator.statement(statement));
+    plain.declaration.statements.iter().for_each(|statement| add_statement(&mut elaborator, statement));
     check_claims(&mut elaborator, &claims);
     report.to_string()
 }
