@@ -15,7 +15,7 @@ const MOST_STATES: u32 = 8;
 const GOLDEN_RATIO: f64 = 0.618_033_988_749_895;
 
 /// The numbers of the coordinates that take part in the first motion that nothing determines; none if there is no such motion.
-pub fn undetermined(model: &mut Model) -> Vec<usize> {
+pub(super) fn undetermined(model: &mut Model) -> Vec<usize> {
     let velocities = model.velocities();
     let momenta = gradient(&mut model.graph, model.lagrangian, &velocities);
     let constrained = model.constraints.iter().map(|constraint| constraint.velocity).collect::<Vec<_>>();

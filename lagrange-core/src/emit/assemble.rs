@@ -5,9 +5,9 @@ use quote::{format_ident, quote};
 
 use super::base::docs;
 use super::base::method::{Arguments, Method, Returns};
-use super::base::refusal::Refusal;
+use super::base::refusal::{Refusal, report_refusal};
 use super::base::shape::{doc, identifier};
-use super::base::size::Size;
+use super::base::size::{Size, report_cost};
 use super::base::writer::MethodWriter;
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
 use super::features::constrained::write_constrained;
@@ -17,24 +17,16 @@ use super::features::indefinite::write_indefinite;
 use super::features::product::{Plan, plan};
 use super::features::scene::write_scene;
 use super::features::sparse::{Sparse, lowered_sparse};
-use super::features::switches::{derived_shape, free_switches, write_switches};
+use super::features::switches::{derived_shape, free_switches, report_unlocated, write_switches};
 use super::item::items;
 use crate::derive::Equations;
+use crate::diagnostics::Report;
 use crate::expr::ExprId;
 use crate::model::{Model, Product};
 use crate::program::OperationCounts;
 use crate::syntax::ast::Declaration;
 
-/// The items of a derived system.
-#[derive(Clone, Debug)]
-pub struct Emitted {
-    /// The items.
-    pub items: TokenStream,
-    /// How large the methods are.
-    pub size: Size,
-}
-
-/// Writes a derived system, if that can be done.
+/// The items of a derived system; `None` if it cannot be written, which is reported.
 ///
 /// `statements` are the plain statements, if others stand for rigid bodies; `krate` is the path of the crate `lagrange` where the
 /// items will stand.
@@ -44,7 +36,24 @@ pub fn system(
     equations: &Equations,
     statements: Option<&str>,
     krate: &TokenStream,
-) -> Result<Emitted, Refusal> {
+    report: &mut Report,
+) -> Option<TokenStream> {
+    let refused = |refusal: &Refusal| report_refusal(declaration, refusal, report);
+    let (items, size) =
+        assembled(declaration, model, equations, statements, krate).inspect_err(refused).ok()?;
+    report_cost(declaration, size, report);
+    report_unlocated(declaration, equations, report);
+    Some(items)
+}
+
+/// The items, and how large the methods are.
+fn assembled(
+    declaration: &Declaration,
+    model: &mut Model,
+    equations: &Equations,
+    statements: Option<&str>,
+    krate: &TokenStream,
+) -> Result<(TokenStream, Size), Refusal> {
     let shape = derived_shape(declaration, krate, &model.graph, equations);
     let mut writer = MethodWriter::new(&shape, model, equations);
     let counts = write_acceleration(&mut writer);
@@ -57,7 +66,7 @@ pub fn system(
         describe(&mut writer, statements, counts);
     }
     let (members, size) = writer.finish()?;
-    Ok(Emitted { items: items(&shape, &members), size })
+    Ok((items(&shape, &members), size))
 }
 
 /// `acceleration` and what finds it; its operations where no contact or friction acts.

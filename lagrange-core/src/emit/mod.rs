@@ -8,13 +8,12 @@ mod item;
 mod skeleton;
 mod traits;
 
-pub use assemble::{Emitted, system};
-pub use base::attributes::of_struct;
+pub use assemble::system;
+pub use base::attributes::attributes_of_struct;
 pub use base::docs::{documentation, equations_latex};
-pub use base::refusal::{Refusal, report_refusal};
 pub use base::sides::on_sides;
-pub use base::size::{Size, report_cost, report_hopeless_model};
+pub use base::size::report_hopeless_model;
+pub use base::statements::statements;
 pub use diagnostics::diagnostics;
 pub use features::reduced::{conversions, reduced_declarations};
-pub use features::switches::report_unlocated;
 pub use skeleton::skeleton;

@@ -7,6 +7,7 @@ use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::diagnostics::{Diagnostic, Severity};
+use crate::syntax::ast::{Declaration, Name};
 
 /// The lint of what is expensive or doubtful.
 pub(in crate::emit) const NOTICE: &[&str] = &["deprecated"];
@@ -39,9 +40,9 @@ impl Attribute<'_> {
     }
 
     /// The same without those of its arguments that end in one of these words.
-    fn without(&self, words: &[String]) -> Option<TokenStream> {
+    fn without(&self, words: &[&Name]) -> Option<TokenStream> {
         let ends_in = |argument: &TokenStream| match argument.clone().into_iter().last() {
-            Some(TokenTree::Ident(word)) => words.iter().any(|other| word == other.as_str()),
+            Some(TokenTree::Ident(word)) => words.iter().any(|other| word == other.text.as_str()),
             _ => false,
         };
         let arguments = self.arguments();
@@ -100,17 +101,14 @@ pub(in crate::emit) fn expectations(attributes: &TokenStream, lints: &[&str]) ->
 
 /// The attributes that the struct keeps: what is expected of warnings about the declaration is only allowed there, and traits
 /// that were reported not to be derivable are left out.
-pub fn of_struct(
-    attributes: &TokenStream,
-    underivable: &[String],
-    diagnostics: &[Diagnostic],
-) -> TokenStream {
+pub fn attributes_of_struct(declaration: &Declaration, diagnostics: &[Diagnostic]) -> TokenStream {
+    let underivable = declaration.underivable();
     let warns_of_unused = diagnostics.iter().any(|one| matches!(one.severity, Severity::Unused(_)));
     // The struct itself may be unused, but it is no variable and nothing deprecated.
     let is_of_warnings =
         |lint: &str| NOTICE.contains(&lint) || lint == UNUSED[0] || warns_of_unused && UNUSED.contains(&lint);
-    mapped(attributes, |attribute| match attribute.is("expect") {
-        false if attribute.is("derive") => attribute.without(underivable),
+    mapped(&declaration.attributes, |attribute| match attribute.is("expect") {
+        false if attribute.is("derive") => attribute.without(&underivable),
         false => Some(attribute.tokens()),
         true => {
             let kept = attribute.with("expect", |lint| !is_of_warnings(lint));

@@ -12,4 +12,5 @@ pub(super) mod shape;
 pub(super) mod sides;
 pub(super) mod size;
 pub(super) mod state;
+pub(super) mod statements;
 pub(super) mod writer;

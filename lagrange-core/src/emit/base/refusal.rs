@@ -6,7 +6,7 @@ use crate::syntax::ast::{Declaration, ScalarType};
 
 /// Why a system cannot be written.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Refusal {
+pub(in crate::emit) enum Refusal {
     /// These constants, in words, cannot be represented by the scalar.
     Constants(Vec<String>),
     /// No compiler would get through it.
@@ -14,7 +14,7 @@ pub enum Refusal {
 }
 
 /// Reports why a system cannot be written.
-pub fn report_refusal(declaration: &Declaration, refusal: &Refusal, report: &mut Report) {
+pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refusal, report: &mut Report) {
     match refusal {
         Refusal::Constants(constants) => report_too_large(declaration, constants, report),
         Refusal::Size => report_hopeless(declaration, report),

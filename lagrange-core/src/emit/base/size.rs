@@ -27,7 +27,7 @@ const BYTES: f64 = 3500.0;
 
 /// How large emitted code is: the operations of all methods, and the numbers that they return.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
-pub struct Size(usize);
+pub(in crate::emit) struct Size(usize);
 
 impl Size {
     pub(in crate::emit) fn add(&mut self, counts: OperationCounts, results: usize) {
@@ -41,7 +41,7 @@ impl Size {
 }
 
 /// Warns of a system that takes long to compile.
-pub fn report_cost(declaration: &Declaration, Size(size): Size, report: &mut Report) {
+pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, report: &mut Report) {
     if size <= SIZE_WORTH_A_WORD {
         return;
     }

@@ -6,10 +6,11 @@ use quote::quote;
 use super::switches::{derived_shape, free_switches};
 use crate::code::{Names, body};
 use crate::derive::Equations;
+use crate::diagnostics::Report;
 use crate::emit::base::attributes::{conditions, deprecated_exception, split_attributes};
 use crate::emit::base::bindings::field_bindings;
 use crate::emit::base::lints::rounded_exception;
-use crate::emit::base::refusal::Refusal;
+use crate::emit::base::refusal::{Refusal, report_refusal};
 use crate::emit::base::shape::{Shape, doc, identifier, local};
 use crate::formula::text;
 use crate::model::{Held, Model, Reduced};
@@ -69,19 +70,18 @@ const EXPANDED: [&str; 2] = [
     "it to first order. Outputs are exact.",
 ];
 
-/// Conversions between a system and a reduced type of it.
-///
-/// # Errors
-/// If a value is too large for the scalar.
+/// Conversions between a system and a reduced type of it; `None` if a value is too large for the scalar, which is reported.
 pub fn conversions(
     (full, model, equations): (&Declaration, &Model, &Equations),
     (part, reduced, reduced_equations): (&Declaration, &Reduced, &Equations),
     krate: &TokenStream,
-) -> Result<TokenStream, Refusal> {
+    report: &mut Report,
+) -> Option<TokenStream> {
+    let refused = |refusal: &Refusal| report_refusal(part, refusal, report);
     let full = derived_shape(full, krate, &model.graph, equations);
-    let part = derived_shape(part, krate, &reduced.model.graph, reduced_equations);
-    let state_methods = state_methods(&full, &part, reduced)?;
-    Ok(items(&full, &part, &state_methods))
+    let shape = derived_shape(part, krate, &reduced.model.graph, reduced_equations);
+    let state_methods = state_methods(&full, &shape, reduced).inspect_err(refused).ok()?;
+    Some(items(&full, &shape, &state_methods))
 }
 
 /// The same items without values, for a declaration with errors.

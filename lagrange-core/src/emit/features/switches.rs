@@ -21,7 +21,11 @@ const MOST_EVENTS: usize = 64;
 const LONGEST_SURFACE: usize = 60;
 
 /// Warns of switches beyond those that runs can look for.
-pub fn report_unlocated(declaration: &Declaration, equations: &Equations, report: &mut Report) {
+pub(in crate::emit) fn report_unlocated(
+    declaration: &Declaration,
+    equations: &Equations,
+    report: &mut Report,
+) {
     let (all, room) =
         (equations.switches.len(), room_for_switches(&Shape::new(declaration, &TokenStream::new())));
     if all > room {
