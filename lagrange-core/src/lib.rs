@@ -9,7 +9,7 @@
 //! A pendulum, from text to its equation and its acceleration:
 //!
 //! ```
-//! use lagrange_core::derive::RoadChoice;
+//! use lagrange_core::derive::StrategyChoice;
 //! use lagrange_core::pipeline::{NumericSystem, parse};
 //!
 //! let pendulum = "
@@ -18,7 +18,7 @@
 //!     kinetic = 1/2 * m * (l * dot(theta))^2;
 //!     potential = -m * g * l * cos(theta);
 //! ";
-//! let mut derived = parse(pendulum)?.derive(RoadChoice::Cheapest)?;
+//! let mut derived = parse(pendulum)?.derive(StrategyChoice::Cheapest)?;
 //!
 //! let lines = derived.documentation();
 //! assert!(lines.iter().any(|line| line == "m*l^2*ddot(theta) = -m*l*g*sin(theta)"));

@@ -11,7 +11,7 @@ mod system;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::derive::RoadChoice;
+use crate::derive::StrategyChoice;
 use crate::diagnostics::Report;
 use crate::emit;
 use crate::syntax::ast::Declaration;
@@ -35,7 +35,7 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
 fn items(declaration: Declaration, krate: &TokenStream, report: &mut Report) -> TokenStream {
     let (declaration, model) = model_of(declaration, report);
     let items = model.and_then(|mut model| {
-        let (equations, parts) = equations_of(&declaration, &mut model, RoadChoice::Cheapest, report)?;
+        let (equations, parts) = equations_of(&declaration, &mut model, StrategyChoice::Cheapest, report)?;
         items_of((&declaration, &mut model, &equations), parts, krate, report)
     });
     items.unwrap_or_else(|| emit::skeleton(&declaration, krate))

@@ -2,9 +2,9 @@
 
 use super::messages;
 use super::object::{Body, Line, Object};
-use super::terms::{Pair, Terms};
+use super::terms::{Pair, TermWriter};
 use super::translation::Translation;
-use super::{Claim, Drawn, DrawnKind, Motion, Outline};
+use super::{Drawn, DrawnKind, Motion, Obligation, Outline};
 use crate::diagnostics::Origin;
 use crate::solids;
 use crate::solids::Solid;
@@ -33,7 +33,7 @@ impl Translation<'_> {
         let (center, origin) = self.body_place(statement, centroid, angle);
         self.push_translation(mass, center);
         let inertia = inertia.unwrap_or_else(|| self.terms().number(0));
-        self.claims.push(Claim::Inertia { body: name.clone(), inertia });
+        self.obligations.push(Obligation::Inertia { body: name.clone(), inertia });
         if statement.angle.is_some() {
             self.push_rotation(inertia, angle);
         }
@@ -75,7 +75,7 @@ impl Translation<'_> {
     /// What the user wrote of how mass is distributed.
     pub(super) fn property(&mut self, id: AstId, what: &str) -> AstId {
         let value = self.mention(id);
-        self.claims.push(Claim::Fixed { what: what.to_owned(), value });
+        self.obligations.push(Obligation::Fixed { what: what.to_owned(), value });
         value
     }
 
@@ -88,8 +88,9 @@ impl Translation<'_> {
             shape.as_ref().map(|(solid, dimensions)| self.inertia_of(solid, mass, dimensions, place));
         let stated = statement.inertia.map(|j| self.property(j, &messages::inertia_of(&name.text)));
         if let (Some(stated), Some(of_shape), Some(shape)) = (stated, of_shape, &statement.shape) {
-            let claim = Claim::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
-            self.claims.push(claim);
+            let obligation =
+                Obligation::SameInertia { body: name.clone(), stated, of_shape, shape: shape.origin };
+            self.obligations.push(obligation);
         }
         if stated.is_none() && statement.angle.is_some() {
             self.report_unknown_inertia(statement);
@@ -128,7 +129,7 @@ impl Translation<'_> {
             return self.terms().invalid();
         };
         let mass = self.property(mass, &messages::mass_of(&name.text));
-        self.claims.push(Claim::PositiveMass { body: name.clone(), mass });
+        self.obligations.push(Obligation::PositiveMass { body: name.clone(), mass });
         mass
     }
 
@@ -162,13 +163,13 @@ impl Translation<'_> {
         place: Origin,
     ) -> AstId {
         let arguments = [&[mass], dimensions].concat();
-        Terms::new(&mut self.expressions, place).call(solid.name, &arguments)
+        TermWriter::new(&mut self.expressions, place).call(solid.name, &arguments)
     }
 
     /// The centre of mass of a solid in its own coordinates, blamed on `place`.
     fn centroid_of(&mut self, shape: Option<&(&'static Solid, Vec<AstId>)>, place: Origin) -> Pair {
         let center = shape.and_then(|(solid, dimensions)| Some((solid.center_function()?, dimensions)));
-        let mut terms = Terms::new(&mut self.expressions, place);
+        let mut terms = TermWriter::new(&mut self.expressions, place);
         match center {
             Some((function, dimensions)) => {
                 let center = terms.call(&function, dimensions);
@@ -231,7 +232,7 @@ impl Translation<'_> {
             }
             false => place,
         };
-        self.claims.push(Claim::Moves { body: statement.name.clone(), center, angle });
+        self.obligations.push(Obligation::Moves { body: statement.name.clone(), center, angle });
         (center, origin)
     }
 
@@ -239,14 +240,14 @@ impl Translation<'_> {
     pub(super) fn fixed_vector(&mut self, id: AstId, what: &str) -> Pair {
         let components = self.vector(id, what);
         let value = self.plain(id);
-        self.claims.push(Claim::Fixed { what: what.to_owned(), value });
+        self.obligations.push(Obligation::Fixed { what: what.to_owned(), value });
         components
     }
 
     /// The components of what the user wrote as a vector in the plane.
     pub(super) fn vector(&mut self, id: AstId, what: &str) -> Pair {
         let value = self.mention(id);
-        self.claims.push(Claim::PlaneVector { what: what.to_owned(), value });
+        self.obligations.push(Obligation::PlaneVector { what: what.to_owned(), value });
         self.terms().pair(value)
     }
 

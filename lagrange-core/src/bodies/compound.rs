@@ -12,7 +12,7 @@ use crate::syntax::ast;
 use crate::syntax::ast::{AstId, Part};
 
 /// A part with what is known of it.
-struct Piece {
+struct CompoundPart {
     is_hole: bool,
     mass: AstId,
     /// About its own centre of mass.
@@ -35,7 +35,7 @@ impl Translation<'_> {
         let name = &statement.name.text;
         let mass = self.sum(&pieces, |_, piece| piece.mass);
         let mass = self.bind(&format!("{name}_mass"), mass);
-        self.claims.push(super::Claim::PositiveMass { body: statement.name.clone(), mass });
+        self.obligations.push(super::Obligation::PositiveMass { body: statement.name.clone(), mass });
         let centroid = self.common_centroid(name, &pieces, mass);
         let inertia = self.sum(&pieces, |translation, piece| {
             let mut terms = translation.terms();
@@ -62,7 +62,7 @@ impl Translation<'_> {
         }
     }
 
-    fn piece(&mut self, body: &str, part: &Part) -> Option<Piece> {
+    fn piece(&mut self, body: &str, part: &Part) -> Option<CompoundPart> {
         let shape = self.shape(&part.shape);
         let mass = self.mass_of_part(part);
         let at = match part.at {
@@ -87,7 +87,7 @@ impl Translation<'_> {
             angle,
             is_hole: part.is_hole,
         };
-        Some(Piece { is_hole: part.is_hole, mass, inertia, centroid, outline })
+        Some(CompoundPart { is_hole: part.is_hole, mass, inertia, centroid, outline })
     }
 
     /// Where the centre of mass of a part is in the body's coordinates, under a name of its own where the part is turned.
@@ -111,12 +111,16 @@ impl Translation<'_> {
         };
         let body = part.shape.solid.clone();
         let mass = self.property(mass, &messages::mass_of(&body.text));
-        self.claims.push(super::Claim::PositiveMass { body, mass });
+        self.obligations.push(super::Obligation::PositiveMass { body, mass });
         Some(mass)
     }
 
     /// Σ ± over the parts.
-    fn sum(&mut self, pieces: &[Piece], mut term: impl FnMut(&mut Self, &Piece) -> AstId) -> AstId {
+    fn sum(
+        &mut self,
+        pieces: &[CompoundPart],
+        mut term: impl FnMut(&mut Self, &CompoundPart) -> AstId,
+    ) -> AstId {
         let mut sum = self.terms().number(0);
         for piece in pieces {
             let term = term(self, piece);
@@ -127,7 +131,7 @@ impl Translation<'_> {
     }
 
     /// The common centre of mass, each component under a name of its own unless it is zero.
-    fn common_centroid(&mut self, name: &str, pieces: &[Piece], mass: AstId) -> Pair {
+    fn common_centroid(&mut self, name: &str, pieces: &[CompoundPart], mass: AstId) -> Pair {
         [("x", 0), ("y", 1)].map(|(axis, index)| {
             let moment = self.sum(pieces, |translation, piece| {
                 translation.terms().times(piece.mass, piece.centroid[index])

@@ -2,7 +2,7 @@
 
 use super::messages;
 use super::object::{Body, Connector, Object};
-use super::terms::{Pair, Terms};
+use super::terms::{Pair, TermWriter};
 use super::translation::Translation;
 use super::{Cause, Drawn, DrawnKind};
 use crate::syntax::ast;
@@ -207,7 +207,7 @@ impl Translation<'_> {
 
 /// The force along the vector between both ends, with which each draws the other. A damper has a limit where they meet.
 fn pull_along(
-    terms: &mut Terms<'_>,
+    terms: &mut TermWriter<'_>,
     kind: ConnectorKind,
     [factor, tension, length]: [AstId; 3],
     spread: Pair,

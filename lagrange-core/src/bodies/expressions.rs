@@ -1,6 +1,6 @@
 //! Bodies, lines, springs and joints in expressions.
 
-use super::Claim;
+use super::Obligation;
 use super::messages;
 use super::object::{Body, Joint, Line, Object};
 use super::translation::Translation;
@@ -57,7 +57,7 @@ impl Translation<'_> {
     /// A point in the plane.
     pub(super) fn plane_point(&mut self, id: AstId, what: &str) -> AstId {
         let value = self.place(id);
-        self.claims.push(Claim::PlaneVector { what: what.to_owned(), value });
+        self.obligations.push(Obligation::PlaneVector { what: what.to_owned(), value });
         value
     }
 

@@ -40,7 +40,7 @@ pub struct Plain {
     /// What there is to draw.
     pub drawing: Vec<Drawn>,
     /// What must hold of the numbers, if they are known.
-    pub claims: Vec<Claim>,
+    pub obligations: Vec<Obligation>,
     /// Names of the constraints of joints. They are left out where the coordinates fulfil them by themselves.
     pub joints: Vec<Name>,
     /// Names of `let`s that are places, with what they are places of: they are made of coordinates and time.
@@ -193,7 +193,7 @@ pub enum Cause {
 
 /// Something that must hold of numbers, if they are known.
 #[derive(Clone, Debug)]
-pub enum Claim {
+pub enum Obligation {
     /// A mass must be positive.
     PositiveMass {
         /// The body.

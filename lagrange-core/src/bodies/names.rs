@@ -7,7 +7,7 @@ use crate::diagnostics::{Report, nearest};
 use crate::syntax::ast::{Declaration, Expression, Name, SceneStatement, StatementKind};
 
 /// The names of a declaration.
-pub(super) struct Names {
+pub(super) struct SceneNames {
     /// Objects of the scene that were declared so far.
     objects: OrderedMap<String, Object>,
     /// Objects that are declared anywhere.
@@ -22,8 +22,8 @@ pub(super) struct Names {
     nameless: HashMap<String, u32>,
 }
 
-impl Names {
-    pub(super) fn new(declaration: &Declaration) -> Names {
+impl SceneNames {
+    pub(super) fn new(declaration: &Declaration) -> SceneNames {
         let mut all_objects = OrderedMap::default();
         let (mut taken, mut fixed, mut declared) =
             (HashMap::default(), HashMap::default(), HashMap::default());
@@ -58,7 +58,7 @@ impl Names {
             }
         }
         let objects = OrderedMap::default();
-        Names { objects, all_objects, fixed, declared, taken, nameless: HashMap::default() }
+        SceneNames { objects, all_objects, fixed, declared, taken, nameless: HashMap::default() }
     }
 
     pub(super) fn declare(&mut self, name: &str, object: Object) {

@@ -1,10 +1,10 @@
 //! The statements of a declaration, one by one, in plain words.
 
 use super::messages;
-use super::names::Names;
+use super::names::SceneNames;
 use super::object::{Body, Line, Object};
-use super::terms::{Pair, Terms};
-use super::{Cause, Claim, Drawn, DrawnKind, Motion, Plain};
+use super::terms::{Pair, TermWriter};
+use super::{Cause, Drawn, DrawnKind, Motion, Obligation, Plain};
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
 use crate::syntax::ast::{
@@ -16,7 +16,7 @@ use crate::syntax::ast::{
 pub(super) struct Translation<'a> {
     pub(super) report: &'a mut Report,
     pub(super) expressions: Expressions,
-    pub(super) names: Names,
+    pub(super) names: SceneNames,
     pub(super) bodies: Vec<Body>,
     pub(super) lines: Vec<Line>,
     /// Plain statements so far.
@@ -34,7 +34,7 @@ pub(super) struct Translation<'a> {
     pub(super) drawing: Vec<Drawn>,
     /// Forces and moments, which are drawn last.
     pub(super) loads: Vec<Drawn>,
-    pub(super) claims: Vec<Claim>,
+    pub(super) obligations: Vec<Obligation>,
     pub(super) joints: Vec<Name>,
     /// Names of `let`s that are places, with what they are places of.
     pub(super) places: Vec<(String, String)>,
@@ -48,7 +48,7 @@ impl<'a> Translation<'a> {
     pub(super) fn new(declaration: &mut Declaration, report: &'a mut Report) -> Translation<'a> {
         Translation {
             report,
-            names: Names::new(declaration),
+            names: SceneNames::new(declaration),
             expressions: std::mem::take(&mut declaration.expressions),
             bodies: Vec::new(),
             lines: Vec::new(),
@@ -61,7 +61,7 @@ impl<'a> Translation<'a> {
             motions: Vec::new(),
             drawing: Vec::new(),
             loads: Vec::new(),
-            claims: Vec::new(),
+            obligations: Vec::new(),
             joints: Vec::new(),
             places: Vec::new(),
             lagrangian: lagrangian(declaration),
@@ -85,7 +85,7 @@ impl<'a> Translation<'a> {
             },
             motions: self.motions,
             drawing: self.drawing,
-            claims: self.claims,
+            obligations: self.obligations,
             joints: self.joints,
             places: self.places,
             mentioned: self.mentioned,
@@ -140,8 +140,8 @@ impl<'a> Translation<'a> {
             error.related(first, messages::FIRST_DECLARED).help(messages::GRAVITY_TWICE_HELP);
             return;
         }
-        self.claims.push(Claim::PlaneVector { what: "gravity".to_owned(), value });
-        self.claims.push(Claim::Uniform { gravity: value });
+        self.obligations.push(Obligation::PlaneVector { what: "gravity".to_owned(), value });
+        self.obligations.push(Obligation::Uniform { gravity: value });
         self.mentioned.push(value);
         let gravity = self.terms().pair(value);
         self.gravity = Some((gravity, self.origin));
@@ -269,8 +269,8 @@ impl<'a> Translation<'a> {
     }
 
     /// Writes expressions for the current statement.
-    pub(super) fn terms(&mut self) -> Terms<'_> {
-        Terms::new(&mut self.expressions, self.origin)
+    pub(super) fn terms(&mut self) -> TermWriter<'_> {
+        TermWriter::new(&mut self.expressions, self.origin)
     }
 
     /// Adds a plain statement in the place of the current one.

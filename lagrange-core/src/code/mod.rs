@@ -26,7 +26,7 @@ pub use names::Names;
 
 use crate::program::{Op, Program};
 use crate::symbol::{Role, Symbols};
-use writer::Writer;
+use writer::BodyWriter;
 
 /// The type that emitted code computes with.
 #[derive(Clone, Debug)]
@@ -41,7 +41,7 @@ pub enum Scalar {
 
 /// A program as Rust.
 #[derive(Clone, Debug)]
-pub struct Body {
+pub struct FunctionBody {
     /// The `let` statements.
     pub statements: TokenStream,
     /// An expression for each output of the program, to be evaluated after the statements.
@@ -77,13 +77,13 @@ pub fn body(
     symbols: &Symbols,
     scalar: &Scalar,
     names: &mut Names,
-) -> Result<Body, Unrepresentable> {
+) -> Result<FunctionBody, Unrepresentable> {
     // Every other function is a word of the language, which no symbol can be called.
     ["sin_cos", "sin_cos_each", "multiply_add"].into_iter().for_each(|function| names.reserve(function));
     let used = used_roles(program);
     // Symbols get their names before anything else can take them.
     used.iter().for_each(|&role| drop(names.role(symbols, role)));
-    Writer::new(program, symbols, scalar, names).write(used)
+    BodyWriter::new(program, symbols, scalar, names).write(used)
 }
 
 fn used_roles(program: &Program) -> Vec<Role> {

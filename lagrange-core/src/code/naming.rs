@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::writer::{Writer, Written};
+use super::writer::{BodyWriter, Written};
 use crate::functions::row;
 use crate::number::Number;
 use crate::program::{Op, ValueId, Variability};
@@ -12,7 +12,7 @@ const LONGEST_NAME: usize = 28;
 /// Names that spell out a product or a sum are no longer than this.
 const LONGEST_JOINED_NAME: usize = 20;
 
-impl Writer<'_> {
+impl BodyWriter<'_> {
     /// A variable for a value: its label, or a name that says what it is.
     pub(super) fn choose_name(&mut self, id: ValueId) -> Ident {
         if let Some(hint) = self.program.hint(id) {

@@ -4,11 +4,11 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
 use super::fragment::Fragment;
-use super::parts::Statement;
-use super::writer::{Writer, Written};
+use super::parts::LetStatement;
+use super::writer::{BodyWriter, Written};
 use crate::program::ValueId;
 
-impl Writer<'_> {
+impl BodyWriter<'_> {
     /// `let (sin_x, cos_x) = sin_cos(x);`
     pub(super) fn pair(&mut self, id: ValueId, argument: ValueId) -> Written {
         let name = self.name_of_angle(argument);
@@ -40,7 +40,7 @@ impl Writer<'_> {
             |place: usize| self.sines_and_cosines.get(&(id, place as u32)).copied().unwrap_or_default();
         let named = pairs.iter().enumerate().flat_map(|(place, names)| parts(place).into_iter().zip(names));
         let variables = named.filter_map(|(part, name)| Some((part?, name.clone()))).collect();
-        self.statements.push(Statement { tokens, variables });
+        self.statements.push(LetStatement { tokens, variables });
         Written::Pairs(pairs)
     }
 

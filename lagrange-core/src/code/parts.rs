@@ -20,14 +20,14 @@ use crate::program::{Program, ValueId, ValueTable};
 const LONGEST_BLOCK: usize = 1000;
 
 /// A `let`.
-pub(super) struct Statement {
+pub(super) struct LetStatement {
     pub(super) tokens: TokenStream,
     /// What it defines.
     pub(super) variables: Vec<(ValueId, Ident)>,
 }
 
 /// The statements one after the other, in parts if there are many.
-pub(super) fn assemble(program: &Program, statements: &[Statement]) -> TokenStream {
+pub(super) fn assemble(program: &Program, statements: &[LetStatement]) -> TokenStream {
     if statements.len() <= LONGEST_BLOCK {
         return statements.iter().map(|statement| statement.tokens.clone()).collect();
     }
@@ -39,7 +39,7 @@ pub(super) fn assemble(program: &Program, statements: &[Statement]) -> TokenStre
 }
 
 /// A part as a block that gives what is used in the statement `next` or later.
-fn block(part: &[Statement], last_uses: &ValueTable<usize>, next: usize) -> TokenStream {
+fn block(part: &[LetStatement], last_uses: &ValueTable<usize>, next: usize) -> TokenStream {
     let variables = part.iter().flat_map(|statement| &statement.variables);
     let kept = variables.filter(|(id, _)| last_uses[*id] >= next).map(|(_, name)| name).collect::<Vec<_>>();
     let statements = part.iter().map(|statement| &statement.tokens);
@@ -47,7 +47,7 @@ fn block(part: &[Statement], last_uses: &ValueTable<usize>, next: usize) -> Toke
 }
 
 /// The last statement that uses each value; results are used after all statements.
-fn last_uses(program: &Program, statements: &[Statement]) -> ValueTable<usize> {
+fn last_uses(program: &Program, statements: &[LetStatement]) -> ValueTable<usize> {
     let mut definitions = ValueTable::filled(program.len(), None);
     for (index, statement) in statements.iter().enumerate() {
         statement.variables.iter().for_each(|(id, _)| definitions[*id] = Some(index));

@@ -7,9 +7,9 @@ use quote::{ToTokens, quote_spanned};
 
 use super::fragment::Fragment;
 use super::literal::Constant;
-use super::parts::{Statement, assemble};
+use super::parts::{LetStatement, assemble};
 use super::sine_cosine::{SinesAndCosines, sines_and_cosines};
-use super::{Body, Names, Scalar, Unrepresentable};
+use super::{FunctionBody, Names, Scalar, Unrepresentable};
 use crate::expr::Relation;
 use crate::functions::row;
 use crate::program::{Op, Program, ValueId, ValueTable, Variability};
@@ -33,7 +33,7 @@ pub(super) enum Written {
     Pairs(Vec<[Ident; 2]>),
 }
 
-pub(super) struct Writer<'a> {
+pub(super) struct BodyWriter<'a> {
     pub(super) program: &'a Program,
     symbols: &'a Symbols,
     scalar: &'a Scalar,
@@ -46,20 +46,20 @@ pub(super) struct Writer<'a> {
     /// Which values are in variables whose names only number them.
     pub(super) is_numbered: ValueTable<bool>,
     pub(super) written: ValueTable<Written>,
-    pub(super) statements: Vec<Statement>,
+    pub(super) statements: Vec<LetStatement>,
     unrepresentable: Vec<String>,
     /// Functions that were called.
     functions: BTreeSet<&'static str>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> BodyWriter<'a> {
     pub(super) fn new(
         program: &'a Program,
         symbols: &'a Symbols,
         scalar: &'a Scalar,
         names: &'a mut Names,
-    ) -> Writer<'a> {
-        Writer {
+    ) -> BodyWriter<'a> {
+        BodyWriter {
             program,
             symbols,
             scalar,
@@ -77,7 +77,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The statements, and an expression for each output.
-    pub(super) fn write(mut self, used: Vec<Role>) -> Result<Body, Unrepresentable> {
+    pub(super) fn write(mut self, used: Vec<Role>) -> Result<FunctionBody, Unrepresentable> {
         for (id, op) in self.program.values() {
             let written = self.value(id, op);
             self.written.push(written);
@@ -85,7 +85,7 @@ impl<'a> Writer<'a> {
         let outputs = self.program.outputs().iter().map(|&output| self.take(output).tokens).collect();
         if self.unrepresentable.is_empty() {
             let statements = assemble(self.program, &self.statements);
-            Ok(Body { statements, outputs, used, functions: self.functions })
+            Ok(FunctionBody { statements, outputs, used, functions: self.functions })
         } else {
             Err(Unrepresentable { constants: self.unrepresentable })
         }
@@ -234,7 +234,7 @@ impl<'a> Writer<'a> {
     fn bind(&mut self, id: ValueId, expression: &TokenStream) -> Ident {
         let name = self.choose_name(id);
         let tokens = quote_spanned!(Span::mixed_site()=> let #name = #expression;);
-        self.statements.push(Statement { tokens, variables: vec![(id, name.clone())] });
+        self.statements.push(LetStatement { tokens, variables: vec![(id, name.clone())] });
         name
     }
 

@@ -8,10 +8,10 @@ use super::elimination::solve::{Solution, push_down, solve_dense};
 use super::indefinite::pivot_growth;
 use super::inverse_dynamics::residual;
 use super::jacobian::{Derivatives, Forms};
-use super::least_constraint::{SplitLagrangian, Terms, gauss_form};
+use super::least_constraint::{SplitLagrangian, Terms, least_constraint_form};
 use super::quadratic_form::QuadraticForm;
 use super::responses::{ReactionEquations, reaction_forces};
-use super::strategies::{Road, RoadChoice, Roads, SingularMassMatrix};
+use super::strategies::{Candidates, SingularMassMatrix, Strategy, StrategyChoice};
 use super::structure::Structure;
 use super::switches::Switch;
 use crate::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
@@ -46,10 +46,10 @@ pub struct Equations {
     /// may, and of systems with constraints, contacts or friction, which say so elsewhere.
     pub pivot_growth: Option<ExprId>,
     /// How they are computed.
-    pub road: Road,
-    /// Whether the road over squares was open: whatever is quadratic in the velocities is a sum of squares of rates.
+    pub strategy: Strategy,
+    /// Whether the kinetic energy can be kept a sum of squares: whatever is quadratic in the velocities is a sum of squares of rates.
     pub is_sum_of_squares: bool,
-    /// The counted cost of each road, as far as it was tried: dense, recursive, squares.
+    /// The counted cost of each strategy, as far as it was tried, in the order of [`Strategy::ALL`].
     pub costs: [Option<f64>; 3],
     /// M, in rows.
     pub mass_matrix: Rows,
@@ -81,14 +81,15 @@ pub struct Equations {
 
 impl Equations {
     /// Derives the equations of a model.
-    pub fn derive(model: &mut Model, choice: RoadChoice) -> Result<Equations, SingularMassMatrix> {
+    pub fn derive(model: &mut Model, choice: StrategyChoice) -> Result<Equations, SingularMassMatrix> {
         let split = SplitLagrangian::new(model);
         let velocities = model.velocities();
         let forms = forms(model, &split);
         let mass_matrix = forms.pushed.matrix(&mut model.graph, &Number::ONE, &velocities, &velocities);
         let forcing = forcing(&mut model.graph, &forms.pushed, &velocities);
         let (form, pushed) = (forms.form.clone(), forms.pushed.clone());
-        let (mut solution, road, costs) = Roads { model, split: &split, form, pushed }.solve(choice)?;
+        let (mut solution, strategy, costs) =
+            Candidates { model, split: &split, form, pushed }.solve(choice)?;
         let is_free = model.constraints.is_empty() && model.reactions.is_empty();
         let pivot_growth = is_free.then(|| pivot_growth(&mut model.graph, &mass_matrix, &solution)).flatten();
         let multipliers = solution.values.split_off(velocities.len());
@@ -102,7 +103,7 @@ impl Equations {
         };
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
-        let (jacobian, parameter_jacobian) = jacobians(model, &split, forms, (&solution.values, road));
+        let (jacobian, parameter_jacobian) = jacobians(model, &split, forms, (&solution.values, strategy));
         let products = model.products.clone();
         let wants = |product: Product| products.contains(&product);
         let rates = wants(Product::MomentumRates).then(|| free_momentum_rates(model));
@@ -110,7 +111,7 @@ impl Equations {
         let mut equations = Equations {
             accelerations: solution.values,
             pivot_growth,
-            road,
+            strategy,
             is_sum_of_squares: !split.has_other_inertia,
             costs,
             mass_matrix,
@@ -190,7 +191,7 @@ impl Equations {
 /// The quadratic form with its multipliers, and what it becomes over velocities alone, simplified as the level of accuracy asks.
 fn forms(model: &mut Model, split: &SplitLagrangian) -> Forms {
     let (velocities, unknowns) = (model.velocities(), model.unknowns());
-    let mut form = gauss_form(model, split, AccelerationTerms::Dropped, Terms::All);
+    let mut form = least_constraint_form(model, split, AccelerationTerms::Dropped, Terms::All);
     join_multipliers(model, &mut form);
     let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
     separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
@@ -201,7 +202,7 @@ fn forms(model: &mut Model, split: &SplitLagrangian) -> Forms {
     Forms { form, pushed }
 }
 
-/// The elimination that constraints, contacts and friction have other right-hand sides for: that of the road taken or, if it has
+/// The elimination that constraints, contacts and friction have other right-hand sides for: that of the strategy taken or, if it has
 /// none, that of the mass matrix.
 fn kept_elimination(
     model: &mut Model,
@@ -222,7 +223,7 @@ fn jacobians(
     model: &mut Model,
     split: &SplitLagrangian,
     forms: Forms,
-    solution: (&[ExprId], Road),
+    solution: (&[ExprId], Strategy),
 ) -> (Option<Rows>, Option<Rows>) {
     let [by_state, by_parameters] =
         [Product::Jacobian, Product::ParameterJacobian].map(|product| model.products.contains(&product));

@@ -10,7 +10,7 @@ use super::elimination::order::Elimination;
 use super::inverse_dynamics::residual;
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::quadratic_form::QuadraticForm;
-use super::strategies::Road;
+use super::strategies::Strategy;
 use crate::calculus::{AccelerationTerms, jacobian, substitute_all};
 use crate::expr::{ExprId, Graph};
 use crate::model::Model;
@@ -44,15 +44,15 @@ impl Derivatives {
         model: &mut Model,
         split: &SplitLagrangian,
         forms: Forms,
-        (accelerations, road): (&[ExprId], Road),
+        (accelerations, strategy): (&[ExprId], Strategy),
     ) -> Derivatives {
         let velocities = model.velocities();
         let count = velocities.len();
         let is_only_explicit = model.accuracy == Accuracy::Strict || !model.constraints.is_empty();
-        let is_factorised = road == Road::Dense && forms.pushed.is_mostly_full(count);
+        let is_factorised = strategy == Strategy::MassMatrix && forms.pushed.is_mostly_full(count);
         let (is_small, mut eliminations) = (count <= LARGEST_TRIAL, Vec::new());
-        // Where the factorised matrix is the best road to the accelerations, recursion is no better for their slopes.
-        if is_small && road != Road::Dense && !is_only_explicit {
+        // Where the factorised matrix is the best strategy for the accelerations, recursion is no better for their slopes.
+        if is_small && strategy != Strategy::MassMatrix && !is_only_explicit {
             eliminations.extend(Elimination::recursive(&mut model.graph, forms.form, &velocities));
         }
         if (is_small || is_factorised) && !is_only_explicit {

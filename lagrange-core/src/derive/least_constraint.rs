@@ -46,7 +46,7 @@ pub(super) enum Terms {
 }
 
 /// The quadratic form with the linear part that `terms` and `accelerations` select.
-pub(super) fn gauss_form(
+pub(super) fn least_constraint_form(
     model: &mut Model,
     split: &SplitLagrangian,
     accelerations: AccelerationTerms,

@@ -32,7 +32,7 @@ pub use algebra::Sums;
 pub use constraints::ConstraintEquations;
 pub use equations::Equations;
 pub use responses::{Affine, ReactionEquations};
-pub use strategies::{Road, RoadChoice, SingularMassMatrix};
+pub use strategies::{SingularMassMatrix, Strategy, StrategyChoice};
 pub use structure::{Conserved, MassStructure, Structure};
 pub use switches::{Switch, one_sided};
 
@@ -41,7 +41,7 @@ pub fn derive(
     declaration: &Declaration,
     place: Option<Span>,
     model: &mut Model,
-    choice: RoadChoice,
+    choice: StrategyChoice,
     report: &mut Report,
 ) -> Option<Equations> {
     let singular = match Equations::derive(model, choice) {

@@ -13,7 +13,7 @@ type Contributions = Vec<(ExprId, Number)>;
 
 /// The row of one variable, removed from the form.
 #[derive(Debug)]
-pub(super) struct Row {
+pub(super) struct FormRow {
     /// Wᵢᵢ
     pub(super) own: ExprId,
     /// `(j, Wᵢⱼ)` for the other variables, in ascending order.
@@ -163,7 +163,7 @@ impl QuadraticForm {
     }
 
     /// Removes every term with xᵢ.
-    pub(super) fn take(&mut self, graph: &mut Graph, i: ExprId) -> Row {
+    pub(super) fn take(&mut self, graph: &mut Graph, i: ExprId) -> FormRow {
         let near = self.neighbours.remove(&i).unwrap_or_default();
         let own = total(graph, self.pairs.remove(&(i, i)));
         let mut pairs = Vec::with_capacity(near.len());
@@ -176,7 +176,7 @@ impl QuadraticForm {
             }
         }
         let linear = total(graph, self.linear.remove(&i));
-        Row { own, pairs, linear }
+        FormRow { own, pairs, linear }
     }
 
     /// Substitutes xᵢ = Σ slope · part.

@@ -1,4 +1,4 @@
-//! The roads from a quadratic form to the accelerations, and which one to take.
+//! Strategies of forward dynamics: ways from a quadratic form to the accelerations, and which one to take.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use super::elimination::solve::{Solution, solve_dense, solve_recursive};
 use super::least_constraint::{SplitLagrangian, Terms, loads_beside_squares};
 use super::messages;
 use super::quadratic_form::QuadraticForm;
-use super::sum_of_squares::{Obstacle, solve_squares};
+use super::sum_of_squares::{Obstacle, solve_sum_of_squares};
 use crate::calculus::AccelerationTerms;
 use crate::expr::ExprId;
 use crate::model::Model;
@@ -21,30 +21,30 @@ const LARGEST_TRIAL: usize = 40;
 
 /// How the accelerations are computed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Road {
+pub enum Strategy {
     /// The mass matrix is formed and factorised.
-    Dense,
+    MassMatrix,
     /// Coordinates are eliminated body by body; the mass matrix is never formed.
-    Recursive,
+    ArticulatedBody,
     /// The same, with the kinetic energy kept a sum of squares: no coefficient of it is ever subtracted from.
-    Squares,
+    SumOfSquares,
 }
 
-impl Road {
-    /// Every road, in the order of [`Equations::costs`](super::Equations::costs).
-    pub const ALL: [Road; 3] = [Road::Dense, Road::Recursive, Road::Squares];
+impl Strategy {
+    /// Every strategy, in the order of [`Equations::costs`](super::Equations::costs).
+    pub const ALL: [Strategy; 3] = [Strategy::MassMatrix, Strategy::ArticulatedBody, Strategy::SumOfSquares];
 }
 
-/// Which road to take.
+/// Which strategy to take.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub enum RoadChoice {
+pub enum StrategyChoice {
     /// The one with the lower counted cost.
     #[default]
     Cheapest,
-    /// This one; the dense one instead of squares where the kinetic energy is no sum of squares.
-    Always(Road),
-    /// Squares, if the kinetic energy is a sum of them, with sums simplified in this way.
-    Squares(Sums),
+    /// This one; the mass matrix instead of a sum of squares where the kinetic energy is none.
+    Always(Strategy),
+    /// A sum of squares, if the kinetic energy is one, with sums simplified in this way.
+    SumOfSquares(Sums),
 }
 
 /// The mass matrix is singular whatever the values of the parameters.
@@ -71,11 +71,11 @@ impl SingularMassMatrix {
     }
 }
 
-/// A solution, the road to it, and the counted cost of each road that was tried.
-pub(super) type Solved = (Solution, Road, [Option<f64>; 3]);
+/// A solution, the strategy that found it, and the counted cost of each strategy that was tried.
+pub(super) type Solved = (Solution, Strategy, [Option<f64>; 3]);
 
-/// What the roads to the accelerations start from.
-pub(super) struct Roads<'a> {
+/// What the strategies start from.
+pub(super) struct Candidates<'a> {
     pub(super) model: &'a mut Model,
     pub(super) split: &'a SplitLagrangian,
     pub(super) form: QuadraticForm,
@@ -83,13 +83,15 @@ pub(super) struct Roads<'a> {
     pub(super) pushed: QuadraticForm,
 }
 
-impl Roads<'_> {
-    pub(super) fn solve(mut self, choice: RoadChoice) -> Result<Solved, SingularMassMatrix> {
+impl Candidates<'_> {
+    pub(super) fn solve(mut self, choice: StrategyChoice) -> Result<Solved, SingularMassMatrix> {
         let choice = match choice {
-            RoadChoice::Always(Road::Squares) | RoadChoice::Squares(_) if !self.has_squares_only() => {
-                RoadChoice::Always(Road::Dense)
+            StrategyChoice::Always(Strategy::SumOfSquares) | StrategyChoice::SumOfSquares(_)
+                if !self.has_squares_only() =>
+            {
+                StrategyChoice::Always(Strategy::MassMatrix)
             }
-            RoadChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
+            StrategyChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
                 return self.most_accurate();
             }
             choice => choice,
@@ -97,22 +99,26 @@ impl Roads<'_> {
         let mut best = None;
         let mut costs = [None; 3];
         // The mass matrix last, since it is not worth writing down its factors if it is large.
-        for (n, road) in Road::ALL.into_iter().enumerate().rev() {
+        for (n, strategy) in Strategy::ALL.into_iter().enumerate().rev() {
             let solution = match choice {
-                RoadChoice::Always(only) if only != road => None,
-                RoadChoice::Squares(_) if road != Road::Squares => None,
-                RoadChoice::Cheapest if road == Road::Dense && best.is_some() && self.is_large() => None,
-                RoadChoice::Squares(sums) => self.squares(&[sums])?,
-                _ => self.take(road)?,
+                StrategyChoice::Always(only) if only != strategy => None,
+                StrategyChoice::SumOfSquares(_) if strategy != Strategy::SumOfSquares => None,
+                StrategyChoice::Cheapest
+                    if strategy == Strategy::MassMatrix && best.is_some() && self.is_large() =>
+                {
+                    None
+                }
+                StrategyChoice::SumOfSquares(sums) => self.squares(&[sums])?,
+                _ => self.take(strategy)?,
             };
             let Some(solution) = solution else { continue };
             let cost = cost(&self.model.graph, &solution.values);
             costs[n] = Some(cost);
             if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
-                best = Some((solution, road, cost));
+                best = Some((solution, strategy, cost));
             }
         }
-        best.map(|(solution, road, _)| (solution, road, costs)).ok_or(SingularMassMatrix)
+        best.map(|(solution, strategy, _)| (solution, strategy, costs)).ok_or(SingularMassMatrix)
     }
 
     /// Nothing is more accurate than what needs no elimination. Otherwise squares come first; where they lead nowhere, the
@@ -122,14 +128,14 @@ impl Roads<'_> {
         let velocities = self.model.velocities();
         let is_coupled = velocities.iter().any(|&velocity| self.pushed.degree(velocity) > 0);
         let is_contracted = velocities.len() <= MOST_CONTRACTED;
-        let roads = match (is_coupled, is_contracted) {
-            (false, _) => [Road::Dense, Road::Recursive, Road::Squares],
-            (true, true) => [Road::Squares, Road::Dense, Road::Recursive],
-            (true, false) => [Road::Squares, Road::Recursive, Road::Dense],
+        let strategies = match (is_coupled, is_contracted) {
+            (false, _) => [Strategy::MassMatrix, Strategy::ArticulatedBody, Strategy::SumOfSquares],
+            (true, true) => [Strategy::SumOfSquares, Strategy::MassMatrix, Strategy::ArticulatedBody],
+            (true, false) => [Strategy::SumOfSquares, Strategy::ArticulatedBody, Strategy::MassMatrix],
         };
-        for road in roads {
-            if let Some(solution) = self.take(road)? {
-                return Ok((solution, road, [None; 3]));
+        for strategy in strategies {
+            if let Some(solution) = self.take(strategy)? {
+                return Ok((solution, strategy, [None; 3]));
             }
         }
         Err(SingularMassMatrix)
@@ -140,15 +146,19 @@ impl Roads<'_> {
         count > LARGEST_TRIAL && self.pushed.is_mostly_full(count)
     }
 
-    /// The solution along one road, if it leads anywhere.
-    fn take(&mut self, road: Road) -> Result<Option<Solution>, SingularMassMatrix> {
+    /// The solution by one strategy, if it finds any.
+    fn take(&mut self, strategy: Strategy) -> Result<Option<Solution>, SingularMassMatrix> {
         let unknowns = self.model.unknowns();
-        match road {
-            Road::Dense => Ok(self.factorised(&unknowns)),
-            Road::Recursive => Ok(solve_recursive(&mut self.model.graph, self.form.clone(), &unknowns)),
-            Road::Squares if !self.has_squares_only() => Ok(None),
-            Road::Squares if self.model.accuracy == Accuracy::Strict => self.squares(&[Sums::Contracted]),
-            Road::Squares => self.squares(&[Sums::Contracted, Sums::Collected]),
+        match strategy {
+            Strategy::MassMatrix => Ok(self.factorised(&unknowns)),
+            Strategy::ArticulatedBody => {
+                Ok(solve_recursive(&mut self.model.graph, self.form.clone(), &unknowns))
+            }
+            Strategy::SumOfSquares if !self.has_squares_only() => Ok(None),
+            Strategy::SumOfSquares if self.model.accuracy == Accuracy::Strict => {
+                self.squares(&[Sums::Contracted])
+            }
+            Strategy::SumOfSquares => self.squares(&[Sums::Contracted, Sums::Collected]),
         }
     }
 
@@ -172,7 +182,7 @@ impl Roads<'_> {
         let mut best: Option<(f64, Solution)> = None;
         for &sums in ways {
             let graph = &mut self.model.graph;
-            match solve_squares(graph, self.split, loads.clone(), &velocities, sums) {
+            match solve_sum_of_squares(graph, self.split, loads.clone(), &velocities, sums) {
                 Ok(solution) => {
                     let cost = cost(graph, &solution.values);
                     if best.as_ref().is_none_or(|(least, _)| cost < *least) {

@@ -105,11 +105,11 @@ fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
     let seeds = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
     let forces = adjoint(&mut model.graph, &seeds, &velocities);
     let resistances = gradient(&mut model.graph, model.dissipation, &velocities);
-    let held = held_velocities(model);
+    let constrained = constrained_velocities(model);
     let is_free = |i: usize| model.graph.is_zero(forces[i]) && model.graph.is_zero(resistances[i]);
     let mut conserved = cyclic
         .iter()
-        .filter(|&&i| is_free(i) && !held.contains(&velocities[i]))
+        .filter(|&&i| is_free(i) && !constrained.contains(&velocities[i]))
         .map(|&i| Conserved::Momentum(i))
         .collect::<Vec<_>>();
     let changing = Dependencies::TIME | Dependencies::INPUT;
@@ -122,7 +122,7 @@ fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
 }
 
 /// The velocities that forces of constraints, contacts and friction change.
-fn held_velocities(model: &Model) -> HashMap<ExprId, ()> {
+fn constrained_velocities(model: &Model) -> HashMap<ExprId, ()> {
     let constrained = model.constraints.iter().map(|constraint| constraint.velocity);
     let touched = model.reactions.iter().map(|reaction| reaction.velocity);
     let reached = model.graph.reachable(&constrained.chain(touched).collect::<Vec<_>>());
@@ -136,10 +136,10 @@ fn constraints_do_no_work(model: &mut Model) -> bool {
     let demands = model.constraints.iter().map(|constraint| constraint.velocity).collect::<Vec<_>>();
     let drifts = demands.into_iter().map(|demand| {
         // A constraint usually holds few of all velocities.
-        let mut held = model.graph.reachable_until(&[demand], |id| is_velocity.contains(&id));
-        held.retain(|id| is_velocity.contains(id));
-        let row = gradient(&mut model.graph, demand, &held);
-        let products = row.iter().zip(&held).map(|(&a, &v)| model.graph.multiply(a, v));
+        let mut constrained = model.graph.reachable_until(&[demand], |id| is_velocity.contains(&id));
+        constrained.retain(|id| is_velocity.contains(id));
+        let row = gradient(&mut model.graph, demand, &constrained);
+        let products = row.iter().zip(&constrained).map(|(&a, &v)| model.graph.multiply(a, v));
         let products = products.collect::<Vec<_>>();
         let linear = model.graph.total(products);
         let opposite = model.graph.negate(linear);

@@ -6,7 +6,7 @@ use super::function_names::{arity, function_names, mass_function, usage};
 use super::inertia::evaluate_mass_function;
 use super::messages;
 use super::operand::{Operand, cross, half_square, inner, norm};
-use super::scope::Kind;
+use super::scope::NameKind;
 use crate::calculus::evaluate;
 use crate::diagnostics::nearest;
 use crate::expr::{Dependencies, ExprId};
@@ -56,7 +56,7 @@ pub(super) fn evaluate_call(
 /// Reports a mass or moment of inertia that is negative whatever the parameters are.
 fn check_mass(evaluator: &mut Evaluator<'_>, syntax: AstId, mass: ExprId) -> Option<()> {
     let is_judged = evaluator.graph.dependencies(mass) == Dependencies::NONE
-        && !evaluator.claimed_masses.contains(&syntax);
+        && !evaluator.obliged_masses.contains(&syntax);
     if !is_judged || evaluate(&evaluator.graph, &[mass], |_| f64::NAN)[0] >= 0.0 {
         return Some(());
     }
@@ -91,7 +91,8 @@ fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
             Expression::Name(name) => {
                 let entry = evaluator.scope.find(name).filter(|entry| !entry.is_ambiguous);
                 let kind = entry.map(|entry| entry.kind);
-                let is_at_rest = name == "pi" || matches!(kind, Some(Kind::Parameter | Kind::Constant));
+                let is_at_rest =
+                    name == "pi" || matches!(kind, Some(NameKind::Parameter | NameKind::Constant));
                 if !is_at_rest {
                     return false;
                 }

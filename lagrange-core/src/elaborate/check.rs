@@ -2,7 +2,7 @@
 
 use super::constraints::{check_constraint_count, check_reduced_constraints, is_constrained};
 use super::damping::with_limits;
-use super::elaborator::{Elaborator, Term};
+use super::elaborator::{Elaborator, SourceTerm};
 use super::events::{check_event_count, check_reduced_events};
 use super::magnitudes::check_magnitudes;
 use super::messages::{self, scene};
@@ -195,7 +195,7 @@ fn total_energies(elaborator: &mut Elaborator<'_>) -> Energies {
 
 fn total(
     elaborator: &mut Elaborator<'_>,
-    terms: impl for<'e> Fn(&'e Elaborator<'_>) -> &'e Vec<Term>,
+    terms: impl for<'e> Fn(&'e Elaborator<'_>) -> &'e Vec<SourceTerm>,
 ) -> ExprId {
     let values = terms(elaborator).iter().map(|term| term.value).collect::<Vec<_>>();
     elaborator.evaluator.graph.total(values)

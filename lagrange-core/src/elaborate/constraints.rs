@@ -3,7 +3,7 @@
 use super::elaborator::Elaborator;
 use super::messages;
 use super::operand::Operand;
-use super::scope::Kind;
+use super::scope::NameKind;
 use crate::calculus::{Degree, Degrees};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
@@ -16,21 +16,21 @@ pub(super) fn add_constraint(elaborator: &mut Elaborator<'_>, name: &Name, synta
     let term = elaborator.term(syntax, name.span, "a constraint");
     if elaborator.evaluator.scope.find(&name.text).is_some() {
         // What is meant by the name decides what is wrong with the rest.
-        elaborator.declare(name, Kind::Constraint, None);
+        elaborator.declare(name, NameKind::Constraint, None);
         return;
     }
     if let Some(term) = &term
         && is_implied(elaborator, name, term.value)
     {
         elaborator.implied.push(name.text.clone());
-        elaborator.declare(name, Kind::Implied, None);
+        elaborator.declare(name, NameKind::Implied, None);
         return;
     }
     let index = elaborator.constraints.len() as u32;
     let multiplier = elaborator.evaluator.graph.symbol(&name.text, Role::Multiplier(index));
     let velocity =
         term.and_then(|term| Some((term.value, constrained_velocity(elaborator, name, syntax, term.value)?)));
-    elaborator.declare(name, Kind::Constraint, Some(Operand::Scalar(multiplier)));
+    elaborator.declare(name, NameKind::Constraint, Some(Operand::Scalar(multiplier)));
     let Some((value, velocity)) = velocity else { return };
     report_repeated(elaborator, name, velocity);
     let is_holonomic = !elaborator.evaluator.graph.dependencies(value).intersects(Dependencies::VELOCITY);

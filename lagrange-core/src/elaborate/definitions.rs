@@ -5,7 +5,7 @@ use super::expression::value_of;
 use super::messages;
 use super::operand::Operand;
 use super::scalar_range::{holds, largest};
-use super::scope::Kind;
+use super::scope::NameKind;
 use crate::calculus::evaluate;
 use crate::diagnostics::nearest;
 use crate::expr::{Dependencies, ExprId};
@@ -19,10 +19,10 @@ const GENERATED_METHODS: [&str; 7] =
 /// Products that later versions will emit.
 const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
 
-pub(super) fn define_parameter(elaborator: &mut Elaborator<'_>, definition: &Definition, kind: Kind) {
+pub(super) fn define_parameter(elaborator: &mut Elaborator<'_>, definition: &Definition, kind: NameKind) {
     let default = definition.value.and_then(|value| default_value(elaborator, &definition.name, value));
     let name = &definition.name.text;
-    let is_input = kind == Kind::Input;
+    let is_input = kind == NameKind::Input;
     let list = if is_input { &mut elaborator.inputs } else { &mut elaborator.parameters };
     let index = list.len() as u32;
     let role = if is_input { Role::Input(index) } else { Role::Parameter(index) };
@@ -62,7 +62,7 @@ fn constant_scalar(elaborator: &mut Elaborator<'_>, syntax: AstId, what: &str) -
 
 pub(super) fn define_constant(elaborator: &mut Elaborator<'_>, definition: &Definition) {
     let value = definition.value.and_then(|value| constant_scalar(elaborator, value, "a constant"));
-    elaborator.declare(&definition.name, Kind::Constant, value.map(Operand::Scalar));
+    elaborator.declare(&definition.name, NameKind::Constant, value.map(Operand::Scalar));
 }
 
 pub(super) fn define_coordinate(elaborator: &mut Elaborator<'_>, name: &Name) {
@@ -74,7 +74,7 @@ pub(super) fn define_coordinate(elaborator: &mut Elaborator<'_>, name: &Name) {
         velocity: graph.symbol(&name.text, Role::Velocity(index)),
         acceleration: graph.symbol(&name.text, Role::Acceleration(index)),
     };
-    elaborator.declare(name, Kind::Coordinate, Some(Operand::Scalar(coordinate.position)));
+    elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(coordinate.position)));
     elaborator.coordinates.push((coordinate, name.span));
 }
 
@@ -90,7 +90,7 @@ pub(super) fn define_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, 
         }
         None => {}
     }
-    elaborator.declare(name, Kind::Abbreviation, value);
+    elaborator.declare(name, NameKind::Abbreviation, value);
 }
 
 /// Whether a name is that of no place, or of one made of coordinates and time.
@@ -126,7 +126,7 @@ pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Nam
     };
     for (name, component) in names.iter().zip(components) {
         elaborator.labels.extend(component.map(|id| (id, name.text.clone())));
-        elaborator.declare(name, Kind::Abbreviation, component.map(Operand::Scalar));
+        elaborator.declare(name, NameKind::Abbreviation, component.map(Operand::Scalar));
     }
 }
 
@@ -137,7 +137,7 @@ pub(super) fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: A
         let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
         error.help(messages::OTHER_NAME_HELP);
     }
-    elaborator.declare(name, Kind::Output, None);
+    elaborator.declare(name, NameKind::Output, None);
     let Some(value) = value else { return };
     let graph = &elaborator.evaluator.graph;
     let uses = |kind| value.components().iter().any(|&c| graph.dependencies(c).intersects(kind));

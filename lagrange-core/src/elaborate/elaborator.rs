@@ -6,7 +6,7 @@ use super::evaluator::Evaluator;
 use super::expression::value_of;
 use super::messages;
 use super::operand::Operand;
-use super::scope::Kind;
+use super::scope::NameKind;
 use super::staged::Staged;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::bodies::Plain;
@@ -34,7 +34,7 @@ const CHANGING: [Dependencies; 7] = [
 ];
 
 /// An expression of a statement and where it stands.
-pub(super) struct Term {
+pub(super) struct SourceTerm {
     pub(super) value: ExprId,
     pub(super) syntax: AstId,
     pub(super) keyword: Span,
@@ -47,10 +47,10 @@ pub(super) struct Elaborator<'a> {
     pub(super) parameters: Vec<Parameter>,
     pub(super) inputs: Vec<Parameter>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
-    pub(super) kinetic: Vec<Term>,
-    pub(super) potential: Vec<Term>,
-    pub(super) lagrangian: Vec<Term>,
-    pub(super) dissipation: Vec<Term>,
+    pub(super) kinetic: Vec<SourceTerm>,
+    pub(super) potential: Vec<SourceTerm>,
+    pub(super) lagrangian: Vec<SourceTerm>,
+    pub(super) dissipation: Vec<SourceTerm>,
     pub(super) loads: Vec<Load>,
     /// Names of the constraints of joints.
     pub(super) joints: &'a [Name],
@@ -106,7 +106,7 @@ impl<'a> Elaborator<'a> {
         }
     }
 
-    pub(super) fn declare(&mut self, name: &Name, kind: Kind, value: Option<Operand>) {
+    pub(super) fn declare(&mut self, name: &Name, kind: NameKind, value: Option<Operand>) {
         self.evaluator.scope.declare(name, kind, value, self.evaluator.report);
     }
 
@@ -137,11 +137,11 @@ impl<'a> Elaborator<'a> {
     }
 
     /// A scalar expression without accelerations.
-    pub(super) fn term(&mut self, syntax: AstId, keyword: Span, what: &str) -> Option<Term> {
+    pub(super) fn term(&mut self, syntax: AstId, keyword: Span, what: &str) -> Option<SourceTerm> {
         value_of(&mut self.evaluator, syntax)?;
         let value = self.evaluator.scalar(syntax, what)?;
         self.forbid_accelerations(syntax, value, what)?;
-        Some(Term { value, syntax, keyword })
+        Some(SourceTerm { value, syntax, keyword })
     }
 
     /// A value that does not change during the motion.
@@ -206,7 +206,7 @@ impl<'a> Elaborator<'a> {
         }
         let scope = &self.evaluator.scope;
         let coordinates = self.coordinates.iter().map(|(coordinate, _)| coordinate.name.as_str());
-        let help = match scope.nearest(&name.text, |kind| kind == Kind::Coordinate) {
+        let help = match scope.nearest(&name.text, |kind| kind == NameKind::Coordinate) {
             Some(nearest) => messages::names::did_you_mean(nearest),
             None if scope.find(&name.text).is_some() => usage.to_owned(),
             None => messages::coordinates_are(&coordinates.collect::<Vec<_>>(), usage),

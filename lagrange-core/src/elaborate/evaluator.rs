@@ -28,10 +28,10 @@ pub(super) struct Evaluator<'a> {
     pub(super) unresolved: Unresolved,
     /// Operands by expression; `None` where something was wrong and has been reported.
     pub(super) values: HashMap<AstId, Option<Operand>>,
-    /// What is claimed to be a vector: that it is none is reported there, not for each of its components.
-    pub(super) claimed_vectors: HashMap<AstId, ()>,
-    /// What is claimed to be a mass or a moment of inertia of a body: that it is negative is reported there.
-    pub(super) claimed_masses: HashMap<AstId, ()>,
+    /// Expressions with an obligation to be a vector: that one is none is reported there, not for each of its components.
+    pub(super) obliged_vectors: HashMap<AstId, ()>,
+    /// Expressions with the obligations of a mass or a moment of inertia: that one is negative is reported there.
+    pub(super) obliged_masses: HashMap<AstId, ()>,
 }
 
 /// A leaf of a chain, negated in a sum or divided by in a product.
@@ -54,8 +54,8 @@ impl<'a> Evaluator<'a> {
             constants: Constants::default(),
             unresolved: Unresolved::default(),
             values: HashMap::default(),
-            claimed_vectors: HashMap::default(),
-            claimed_masses: HashMap::default(),
+            obliged_vectors: HashMap::default(),
+            obliged_masses: HashMap::default(),
         }
     }
 

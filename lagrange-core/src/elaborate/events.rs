@@ -7,7 +7,7 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages::events as messages;
 use super::reactions::add_contact;
-use super::scope::Kind;
+use super::scope::NameKind;
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{Action, Assignment};
@@ -25,7 +25,7 @@ pub(super) fn add_event(elaborator: &mut Elaborator<'_>, event: &ast::Event) {
             (event_function(elaborator, event), assigned_values(elaborator, &event.name, assignments))
         }
     };
-    elaborator.declare(&event.name, Kind::Event, None);
+    elaborator.declare(&event.name, NameKind::Event, None);
     if let (Some(value), Some(action)) = (value, action) {
         elaborator.push_event(event, value, action);
     }

@@ -10,7 +10,7 @@ use super::function_names::is_function;
 use super::messages;
 use super::numbers::is_sound;
 use super::operand::{Operand, rebuild};
-use super::scope::Kind;
+use super::scope::NameKind;
 use super::unknown_names::{help_for_unknown, is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::diagnostics::Origin;
 use crate::symbol::Role;
@@ -73,11 +73,11 @@ fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> O
             return entry.value.clone();
         }
         let kind = entry.kind;
-        if kind == Kind::Implied && !is_first_of_joint(evaluator, name) {
+        if kind == NameKind::Implied && !is_first_of_joint(evaluator, name) {
             return None;
         }
         let (message, help) = match kind {
-            Kind::Implied => (messages::FORCE_OF_IMPLIED.to_owned(), messages::FORCE_OF_IMPLIED_HELP),
+            NameKind::Implied => (messages::FORCE_OF_IMPLIED.to_owned(), messages::FORCE_OF_IMPLIED_HELP),
             kind => (messages::names::has_no_value(kind.describe(), name), messages::names::NAME_IT_WITH_LET),
         };
         evaluator.report.error(origin, message).help(help);
@@ -116,7 +116,7 @@ fn evaluate_component(evaluator: &mut Evaluator<'_>, of: AstId, component: &Name
         error.help(messages::FUNCTION_HELP);
         return None;
     }
-    if evaluator.claimed_vectors.contains(&of) {
+    if evaluator.obliged_vectors.contains(&of) {
         return None;
     }
     let message = messages::no_component(&component.text, &value.kind());

@@ -312,7 +312,7 @@ pub(super) const CONSTRAINT_IS_HERE: &str = "a constraint is here";
 pub(super) const REDUCTION_HELP: &str = "`freeze` and `small` take coordinates: `freeze x = 0; small theta;`";
 pub(super) const ALL_FROZEN: &str = "every coordinate is frozen, so that nothing is left to move";
 pub(super) const ALL_FROZEN_HELP: &str = "leave at least one coordinate free, or make it `small`";
-pub(super) const HELD_VALUE: &str = "the value of a coordinate that is frozen or small";
+pub(super) const PINNED_VALUE: &str = "the value of a coordinate that is frozen or small";
 pub(super) const CONSTANT_IN_MOTION_HELP: &str =
     "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
 pub(super) const TYPE_NAME_HELP: &str = "each declared type `Name` comes with `NameState`, `NameColumns` and `NameInputs`: choose a name that is none of them";

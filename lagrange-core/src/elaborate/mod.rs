@@ -35,7 +35,7 @@ mod torques;
 mod unknown_names;
 mod unresolved;
 
-use crate::bodies::{Claim, Plain};
+use crate::bodies::{Obligation, Plain};
 use crate::diagnostics::Report;
 use crate::model::Model;
 use crate::syntax::ast::{Statement, StatementKind};
@@ -49,12 +49,12 @@ use elaborator::Elaborator;
 use events::add_event;
 use expression::value_of;
 use loads::{add_force_at, add_force_on, add_torque};
-use obligations::check_claims;
+use obligations::check_obligations;
 use reactions::add_friction;
 use reduce::reduce;
 use reductions::add_reduction;
 use scene::add_scene;
-use scope::Kind;
+use scope::NameKind;
 use stabilisation::set_stabilisation;
 use unknown_names::count_unresolved;
 
@@ -63,13 +63,13 @@ pub use reductions::METHODS_OF_REDUCED;
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
 pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
     let mut elaborator = Elaborator::new(plain, report);
-    for claim in &plain.claims {
-        match claim {
-            Claim::PlaneVector { value, .. } => {
-                elaborator.evaluator.claimed_vectors.insert(*value, ());
+    for obligation in &plain.obligations {
+        match obligation {
+            Obligation::PlaneVector { value, .. } => {
+                elaborator.evaluator.obliged_vectors.insert(*value, ());
             }
-            Claim::PositiveMass { mass: claimed, .. } | Claim::Inertia { inertia: claimed, .. } => {
-                elaborator.evaluator.claimed_masses.insert(*claimed, ());
+            Obligation::PositiveMass { mass: obliged, .. } | Obligation::Inertia { inertia: obliged, .. } => {
+                elaborator.evaluator.obliged_masses.insert(*obliged, ());
             }
             _ => {}
         }
@@ -81,7 +81,7 @@ pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
     for &mentioned in &plain.mentioned {
         value_of(&mut elaborator.evaluator, mentioned);
     }
-    check_claims(&mut elaborator, &plain.claims);
+    check_obligations(&mut elaborator, &plain.obligations);
     add_scene(&mut elaborator, plain);
     count_unresolved(&mut elaborator.evaluator);
     let (mut model, reductions) = finish(elaborator)?;
@@ -94,9 +94,11 @@ fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Statement) {
     let keyword = statement.origin.start;
     match &statement.kind {
         StatementKind::Parameters(list) => {
-            list.iter().for_each(|d| define_parameter(elaborator, d, Kind::Parameter));
+            list.iter().for_each(|d| define_parameter(elaborator, d, NameKind::Parameter));
         }
-        StatementKind::Inputs(list) => list.iter().for_each(|d| define_parameter(elaborator, d, Kind::Input)),
+        StatementKind::Inputs(list) => {
+            list.iter().for_each(|d| define_parameter(elaborator, d, NameKind::Input));
+        }
         StatementKind::Constants(list) => list.iter().for_each(|d| define_constant(elaborator, d)),
         StatementKind::Coordinates(names) => {
             names.iter().for_each(|name| define_coordinate(elaborator, name));

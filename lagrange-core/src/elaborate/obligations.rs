@@ -4,7 +4,7 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages::inertia as words;
 use super::operand::Operand;
-use crate::bodies::Claim;
+use crate::bodies::Obligation;
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
 use crate::diagnostics::{Diagnostic, Origin};
@@ -15,19 +15,19 @@ use crate::syntax::ast::{AstId, Name};
 /// Moments of inertia that differ by less than this fraction are equal but for rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Reports claims that do not hold: errors where numbers are given, warnings where only defaults say so.
-pub(super) fn check_claims(elaborator: &mut Elaborator, claims: &[Claim]) {
-    for claim in claims {
-        match claim {
-            Claim::PositiveMass { body, mass } => positive_mass(elaborator, body, *mass),
-            Claim::Inertia { body, inertia } => inertia_not_negative(elaborator, body, *inertia),
-            Claim::SameInertia { body, stated, of_shape, shape } => {
+/// Reports obligations that do not hold: errors where numbers are given, warnings where only defaults say so.
+pub(super) fn check_obligations(elaborator: &mut Elaborator, obligations: &[Obligation]) {
+    for obligation in obligations {
+        match obligation {
+            Obligation::PositiveMass { body, mass } => positive_mass(elaborator, body, *mass),
+            Obligation::Inertia { body, inertia } => inertia_not_negative(elaborator, body, *inertia),
+            Obligation::SameInertia { body, stated, of_shape, shape } => {
                 same_inertia(elaborator, body, [*stated, *of_shape], *shape);
             }
-            Claim::Fixed { what, value } => fixed(elaborator, what, *value),
-            Claim::Uniform { gravity } => uniform(elaborator, *gravity),
-            Claim::PlaneVector { what, value } => plane_vector(elaborator, what, *value),
-            Claim::Moves { body, center, angle } => moves(elaborator, body, [*center, *angle]),
+            Obligation::Fixed { what, value } => fixed(elaborator, what, *value),
+            Obligation::Uniform { gravity } => uniform(elaborator, *gravity),
+            Obligation::PlaneVector { what, value } => plane_vector(elaborator, what, *value),
+            Obligation::Moves { body, center, angle } => moves(elaborator, body, [*center, *angle]),
         }
     }
 }

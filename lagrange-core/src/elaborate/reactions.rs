@@ -6,7 +6,7 @@ use super::elaborator::{Elaborator, UNKNOWNS};
 use super::expression::value_of;
 use super::messages::events as messages;
 use super::operand::Operand;
-use super::scope::Kind;
+use super::scope::NameKind;
 use crate::calculus::{Degree, Degrees};
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{Action, Reaction, ReactionKind};
@@ -21,7 +21,7 @@ pub(super) fn add_contact(elaborator: &mut Elaborator<'_>, event: &ast::Event, r
         Some((velocity, ReactionKind::Contact { gap, restitution: restitution? }))
     });
     let index = elaborator.reactions.len() as u32;
-    if add_reaction(elaborator, &event.name, Kind::Contact, parts)
+    if add_reaction(elaborator, &event.name, NameKind::Contact, parts)
         && let Some(Operand::Scalar(value)) = elaborator.evaluator.value(event.value)
     {
         elaborator.push_event(event, value, Action::Impact(index));
@@ -45,14 +45,14 @@ pub(super) fn add_friction(elaborator: &mut Elaborator<'_>, friction: &ast::Fric
     if let (Some(ReactionKind::Friction { kinetic, fixed }), Some(syntax)) = (kind, friction.fixed) {
         check_order(elaborator, kinetic, fixed, syntax);
     }
-    add_reaction(elaborator, name, Kind::Friction, velocity.zip(kind));
+    add_reaction(elaborator, name, NameKind::Friction, velocity.zip(kind));
 }
 
 /// Declares its name, which stands for its force; whether there is nothing wrong with it.
 fn add_reaction(
     elaborator: &mut Elaborator<'_>,
     name: &Name,
-    kind: Kind,
+    kind: NameKind,
     parts: Option<(ExprId, ReactionKind)>,
 ) -> bool {
     let Some((velocity, reaction)) = parts else {

@@ -10,7 +10,7 @@ use super::messages;
 use crate::calculus::{Expansion, Series, gradient, transplant};
 use crate::diagnostics::Report;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::model::{Energies, Held, Load, Model, Output, Reduced, Reduction, Scene};
+use crate::model::{Energies, Load, Model, Output, Pinned, Reduced, Reduction, Scene};
 use crate::symbol::Role;
 
 /// The order to which Lagrangians are expanded.
@@ -47,16 +47,16 @@ impl<'a> Reducer<'a> {
         let mut graph = model.graph.clone();
         let zero = graph.number(0);
         let mut frozen = Expansion::default();
-        for held in &reduction.frozen {
-            let coordinate = &model.coordinates[held.coordinate];
-            frozen.hold(coordinate.position, held.value);
+        for pinned in &reduction.frozen {
+            let coordinate = &model.coordinates[pinned.coordinate];
+            frozen.hold(coordinate.position, pinned.value);
             frozen.hold(coordinate.velocity, zero);
             frozen.hold(coordinate.acceleration, zero);
         }
         let mut expanded = frozen.clone();
-        for held in &reduction.small {
-            let coordinate = &model.coordinates[held.coordinate];
-            expanded.vary(&mut graph, coordinate.position, held.value);
+        for pinned in &reduction.small {
+            let coordinate = &model.coordinates[pinned.coordinate];
+            expanded.vary(&mut graph, coordinate.position, pinned.value);
             expanded.vary(&mut graph, coordinate.velocity, zero);
         }
         Reducer { graph, reduction, frozen, expanded }
@@ -82,7 +82,7 @@ impl<'a> Reducer<'a> {
         }
         let (outputs, scene) = (self.outputs(model)?, self.scene(model)?);
         let (rates, labels) = (self.rates(model), self.labels(model));
-        let is_frozen = |i: &usize| self.reduction.frozen.iter().any(|held| held.coordinate == *i);
+        let is_frozen = |i: &usize| self.reduction.frozen.iter().any(|pinned| pinned.coordinate == *i);
         let coordinates = model.coordinates.iter().enumerate().filter(|(i, _)| !is_frozen(i));
         let coordinates = coordinates.map(|(_, coordinate)| coordinate.clone()).collect();
         Ok(Model {
@@ -191,7 +191,7 @@ impl<'a> Reducer<'a> {
 /// Moves a model to a graph of its own, in which its coordinates are numbered from zero.
 fn transplanted(reduced: &mut Reduced) {
     let Reduced { reduction, model } = reduced;
-    let frozen = reduction.frozen.iter().map(|held| held.coordinate as u32).collect::<Vec<_>>();
+    let frozen = reduction.frozen.iter().map(|pinned| pinned.coordinate as u32).collect::<Vec<_>>();
     let number = |i: u32| i - frozen.iter().filter(|&&frozen| frozen < i).count() as u32;
     let role = |role: Role| match role {
         Role::Coordinate(i) => Role::Coordinate(number(i)),
@@ -201,8 +201,8 @@ fn transplanted(reduced: &mut Reduced) {
     };
     let source = std::mem::take(&mut model.graph);
     let mut places = places(model);
-    let held = reduction.frozen.iter_mut().chain(&mut reduction.small);
-    places.extend(held.map(|held| &mut held.value));
+    let pinned = reduction.frozen.iter_mut().chain(&mut reduction.small);
+    places.extend(pinned.map(|pinned| &mut pinned.value));
     let roots = places.iter().map(|place| **place).collect::<Vec<_>>();
     let (graph, image) = transplant(&source, &roots, role);
     places.into_iter().for_each(|place| *place = image.get(place).copied().unwrap_or(*place));
@@ -245,18 +245,18 @@ fn check_inertia(reduced: &mut Reduced, report: &mut Report) -> Option<()> {
 
 /// Reports what has no expansion, at the first coordinate that alone has that effect.
 fn report_undefined(model: &Model, reduction: &Reduction, part: &Undefined, report: &mut Report) {
-    let fails = |frozen: &[Held], small: &[Held]| {
+    let fails = |frozen: &[Pinned], small: &[Pinned]| {
         let (frozen, small) = (frozen.to_vec(), small.to_vec());
         let reduction = Reduction { name: reduction.name.clone(), frozen, small };
         Reducer::new(model, &reduction).model(model).is_err()
     };
     let Reduction { name, frozen, small } = reduction;
-    if let Some(held) = frozen.iter().find(|held| fails(std::slice::from_ref(*held), &[])) {
-        report.error(held.span, messages::undefined_when_frozen(part)).help(messages::UNDEFINED_HELP);
+    if let Some(pinned) = frozen.iter().find(|pinned| fails(std::slice::from_ref(*pinned), &[])) {
+        report.error(pinned.span, messages::undefined_when_frozen(part)).help(messages::UNDEFINED_HELP);
         return;
     }
-    let guilty = small.iter().find(|held| fails(frozen, std::slice::from_ref(*held)));
-    let span = guilty.map_or(name.span, |held| held.span);
-    let coordinate = guilty.map(|held| model.coordinates[held.coordinate].name.as_str());
+    let guilty = small.iter().find(|pinned| fails(frozen, std::slice::from_ref(*pinned)));
+    let span = guilty.map_or(name.span, |pinned| pinned.span);
+    let coordinate = guilty.map(|pinned| model.coordinates[pinned.coordinate].name.as_str());
     report.error(span, messages::no_expansion(part, coordinate)).help(messages::NO_EXPANSION_HELP);
 }

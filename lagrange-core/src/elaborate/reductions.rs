@@ -4,7 +4,7 @@ use proc_macro2::Span;
 
 use super::elaborator::Elaborator;
 use super::messages;
-use crate::model::{Held, Reduction};
+use crate::model::{Pinned, Reduction};
 use crate::syntax::ast::{self, ReductionItem, ReductionKind, ScalarType, StatementKind};
 
 /// Methods of reduced types beside those of every system; no output may take their names.
@@ -13,34 +13,34 @@ pub(super) fn add_reduction(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduc
     check_type_name(elaborator, syntax);
     let mut reduction = Reduction { name: syntax.name.clone(), frozen: Vec::new(), small: Vec::new() };
     for item in &syntax.items {
-        let Some(held) = held_coordinate(elaborator, item) else { continue };
+        let Some(pinned) = pinned_coordinate(elaborator, item) else { continue };
         let named = reduction.frozen.iter().chain(&reduction.small);
-        if let Some(earlier) = named.into_iter().find(|earlier| earlier.coordinate == held.coordinate) {
+        if let Some(earlier) = named.into_iter().find(|earlier| earlier.coordinate == pinned.coordinate) {
             let message = messages::reduced_twice(&item.coordinate.text);
-            let error = elaborator.evaluator.report.error(held.span, message);
+            let error = elaborator.evaluator.report.error(pinned.span, message);
             error.related(earlier.span.into(), messages::NAMED_HERE).help(messages::NAMED_TWICE_HELP);
             continue;
         }
         match item.kind {
-            ReductionKind::Frozen => reduction.frozen.push(held),
-            ReductionKind::Small => reduction.small.push(held),
+            ReductionKind::Frozen => reduction.frozen.push(pinned),
+            ReductionKind::Small => reduction.small.push(pinned),
         }
     }
     elaborator.reductions.push(reduction);
 }
 
-fn held_coordinate(elaborator: &mut Elaborator<'_>, item: &ReductionItem) -> Option<Held> {
+fn pinned_coordinate(elaborator: &mut Elaborator<'_>, item: &ReductionItem) -> Option<Pinned> {
     let name = &item.coordinate;
     elaborator.evaluator.scope.resolve(&name.text);
     let coordinate = elaborator.coordinates.iter().position(|(known, _)| known.name == name.text);
     let value = match item.value {
-        Some(syntax) => elaborator.constant_in_motion(syntax, messages::HELD_VALUE),
+        Some(syntax) => elaborator.constant_in_motion(syntax, messages::PINNED_VALUE),
         None => Some(elaborator.evaluator.graph.number(0)),
     };
     if coordinate.is_none() {
         elaborator.report_no_coordinate(name, messages::REDUCTION_HELP);
     }
-    Some(Held { coordinate: coordinate?, value: value?, span: name.span })
+    Some(Pinned { coordinate: coordinate?, value: value?, span: name.span })
 }
 
 /// The types `Name` and `NameState` must be new.

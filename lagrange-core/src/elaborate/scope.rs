@@ -10,7 +10,7 @@ use crate::syntax::ast::Name;
 
 /// What a name stands for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Kind {
+pub(super) enum NameKind {
     Parameter,
     Input,
     Constant,
@@ -27,37 +27,37 @@ pub(super) enum Kind {
     Output,
 }
 
-impl Kind {
+impl NameKind {
     /// In the user's words.
     pub(super) fn describe(self) -> &'static str {
         match self {
-            Kind::Parameter => "parameter",
-            Kind::Input => "input",
-            Kind::Constant => "constant",
-            Kind::Coordinate => "coordinate",
-            Kind::Abbreviation => "`let`",
-            Kind::Constraint | Kind::Implied => "constraint",
-            Kind::Event | Kind::Contact => "event",
-            Kind::Friction => "friction",
-            Kind::Output => "output",
+            NameKind::Parameter => "parameter",
+            NameKind::Input => "input",
+            NameKind::Constant => "constant",
+            NameKind::Coordinate => "coordinate",
+            NameKind::Abbreviation => "`let`",
+            NameKind::Constraint | NameKind::Implied => "constraint",
+            NameKind::Event | NameKind::Contact => "event",
+            NameKind::Friction => "friction",
+            NameKind::Output => "output",
         }
     }
 
     /// Whether expressions may mention a name of this kind.
     pub(super) fn has_value(self) -> bool {
-        !matches!(self, Kind::Implied | Kind::Event | Kind::Output)
+        !matches!(self, NameKind::Implied | NameKind::Event | NameKind::Output)
     }
 
     /// Whether a name of this kind that nobody mentions is likely a mistake.
     fn should_be_used(self) -> bool {
-        matches!(self, Kind::Parameter | Kind::Input | Kind::Constant | Kind::Abbreviation)
+        matches!(self, NameKind::Parameter | NameKind::Input | NameKind::Constant | NameKind::Abbreviation)
     }
 }
 
 /// A declared name.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
-    pub(super) kind: Kind,
+    pub(super) kind: NameKind,
     /// `None` if the declaration was faulty and has been reported, and for what has no value.
     pub(super) value: Option<Operand>,
     pub(super) span: Span,
@@ -74,13 +74,19 @@ pub(super) struct Scope {
 
 impl Scope {
     /// Adds a name; reports it if it is taken.
-    pub(super) fn declare(&mut self, name: &Name, kind: Kind, value: Option<Operand>, report: &mut Report) {
+    pub(super) fn declare(
+        &mut self,
+        name: &Name,
+        kind: NameKind,
+        value: Option<Operand>,
+        report: &mut Report,
+    ) {
         if let Some(first) = self.entries.get_mut(&name.text) {
             first.is_ambiguous = true;
             let help = match kind {
-                Kind::Constraint => messages::names::NAMELESS_CONSTRAINT_HELP,
-                Kind::Event | Kind::Contact => messages::names::OTHER_EVENT_HELP,
-                Kind::Output => messages::names::OTHER_OUTPUT_HELP,
+                NameKind::Constraint => messages::names::NAMELESS_CONSTRAINT_HELP,
+                NameKind::Event | NameKind::Contact => messages::names::OTHER_EVENT_HELP,
+                NameKind::Output => messages::names::OTHER_OUTPUT_HELP,
                 _ => messages::OTHER_NAME_HELP,
             };
             let error = report.error(name.span, messages::names::declared_twice(&name.text)).help(help);
@@ -109,7 +115,7 @@ impl Scope {
     }
 
     /// The known name that is most like `name`, among those that pass the filter.
-    pub(super) fn nearest(&self, name: &str, accept: impl Fn(Kind) -> bool) -> Option<&str> {
+    pub(super) fn nearest(&self, name: &str, accept: impl Fn(NameKind) -> bool) -> Option<&str> {
         let known = self.entries.iter().filter(|(_, entry)| accept(entry.kind));
         nearest(name, known.map(|(name, _)| name.as_str()))
     }

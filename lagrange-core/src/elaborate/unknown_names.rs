@@ -2,7 +2,7 @@
 
 use super::evaluator::Evaluator;
 use super::messages;
-use super::scope::Kind;
+use super::scope::NameKind;
 use super::unresolved::{Late, Places, place};
 use crate::diagnostics::Origin;
 use crate::syntax::foreign;
@@ -70,7 +70,7 @@ pub(super) fn is_declared_elsewhere(evaluator: &mut Evaluator<'_>, name: &str, o
 pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String {
     let moves = |name: &str| {
         let entry = evaluator.scope.find(name);
-        entry.is_some_and(|entry| matches!(entry.kind, Kind::Coordinate | Kind::Abbreviation))
+        entry.is_some_and(|entry| matches!(entry.kind, NameKind::Coordinate | NameKind::Abbreviation))
     };
     if let Some(rate) = foreign::rate(name, moves) {
         return messages::names::write_call(&rate.written());
@@ -87,7 +87,7 @@ pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String 
     if let ([single], true) = (&evaluator.declaration.coordinates()[..], foreign::is_word_for_rate(name)) {
         return messages::names::rate_of_single(&single.text);
     }
-    match evaluator.scope.nearest(name, Kind::has_value) {
+    match evaluator.scope.nearest(name, NameKind::has_value) {
         Some(nearest) => messages::names::did_you_mean(nearest),
         None if is_constant_of_rust(name) => messages::names::RUST_CONSTANT_HELP.to_owned(),
         None => messages::names::DECLARE_FIRST.to_owned(),

@@ -5,7 +5,7 @@
 
 mod names;
 
-use super::layout::{Piece, Strength, Term, View, sum, write as write_pieces};
+use super::layout::{Piece, Strength, View, WrittenTerm, sum, write as write_pieces};
 use super::naming::define;
 use super::numerals::numeral;
 use crate::expr::{ExprId, Function, Graph, Node, Relation};
@@ -112,7 +112,7 @@ fn cases(view: &View, id: ExprId) -> Vec<Piece> {
 }
 
 /// The term without its sign.
-fn product(view: &View, term: &Term) -> (Strength, Vec<Piece>) {
+fn product(view: &View, term: &WrittenTerm) -> (Strength, Vec<Piece>) {
     let (below, above): (Vec<_>, Vec<_>) =
         term.factors.iter().cloned().partition(|(_, exponent)| exponent.is_negative());
     let below = below.into_iter().map(|(base, exponent)| (base, -&exponent)).collect::<Vec<_>>();

@@ -18,7 +18,7 @@ pub(super) struct View<'v, 'n> {
 }
 
 /// `coefficient · Π base ^ exponent`, factors in the order of reading.
-pub(super) struct Term {
+pub(super) struct WrittenTerm {
     pub(super) coefficient: Number,
     pub(super) factors: Vec<(ExprId, Number)>,
 }
@@ -67,8 +67,8 @@ pub(super) fn write(root: ExprId, expand: impl Fn(ExprId, Strength) -> Vec<Piece
 
 /// Terms with their signs between them; `product` writes a term without its sign.
 pub(super) fn sum(
-    terms: &[Term],
-    product: impl Fn(&Term) -> (Strength, Vec<Piece>),
+    terms: &[WrittenTerm],
+    product: impl Fn(&WrittenTerm) -> (Strength, Vec<Piece>),
 ) -> (Strength, Vec<Piece>) {
     let mut pieces = Vec::new();
     let mut strength = Strength::Sum;
@@ -102,14 +102,14 @@ impl<'v, 'n> View<'v, 'n> {
     }
 
     /// The terms of an expression in the order of reading. Nested sums without a factor are opened.
-    pub(super) fn terms(&self, id: ExprId) -> Vec<Term> {
+    pub(super) fn terms(&self, id: ExprId) -> Vec<WrittenTerm> {
         let mut number = Number::ZERO;
         let mut terms = Vec::new();
         let mut pending = vec![(id, Number::ONE)];
         while let Some((id, coefficient)) = pending.pop() {
             match self.graph.node(id) {
                 _ if self.name(id).is_some() => {
-                    terms.push(Term { coefficient, factors: vec![(id, Number::ONE)] });
+                    terms.push(WrittenTerm { coefficient, factors: vec![(id, Number::ONE)] });
                 }
                 Node::Number(value) => number = &number + &(value * &coefficient),
                 Node::Sum { constant, terms } if opens(constant, terms, &coefficient) => {
@@ -120,7 +120,7 @@ impl<'v, 'n> View<'v, 'n> {
             }
         }
         if !number.is_zero() || terms.is_empty() {
-            terms.push(Term { coefficient: number, factors: Vec::new() });
+            terms.push(WrittenTerm { coefficient: number, factors: Vec::new() });
         }
         terms.sort_by_cached_key(|term| self.place_of_term(term));
         lead_with_positive(&mut terms);
@@ -128,7 +128,7 @@ impl<'v, 'n> View<'v, 'n> {
     }
 
     /// A product with nested products opened.
-    fn term(&self, id: ExprId, coefficient: Number) -> Term {
+    fn term(&self, id: ExprId, coefficient: Number) -> WrittenTerm {
         let mut coefficient = coefficient;
         let mut factors = Vec::new();
         let mut pending = vec![(id, Number::ONE)];
@@ -149,7 +149,7 @@ impl<'v, 'n> View<'v, 'n> {
             }
         }
         factors.sort_by_cached_key(|(base, exponent)| (self.place_of_factor(*base), exponent.clone()));
-        Term { coefficient, factors: merge(factors) }
+        WrittenTerm { coefficient, factors: merge(factors) }
     }
 
     /// Numbers, parameters, coordinates, functions, velocities, accelerations; symbols of a kind in the order
@@ -185,7 +185,7 @@ impl<'v, 'n> View<'v, 'n> {
 
     /// Accelerations in their order before velocities before everything else, single symbols before products,
     /// numbers last.
-    fn place_of_term(&self, term: &Term) -> impl Ord + use<> {
+    fn place_of_term(&self, term: &WrittenTerm) -> impl Ord + use<> {
         let class = term.factors.iter().map(|(base, _)| self.graph.dependencies(*base)).fold(
             if term.factors.is_empty() { 4 } else { 3 },
             |class, dependencies| {
@@ -212,7 +212,7 @@ fn opens(constant: &Number, terms: &[(ExprId, Number)], coefficient: &Number) ->
     coefficient.abs().is_one() || constant.is_zero() && terms.len() == 1
 }
 
-fn lead_with_positive(terms: &mut [Term]) {
+fn lead_with_positive(terms: &mut [WrittenTerm]) {
     if let Some(first) = terms.iter().position(|term| !term.coefficient.is_negative()) {
         terms[..=first].rotate_right(1);
     }

@@ -3,7 +3,7 @@
 //! The text of an expression is written out in full unless names are given for shared parts. A graph can
 //! stand for a text that is exponentially longer; [`definitions`] never writes that.
 
-use super::layout::{Piece, Strength, Term, View, sum, write as write_pieces};
+use super::layout::{Piece, Strength, View, WrittenTerm, sum, write as write_pieces};
 use super::naming::define;
 use super::numerals::numeral;
 use crate::expr::{ExprId, Graph, Node};
@@ -101,7 +101,7 @@ fn choice(view: &View, id: ExprId) -> Vec<Piece> {
 }
 
 /// The term without its sign.
-fn product(term: &Term) -> (Strength, Vec<Piece>) {
+fn product(term: &WrittenTerm) -> (Strength, Vec<Piece>) {
     let (below, above): (Vec<_>, Vec<_>) = term.factors.iter().partition(|(_, e)| e.is_negative());
     let number = numeral(&term.coefficient.abs());
     let mut numerator =

@@ -71,14 +71,14 @@ pub struct Reduction {
     /// The name of the reduced type.
     pub name: Name,
     /// Coordinates held at a value.
-    pub frozen: Vec<Held>,
+    pub frozen: Vec<Pinned>,
     /// Coordinates that stay near a value.
-    pub small: Vec<Held>,
+    pub small: Vec<Pinned>,
 }
 
 /// A coordinate and a value that is constant in motion.
 #[derive(Clone, Debug)]
-pub struct Held {
+pub struct Pinned {
     /// The index of the coordinate in the model that is reduced.
     pub coordinate: usize,
     /// The value.

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::bodies::plain;
-use crate::derive::{Equations, RoadChoice, derive};
+use crate::derive::{Equations, StrategyChoice, derive};
 use crate::diagnostics::Report;
 use crate::elaborate::elaborate;
 use crate::emit;
@@ -35,7 +35,7 @@ pub(super) fn model_of(declaration: Declaration, report: &mut Report) -> (Declar
 pub(super) fn equations_of(
     declaration: &Declaration,
     model: &mut Model,
-    choice: RoadChoice,
+    choice: StrategyChoice,
     report: &mut Report,
 ) -> Option<(Equations, Vec<DerivedPart>)> {
     emit::report_hopeless_model(declaration, model, report)?;

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 
 use super::phases::{DerivedPart, equations_of, items_of, model_of};
-use crate::derive::{Equations, RoadChoice};
+use crate::derive::{Equations, StrategyChoice};
 use crate::diagnostics::Report;
 use crate::emit;
 use crate::model::Model;
@@ -59,7 +59,7 @@ impl System {
     ///
     /// # Errors
     /// If the mass matrix is singular whatever the parameters are, or more would follow than can be emitted.
-    pub fn derive(self, choice: RoadChoice) -> Result<Derived, Report> {
+    pub fn derive(self, choice: StrategyChoice) -> Result<Derived, Report> {
         let System { declaration, mut model, mut report } = self;
         match equations_of(&declaration, &mut model, choice, &mut report) {
             Some((equations, reduced)) => Ok(Derived { declaration, model, equations, reduced, report }),

@@ -38,7 +38,7 @@ pub use content::{content, safe_quotient};
 pub use contract::{contract, contract_all};
 pub use open::{count_opened, factors_to_open, is_no_difference, open};
 pub use present::{multiply_out, present, present_all, proves_zero};
-pub use rules::{Arguments, RULES, Rule};
+pub use rules::{RULES, Rule, RuleArguments};
 pub use sign::never_vanishes;
 pub use vanishing::vanishing;
 

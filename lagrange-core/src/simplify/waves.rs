@@ -15,7 +15,7 @@ use crate::number::Number;
 const HIGHEST_MULTIPLE: i32 = 8;
 
 /// The sine and the cosine of an angle.
-struct Wave {
+struct SineAndCosine {
     sin: Polynomial,
     cos: Polynomial,
 }
@@ -28,7 +28,7 @@ pub(super) fn expand(
     angle: &Polynomial,
 ) -> Option<Polynomial> {
     let one = Number::ONE;
-    let mut total = Wave { sin: Polynomial::default(), cos: Polynomial::constant(one) };
+    let mut total = SineAndCosine { sin: Polynomial::default(), cos: Polynomial::constant(one) };
     for (monomial, coefficient) in angle.iter() {
         let multiple = coefficient.to_i32().filter(|n| (-HIGHEST_MULTIPLE..=HIGHEST_MULTIPLE).contains(n));
         let (unit, times, sign) = match multiple {
@@ -43,7 +43,7 @@ pub(super) fn expand(
     Some(if function == Function::Sin { total.sin } else { total.cos })
 }
 
-fn wave_of(graph: &mut Graph, monomial: &Monomial, coefficient: Number, sign: i32) -> Wave {
+fn wave_of(graph: &mut Graph, monomial: &Monomial, coefficient: Number, sign: i32) -> SineAndCosine {
     let core = monomial.build(graph);
     let angle = graph.scale(coefficient, core);
     let [sin, cos] = [Function::Sin, Function::Cos].map(|f| {
@@ -52,15 +52,15 @@ fn wave_of(graph: &mut Graph, monomial: &Monomial, coefficient: Number, sign: i3
     });
     let mut signed = Polynomial::default();
     signed.add_scaled(&sin, &Number::from(i64::from(sign)));
-    Wave { sin: signed, cos }
+    SineAndCosine { sin: signed, cos }
 }
 
-fn add_angles(effort: &mut Effort, a: &Wave, b: &Wave) -> Option<Wave> {
+fn add_angles(effort: &mut Effort, a: &SineAndCosine, b: &SineAndCosine) -> Option<SineAndCosine> {
     let mut sin = effort.times(&a.sin, &b.cos)?;
     sin.add_scaled(&effort.times(&a.cos, &b.sin)?, &Number::ONE);
     let mut cos = effort.times(&a.cos, &b.cos)?;
     cos.add_scaled(&effort.times(&a.sin, &b.sin)?, &Number::MINUS_ONE);
-    Some(Wave { sin: effort.within_budget(sin)?, cos: effort.within_budget(cos)? })
+    Some(SineAndCosine { sin: effort.within_budget(sin)?, cos: effort.within_budget(cos)? })
 }
 
 /// The polynomial without powers of sines and hyperbolic sines above the first.

@@ -12,16 +12,16 @@ use super::parser::{Parsed, Parser, Reported};
 use crate::diagnostics::{Origin, nearest};
 
 /// The labels that something can have, and those that were read.
-pub(super) struct Labels {
+pub(super) struct BlockLabels {
     /// What is described, with its article.
     owner: &'static str,
     known: &'static [&'static str],
     given: Vec<(&'static str, Origin)>,
 }
 
-impl Labels {
-    pub(super) fn new(owner: &'static str, known: &'static [&'static str]) -> Labels {
-        Labels { owner, known, given: Vec::new() }
+impl BlockLabels {
+    pub(super) fn new(owner: &'static str, known: &'static [&'static str]) -> BlockLabels {
+        BlockLabels { owner, known, given: Vec::new() }
     }
 
     fn place(&self, label: &str) -> Option<Origin> {
@@ -101,7 +101,7 @@ impl Parser<'_> {
     }
 
     /// Reads a label with its colon. One that is misspelt counts as what it should be.
-    pub(super) fn label_of(&mut self, labels: &mut Labels, cursor: &mut Cursor) -> Parsed<&'static str> {
+    pub(super) fn label_of(&mut self, labels: &mut BlockLabels, cursor: &mut Cursor) -> Parsed<&'static str> {
         let (here, found) = (cursor.here(), cursor.peek().cloned());
         let Some(word) = cursor.eat_ident().map(|word| word.to_string()) else {
             let message = messages::expected(&scenes::label(labels.owner), found.as_ref());
@@ -122,7 +122,7 @@ impl Parser<'_> {
     }
 
     /// The label that a misspelt one stands for.
-    fn unknown_label(&mut self, word: &str, here: Origin, labels: &Labels) -> Parsed<&'static str> {
+    fn unknown_label(&mut self, word: &str, here: Origin, labels: &BlockLabels) -> Parsed<&'static str> {
         let known = || labels.known.iter().copied();
         let meant = foreign::label(word, known()).or_else(|| nearest(word, known()));
         let help = match meant {

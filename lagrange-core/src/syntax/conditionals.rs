@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, TokenTree};
 
 use super::ast::{AstId, Condition, Expression};
 use super::cursor::{Cursor, as_group, group_origin};
-use super::expressions::Operand;
+use super::expressions::ReadOperand;
 use super::messages;
 use super::messages::habits;
 use super::parser::{Parsed, Parser, Reported};
@@ -21,14 +21,14 @@ struct Branch {
 
 impl Parser<'_> {
     /// Reads a chain that begins with the `if` here.
-    pub(super) fn conditional(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
+    pub(super) fn conditional(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut branches = Vec::new();
         self.turns(cursor, |parser, cursor| {
             branches.push(parser.branch(cursor)?);
             Ok(Turn::next_if(cursor.at_word("if")))
         })?;
         let last = self.block(cursor)?;
-        let nest = |otherwise: Operand, branch: Branch| {
+        let nest = |otherwise: ReadOperand, branch: Branch| {
             let Branch { start, condition, then } = branch;
             let expression = Expression::If { condition, then, otherwise: otherwise.id };
             self.add(expression, start.to(otherwise.origin))
@@ -102,14 +102,14 @@ impl Parser<'_> {
     }
 
     /// `{ e }`.
-    fn block(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
+    fn block(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let Some(group) = cursor.eat_group(Delimiter::Brace) else {
             let message = messages::expected("`{`", cursor.peek());
             return Err(self.fail_with_help(cursor.here(), message, messages::COMPARISON_PLACE_HELP));
         };
         let origin = group_origin(&group);
         match self.inside(&group, |parser, cursor| parser.block_content(cursor, origin)) {
-            Ok(id) => Ok(Operand { id, origin }),
+            Ok(id) => Ok(ReadOperand { id, origin }),
             Err(Reported) => Ok(self.add(Expression::Invalid, origin)),
         }
     }

@@ -14,16 +14,16 @@ use crate::diagnostics::Origin;
 
 /// A readable piece of an expression, and the tokens it covers including its parentheses.
 #[derive(Clone, Copy)]
-pub(super) struct Operand {
+pub(super) struct ReadOperand {
     pub(super) id: AstId,
     pub(super) origin: Origin,
 }
 
 /// An operator that waits for the end of its right operand.
 #[derive(Clone, Copy)]
-enum Waiting {
+enum WaitingOperator {
     Negate(Span),
-    Binary(Operand, BinaryOperator, Span),
+    Binary(ReadOperand, BinaryOperator, Span),
 }
 
 /// How tightly operators bind; larger is tighter.
@@ -41,20 +41,21 @@ impl Parser<'_> {
         Ok(self.operators(cursor)?.id)
     }
 
-    fn operators(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
+    fn operators(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut waiting = Vec::new();
         let mut whole = None;
         self.turns(cursor, |parser, cursor| {
-            waiting.extend(cursor.eat_all('-').map(Waiting::Negate));
+            waiting.extend(cursor.eat_all('-').map(WaitingOperator::Negate));
             let mut left = parser.operand(cursor)?;
             let next = parser.operator(cursor)?;
-            let complete = |top: &mut Waiting| next.is_none_or(|(operator, _)| ends_before(top, operator));
+            let complete =
+                |top: &mut WaitingOperator| next.is_none_or(|(operator, _)| ends_before(top, operator));
             while let Some(top) = waiting.pop_if(complete) {
                 left = parser.apply(top, left);
             }
             match next {
                 None => whole = Some(left),
-                Some((operator, span)) => waiting.push(Waiting::Binary(left, operator, span)),
+                Some((operator, span)) => waiting.push(WaitingOperator::Binary(left, operator, span)),
             }
             Ok(Turn::next_if(next.is_some()))
         })?;
@@ -78,12 +79,12 @@ impl Parser<'_> {
         Ok(found.map(|(_, operator)| (operator, cursor.skip_one().end)))
     }
 
-    fn apply(&mut self, operator: Waiting, right: Operand) -> Operand {
+    fn apply(&mut self, operator: WaitingOperator, right: ReadOperand) -> ReadOperand {
         match operator {
-            Waiting::Negate(minus) => {
+            WaitingOperator::Negate(minus) => {
                 self.add(Expression::Negate(right.id), Origin::from(minus).to(right.origin))
             }
-            Waiting::Binary(left, operator, span) => {
+            WaitingOperator::Binary(left, operator, span) => {
                 let expression = Expression::Binary(operator, span, left.id, right.id);
                 self.add(expression, left.origin.to(right.origin))
             }
@@ -91,16 +92,16 @@ impl Parser<'_> {
     }
 
     /// Adds an expression that covers these tokens.
-    pub(super) fn add(&mut self, expression: Expression, origin: Origin) -> Operand {
-        Operand { id: self.expressions.add(expression, origin), origin }
+    pub(super) fn add(&mut self, expression: Expression, origin: Origin) -> ReadOperand {
+        ReadOperand { id: self.expressions.add(expression, origin), origin }
     }
 }
 
 /// Whether the right operand of a waiting operator ends before this operator.
-fn ends_before(waiting: &Waiting, next: BinaryOperator) -> bool {
+fn ends_before(waiting: &WaitingOperator, next: BinaryOperator) -> bool {
     let waiting = match waiting {
-        Waiting::Negate(_) => Binding::Sign,
-        Waiting::Binary(_, operator, _) => binding(*operator),
+        WaitingOperator::Negate(_) => Binding::Sign,
+        WaitingOperator::Binary(_, operator, _) => binding(*operator),
     };
     // Powers group from the right, everything else from the left.
     next != BinaryOperator::Power && waiting >= binding(next)

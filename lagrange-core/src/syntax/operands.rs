@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use super::ast::{AstId, Expression, Name};
 use super::cursor::{Cursor, group_origin};
-use super::expressions::Operand;
+use super::expressions::ReadOperand;
 use super::keywords;
 use super::messages;
 use super::messages::habits;
@@ -14,7 +14,7 @@ use crate::diagnostics::Origin;
 
 impl Parser<'_> {
     /// Reads an operand with the calls and components behind it.
-    pub(super) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
+    pub(super) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut operand = self.atom(cursor)?;
         self.turns(cursor, |parser, cursor| {
             if cursor.eat('.').is_none() {
@@ -26,7 +26,7 @@ impl Parser<'_> {
         Ok(operand)
     }
 
-    fn atom(&mut self, cursor: &mut Cursor) -> Parsed<Operand> {
+    fn atom(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let origin = cursor.here();
         match cursor.peek() {
             Some(TokenTree::Literal(literal)) => {
@@ -82,7 +82,7 @@ impl Parser<'_> {
         is_built_in || self.declared_names.contains(&name.to_owned())
     }
 
-    fn name_or_call(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<Operand> {
+    fn name_or_call(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let start = Origin::from(name.span);
         match cursor.eat_group(Delimiter::Parenthesis) {
             None => Ok(self.add(Expression::Name(name.text), start)),
@@ -94,7 +94,7 @@ impl Parser<'_> {
     }
 
     /// `.x` or `.f(a, b)` behind an operand.
-    fn behind_dot(&mut self, receiver: Operand, cursor: &mut Cursor) -> Parsed<Operand> {
+    fn behind_dot(&mut self, receiver: ReadOperand, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         if let Some(TokenTree::Literal(literal)) = cursor.peek() {
             let span = literal.span();
             return Err(self.fail_with_help(span, messages::NUMBERED_COMPONENT, messages::INDEX_HELP));
@@ -112,7 +112,7 @@ impl Parser<'_> {
         }
     }
 
-    fn call(&mut self, function: Name, arguments: Parsed<Vec<AstId>>, origin: Origin) -> Operand {
+    fn call(&mut self, function: Name, arguments: Parsed<Vec<AstId>>, origin: Origin) -> ReadOperand {
         match arguments {
             Ok(arguments) => self.add(Expression::Call(function, arguments), origin),
             Err(Reported) => self.add(Expression::Invalid, origin),
@@ -144,14 +144,14 @@ impl Parser<'_> {
     }
 
     /// A vector, or an expression in parentheses.
-    fn parentheses(&mut self, group: &Group) -> Operand {
+    fn parentheses(&mut self, group: &Group) -> ReadOperand {
         let origin = match group.delimiter() {
             Delimiter::None => Origin::from(group.span()),
             _ => group_origin(group),
         };
         let content = self.inside(group, |parser, cursor| parser.elements(cursor, origin));
         match content {
-            Ok(Elements::Single(id)) => Operand { id, origin },
+            Ok(Elements::Single(id)) => ReadOperand { id, origin },
             Ok(Elements::Vector(components)) => self.add(Expression::Tuple(components), origin),
             Err(Reported) => self.add(Expression::Invalid, origin),
         }

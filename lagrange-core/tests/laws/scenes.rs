@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::calculus::evaluate;
-use lagrange_core::derive::RoadChoice;
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::expr::ExprId;
 use lagrange_core::model::BodyMotion;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
@@ -136,7 +136,8 @@ impl Scene {
     fn new(stage: Stage) -> Scene {
         let Stage { text, q, v } = stage;
         let system = parse(&text).unwrap_or_else(|report| panic!("{text}\n{report}"));
-        let derived = system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{text}\n{report}"));
+        let derived =
+            system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{text}\n{report}"));
         let numeric = NumericSystem::new(&derived);
         let (a, multipliers) = (numeric.acceleration(TIME, &q, &v), numeric.multipliers(TIME, &q, &v));
         Scene { derived, q, v, a, multipliers }

@@ -54,7 +54,7 @@ pub(in crate::derive) fn solve_contracted(
     if velocities.len() > MOST_CONTRACTED {
         return None;
     }
-    let mut system = System::new(graph, form, velocities);
+    let mut system = LinearSystem::new(graph, form, velocities);
     let mut labels = Vec::new();
     while let Some(i) = system.next() {
         let pivot = system.rows[i].entries[i];
@@ -74,26 +74,26 @@ pub(in crate::derive) fn solve_contracted(
 }
 
 /// One equation: Σ entry · acceleration + linear = 0.
-struct Row {
+struct Equation {
     entries: Vec<ExprId>,
     linear: ExprId,
     /// Whether its acceleration has been eliminated from the other equations.
     is_done: bool,
 }
 
-struct System<'g> {
+struct LinearSystem<'g> {
     algebra: Algebra<'g>,
-    rows: Vec<Row>,
+    rows: Vec<Equation>,
 }
 
-impl<'g> System<'g> {
-    fn new(graph: &'g mut Graph, form: &QuadraticForm, velocities: &[ExprId]) -> System<'g> {
+impl<'g> LinearSystem<'g> {
+    fn new(graph: &'g mut Graph, form: &QuadraticForm, velocities: &[ExprId]) -> LinearSystem<'g> {
         let mut rows = Vec::with_capacity(velocities.len());
         for &velocity in velocities {
             let entries = velocities.iter().map(|&other| form.coefficient(graph, velocity, other)).collect();
-            rows.push(Row { entries, linear: form.linear(graph, velocity), is_done: false });
+            rows.push(Equation { entries, linear: form.linear(graph, velocity), is_done: false });
         }
-        System { algebra: Algebra::new(graph, Sums::Contracted), rows }
+        LinearSystem { algebra: Algebra::new(graph, Sums::Contracted), rows }
     }
 
     /// The accelerations that have not been eliminated.

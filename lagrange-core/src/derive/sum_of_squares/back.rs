@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::composition::{Composition, Expansion};
+use super::composition::{AffineExpansion, Composition};
 use crate::collections::{HashMap, OrderedMap};
 use crate::derive::algebra::{Algebra, LinearForm};
 use crate::derive::elimination::solve::Solution;
@@ -10,7 +10,7 @@ use crate::expr::ExprId;
 use crate::number::Number;
 
 /// One eliminated unknown, standing for a velocity.
-pub(super) struct Step {
+pub(super) struct EliminatedUnknown {
     pub(super) velocity: ExprId,
     /// The variable whose acceleration was eliminated.
     pub(super) unknown: ExprId,
@@ -21,7 +21,7 @@ pub(super) struct Step {
     pub(super) pivot: ExprId,
     pub(super) rule: Substitution,
     /// Variables that are known with the unknown.
-    pub(super) expansions: OrderedMap<ExprId, Expansion>,
+    pub(super) expansions: OrderedMap<ExprId, AffineExpansion>,
 }
 
 /// `part` enters only through `whole`, with the slope 1/inverse.
@@ -36,13 +36,13 @@ pub(super) enum Substitution {
     /// −Σ factor · variable − free
     Plain { factors: LinearForm, free: ExprId },
     /// The tangential acceleration of two carriers is −bend · normal − offset.
-    InFrame { carriers: [(ExprId, Expansion); 2], bend: ExprId, offset: ExprId },
+    InFrame { carriers: [(ExprId, AffineExpansion); 2], bend: ExprId, offset: ExprId },
 }
 
 /// An acceleration as `Σ coefficient · component + constant`: the components are computed, the sum is not
 /// before it is needed, and then often as a part of another.
 #[derive(Clone)]
-struct Value {
+struct AffineValue {
     components: LinearForm,
     constant: ExprId,
 }
@@ -50,7 +50,7 @@ struct Value {
 pub(super) fn substitute_back(
     algebra: Algebra<'_>,
     composition: Composition,
-    steps: &[Step],
+    steps: &[EliminatedUnknown],
     velocities: &[ExprId],
 ) -> Solution {
     let index = velocities.iter().enumerate().map(|(i, &v)| (v, i)).collect();
@@ -76,13 +76,13 @@ pub(super) fn substitute_back(
 struct Back<'g> {
     algebra: Algebra<'g>,
     composition: Composition,
-    known: HashMap<ExprId, Value>,
+    known: HashMap<ExprId, AffineValue>,
     index: HashMap<ExprId, usize>,
     labels: Vec<(ExprId, String)>,
 }
 
 impl Back<'_> {
-    fn take(&mut self, step: &Step) {
+    fn take(&mut self, step: &EliminatedUnknown) {
         self.label(step.pivot, "pivot", step);
         let unknown = match &step.rule {
             Substitution::Plain { factors, free } => {
@@ -114,8 +114,8 @@ impl Back<'_> {
     /// Two carriers in the frame of the direction in which the unknown moves them; returns the unknown.
     fn take_in_frame(
         &mut self,
-        step: &Step,
-        carriers: &[(ExprId, Expansion); 2],
+        step: &EliminatedUnknown,
+        carriers: &[(ExprId, AffineExpansion); 2],
         bend: ExprId,
         offset: ExprId,
     ) -> ExprId {
@@ -135,7 +135,7 @@ impl Back<'_> {
             let mut components = vec![(reverse, self.algebra.graph.negate(along)), (normal, across)];
             components.sort_unstable_by_key(|(component, _)| *component);
             let constant = self.algebra.graph.number(0);
-            self.known.insert(id, Value { components, constant });
+            self.known.insert(id, AffineValue { components, constant });
         }
         let graph = &mut *self.algebra.graph;
         let value = graph.add(reverse, carried);
@@ -143,7 +143,7 @@ impl Back<'_> {
     }
 
     /// Σ coefficient · y′ over expansions, y′ being what they are without the unknown.
-    fn combine_rest(&mut self, expansions: &[(ExprId, &Expansion)]) -> Value {
+    fn combine_rest(&mut self, expansions: &[(ExprId, &AffineExpansion)]) -> AffineValue {
         let mut terms = Vec::new();
         let mut drifts = Vec::new();
         for &(coefficient, expansion) in expansions {
@@ -158,7 +158,7 @@ impl Back<'_> {
     }
 
     /// A variable that the unknown moves.
-    fn moved(&mut self, expansion: &Expansion, unknown: ExprId) -> Value {
+    fn moved(&mut self, expansion: &AffineExpansion, unknown: ExprId) -> AffineValue {
         let one = self.algebra.graph.number(1);
         let rest = self.combine_rest(&[(one, expansion)]);
         let rest = self.evaluate(&rest);
@@ -185,7 +185,7 @@ impl Back<'_> {
     }
 
     /// Σ coefficient · variable + constant
-    fn combine(&mut self, terms: &[(ExprId, ExprId)], constant: ExprId) -> Value {
+    fn combine(&mut self, terms: &[(ExprId, ExprId)], constant: ExprId) -> AffineValue {
         let mut components: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
         let mut constants = vec![(constant, Number::ONE)];
         for &(coefficient, id) in terms {
@@ -196,22 +196,22 @@ impl Back<'_> {
             constants.push((self.algebra.graph.multiply(coefficient, value.constant), Number::ONE));
         }
         let components = self.algebra.form_of_products(components);
-        Value { components, constant: self.algebra.total(constants) }
+        AffineValue { components, constant: self.algebra.total(constants) }
     }
 
-    fn known(&mut self, id: ExprId) -> Value {
+    fn known(&mut self, id: ExprId) -> AffineValue {
         match self.known.get(&id) {
             Some(value) => value.clone(),
             None => self.component(id),
         }
     }
 
-    fn component(&mut self, id: ExprId) -> Value {
+    fn component(&mut self, id: ExprId) -> AffineValue {
         let graph = &mut *self.algebra.graph;
-        Value { components: vec![(id, graph.number(1))], constant: graph.number(0) }
+        AffineValue { components: vec![(id, graph.number(1))], constant: graph.number(0) }
     }
 
-    fn evaluate(&mut self, value: &Value) -> ExprId {
+    fn evaluate(&mut self, value: &AffineValue) -> ExprId {
         let graph = &mut *self.algebra.graph;
         let mut terms = vec![(value.constant, Number::ONE)];
         for &(component, coefficient) in &value.components {
@@ -220,7 +220,7 @@ impl Back<'_> {
         graph.sum(Number::ZERO, terms)
     }
 
-    fn label(&mut self, id: ExprId, name: &str, step: &Step) {
+    fn label(&mut self, id: ExprId, name: &str, step: &EliminatedUnknown) {
         let index = self.index.get(&step.velocity);
         self.labels.extend(index.map(|i| (id, format!("{name}_{i}"))));
     }

@@ -11,7 +11,7 @@ use crate::number::Number;
 
 /// An acceleration as `slope·x + Σ rest + drift`, where x is the one to be eliminated.
 #[derive(Clone, Debug)]
-pub(super) struct Expansion {
+pub(super) struct AffineExpansion {
     pub(super) slope: ExprId,
     pub(super) rest: LinearForm,
     pub(super) drift: ExprId,
@@ -100,13 +100,17 @@ impl Composition {
     }
 
     /// Every variable that `x` is a part of, written in `x` and others that it is no part of.
-    pub(super) fn expand(&mut self, algebra: &mut Algebra<'_>, x: ExprId) -> OrderedMap<ExprId, Expansion> {
-        let mut expansions: OrderedMap<ExprId, Expansion> = OrderedMap::default();
+    pub(super) fn expand(
+        &mut self,
+        algebra: &mut Algebra<'_>,
+        x: ExprId,
+    ) -> OrderedMap<ExprId, AffineExpansion> {
+        let mut expansions: OrderedMap<ExprId, AffineExpansion> = OrderedMap::default();
         for id in self.made_of(x) {
             let expansion = match id == x {
                 true => {
                     let (slope, drift) = (algebra.graph.number(1), algebra.graph.number(0));
-                    Expansion { slope, rest: Vec::new(), drift }
+                    AffineExpansion { slope, rest: Vec::new(), drift }
                 }
                 false => self.expand_one(algebra, &expansions, id),
             };
@@ -130,9 +134,9 @@ impl Composition {
     fn expand_one(
         &mut self,
         algebra: &mut Algebra<'_>,
-        known: &OrderedMap<ExprId, Expansion>,
+        known: &OrderedMap<ExprId, AffineExpansion>,
         id: ExprId,
-    ) -> Expansion {
+    ) -> AffineExpansion {
         let mut slopes = Vec::new();
         let mut rest: BTreeMap<ExprId, Vec<(ExprId, Number)>> = BTreeMap::new();
         let mut drift = vec![(self.drift(algebra, id), Number::ONE)];
@@ -148,7 +152,7 @@ impl Composition {
                 rest.entry(below).or_default().push((product, Number::ONE));
             }
         }
-        Expansion {
+        AffineExpansion {
             slope: algebra.total(slopes),
             rest: algebra.linear_form(rest),
             drift: algebra.total(drift),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::composition::Expansion;
+use super::composition::AffineExpansion;
 use super::square::{Carried, Carriers};
 use crate::derive::algebra::{Algebra, LinearForm};
 use crate::expr::ExprId;
@@ -15,7 +15,7 @@ use crate::simplify;
 /// D·tangential = −Σ wᵢ aᵢ eᵢ · normal − load, where eᵢ are the coefficients of the squares along the normal. No
 /// component is a small difference of large ones, as the Cartesian ones may be.
 pub(super) struct Frame {
-    pub(super) carriers: [(ExprId, Expansion); 2],
+    pub(super) carriers: [(ExprId, AffineExpansion); 2],
     /// Σ wᵢ aᵢ eᵢ / D
     pub(super) bend: ExprId,
 }

@@ -22,8 +22,8 @@ use crate::collections::OrderedMap;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
 use crate::simplify;
-use back::{Step, Substitution, Way, substitute_back};
-use composition::{Composition, Expansion};
+use back::{EliminatedUnknown, Substitution, Way, substitute_back};
+use composition::{AffineExpansion, Composition};
 use frame::frame;
 use rotation::{Pull, eliminate};
 use square::{Carried, Carriers, Square};
@@ -41,7 +41,7 @@ pub(super) enum Obstacle {
 
 /// Accelerations from the squares of a Lagrangian without other terms quadratic in the velocities, in the order of the
 /// velocities. `loads` are the linear part of the form without the rates of the squares.
-pub(super) fn solve_squares(
+pub(super) fn solve_sum_of_squares(
     graph: &mut Graph,
     split: &SplitLagrangian,
     loads: QuadraticForm,
@@ -50,13 +50,13 @@ pub(super) fn solve_squares(
 ) -> Result<Solution, Obstacle> {
     let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables()).collect::<Vec<_>>();
     let mut sweep = Sweep::new(graph, [&heads, &[]], velocities, Multiples::Merged);
-    let mut elimination = Elimination::new(graph, &sweep, split, loads, sums);
+    let mut elimination = SquareElimination::new(graph, &sweep, split, loads, sums);
     let mut order = leaves(&mut sweep);
     order.sort_by_cached_key(|&velocity| elimination.moved_by(velocity));
     for velocity in order {
         elimination.eliminate(velocity)?;
     }
-    let Elimination { algebra, composition, steps, .. } = elimination;
+    let SquareElimination { algebra, composition, steps, .. } = elimination;
     if steps.len() < velocities.len() {
         return Err(Obstacle::NothingMoves);
     }
@@ -75,7 +75,7 @@ fn leaves(sweep: &mut Sweep) -> Vec<ExprId> {
 }
 
 /// The variables of the squares that are made of the unknown.
-fn carrier_ids(expansions: &OrderedMap<ExprId, Expansion>, squares: &[Square]) -> Vec<ExprId> {
+fn carrier_ids(expansions: &OrderedMap<ExprId, AffineExpansion>, squares: &[Square]) -> Vec<ExprId> {
     let mut ids = squares.iter().flat_map(|square| square.form.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
     ids.retain(|id| expansions.contains(id));
     ids.sort_unstable();
@@ -102,22 +102,22 @@ fn push_loads(
     loads
 }
 
-struct Elimination<'g> {
+struct SquareElimination<'g> {
     algebra: Algebra<'g>,
     composition: Composition,
     squares: Vec<Square>,
     loads: QuadraticForm,
-    steps: Vec<Step>,
+    steps: Vec<EliminatedUnknown>,
 }
 
-impl<'g> Elimination<'g> {
+impl<'g> SquareElimination<'g> {
     fn new(
         graph: &'g mut Graph,
         sweep: &Sweep,
         split: &SplitLagrangian,
         loads: QuadraticForm,
         sums: Sums,
-    ) -> Elimination<'g> {
+    ) -> SquareElimination<'g> {
         let mut weights: OrderedMap<ExprId, Vec<(ExprId, Number)>> = OrderedMap::default();
         for &(weight, u) in &split.squares {
             weights.get_or_insert_with(u, Vec::new).push((weight, Number::ONE));
@@ -127,7 +127,7 @@ impl<'g> Elimination<'g> {
         let composition = Composition::new(sweep, heads);
         let algebra = Algebra::new(graph, sums);
         let mut elimination =
-            Elimination { algebra, composition, squares: Vec::new(), loads, steps: Vec::new() };
+            SquareElimination { algebra, composition, squares: Vec::new(), loads, steps: Vec::new() };
         weights.iter().for_each(|(u, weights)| elimination.add_square_of(*u, weights));
         elimination
     }
@@ -184,13 +184,21 @@ impl<'g> Elimination<'g> {
         let rule = self.rule(&carriers, &touched, &pull, applied);
         let retired = expansions.iter().map(|(id, _)| *id).collect::<Vec<_>>();
         self.composition.retire(&retired);
-        self.steps.push(Step { velocity, unknown, ways, scale, pivot: pull.pivot, rule, expansions });
+        self.steps.push(EliminatedUnknown {
+            velocity,
+            unknown,
+            ways,
+            scale,
+            pivot: pull.pivot,
+            rule,
+            expansions,
+        });
         self.add_squares(left);
         Ok(())
     }
 
     /// Takes the squares that hold any of the variables.
-    fn take_touched(&mut self, expansions: &OrderedMap<ExprId, Expansion>) -> Vec<Square> {
+    fn take_touched(&mut self, expansions: &OrderedMap<ExprId, AffineExpansion>) -> Vec<Square> {
         let is_touched = |square: &Square| square.form.iter().any(|(id, _)| expansions.contains(id));
         let (touched, kept) = std::mem::take(&mut self.squares).into_iter().partition(is_touched);
         self.squares = kept;
@@ -267,7 +275,11 @@ impl<'g> Elimination<'g> {
 
     /// Measures the unknown in units of what the slopes of its carriers have in common, such as the length of a
     /// rod, so that it no longer occurs in them.
-    fn rescale(&mut self, expansions: &mut OrderedMap<ExprId, Expansion>, carriers: &[ExprId]) -> ExprId {
+    fn rescale(
+        &mut self,
+        expansions: &mut OrderedMap<ExprId, AffineExpansion>,
+        carriers: &[ExprId],
+    ) -> ExprId {
         let slopes = carriers.iter().filter_map(|id| Some(expansions.get(id)?.slope)).collect::<Vec<_>>();
         let graph = &mut *self.algebra.graph;
         let (scale, _) = simplify::content(graph, &slopes);
@@ -285,7 +297,11 @@ impl<'g> Elimination<'g> {
 
     /// Writes the drifts of the carriers as multiples of what they have in common, such as the rate of a rod
     /// squared.
-    fn draw_out_of_drifts(&mut self, expansions: &mut OrderedMap<ExprId, Expansion>, carriers: &[ExprId]) {
+    fn draw_out_of_drifts(
+        &mut self,
+        expansions: &mut OrderedMap<ExprId, AffineExpansion>,
+        carriers: &[ExprId],
+    ) {
         let drifts = carriers.iter().filter_map(|id| Some(expansions.get(id)?.drift)).collect::<Vec<_>>();
         if drifts.len() < 2 {
             return;
@@ -300,7 +316,7 @@ impl<'g> Elimination<'g> {
     }
 
     /// The load along the unknown; what loads along its carriers mean for other variables is moved there.
-    fn applied_load(&mut self, expansions: &OrderedMap<ExprId, Expansion>) -> ExprId {
+    fn applied_load(&mut self, expansions: &OrderedMap<ExprId, AffineExpansion>) -> ExprId {
         let mut along = Vec::new();
         for (&id, expansion) in expansions.iter() {
             let load = self.loads.take(self.algebra.graph, id).linear;

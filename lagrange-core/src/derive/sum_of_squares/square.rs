@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::composition::Expansion;
+use super::composition::AffineExpansion;
 use crate::derive::algebra::{Algebra, LinearForm};
 use crate::expr::ExprId;
 use crate::number::Number;
@@ -33,7 +33,7 @@ pub(super) struct Carried {
 #[derive(Debug)]
 pub(super) struct Carriers {
     pub(super) ids: Vec<ExprId>,
-    pub(super) expansions: Vec<Expansion>,
+    pub(super) expansions: Vec<AffineExpansion>,
     /// t_k y′_l − t_l y′_k for k < l.
     pub(super) minors: Vec<Minor>,
 }
@@ -48,7 +48,11 @@ pub(super) struct Minor {
 }
 
 impl Carriers {
-    pub(super) fn new(algebra: &mut Algebra<'_>, ids: Vec<ExprId>, expansions: Vec<Expansion>) -> Carriers {
+    pub(super) fn new(
+        algebra: &mut Algebra<'_>,
+        ids: Vec<ExprId>,
+        expansions: Vec<AffineExpansion>,
+    ) -> Carriers {
         let mut minors = Vec::new();
         for (l, b) in expansions.iter().enumerate() {
             for (k, a) in expansions[..l].iter().enumerate() {
@@ -101,7 +105,7 @@ impl Carriers {
 }
 
 /// t_k y′_l − t_l y′_k
-fn minor(algebra: &mut Algebra<'_>, pair: (usize, usize), a: &Expansion, b: &Expansion) -> Minor {
+fn minor(algebra: &mut Algebra<'_>, pair: (usize, usize), a: &AffineExpansion, b: &AffineExpansion) -> Minor {
     let mut slopes: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();
     for &(part, slope) in &b.rest {
         slopes.entry(part).or_default().push((a.slope, slope, Number::ONE));

@@ -2,7 +2,7 @@
 
 use proptest::prelude::{ProptestConfig, Strategy, prop, prop_assert, proptest};
 
-use super::composition::Expansion;
+use super::composition::AffineExpansion;
 use super::frame::frame;
 use super::rotation::{Pull, eliminate};
 use super::square::{Carried, Carriers, Square};
@@ -51,7 +51,7 @@ fn variable(graph: &mut Graph, kind: &str, index: usize) -> ExprId {
 /// Carriers and squares with symbols for coefficients; a rod's carriers move along a unit vector.
 struct Setting {
     ids: Vec<ExprId>,
-    expansions: Vec<Expansion>,
+    expansions: Vec<AffineExpansion>,
     squares: Vec<Square>,
 }
 
@@ -69,7 +69,7 @@ impl Setting {
         let expansions = ids.iter().map(|_| {
             let rest = form(graph, &remaining[..PARTS]);
             let [slope, drift] = [ids[0], ids[0]].map(|id| form(graph, &[id])[0].1);
-            Expansion { slope, rest, drift }
+            AffineExpansion { slope, rest, drift }
         });
         let expansions = expansions.collect();
         let squares = (0..squares).map(|_| {

@@ -1,5 +1,5 @@
-use super::check_claims;
-use crate::bodies::{Claim, plain};
+use super::check_obligations;
+use crate::bodies::{Obligation, plain};
 use crate::diagnostics::{Origin, Report};
 use crate::elaborate::add_statement;
 use crate::elaborate::elaborator::Elaborator;
@@ -16,15 +16,15 @@ fn named(declaration: &Declaration, wanted: &str) -> (AstId, Name) {
     found.expect("a `let` of that name")
 }
 
-/// What is reported of claims about statements.
-fn reported(statements: &str, claims: impl Fn(&Declaration) -> Vec<Claim>) -> String {
+/// What is reported of obligations about statements.
+fn reported(statements: &str, obligations: impl Fn(&Declaration) -> Vec<Obligation>) -> String {
     let mut report = Report::default();
     let declaration = parse_text(statements, &mut report).expect("a readable declaration");
-    let claims = claims(&declaration);
+    let obligations = obligations(&declaration);
     let plain = plain(declaration, &mut report);
     let mut elaborator = Elaborator::new(&plain, &mut report);
     plain.declaration.statements.iter().for_each(|statement| add_statement(&mut elaborator, statement));
-    check_claims(&mut elaborator, &claims);
+    check_obligations(&mut elaborator, &obligations);
     report.to_string()
 }
 
@@ -32,7 +32,7 @@ fn reported(statements: &str, claims: impl Fn(&Declaration) -> Vec<Claim>) -> St
 fn of_mass(statements: &str) -> String {
     reported(statements, |declaration| {
         let (mass, body) = named(declaration, "rod");
-        vec![Claim::PositiveMass { body, mass }]
+        vec![Obligation::PositiveMass { body, mass }]
     })
 }
 
@@ -41,7 +41,7 @@ fn of_inertia(statements: &str) -> String {
     reported(statements, |declaration| {
         let (stated, body) = named(declaration, "rod");
         let (of_shape, shape) = named(declaration, "shape");
-        vec![Claim::SameInertia { body, stated, of_shape, shape: Origin::from(shape.span) }]
+        vec![Obligation::SameInertia { body, stated, of_shape, shape: Origin::from(shape.span) }]
     })
 }
 

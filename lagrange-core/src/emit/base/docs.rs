@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::shape::doc;
 use crate::collections::HashMap;
-use crate::derive::{Conserved, Equations, Road, Structure};
+use crate::derive::{Conserved, Equations, Strategy, Structure};
 use crate::expr::{ExprId, Graph};
 use crate::formula::{latex, text};
 use crate::model::Model;
@@ -191,7 +191,7 @@ pub(in crate::emit) fn system_docs(
     if equations.is_separable(model) {
         lines.push(if model.constraints.is_empty() { SEPARABLE } else { LEAPFROG }.to_owned());
     }
-    lines.push(format!("- Accelerations: {}.", road_text(equations)));
+    lines.push(format!("- Forward dynamics: {}.", strategy_text(equations)));
     if !model.constraints.is_empty() {
         lines.push(multiplier_order(model));
     }
@@ -283,33 +283,33 @@ pub(in crate::emit) fn counts_text(counts: OperationCounts) -> String {
     counts.to_string().replace("sin_cos", "`sin_cos`")
 }
 
-/// Which road leads to the accelerations, and why: the counted cost of each that was tried.
-fn road_text(equations: &Equations) -> String {
+/// The strategy of forward dynamics, and why: the counted cost of each that was tried.
+fn strategy_text(equations: &Equations) -> String {
     if equations.structure.mass.is_diagonal() && equations.constraints.jacobian.is_empty() {
         return "each equation divided by its entry of the mass matrix".to_owned();
     }
-    let costs = Road::ALL.into_iter().zip(equations.costs);
-    let costs = costs.filter_map(|(road, cost)| Some((road, cost?))).collect::<Vec<_>>();
-    let taken = match equations.road {
-        Road::Dense => "the mass matrix is factorised",
-        Road::Recursive => "eliminated body by body",
-        Road::Squares => "eliminated body by body, the kinetic energy kept a sum of squares",
+    let costs = Strategy::ALL.into_iter().zip(equations.costs);
+    let costs = costs.filter_map(|(strategy, cost)| Some((strategy, cost?))).collect::<Vec<_>>();
+    let taken = match equations.strategy {
+        Strategy::MassMatrix => "the mass matrix is factorised",
+        Strategy::ArticulatedBody => "eliminated body by body",
+        Strategy::SumOfSquares => "eliminated body by body, the kinetic energy kept a sum of squares",
     };
-    let others = costs.iter().filter(|(road, _)| *road != equations.road);
-    let others = others.map(|(road, cost)| format!("{} {cost}", road_name(*road)));
+    let others = costs.iter().filter(|(strategy, _)| *strategy != equations.strategy);
+    let others = others.map(|(strategy, cost)| format!("{} {cost}", strategy_name(*strategy)));
     let no_squares = (!equations.is_sum_of_squares).then(|| NO_SQUARES.to_owned());
     let others = others.chain(no_squares).collect::<Vec<_>>().join(", ");
-    match costs.iter().find(|(road, _)| *road == equations.road) {
+    match costs.iter().find(|(strategy, _)| *strategy == equations.strategy) {
         Some((_, cost)) if costs.len() > 1 => format!("{taken} (counted cost {cost}; {others})"),
         _ if !others.is_empty() => format!("{taken} ({others})"),
         _ => taken.to_owned(),
     }
 }
 
-fn road_name(road: Road) -> &'static str {
-    match road {
-        Road::Dense => "factorised mass matrix",
-        Road::Recursive => "recursion",
-        Road::Squares => "sum of squares",
+fn strategy_name(strategy: Strategy) -> &'static str {
+    match strategy {
+        Strategy::MassMatrix => "factorised mass matrix",
+        Strategy::ArticulatedBody => "recursion",
+        Strategy::SumOfSquares => "sum of squares",
     }
 }

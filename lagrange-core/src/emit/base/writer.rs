@@ -13,7 +13,7 @@ use super::refusal::Refusal;
 use super::shape::{Shape, doc, length};
 use super::sides::on_sides;
 use super::size::Size;
-use crate::code::{Body, Names, body};
+use crate::code::{FunctionBody, Names, body};
 use crate::derive::Equations;
 use crate::expr::ExprId;
 use crate::model::Model;
@@ -156,7 +156,7 @@ impl<'a> MethodWriter<'a> {
     }
 
     /// A program as statements and results; `None` if it holds constants that are too large, which is kept in mind.
-    fn written(&mut self, program: &Program, names: &mut Names) -> Option<Body> {
+    fn written(&mut self, program: &Program, names: &mut Names) -> Option<FunctionBody> {
         self.members.has_rounded_constants |= program.values().any(|(_, op)| matches!(op, Op::Float(_)));
         match body(program, self.model.graph.symbols(), &self.shape.computed_with(), names) {
             Ok(body) => {
@@ -171,7 +171,7 @@ impl<'a> MethodWriter<'a> {
     }
 
     /// Statements and values of constant expressions under names of their own.
-    pub(in crate::emit) fn constants(&mut self, values: &[ExprId]) -> Option<Body> {
+    pub(in crate::emit) fn constants(&mut self, values: &[ExprId]) -> Option<FunctionBody> {
         let program = optimise(&lower(&self.model.graph, values, &Labels::default()), self.model.accuracy);
         self.written(&program, &mut Names::default())
     }

@@ -13,7 +13,7 @@ use crate::emit::base::lints::rounded_exception;
 use crate::emit::base::refusal::{Refusal, report_refusal};
 use crate::emit::base::shape::{Shape, doc, identifier, local};
 use crate::formula::text;
-use crate::model::{Held, Model, Reduced};
+use crate::model::{Model, Pinned, Reduced};
 use crate::program::{Labels, Op, lower, optimise};
 use crate::syntax::ast::Declaration;
 
@@ -45,14 +45,14 @@ pub(in crate::emit) fn reduced_attributes(
 fn summary(declaration: &Declaration, reduced: &Reduced) -> Vec<String> {
     let names = declaration.coordinates();
     let graph = &reduced.model.graph;
-    let name = |held: &Held| names.get(held.coordinate).map_or("", |name| name.text.as_str());
-    let value = |held: &Held| match text::definitions(graph, &[held.value], LONGEST_VALUE) {
+    let name = |pinned: &Pinned| names.get(pinned.coordinate).map_or("", |name| name.text.as_str());
+    let value = |pinned: &Pinned| match text::definitions(graph, &[pinned.value], LONGEST_VALUE) {
         (abbreviations, texts) if abbreviations.is_empty() => texts.concat(),
         _ => "an expression of parameters".to_owned(),
     };
-    let list = |helds: &[Held], relation: &str| {
-        let item = |held: &Held| format!("`{} {relation} {}`", name(held), value(held));
-        helds.iter().map(item).collect::<Vec<_>>().join(", ")
+    let list = |all: &[Pinned], relation: &str| {
+        let item = |pinned: &Pinned| format!("`{} {relation} {}`", name(pinned), value(pinned));
+        all.iter().map(item).collect::<Vec<_>>().join(", ")
     };
     let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
     let frozen = (!frozen.is_empty()).then(|| format!("{} frozen", list(frozen, "=")));
@@ -147,7 +147,7 @@ fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Resul
     let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
     let expand = with_values(part, reduced, frozen, |state, values, zero| {
         let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
-            let value = match held(frozen, values, i, full.coordinates.len()) {
+            let value = match pinned(frozen, values, i, full.coordinates.len()) {
                 None => quote!(#state.#field),
                 Some(value) => value.unwrap_or(zero).clone(),
             };
@@ -158,7 +158,7 @@ fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Resul
     let all = frozen.iter().chain(small).cloned().collect::<Vec<_>>();
     let deviation = with_values(part, reduced, &all, |state, values, zero| {
         let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
-            match held(&all, values, i, full.coordinates.len()) {
+            match pinned(&all, values, i, full.coordinates.len()) {
                 None => quote!(#field: #zero),
                 Some(None) => quote!(#field: #state.#field),
                 Some(Some(value)) => quote!(#field: #state.#field - #value),
@@ -170,13 +170,13 @@ fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Resul
 }
 
 /// The value of an entry of the state, if the entry belongs to one of `all`: `Some(None)` is a value of zero.
-fn held<'v>(
-    all: &[Held],
+fn pinned<'v>(
+    all: &[Pinned],
     values: &'v [Option<TokenStream>],
     entry: usize,
     coordinates: usize,
 ) -> Option<Option<&'v TokenStream>> {
-    let position = all.iter().position(|held| held.coordinate == entry % coordinates)?;
+    let position = all.iter().position(|pinned| pinned.coordinate == entry % coordinates)?;
     Some(if entry < coordinates { values.get(position).and_then(Option::as_ref) } else { None })
 }
 
@@ -185,15 +185,15 @@ fn held<'v>(
 fn with_values(
     part: &Shape<'_>,
     reduced: &Reduced,
-    all: &[Held],
+    all: &[Pinned],
     fields: impl Fn(&Ident, &[Option<TokenStream>], &TokenStream) -> TokenStream,
 ) -> Result<StateBody, Refusal> {
     let mut graph = reduced.model.graph.clone();
-    let mut roots = all.iter().map(|held| held.value).collect::<Vec<_>>();
+    let mut roots = all.iter().map(|pinned| pinned.value).collect::<Vec<_>>();
     let is_zero = roots.iter().map(|&value| graph.is_zero(value)).collect::<Vec<_>>();
     roots.push(graph.number(0));
     let mut labels = Labels::default();
-    all.iter().for_each(|held| labels.insert(held.value, "held"));
+    all.iter().for_each(|pinned| labels.insert(pinned.value, "held"));
     let program = optimise(&lower(&graph, &roots, &labels), reduced.model.accuracy);
     let is_rounded = program.values().any(|(_, op)| matches!(op, Op::Float(_)));
     let (state, mut names) = (local("state"), Names::new(["state"]));
