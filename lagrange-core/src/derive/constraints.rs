@@ -5,7 +5,7 @@
 //! more unknown, whose only terms are −λ times the rate of the constraint, and M a = f + Aᵀλ.
 //! Source: Udwadia, Kalaba, *Analytical Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
 
-use super::elimination::order::Elimination;
+use super::elimination::record::Elimination;
 use super::quadratic_form::QuadraticForm;
 use crate::calculus::{AccelerationTerms, Rates};
 use crate::expr::ExprId;

@@ -3,8 +3,9 @@
 use super::constraints::{ConstraintEquations, join_multipliers};
 use super::cost::cost;
 use super::elimination::contracted::contracted;
-use super::elimination::order::Elimination;
-use super::elimination::solve::{Solution, push_down, solve_dense};
+use super::elimination::order::eliminate_dense;
+use super::elimination::record::Elimination;
+use super::elimination::solution::{Solution, push_down, solve_dense};
 use super::indefinite::pivot_growth;
 use super::inverse_dynamics::residual;
 use super::jacobian::{Derivatives, Forms};
@@ -214,7 +215,7 @@ fn kept_elimination(
     }
     let unknowns = model.unknowns();
     let own = solution.elimination.take();
-    let steps = own.or_else(|| Elimination::dense(&mut model.graph, forms.pushed.clone(), &unknowns));
+    let steps = own.or_else(|| eliminate_dense(&mut model.graph, forms.pushed.clone(), &unknowns));
     steps.map(Some).ok_or(SingularMassMatrix)
 }
 

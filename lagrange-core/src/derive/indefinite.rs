@@ -5,7 +5,7 @@
 //! has a coupled diagonal entry without a sure sign gets a test at run time, and a second way to its accelerations.
 //! Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite systems).
 
-use super::elimination::solve::Solution;
+use super::elimination::solution::Solution;
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::functions;

@@ -1,6 +1,6 @@
 //! Residual of the equations of motion: the forces that must act beside the declared ones to produce accelerations.
 
-use super::elimination::solve::push_down;
+use super::elimination::solution::push_down;
 use super::least_constraint::{SplitLagrangian, Terms, linear_form};
 use crate::calculus::AccelerationTerms;
 use crate::expr::ExprId;

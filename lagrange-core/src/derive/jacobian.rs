@@ -6,7 +6,8 @@
 //! variables (Carpentier and Mansard, *Analytical Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3).
 
 use super::cost::cost;
-use super::elimination::order::Elimination;
+use super::elimination::order::{eliminate_dense, eliminate_recursive};
+use super::elimination::record::Elimination;
 use super::inverse_dynamics::residual;
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::quadratic_form::QuadraticForm;
@@ -53,10 +54,10 @@ impl Derivatives {
         let (is_small, mut eliminations) = (count <= LARGEST_TRIAL, Vec::new());
         // Where the factorised matrix is the best strategy for the accelerations, recursion is no better for their slopes.
         if is_small && strategy != Strategy::MassMatrix && !is_only_explicit {
-            eliminations.extend(Elimination::recursive(&mut model.graph, forms.form, &velocities));
+            eliminations.extend(eliminate_recursive(&mut model.graph, forms.form, &velocities));
         }
         if (is_small || is_factorised) && !is_only_explicit {
-            eliminations.extend(Elimination::dense(&mut model.graph, forms.pushed, &velocities));
+            eliminations.extend(eliminate_dense(&mut model.graph, forms.pushed, &velocities));
         }
         let is_explicit = is_small || !is_factorised || eliminations.is_empty();
         let residual = match eliminations.is_empty() {

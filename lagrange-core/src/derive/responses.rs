@@ -4,7 +4,7 @@
 //! along the gradient d_k of its velocity, adds w_k and μ_k, which follow from the same elimination with −d_k as its linear part.
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §11.5.
 
-use super::elimination::order::Elimination;
+use super::elimination::record::Elimination;
 use crate::calculus::{AccelerationTerms, Rates, gradient, substitute_all};
 use crate::expr::{ExprId, Graph};
 use crate::functions;

@@ -5,7 +5,7 @@ use std::fmt;
 use super::algebra::Sums;
 use super::cost::cost;
 use super::elimination::contracted::{MOST_CONTRACTED, solve_contracted};
-use super::elimination::solve::{Solution, solve_dense, solve_recursive};
+use super::elimination::solution::{Solution, solve_dense, solve_recursive};
 use super::least_constraint::{SplitLagrangian, Terms, loads_beside_squares};
 use super::messages;
 use super::quadratic_form::QuadraticForm;

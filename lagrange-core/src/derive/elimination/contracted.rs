@@ -6,7 +6,7 @@
 //! the entry, where (m₁ + m₂) l₁² − m₂ l₁² cos²(θ₁ − θ₂) would lose digits. These are the Schur complements of Golub and
 //! Van Loan, *Matrix Computations*, 4th ed., §3.2.
 
-use super::solve::Solution;
+use super::solution::Solution;
 use crate::derive::algebra::{Algebra, Sums};
 use crate::derive::quadratic_form::QuadraticForm;
 use crate::expr::{ExprId, Graph};

@@ -4,4 +4,5 @@ pub(super) mod contracted;
 pub(super) mod order;
 pub(super) mod pivot;
 mod queue;
-pub(super) mod solve;
+pub(super) mod record;
+pub(super) mod solution;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::composition::{AffineExpansion, Composition};
 use crate::collections::{HashMap, OrderedMap};
 use crate::derive::algebra::{Algebra, LinearForm};
-use crate::derive::elimination::solve::Solution;
+use crate::derive::elimination::solution::Solution;
 use crate::expr::ExprId;
 use crate::number::Number;
 

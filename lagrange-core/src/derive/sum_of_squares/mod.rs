@@ -14,7 +14,7 @@ mod square;
 use std::collections::BTreeSet;
 
 use super::algebra::{Algebra, LinearForm, Sums};
-use super::elimination::solve::Solution;
+use super::elimination::solution::Solution;
 use super::least_constraint::SplitLagrangian;
 use super::quadratic_form::QuadraticForm;
 use super::sweep::{Multiples, Sweep};

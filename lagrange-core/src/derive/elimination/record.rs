@@ -1,66 +1,37 @@
-//! Elimination: from the quadratic form to mass matrix, forcing and accelerations.
+//! What is remembered of an elimination, for substitution back and for other right-hand sides.
 
-use super::order::{Elimination, Move};
 use super::pivot::{Eliminated, Rest, freed};
 use crate::collections::HashMap;
-use crate::derive::quadratic_form::QuadraticForm;
-use crate::derive::sweep::{Multiples, Sweep};
-use crate::expr::{ExprId, Function, Graph};
+use crate::derive::sweep::{Step, Sweep};
+use crate::expr::{Dependencies, ExprId, Function, Graph};
 use crate::functions;
 use crate::number::Number;
 
-/// Pushes everything down to the generalised velocities.
-pub(in crate::derive) fn push_down(
-    graph: &mut Graph,
-    mut form: QuadraticForm,
-    velocities: &[ExprId],
-) -> QuadraticForm {
-    let mut sweep = Sweep::new(graph, [&form.variables(), &[]], velocities, Multiples::Kept);
-    while let Some(step) = sweep.next_step() {
-        form.apply(graph, &step);
-    }
-    form
+/// What happens to the linear part of a form when its velocities are eliminated, in the order in which it happens.
+pub(in crate::derive) enum Move {
+    /// The step with this index.
+    Eliminate(usize),
+    /// Two steps, this one and the next.
+    EliminatePair(usize),
+    Substitute(Step),
 }
 
-/// The stationary point of a form, and names for what was computed on the way.
-pub(in crate::derive) struct Solution {
-    /// The accelerations in the order of the velocities, then the multipliers.
-    pub(in crate::derive) values: Vec<ExprId>,
-    /// Names for pivots, factors and biases.
-    pub(in crate::derive) labels: Vec<(ExprId, String)>,
-    /// Pivots at whose zeros the accelerations are computed another way, to the same values.
-    pub(in crate::derive) guards: Vec<ExprId>,
-    /// How much of the constraints the others leave, as [`Elimination::condition`] says; `None` if they are always independent.
-    pub(in crate::derive) condition: Option<ExprId>,
-    /// The steps that led there, for other right-hand sides; `None` if the strategy takes none.
-    pub(in crate::derive) elimination: Option<Elimination>,
-}
-
-/// Solves a form that has been pushed down; `None` if the equations are structurally singular.
-pub(in crate::derive) fn solve_dense(
-    graph: &mut Graph,
-    form: QuadraticForm,
-    unknowns: &[ExprId],
-) -> Option<Solution> {
-    Some(Elimination::dense(graph, form, unknowns)?.into_solution(graph, unknowns))
-}
-
-/// Solves a form body by body; `None` if a pivot is missing.
-pub(in crate::derive) fn solve_recursive(
-    graph: &mut Graph,
-    form: QuadraticForm,
-    unknowns: &[ExprId],
-) -> Option<Solution> {
-    Some(Elimination::recursive(graph, form, unknowns)?.into_solution(graph, unknowns))
+/// Unknowns that have been eliminated from a form.
+#[derive(Default)]
+pub(in crate::derive) struct Elimination {
+    pub(in crate::derive) eliminated: Vec<Eliminated>,
+    pub(in crate::derive) moves: Vec<Move>,
+    /// How the variables that remained at an elimination are made of velocities, if they were not themselves.
+    pub(in crate::derive) sweep: Option<Sweep>,
+    /// Multipliers of constraints that follow from others wherever they hold.
+    pub(in crate::derive) redundant: Vec<ExprId>,
+    /// What eliminated velocities have added to the squares of multipliers, but for the sign.
+    gained: HashMap<ExprId, Vec<ExprId>>,
+    /// By how much a multiplier's square, or the row of a constraint, is larger than what is divided by.
+    pub(in crate::derive) ratios: Vec<ExprId>,
 }
 
 impl Elimination {
-    fn into_solution(self, graph: &mut Graph, unknowns: &[ExprId]) -> Solution {
-        let (values, condition) = (self.values(graph, unknowns), self.condition(graph));
-        let labels = labels(graph, &self.eliminated, unknowns);
-        Solution { values, labels, guards: Vec::new(), condition, elimination: Some(self) }
-    }
-
     /// The stationary point of the form.
     pub(in crate::derive) fn values(&self, graph: &mut Graph, unknowns: &[ExprId]) -> Vec<ExprId> {
         let free = self.eliminated.iter().map(|step| step.free).collect::<Vec<_>>();
@@ -69,7 +40,7 @@ impl Elimination {
 
     /// The largest of the factors by which rounding grows where constraints are nearly dependent; infinite where they are. `None`
     /// if it is one everywhere.
-    fn condition(&self, graph: &mut Graph) -> Option<ExprId> {
+    pub(in crate::derive) fn condition(&self, graph: &mut Graph) -> Option<ExprId> {
         let mut ratios =
             self.ratios.iter().copied().filter(|&ratio| !graph.is_one(ratio)).collect::<Vec<_>>();
         ratios.dedup();
@@ -129,20 +100,46 @@ impl Elimination {
         }
         unknowns.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect()
     }
+
+    /// Keeps a step, and what it says about how independent constraints are: all that velocities add to the square of a
+    /// multiplier has one sign, and other multipliers take away from it.
+    pub(in crate::derive) fn push(&mut self, graph: &mut Graph, step: Eliminated) {
+        if is_multiplier(graph, step.velocity) {
+            let gained = self.gained.remove(&step.velocity).unwrap_or_default();
+            let square = graph.total(gained);
+            self.ratios.push(ratio(graph, square, step.pivot));
+        } else {
+            for &(id, factor) in &step.factors {
+                if !is_multiplier(graph, id) {
+                    continue;
+                }
+                let weight = graph.multiply(factor, step.pivot);
+                let part = graph.multiply(factor, weight);
+                self.gained.get_or_insert_with(id, Vec::new).push(part);
+            }
+        }
+        self.moves.push(Move::Eliminate(self.eliminated.len()));
+        self.eliminated.push(step);
+    }
+
+    pub(in crate::derive) fn push_pair(&mut self, pair: [Eliminated; 2]) {
+        self.moves.push(Move::EliminatePair(self.eliminated.len()));
+        self.eliminated.extend(pair);
+    }
 }
 
-fn labels(graph: &mut Graph, eliminated: &[Eliminated], velocities: &[ExprId]) -> Vec<(ExprId, String)> {
-    let index = velocities.iter().enumerate().map(|(i, &v)| (v, i)).collect::<HashMap<_, _>>();
-    let mut labels = Vec::new();
-    for step in eliminated {
-        let Some(i) = index.get(&step.velocity) else { continue };
-        labels.push((step.pivot, format!("pivot_{i}")));
-        labels.push((graph.negate(step.bias), format!("forcing_{i}")));
-        for (j, factor) in &step.factors {
-            labels.extend(index.get(j).map(|j| (*factor, format!("factor_{j}_{i}"))));
-        }
+pub(in crate::derive) fn is_multiplier(graph: &Graph, id: ExprId) -> bool {
+    graph.dependencies(id).intersects(Dependencies::MULTIPLIER)
+}
+
+/// |whole/part|, one magnitude: nothing will be differentiated that holds it.
+pub(in crate::derive) fn ratio(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprId {
+    let inverse = graph.reciprocal(part);
+    let ratio = graph.multiply(whole, inverse);
+    match graph.as_number(ratio) {
+        Some(_) => functions::apply(graph, Function::Abs, &[ratio]),
+        None => graph.call(Function::Abs, &[ratio]),
     }
-    labels
 }
 
 /// Σ slope · acceleration over the parts of a variable, without recursion.
