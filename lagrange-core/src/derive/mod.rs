@@ -1,5 +1,9 @@
 //! From a model to its equations of motion.
 //!
+//! The Lagrangian becomes a quadratic form in velocities (`least_constraint`, `quadratic_form`), of which a strategy eliminates one
+//! velocity after the other (`strategies`; `elimination` and `sum_of_squares`, in the order of `sweep`). Constraints, contacts and
+//! friction are further unknowns and right-hand sides of the same elimination (`constraints`, `responses`, `jacobian`).
+//!
 //! [`Equations`] are what the emitted methods return; [`derive()`] finds them, or says which motion nothing determines.
 
 mod algebra;
