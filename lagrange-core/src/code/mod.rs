@@ -15,6 +15,7 @@ mod naming;
 mod pairs;
 mod parts;
 mod sine_cosine;
+mod values;
 mod writer;
 
 use std::collections::BTreeSet;
@@ -26,6 +27,7 @@ pub use names::Names;
 
 use crate::program::{Op, Program};
 use crate::symbol::{Role, Symbols};
+use values::write;
 use writer::BodyWriter;
 
 /// The type that emitted code computes with.
@@ -83,7 +85,7 @@ pub fn body(
     let used = used_roles(program);
     // Symbols get their names before anything else can take them.
     used.iter().for_each(|&role| drop(names.role(symbols, role)));
-    BodyWriter::new(program, symbols, scalar, names).write(used)
+    write(BodyWriter::new(program, symbols, scalar, names), used)
 }
 
 fn used_roles(program: &Program) -> Vec<Role> {

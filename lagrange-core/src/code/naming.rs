@@ -2,19 +2,51 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::writer::{BodyWriter, Written};
+use super::Names;
 use crate::functions::row;
 use crate::number::Number;
-use crate::program::{Op, ValueId, Variability};
+use crate::program::{Op, Program, ValueId, ValueTable, Variability};
+use crate::symbol::{Role, Symbols};
 
 /// Names made of other names are no longer than this.
 const LONGEST_NAME: usize = 28;
 /// Names that spell out a product or a sum are no longer than this.
 const LONGEST_JOINED_NAME: usize = 20;
 
-impl BodyWriter<'_> {
+/// Names of the variables of one body.
+pub(super) struct VariableNames<'a> {
+    program: &'a Program,
+    names: &'a mut Names,
+    variability: ValueTable<Variability>,
+    /// Which values are in variables whose names only number them.
+    is_numbered: ValueTable<bool>,
+    /// Values that are in variables.
+    variables: ValueTable<Option<Ident>>,
+}
+
+impl<'a> VariableNames<'a> {
+    pub(super) fn new(program: &'a Program, names: &'a mut Names) -> VariableNames<'a> {
+        VariableNames {
+            program,
+            names,
+            variability: Variability::of_values(program),
+            is_numbered: ValueTable::filled(program.len(), false),
+            variables: ValueTable::filled(program.len(), None),
+        }
+    }
+
+    /// The variable of a symbol.
+    pub(super) fn role(&mut self, symbols: &Symbols, role: Role) -> Ident {
+        self.names.role(symbols, role)
+    }
+
+    /// Remembers the variable that a value is in.
+    pub(super) fn keep(&mut self, id: ValueId, name: &Ident) {
+        self.variables[id] = Some(name.clone());
+    }
+
     /// A variable for a value: its label, or a name that says what it is.
-    pub(super) fn choose_name(&mut self, id: ValueId) -> Ident {
+    pub(super) fn choose(&mut self, id: ValueId) -> Ident {
         if let Some(hint) = self.program.hint(id) {
             return self.names.fresh(hint);
         }
@@ -107,10 +139,7 @@ impl BodyWriter<'_> {
 
     /// The variable that a value is in, if it is in one.
     pub(super) fn name_of(&self, id: ValueId) -> Option<String> {
-        match &self.written[id] {
-            Written::Variable(name) => Some(name.to_string()),
-            _ => None,
-        }
+        self.variables[id].as_ref().map(ToString::to_string)
     }
 
     /// A variable for the sine or the cosine in a pair.

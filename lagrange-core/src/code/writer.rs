@@ -1,19 +1,18 @@
-//! Walks over a program and writes statements.
+//! Operands and variables of a body that is being written.
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 use super::fragment::Fragment;
-use super::literal::Constant;
-use super::parts::{LetStatement, assemble};
+use super::naming::VariableNames;
+use super::parts::LetStatement;
 use super::sine_cosine::{SinesAndCosines, sines_and_cosines};
-use super::{FunctionBody, Names, Scalar, Unrepresentable};
-use crate::expr::Relation;
+use super::{Names, Scalar};
 use crate::functions::row;
-use crate::program::{Op, Program, ValueId, ValueTable, Variability};
-use crate::symbol::{Role, Symbols};
+use crate::program::{Op, Program, ValueId, ValueTable};
+use crate::symbol::Symbols;
 
 /// Expressions with more operations than this are split by a `let`.
 const MOST_OPERATIONS: usize = 10;
@@ -33,23 +32,18 @@ pub(super) enum Written {
     Pairs(Vec<[Ident; 2]>),
 }
 
+/// What is written of a body so far.
 pub(super) struct BodyWriter<'a> {
     pub(super) program: &'a Program,
-    symbols: &'a Symbols,
-    scalar: &'a Scalar,
-    pub(super) names: &'a mut Names,
-    uses: ValueTable<usize>,
-    pub(super) variability: ValueTable<Variability>,
-    /// Whether a value is used once, as a branch of a selection.
-    is_branch: ValueTable<bool>,
+    pub(super) symbols: &'a Symbols,
+    pub(super) scalar: &'a Scalar,
+    pub(super) names: VariableNames<'a>,
+    pub(super) uses: ValueTable<usize>,
     pub(super) sines_and_cosines: SinesAndCosines,
-    /// Which values are in variables whose names only number them.
-    pub(super) is_numbered: ValueTable<bool>,
     pub(super) written: ValueTable<Written>,
     pub(super) statements: Vec<LetStatement>,
-    unrepresentable: Vec<String>,
     /// Functions that were called.
-    functions: BTreeSet<&'static str>,
+    pub(super) functions: BTreeSet<&'static str>,
 }
 
 impl<'a> BodyWriter<'a> {
@@ -63,93 +57,21 @@ impl<'a> BodyWriter<'a> {
             program,
             symbols,
             scalar,
-            names,
-            is_branch: branches(program),
+            names: VariableNames::new(program, names),
             uses: program.uses(),
-            variability: Variability::of_values(program),
             sines_and_cosines: sines_and_cosines(program),
-            is_numbered: ValueTable::filled(program.len(), false),
             written: ValueTable::with_capacity(program.len()),
             statements: Vec::new(),
-            unrepresentable: Vec::new(),
             functions: BTreeSet::new(),
         }
     }
 
-    /// The statements, and an expression for each output.
-    pub(super) fn write(mut self, used: Vec<Role>) -> Result<FunctionBody, Unrepresentable> {
-        for (id, op) in self.program.values() {
-            let written = self.value(id, op);
-            self.written.push(written);
+    /// Keeps how the next value is written.
+    pub(super) fn push(&mut self, id: ValueId, written: Written) {
+        if let Written::Variable(name) = &written {
+            self.names.keep(id, name);
         }
-        let outputs = self.program.outputs().iter().map(|&output| self.take(output).tokens).collect();
-        if self.unrepresentable.is_empty() {
-            let statements = assemble(self.program, &self.statements);
-            Ok(FunctionBody { statements, outputs, used, functions: self.functions })
-        } else {
-            Err(Unrepresentable { constants: self.unrepresentable })
-        }
-    }
-
-    fn value(&mut self, id: ValueId, op: &Op) -> Written {
-        match op {
-            Op::Input(role) => Written::Variable(self.names.role(self.symbols, *role)),
-            Op::Constant(number) => self.constant(id, Constant::Exact(number)),
-            Op::Float(value) => self.constant(id, Constant::Rounded(*value)),
-            Op::SinCos(argument) => self.pair(id, *argument),
-            Op::SinCosEach(arguments) => self.batch(id, arguments),
-            Op::SinOf(pair) => self.part(*pair, 0, 0),
-            Op::CosOf(pair) => self.part(*pair, 0, 1),
-            Op::SinIn(batch, place) => self.part(*batch, *place, 0),
-            Op::CosIn(batch, place) => self.part(*batch, *place, 1),
-            Op::Select { relation, left, right, then, otherwise } => {
-                let [left, right] = [*left, *right].map(|operand| self.take_variable(operand));
-                let [then, otherwise] = [*then, *otherwise].map(|operand| self.take(operand));
-                let chosen = self.selection(*relation, [left, right], [then, otherwise]);
-                match self.is_branch[id] && self.program.hint(id).is_none() {
-                    true => Written::Expression(Fragment::block(chosen)),
-                    false => Written::Variable(self.bind(id, &chosen)),
-                }
-            }
-            _ => {
-                let expression = self.expression(op);
-                if self.uses[id] > 1 || self.program.hint(id).is_some() {
-                    Written::Variable(self.bind(id, &expression.tokens))
-                } else {
-                    Written::Expression(expression)
-                }
-            }
-        }
-    }
-
-    /// An arithmetic operation or a call.
-    fn expression(&mut self, op: &Op) -> Fragment {
-        let mut operands = self.operands(op);
-        let mut next = || operands.remove(0);
-        match op {
-            Op::Add(..) => Fragment::sum(next(), next()),
-            Op::Subtract(..) => Fragment::difference(next(), next()),
-            Op::Multiply(..) => Fragment::product(next(), next()),
-            Op::Divide(..) => Fragment::quotient(next(), next()),
-            Op::Negate(_) => next().negated(),
-            Op::MultiplyAdd(..) => self.call("multiply_add", operands),
-            Op::MultiplySubtract(..) => {
-                let arguments = vec![next(), next(), next().negated()];
-                self.call("multiply_add", arguments)
-            }
-            Op::SubtractProduct(..) => {
-                let arguments = vec![next().negated(), next(), next()];
-                self.call("multiply_add", arguments)
-            }
-            Op::Power(_, exponent) => {
-                let literal = Literal::u32_unsuffixed(exponent.unsigned_abs());
-                let magnitude = Fragment::atom(literal.into_token_stream(), 4);
-                operands.push(if *exponent < 0 { magnitude.negated() } else { magnitude });
-                self.call("powi", operands)
-            }
-            Op::Call(function, _) => self.call(row(*function).rust, operands),
-            _ => unreachable!("{op:?} is not written as an expression"),
-        }
+        self.written.push(written);
     }
 
     /// The operands of an operation as they are written in it.
@@ -202,7 +124,7 @@ impl<'a> BodyWriter<'a> {
     }
 
     fn is_square_of_variable(&self, id: ValueId) -> bool {
-        matches!(self.program.op(id), Op::Multiply(a, b) if a == b && self.name_of(*a).is_some())
+        matches!(self.program.op(id), Op::Multiply(a, b) if a == b && self.names.name_of(*a).is_some())
     }
 
     /// A value where it is used.
@@ -218,7 +140,7 @@ impl<'a> BodyWriter<'a> {
     }
 
     /// A value where it is used twice.
-    fn take_variable(&mut self, id: ValueId) -> Fragment {
+    pub(super) fn take_variable(&mut self, id: ValueId) -> Fragment {
         let expression = self.take(id);
         if expression.is_free() { expression } else { self.bind_operand(id, &expression) }
     }
@@ -226,68 +148,17 @@ impl<'a> BodyWriter<'a> {
     /// Moves the expression of an earlier value to a variable.
     fn bind_operand(&mut self, id: ValueId, expression: &Fragment) -> Fragment {
         let name = self.bind(id, &expression.tokens);
+        self.names.keep(id, &name);
         self.written[id] = Written::Variable(name.clone());
         Fragment::name(&name)
     }
 
     /// Writes a `let` for a value.
-    fn bind(&mut self, id: ValueId, expression: &TokenStream) -> Ident {
-        let name = self.choose_name(id);
+    pub(super) fn bind(&mut self, id: ValueId, expression: &TokenStream) -> Ident {
+        let name = self.names.choose(id);
         let tokens = quote_spanned!(Span::mixed_site()=> let #name = #expression;);
         self.statements.push(LetStatement { tokens, variables: vec![(id, name.clone())] });
         name
-    }
-
-    fn constant(&mut self, id: ValueId, constant: Constant<'_>) -> Written {
-        let text = match self.scalar {
-            Scalar::F32 => constant.single(),
-            Scalar::F64 | Scalar::Generic(_) => constant.double(),
-        };
-        let Some(text) = text else {
-            let words = constant.describe();
-            if !self.unrepresentable.contains(&words) {
-                self.unrepresentable.push(words);
-            }
-            return Written::Expression(Fragment::number("0.0"));
-        };
-        let number = Fragment::number(&text);
-        if !matches!(self.scalar, Scalar::Generic(_)) {
-            return Written::Expression(number);
-        }
-        let converted = match text.as_str() {
-            "0.0" => self.associated("ZERO"),
-            "1.0" => self.associated("ONE"),
-            _ => Fragment::call(&self.associated("from_f64"), vec![number]).free(),
-        };
-        if self.uses[id] > 1 {
-            Written::Variable(self.bind(id, &converted.tokens))
-        } else {
-            Written::Expression(converted)
-        }
-    }
-
-    /// Both comparisons fail where an operand is not a number; that must not pick a branch.
-    fn selection(&self, relation: Relation, sides: [Fragment; 2], values: [Fragment; 2]) -> TokenStream {
-        let [left, right] = sides.map(|side| side.tokens);
-        let [then, otherwise] = values.map(|value| value.tokens);
-        let nan = self.associated("NAN").tokens;
-        let (holds, fails) = match relation {
-            Relation::Less => {
-                (quote_spanned!(Span::mixed_site()=> <), quote_spanned!(Span::mixed_site()=> >=))
-            }
-            Relation::LessEqual => {
-                (quote_spanned!(Span::mixed_site()=> <=), quote_spanned!(Span::mixed_site()=> >))
-            }
-            Relation::Greater => {
-                (quote_spanned!(Span::mixed_site()=> >), quote_spanned!(Span::mixed_site()=> <=))
-            }
-            Relation::GreaterEqual => {
-                (quote_spanned!(Span::mixed_site()=> >=), quote_spanned!(Span::mixed_site()=> <))
-            }
-        };
-        quote_spanned! {Span::mixed_site()=>
-            if #left #holds #right { #then } else if #left #fails #right { #otherwise } else { #nan }
-        }
     }
 
     pub(super) fn call(&mut self, function: &'static str, arguments: Vec<Fragment>) -> Fragment {
@@ -302,7 +173,7 @@ impl<'a> BodyWriter<'a> {
     }
 
     /// An associated constant or function of the scalar, for where inference has nothing to go by.
-    fn associated(&self, item: &str) -> Fragment {
+    pub(super) fn associated(&self, item: &str) -> Fragment {
         let item = Ident::new(item, Span::mixed_site());
         let scalar = match self.scalar {
             Scalar::F64 => quote_spanned!(Span::mixed_site()=> f64),
@@ -314,16 +185,4 @@ impl<'a> BodyWriter<'a> {
             "S::".len() + item.to_string().len(),
         )
     }
-}
-
-/// Which values are used once, as a branch of a selection: they are computed only where they are wanted.
-fn branches(program: &Program) -> ValueTable<bool> {
-    let uses = program.uses();
-    let mut is_branch = ValueTable::filled(program.len(), false);
-    for (_, op) in program.values() {
-        if let Op::Select { then, otherwise, .. } = op {
-            [*then, *otherwise].into_iter().for_each(|branch| is_branch[branch] = uses[branch] == 1);
-        }
-    }
-    is_branch
 }
