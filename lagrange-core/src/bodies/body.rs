@@ -2,9 +2,9 @@
 
 use super::messages;
 use super::object::{Body, Line, Object};
+use super::plain::{Drawn, DrawnKind, Motion, Obligation, Outline};
 use super::terms::{Pair, TermWriter};
 use super::translation::Translation;
-use super::{Drawn, DrawnKind, Motion, Obligation, Outline};
 use crate::diagnostics::Origin;
 use crate::solids;
 use crate::solids::Solid;

@@ -2,9 +2,9 @@
 //!
 //! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Jᵢ + mᵢ |rᵢ − r_S|²) by Steiner's theorem, holes with the lower sign.
 
-use super::Outline;
 use super::body::MassGeometry;
 use super::messages;
+use super::plain::Outline;
 use super::terms::Pair;
 use super::translation::Translation;
 use crate::solids::Solid;

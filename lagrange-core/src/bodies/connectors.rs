@@ -2,9 +2,9 @@
 
 use super::messages;
 use super::object::{Body, Connector, Object};
+use super::plain::{Drawn, DrawnKind, LoadOrigin};
 use super::terms::{Pair, TermWriter};
 use super::translation::Translation;
-use super::{Cause, Drawn, DrawnKind};
 use crate::syntax::ast;
 use crate::syntax::ast::{AstId, ConnectorKind, StatementKind};
 
@@ -180,7 +180,7 @@ impl Translation<'_> {
         for (end, force) in ends.into_iter().zip([pull, back]) {
             if let Some(body) = end.body {
                 let body = Some(self.bodies[body].name.text.clone());
-                let kind = DrawnKind::Force { name: name.to_owned(), cause: Cause::Connector, body };
+                let kind = DrawnKind::Force { name: name.to_owned(), cause: LoadOrigin::Connector, body };
                 self.loads.push(Drawn { kind, values: vec![end.at, force], needs: Vec::new() });
             }
         }
@@ -198,7 +198,7 @@ impl Translation<'_> {
             if let Some(body) = end.body {
                 let Body { name: carrier, center, .. } = self.bodies[body].clone();
                 let body = Some(carrier.text);
-                let kind = DrawnKind::Moment { name: name.to_owned(), cause: Cause::Connector, body };
+                let kind = DrawnKind::Moment { name: name.to_owned(), cause: LoadOrigin::Connector, body };
                 self.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
             }
         }

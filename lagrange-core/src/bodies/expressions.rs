@@ -1,8 +1,8 @@
 //! Bodies, lines, springs and joints in expressions.
 
-use super::Obligation;
 use super::messages;
 use super::object::{Body, Joint, Line, Object};
+use super::plain::Obligation;
 use super::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, Name};
 use crate::syntax::foreign;

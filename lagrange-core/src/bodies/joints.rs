@@ -5,9 +5,9 @@
 
 use super::messages;
 use super::object::{Body, Joint, Line, Object};
+use super::plain::{Drawn, DrawnKind, JointForm, LoadOrigin};
 use super::terms::Pair;
 use super::translation::Translation;
-use super::{Cause, Drawn, DrawnKind, JointForm};
 use crate::syntax::ast;
 use crate::syntax::ast::{AstId, JointKind, Name, StatementKind};
 
@@ -216,7 +216,7 @@ impl Translation<'_> {
         for (&(body, at), force) in ends.iter().zip([force, opposite]) {
             let Some(body) = body else { continue };
             let body = Some(self.bodies[body].name.text.clone());
-            let kind = DrawnKind::Force { name: name.to_owned(), cause: Cause::Joint, body };
+            let kind = DrawnKind::Force { name: name.to_owned(), cause: LoadOrigin::Joint, body };
             let needs = needs.iter().map(|&name| name.to_owned()).collect();
             self.loads.push(Drawn { kind, values: vec![at, force], needs });
         }

@@ -3,8 +3,8 @@
 use super::messages;
 use super::names::SceneNames;
 use super::object::{Body, Line, Object};
+use super::plain::{Drawn, DrawnKind, LoadOrigin, Motion, Obligation, Plain};
 use super::terms::{Pair, TermWriter};
-use super::{Cause, Drawn, DrawnKind, Motion, Obligation, Plain};
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
 use crate::syntax::ast::{
@@ -175,8 +175,11 @@ impl<'a> Translation<'a> {
         if !terms.is_zero(potential) {
             self.push(StatementKind::Potential(potential));
         }
-        let kind =
-            DrawnKind::Force { name: "gravity".to_owned(), cause: Cause::Gravity, body: Some(name.text) };
+        let kind = DrawnKind::Force {
+            name: "gravity".to_owned(),
+            cause: LoadOrigin::Gravity,
+            body: Some(name.text),
+        };
         self.loads.push(Drawn { kind, values: vec![center, force], needs: Vec::new() });
     }
 
@@ -185,7 +188,7 @@ impl<'a> Translation<'a> {
         let (force, point) = (self.plain(force), self.place(point));
         if self.is_in_plane(force) && !self.bodies.is_empty() {
             let (name, body) = ("force".to_owned(), body.map(|body| self.bodies[body].name.text.clone()));
-            let kind = DrawnKind::Force { name, cause: Cause::Applied, body };
+            let kind = DrawnKind::Force { name, cause: LoadOrigin::Applied, body };
             self.loads.push(Drawn { kind, values: vec![point, force], needs: Vec::new() });
         }
         self.statements.push(Statement { kind: StatementKind::ForceAt { force, point }, ..statement });
@@ -205,8 +208,11 @@ impl<'a> Translation<'a> {
         }
         if let Some(body) = body {
             let Body { name, center, .. } = self.bodies[body].clone();
-            let kind =
-                DrawnKind::Moment { name: "torque".to_owned(), cause: Cause::Applied, body: Some(name.text) };
+            let kind = DrawnKind::Moment {
+                name: "torque".to_owned(),
+                cause: LoadOrigin::Applied,
+                body: Some(name.text),
+            };
             self.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
         } else if !self.bodies.is_empty() {
             let of = |id| match self.expressions.get(id) {

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::Names;
+use super::names::Names;
 use crate::functions::row;
 use crate::number::Number;
 use crate::program::{Op, Program, ValueId, ValueTable, Variability};

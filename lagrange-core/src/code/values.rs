@@ -3,12 +3,12 @@
 use proc_macro2::{Literal, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
+use super::body::{FunctionBody, Scalar, Unrepresentable};
 use super::fragment::Fragment;
 use super::literal::Constant;
 use super::pairs::{batch, pair, part};
 use super::parts::assemble;
 use super::writer::{BodyWriter, Written};
-use super::{FunctionBody, Scalar, Unrepresentable};
 use crate::expr::Relation;
 use crate::functions::row;
 use crate::program::{Op, Program, ValueId, ValueTable};

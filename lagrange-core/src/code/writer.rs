@@ -5,11 +5,12 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
+use super::body::Scalar;
 use super::fragment::Fragment;
+use super::names::Names;
 use super::naming::VariableNames;
 use super::parts::LetStatement;
 use super::sine_cosine::{SinesAndCosines, sines_and_cosines};
-use super::{Names, Scalar};
 use crate::functions::row;
 use crate::program::{Op, Program, ValueId, ValueTable};
 use crate::symbol::Symbols;

@@ -8,7 +8,7 @@
 use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::operand::Operand;
-use crate::bodies::{Cause, DrawnKind};
+use crate::bodies::{DrawnKind, LoadOrigin};
 use crate::expr::ExprId;
 use crate::model::{BodyMotion, DrawnItem};
 use crate::simplify::vanishing;
@@ -29,7 +29,7 @@ pub(super) fn torque_item(elaborator: &mut Elaborator<'_>, name: &str, values: &
         let motion = &elaborator.scene.motions[body];
         let ([x, y], body) = (motion.center(), Some(motion.body.text.clone()));
         let moment = if is_opposite { elaborator.evaluator.graph.negate(moment) } else { moment };
-        let kind = DrawnKind::Moment { name: "torque".to_owned(), cause: Cause::Applied, body };
+        let kind = DrawnKind::Moment { name: "torque".to_owned(), cause: LoadOrigin::Applied, body };
         DrawnItem { kind, values: vec![x, y, moment], parts: Vec::new() }
     };
     shares.iter().map(item).collect()

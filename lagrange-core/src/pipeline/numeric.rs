@@ -1,7 +1,8 @@
 //! A derived system that can be evaluated without compiling it: for tests, tools and build scripts.
 
+use super::phases::DerivedPart;
 use super::second_way::motion;
-use super::{Derived, DerivedPart};
+use super::system::Derived;
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
 use crate::derive::Equations;

@@ -1,9 +1,9 @@
 //! Proofs that values are zero everywhere, quick where they differ from zero.
 
+use super::present::proves_zero;
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
-use crate::simplify;
 use crate::symbol::Role;
 
 /// Monomials up to which a derivative is expanded to prove that it vanishes.
@@ -23,7 +23,7 @@ fn vanishes(graph: &mut Graph, value: ExprId) -> bool {
     if graph.as_number(value).is_some() {
         return graph.is_zero(value);
     }
-    !graph.is_larger_than(value, LARGEST_EXPANDED) && simplify::proves_zero(graph, value, PROOF_BUDGET)
+    !graph.is_larger_than(value, LARGEST_EXPANDED) && proves_zero(graph, value, PROOF_BUDGET)
 }
 
 /// Which values differ from zero at a point chosen once and for all, by more than rounding can explain. Nobody

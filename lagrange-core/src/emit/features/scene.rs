@@ -5,7 +5,7 @@ use std::slice::Iter;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::bodies::{Cause, DrawnKind, JointForm};
+use crate::bodies::{DrawnKind, JointForm, LoadOrigin};
 use crate::emit::base::docs;
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments};
@@ -182,7 +182,7 @@ impl<'a> Values<'a> {
 }
 
 /// What forces and moments have in common.
-fn acts(krate: &TokenStream, name: &str, from: Cause, body: Option<&str>) -> TokenStream {
+fn acts(krate: &TokenStream, name: &str, from: LoadOrigin, body: Option<&str>) -> TokenStream {
     let (cause, body) = (cause(from), option(body));
     quote!(name: #name, cause: #krate::scene::Cause::#cause, body: #body,)
 }
@@ -212,12 +212,12 @@ fn joint(form: JointForm) -> Ident {
     })
 }
 
-fn cause(cause: Cause) -> Ident {
+fn cause(cause: LoadOrigin) -> Ident {
     local(match cause {
-        Cause::Applied => "Applied",
-        Cause::Gravity => "Gravity",
-        Cause::Connector => "Connector",
-        Cause::Joint => "Joint",
+        LoadOrigin::Applied => "Applied",
+        LoadOrigin::Gravity => "Gravity",
+        LoadOrigin::Connector => "Connector",
+        LoadOrigin::Joint => "Joint",
     })
 }
 
