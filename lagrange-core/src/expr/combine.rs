@@ -4,16 +4,12 @@
 //! Equal operands are collected. A nested operand of the same kind is opened only if that makes
 //! something vanish, `(x + y) - x = y` or `(x·y)/x = y`: otherwise it is worth more as a shared part.
 
+use super::weighted::{LONGEST_OPENED, Weighted};
 use super::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
-/// Nested operands longer than this are never opened: looking into them would cost more than it finds.
-pub(super) const LONGEST_OPENED: usize = 8;
 /// Products of more factors than this are nested, so that derivatives of long products stay short.
 const LONGEST_PRODUCT: usize = 16;
-
-/// An operand and its coefficient or exponent.
-pub(super) type Weighted = (ExprId, Number);
 
 impl Graph {
     /// `constant + Σ coefficient · term`

@@ -4,7 +4,7 @@
 //! would have the wrong second derivative where it vanishes, because the sign of zero is zero. What is left, f(|x|) in general, is
 //! differentiated by [`Function::MagnitudeSlope`], s = d|x|/dx, whose square is one: f″ s² is f″ at zero, too.
 
-use super::combine::{LONGEST_OPENED, Weighted};
+use super::weighted::{LONGEST_OPENED, Weighted};
 use super::{ExprId, Function, Graph, Node};
 use crate::collections::HashMap;
 use crate::number::Number;

@@ -13,6 +13,7 @@
 mod combine;
 mod facts;
 mod magnitude;
+mod weighted;
 
 use indexmap::IndexSet;
 use rustc_hash::FxBuildHasher;

@@ -29,18 +29,6 @@ impl Parser<'_> {
         Ok(body)
     }
 
-    /// The name of something that goes on with braces.
-    pub(super) fn scene_name(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
-        let name = match cursor.group(Delimiter::Brace) {
-            None => self.declared_name(cursor),
-            Some(_) => Err(self.no_name(help, cursor)),
-        };
-        if name.is_err() {
-            self.skip_braces(cursor);
-        }
-        name
-    }
-
     fn body_line(&mut self, body: &mut Body, labels: &mut BlockLabels, cursor: &mut Cursor) -> Parsed<()> {
         let label = self.label_of(labels, cursor)?;
         if label == "compound" {

@@ -3,14 +3,17 @@
 //! Operators wait on a stack until the operator behind their right operand binds no tighter (operator
 //! precedence parsing), so that chains of any length are read without recursion.
 
+mod conditionals;
+mod operands;
+
 use proc_macro2::Span;
 
-use super::ast::{AstId, BinaryOperator, Expression};
-use super::cursor::Cursor;
-use super::messages;
-use super::parser::{Parsed, Parser, Reported};
-use super::recovery::Turn;
 use crate::diagnostics::Origin;
+use crate::syntax::ast::{AstId, BinaryOperator, Expression};
+use crate::syntax::cursor::Cursor;
+use crate::syntax::messages;
+use crate::syntax::parser::{Parsed, Parser, Reported};
+use crate::syntax::recovery::Turn;
 
 /// A readable piece of an expression, and the tokens it covers including its parentheses.
 #[derive(Clone, Copy)]

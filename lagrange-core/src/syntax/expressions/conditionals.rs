@@ -2,15 +2,15 @@
 
 use proc_macro2::{Delimiter, TokenTree};
 
-use super::ast::{AstId, Condition, Expression};
-use super::cursor::{Cursor, as_group, group_origin};
-use super::expressions::ReadOperand;
-use super::messages;
-use super::messages::habits;
-use super::parser::{Parsed, Parser, Reported};
-use super::recovery::Turn;
+use super::ReadOperand;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
+use crate::syntax::ast::{AstId, Condition, Expression};
+use crate::syntax::cursor::{Cursor, as_group, group_origin};
+use crate::syntax::messages;
+use crate::syntax::messages::habits;
+use crate::syntax::parser::{Parsed, Parser, Reported};
+use crate::syntax::recovery::Turn;
 
 /// `if condition { then } else`, with what follows still to be read.
 struct Branch {
@@ -21,7 +21,7 @@ struct Branch {
 
 impl Parser<'_> {
     /// Reads a chain that begins with the `if` here.
-    pub(super) fn conditional(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
+    pub(in crate::syntax) fn conditional(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut branches = Vec::new();
         self.turns(cursor, |parser, cursor| {
             branches.push(parser.branch(cursor)?);

@@ -2,19 +2,19 @@
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
-use super::ast::{AstId, Expression, Name};
-use super::cursor::{Cursor, group_origin};
-use super::expressions::ReadOperand;
-use super::keywords;
-use super::messages;
-use super::messages::habits;
-use super::parser::{Parsed, Parser, Reported};
-use super::recovery::Turn;
+use super::ReadOperand;
 use crate::diagnostics::Origin;
+use crate::syntax::ast::{AstId, Expression, Name};
+use crate::syntax::cursor::{Cursor, group_origin};
+use crate::syntax::keywords;
+use crate::syntax::messages;
+use crate::syntax::messages::habits;
+use crate::syntax::parser::{Parsed, Parser, Reported};
+use crate::syntax::recovery::Turn;
 
 impl Parser<'_> {
     /// Reads an operand with the calls and components behind it.
-    pub(super) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
+    pub(in crate::syntax) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut operand = self.atom(cursor)?;
         self.turns(cursor, |parser, cursor| {
             if cursor.eat('.').is_none() {
@@ -120,7 +120,7 @@ impl Parser<'_> {
     }
 
     /// Reads arguments behind those that are given.
-    pub(super) fn arguments(&mut self, group: &Group, given: Vec<AstId>) -> Parsed<Vec<AstId>> {
+    pub(in crate::syntax) fn arguments(&mut self, group: &Group, given: Vec<AstId>) -> Parsed<Vec<AstId>> {
         self.inside(group, |parser, cursor| {
             let mut arguments = given;
             parser.each(cursor, |parser, cursor| {
