@@ -12,7 +12,6 @@
 
 mod combine;
 mod facts;
-mod magnitude;
 mod weighted;
 
 use indexmap::IndexSet;

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, TokenTree};
 
-use super::ast::{AstId, Expression};
+use super::ast::{AstId, Expression, Name};
 use super::cursor::Cursor;
 use super::foreign;
 use super::messages;
@@ -30,6 +30,18 @@ impl BlockLabels {
 }
 
 impl Parser<'_> {
+    /// The name of something that goes on with braces.
+    pub(super) fn scene_name(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
+        let name = match cursor.group(Delimiter::Brace) {
+            None => self.declared_name(cursor),
+            Some(_) => Err(self.no_name(help, cursor)),
+        };
+        if name.is_err() {
+            self.skip_braces(cursor);
+        }
+        name
+    }
+
     /// Takes the braces of a statement. If they are missing, what might be meant is skipped.
     pub(super) fn braces(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Group> {
         if let Some(group) = cursor.eat_group(Delimiter::Brace) {

@@ -24,18 +24,6 @@ impl Parser<'_> {
         }
     }
 
-    /// The name of something that goes on with braces.
-    pub(super) fn scene_name(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
-        let name = match cursor.group(Delimiter::Brace) {
-            None => self.declared_name(cursor),
-            Some(_) => Err(self.no_name(help, cursor)),
-        };
-        if name.is_err() {
-            self.skip_braces(cursor);
-        }
-        name
-    }
-
     /// Reads the name that a statement declares in front of its `=`.
     pub(super) fn leading_name(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<Name> {
         let is_named = cursor.ident().is_some() && can_follow_name(cursor);

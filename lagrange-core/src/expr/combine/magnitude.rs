@@ -4,14 +4,14 @@
 //! would have the wrong second derivative where it vanishes, because the sign of zero is zero. What is left, f(|x|) in general, is
 //! differentiated by [`Function::MagnitudeSlope`], s = d|x|/dx, whose square is one: f″ s² is f″ at zero, too.
 
-use super::weighted::{LONGEST_OPENED, Weighted};
-use super::{ExprId, Function, Graph, Node};
 use crate::collections::HashMap;
+use crate::expr::weighted::{LONGEST_OPENED, Weighted};
+use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
 impl Graph {
     /// Every x for which the slope of |x| is a factor of the expression with an odd exponent.
-    pub(super) fn slope_factors(&self, id: ExprId) -> &[ExprId] {
+    pub(in crate::expr) fn slope_factors(&self, id: ExprId) -> &[ExprId] {
         &self.facts[id.index()].slopes
     }
 
@@ -20,7 +20,7 @@ impl Graph {
     }
 
     /// Takes out factors that are magnitudes in disguise; what they are.
-    pub(super) fn opened_magnitude(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+    pub(in crate::expr) fn opened_magnitude(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         self.opened_root(factors)
             .or_else(|| self.opened_power(factors))
             .or_else(|| self.opened_hypotenuse(factors))
@@ -113,12 +113,12 @@ impl Graph {
     }
 
     /// Whether a power of this with an odd exponent is a factor.
-    pub(super) fn has_odd_power(&self, id: ExprId, of: ExprId) -> bool {
+    pub(in crate::expr) fn has_odd_power(&self, id: ExprId, of: ExprId) -> bool {
         self.whole_powers(id).iter().any(|(base, exponent)| *base == of && exponent.is_odd())
     }
 
     /// Whether the slope of |x| itself is a factor with an odd exponent, beside which no power of x has one.
-    pub(super) fn has_bare_slope(&self, id: ExprId, of: ExprId) -> bool {
+    pub(in crate::expr) fn has_bare_slope(&self, id: ExprId, of: ExprId) -> bool {
         let is_slope = |base: ExprId| match self.node(base) {
             Node::Call(Function::MagnitudeSlope, arguments) => arguments[0] == of,
             _ => false,

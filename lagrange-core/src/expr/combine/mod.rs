@@ -4,8 +4,10 @@
 //! Equal operands are collected. A nested operand of the same kind is opened only if that makes
 //! something vanish, `(x + y) - x = y` or `(x·y)/x = y`: otherwise it is worth more as a shared part.
 
-use super::weighted::{LONGEST_OPENED, Weighted};
-use super::{ExprId, Function, Graph, Node};
+mod magnitude;
+
+use crate::expr::weighted::{LONGEST_OPENED, Weighted};
+use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
 /// Products of more factors than this are nested, so that derivatives of long products stay short.
