@@ -12,12 +12,16 @@ mod body;
 mod compound;
 mod connectors;
 mod expressions;
+mod gravity;
 mod joints;
 mod kinematics;
+mod lines;
+mod mass_geometry;
 mod messages;
 mod names;
 mod object;
 mod plain;
+mod statements;
 mod terms;
 mod translation;
 
@@ -27,6 +31,7 @@ mod tests;
 use crate::diagnostics::Report;
 use crate::syntax::ast::Declaration;
 use names::report_repeated;
+use statements::translate;
 use translation::Translation;
 
 pub use plain::{Drawn, DrawnKind, JointForm, LoadOrigin, Motion, Obligation, Outline, Plain};
@@ -34,5 +39,6 @@ pub use plain::{Drawn, DrawnKind, JointForm, LoadOrigin, Motion, Obligation, Out
 /// Puts plain statements in the place of those about bodies. Mistakes are reported.
 pub fn plain(mut declaration: Declaration, report: &mut Report) -> Plain {
     report_repeated(&declaration, report);
-    Translation::new(&mut declaration, report).finish(declaration)
+    let translation = Translation::new(&mut declaration, report);
+    translate(translation, declaration)
 }
