@@ -1,4 +1,4 @@
-//! `body` and `line` statements.
+//! `body` statements.
 
 use super::compound::compound_geometry;
 use super::expressions::{plain_expression, turning};
