@@ -5,7 +5,7 @@
 //! waits for, with the compilation of the emitted code.
 
 use criterion::{BatchSize, Criterion, SamplingMode, criterion_group, criterion_main};
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Derived, System, parse};
 use proc_macro2::TokenStream;
 
@@ -30,7 +30,7 @@ fn system(text: &str) -> System {
 }
 
 fn derived(system: System) -> Derived {
-    system.derive(RoadChoice::Cheapest).expect("a regular system")
+    system.derive(StrategyChoice::Cheapest).expect("a regular system")
 }
 
 /// Lowers, optimises and writes everything that the macro emits.

@@ -4,11 +4,11 @@
 //! derives the equations and evaluates them with an interpreter: for tools, and for systems that are not
 //! known when the program is compiled. The interpreter is much slower than compiled code.
 //!
-//! Without an argument the declaration below goes both roads, and the accelerations are compared. Look for
+//! Without an argument the declaration below takes both ways, and the accelerations are compared. Look for
 //! the equations, the structure and the cost, which are also the documentation of the emitted struct, and for
 //! the accelerations, which agree to rounding.
 //!
-//! `cargo run --features symbolic --example from_text -- FILE` does the first road for the declaration in a file.
+//! `cargo run --features symbolic --example from_text -- FILE` takes the first way for the declaration in a file.
 
 mod common;
 
@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use std::{env, fs};
 
 use common::compare;
-use lagrange::symbolic::mechanics::RoadChoice;
+use lagrange::symbolic::derive::StrategyChoice;
 use lagrange::symbolic::pipeline::{Derived, NumericSystem, parse};
 
 /// Compiles a declaration and keeps its text.
@@ -54,7 +54,7 @@ fn of_file(path: &str) -> Result<(), Box<dyn Error>> {
 
 /// Prints what is known of a system.
 fn describe(text: &str) -> Result<Derived, Box<dyn Error>> {
-    let mut derived = parse(text)?.derive(RoadChoice::Cheapest)?;
+    let mut derived = parse(text)?.derive(StrategyChoice::Cheapest)?;
     print!("{}", derived.report);
     derived.documentation().iter().for_each(|line| println!("{line}"));
     println!("\n# The same in LaTeX\n\n{}\n", derived.equations_latex());

@@ -9,7 +9,7 @@ use std::process::Command;
 const MEASUREMENT: &str = "trade";
 
 fn examples() -> Vec<String> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
     let files =
         read_dir(folder).expect("the examples are in place").map(|entry| entry.expect("readable").path());
     let stem = |file: PathBuf| file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
@@ -28,7 +28,16 @@ fn agree_with_their_references() {
     assert!(!examples.is_empty());
     for name in examples {
         let cargo = Command::new(env!("CARGO"))
-            .args(["run", "--quiet", "--features", "plot,draw,symbolic", "--example", &name])
+            .args([
+                "run",
+                "--quiet",
+                "--package",
+                "lagrange",
+                "--features",
+                "plot,draw,symbolic",
+                "--example",
+                &name,
+            ])
             .output();
         let output = cargo.expect("cargo starts");
         let messages = String::from_utf8_lossy(&output.stderr);

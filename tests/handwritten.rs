@@ -18,7 +18,7 @@ const TOLERANCE: f64 = 1e-12;
 type Accelerations<const N: usize> = fn(&[f64; N], &[f64; N], &[f64; N], &[f64; N], f64) -> [f64; N];
 
 fn reference(name: &str) -> Value {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/oracle/{name}.json"));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("oracle/{name}.json"));
     let text = fs::read_to_string(path).expect("the reference is in place");
     serde_json::from_str(&text).expect("JSON")
 }

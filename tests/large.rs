@@ -1,6 +1,6 @@
 //! Chains of a hundred links compile, and compute what the interpreter computes.
 //!
-//! `RUSTFLAGS="--cfg large" cargo test --test large` does the same for two hundred.
+//! `RUSTFLAGS="--cfg large" cargo test -p lagrange-tests --test large` does the same for two hundred.
 
 #[path = "../benches/chains/absolute_100.rs"]
 mod absolute_100;
@@ -17,7 +17,7 @@ use std::array::from_fn;
 use std::fmt::Write;
 
 use lagrange::system::MechanicalSystem;
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{NumericSystem, parse};
 
 const GRAVITY: f64 = 9.81;
@@ -45,7 +45,7 @@ fn interpreted<const N: usize>(
     }
     let (_, statements) = declaration.split_once("coord").expect("coordinates");
     let system = parse(&format!("{values} coord{statements}")).unwrap_or_else(|report| panic!("{report}"));
-    let derived = system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
+    let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
     NumericSystem::new(&derived).acceleration(0.0, q, v)
 }
 

@@ -8,7 +8,8 @@ mod reference;
 
 use std::path::Path;
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, parse};
 
 use complex::Complex;
@@ -133,7 +134,7 @@ macro_rules! declare {
 mod systems;
 
 fn directory() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/oracle"))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/oracle"))
 }
 
 #[test]
@@ -153,7 +154,7 @@ fn check(name: &str, level: &str, declaration: &str, compiled: &impl Compiled) {
         "#[accuracy({level})] struct Interpreted; {} emit {{ momentum_rates }}",
         reference.declaration
     );
-    let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+    let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
     let mut interpreted = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
     for (name, value) in reference.settings() {
         assert!(interpreted.set(name, value), "{name} is declared");
@@ -184,7 +185,7 @@ trait Differentiated {
 fn check_jacobians(name: &str, compiled: &impl Differentiated) {
     let reference = Reference::read(directory(), name);
     let text = format!("struct Interpreted; {} emit {{ jacobian }}", reference.declaration);
-    let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+    let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
     let derived = derived.unwrap_or_else(|report| panic!("{report}"));
     let fields = derived.model.parameters.iter().chain(&derived.model.inputs);
     let fields = fields.map(|field| field.name.as_str()).collect::<Vec<_>>();

@@ -5,20 +5,20 @@ use std::path::Path;
 
 #[test]
 fn mistakes_are_explained_where_they_are() {
-    trybuild::TestCases::new().compile_fail("tests/ui/*/*.rs");
+    trybuild::TestCases::new().compile_fail("ui/*/*.rs");
 }
 
-/// Features that are missing; `cargo test --test ui`, without any.
+/// Features that are missing; `cargo test -p lagrange-tests --test ui`, without any.
 #[cfg(not(any(feature = "plot", feature = "parquet", feature = "draw")))]
 #[test]
 fn missing_features_are_named() {
-    trybuild::TestCases::new().compile_fail("tests/ui_without_features/*.rs");
+    trybuild::TestCases::new().compile_fail("ui_without_features/*.rs");
 }
 
 /// Each declaration in the folder `one_mistake` holds one, of which the compiler makes no second error.
 #[test]
 fn one_mistake_is_one_error() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui/one_mistake");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("ui/one_mistake");
     let files = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
     let sources = files.filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
     let mut declarations = 0;

@@ -9,6 +9,7 @@
 #[path = "../../tests/references/mod.rs"]
 mod references;
 
+mod cases;
 mod choose;
 mod emitted;
 mod peers;
@@ -17,12 +18,8 @@ mod table;
 
 use criterion::Criterion;
 
+use cases::cases;
 use choose::choose;
-use problem::{Case, double_pendulum, kepler};
-
-fn cases() -> Vec<Case> {
-    vec![double_pendulum(), kepler()]
-}
 
 fn with_criterion() {
     let mut criterion = Criterion::default().configure_from_args();

@@ -9,7 +9,7 @@
 //! A pendulum, from text to its equation and its acceleration:
 //!
 //! ```
-//! use lagrange_core::mechanics::RoadChoice;
+//! use lagrange_core::derive::StrategyChoice;
 //! use lagrange_core::pipeline::{NumericSystem, parse};
 //!
 //! let pendulum = "
@@ -18,7 +18,7 @@
 //!     kinetic = 1/2 * m * (l * dot(theta))^2;
 //!     potential = -m * g * l * cos(theta);
 //! ";
-//! let mut derived = parse(pendulum)?.derive(RoadChoice::Cheapest)?;
+//! let mut derived = parse(pendulum)?.derive(StrategyChoice::Cheapest)?;
 //!
 //! let lines = derived.documentation();
 //! assert!(lines.iter().any(|line| line == "m*l^2*ddot(theta) = -m*l*g*sin(theta)"));
@@ -35,10 +35,11 @@
 //! [`pipeline`] is the whole of it on one screen:
 //!
 //! 1. [`syntax`] reads tokens or text into a declaration, with all mistakes reported together;
-//! 2. [`mechanics`] resolves it into a [`Model`](mechanics::Model) and derives its
-//!    [`Equations`](mechanics::Equations);
-//! 3. [`program`] lowers expressions to straight-line [`Program`](program::Program)s;
-//! 4. [`emit`] writes programs as Rust, and expressions as text, LaTeX or graphs.
+//! 2. [`bodies`] translates what is declared of rigid bodies into plain statements;
+//! 3. [`mod@elaborate`] resolves names and checks meaning, which gives a [`Model`](model::Model);
+//! 4. [`mod@derive`] finds the [`Equations`](derive::Equations) of a model;
+//! 5. [`emit`] writes them as Rust: [`program`] lowers expressions to straight-line [`Program`](program::Program)s, [`code`]
+//!    writes those as the body of a function, [`formula`] writes expressions as text, LaTeX or graphs.
 //!
 //! They stand on [`expr`], the graph that owns every expression of a system; [`functions`], one row for each
 //! elementary function; [`calculus`] and [`simplify`], algorithms that take the graph; and on [`number`],
@@ -47,12 +48,16 @@
 
 pub mod bodies;
 pub mod calculus;
+pub mod code;
 pub mod collections;
+pub mod derive;
 pub mod diagnostics;
+pub mod elaborate;
 pub mod emit;
 pub mod expr;
+pub mod formula;
 pub mod functions;
-pub mod mechanics;
+pub mod model;
 pub mod number;
 pub mod pipeline;
 pub mod program;

@@ -3,14 +3,17 @@
 use std::fs;
 use std::path::Path;
 
-use lagrange_core::mechanics::{Road, RoadChoice};
+use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 use serde_json::Value;
 
 const NAMES: [&str; 4] = ["andrews_squeezer", "chaplygin_sleigh", "cylinder_on_slope", "ladder_on_wall"];
-const CHOICES: [RoadChoice; 3] =
-    [RoadChoice::Always(Road::Dense), RoadChoice::Always(Road::Recursive), RoadChoice::Cheapest];
+const CHOICES: [StrategyChoice; 3] = [
+    StrategyChoice::Always(Strategy::MassMatrix),
+    StrategyChoice::Always(Strategy::ArticulatedBody),
+    StrategyChoice::Cheapest,
+];
 
 fn numbers(value: &Value) -> Vec<f64> {
     match value {
@@ -96,7 +99,7 @@ fn windows(n: usize) -> String {
 
 fn operations(text: &str) -> usize {
     let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
-    let derived = system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
+    let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
     let roots = [&derived.equations.accelerations[..], &derived.equations.constraints.multipliers].concat();
     let program = lower(&derived.model.graph, &roots, &Labels::default());
     OperationCounts::of(&optimise(&program, derived.model.accuracy)).total()

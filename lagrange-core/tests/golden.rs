@@ -6,8 +6,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use lagrange_core::emit::text;
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::{Strategy, StrategyChoice};
+use lagrange_core::formula::text;
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, listing, lower, optimise};
 use quote::quote;
@@ -35,7 +35,7 @@ fn every_stage_says_what_was_reviewed() {
 fn stages(directory: &Path) -> [(PathBuf, String); 3] {
     let declaration = fs::read_to_string(directory.join("declaration.lag")).expect("a declaration");
     let system = parse(&declaration).unwrap_or_else(|report| panic!("{}: {report:?}", directory.display()));
-    let derived = system.derive(RoadChoice::Cheapest).expect("a regular mass matrix");
+    let derived = system.derive(StrategyChoice::Cheapest).expect("a regular mass matrix");
     [
         (directory.join("equations.txt"), equations(&derived)),
         (directory.join("program.txt"), program(&derived)),
@@ -57,9 +57,10 @@ fn equations(derived: &Derived) -> String {
     writeln!(out, "\n{:?}", structure.mass).expect("a string");
     writeln!(out, "cyclic: {:?}", structure.cyclic).expect("a string");
     writeln!(out, "conserved: {:?}", structure.conserved).expect("a string");
-    let [dense, recursive, squares] = equations.costs;
-    let costs = format!("dense {dense:?}, recursive {recursive:?}, squares {squares:?}");
-    writeln!(out, "road: {:?} ({costs})", equations.road).expect("a string");
+    let costs =
+        Strategy::ALL.iter().zip(equations.costs).map(|(strategy, cost)| format!("{strategy:?} {cost:?}"));
+    let costs = costs.collect::<Vec<_>>().join(", ");
+    writeln!(out, "strategy: {:?} ({costs})", equations.strategy).expect("a string");
     out
 }
 

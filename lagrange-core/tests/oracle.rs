@@ -6,20 +6,21 @@ mod reference;
 
 use std::path::Path;
 
+use lagrange_core::derive::{Strategy, StrategyChoice, Sums};
 use lagrange_core::expr::ExprId;
-use lagrange_core::mechanics::{Product, Road, RoadChoice, Sums};
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 
 use reference::{Reference, Subject, names};
 
-const CHOICES: [RoadChoice; 6] = [
-    RoadChoice::Always(Road::Dense),
-    RoadChoice::Always(Road::Recursive),
-    RoadChoice::Always(Road::Squares),
-    RoadChoice::Squares(Sums::Collected),
-    RoadChoice::Squares(Sums::Contracted),
-    RoadChoice::Cheapest,
+const CHOICES: [StrategyChoice; 6] = [
+    StrategyChoice::Always(Strategy::MassMatrix),
+    StrategyChoice::Always(Strategy::ArticulatedBody),
+    StrategyChoice::Always(Strategy::SumOfSquares),
+    StrategyChoice::SumOfSquares(Sums::Collected),
+    StrategyChoice::SumOfSquares(Sums::Contracted),
+    StrategyChoice::Cheapest,
 ];
 
 #[test]
@@ -77,7 +78,7 @@ fn momenta_change_at_their_rates() {
     let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));
     for name in names(directory) {
         let reference = Reference::read(directory, &name);
-        let system = numeric(&reference, RoadChoice::Cheapest);
+        let system = numeric(&reference, StrategyChoice::Cheapest);
         for state in reference.states() {
             let product = |product, q: &[f64], v: &[f64], t| {
                 system.product(product, t, q, v).unwrap_or_else(|| panic!("{name} has {product:?}"))
@@ -109,7 +110,7 @@ fn jacobians_cost_less_than_differences() {
     let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));
     for name in names(directory) {
         let text = format!("{} emit {{ jacobian }}", Reference::read(directory, &name).declaration);
-        let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+        let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
         let derived = derived.unwrap_or_else(|report| panic!("{report}"));
         let (model, equations) = (&derived.model, &derived.equations);
         let operations = |roots: &[ExprId]| {
@@ -124,13 +125,14 @@ fn jacobians_cost_less_than_differences() {
     }
 }
 
-fn numeric(reference: &Reference, choice: RoadChoice) -> NumericSystem {
+fn numeric(reference: &Reference, choice: StrategyChoice) -> NumericSystem {
     let text = format!("{} emit {{ momentum_rates }}", reference.declaration);
     let derived = parse(&text).and_then(|system| system.derive(choice));
     let derived = derived.unwrap_or_else(|report| panic!("{report}"));
-    if let RoadChoice::Always(road) = choice {
-        let is_without_squares = road == Road::Squares && derived.equations.road == Road::Dense;
-        assert!(derived.equations.road == road || is_without_squares);
+    if let StrategyChoice::Always(strategy) = choice {
+        let is_without_squares =
+            strategy == Strategy::SumOfSquares && derived.equations.strategy == Strategy::MassMatrix;
+        assert!(derived.equations.strategy == strategy || is_without_squares);
     }
     let mut system = NumericSystem::new(&derived);
     for (name, value) in reference.settings() {

@@ -11,7 +11,7 @@
 //! (the sine at r = π/4, where six roundings of terms near 0.08 meet a unit of 2⁻⁵³), 0.04 of the polynomial and
 //! 0.01 of the reduction. The polynomials are added up so that few operations wait for each other.
 
-use crate::multiply_add;
+use crate::fused::multiply_add;
 use crate::reduction::{Reduced, reduce};
 
 /// p: minimax for the relative error of sin r on [0, π/4], 2^−57.9.

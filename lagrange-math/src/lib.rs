@@ -16,16 +16,7 @@ extern crate std;
 
 mod angle;
 mod batch;
+mod fused;
 mod reduction;
 
 pub use batch::{LARGEST_ANGLE, sin_cos_each, sin_cos_each_f32};
-
-/// `a * b + c`, rounded once where that is one instruction and twice elsewhere.
-#[inline(always)]
-fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
-    #[cfg(all(feature = "std", target_feature = "fma"))]
-    let value = a.mul_add(b, c);
-    #[cfg(not(all(feature = "std", target_feature = "fma")))]
-    let value = a * b + c;
-    value
-}

@@ -10,7 +10,7 @@
 
 use core::f64::consts::FRAC_2_PI;
 
-use crate::multiply_add;
+use crate::fused::multiply_add;
 
 /// π/2 = 2^−130.5 + the sum of these.
 const HALF_PI: [f64; 3] = [

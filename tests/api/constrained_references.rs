@@ -39,7 +39,7 @@ fn numbers(value: &Value) -> Vec<f64> {
 }
 
 fn compare(name: &str, evaluate: impl Fn(f64, &[f64], &[f64]) -> (Vec<f64>, Vec<f64>)) {
-    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/constrained"));
+    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/constrained"));
     let values = fs::read_to_string(directory.join(name).with_extension("json")).expect("a reference");
     let values: Value = serde_json::from_str(&values).expect("valid JSON");
     for state in values["states"].as_array().expect("states") {

@@ -46,7 +46,7 @@ fn numbers<const N: usize>(state: &Value, key: &str) -> [f64; N] {
 
 #[test]
 fn bodies_and_pins_make_the_squeezer() {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/constrained/andrews_squeezer.json");
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("constrained/andrews_squeezer.json");
     let reference = fs::read_to_string(file).expect("the reference is in place");
     let reference: Value = serde_json::from_str(&reference).expect("valid JSON");
     let states = reference["states"].as_array().expect("states");

@@ -1,6 +1,6 @@
 //! Long motions, whose many steps only optimised code takes in reasonable time.
 //!
-//! `cargo test --release --test trajectories` runs them; without optimisation there is nothing here.
+//! `cargo test -p lagrange-tests --release --test trajectories` runs them; without optimisation there is nothing here.
 #![cfg(not(debug_assertions))]
 
 mod adaptive;

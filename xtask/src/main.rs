@@ -80,9 +80,15 @@ fn steps() -> Vec<Step> {
         // The same random cases every time; `cargo test` by itself draws new ones.
         // Among them every example, which asserts its own reference values.
         Step::new("tests and doctests", "test --workspace --all-features").with("PROPTEST_RNG_SEED", "20"),
-        Step::new("messages about missing features", "test --package lagrange --test ui missing_features"),
-        Step::new("lints of long motions", "clippy --release --test trajectories -- -D warnings"),
-        Step::new("long motions", "test --release --test trajectories"),
+        Step::new(
+            "messages about missing features",
+            "test --package lagrange-tests --test ui missing_features",
+        ),
+        Step::new(
+            "lints of long motions",
+            "clippy --release --package lagrange-tests --test trajectories -- -D warnings",
+        ),
+        Step::new("long motions", "test --release --package lagrange-tests --test trajectories"),
         Step::new("documentation", "doc --workspace --no-deps --all-features")
             .with("RUSTDOCFLAGS", "-D warnings"),
         Step::new("no_std", "build --package lagrange --no-default-features"),

@@ -3,222 +3,247 @@
 //! A constraint is written so that its gradient is the direction in which its force acts on what is named first: the force is
 //! λ times the direction.
 
+use super::expressions::{is_at_rest, mention, plane_point};
+use super::lines::{carrier, track};
 use super::messages;
-use super::names::{Body, Joint, Line, Object};
+use super::object::{Body, Joint, Line, Object};
+use super::plain::{Drawn, DrawnKind, JointForm, LoadOrigin};
 use super::terms::Pair;
 use super::translation::Translation;
-use super::{Cause, Drawn, DrawnKind, JointForm};
-use crate::syntax::ast;
-use crate::syntax::ast::{AstId, JointKind, Name, StatementKind};
+use crate::syntax::ast::{self, AstId, JointKind, Name, StatementKind};
 
-impl Translation<'_> {
-    pub(super) fn joint(&mut self, statement: &ast::Joint) {
-        let joint = match &statement.kind {
-            JointKind::Pin { first, second } => self.pin(statement, *first, *second),
-            JointKind::Slide { point, line } => self.slide(statement, *point, line),
-            JointKind::Roll { body, line, radius } => self.roll(statement, body, line, *radius),
-        };
-        if let Some(name) = &statement.name {
-            let joint = joint.unwrap_or_else(|| {
-                let invalid = self.terms().invalid();
-                Joint { force: invalid, parts: vec![("normal", invalid), ("friction", invalid)] }
-            });
-            self.names.declare(&name.text, Object::Joint(joint));
-        }
+pub(super) fn translate_joint(translation: &mut Translation<'_>, statement: &ast::Joint) {
+    let joint = match &statement.kind {
+        JointKind::Pin { first, second } => hold_pin(translation, statement, *first, *second),
+        JointKind::Slide { point, line } => hold_slide(translation, statement, *point, line),
+        JointKind::Roll { body, line, radius } => hold_roll(translation, statement, body, line, *radius),
+    };
+    if let Some(name) = &statement.name {
+        let joint = joint.unwrap_or_else(|| {
+            let invalid = translation.terms().invalid();
+            Joint { force: invalid, parts: vec![("normal", invalid), ("friction", invalid)] }
+        });
+        translation.names.declare(&name.text, Object::Joint(joint));
     }
+}
 
-    /// Its own name, or one that is made for it.
-    fn joint_name(&mut self, statement: &ast::Joint, kind: &str) -> String {
-        match &statement.name {
-            Some(name) => name.text.clone(),
-            None => self.names.of_nameless(kind),
-        }
+/// Its own name, or one that is made for it.
+fn joint_name(translation: &mut Translation<'_>, statement: &ast::Joint, kind: &str) -> String {
+    match &statement.name {
+        Some(name) => name.text.clone(),
+        None => translation.names.of_nameless(kind),
     }
+}
 
-    fn pin(&mut self, statement: &ast::Joint, first: AstId, second: AstId) -> Option<Joint> {
-        let bodies = [first, second].map(|point| self.body_of(point));
-        let name = self.joint_name(statement, "pin");
-        let points = [first, second].map(|point| self.plane_point(point, messages::PINNED_POINT));
-        self.mentioned.extend(points);
-        if let [Some(body), Some(other)] = bodies
-            && body == other
-        {
-            let name = self.bodies[body].name.text.clone();
-            let error = self.report.error(self.expressions.origin(second), messages::pinned_to_itself(&name));
-            error.help(messages::PINNED_TO_ITSELF_HELP);
-            return None;
-        }
-        let mut terms = self.terms();
-        let (p, q) = (terms.pair(points[0]), terms.pair(points[1]));
-        let gap = terms.minus_pair(p, q);
-        let names =
-            [("x", gap[0]), ("y", gap[1])].map(|(axis, gap)| self.hold(&format!("{name}_{axis}"), gap));
-        let mut terms = self.terms();
-        let force = names.each_ref().map(|name| terms.name(&name.text));
-        let force = terms.tuple(force);
-        let is_anchored = [first, second].into_iter().any(|point| self.is_at_rest(point));
-        let form = if is_anchored { JointForm::Anchor } else { JointForm::Pin };
-        self.draw_joint(&name, form, points[0]);
-        let needs = names.each_ref().map(|name| name.text.as_str());
-        self.draw_forces(&name, &needs, &[(bodies[0], points[0]), (bodies[1], points[1])], force);
-        Some(Joint { force, parts: Vec::new() })
-    }
-
-    fn slide(&mut self, statement: &ast::Joint, point: AstId, line: &Name) -> Option<Joint> {
-        let body = self.body_of(point);
-        let name = self.joint_name(statement, "slide");
-        let at = self.plane_point(point, messages::SLIDING_POINT);
-        self.mentioned.push(at);
-        let Line { body: carrier, through, angle } = self.track_of(body, line)?;
-        let mut terms = self.terms();
-        let [_, normal] = terms.axes(angle);
-        let place = terms.pair(at);
-        let gap = terms.projection(normal, place, through);
-        let pressure = self.hold(&format!("{name}_normal"), gap);
-        let mut terms = self.terms();
-        let multiplier = terms.name(&pressure.text);
-        let force = terms.scale(multiplier, normal);
-        let force = terms.tuple(force);
-        self.draw_joint(&name, JointForm::Slide, at);
-        self.draw_forces(&name, &[&pressure.text], &[(body, at), (carrier, at)], force);
-        Some(Joint { force, parts: vec![("normal", multiplier)] })
-    }
-
-    fn roll(
-        &mut self,
-        statement: &ast::Joint,
-        wheel: &Name,
-        line: &Name,
-        radius: Option<AstId>,
-    ) -> Option<Joint> {
-        let name = self.joint_name(statement, "roll");
-        let (wheel, line, radius) = self.rolling_pair(wheel, line, radius)?;
-        let Line { body: carrier, through, angle } = line;
-        let Body { origin: hub, .. } = self.bodies[wheel].clone();
-        let mut terms = self.terms();
-        let [tangent, normal] = terms.axes(angle);
-        let distance = terms.projection(normal, hub, through);
-        let gap = terms.minus(distance, radius);
-        let foot = terms.scale(radius, normal);
-        let contact = terms.minus_pair(hub, foot);
-        let slip = self.slip(wheel, carrier, [tangent, normal], radius);
-        let pressure = self.hold(&format!("{name}_normal"), gap);
-        let friction = self.hold(&format!("{name}_friction"), slip);
-        Some(self.rolling(&name, [&pressure, &friction], [normal, tangent], contact, [Some(wheel), carrier]))
-    }
-
-    /// A round body and the line on which it rolls.
-    fn rolling_pair(
-        &mut self,
-        wheel: &Name,
-        line: &Name,
-        radius: Option<AstId>,
-    ) -> Option<(usize, Line, AstId)> {
-        let radius = radius.map(|radius| self.mention(radius));
-        let span = wheel.span;
-        let wheel = self.carrier(wheel);
-        let track = self.track_of(wheel, line)?;
-        let wheel = wheel?;
-        let Body { name, angle, .. } = self.bodies[wheel].clone();
-        if self.terms().is_zero(angle) {
-            let message = messages::does_not_turn(&format!("`{}`", name.text), messages::TURNED_BY_ROLLING);
-            self.report.error(span, message).help(messages::DOES_NOT_TURN_HELP);
-            return None;
-        }
-        let Some(radius) = radius.or(self.bodies[wheel].radius) else {
-            let name = &self.bodies[wheel].name.text;
-            let error = self.report.error(self.origin, messages::no_radius(name));
-            error.help(messages::no_radius_help(name));
-            return None;
-        };
-        Some((wheel, track, radius))
-    }
-
-    /// The line of a name, unless the body that is to stay on it carries it.
-    fn track_of(&mut self, body: Option<usize>, line: &Name) -> Option<Line> {
-        let track = self.track(line)?;
-        let track = self.lines[track].clone();
-        let own = body.filter(|_| track.body == body);
-        let Some(own) = own else { return Some(track) };
-        let error = self.report.error(line.span, messages::slides_on_itself(&self.bodies[own].name.text));
+fn hold_pin(
+    translation: &mut Translation<'_>,
+    statement: &ast::Joint,
+    first: AstId,
+    second: AstId,
+) -> Option<Joint> {
+    let bodies = [first, second].map(|point| translation.body_of(point));
+    let name = joint_name(translation, statement, "pin");
+    let points = [first, second].map(|point| plane_point(translation, point, messages::PINNED_POINT));
+    translation.mentioned.extend(points);
+    if let [Some(body), Some(other)] = bodies
+        && body == other
+    {
+        let name = translation.bodies[body].name.text.clone();
+        let error = translation
+            .report
+            .error(translation.expressions.origin(second), messages::pinned_to_itself(&name));
         error.help(messages::PINNED_TO_ITSELF_HELP);
-        None
+        return None;
     }
+    let mut terms = translation.terms();
+    let (p, q) = (terms.pair(points[0]), terms.pair(points[1]));
+    let gap = terms.minus_pair(p, q);
+    let names = [("x", gap[0]), ("y", gap[1])]
+        .map(|(axis, gap)| add_constraint(translation, &format!("{name}_{axis}"), gap));
+    let mut terms = translation.terms();
+    let force = names.each_ref().map(|name| terms.name(&name.text));
+    let force = terms.tuple(force);
+    let is_anchored = [first, second].into_iter().any(|point| is_at_rest(translation, point));
+    let form = if is_anchored { JointForm::Anchor } else { JointForm::Pin };
+    draw_joint(translation, &name, form, points[0]);
+    let needs = names.each_ref().map(|name| name.text.as_str());
+    draw_forces(translation, &name, &needs, &[(bodies[0], points[0]), (bodies[1], points[1])], force);
+    Some(Joint { force, parts: Vec::new() })
+}
 
-    /// The velocity at which a wheel slips on a line, which a body may carry. The point of that body below the hub is at the
-    /// distance n·(hub − origin) − r across the line, which is all that its turning needs.
-    fn slip(
-        &mut self,
-        wheel: usize,
-        carrier: Option<usize>,
-        [tangent, normal]: [Pair; 2],
-        radius: AstId,
-    ) -> AstId {
-        let Body { origin: hub, angle, .. } = self.bodies[wheel].clone();
-        let mut terms = self.terms();
-        let velocity = terms.rate_pair(hub);
-        let along = terms.inner(tangent, velocity);
-        let rate = terms.rate(angle);
-        let turning = terms.times(radius, rate);
-        let slip = terms.plus(along, turning);
-        let Some(carrier) = carrier else { return slip };
-        let Body { origin, angle, .. } = self.bodies[carrier].clone();
-        let mut terms = self.terms();
-        let (velocity, rate) = (terms.rate_pair(origin), terms.rate(angle));
-        let along = terms.inner(tangent, velocity);
-        let slip = terms.minus(slip, along);
-        let arm = terms.minus_pair(hub, origin);
-        let distance = terms.inner(normal, arm);
-        let across = terms.minus(distance, radius);
-        let turning = terms.times(rate, across);
-        terms.plus(slip, turning)
+fn hold_slide(
+    translation: &mut Translation<'_>,
+    statement: &ast::Joint,
+    point: AstId,
+    line: &Name,
+) -> Option<Joint> {
+    let body = translation.body_of(point);
+    let name = joint_name(translation, statement, "slide");
+    let at = plane_point(translation, point, messages::SLIDING_POINT);
+    translation.mentioned.push(at);
+    let Line { body: carrier, through, angle } = track_of(translation, body, line)?;
+    let mut terms = translation.terms();
+    let [_, normal] = terms.axes(angle);
+    let place = terms.pair(at);
+    let gap = terms.projection(normal, place, through);
+    let pressure = add_constraint(translation, &format!("{name}_normal"), gap);
+    let mut terms = translation.terms();
+    let multiplier = terms.name(&pressure.text);
+    let force = terms.scale(multiplier, normal);
+    let force = terms.tuple(force);
+    draw_joint(translation, &name, JointForm::Slide, at);
+    draw_forces(translation, &name, &[&pressure.text], &[(body, at), (carrier, at)], force);
+    Some(Joint { force, parts: vec![("normal", multiplier)] })
+}
+
+fn hold_roll(
+    translation: &mut Translation<'_>,
+    statement: &ast::Joint,
+    wheel: &Name,
+    line: &Name,
+    radius: Option<AstId>,
+) -> Option<Joint> {
+    let name = joint_name(translation, statement, "roll");
+    let (wheel, line, radius) = rolling_pair(translation, wheel, line, radius)?;
+    let Line { body: carrier, through, angle } = line;
+    let Body { origin: hub, .. } = translation.bodies[wheel].clone();
+    let mut terms = translation.terms();
+    let [tangent, normal] = terms.axes(angle);
+    let distance = terms.projection(normal, hub, through);
+    let gap = terms.minus(distance, radius);
+    let foot = terms.scale(radius, normal);
+    let contact = terms.minus_pair(hub, foot);
+    let slip = slip_of(translation, wheel, carrier, [tangent, normal], radius);
+    let pressure = add_constraint(translation, &format!("{name}_normal"), gap);
+    let friction = add_constraint(translation, &format!("{name}_friction"), slip);
+    Some(rolling_constraint(
+        translation,
+        &name,
+        [&pressure, &friction],
+        [normal, tangent],
+        contact,
+        [Some(wheel), carrier],
+    ))
+}
+
+/// A round body and the line on which it rolls.
+fn rolling_pair(
+    translation: &mut Translation<'_>,
+    wheel: &Name,
+    line: &Name,
+    radius: Option<AstId>,
+) -> Option<(usize, Line, AstId)> {
+    let radius = radius.map(|radius| mention(translation, radius));
+    let span = wheel.span;
+    let wheel = carrier(translation, wheel);
+    let track = track_of(translation, wheel, line)?;
+    let wheel = wheel?;
+    let Body { name, angle, .. } = translation.bodies[wheel].clone();
+    if translation.terms().is_zero(angle) {
+        let message = messages::does_not_turn(&format!("`{}`", name.text), messages::TURNED_BY_ROLLING);
+        translation.report.error(span, message).help(messages::DOES_NOT_TURN_HELP);
+        return None;
     }
+    let Some(radius) = radius.or(translation.bodies[wheel].radius) else {
+        let name = &translation.bodies[wheel].name.text;
+        let error = translation.report.error(translation.origin, messages::no_radius(name));
+        error.help(messages::no_radius_help(name));
+        return None;
+    };
+    Some((wheel, track, radius))
+}
 
-    fn rolling(
-        &mut self,
-        name: &str,
-        multipliers: [&Name; 2],
-        directions: [Pair; 2],
-        contact: Pair,
-        bodies: [Option<usize>; 2],
-    ) -> Joint {
-        let mut terms = self.terms();
-        let at = terms.tuple(contact);
-        let symbols = multipliers.map(|name| terms.name(&name.text));
-        let forces = [0, 1].map(|index| terms.scale(symbols[index], directions[index]));
-        let force = terms.plus_pair(forces[0], forces[1]);
-        let force = terms.tuple(force);
-        let forces = forces.map(|force| terms.tuple(force));
-        self.draw_joint(name, JointForm::Roll, at);
-        for ((multiplier, force), part) in multipliers.into_iter().zip(forces).zip(["normal", "friction"]) {
-            let shares = bodies.map(|body| (body, at));
-            self.draw_forces(&format!("{name}.{part}"), &[&multiplier.text], &shares, force);
-        }
-        Joint { force, parts: vec![("normal", symbols[0]), ("friction", symbols[1])] }
+/// The line of a name, unless the body that is to stay on it carries it.
+fn track_of(translation: &mut Translation<'_>, body: Option<usize>, line: &Name) -> Option<Line> {
+    let track = track(translation, line)?;
+    let track = translation.lines[track].clone();
+    let own = body.filter(|_| track.body == body);
+    let Some(own) = own else { return Some(track) };
+    let error =
+        translation.report.error(line.span, messages::slides_on_itself(&translation.bodies[own].name.text));
+    error.help(messages::PINNED_TO_ITSELF_HELP);
+    None
+}
+
+/// The velocity at which a wheel slips on a line, which a body may carry. The point of that body below the hub is at the
+/// distance n·(hub − origin) − r across the line, which is all that its turning needs.
+fn slip_of(
+    translation: &mut Translation<'_>,
+    wheel: usize,
+    carrier: Option<usize>,
+    [tangent, normal]: [Pair; 2],
+    radius: AstId,
+) -> AstId {
+    let Body { origin: hub, angle, .. } = translation.bodies[wheel].clone();
+    let mut terms = translation.terms();
+    let velocity = terms.rate_pair(hub);
+    let along = terms.inner(tangent, velocity);
+    let rate = terms.rate(angle);
+    let turning = terms.times(radius, rate);
+    let slip = terms.plus(along, turning);
+    let Some(carrier) = carrier else { return slip };
+    let Body { origin, angle, .. } = translation.bodies[carrier].clone();
+    let mut terms = translation.terms();
+    let (velocity, rate) = (terms.rate_pair(origin), terms.rate(angle));
+    let along = terms.inner(tangent, velocity);
+    let slip = terms.minus(slip, along);
+    let arm = terms.minus_pair(hub, origin);
+    let distance = terms.inner(normal, arm);
+    let across = terms.minus(distance, radius);
+    let turning = terms.times(rate, across);
+    terms.plus(slip, turning)
+}
+
+fn rolling_constraint(
+    translation: &mut Translation<'_>,
+    name: &str,
+    multipliers: [&Name; 2],
+    directions: [Pair; 2],
+    contact: Pair,
+    bodies: [Option<usize>; 2],
+) -> Joint {
+    let mut terms = translation.terms();
+    let at = terms.tuple(contact);
+    let symbols = multipliers.map(|name| terms.name(&name.text));
+    let forces = [0, 1].map(|index| terms.scale(symbols[index], directions[index]));
+    let force = terms.plus_pair(forces[0], forces[1]);
+    let force = terms.tuple(force);
+    let forces = forces.map(|force| terms.tuple(force));
+    draw_joint(translation, name, JointForm::Roll, at);
+    for ((multiplier, force), part) in multipliers.into_iter().zip(forces).zip(["normal", "friction"]) {
+        let shares = bodies.map(|body| (body, at));
+        draw_forces(translation, &format!("{name}.{part}"), &[&multiplier.text], &shares, force);
     }
+    Joint { force, parts: vec![("normal", symbols[0]), ("friction", symbols[1])] }
+}
 
-    /// A constraint of a joint; the name of its multiplier.
-    fn hold(&mut self, wish: &str, value: AstId) -> Name {
-        let name = self.new_name(wish);
-        self.push(StatementKind::Constraint(name.clone(), value));
-        self.joints.push(name.clone());
-        name
-    }
+/// A constraint of a joint; the name of its multiplier.
+fn add_constraint(translation: &mut Translation<'_>, wish: &str, value: AstId) -> Name {
+    let name = translation.new_name(wish);
+    translation.push(StatementKind::Constraint(name.clone(), value));
+    translation.joints.push(name.clone());
+    name
+}
 
-    fn draw_joint(&mut self, name: &str, kind: JointForm, at: AstId) {
-        let kind = DrawnKind::Joint { name: name.to_owned(), kind };
-        self.drawing.push(Drawn { kind, values: vec![at], needs: Vec::new() });
-    }
+fn draw_joint(translation: &mut Translation<'_>, name: &str, kind: JointForm, at: AstId) {
+    let kind = DrawnKind::Joint { name: name.to_owned(), kind };
+    translation.drawing.push(Drawn { kind, values: vec![at], needs: Vec::new() });
+}
 
-    /// A force on the first body at its point and the opposite one on the second.
-    fn draw_forces(&mut self, name: &str, needs: &[&str], ends: &[(Option<usize>, AstId)], force: AstId) {
-        let opposite = self.terms().negative(force);
-        for (&(body, at), force) in ends.iter().zip([force, opposite]) {
-            let Some(body) = body else { continue };
-            let body = Some(self.bodies[body].name.text.clone());
-            let kind = DrawnKind::Force { name: name.to_owned(), cause: Cause::Joint, body };
-            let needs = needs.iter().map(|&name| name.to_owned()).collect();
-            self.loads.push(Drawn { kind, values: vec![at, force], needs });
-        }
+/// A force on the first body at its point and the opposite one on the second.
+fn draw_forces(
+    translation: &mut Translation<'_>,
+    name: &str,
+    needs: &[&str],
+    ends: &[(Option<usize>, AstId)],
+    force: AstId,
+) {
+    let opposite = translation.terms().negative(force);
+    for (&(body, at), force) in ends.iter().zip([force, opposite]) {
+        let Some(body) = body else { continue };
+        let body = Some(translation.bodies[body].name.text.clone());
+        let kind = DrawnKind::Force { name: name.to_owned(), cause: LoadOrigin::Joint, body };
+        let needs = needs.iter().map(|&name| name.to_owned()).collect();
+        translation.loads.push(Drawn { kind, values: vec![at, force], needs });
     }
 }

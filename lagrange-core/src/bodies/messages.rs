@@ -1,6 +1,6 @@
 //! What is said about statements of bodies.
 
-use super::names::Object;
+use super::object::Object;
 use crate::solids::SOLIDS;
 use crate::syntax::ast::ConnectorKind;
 

@@ -1,95 +1,13 @@
-//! What the names of a scene stand for, and names of plain statements that nobody else uses.
-
-use crate::collections::{HashMap, OrderedMap};
-use crate::diagnostics::{Report, nearest};
-use crate::syntax::ast::{
-    AstId, ConnectorKind, Declaration, Expression, Name, SceneStatement, StatementKind,
-};
+//! Names of a declaration: those of the scene with their objects, and names of plain statements that nobody else uses.
 
 use super::messages;
-use super::terms::Pair;
-use crate::syntax::foreign::Owner;
-
-/// A rigid body whose statement has been read.
-#[derive(Clone, Debug)]
-pub(super) struct Body {
-    pub(super) name: Name,
-    pub(super) mass: AstId,
-    pub(super) inertia: AstId,
-    /// The centre of mass.
-    pub(super) center: AstId,
-    /// The origin of the own coordinates.
-    pub(super) origin: Pair,
-    pub(super) angle: AstId,
-    /// The radius on which it rolls, if its shape is round.
-    pub(super) radius: Option<AstId>,
-}
-
-/// A line.
-#[derive(Clone, Debug)]
-pub(super) struct Line {
-    pub(super) body: Option<usize>,
-    pub(super) through: Pair,
-    pub(super) angle: AstId,
-}
-
-/// A spring or damper.
-#[derive(Clone, Debug)]
-pub(super) struct Connector {
-    pub(super) kind: ConnectorKind,
-    /// The distance of its ends or the angle between them.
-    pub(super) length: AstId,
-    /// By which it pulls its ends together.
-    pub(super) tension: AstId,
-}
-
-/// A joint: the names that stand for its forces.
-#[derive(Clone, Debug)]
-pub(super) struct Joint {
-    /// The force on the first of what it holds.
-    pub(super) force: AstId,
-    /// Components with names of their own.
-    pub(super) parts: Vec<(&'static str, AstId)>,
-}
-
-/// What a name of a scene stands for.
-#[derive(Clone, Debug)]
-pub(super) enum Object {
-    Body(usize),
-    Line(usize),
-    Connector(Connector),
-    Joint(Joint),
-}
-
-impl Object {
-    /// What it is to those who look for parts of it under other names.
-    pub(super) fn owner(&self) -> Option<Owner> {
-        match self {
-            Object::Body(_) => Some(Owner::Body),
-            Object::Line(_) => None,
-            Object::Connector(_) => Some(Owner::Connector),
-            Object::Joint(_) => Some(Owner::Joint),
-        }
-    }
-
-    /// In the user's words, with its article.
-    pub(super) fn describe(&self) -> &'static str {
-        match self {
-            Object::Body(_) => "a body",
-            Object::Line(_) => "a line",
-            Object::Connector(connector) => match connector.kind {
-                ConnectorKind::Spring => "a spring",
-                ConnectorKind::Damper => "a damper",
-                ConnectorKind::TorsionSpring => "a torsion spring",
-                ConnectorKind::TorsionDamper => "a torsion damper",
-            },
-            Object::Joint(_) => "a joint",
-        }
-    }
-}
+use super::object::Object;
+use crate::collections::{HashMap, OrderedMap};
+use crate::diagnostics::{Report, nearest};
+use crate::syntax::ast::{Declaration, Expression, Name, SceneStatement, StatementKind};
 
 /// The names of a declaration.
-pub(super) struct Names {
+pub(super) struct SceneNames {
     /// Objects of the scene that were declared so far.
     objects: OrderedMap<String, Object>,
     /// Objects that are declared anywhere.
@@ -104,8 +22,8 @@ pub(super) struct Names {
     nameless: HashMap<String, u32>,
 }
 
-impl Names {
-    pub(super) fn new(declaration: &Declaration) -> Names {
+impl SceneNames {
+    pub(super) fn new(declaration: &Declaration) -> SceneNames {
         let mut all_objects = OrderedMap::default();
         let (mut taken, mut fixed, mut declared) =
             (HashMap::default(), HashMap::default(), HashMap::default());
@@ -140,7 +58,7 @@ impl Names {
             }
         }
         let objects = OrderedMap::default();
-        Names { objects, all_objects, fixed, declared, taken, nameless: HashMap::default() }
+        SceneNames { objects, all_objects, fixed, declared, taken, nameless: HashMap::default() }
     }
 
     pub(super) fn declare(&mut self, name: &str, object: Object) {

@@ -14,15 +14,15 @@ use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Expressio
 pub(super) type Pair = [AstId; 2];
 
 /// Writes expressions that stand for a place in the source.
-pub(super) struct Terms<'e> {
+pub(super) struct TermWriter<'e> {
     expressions: &'e mut Expressions,
     origin: Origin,
 }
 
-impl<'e> Terms<'e> {
+impl<'e> TermWriter<'e> {
     /// Everything written is blamed on `origin`.
-    pub(super) fn new(expressions: &'e mut Expressions, origin: Origin) -> Terms<'e> {
-        Terms { expressions, origin }
+    pub(super) fn new(expressions: &'e mut Expressions, origin: Origin) -> TermWriter<'e> {
+        TermWriter { expressions, origin }
     }
 
     pub(super) fn add_node(&mut self, expression: Expression) -> AstId {

@@ -1,12 +1,12 @@
 //! Scenes of bodies mean the same as the same systems written by hand.
 
+use crate::derive::StrategyChoice;
 use crate::expr::Node;
-use crate::mechanics::RoadChoice;
 use crate::pipeline::{Derived, NumericSystem, parse};
 
 fn derive(text: &str) -> Derived {
     let system = parse(text).unwrap_or_else(|report| panic!("{text}\n{report}"));
-    system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{text}\n{report}"))
+    system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{text}\n{report}"))
 }
 
 /// Accelerations and multipliers at a state that is nothing special.

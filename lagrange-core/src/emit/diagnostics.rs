@@ -3,11 +3,8 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
-use super::attributes::{NOTICE, UNUSED, conditions, expectations, of_warnings};
-use super::size::report_hopeless;
-use super::system::Refusal;
-use crate::diagnostics::{Diagnostic, Origin, Report, Severity};
-use crate::syntax::ast::{Declaration, ScalarType};
+use super::base::attributes::{NOTICE, UNUSED, conditions, expectations, of_warnings};
+use crate::diagnostics::{Diagnostic, Origin, Severity};
 
 /// `compile_error!` for errors, variables that are not used for names that are not, and something deprecated
 /// for what takes long to compile or is doubtful: a stable macro cannot report anything else. Each mistake is one error; related
@@ -90,24 +87,4 @@ fn compile_error(origin: Origin, message: &str) -> TokenStream {
     let mut arguments = Group::new(Delimiter::Brace, quote!(#message));
     arguments.set_span(origin.end);
     start.into_iter().chain([TokenTree::Group(arguments)]).collect()
-}
-
-/// Reports why a system cannot be written.
-pub fn report_refusal(declaration: &Declaration, refusal: &Refusal, report: &mut Report) {
-    match refusal {
-        Refusal::Constants(constants) => report_too_large(declaration, constants, report),
-        Refusal::Size => report_hopeless(declaration, report),
-    }
-}
-
-/// Reports constants that the scalar cannot represent and that only derivation makes: what the user wrote has been
-/// checked.
-fn report_too_large(declaration: &Declaration, constants: &[String], report: &mut Report) {
-    let (scalar, largest) = match &declaration.scalar {
-        ScalarType::F32 => ("f32", f64::from(f32::MAX)),
-        ScalarType::F64 | ScalarType::Generic(_) => ("f64", f64::MAX),
-    };
-    let message = format!("the equations hold numbers too large for `{scalar}`: {}", constants.join(", "));
-    let help = format!("`{scalar}` holds numbers up to about {largest:.1e}: choose larger units");
-    report.error(declaration.name.span, message).help(help);
 }

@@ -1,47 +1,22 @@
-//! Programs and expressions as text in other languages. No algebra happens here.
+//! The items of a system as Rust. No algebra happens here.
+//!
+//! [`system`] has every feature write its methods and makes items of them; [`skeleton`] makes the same items without equations.
+//! Features stand on a common base: the shape of the emitted type, its members and the writer of methods.
 
-mod attributes;
-mod bindings;
-mod constrained;
-mod contacts;
+mod assemble;
+mod base;
 mod diagnostics;
-mod docs;
-mod events;
-mod indefinite;
+mod features;
 mod item;
-mod jacobian;
-mod layout;
-mod messages;
-mod method;
-mod naming;
-mod numerals;
-mod ports;
-mod product;
-mod reduced;
-mod redundant;
-mod scene;
-mod shape;
-mod size;
 mod skeleton;
-mod sparse;
-mod state;
-mod switches;
-mod system;
 mod traits;
 
-pub mod graphviz;
-pub mod latex;
-pub mod rust_body;
-pub mod text;
-
-pub use attributes::of_struct;
-pub use diagnostics::{diagnostics, report_refusal};
-pub use docs::{documentation, equations_latex};
-pub use reduced::{conversions, reduced_declarations};
-pub use size::{Size, report_cost, report_hopeless_model};
+pub use assemble::system;
+pub use base::attributes::attributes_of_struct;
+pub use base::docs::{documentation, equations_latex};
+pub use base::sides::on_sides;
+pub use base::size::report_hopeless_model;
+pub use base::statements::statements;
+pub use diagnostics::diagnostics;
+pub use features::reduced::{conversions, reduced_declarations};
 pub use skeleton::skeleton;
-pub use switches::{on_sides, report_unlocated};
-pub use system::{Emitted, Refusal, system};
-
-#[cfg(test)]
-mod tests;

@@ -1,20 +1,19 @@
 //! What is emitted for a declaration with errors.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::item::{Parts, argument_names, items};
-use super::jacobian::parameter_names;
-use super::method::{ArgumentNames, Arguments, Method, Returns};
-use super::reduced::skeletons;
-use super::rust_body::Names;
-use super::scene::{motion_method, motion_name, statements_constant};
-use super::shape::{Shape, identifier, local};
-use super::system::{equations_latex, user_names};
-use crate::mechanics::Product;
-use crate::syntax::ast::{Action, Declaration};
+use super::base::members::Members;
+use super::base::method::{ArgumentNames, Arguments, Method, Returns};
+use super::base::shape::{Shape, identifier, local, motion_name};
+use super::features::constants::{equations_latex, parameter_names, statements_constant};
+use super::features::reduced::{placeholder_conversions, reduced_attributes};
+use super::features::scene::motion_method;
+use super::item::items;
+use crate::collections::HashMap;
+use crate::elaborate::METHODS_OF_REDUCED;
+use crate::model::Product;
+use crate::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
 
 /// Members that do not come from products; an output of such a name is a mistake.
 const TAKEN: [&str; 8] = [
@@ -33,12 +32,12 @@ const NOT_DERIVED: &str = "Not derived: the declaration has errors.";
 /// The items of a system that could not be derived: the same types and methods, so that the code that uses
 /// them causes no errors of its own. They are never run, since the mistakes are errors.
 pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
-    let (system, reduced) = (skeleton_of_type(declaration, krate), skeletons(declaration, krate));
+    let (system, reduced) = (skeleton_of_type(declaration, krate), skeletons_of_reduced(declaration, krate));
     quote!(#system #reduced)
 }
 
 /// The same for one type alone.
-pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
+fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let shape = Shape::new(declaration, krate);
     let n = shape.coordinates.len();
     let mut methods = vec![placeholder(local("acceleration"), Arguments::State, Returns::Vector(n))];
@@ -76,32 +75,24 @@ pub(super) fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -
             methods.push(placeholder(identifier(name), Arguments::State, returns));
         }
     }
-    let mut names = Names::new(user_names(&shape).iter().map(String::as_str));
     let is_derived = declaration.derives.iter().any(|name| name.text == "Default");
-    let names = argument_names(|wish| names.fresh(wish));
+    let names = ArgumentNames::beside(&shape.user_names());
     let hidden = skeleton_of_events(&shape);
-    let parts = Parts {
-        docs: Vec::new(),
+    let constants = [equations_latex(""), parameter_names(&shape), statements_constant("")];
+    let members = Members {
         default: (!is_derived).then(|| quote!(::core::unreachable!())),
         methods,
         constrained: skeleton_of_constraints(n, m),
-        canonical: Vec::new(),
         are_holonomic: vec![true; m],
         terms: quote!(::core::unreachable!()),
-        switch_times: None,
-        restitutions_vary: Vec::new(),
         hidden: hidden.iter().map(|method| method.of_trait(&shape, &names)).collect(),
         motions: skeleton_of_motions(&shape, &names),
         items: shape.asks_for(Product::Drawing).then(TokenStream::new),
-        constants: [equations_latex(""), parameter_names(&shape), statements_constant("")]
-            .into_iter()
-            .collect(),
-        names,
-        functions: BTreeSet::new(),
+        constants: constants.into_iter().collect(),
         is_separable: true,
-        has_rounded_constants: false,
+        ..Members::new(names)
     };
-    items(&shape, &parts)
+    items(&shape, &members)
 }
 
 fn skeleton_of_constraints(n: usize, m: usize) -> Vec<Method> {
@@ -138,4 +129,35 @@ fn skeleton_of_motions(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
     let docs = quote!(#[doc = #NOT_DERIVED]);
     Method { name, docs, arguments, returns, body: quote!(::core::unreachable!()) }
+}
+
+/// The same for the reduced types.
+fn skeletons_of_reduced(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
+    let mut taken = HashMap::default();
+    let mut is_new = |name: &str| {
+        let mut insert = |name: String| taken.insert(name, ()).is_none();
+        insert(name.to_owned())
+            & insert(format!("{name}State"))
+            & insert(format!("{name}Columns"))
+            & insert(format!("{name}Inputs"))
+    };
+    is_new(&declaration.name.text);
+    if let ScalarType::Generic(name) = &declaration.scalar {
+        is_new(&name.text);
+    }
+    let full = Shape::new(declaration, krate);
+    let types = declaration.reductions().filter(|(reduction, _)| is_new(&reduction.name.text));
+    let types = types.map(|(reduction, docs)| {
+        let mut part = declaration.reduced(reduction, reduced_attributes(declaration, docs, &[]));
+        part.statements.retain(|statement| !is_reserved(&statement.kind));
+        let conversions = placeholder_conversions(&full, &Shape::new(&part, krate));
+        let system = skeleton_of_type(&part, krate);
+        quote!(#system #conversions)
+    });
+    types.collect()
+}
+
+/// Whether it is an output with the name of a method, which is reported.
+fn is_reserved(statement: &StatementKind) -> bool {
+    matches!(statement, StatementKind::Output(name, _) if METHODS_OF_REDUCED.contains(&name.text.as_str()))
 }

@@ -3,41 +3,41 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
-use super::contacts::contact_impl;
-use super::events::event_members;
-use super::item::Parts;
-use super::method::{ArgumentNames, Arguments};
-use super::scene::scene_impl;
-use super::shape::{Shape, identifier, length, local};
-use super::switches::switched_impl;
+use super::base::members::Members;
+use super::base::method::{ArgumentNames, Arguments};
+use super::base::shape::{Shape, identifier, length, local};
+use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
+use super::features::contacts::contact_impl;
+use super::features::events::event_members;
+use super::features::scene::scene_impl;
+use super::features::switches::switched_impl;
 use crate::syntax::ast::Name;
 
 /// The implementations of all traits that the system has the methods for.
-pub(super) fn trait_impls(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
-    let (ode, mechanical) = (ode_impl(shape, parts), mechanical_impl(shape, parts));
-    let energy = has(parts, "energy").then(|| energy_impl(shape, parts));
-    let canonical = has(parts, "momentum_rates").then(|| canonical_impl(shape, parts));
-    let separable = parts.is_separable.then(|| match parts.constrained.is_empty() {
+pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let (ode, mechanical) = (ode_impl(shape, members), mechanical_impl(shape, members));
+    let energy = has(members, "energy").then(|| energy_impl(shape, members));
+    let canonical = has(members, "momentum_rates").then(|| canonical_impl(shape, members));
+    let separable = members.is_separable.then(|| match members.constrained.is_empty() {
         true => separable_impl(shape),
-        false => leapfrog_impl(shape, parts),
+        false => leapfrog_impl(shape, members),
     });
-    let constrained = constrained_impl(shape, parts);
-    let (contact, scene) = (contact_impl(shape, parts), scene_impl(shape, parts));
-    let switched = switched_impl(shape, parts);
+    let constrained = constrained_impl(shape, members);
+    let (contact, scene) = (contact_impl(shape, members), scene_impl(shape, members));
+    let switched = switched_impl(shape, members);
     quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene)
 }
 
 /// Whether there is a method of this name.
-fn has(parts: &Parts, name: &str) -> bool {
-    parts.methods.iter().any(|method| method.name == name)
+fn has(members: &Members, name: &str) -> bool {
+    members.methods.iter().any(|method| method.name == name)
 }
 
-fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, twice) = (shape.krate, length(2 * shape.coordinates.len()));
-    let ArgumentNames { time, state, .. } = &parts.names;
-    let jacobian = has(parts, "jacobian").then(|| {
+    let ArgumentNames { time, state, .. } = &members.names;
+    let jacobian = has(members, "jacobian").then(|| {
         quote! {
             #[inline]
             fn jacobian(
@@ -49,8 +49,8 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
             }
         }
     });
-    let undefined = undefined_member(shape, parts);
-    let (constrained, events) = (correct_members(shape, parts), event_members(shape, parts));
+    let undefined = undefined_member(shape, members);
+    let (constrained, events) = (correct_members(shape, members), event_members(shape, members));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -72,9 +72,9 @@ fn ode_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 const LARGEST_MASS_MATRIX: usize = 64;
 
 /// The member of `OdeSystem` that says by name what is not finite.
-fn undefined_member(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, n) = (shape.krate, shape.scalar(), shape.coordinates.len());
-    let ArgumentNames { time, state, positions, velocities, .. } = &parts.names;
+    let ArgumentNames { time, state, positions, velocities, .. } = &members.names;
     let (twice, rates) = (length(2 * n), local("rates"));
     let named = |name: &&Name| {
         let (text, field) = (&name.text, identifier(name));
@@ -84,7 +84,7 @@ fn undefined_member(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     let (inputs, parameters) = (inputs.iter().map(named), parameters.iter().map(named));
     // Under constraints a singular mass matrix may be as good as any.
     let determines = shape.constraints.is_empty() && n <= LARGEST_MASS_MATRIX;
-    let mass_matrix = parts.methods.iter().find(|method| determines && method.name == "mass_matrix");
+    let mass_matrix = members.methods.iter().find(|method| determines && method.name == "mass_matrix");
     let mass_matrix = match mass_matrix.map(|method| method.arguments) {
         Some(Arguments::Positions) => {
             quote!(|#positions, _| ::core::option::Option::Some(self.mass_matrix(#time, #positions)))
@@ -107,10 +107,10 @@ fn undefined_member(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
 }
 
 /// The members of `OdeSystem` that bring a state back onto what holds it.
-fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
-    let ArgumentNames { time, state, .. } = &parts.names;
-    let (is_held, is_touching) = (!parts.constrained.is_empty(), !shape.touching.is_empty());
+    let ArgumentNames { time, state, .. } = &members.names;
+    let (is_held, is_touching) = (!members.constrained.is_empty(), !shape.touching.is_empty());
     let is_corrected = is_touching || (is_held && !shape.is_stabilised);
     let touching = is_touching.then(|| quote!(#krate::contact::correct(self, #time, #state)?;));
     let outcome = quote!(::core::result::Result<(), #krate::system::StepFailure<#scalar>>);
@@ -146,10 +146,10 @@ fn correct_members(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     quote!(#correct #others)
 }
 
-fn mechanical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, columns, n) = (shape.krate, shape.columns_name(), length(shape.coordinates.len()));
-    let ArgumentNames { time, positions, velocities, .. } = &parts.names;
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let coordinates = shape.coordinates.iter().map(|name| &name.text);
     quote! {
         #[automatically_derived]
@@ -170,10 +170,10 @@ fn mechanical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     }
 }
 
-fn energy_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+fn energy_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));
-    let ArgumentNames { time, positions, velocities, .. } = &parts.names;
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::EnergyFunction for #name #generics {
@@ -185,15 +185,15 @@ fn energy_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
     }
 }
 
-fn canonical_impl(shape: &Shape<'_>, parts: &Parts) -> TokenStream {
+fn canonical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));
-    let ArgumentNames { time, positions, velocities, .. } = &parts.names;
-    let mut mass_matrix = parts.methods.iter().filter(|method| method.name == "mass_matrix");
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let mut mass_matrix = members.methods.iter().filter(|method| method.name == "mass_matrix");
     let arguments = mass_matrix.next().map_or(Arguments::State, |method| method.arguments);
-    let vectors = arguments.vectors(&parts.names);
+    let vectors = arguments.vectors(&members.names);
     let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
-    let constrained = canonical_constraints(shape, parts, &parameters);
+    let constrained = canonical_constraints(shape, members, &parameters);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::CanonicalSystem for #name #generics {

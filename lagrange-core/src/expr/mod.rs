@@ -12,7 +12,7 @@
 
 mod combine;
 mod facts;
-mod magnitude;
+mod weighted;
 
 use indexmap::IndexSet;
 use rustc_hash::FxBuildHasher;

@@ -1,13 +1,15 @@
 //! A derived system that can be evaluated without compiling it: for tests, tools and build scripts.
 
+use super::phases::DerivedPart;
+use super::second_way::motion;
+use super::system::Derived;
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
+use crate::derive::Equations;
 use crate::emit::on_sides;
 use crate::expr::{ExprId, Function};
 use crate::functions::row;
-use crate::mechanics::{Energies, Equations, Model, Product};
-use crate::pipeline::second_way::motion;
-use crate::pipeline::{Derived, DerivedPart};
+use crate::model::{Energies, Model, Product};
 use crate::program::{Labels, Program, lower, optimise, run};
 use crate::symbol::Role;
 

@@ -7,11 +7,11 @@ use quote::quote;
 
 use super::{Derived, NumericSystem, expand, parse};
 use crate::calculus::evaluate;
-use crate::mechanics::{Conserved, Road, RoadChoice};
+use crate::derive::{Conserved, Strategy, StrategyChoice};
 use crate::syntax::ast::Accuracy;
 
 fn derived(text: &str) -> Derived {
-    parse(text).expect("a correct declaration").derive(RoadChoice::Cheapest).expect("a regular system")
+    parse(text).expect("a correct declaration").derive(StrategyChoice::Cheapest).expect("a regular system")
 }
 
 const SPRING_PENDULUM: &str = "
@@ -123,7 +123,7 @@ fn lagrangians_of_products_of_velocities_are_solved() {
          lagrangian = 1/2*(dot(x) + dot(y) + dot(z))^2 + dot(y)*dot(z) - x*y - y*z - 2*z;",
     ];
     for text in declarations {
-        let dense = RoadChoice::Always(Road::Dense);
+        let dense = StrategyChoice::Always(Strategy::MassMatrix);
         let derived = parse(text).expect("a correct declaration").derive(dense).expect("a regular system");
         let system = NumericSystem::new(&derived);
         let n = system.degrees_of_freedom();
@@ -144,7 +144,7 @@ fn what_no_square_moves_is_refused_at_every_level() {
             kinetic = 1/2 * m * (dot(x0)^2 + dot(x1)^2);",
             level.name()
         );
-        let refused = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+        let refused = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
         let report = refused.expect_err("two squares cannot hold three velocities").to_string();
         assert!(report.contains("singular"), "{report}");
     }
@@ -159,7 +159,7 @@ fn squares_of_both_signs_are_no_obstacle_at_any_level() {
             kinetic = 1/2 * m * (dot(x) + dot(y))^2 - 1/2 * m * (dot(x) - dot(y))^2; force x = 1; force y = 3;",
             level.name()
         );
-        let derived = parse(&text).and_then(|system| system.derive(RoadChoice::Cheapest));
+        let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
         let system = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}")));
         assert_eq!(system.acceleration(0.0, &[0.1, 0.2], &[0.0; 2]), [0.75, 0.25]);
     }

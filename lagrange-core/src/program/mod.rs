@@ -10,7 +10,6 @@
 
 mod builder;
 mod count;
-mod fold;
 mod interpret;
 mod ir;
 mod labels;

@@ -67,14 +67,14 @@ fn verify_order(program: &Program) -> Result<(), Fault> {
 }
 
 fn verify_operands(program: &Program) -> Result<(), Fault> {
-    let kind_of = |id| Kind::of_result(program.op(id));
+    let kind_of = |id| ValueKind::of_result(program.op(id));
     for (id, op) in program.values() {
         if let Op::Call(function, arguments) = op
             && arguments.len() != row(*function).arity
         {
             return Err(Fault::Arity(id));
         }
-        let wanted = Kind::of_operands(op);
+        let wanted = ValueKind::of_operands(op);
         let mut right = true;
         op.for_each_operand(|operand| right &= kind_of(operand) == wanted);
         if !right {
@@ -87,7 +87,7 @@ fn verify_operands(program: &Program) -> Result<(), Fault> {
             return Err(Fault::Place(id));
         }
     }
-    match program.outputs().iter().find(|output| kind_of(**output) != Kind::Number) {
+    match program.outputs().iter().find(|output| kind_of(**output) != ValueKind::Number) {
         Some(&output) => Err(Fault::Pair(output)),
         None => Ok(()),
     }
@@ -95,26 +95,26 @@ fn verify_operands(program: &Program) -> Result<(), Fault> {
 
 /// What a value is.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum ValueKind {
     Number,
     Pair,
     Batch,
 }
 
-impl Kind {
-    fn of_result(op: &Op) -> Kind {
+impl ValueKind {
+    fn of_result(op: &Op) -> ValueKind {
         match op {
-            Op::SinCos(_) => Kind::Pair,
-            Op::SinCosEach(_) => Kind::Batch,
-            _ => Kind::Number,
+            Op::SinCos(_) => ValueKind::Pair,
+            Op::SinCosEach(_) => ValueKind::Batch,
+            _ => ValueKind::Number,
         }
     }
 
-    fn of_operands(op: &Op) -> Kind {
+    fn of_operands(op: &Op) -> ValueKind {
         match op {
-            Op::SinOf(_) | Op::CosOf(_) => Kind::Pair,
-            Op::SinIn(..) | Op::CosIn(..) => Kind::Batch,
-            _ => Kind::Number,
+            Op::SinOf(_) | Op::CosOf(_) => ValueKind::Pair,
+            Op::SinIn(..) | Op::CosIn(..) => ValueKind::Batch,
+            _ => ValueKind::Number,
         }
     }
 }

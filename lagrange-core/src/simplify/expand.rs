@@ -6,6 +6,7 @@
 
 use std::rc::Rc;
 
+use super::effort::Effort;
 use super::group::{gather_waves, group};
 use super::monomial::Term;
 use super::pairs::join;
@@ -21,8 +22,6 @@ use crate::number::Number;
 
 /// Higher powers of sums are left as powers.
 const HIGHEST_POWER: i32 = 8;
-/// How many monomials may be made on the way for each one allowed in a result.
-const EFFORT_PER_MONOMIAL: usize = 50;
 
 /// What the result is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -38,8 +37,7 @@ pub(super) enum Purpose {
 /// Polynomials of expressions, each found once.
 pub(super) struct Expander {
     purpose: Purpose,
-    budget: usize,
-    effort: usize,
+    effort: Effort,
     expanded: HashMap<ExprId, Rc<Polynomial>>,
     readable: HashMap<ExprId, ExprId>,
     sizes: Sizes,
@@ -49,8 +47,7 @@ impl Expander {
     pub(super) fn new(purpose: Purpose, budget: usize) -> Expander {
         Expander {
             purpose,
-            budget,
-            effort: budget.saturating_mul(EFFORT_PER_MONOMIAL),
+            effort: Effort::new(budget),
             expanded: HashMap::default(),
             readable: HashMap::default(),
             sizes: Sizes::default(),
@@ -61,7 +58,7 @@ impl Expander {
     pub(super) fn expand_all(&mut self, graph: &mut Graph, root: ExprId) -> Option<()> {
         let mut parts = graph.reachable(&[root]);
         parts.retain(|id| !self.expanded.contains(id));
-        self.spend(parts.len())?;
+        self.effort.spend(parts.len())?;
         for id in parts {
             let polynomial = match self.expand(graph, id) {
                 Some(polynomial) => polynomial,
@@ -87,7 +84,7 @@ impl Expander {
             Purpose::Reading => Some(apply_rules(graph, &RULES, polynomial)),
             // Sums of angles would take a sine or cosine more.
             Purpose::Computing => Some(apply_rules(graph, squares(), polynomial)),
-            Purpose::Comparing => waves::reduce(self, graph, polynomial),
+            Purpose::Comparing => waves::reduce(&mut self.effort, graph, polynomial),
         }
     }
 
@@ -113,7 +110,7 @@ impl Expander {
     /// The polynomial simplified and regrouped, if the effort left allows that.
     pub(super) fn grouped(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         let polynomial = self.polynomial(graph, id);
-        self.spend(polynomial.len())?;
+        self.effort.spend(polynomial.len())?;
         let mut simplified = self.simplified(graph, &polynomial)?;
         if self.purpose == Purpose::Computing {
             simplified = gather_waves(graph, &simplified);
@@ -136,21 +133,6 @@ impl Expander {
         substitute(graph, id, &forms.into_iter().collect())
     }
 
-    /// Uses up a part of the effort; `None` when there is not enough left.
-    pub(super) fn spend(&mut self, monomials: usize) -> Option<()> {
-        self.effort = self.effort.checked_sub(monomials)?;
-        Some(())
-    }
-
-    pub(super) fn within_budget(&self, polynomial: Polynomial) -> Option<Polynomial> {
-        (polynomial.len() <= self.budget).then_some(polynomial)
-    }
-
-    pub(super) fn times(&mut self, a: &Polynomial, b: &Polynomial) -> Option<Polynomial> {
-        self.spend(a.len().saturating_mul(b.len()))?;
-        self.within_budget(a.times(b))
-    }
-
     fn expand(&mut self, graph: &mut Graph, id: ExprId) -> Option<Polynomial> {
         match graph.node(id).clone() {
             Node::Number(value) => Some(Polynomial::constant(value)),
@@ -163,7 +145,7 @@ impl Expander {
                 let mut product = Polynomial::constant(Number::ONE);
                 for (base, exponent) in &factors {
                     let power = self.expand_power(graph, *base, exponent)?;
-                    product = self.times(&product, &power)?;
+                    product = self.effort.times(&product, &power)?;
                 }
                 Some(product)
             }
@@ -171,7 +153,7 @@ impl Expander {
                 if self.purpose == Purpose::Comparing =>
             {
                 let angle = self.polynomial(graph, arguments[0]);
-                waves::expand(self, graph, function, &angle)
+                waves::expand(&mut self.effort, graph, function, &angle)
             }
             Node::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|x| self.readable(graph, *x)).collect::<Vec<_>>();
@@ -191,10 +173,10 @@ impl Expander {
         let mut sum = Polynomial::constant(constant);
         for (term, coefficient) in terms {
             let term = self.polynomial(graph, *term);
-            self.spend(term.len())?;
+            self.effort.spend(term.len())?;
             sum.add_scaled(&term, coefficient);
         }
-        self.within_budget(sum)
+        self.effort.within_budget(sum)
     }
 
     fn expand_power(&mut self, graph: &mut Graph, base: ExprId, exponent: &Number) -> Option<Polynomial> {
@@ -208,7 +190,7 @@ impl Expander {
         match integer {
             Some(integer @ 0..=HIGHEST_POWER) => {
                 let one = Polynomial::constant(Number::ONE);
-                (0..integer).try_fold(one, |power, _| self.times(&power, &polynomial))
+                (0..integer).try_fold(one, |power, _| self.effort.times(&power, &polynomial))
             }
             _ => {
                 let base = self.readable(graph, base);

@@ -5,8 +5,8 @@
 //! nesting of a formula alone, because that nesting is what keeps derived equations small; [`quotient`] cancels
 //! what the equation of a single coordinate shares with its inertia; [`multiply_out`] is for small systems, where
 //! what cancels is worth more than what is shared. [`present`] is for readers: it multiplies out within a budget
-//! and regroups. [`proves_zero`] multiplies out to decide whether nothing is left. Neither of the last two is
-//! fit for the equations that become code. [`contract`] writes sums of products of sines and cosines with fewer terms,
+//! and regroups. [`proves_zero`] multiplies out to decide whether nothing is left, [`vanishing`] for which of many values it is worth trying. None of the last
+//! three is fit for the equations that become code. [`contract`] writes sums of products of sines and cosines with fewer terms,
 //! so that little cancels; [`open`] multiplies out what it may then contract; [`content`] is what expressions have
 //! in common.
 //!
@@ -17,6 +17,7 @@ mod cancel;
 mod collect;
 mod content;
 mod contract;
+mod effort;
 mod expand;
 mod group;
 mod monomial;
@@ -25,7 +26,9 @@ mod pairs;
 mod polynomial;
 mod present;
 mod rules;
+mod sign;
 mod size;
+mod vanishing;
 mod waves;
 
 pub use angle::Angles;
@@ -35,7 +38,9 @@ pub use content::{content, safe_quotient};
 pub use contract::{contract, contract_all};
 pub use open::{count_opened, factors_to_open, is_no_difference, open};
 pub use present::{multiply_out, present, present_all, proves_zero};
-pub use rules::{Arguments, RULES, Rule};
+pub use rules::{RULES, Rule, RuleArguments};
+pub use sign::never_vanishes;
+pub use vanishing::vanishing;
 
 #[cfg(test)]
 mod tests;

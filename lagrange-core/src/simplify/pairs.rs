@@ -4,7 +4,7 @@
 //! side must look like. So the cost is proportional to the number of terms, not of pairs.
 
 use super::monomial::{Monomial, Term};
-use super::rules::{Arguments, Rule};
+use super::rules::{Rule, RuleArguments};
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
@@ -139,16 +139,16 @@ fn calls(graph: &Graph, monomial: &Monomial) -> Vec<CallFactor> {
 fn matches(
     calls: &[CallFactor],
     [f, g]: [Function; 2],
-    arguments: Arguments,
+    arguments: RuleArguments,
 ) -> Vec<(ExprId, ExprId, Monomial)> {
     let mut found = Vec::new();
     for first in calls.iter().filter(|call| call.function == f) {
         for second in calls.iter().filter(|call| call.function == g) {
             let (x, y) = (first.argument, second.argument);
             let fits = match arguments {
-                Arguments::Same => x == y && (first.id != second.id || first.exponent > 1),
+                RuleArguments::Same => x == y && (first.id != second.id || first.exponent > 1),
                 // Every rule is unchanged when x and y are exchanged with their functions.
-                Arguments::Distinct => x < y,
+                RuleArguments::Distinct => x < y,
             };
             if fits {
                 let one = Number::ONE;

@@ -9,7 +9,7 @@ use crate::number::Number;
 
 /// How the arguments of the two calls in one side of a rule must compare.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Arguments {
+pub enum RuleArguments {
     /// They are the same expression.
     Same,
     /// They are different.
@@ -34,7 +34,7 @@ pub struct Rule {
     /// Whether the second term is subtracted.
     pub subtracts: bool,
     /// How x and y compare.
-    pub arguments: Arguments,
+    pub arguments: RuleArguments,
     /// What replaces the two.
     pub result: fn(&mut Graph, ExprId, ExprId) -> ExprId,
 }
@@ -52,7 +52,7 @@ pub const RULES: [Rule; 6] = [
         left: [Function::Cos, Function::Cos],
         right: [Function::Sin, Function::Sin],
         subtracts: false,
-        arguments: Arguments::Same,
+        arguments: RuleArguments::Same,
         result: |graph, _, _| graph.number(1),
     },
     Rule {
@@ -63,7 +63,7 @@ pub const RULES: [Rule; 6] = [
         left: [Function::Cosh, Function::Cosh],
         right: [Function::Sinh, Function::Sinh],
         subtracts: true,
-        arguments: Arguments::Same,
+        arguments: RuleArguments::Same,
         result: |graph, _, _| graph.number(1),
     },
     Rule {
@@ -74,7 +74,7 @@ pub const RULES: [Rule; 6] = [
         left: [Function::Cos, Function::Cos],
         right: [Function::Sin, Function::Sin],
         subtracts: false,
-        arguments: Arguments::Distinct,
+        arguments: RuleArguments::Distinct,
         result: |graph, x, y| of_sum(graph, Function::Cos, x, y, Number::MINUS_ONE),
     },
     Rule {
@@ -85,7 +85,7 @@ pub const RULES: [Rule; 6] = [
         left: [Function::Cos, Function::Cos],
         right: [Function::Sin, Function::Sin],
         subtracts: true,
-        arguments: Arguments::Distinct,
+        arguments: RuleArguments::Distinct,
         result: |graph, x, y| of_sum(graph, Function::Cos, x, y, Number::ONE),
     },
     Rule {
@@ -96,7 +96,7 @@ pub const RULES: [Rule; 6] = [
         left: [Function::Sin, Function::Cos],
         right: [Function::Cos, Function::Sin],
         subtracts: true,
-        arguments: Arguments::Distinct,
+        arguments: RuleArguments::Distinct,
         result: |graph, x, y| of_sum(graph, Function::Sin, x, y, Number::MINUS_ONE),
     },
     Rule {
@@ -107,7 +107,7 @@ pub const RULES: [Rule; 6] = [
         left: [Function::Sin, Function::Cos],
         right: [Function::Cos, Function::Sin],
         subtracts: false,
-        arguments: Arguments::Distinct,
+        arguments: RuleArguments::Distinct,
         result: |graph, x, y| of_sum(graph, Function::Sin, x, y, Number::ONE),
     },
 ];

@@ -4,7 +4,7 @@
 //! §4.3.16–17), then sin² becomes 1 - cos² and sinh² becomes cosh² - 1. If the single angles are
 //! independent, two polynomials of that form are equal only if they are the same.
 
-use super::expand::Expander;
+use super::effort::Effort;
 use super::monomial::{Monomial, Term};
 use super::polynomial::Polynomial;
 use crate::expr::{ExprId, Function, Graph, Node};
@@ -15,20 +15,20 @@ use crate::number::Number;
 const HIGHEST_MULTIPLE: i32 = 8;
 
 /// The sine and the cosine of an angle.
-struct Wave {
+struct SineAndCosine {
     sin: Polynomial,
     cos: Polynomial,
 }
 
 /// sin or cos of an angle; `None` if that takes more than the budget.
 pub(super) fn expand(
-    expander: &mut Expander,
+    effort: &mut Effort,
     graph: &mut Graph,
     function: Function,
     angle: &Polynomial,
 ) -> Option<Polynomial> {
     let one = Number::ONE;
-    let mut total = Wave { sin: Polynomial::default(), cos: Polynomial::constant(one) };
+    let mut total = SineAndCosine { sin: Polynomial::default(), cos: Polynomial::constant(one) };
     for (monomial, coefficient) in angle.iter() {
         let multiple = coefficient.to_i32().filter(|n| (-HIGHEST_MULTIPLE..=HIGHEST_MULTIPLE).contains(n));
         let (unit, times, sign) = match multiple {
@@ -37,13 +37,13 @@ pub(super) fn expand(
         };
         let unit = wave_of(graph, monomial, unit, sign);
         for _ in 0..times {
-            total = add_angles(expander, &total, &unit)?;
+            total = add_angles(effort, &total, &unit)?;
         }
     }
     Some(if function == Function::Sin { total.sin } else { total.cos })
 }
 
-fn wave_of(graph: &mut Graph, monomial: &Monomial, coefficient: Number, sign: i32) -> Wave {
+fn wave_of(graph: &mut Graph, monomial: &Monomial, coefficient: Number, sign: i32) -> SineAndCosine {
     let core = monomial.build(graph);
     let angle = graph.scale(coefficient, core);
     let [sin, cos] = [Function::Sin, Function::Cos].map(|f| {
@@ -52,33 +52,29 @@ fn wave_of(graph: &mut Graph, monomial: &Monomial, coefficient: Number, sign: i3
     });
     let mut signed = Polynomial::default();
     signed.add_scaled(&sin, &Number::from(i64::from(sign)));
-    Wave { sin: signed, cos }
+    SineAndCosine { sin: signed, cos }
 }
 
-fn add_angles(expander: &mut Expander, a: &Wave, b: &Wave) -> Option<Wave> {
-    let mut sin = expander.times(&a.sin, &b.cos)?;
-    sin.add_scaled(&expander.times(&a.cos, &b.sin)?, &Number::ONE);
-    let mut cos = expander.times(&a.cos, &b.cos)?;
-    cos.add_scaled(&expander.times(&a.sin, &b.sin)?, &Number::MINUS_ONE);
-    Some(Wave { sin: expander.within_budget(sin)?, cos: expander.within_budget(cos)? })
+fn add_angles(effort: &mut Effort, a: &SineAndCosine, b: &SineAndCosine) -> Option<SineAndCosine> {
+    let mut sin = effort.times(&a.sin, &b.cos)?;
+    sin.add_scaled(&effort.times(&a.cos, &b.sin)?, &Number::ONE);
+    let mut cos = effort.times(&a.cos, &b.cos)?;
+    cos.add_scaled(&effort.times(&a.sin, &b.sin)?, &Number::MINUS_ONE);
+    Some(SineAndCosine { sin: effort.within_budget(sin)?, cos: effort.within_budget(cos)? })
 }
 
 /// The polynomial without powers of sines and hyperbolic sines above the first.
-pub(super) fn reduce(
-    expander: &mut Expander,
-    graph: &mut Graph,
-    polynomial: &Polynomial,
-) -> Option<Polynomial> {
+pub(super) fn reduce(effort: &mut Effort, graph: &mut Graph, polynomial: &Polynomial) -> Option<Polynomial> {
     let mut polynomial = polynomial.clone();
     loop {
         let mut reduced = Polynomial::default();
         let mut changed = false;
         for term in polynomial.terms() {
-            let replaced = reduce_term(expander, graph, &term)?;
+            let replaced = reduce_term(effort, graph, &term)?;
             changed |= replaced.is_some();
             reduced.add_scaled(&replaced.unwrap_or_else(|| Polynomial::of_terms([term])), &Number::ONE);
         }
-        polynomial = expander.within_budget(reduced)?;
+        polynomial = effort.within_budget(reduced)?;
         if !changed {
             return Some(polynomial);
         }
@@ -86,7 +82,7 @@ pub(super) fn reduce(
 }
 
 /// The term with two powers of a sine replaced, `Some(None)` if it has no such power.
-fn reduce_term(expander: &mut Expander, graph: &mut Graph, term: &Term) -> Option<Option<Polynomial>> {
+fn reduce_term(effort: &mut Effort, graph: &mut Graph, term: &Term) -> Option<Option<Polynomial>> {
     let is_square = |&(base, ref exponent): &(ExprId, Number)| {
         let partner = partner(graph, base)?;
         exponent.to_i32().filter(|&e| e > 1).map(|_| (base, partner))
@@ -97,7 +93,7 @@ fn reduce_term(expander: &mut Expander, graph: &mut Graph, term: &Term) -> Optio
     let other = apply(graph, cofunction, &[argument]);
     let sign = if cofunction == Function::Cos { Number::ONE } else { Number::MINUS_ONE };
     let rest = term.monomial.times_power(base, -2);
-    expander.spend(2)?;
+    effort.spend(2)?;
     let square = Term { coefficient: -&(&term.coefficient * &sign), monomial: rest.times_power(other, 2) };
     let one = Term { coefficient: &term.coefficient * &sign, monomial: rest };
     Some(Some(Polynomial::of_terms([one, square])))

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, TokenTree};
 
-use super::ast::{AstId, Expression};
+use super::ast::{AstId, Expression, Name};
 use super::cursor::Cursor;
 use super::foreign;
 use super::messages;
@@ -12,16 +12,16 @@ use super::parser::{Parsed, Parser, Reported};
 use crate::diagnostics::{Origin, nearest};
 
 /// The labels that something can have, and those that were read.
-pub(super) struct Labels {
+pub(super) struct BlockLabels {
     /// What is described, with its article.
     owner: &'static str,
     known: &'static [&'static str],
     given: Vec<(&'static str, Origin)>,
 }
 
-impl Labels {
-    pub(super) fn new(owner: &'static str, known: &'static [&'static str]) -> Labels {
-        Labels { owner, known, given: Vec::new() }
+impl BlockLabels {
+    pub(super) fn new(owner: &'static str, known: &'static [&'static str]) -> BlockLabels {
+        BlockLabels { owner, known, given: Vec::new() }
     }
 
     fn place(&self, label: &str) -> Option<Origin> {
@@ -30,6 +30,18 @@ impl Labels {
 }
 
 impl Parser<'_> {
+    /// The name of something that goes on with braces.
+    pub(super) fn scene_name(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
+        let name = match cursor.group(Delimiter::Brace) {
+            None => self.declared_name(cursor),
+            Some(_) => Err(self.no_name(help, cursor)),
+        };
+        if name.is_err() {
+            self.skip_braces(cursor);
+        }
+        name
+    }
+
     /// Takes the braces of a statement. If they are missing, what might be meant is skipped.
     pub(super) fn braces(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Group> {
         if let Some(group) = cursor.eat_group(Delimiter::Brace) {
@@ -101,7 +113,7 @@ impl Parser<'_> {
     }
 
     /// Reads a label with its colon. One that is misspelt counts as what it should be.
-    pub(super) fn label_of(&mut self, labels: &mut Labels, cursor: &mut Cursor) -> Parsed<&'static str> {
+    pub(super) fn label_of(&mut self, labels: &mut BlockLabels, cursor: &mut Cursor) -> Parsed<&'static str> {
         let (here, found) = (cursor.here(), cursor.peek().cloned());
         let Some(word) = cursor.eat_ident().map(|word| word.to_string()) else {
             let message = messages::expected(&scenes::label(labels.owner), found.as_ref());
@@ -122,7 +134,7 @@ impl Parser<'_> {
     }
 
     /// The label that a misspelt one stands for.
-    fn unknown_label(&mut self, word: &str, here: Origin, labels: &Labels) -> Parsed<&'static str> {
+    fn unknown_label(&mut self, word: &str, here: Origin, labels: &BlockLabels) -> Parsed<&'static str> {
         let known = || labels.known.iter().copied();
         let meant = foreign::label(word, known()).or_else(|| nearest(word, known()));
         let help = match meant {

@@ -3,7 +3,7 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{Body, Name, Part, Shape};
-use super::blocks::{Labels, at_label};
+use super::blocks::{BlockLabels, at_label};
 use super::cursor::{Cursor, group_origin};
 use super::messages;
 use super::messages::scenes;
@@ -21,7 +21,7 @@ impl Parser<'_> {
         let name = self.scene_name(scenes::BODY_HELP, cursor)?;
         let group = self.braces(scenes::BODY_HELP, cursor)?;
         let mut body = empty_body(name);
-        let mut labels = Labels::new("a body", BODY);
+        let mut labels = BlockLabels::new("a body", BODY);
         let complete = self.lines(&group, |parser, cursor| parser.body_line(&mut body, &mut labels, cursor));
         if !complete {
             self.complete_body(&mut body);
@@ -29,19 +29,7 @@ impl Parser<'_> {
         Ok(body)
     }
 
-    /// The name of something that goes on with braces.
-    pub(super) fn scene_name(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
-        let name = match cursor.group(Delimiter::Brace) {
-            None => self.declared_name(cursor),
-            Some(_) => Err(self.no_name(help, cursor)),
-        };
-        if name.is_err() {
-            self.skip_braces(cursor);
-        }
-        name
-    }
-
-    fn body_line(&mut self, body: &mut Body, labels: &mut Labels, cursor: &mut Cursor) -> Parsed<()> {
+    fn body_line(&mut self, body: &mut Body, labels: &mut BlockLabels, cursor: &mut Cursor) -> Parsed<()> {
         let label = self.label_of(labels, cursor)?;
         if label == "compound" {
             body.parts = self.compound(cursor)?;
@@ -119,7 +107,7 @@ impl Parser<'_> {
         let shape = self.shape(cursor)?;
         let origin = shape.origin;
         let mut part = Part { is_hole, shape, mass: None, at: None, angle: None, origin };
-        let mut labels = Labels::new("a part", PART);
+        let mut labels = BlockLabels::new("a part", PART);
         self.turns(cursor, |parser, cursor| {
             if !parser.comma(cursor) || cursor.at(';') || cursor.at_end() {
                 return Ok(Turn::Last);
@@ -146,7 +134,7 @@ impl Parser<'_> {
         is_missing || cursor.eat(',').is_some()
     }
 
-    fn part_item(&mut self, part: &mut Part, labels: &mut Labels, cursor: &mut Cursor) -> Parsed<()> {
+    fn part_item(&mut self, part: &mut Part, labels: &mut BlockLabels, cursor: &mut Cursor) -> Parsed<()> {
         let label = self.label_of(labels, cursor)?;
         self.colon(label, cursor)?;
         let value = Some(self.item_value(cursor));

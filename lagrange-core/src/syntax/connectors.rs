@@ -1,7 +1,7 @@
 //! Statements that declare lines, springs and dampers.
 
 use super::ast::{Connector, ConnectorKind, Line};
-use super::blocks::Labels;
+use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages::scenes;
 use super::parser::{Parsed, Parser};
@@ -16,7 +16,7 @@ impl Parser<'_> {
         let name = self.scene_name(scenes::LINE_HELP, cursor)?;
         let group = self.braces(scenes::LINE_HELP, cursor)?;
         let mut line = Line { name, on: None, through: None, angle: None };
-        let mut labels = Labels::new("a line", LINE);
+        let mut labels = BlockLabels::new("a line", LINE);
         self.lines(&group, |parser, cursor| {
             let label = parser.label_of(&mut labels, cursor)?;
             parser.colon(label, cursor)?;
@@ -41,7 +41,7 @@ impl Parser<'_> {
         let group = self.braces(help, cursor)?;
         let mut connector =
             Connector { kind, name, from: None, to: None, stiffness: None, rest: None, damping: None };
-        let mut labels = Labels::new(owner(kind), labels(kind));
+        let mut labels = BlockLabels::new(owner(kind), labels(kind));
         let complete =
             self.lines(&group, |parser, cursor| parser.connector_line(&mut connector, &mut labels, cursor));
         if !complete {
@@ -56,7 +56,7 @@ impl Parser<'_> {
     fn connector_line(
         &mut self,
         connector: &mut Connector,
-        labels: &mut Labels,
+        labels: &mut BlockLabels,
         cursor: &mut Cursor,
     ) -> Parsed<()> {
         let label = self.label_of(labels, cursor)?;

@@ -1,7 +1,7 @@
 //! Statements that declare joints.
 
 use super::ast::{AstId, Joint, JointKind, Name};
-use super::blocks::Labels;
+use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages;
 use super::messages::scenes;
@@ -49,7 +49,7 @@ impl Parser<'_> {
         if cursor.ident().is_none() {
             return Err(self.misplaced("`radius`", scenes::ROLL_HELP, cursor));
         }
-        let label = self.label_of(&mut Labels::new("rolling", &["radius"]), cursor)?;
+        let label = self.label_of(&mut BlockLabels::new("rolling", &["radius"]), cursor)?;
         self.colon(label, cursor)?;
         Ok(Some(self.value(cursor)))
     }

@@ -53,7 +53,6 @@ pub mod ast;
 mod attributes;
 mod blocks;
 mod bodies;
-mod conditionals;
 mod connectors;
 mod cursor;
 mod definitions;
@@ -68,7 +67,6 @@ mod keywords;
 mod literals;
 mod messages;
 mod names;
-mod operands;
 mod parser;
 pub mod print;
 mod recovery;
@@ -78,6 +76,7 @@ mod statements;
 mod tests;
 mod text;
 mod unexpected;
+mod values;
 
 use proc_macro2::TokenStream;
 

@@ -117,12 +117,6 @@ impl Parser<'_> {
         })
     }
 
-    /// `= e`, up to the end of the statement.
-    pub(super) fn assigned(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<AstId> {
-        self.equals(help, cursor)?;
-        Ok(self.value(cursor))
-    }
-
     /// `name = e`, where e stays zero.
     fn constraint(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let name = self.leading_name("constraint", cursor)?;
@@ -142,19 +136,6 @@ impl Parser<'_> {
             self.unreadable(cursor, start)
         });
         Ok(StatementKind::Constraint(name, value))
-    }
-
-    /// Reads the expression that ends the statement. What is unreadable is still a value, so that a name
-    /// stays declared although its value is wrong.
-    pub(super) fn value(&mut self, cursor: &mut Cursor) -> AstId {
-        let start = cursor.position();
-        match self.expression(cursor) {
-            Ok(id) if cursor.at_statement_end() => return id,
-            Ok(_) => self.no_operator(cursor, "`;`"),
-            Err(reported) => reported,
-        };
-        self.skip_statement(cursor);
-        self.unreadable(cursor, start)
     }
 
     /// `x = e` or `e at e`.
@@ -182,14 +163,6 @@ impl Parser<'_> {
             return Err(self.fail_with_help(cursor.here(), message, form(keyword)));
         }
         self.expression(cursor)
-    }
-
-    pub(super) fn connective(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
-        if cursor.eat_word(word).is_some() {
-            return Ok(());
-        }
-        let message = messages::expected(&format!("`{word}`"), cursor.peek());
-        Err(self.fail_with_help(cursor.here(), message, help))
     }
 }
 

@@ -8,7 +8,7 @@
 
 use lagrange_core::calculus::{AccelerationTerms, Rates, gradient};
 use lagrange_core::expr::ExprId;
-use lagrange_core::mechanics::Model;
+use lagrange_core::model::Model;
 use lagrange_core::number::Number;
 use lagrange_core::pipeline::parse;
 use lagrange_core::symbol::Role;

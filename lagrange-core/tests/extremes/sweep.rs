@@ -8,7 +8,7 @@
 
 use std::f64::consts::PI;
 
-use lagrange_core::mechanics::Model;
+use lagrange_core::model::Model;
 
 use crate::random::{Random, cases};
 use crate::reference::Reference;

@@ -1,4 +1,4 @@
-//! Random trees of point masses on massless links: all roads to their accelerations.
+//! Random trees of point masses on massless links: their accelerations by all strategies.
 
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -10,7 +10,7 @@ use crate::trial::{DENSE, RECURSIVE, SQUARES, Sample, Subject};
 /// Numbers of bodies, and how many trees of each number.
 const SIZES: [(usize, usize); 6] = [(1, 2), (2, 6), (5, 6), (12, 4), (30, 2), (60, 2)];
 const SEED: u64 = 60;
-/// The largest errors of the dense road and of the others, relative to the largest acceleration, both in
+/// The largest errors of the mass matrix and of the other strategies, relative to the largest acceleration, both in
 /// the scales of the mass matrix. Its condition grows with a power of the number of links, which the
 /// others do not feel.
 const BOUNDS: [f64; 2] = [1e-10, 1e-13];
@@ -81,15 +81,15 @@ fn state(n: usize, random: &mut Random) -> Sample {
 fn all_roads_through_random_trees_lead_to_the_reference() {
     let mut random = Random::new(SEED);
     let mut kinds = KINDS.into_iter().cycle();
-    println!("\nbodies, errors of the dense and the recursive road and of that by squares");
+    println!("\nbodies, errors by the mass matrix, body by body, and by squares");
     for (n, count) in SIZES {
         for (shape, angles) in kinds.by_ref().take(cases(count)) {
             let text = declaration(n, shape, angles, &mut random);
             let sample = state(n, &mut random);
             let truth = Reference::new(&text).truth(&sample).expect("a regular state");
-            let roads = [DENSE, RECURSIVE, SQUARES];
+            let ways = [DENSE, RECURSIVE, SQUARES];
             let [dense, recursive, squares] =
-                roads.map(|road| Subject::new(&text, road).errors(&sample, &truth).scaled);
+                ways.map(|way| Subject::new(&text, way).errors(&sample, &truth).scaled);
             println!("{n:3} {dense:.0e} {recursive:.0e} {squares:.0e} {shape:?}, {angles:?}");
             let is_kept = dense <= BOUNDS[0] && recursive.max(squares) <= BOUNDS[1];
             assert!(is_kept, "{dense:e}, {recursive:e} or {squares:e}: {text}{sample:?}");

@@ -1,7 +1,8 @@
 //! A declaration under test, beside its reference, at samples of its parameters and states.
 
 use lagrange_core::calculus::evaluate;
-use lagrange_core::mechanics::{Model, Product, Road, RoadChoice};
+use lagrange_core::derive::{Strategy, StrategyChoice};
+use lagrange_core::model::{Model, Product};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::symbol::Role;
 use lagrange_core::syntax::ast::Accuracy;
@@ -26,7 +27,7 @@ impl Sample {
             let default = || evaluate(&model.graph, &[Option::expect(default, "a default")], |_| f64::NAN)[0];
             set.map_or_else(default, |(_, value)| *value)
         };
-        let parameter = |of: &[lagrange_core::mechanics::Parameter], i: u32| {
+        let parameter = |of: &[lagrange_core::model::Parameter], i: u32| {
             let parameter = &of[i as usize];
             setting(&parameter.name, parameter.default)
         };
@@ -127,23 +128,23 @@ pub(crate) struct Magnification {
 pub(crate) struct Way {
     pub(crate) name: &'static str,
     pub(crate) level: Accuracy,
-    pub(crate) road: RoadChoice,
+    pub(crate) strategy: StrategyChoice,
 }
 
-/// The levels as users get them, and every road.
+/// The levels as users get them, and every strategy.
 pub(crate) const WAYS: [Way; 5] = [STANDARD, STRICT, DENSE, RECURSIVE, SQUARES];
 pub(crate) const STANDARD: Way = level("standard", Accuracy::Standard);
 pub(crate) const STRICT: Way = level("strict", Accuracy::Strict);
-pub(crate) const DENSE: Way = road("dense", Road::Dense);
-pub(crate) const RECURSIVE: Way = road("recursive", Road::Recursive);
-pub(crate) const SQUARES: Way = road("squares", Road::Squares);
+pub(crate) const DENSE: Way = strategy("dense", Strategy::MassMatrix);
+pub(crate) const RECURSIVE: Way = strategy("recursive", Strategy::ArticulatedBody);
+pub(crate) const SQUARES: Way = strategy("squares", Strategy::SumOfSquares);
 
 const fn level(name: &'static str, level: Accuracy) -> Way {
-    Way { name, level, road: RoadChoice::Cheapest }
+    Way { name, level, strategy: StrategyChoice::Cheapest }
 }
 
-const fn road(name: &'static str, road: Road) -> Way {
-    Way { name, level: Accuracy::Standard, road: RoadChoice::Always(road) }
+const fn strategy(name: &'static str, strategy: Strategy) -> Way {
+    Way { name, level: Accuracy::Standard, strategy: StrategyChoice::Always(strategy) }
 }
 
 /// What comes of a declaration.
@@ -172,7 +173,7 @@ impl Subject {
     /// A declaration without a head, along a way.
     pub(crate) fn new(declaration: &str, way: Way) -> Subject {
         let text = format!("#[accuracy({})] struct Subject; {declaration}", way.level.name());
-        let derived = parse(&text).and_then(|system| system.derive(way.road));
+        let derived = parse(&text).and_then(|system| system.derive(way.strategy));
         Subject { system: NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}"))) }
     }
 

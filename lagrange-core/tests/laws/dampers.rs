@@ -1,7 +1,8 @@
 //! Springs and dampers whose ends meet. The force of a damper has a limit there along any motion, −c ṙ; the direction of a spring
 //! with a rest length has none.
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, parse};
 use proptest::prelude::{prop_assert, proptest};
 
@@ -9,7 +10,7 @@ const DAMPING: f64 = 0.75;
 const MASS: f64 = 2.0;
 
 fn numeric(text: &str) -> NumericSystem {
-    let derived = parse(text).and_then(|parsed| parsed.derive(RoadChoice::Cheapest));
+    let derived = parse(text).and_then(|parsed| parsed.derive(StrategyChoice::Cheapest));
     NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}{text}")))
 }
 

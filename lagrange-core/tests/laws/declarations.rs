@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::LazyLock;
 use std::{env, fs};
 
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{expand, parse};
 use proc_macro2::TokenStream;
 use proptest::prelude::{Strategy, any, prop, prop_assert_eq, prop_oneof, proptest};
@@ -78,7 +78,7 @@ static DECLARATIONS: LazyLock<Vec<String>> = LazyLock::new(|| {
 
 /// What the whole pipeline makes of a text: emitted tokens, or complaints.
 fn emitted(text: &str) -> String {
-    let derived = parse(text).and_then(|system| system.derive(RoadChoice::Cheapest));
+    let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
     match derived.and_then(|derived| derived.emit(&quote!(::lagrange))) {
         Ok(tokens) => tokens.to_string(),
         Err(report) => report.to_string(),

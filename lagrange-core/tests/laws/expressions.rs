@@ -2,8 +2,8 @@
 
 use lagrange_core::calculus::{gradient, partial, substitute};
 use lagrange_core::collections::HashMap;
-use lagrange_core::emit::text::text;
 use lagrange_core::expr::{ExprId, Graph};
+use lagrange_core::formula::text::text;
 use lagrange_core::number::Number;
 use lagrange_core::pipeline::parse;
 use proptest::prelude::{Strategy, any, prop, prop_assert, prop_assert_eq, prop_assume, proptest};

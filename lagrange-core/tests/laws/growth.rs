@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use lagrange_core::mechanics::{Road, RoadChoice};
+use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 use proc_macro2::{TokenStream, TokenTree};
@@ -12,7 +12,7 @@ use quote::quote;
 use super::mechanisms::Mechanism;
 
 const CHAINS: [usize; 4] = [20, 50, 100, 200];
-/// Small random trees are flat, and cheaper by a road that large ones do not take.
+/// Small random trees are flat, and cheaper by a strategy that large ones do not take.
 const TREES: [usize; 3] = [100, 200, 400];
 /// Large enough that trees have bodies with many pins, which couple all that they hold.
 const PINNED: [usize; 2] = [48, 144];
@@ -63,12 +63,12 @@ struct Cost {
     expressions: usize,
 }
 
-fn derived(text: &str, road: RoadChoice) -> Derived {
-    parse(text).and_then(|system| system.derive(road)).unwrap_or_else(|report| panic!("{report}"))
+fn derived(text: &str, strategy: StrategyChoice) -> Derived {
+    parse(text).and_then(|system| system.derive(strategy)).unwrap_or_else(|report| panic!("{report}"))
 }
 
-fn cost(bodies: usize, text: &str, road: RoadChoice) -> Cost {
-    let Derived { model, equations, .. } = derived(text, road);
+fn cost(bodies: usize, text: &str, strategy: StrategyChoice) -> Cost {
+    let Derived { model, equations, .. } = derived(text, strategy);
     let program =
         optimise(&lower(&model.graph, &equations.accelerations, &Labels::default()), model.accuracy);
     let couplings = equations.mass_matrix.iter().flatten().filter(|&&entry| !model.graph.is_zero(entry));
@@ -91,11 +91,11 @@ fn is_linear(costs: &[Cost], cost: impl Fn(&Cost) -> usize) -> Result<(), Vec<us
 }
 
 fn assert_linear(sizes: &[usize], declaration: impl Fn(usize) -> String) {
-    assert_linear_on(RoadChoice::Cheapest, sizes, declaration);
+    assert_linear_on(StrategyChoice::Cheapest, sizes, declaration);
 }
 
-fn assert_linear_on(road: RoadChoice, sizes: &[usize], declaration: impl Fn(usize) -> String) {
-    let costs = sizes.iter().map(|&n| cost(n, &declaration(n), road)).collect::<Vec<_>>();
+fn assert_linear_on(strategy: StrategyChoice, sizes: &[usize], declaration: impl Fn(usize) -> String) {
+    let costs = sizes.iter().map(|&n| cost(n, &declaration(n), strategy)).collect::<Vec<_>>();
     assert_eq!(is_linear(&costs, |cost| cost.operations), Ok(()), "operations");
     assert_eq!(is_linear(&costs, |cost| cost.values), Ok(()), "values");
     assert_eq!(is_linear(&costs, |cost| cost.expressions), Ok(()), "expressions");
@@ -130,8 +130,8 @@ fn pinned_bodies_grow_in_proportion_on_every_road() {
     for mechanism in MECHANISMS {
         let declaration = |n| mechanism(n).declaration("standard", |i| i);
         assert_linear(&PINNED, declaration);
-        assert_linear_on(RoadChoice::Always(Road::Dense), &PINNED, declaration);
-        assert_linear_on(RoadChoice::Always(Road::Recursive), &PINNED, declaration);
+        assert_linear_on(StrategyChoice::Always(Strategy::MassMatrix), &PINNED, declaration);
+        assert_linear_on(StrategyChoice::Always(Strategy::ArticulatedBody), &PINNED, declaration);
     }
 }
 
@@ -145,8 +145,9 @@ fn pinned_bodies_may_be_declared_in_any_order() {
 #[test]
 fn strict_pinned_bodies_cost_at_most_twice_as_much() {
     for mechanism in MECHANISMS {
-        let [standard, strict] = ["standard", "strict"]
-            .map(|level| cost(48, &mechanism(48).declaration(level, |i| i), RoadChoice::Cheapest).operations);
+        let [standard, strict] = ["standard", "strict"].map(|level| {
+            cost(48, &mechanism(48).declaration(level, |i| i), StrategyChoice::Cheapest).operations
+        });
         assert!(strict <= 2 * standard, "{strict} operations beside {standard}");
     }
 }
@@ -162,7 +163,7 @@ fn count(tokens: TokenStream) -> usize {
 #[test]
 fn what_is_emitted_for_pinned_bodies_grows_in_proportion() {
     let per_body = EMITTED.map(|n| {
-        let derived = derived(&Mechanism::chain(n).declaration("standard", |i| i), RoadChoice::Cheapest);
+        let derived = derived(&Mechanism::chain(n).declaration("standard", |i| i), StrategyChoice::Cheapest);
         count(derived.emit(&quote!(lagrange)).unwrap_or_else(|report| panic!("{report}"))) / n
     });
     assert!(per_body[1] * 4 <= per_body[0] * 5, "{per_body:?} tokens");

@@ -4,7 +4,8 @@
 //! differentiated in exact rational arithmetic. `PROPTEST_CASES=2560 cargo test -p lagrange-core --release --test laws
 //! magnitudes` takes 5120 systems.
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::model::Product;
 use lagrange_core::number::Number;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use proptest::prelude::ProptestConfig;
@@ -310,7 +311,7 @@ fn even_powers_of_magnitudes_are_polynomials_at_every_state() {
 }
 
 fn derived(text: &str) -> Derived {
-    let derived = parse(text).and_then(|parsed| parsed.derive(RoadChoice::Cheapest));
+    let derived = parse(text).and_then(|parsed| parsed.derive(StrategyChoice::Cheapest));
     derived.unwrap_or_else(|report| panic!("{report}{text}"))
 }
 

@@ -3,8 +3,9 @@
 //! nothing of the derivation is used to check itself.
 
 use lagrange_core::calculus::evaluate;
+use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::expr::ExprId;
-use lagrange_core::mechanics::{Model, Product, Road, RoadChoice};
+use lagrange_core::model::{Model, Product};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::symbol::Role;
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
@@ -22,7 +23,7 @@ const ROUNDED_IN_TREES: f64 = 1e-11;
 /// A machine's model beside what was derived from it, at its state.
 struct Laboratory {
     model: Model,
-    road: Road,
+    strategy: Strategy,
     derived: NumericSystem,
     t: f64,
     q: Vec<f64>,
@@ -30,13 +31,13 @@ struct Laboratory {
 }
 
 impl Laboratory {
-    fn new(machine: &Machine, choice: RoadChoice) -> Laboratory {
+    fn new(machine: &Machine, choice: StrategyChoice) -> Laboratory {
         let system = parse(&machine.text).unwrap_or_else(|report| panic!("{report}"));
         let model = system.model.clone();
         let derived = system.derive(choice).unwrap_or_else(|report| panic!("{report}"));
         let Machine { t, q, v, .. } = machine.clone();
-        let road = derived.equations.road;
-        Laboratory { model, road, derived: NumericSystem::new(&derived), t, q, v }
+        let strategy = derived.equations.strategy;
+        Laboratory { model, strategy, derived: NumericSystem::new(&derived), t, q, v }
     }
 
     fn size(&self) -> usize {
@@ -191,7 +192,7 @@ proptest! {
 
     #[test]
     fn the_mass_matrix_is_symmetric_and_positive_definite(machine in machines()) {
-        let laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let laboratory = Laboratory::new(&machine, StrategyChoice::Cheapest);
         let (matrix, n) = (laboratory.product(Product::MassMatrix), laboratory.size());
         for i in 0..n {
             for j in 0..i {
@@ -203,25 +204,25 @@ proptest! {
 
     #[test]
     fn both_roads_lead_to_the_same_accelerations(machine in machines()) {
-        let roads = [Road::Dense, Road::Recursive].map(RoadChoice::Always);
-        let [dense, recursive] = roads.map(|road| Laboratory::new(&machine, road).acceleration());
+        let strategies = [Strategy::MassMatrix, Strategy::ArticulatedBody].map(StrategyChoice::Always);
+        let [dense, recursive] = strategies.map(|strategy| Laboratory::new(&machine, strategy).acceleration());
         prop_assert!(agree(&dense, &recursive, ROUNDED, 0.0), "{dense:?} or {recursive:?}");
     }
 
     #[test]
     fn the_strict_level_leads_to_the_same_accelerations(machine in machines()) {
-        let dense = Laboratory::new(&machine, RoadChoice::Always(Road::Dense)).acceleration();
-        let strict = Laboratory::new(&machine.strict(), RoadChoice::Cheapest).acceleration();
+        let dense = Laboratory::new(&machine, StrategyChoice::Always(Strategy::MassMatrix)).acceleration();
+        let strict = Laboratory::new(&machine.strict(), StrategyChoice::Cheapest).acceleration();
         prop_assert!(agree(&dense, &strict, ROUNDED, 0.0), "{dense:?} or {strict:?}");
     }
 
     #[test]
     fn sums_of_squares_lead_to_the_same_accelerations(tree in trees()) {
-        let dense = Laboratory::new(&tree, RoadChoice::Always(Road::Dense)).acceleration();
-        let squares = RoadChoice::Always(Road::Squares);
+        let dense = Laboratory::new(&tree, StrategyChoice::Always(Strategy::MassMatrix)).acceleration();
+        let squares = StrategyChoice::Always(Strategy::SumOfSquares);
         for machine in [tree.strict(), tree] {
             let laboratory = Laboratory::new(&machine, squares);
-            prop_assert_eq!(laboratory.road, Road::Squares);
+            prop_assert_eq!(laboratory.strategy, Strategy::SumOfSquares);
             let found = laboratory.acceleration();
             prop_assert!(agree(&dense, &found, ROUNDED_IN_TREES, 0.0), "{dense:?} or {found:?}");
         }
@@ -230,7 +231,7 @@ proptest! {
     /// dh/dt = v·Q − ∂L/∂t
     #[test]
     fn energy_changes_by_power_and_by_explicit_time(machine in machines()) {
-        let mut laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let mut laboratory = Laboratory::new(&machine, StrategyChoice::Cheapest);
         let flow = Rate { t: 1.0, q: laboratory.v.clone(), v: laboratory.acceleration() };
         let change = laboratory.slope(&flow, |laboratory| laboratory.product(Product::Energy)[0]);
         let power = dot(&laboratory.applied_forces(), &machine.v);
@@ -241,7 +242,7 @@ proptest! {
 
     #[test]
     fn inverse_dynamics_and_accelerations_undo_each_other(machine in machines()) {
-        let laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let laboratory = Laboratory::new(&machine, StrategyChoice::Cheapest);
         let (matrix, forcing) = (laboratory.product(Product::MassMatrix), laboratory.product(Product::Forcing));
         let acceleration = laboratory.acceleration();
         let scale = forcing.iter().fold(0.0_f64, |largest, f| largest.max(f.abs()));
@@ -256,7 +257,7 @@ proptest! {
 
     #[test]
     fn momenta_and_masses_are_slopes_of_the_lagrangian(machine in machines()) {
-        let mut laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let mut laboratory = Laboratory::new(&machine, StrategyChoice::Cheapest);
         let momenta = laboratory.product(Product::Momenta);
         let slopes = laboratory.velocity_slopes(Laboratory::lagrangian);
         prop_assert!(agree(&momenta, &slopes, DIFFERENCED, 0.0), "{momenta:?} for {slopes:?}");
@@ -273,7 +274,7 @@ proptest! {
     /// f = ∂L/∂q − (∂p/∂q) v − ∂p/∂t + Q
     #[test]
     fn forcing_is_that_of_euler_and_lagrange(machine in machines()) {
-        let mut laboratory = Laboratory::new(&machine, RoadChoice::Cheapest);
+        let mut laboratory = Laboratory::new(&machine, StrategyChoice::Cheapest);
         let n = laboratory.size();
         let drift = Rate { t: 1.0, q: machine.v.clone(), v: vec![0.0; n] };
         let slopes = laboratory.position_slopes(Laboratory::lagrangian);
@@ -300,7 +301,7 @@ proptest! {
     #[test]
     fn jacobians_are_slopes_of_the_accelerations(machine in machines()) {
         let differentiated = Machine { text: format!("{} emit {{ jacobian }}", machine.text), ..machine };
-        let choices = [RoadChoice::Cheapest, RoadChoice::Always(Road::Dense), RoadChoice::Always(Road::Recursive)];
+        let choices = [StrategyChoice::Cheapest, StrategyChoice::Always(Strategy::MassMatrix), StrategyChoice::Always(Strategy::ArticulatedBody)];
         for choice in choices {
             let mut laboratory = Laboratory::new(&differentiated, choice);
             let (jacobian, n) = (laboratory.product(Product::Jacobian), laboratory.size());
@@ -316,7 +317,7 @@ proptest! {
     #[test]
     fn parameter_jacobians_are_slopes_of_the_accelerations(machine in machines()) {
         let differentiated = Machine { text: format!("{} emit {{ jacobian }}", machine.text), ..machine };
-        let mut laboratory = Laboratory::new(&differentiated, RoadChoice::Cheapest);
+        let mut laboratory = Laboratory::new(&differentiated, StrategyChoice::Cheapest);
         let jacobian = laboratory.product(Product::ParameterJacobian);
         let fields = laboratory.model.parameters.iter().chain(&laboratory.model.inputs).cloned();
         let fields = fields.collect::<Vec<_>>();
@@ -351,8 +352,8 @@ fn squares_that_lose_an_unknown_somewhere_do_no_harm() {
         kinetic = kinetic_energy(1, dot(p)) + kinetic_energy(1 + sin(b)^2, dot(q)); potential = 9.81*q.y + p.z;";
     for text in [rising, swinging] {
         let machine = Machine { text: text.to_owned(), t: 0.0, q: vec![0.0; 2], v: vec![0.5, -2.0] };
-        let roads = [Road::Dense, Road::Squares].map(RoadChoice::Always);
-        let [dense, squares] = roads.map(|road| Laboratory::new(&machine, road).acceleration());
+        let strategies = [Strategy::MassMatrix, Strategy::SumOfSquares].map(StrategyChoice::Always);
+        let [dense, squares] = strategies.map(|strategy| Laboratory::new(&machine, strategy).acceleration());
         assert!(agree(&dense, &squares, ROUNDED_IN_TREES, 0.0), "{dense:?} or {squares:?}: {text}");
     }
 }

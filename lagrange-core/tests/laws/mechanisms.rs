@@ -6,7 +6,7 @@
 
 use std::fmt::Write;
 
-use lagrange_core::mechanics::{Road, RoadChoice};
+use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::pipeline::{NumericSystem, parse};
 
 const GRAVITY: f64 = 9.81;
@@ -195,9 +195,17 @@ impl Mechanism {
     }
 
     /// Asserts that interpreted accelerations agree with those by hand in some states.
-    fn assert_moves_as_by_hand(&self, what: &str, states: u64, levels: &[&str], roads: &[RoadChoice]) {
-        for (level, &road) in levels.iter().flat_map(|level| roads.iter().map(move |road| (level, road))) {
-            let derived = parse(&self.declaration(level, |i| i)).and_then(|system| system.derive(road));
+    fn assert_moves_as_by_hand(
+        &self,
+        what: &str,
+        states: u64,
+        levels: &[&str],
+        strategies: &[StrategyChoice],
+    ) {
+        for (level, &strategy) in
+            levels.iter().flat_map(|level| strategies.iter().map(move |strategy| (level, strategy)))
+        {
+            let derived = parse(&self.declaration(level, |i| i)).and_then(|system| system.derive(strategy));
             let system = NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{what}: {report}")));
             for seed in 0..states {
                 let mut numbers = Numbers(seed + 11);
@@ -210,7 +218,7 @@ impl Mechanism {
                 let error = found.iter().zip(&expected).fold(0.0_f64, |e, (a, b)| e.max((a - b).abs()));
                 assert!(
                     error <= 1e-11 * largest,
-                    "{what}, {level}, {road:?}, seed {seed}: {error} beside {largest}"
+                    "{what}, {level}, {strategy:?}, seed {seed}: {error} beside {largest}"
                 );
             }
         }
@@ -238,8 +246,11 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
 }
 
 const LEVELS: [&str; 3] = ["standard", "fast", "strict"];
-const ROADS: [RoadChoice; 3] =
-    [RoadChoice::Cheapest, RoadChoice::Always(Road::Dense), RoadChoice::Always(Road::Recursive)];
+const STRATEGIES: [StrategyChoice; 3] = [
+    StrategyChoice::Cheapest,
+    StrategyChoice::Always(Strategy::MassMatrix),
+    StrategyChoice::Always(Strategy::ArticulatedBody),
+];
 
 #[test]
 fn pinned_bars_move_as_angles_do() {
@@ -250,7 +261,7 @@ fn pinned_bars_move_as_angles_do() {
             ("four bars", Mechanism::four_bars(2 * n)),
             ("ring", Mechanism::ring(n + 2)),
         ] {
-            mechanism.assert_moves_as_by_hand(&format!("{what} {n}"), 4, &LEVELS, &ROADS);
+            mechanism.assert_moves_as_by_hand(&format!("{what} {n}"), 4, &LEVELS, &STRATEGIES);
         }
     }
 }
@@ -262,7 +273,7 @@ fn two_hundred_pinned_bars_move_as_angles_do() {
         ("tree", Mechanism::random_tree(200)),
         ("four bars", Mechanism::four_bars(200)),
     ] {
-        mechanism.assert_moves_as_by_hand(what, 1, &LEVELS[..1], &[RoadChoice::Cheapest]);
-        mechanism.assert_moves_as_by_hand(what, 1, &LEVELS[2..], &[RoadChoice::Cheapest]);
+        mechanism.assert_moves_as_by_hand(what, 1, &LEVELS[..1], &[StrategyChoice::Cheapest]);
+        mechanism.assert_moves_as_by_hand(what, 1, &LEVELS[2..], &[StrategyChoice::Cheapest]);
     }
 }

@@ -1,12 +1,12 @@
 //! Motions that are determined although a pivot vanishes: masses that are zero under constraints, inertia that is switched off, and
 //! indefinite Lagrangians.
 
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{NumericSystem, parse};
 use proptest::prelude::{prop, prop_assert, prop_assume, proptest};
 
 fn numeric(text: &str) -> NumericSystem {
-    let derived = parse(text).and_then(|parsed| parsed.derive(RoadChoice::Cheapest));
+    let derived = parse(text).and_then(|parsed| parsed.derive(StrategyChoice::Cheapest));
     NumericSystem::new(&derived.unwrap_or_else(|report| panic!("{report}{text}")))
 }
 
@@ -115,7 +115,7 @@ proptest! {
             right.push(0.0);
         }
         prop_assume!(determinant(&matrix).abs() > 0.5);
-        let Ok(derived) = parse(&text).and_then(|parsed| parsed.derive(RoadChoice::Cheapest)) else {
+        let Ok(derived) = parse(&text).and_then(|parsed| parsed.derive(StrategyChoice::Cheapest)) else {
             // Refused, because nothing moves somewhere.
             return Ok(());
         };

@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use lagrange_core::bodies::plain;
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
-use lagrange_core::mechanics::{RoadChoice, elaborate};
+use lagrange_core::elaborate::elaborate;
 use lagrange_core::pipeline::System;
 use lagrange_core::syntax::ast::{Declaration, Statement};
 use lagrange_core::syntax::{parse_text, print};
@@ -28,7 +29,7 @@ fn emitted(declaration: Declaration) -> Result<String, String> {
     let plain = plain(declaration, &mut report);
     let Some(model) = elaborate(&plain, &mut report) else { return Err(messages(&report)) };
     let system = System { declaration: plain.without(&model.implied), model, report };
-    let derived = system.derive(RoadChoice::Cheapest);
+    let derived = system.derive(StrategyChoice::Cheapest);
     match derived.and_then(|derived| derived.emit(&quote!(::lagrange))) {
         Ok(tokens) => Ok(tokens.to_string()),
         Err(report) => Err(messages(&report)),

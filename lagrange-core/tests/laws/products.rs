@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::parse;
 use quote::{ToTokens, quote};
 
@@ -30,7 +31,7 @@ fn emission(wanted: &[Product]) -> Emission {
     });
     let text = format!("struct S; {SYSTEM} emit {{ {} }}", choices.join(", "));
     let system = parse(&text).unwrap_or_else(|report| panic!("{report}"));
-    let derived = system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
+    let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
     let expressions = derived.model.graph.len();
     let items = derived.emit(&quote!(::lagrange)).unwrap_or_else(|report| panic!("{report}"));
     Emission { expressions, methods: methods(&syn::parse2(items).expect("valid Rust")) }

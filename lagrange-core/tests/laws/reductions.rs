@@ -1,7 +1,8 @@
 //! What holds for reduced types of any machine, by the inverse dynamics of the whole one: coordinates that are
 //! frozen drop out, and in small ones the reduced machine differs by what is neglected and by no more.
 
-use lagrange_core::mechanics::{Product, RoadChoice};
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use proptest::prelude::{prop, prop_assert, prop_assume, proptest};
 
@@ -86,7 +87,7 @@ impl Pair {
 
 fn derived(text: &str) -> Derived {
     let system = parse(text).unwrap_or_else(|report| panic!("{report}: {text}"));
-    system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{report}: {text}"))
+    system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}: {text}"))
 }
 
 /// Σ weight · value for each of the rows of one kind.

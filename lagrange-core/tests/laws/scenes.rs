@@ -6,8 +6,9 @@ use std::fmt::Write;
 
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::calculus::evaluate;
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::expr::ExprId;
-use lagrange_core::mechanics::{BodyMotion, RoadChoice};
+use lagrange_core::model::BodyMotion;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_core::symbol::Role;
 use proptest::prelude::{Strategy, any, prop, prop_assert, proptest};
@@ -135,7 +136,8 @@ impl Scene {
     fn new(stage: Stage) -> Scene {
         let Stage { text, q, v } = stage;
         let system = parse(&text).unwrap_or_else(|report| panic!("{text}\n{report}"));
-        let derived = system.derive(RoadChoice::Cheapest).unwrap_or_else(|report| panic!("{text}\n{report}"));
+        let derived =
+            system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{text}\n{report}"));
         let numeric = NumericSystem::new(&derived);
         let (a, multipliers) = (numeric.acceleration(TIME, &q, &v), numeric.multipliers(TIME, &q, &v));
         Scene { derived, q, v, a, multipliers }

@@ -9,8 +9,8 @@ mod corpus;
 mod slips;
 
 use corpus::{Mistake, mistakes};
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::{Diagnostic, Report, Severity};
-use lagrange_core::mechanics::RoadChoice;
 use lagrange_core::pipeline::{expand, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -23,7 +23,7 @@ const SHARE_OF_OPEN_ONES: usize = 20;
 /// Everything that is reported of a declaration.
 fn report(text: &str) -> Report {
     let krate = quote!(::lagrange);
-    let derived = parse(text).and_then(|system| system.derive(RoadChoice::Cheapest));
+    let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
     let emitted = derived.and_then(|derived| derived.emit(&krate));
     emitted.err().unwrap_or_default()
 }

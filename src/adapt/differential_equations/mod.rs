@@ -60,6 +60,3 @@ where
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

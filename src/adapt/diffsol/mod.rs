@@ -104,6 +104,3 @@ where
     let span = (t0, y0, t_end);
     drive(problem.bdf::<NalgebraLU<f64>>().map_err(refused)?, span, method, observe)
 }
-
-#[cfg(test)]
-mod tests;

@@ -6,7 +6,7 @@ mod closed;
 mod open;
 
 use lagrange::system::{OdeSystem, StateVector};
-use lagrange_core::mechanics::RoadChoice;
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 
@@ -116,7 +116,7 @@ fn assert_plain(bodies: &str) {
 }
 
 fn derived(text: &str) -> Derived {
-    let derived = parse(text).and_then(|system| system.derive(RoadChoice::Cheapest));
+    let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
     derived.unwrap_or_else(|report| panic!("{report}"))
 }
 

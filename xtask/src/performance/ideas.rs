@@ -4,8 +4,8 @@
 use std::fs;
 use std::path::Path;
 
-use lagrange_core::emit::rust_body::{Names, Scalar, body};
-use lagrange_core::mechanics::{Road, RoadChoice, Sums};
+use lagrange_core::code::{Names, Scalar, body};
+use lagrange_core::derive::{Strategy, StrategyChoice, Sums};
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, Pass, Program, lower, passes};
 use lagrange_core::symbol::Role;
@@ -18,7 +18,7 @@ pub(super) struct Idea {
     /// What is switched off, as a row of the table; nothing for what others are compared with.
     pub(super) title: &'static str,
     pub(super) accuracy: Accuracy,
-    road: RoadChoice,
+    strategy: StrategyChoice,
     change: Change,
 }
 
@@ -34,22 +34,27 @@ enum Change {
 /// Every idea. Those of one level follow what they are compared with.
 pub(super) fn ideas() -> Vec<Idea> {
     use Accuracy::{Fast, Standard};
-    use RoadChoice::{Always, Cheapest};
-    let idea = |title, accuracy, road, change| Idea { title, accuracy, road, change };
+    use StrategyChoice::{Always, Cheapest};
+    let idea = |title, accuracy, strategy, change| Idea { title, accuracy, strategy, change };
     vec![
         idea("", Standard, Cheapest, Change::Nothing),
-        idea("mass matrix formed and factorised", Standard, Always(Road::Dense), Change::Nothing),
-        idea("eliminated body by body, no squares kept", Standard, Always(Road::Recursive), Change::Nothing),
+        idea("mass matrix formed and factorised", Standard, Always(Strategy::MassMatrix), Change::Nothing),
+        idea(
+            "eliminated body by body, no squares kept",
+            Standard,
+            Always(Strategy::ArticulatedBody),
+            Change::Nothing,
+        ),
         idea(
             "squares kept, angles never added",
             Standard,
-            RoadChoice::Squares(Sums::Collected),
+            StrategyChoice::SumOfSquares(Sums::Collected),
             Change::Nothing,
         ),
         idea(
             "squares kept, angles always added",
             Standard,
-            RoadChoice::Squares(Sums::Contracted),
+            StrategyChoice::SumOfSquares(Sums::Contracted),
             Change::Nothing,
         ),
         idea("a division for each quotient", Standard, Cheapest, Change::With(divide_each)),
@@ -105,7 +110,7 @@ pub(super) struct Derivation {
 impl Derivation {
     pub(super) fn of(root: &Path, chain: Chain, idea: &Idea) -> Result<Derivation, String> {
         let text = chain.declaration(root, idea.accuracy)?;
-        let derived = parse(&text).and_then(|system| system.derive(idea.road));
+        let derived = parse(&text).and_then(|system| system.derive(idea.strategy));
         let derived = derived.map_err(|report| report.to_string())?;
         let mut labels = Labels::default();
         for (expression, name) in &derived.equations.labels {

@@ -3,7 +3,7 @@
 use super::{derived, expand, parse};
 use crate::bodies::DrawnKind;
 use crate::calculus::evaluate;
-use crate::mechanics::{BodyMotion, Model, Scene};
+use crate::model::{BodyMotion, Model, Scene};
 use crate::symbol::Role;
 use quote::quote;
 

@@ -5,6 +5,7 @@
 //! of their own because their only user takes them apart, and which reciprocals are worth sharing, is
 //! found beforehand ([`sharing`]). The cost is proportional to what the outputs are made of.
 
+mod lowering;
 mod product;
 mod sharing;
 mod sum;
@@ -12,12 +13,15 @@ mod sum;
 use std::f64::consts::PI;
 
 use super::builder::Builder;
-use super::ir::{Float, Op, Program, ValueId};
+use super::ir::{Float, Op, Program};
 use super::labels::Labels;
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
+use lowering::{Lowering, Signed};
+use product::lower_product;
 use sharing::Sharing;
+use sum::lower_sum;
 
 /// The program that computes `outputs`, its values named after the labels of their expressions.
 pub fn lower(graph: &Graph, outputs: &[ExprId], labels: &Labels) -> Program {
@@ -28,7 +32,7 @@ pub fn lower(graph: &Graph, outputs: &[ExprId], labels: &Labels) -> Program {
     let mut lowering = Lowering { graph, labels, opposites, sharing, builder, values };
     for id in reachable {
         if !lowering.sharing.is_merged(id) {
-            let value = lowering.named_node(id);
+            let value = lower_named(&mut lowering, id);
             lowering.values.insert(id, value);
         }
     }
@@ -45,83 +49,43 @@ fn opposite_labels<'a>(graph: &Graph, labels: &'a Labels) -> HashMap<ExprId, &'a
     labels.iter().filter_map(opposite).collect()
 }
 
-/// A value that stands for an expression or for its opposite: signs are carried along until something
-/// absorbs them.
-#[derive(Clone, Copy)]
-struct Signed {
-    value: ValueId,
-    negative: bool,
+/// Lowers a node and names its value.
+fn lower_named(lowering: &mut Lowering<'_>, id: ExprId) -> Signed {
+    let signed = lower_node(lowering, id);
+    if let Some(name) = lowering.labels.get(id) {
+        let value = lowering.with_sign(signed);
+        lowering.builder.propose_name(value, name);
+        return Signed::positive(value);
+    }
+    if let (true, Some(name)) = (signed.negative, lowering.opposites.get(&id)) {
+        lowering.builder.propose_name(signed.value, name);
+    }
+    signed
 }
 
-impl Signed {
-    fn positive(value: ValueId) -> Signed {
-        Signed { value, negative: false }
-    }
-}
-
-struct Lowering<'a> {
-    graph: &'a Graph,
-    labels: &'a Labels,
-    opposites: HashMap<ExprId, &'a str>,
-    sharing: Sharing,
-    builder: Builder,
-    values: HashMap<ExprId, Signed>,
-}
-
-impl Lowering<'_> {
-    /// What an expression met before was lowered to.
-    fn signed(&self, id: ExprId) -> Signed {
-        *self.values.get(&id).expect("children come before parents and are merged only where expected")
-    }
-
-    /// The value of an expression met before.
-    fn plain(&mut self, id: ExprId) -> ValueId {
-        let signed = self.signed(id);
-        self.with_sign(signed)
-    }
-
-    fn with_sign(&mut self, Signed { value, negative }: Signed) -> ValueId {
-        if negative { self.builder.negate(value) } else { value }
-    }
-
-    /// Lowers a node and names its value.
-    fn named_node(&mut self, id: ExprId) -> Signed {
-        let signed = self.node(id);
-        if let Some(name) = self.labels.get(id) {
-            let value = self.with_sign(signed);
-            self.builder.propose_name(value, name);
-            return Signed::positive(value);
+fn lower_node(lowering: &mut Lowering<'_>, id: ExprId) -> Signed {
+    let graph = lowering.graph;
+    Signed::positive(match graph.node(id) {
+        Node::Number(value) => lowering.builder.constant(value.clone()),
+        Node::Pi => lowering.builder.push(Op::Float(Float::new(PI))),
+        Node::Symbol(symbol) => lowering.builder.push(Op::Input(graph.symbols().get(*symbol).role)),
+        Node::Sum { constant, terms } => {
+            let prefers_opposite = lowering.opposites.contains(&id);
+            return lower_sum(lowering, constant, terms, prefers_opposite);
         }
-        if let (true, Some(name)) = (signed.negative, self.opposites.get(&id)) {
-            self.builder.propose_name(signed.value, name);
+        Node::Product(_) => return lower_product(lowering, &Number::ONE, id),
+        Node::Call(function, arguments) => {
+            let arguments = arguments.iter().map(|&argument| lowering.plain(argument)).collect();
+            let function = match function {
+                Function::MagnitudeSlope => Function::Sign,
+                function => *function,
+            };
+            lowering.builder.push(Op::Call(function, arguments))
         }
-        signed
-    }
-
-    fn node(&mut self, id: ExprId) -> Signed {
-        let graph = self.graph;
-        Signed::positive(match graph.node(id) {
-            Node::Number(value) => self.builder.constant(value.clone()),
-            Node::Pi => self.builder.push(Op::Float(Float::new(PI))),
-            Node::Symbol(symbol) => self.builder.push(Op::Input(graph.symbols().get(*symbol).role)),
-            Node::Sum { constant, terms } => {
-                let prefers_opposite = self.opposites.contains(&id);
-                return self.sum(constant, terms, prefers_opposite);
-            }
-            Node::Product(_) => return self.product(&Number::ONE, id),
-            Node::Call(function, arguments) => {
-                let arguments = arguments.iter().map(|&argument| self.plain(argument)).collect();
-                let function = match function {
-                    Function::MagnitudeSlope => Function::Sign,
-                    function => *function,
-                };
-                self.builder.push(Op::Call(function, arguments))
-            }
-            Node::Choose { relation, left, right, then, otherwise } => {
-                let [left, right] = [self.plain(*left), self.plain(*right)];
-                let [then, otherwise] = [self.plain(*then), self.plain(*otherwise)];
-                self.builder.push(Op::Select { relation: *relation, left, right, then, otherwise })
-            }
-        })
-    }
+        Node::Choose { relation, left, right, then, otherwise } => {
+            let [left, right] = [lowering.plain(*left), lowering.plain(*right)];
+            let [then, otherwise] = [lowering.plain(*then), lowering.plain(*otherwise)];
+            lowering.builder.push(Op::Select { relation: *relation, left, right, then, otherwise })
+        }
+    })
 }

@@ -32,10 +32,10 @@ fn rounds(program: &Program) -> ValueTable<usize> {
     rounds
 }
 
-type Part = fn(ValueId, u32) -> Op;
+type BatchPart = fn(ValueId, u32) -> Op;
 
 /// The argument of a sine or a cosine, and how to take it from a batch.
-fn wave(op: &Op) -> Option<(ValueId, Part)> {
+fn wave(op: &Op) -> Option<(ValueId, BatchPart)> {
     match op {
         Op::Call(Function::Sin, argument) => Some((argument[0], Op::SinIn)),
         Op::Call(Function::Cos, argument) => Some((argument[0], Op::CosIn)),

@@ -1,6 +1,6 @@
 //! Products that are used once, in a sum, are computed together with the sum.
 
-use super::rewrite;
+use super::rewrite::rewrite;
 use crate::program::{Op, Program, ValueId};
 
 /// Fuses `a * b + c` and its relatives. Products with a name stay: somebody wants to read them.

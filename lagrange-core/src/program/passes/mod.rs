@@ -2,6 +2,7 @@
 
 mod batch;
 mod fuse;
+mod rewrite;
 mod schedule;
 mod trigonometry;
 
@@ -10,8 +11,7 @@ pub use fuse::fuse_multiply_adds;
 pub use schedule::schedule;
 pub use trigonometry::pair_sines_and_cosines;
 
-use super::builder::Builder;
-use super::ir::{Op, Program, ValueId, ValueTable};
+use super::ir::Program;
 use crate::syntax::ast::Accuracy;
 
 /// A pass, with the name that tests and tools know it by.
@@ -38,21 +38,4 @@ pub fn passes(accuracy: Accuracy) -> [Pass; 3] {
 /// Runs every pass.
 pub fn optimise(program: &Program, accuracy: Accuracy) -> Program {
     passes(accuracy).iter().fold(program.clone(), |program, pass| (pass.run)(&program))
-}
-
-/// The program in which each operation is replaced by what `replace` makes of it. `replace` gets the
-/// value in the old program and the operation with operands in the new one.
-fn rewrite(program: &Program, mut replace: impl FnMut(&mut Builder, ValueId, Op) -> ValueId) -> Program {
-    let mut builder = Builder::new();
-    let mut image: ValueTable<ValueId> = ValueTable::with_capacity(program.len());
-    for (id, op) in program.values() {
-        let op = op.map_operands(|operand| image[operand]);
-        let new = replace(&mut builder, id, op);
-        if let Some(name) = program.hint(id) {
-            builder.propose_name(new, name);
-        }
-        image.push(new);
-    }
-    let outputs = program.outputs().iter().map(|&output| image[output]).collect::<Vec<_>>();
-    builder.finish(&outputs)
 }

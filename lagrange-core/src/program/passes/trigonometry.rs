@@ -1,6 +1,6 @@
 //! Sines and cosines of the same argument are computed together.
 
-use super::rewrite;
+use super::rewrite::rewrite;
 use crate::expr::Function;
 use crate::program::{Op, Program, ValueTable};
 

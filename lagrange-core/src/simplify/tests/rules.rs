@@ -4,7 +4,7 @@ use crate::calculus::evaluate;
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::functions::apply;
 use crate::number::Number;
-use crate::simplify::{Arguments, RULES, Rule, collect};
+use crate::simplify::{RULES, Rule, RuleArguments, collect};
 use crate::symbol::Role;
 
 fn coordinates(g: &mut Graph) -> [ExprId; 3] {
@@ -21,7 +21,7 @@ fn value(role: Role) -> f64 {
 
 /// The two terms that a rule speaks of, times `cofactor`.
 fn sides(g: &mut Graph, rule: &Rule, cofactor: ExprId, x: ExprId, y: ExprId) -> [ExprId; 2] {
-    let y = if rule.arguments == Arguments::Same { x } else { y };
+    let y = if rule.arguments == RuleArguments::Same { x } else { y };
     let side = |g: &mut Graph, [f, h]: [Function; 2]| {
         let (fx, hy) = (apply(g, f, &[x]), apply(g, h, &[y]));
         let pair = g.multiply(fx, hy);

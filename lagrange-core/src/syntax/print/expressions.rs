@@ -8,15 +8,15 @@ use crate::expr::Relation;
 use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Expressions};
 
 /// Something to be written.
-enum Piece {
+enum PrintedPiece {
     Text(String),
     /// An expression, in parentheses if it binds less tightly than this.
-    Expression(AstId, Binding),
+    Expression(AstId, PrintedBinding),
 }
 
 /// How tightly an expression holds together; larger is tighter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
+enum PrintedBinding {
     /// A condition, which reads badly within other expressions.
     Choice,
     Sum,
@@ -29,11 +29,11 @@ enum Binding {
 impl Printer<'_> {
     /// An expression.
     pub(super) fn expression(&mut self, id: AstId) {
-        let mut waiting = vec![Piece::Expression(id, Binding::Choice)];
+        let mut waiting = vec![PrintedPiece::Expression(id, PrintedBinding::Choice)];
         while let Some(piece) = waiting.pop() {
             match piece {
-                Piece::Text(text) => self.text(&text),
-                Piece::Expression(id, least) => {
+                PrintedPiece::Text(text) => self.text(&text),
+                PrintedPiece::Expression(id, least) => {
                     let pieces = pieces(self.expressions, id);
                     let pieces =
                         if binding(self.expressions, id) < least { bracketed(pieces) } else { pieces };
@@ -44,67 +44,71 @@ impl Printer<'_> {
     }
 }
 
-fn text(text: impl Into<String>) -> Piece {
-    Piece::Text(text.into())
+fn text(text: impl Into<String>) -> PrintedPiece {
+    PrintedPiece::Text(text.into())
 }
 
-fn bracketed(pieces: Vec<Piece>) -> Vec<Piece> {
+fn bracketed(pieces: Vec<PrintedPiece>) -> Vec<PrintedPiece> {
     let (open, close) = (text("("), text(")"));
     std::iter::once(open).chain(pieces).chain([close]).collect()
 }
 
 /// Expressions with a comma between them, in parentheses.
-fn bracketed_list(ids: &[AstId]) -> Vec<Piece> {
+fn bracketed_list(ids: &[AstId]) -> Vec<PrintedPiece> {
     let mut pieces = Vec::new();
     for (i, id) in ids.iter().enumerate() {
         pieces.push(text(if i == 0 { "" } else { ", " }));
-        pieces.push(Piece::Expression(*id, Binding::Choice));
+        pieces.push(PrintedPiece::Expression(*id, PrintedBinding::Choice));
     }
     bracketed(pieces)
 }
 
-fn binding(expressions: &Expressions, id: AstId) -> Binding {
+fn binding(expressions: &Expressions, id: AstId) -> PrintedBinding {
     match expressions.get(id) {
         Expression::Number(number) => match numeral(number).1 {
-            Form::Literal => Binding::Operand,
-            Form::Negative => Binding::Sign,
-            Form::Quotient => Binding::Product,
+            Form::Literal => PrintedBinding::Operand,
+            Form::Negative => PrintedBinding::Sign,
+            Form::Quotient => PrintedBinding::Product,
         },
-        Expression::Negate(_) => Binding::Sign,
+        Expression::Negate(_) => PrintedBinding::Sign,
         Expression::Binary(operator, ..) => own_binding(*operator),
-        Expression::If { .. } => Binding::Choice,
-        Expression::Name(_) | Expression::Tuple(_) | Expression::Call(..) => Binding::Operand,
-        Expression::Component(..) | Expression::Invalid => Binding::Operand,
+        Expression::If { .. } => PrintedBinding::Choice,
+        Expression::Name(_) | Expression::Tuple(_) | Expression::Call(..) => PrintedBinding::Operand,
+        Expression::Component(..) | Expression::Invalid => PrintedBinding::Operand,
     }
 }
 
-fn own_binding(operator: BinaryOperator) -> Binding {
+fn own_binding(operator: BinaryOperator) -> PrintedBinding {
     match operator {
-        BinaryOperator::Add | BinaryOperator::Subtract => Binding::Sum,
-        BinaryOperator::Multiply | BinaryOperator::Divide => Binding::Product,
-        BinaryOperator::Power => Binding::Power,
+        BinaryOperator::Add | BinaryOperator::Subtract => PrintedBinding::Sum,
+        BinaryOperator::Multiply | BinaryOperator::Divide => PrintedBinding::Product,
+        BinaryOperator::Power => PrintedBinding::Power,
     }
 }
 
 /// What the operands of an operator must be without parentheses.
-fn operand_bindings(operator: BinaryOperator) -> (Binding, Binding) {
+fn operand_bindings(operator: BinaryOperator) -> (PrintedBinding, PrintedBinding) {
     match operator {
-        BinaryOperator::Add | BinaryOperator::Subtract => (Binding::Sum, Binding::Product),
-        BinaryOperator::Multiply | BinaryOperator::Divide => (Binding::Product, Binding::Sign),
-        BinaryOperator::Power => (Binding::Operand, Binding::Sign),
+        BinaryOperator::Add | BinaryOperator::Subtract => (PrintedBinding::Sum, PrintedBinding::Product),
+        BinaryOperator::Multiply | BinaryOperator::Divide => (PrintedBinding::Product, PrintedBinding::Sign),
+        BinaryOperator::Power => (PrintedBinding::Operand, PrintedBinding::Sign),
     }
 }
 
-fn pieces(expressions: &Expressions, id: AstId) -> Vec<Piece> {
+fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
     match expressions.get(id) {
         Expression::Number(number) => vec![text(numeral(number).0)],
         Expression::Name(name) => vec![text(name.as_str())],
         Expression::Tuple(components) => bracketed_list(components),
-        Expression::Negate(inner) => vec![text("-"), Piece::Expression(*inner, Binding::Sign)],
+        Expression::Negate(inner) => vec![text("-"), PrintedPiece::Expression(*inner, PrintedBinding::Sign)],
         Expression::Binary(operator, _, left, right) => {
             let (least_left, least_right) = operand_bindings(*operator);
             let sign = sign(*operator, [*left, *right].iter().all(|id| is_word(expressions, *id)));
-            vec![Piece::Expression(*left, least_left), text(sign), Piece::Expression(*right, least_right)]
+            vec![
+                PrintedPiece::Expression(*left, least_left),
+                text(sign),
+                PrintedPiece::Expression(*right, least_right),
+            ]
         }
         Expression::Call(function, arguments) => {
             std::iter::once(text(function.text.as_str())).chain(bracketed_list(arguments)).collect()
@@ -118,27 +122,32 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<Piece> {
 }
 
 /// What stands before a dot. A number takes brackets: the dot behind it would be read as a decimal point.
-fn receiver(expressions: &Expressions, id: AstId) -> Piece {
+fn receiver(expressions: &Expressions, id: AstId) -> PrintedPiece {
     match expressions.get(id) {
         Expression::Number(number) => text(format!("({})", numeral(number).0)),
-        _ => Piece::Expression(id, Binding::Operand),
+        _ => PrintedPiece::Expression(id, PrintedBinding::Operand),
     }
 }
 
 /// `if c { a } else { b }`, or `else if` behind the first block.
-fn choice(expressions: &Expressions, condition: &Condition, then: AstId, otherwise: AstId) -> Vec<Piece> {
-    let block = |id: AstId| [text("{ "), Piece::Expression(id, Binding::Choice), text(" }")];
+fn choice(
+    expressions: &Expressions,
+    condition: &Condition,
+    then: AstId,
+    otherwise: AstId,
+) -> Vec<PrintedPiece> {
+    let block = |id: AstId| [text("{ "), PrintedPiece::Expression(id, PrintedBinding::Choice), text(" }")];
     let mut pieces = vec![
         text("if "),
-        Piece::Expression(condition.left, Binding::Sum),
+        PrintedPiece::Expression(condition.left, PrintedBinding::Sum),
         text(relation(condition.relation)),
-        Piece::Expression(condition.right, Binding::Sum),
+        PrintedPiece::Expression(condition.right, PrintedBinding::Sum),
         text(" "),
     ];
     pieces.extend(block(then));
     pieces.push(text(" else "));
     match expressions.get(otherwise) {
-        Expression::If { .. } => pieces.push(Piece::Expression(otherwise, Binding::Choice)),
+        Expression::If { .. } => pieces.push(PrintedPiece::Expression(otherwise, PrintedBinding::Choice)),
         _ => pieces.extend(block(otherwise)),
     }
     pieces

@@ -12,7 +12,7 @@
 /// - State: `[x, theta, x_dot, theta_dot]`.
 /// - Mass matrix: full, depends on the configuration.
 /// - Cyclic coordinates: `x`.
-/// - Accelerations: the mass matrix is factorised (counted cost 153; recursion 174, sum of squares 167).
+/// - Forward dynamics: the mass matrix is factorised (counted cost 153; recursion 174, sum of squares 167).
 /// - Cost of `acceleration`: 6 additions, 15 multiplications, 2 divisions, 1 `sin_cos`.
 #[derive(Clone, Debug)]
 pub struct CartPole {

@@ -14,7 +14,7 @@
 /// - Mass matrix: diagonal, constant.
 /// - Cyclic coordinates: `z`.
 /// - Conserved: the momentum of `z`, the energy function.
-/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Forward dynamics: each equation divided by its entry of the mass matrix.
 /// - Cost of `acceleration`: 1 addition, 7 multiplications, 1 division.
 pub struct ChargedParticle {
     /// Parameter `m`.

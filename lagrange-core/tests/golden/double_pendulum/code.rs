@@ -14,7 +14,7 @@
 /// - State: `[theta1, theta2, theta1_dot, theta2_dot]`.
 /// - Mass matrix: full, depends on the configuration.
 /// - Conserved: the energy function.
-/// - Accelerations: eliminated body by body, the kinetic energy kept a sum of squares (counted cost 210; factorised mass matrix 218, recursion 266).
+/// - Forward dynamics: eliminated body by body, the kinetic energy kept a sum of squares (counted cost 210; factorised mass matrix 218, recursion 266).
 /// - Cost of `acceleration`: 6 additions, 18 multiplications, 3 divisions, 2 `sin_cos`.
 pub struct DoublePendulum {
     /// Parameter `m1`.

@@ -15,7 +15,7 @@
 ///
 /// - State: `[theta1, theta2, theta1_dot, theta2_dot]`.
 /// - Mass matrix: full, depends on the configuration.
-/// - Accelerations: eliminated body by body, the kinetic energy kept a sum of squares (counted cost 240; factorised mass matrix 253, recursion 298).
+/// - Forward dynamics: eliminated body by body, the kinetic energy kept a sum of squares (counted cost 240; factorised mass matrix 253, recursion 298).
 /// - Accuracy: `fast`. Sines and cosines are computed several at a time;
 ///   in `f64` each is within 0.9 units in the last place.
 /// - Cost of `acceleration`: 8 additions, 23 multiplications, 3 divisions, 3 `sin_cos`.

@@ -11,7 +11,7 @@
 ///
 /// - State: `[s, s_dot]`.
 /// - Mass matrix: diagonal, constant.
-/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Forward dynamics: each equation divided by its entry of the mass matrix.
 /// - Cost of `acceleration`: 2 additions, 10 multiplications, 2 divisions, 1 function, 2 selections.
 pub struct FrictionPatch {
     /// Parameter `m`.

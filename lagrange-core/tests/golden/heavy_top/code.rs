@@ -16,7 +16,7 @@
 /// - Mass matrix: blocks {`phi`, `psi`}, {`theta`}, depends on the configuration.
 /// - Cyclic coordinates: `phi`, `psi`.
 /// - Conserved: the momentum of `phi`, the momentum of `psi`, the energy function.
-/// - Accelerations: eliminated body by body (counted cost 142; factorised mass matrix 179, the kinetic energy is no sum of squares).
+/// - Forward dynamics: eliminated body by body (counted cost 142; factorised mass matrix 179, the kinetic energy is no sum of squares).
 /// - Cost of `acceleration`: 5 additions, 19 multiplications, 2 divisions, 1 `sin_cos`.
 pub struct HeavyTop {
     /// Parameter `i1`.

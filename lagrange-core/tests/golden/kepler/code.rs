@@ -13,7 +13,7 @@
 /// - Mass matrix: diagonal, depends on the configuration.
 /// - Cyclic coordinates: `phi`.
 /// - Conserved: the momentum of `phi`, the energy function.
-/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Forward dynamics: each equation divided by its entry of the mass matrix.
 /// - Cost of `acceleration`: 1 addition, 7 multiplications, 1 division.
 pub struct Kepler<S> {
     /// Parameter `m`.

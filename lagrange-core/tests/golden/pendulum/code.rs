@@ -12,7 +12,7 @@
 /// - Mass matrix: diagonal, constant.
 /// - Conserved: the energy function.
 /// - Separable: explicit symplectic methods take it.
-/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Forward dynamics: each equation divided by its entry of the mass matrix.
 /// - Cost of `acceleration`: 1 multiplication, 1 division, 1 function.
 pub struct Pendulum {
     /// Parameter `m`.

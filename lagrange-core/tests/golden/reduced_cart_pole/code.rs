@@ -12,7 +12,7 @@
 /// - State: `[x, theta, x_dot, theta_dot]`.
 /// - Mass matrix: full, depends on the configuration.
 /// - Cyclic coordinates: `x`.
-/// - Accelerations: the mass matrix is factorised (counted cost 153; recursion 174, sum of squares 167).
+/// - Forward dynamics: the mass matrix is factorised (counted cost 153; recursion 174, sum of squares 167).
 /// - Cost of `acceleration`: 6 additions, 15 multiplications, 2 divisions, 1 `sin_cos`.
 #[derive(Clone, Debug)]
 pub struct CartPole {
@@ -352,7 +352,7 @@ const _: () = {
 ///
 /// - State: `[theta, theta_dot]`.
 /// - Mass matrix: diagonal, constant.
-/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Forward dynamics: each equation divided by its entry of the mass matrix.
 /// - Cost of `acceleration`: 1 addition, 7 multiplications, 1 division, 1 function.
 #[derive(Clone, Debug)]
 pub struct Parked {
@@ -730,7 +730,7 @@ const _: () = {
 /// - State: `[x, theta, x_dot, theta_dot]`.
 /// - Mass matrix: full, constant.
 /// - Cyclic coordinates: `x`.
-/// - Accelerations: the mass matrix is factorised (counted cost 86; recursion 100, sum of squares 104).
+/// - Forward dynamics: the mass matrix is factorised (counted cost 86; recursion 100, sum of squares 104).
 /// - Cost of `acceleration`: 5 additions, 11 multiplications, 2 divisions.
 #[derive(Clone, Debug)]
 pub struct Linear {

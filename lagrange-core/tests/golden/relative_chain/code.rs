@@ -29,7 +29,7 @@
 /// - State: `[q1, q2, q3, q1_dot, q2_dot, q3_dot]`.
 /// - Mass matrix: full, depends on the configuration.
 /// - Conserved: the energy function.
-/// - Accelerations: eliminated body by body, the kinetic energy kept a sum of squares (counted cost 352; factorised mass matrix 420, recursion 445).
+/// - Forward dynamics: eliminated body by body, the kinetic energy kept a sum of squares (counted cost 352; factorised mass matrix 420, recursion 445).
 /// - Cost of `acceleration`: 17 additions, 38 multiplications, 5 divisions, 3 `sin_cos`.
 pub struct RelativeChain {
     /// Parameter `m1`.

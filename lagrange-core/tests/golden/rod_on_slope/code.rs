@@ -18,7 +18,7 @@
 /// - State: `[x, y, a, x_dot, y_dot, a_dot]`.
 /// - Mass matrix: diagonal, constant.
 /// - Leapfrog methods take it and keep it on the constraints.
-/// - Accelerations: eliminated body by body (counted cost 364; factorised mass matrix 366).
+/// - Forward dynamics: eliminated body by body (counted cost 364; factorised mass matrix 366).
 /// - Multipliers, which the equations name like their constraints: `[hinge_x, hinge_y]`.
 /// - Cost of `acceleration`: 23 additions, 55 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
 ///

@@ -11,7 +11,7 @@
 /// - State: `[theta, theta_dot]`.
 /// - Mass matrix: diagonal, constant.
 /// - Separable: explicit symplectic methods take it.
-/// - Accelerations: each equation divided by its entry of the mass matrix.
+/// - Forward dynamics: each equation divided by its entry of the mass matrix.
 /// - Cost of `acceleration`: 1 addition, 6 multiplications, 1 division, 2 functions.
 pub struct Kapitza {
     /// Parameter `m`.

@@ -1,0 +1,79 @@
+//! Lines, and what carries them.
+
+use super::expressions::{mention, report_early};
+use super::kinematics::point_of_body;
+use super::mass_geometry::vector_of;
+use super::messages;
+use super::object::{Line, Object};
+use super::plain::{Drawn, DrawnKind};
+use super::translation::Translation;
+use crate::syntax::ast;
+
+pub(super) fn translate_line(translation: &mut Translation<'_>, statement: ast::Line) {
+    let through = match statement.through {
+        Some(through) => vector_of(translation, through, &messages::through_of(&statement.name.text)),
+        None => translation.terms().zero_pair(),
+    };
+    let angle = match statement.angle {
+        Some(angle) => mention(translation, angle),
+        None => translation.terms().number(0),
+    };
+    let body = statement.on.as_ref().and_then(|on| carrier(translation, on));
+    let (through, angle) = match body {
+        Some(body) => {
+            let turned = translation.bodies[body].angle;
+            (point_of_body(translation, body, through), translation.terms().plus(turned, angle))
+        }
+        None => (through, angle),
+    };
+    let name = statement.name.text;
+    let point = translation.terms().tuple(through);
+    let carrier = body.map(|body| translation.bodies[body].name.text.clone());
+    let kind = DrawnKind::Line { name: name.clone(), body: carrier };
+    translation.drawing.push(Drawn { kind, values: vec![point, angle], needs: Vec::new() });
+    translation.names.declare(&name, Object::Line(translation.lines.len()));
+    translation.lines.push(Line { body, through, angle });
+}
+
+/// The body of a name that must be one's.
+pub(super) fn carrier(translation: &mut Translation<'_>, name: &ast::Name) -> Option<usize> {
+    match translation.names.find(&name.text) {
+        Some(Object::Body(body)) => Some(*body),
+        other => {
+            let found = other.map(Object::describe);
+            report_no_object(translation, name, "a body", found, |object| matches!(object, Object::Body(_)));
+            None
+        }
+    }
+}
+
+/// The line of a name that must be one's.
+pub(super) fn track(translation: &mut Translation<'_>, name: &ast::Name) -> Option<usize> {
+    match translation.names.find(&name.text) {
+        Some(Object::Line(line)) => Some(*line),
+        other => {
+            let found = other.map(Object::describe);
+            report_no_object(translation, name, "a line", found, |object| matches!(object, Object::Line(_)));
+            None
+        }
+    }
+}
+
+pub(super) fn report_no_object(
+    translation: &mut Translation<'_>,
+    name: &ast::Name,
+    wanted: &str,
+    found: Option<&str>,
+    accept: impl Fn(&Object) -> bool,
+) {
+    let before = std::mem::replace(&mut translation.origin, name.span.into());
+    if !report_early(translation, &name.text) {
+        let help = match translation.names.nearest(&name.text, accept) {
+            Some(nearest) => messages::did_you_mean(nearest),
+            None => messages::declare_object(wanted),
+        };
+        let message = messages::other_object(&name.text, wanted, found);
+        translation.report.error(name.span, message).help(help);
+    }
+    translation.origin = before;
+}

@@ -1,0 +1,83 @@
+//! What the names of a scene stand for.
+
+use super::terms::Pair;
+use crate::syntax::ast::{AstId, ConnectorKind, Name};
+use crate::syntax::foreign::Owner;
+
+/// A rigid body whose statement has been read.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    pub(super) name: Name,
+    pub(super) mass: AstId,
+    pub(super) inertia: AstId,
+    /// The centre of mass.
+    pub(super) center: AstId,
+    /// The origin of the own coordinates.
+    pub(super) origin: Pair,
+    pub(super) angle: AstId,
+    /// The radius on which it rolls, if its shape is round.
+    pub(super) radius: Option<AstId>,
+}
+
+/// A line.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    pub(super) body: Option<usize>,
+    pub(super) through: Pair,
+    pub(super) angle: AstId,
+}
+
+/// A spring or damper.
+#[derive(Clone, Debug)]
+pub(super) struct Connector {
+    pub(super) kind: ConnectorKind,
+    /// The distance of its ends or the angle between them.
+    pub(super) length: AstId,
+    /// By which it pulls its ends together.
+    pub(super) tension: AstId,
+}
+
+/// A joint: the names that stand for its forces.
+#[derive(Clone, Debug)]
+pub(super) struct Joint {
+    /// The force on the first of what it holds.
+    pub(super) force: AstId,
+    /// Components with names of their own.
+    pub(super) parts: Vec<(&'static str, AstId)>,
+}
+
+/// What a name of a scene stands for.
+#[derive(Clone, Debug)]
+pub(super) enum Object {
+    Body(usize),
+    Line(usize),
+    Connector(Connector),
+    Joint(Joint),
+}
+
+impl Object {
+    /// What it is to those who look for parts of it under other names.
+    pub(super) fn owner(&self) -> Option<Owner> {
+        match self {
+            Object::Body(_) => Some(Owner::Body),
+            Object::Line(_) => None,
+            Object::Connector(_) => Some(Owner::Connector),
+            Object::Joint(_) => Some(Owner::Joint),
+        }
+    }
+
+    /// In the user's words, with its article.
+    pub(super) fn describe(&self) -> &'static str {
+        match self {
+            Object::Body(_) => "a body",
+            Object::Line(_) => "a line",
+            Object::Connector(connector) => match connector.kind {
+                ConnectorKind::Spring => "a spring",
+                ConnectorKind::Damper => "a damper",
+                ConnectorKind::TorsionSpring => "a torsion spring",
+                ConnectorKind::TorsionDamper => "a torsion damper",
+            },
+            Object::Joint(_) => "a joint",
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! What a declaration with bodies becomes: plain statements, and what is known of the bodies beside them.
+
+use crate::diagnostics::Origin;
+use crate::syntax::ast::{AstId, ConnectorKind, Declaration, Name, StatementKind};
+
+/// A declaration without statements about bodies, and what is known of the bodies beside it.
+///
+/// Expressions are those of the declaration.
+#[derive(Clone, Debug)]
+pub struct Plain {
+    /// The plain statements.
+    pub declaration: Declaration,
+    /// How bodies move, in the order of their declaration.
+    pub motions: Vec<Motion>,
+    /// What there is to draw.
+    pub drawing: Vec<Drawn>,
+    /// What must hold of the numbers, if they are known.
+    pub obligations: Vec<Obligation>,
+    /// Names of the constraints of joints. They are left out where the coordinates fulfil them by themselves.
+    pub joints: Vec<Name>,
+    /// Names of `let`s that are places, with what they are places of: they are made of coordinates and time.
+    pub places: Vec<(String, String)>,
+    /// Everything that stands in statements about bodies, so that mistakes in it are found whether or not it is needed.
+    pub mentioned: Vec<AstId>,
+}
+
+impl Plain {
+    /// The declaration without these constraints of joints.
+    pub fn without(self, constraints: &[String]) -> Declaration {
+        let mut declaration = self.declaration;
+        declaration.statements.retain(|statement| match &statement.kind {
+            StatementKind::Constraint(name, _) => !constraints.contains(&name.text),
+            _ => true,
+        });
+        declaration
+    }
+}
+
+/// How a body moves. Vectors have two components, rates may hold `ddot`.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// The name of the body.
+    pub body: Name,
+    /// The position of its centre of mass.
+    pub center: AstId,
+    /// The centre of mass in the body's own coordinates.
+    pub centroid: AstId,
+    /// The angle of its own axes.
+    pub angle: AstId,
+    /// Its mass.
+    pub mass: AstId,
+    /// Its moment of inertia about the centre of mass.
+    pub inertia: AstId,
+}
+
+/// Something to be drawn.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// What it is.
+    pub kind: DrawnKind,
+    /// Its numbers, scalars and vectors, in the order that its kind says.
+    pub values: Vec<AstId>,
+    /// Constraints whose multipliers the values hold: it is left out if one of them is.
+    pub needs: Vec<String>,
+}
+
+/// What there is to draw; vectors have two components.
+#[derive(Clone, Debug)]
+pub enum DrawnKind {
+    /// A body: no values of its own, but the outlines of its shape, one for each part.
+    Body {
+        /// Its index among the motions.
+        body: usize,
+        /// Its parts.
+        outlines: Vec<Outline>,
+    },
+    /// A line: the point it goes through, its angle.
+    Line {
+        /// Its name.
+        name: String,
+        /// The body that carries it.
+        body: Option<String>,
+    },
+    /// A connector: both ends and, if positive, its tension. The ends of torsion springs and dampers are one place.
+    Connector {
+        /// Its name.
+        name: String,
+        /// What it is.
+        kind: ConnectorKind,
+    },
+    /// A joint: where it is.
+    Joint {
+        /// Its name.
+        name: String,
+        /// Whether it is a pin, a slide or a roll.
+        kind: JointForm,
+    },
+    /// A force: the point it acts on, its two components.
+    Force {
+        /// Its name.
+        name: String,
+        /// Where it comes from.
+        cause: LoadOrigin,
+        /// The body it acts on, if that is known.
+        body: Option<String>,
+    },
+    /// A moment: where it is drawn, and its value.
+    Moment {
+        /// Its name.
+        name: String,
+        /// Where it comes from.
+        cause: LoadOrigin,
+        /// The body it acts on, if that is known.
+        body: Option<String>,
+    },
+    /// A torque on an angle that is no body's by name: its value, and the angle. Which bodies it turns shows in their angles.
+    Torque {
+        /// What it is called where that does not show.
+        name: String,
+    },
+    /// A force or moment that acts, but whose value or place is not known: no values.
+    Omitted {
+        /// What it is called.
+        name: String,
+    },
+}
+
+/// The outline of a part of a body: the dimensions of the solid (corners of a polygon as vectors).
+#[derive(Clone, Debug)]
+pub struct Outline {
+    /// The name of the solid, as in [`crate::solids`].
+    pub solid: String,
+    /// Its dimensions.
+    pub dimensions: Vec<AstId>,
+    /// Where the origin of its own coordinates is in those of the body; a vector.
+    pub at: AstId,
+    /// By which its own axes are turned in those of the body.
+    pub angle: AstId,
+    /// Whether it is cut out.
+    pub is_hole: bool,
+}
+
+/// The form of a joint.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum JointForm {
+    /// A pin.
+    Pin,
+    /// A pin on something at rest.
+    Anchor,
+    /// A point on a line.
+    Slide,
+    /// A round body on a line.
+    Roll,
+}
+
+/// Where a force comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LoadOrigin {
+    /// A `force` or `torque` statement.
+    Applied,
+    /// The weight.
+    Gravity,
+    /// A spring or damper.
+    Connector,
+    /// A joint: its multipliers.
+    Joint,
+}
+
+/// Something that must hold of numbers, if they are known.
+#[derive(Clone, Debug)]
+pub enum Obligation {
+    /// A mass must be positive.
+    PositiveMass {
+        /// The body.
+        body: Name,
+        /// Its mass.
+        mass: AstId,
+    },
+    /// A moment of inertia must not be negative.
+    Inertia {
+        /// The body.
+        body: Name,
+        /// Its moment of inertia about its centre of mass.
+        inertia: AstId,
+    },
+    /// A vector of two components.
+    PlaneVector {
+        /// What it is, in words.
+        what: String,
+        /// It.
+        value: AstId,
+    },
+    /// A property of a rigid body, which does not change during the motion.
+    Fixed {
+        /// What it is, in words.
+        what: String,
+        /// It.
+        value: AstId,
+    },
+    /// Gravity is the same everywhere.
+    Uniform {
+        /// Its vector.
+        gravity: AstId,
+    },
+    /// The place or the angle of a body changes with coordinates or time.
+    Moves {
+        /// The body.
+        body: Name,
+        /// Its centre of mass.
+        center: AstId,
+        /// Its angle.
+        angle: AstId,
+    },
+    /// The stated moment of inertia should be that of the shape.
+    SameInertia {
+        /// The body.
+        body: Name,
+        /// What is stated.
+        stated: AstId,
+        /// That of the shape with the stated mass.
+        of_shape: AstId,
+        /// Where the shape stands.
+        shape: Origin,
+    },
+}

@@ -1,0 +1,63 @@
+//! Long bodies in parts.
+//!
+//! The compiler opens a scope for each `let` that ends with the block and walks nested scopes by recursion: some
+//! thousands of statements in one block are more than the stack of rustc 1.95 holds when it writes debug
+//! information. So long bodies are written in blocks, each of which gives what later ones need:
+//!
+//! ```text
+//! let [a, b] = { let c = …; let a = … c …; let b = … c …; [a, b] };
+//! ```
+//!
+//! Few long parts pass on less than many short ones, and run as fast as one block. Tuples in place of arrays take the
+//! optimiser five times as long at some thousand statements.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote_spanned;
+
+use crate::program::{Program, ValueId, ValueTable};
+
+/// The most statements in one block of a body of moderate length. The compiler overflows between 2500 and 3000.
+const LONGEST_BLOCK: usize = 1000;
+
+/// A `let`.
+pub(super) struct LetStatement {
+    pub(super) tokens: TokenStream,
+    /// What it defines.
+    pub(super) variables: Vec<(ValueId, Ident)>,
+}
+
+/// The statements one after the other, in parts if there are many.
+pub(super) fn assemble(program: &Program, statements: &[LetStatement]) -> TokenStream {
+    if statements.len() <= LONGEST_BLOCK {
+        return statements.iter().map(|statement| statement.tokens.clone()).collect();
+    }
+    // With as many parts as statements in each, neither nests deep.
+    let length = LONGEST_BLOCK.max(statements.len().isqrt());
+    let last_uses = last_uses(program, statements);
+    let parts = statements.chunks(length).enumerate();
+    parts.map(|(n, part)| block(part, &last_uses, (n + 1) * length)).collect()
+}
+
+/// A part as a block that gives what is used in the statement `next` or later.
+fn block(part: &[LetStatement], last_uses: &ValueTable<usize>, next: usize) -> TokenStream {
+    let variables = part.iter().flat_map(|statement| &statement.variables);
+    let kept = variables.filter(|(id, _)| last_uses[*id] >= next).map(|(_, name)| name).collect::<Vec<_>>();
+    let statements = part.iter().map(|statement| &statement.tokens);
+    quote_spanned!(Span::mixed_site()=> let [#(#kept),*] = { #(#statements)* [#(#kept),*] };)
+}
+
+/// The last statement that uses each value; results are used after all statements.
+fn last_uses(program: &Program, statements: &[LetStatement]) -> ValueTable<usize> {
+    let mut definitions = ValueTable::filled(program.len(), None);
+    for (index, statement) in statements.iter().enumerate() {
+        statement.variables.iter().for_each(|(id, _)| definitions[*id] = Some(index));
+    }
+    let mut last_uses = ValueTable::filled(program.len(), 0);
+    program.outputs().iter().for_each(|&output| last_uses[output] = usize::MAX);
+    for (id, op) in program.values().rev() {
+        // What has no variable is written where it is used.
+        let place = definitions[id].unwrap_or(last_uses[id]);
+        op.for_each_operand(|operand| last_uses[operand] = last_uses[operand].max(place));
+    }
+    last_uses
+}

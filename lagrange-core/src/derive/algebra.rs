@@ -1,0 +1,209 @@
+//! Sums of products as eliminations make them.
+
+use std::collections::BTreeMap;
+
+use crate::collections::OrderedMap;
+use crate::expr::{ExprId, Graph, Node};
+use crate::number::Number;
+use crate::simplify::{self, Angles};
+
+/// Σ slope · variable, in ascending order of variables.
+pub(super) type LinearForm = Vec<(ExprId, ExprId)>;
+
+/// Products of sums are multiplied out up to this many terms.
+const MOST_OPENED: usize = 16;
+/// Factors nested deeper than this are not counted apart.
+const DEEPEST_COUNTED: usize = 4;
+
+/// How sums are simplified.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Sums {
+    /// Equal products meet, and squares of sine and cosine.
+    Collected,
+    /// Besides, products of sines and cosines are written in sums and differences of angles where that
+    /// leaves fewer terms to cancel each other.
+    Contracted,
+}
+
+/// The graph, with sums simplified in one way.
+pub(super) struct Algebra<'g> {
+    pub(super) graph: &'g mut Graph,
+    sums: Sums,
+    angles: Angles,
+    /// Pivots whose vanishing conditions decide, as [`super::sum_of_squares`] puts them in.
+    pub(super) guards: Vec<ExprId>,
+}
+
+impl<'g> Algebra<'g> {
+    pub(super) fn new(graph: &'g mut Graph, sums: Sums) -> Algebra<'g> {
+        Algebra { graph, sums, angles: Angles::default(), guards: Vec::new() }
+    }
+
+    /// `Σ coefficient · term`
+    pub(super) fn total(&mut self, terms: Vec<(ExprId, Number)>) -> ExprId {
+        let mut flat = Vec::with_capacity(terms.len());
+        for (term, coefficient) in terms {
+            self.flatten(term, &coefficient, &mut flat);
+        }
+        self.simplified(flat)
+    }
+
+    pub(super) fn simplified(&mut self, terms: Vec<(ExprId, Number)>) -> ExprId {
+        let collected = simplify::collect(self.graph, terms);
+        if self.sums == Sums::Collected {
+            return collected;
+        }
+        let terms = self.terms_of(collected);
+        if terms.len() < 2 {
+            return collected;
+        }
+        simplify::contract(self.graph, &mut self.angles, terms)
+    }
+
+    /// The terms of a sum, the constant among them; anything else is a single term.
+    pub(super) fn terms_of(&mut self, id: ExprId) -> Vec<(ExprId, Number)> {
+        let (scale, core) = self.graph.split_coefficient(id);
+        let Node::Sum { constant, terms } = self.graph.node(core).clone() else { return vec![(core, scale)] };
+        let mut terms = terms.into_iter().map(|(term, c)| (term, &c * &scale)).collect::<Vec<_>>();
+        if !constant.is_zero() {
+            terms.push((self.graph.number(1), &constant * &scale));
+        }
+        terms
+    }
+
+    /// The terms of a sum; others stay as they are.
+    fn flatten(&self, id: ExprId, scale: &Number, flat: &mut Vec<(ExprId, Number)>) {
+        let (coefficient, core) = self.graph.split_coefficient(id);
+        let scale = &coefficient * scale;
+        match self.graph.node(core) {
+            Node::Sum { constant, terms } if constant.is_zero() => {
+                flat.extend(terms.iter().map(|(term, c)| (*term, c * &scale)));
+            }
+            _ => flat.push((core, scale)),
+        }
+    }
+
+    /// `Σ scale · a · b`, multiplied out if that leaves fewer terms.
+    pub(super) fn products(&mut self, products: &[(ExprId, ExprId, Number)]) -> ExprId {
+        let (mut closed, mut opened) = (Vec::new(), Vec::new());
+        for (a, b, scale) in products {
+            closed.push((self.graph.multiply(*a, *b), scale.clone()));
+            self.multiply_out(*a, *b, scale, &mut opened);
+        }
+        let is_the_same = opened.len() == closed.len();
+        let closed = self.simplified(closed);
+        if is_the_same || self.terms(closed) < 2 {
+            return closed;
+        }
+        let before = opened.len();
+        let opened = self.simplified(opened);
+        let has_shrunk = self.terms(opened) < before;
+        let is_short = self.terms(opened) <= self.terms(closed)
+            || self.factors(opened, DEEPEST_COUNTED) < self.factors(closed, DEEPEST_COUNTED);
+        if has_shrunk && is_short { opened } else { closed }
+    }
+
+    /// The number of factors in all terms, down to a depth.
+    fn factors(&self, id: ExprId, depth: usize) -> usize {
+        match self.graph.node(id) {
+            Node::Sum { terms, .. } if depth > 0 => {
+                terms.iter().map(|(term, _)| self.factors(*term, depth - 1)).sum()
+            }
+            Node::Product(factors) if depth > 0 => {
+                factors.iter().map(|(base, _)| self.factors(*base, depth - 1)).sum()
+            }
+            _ => 1,
+        }
+    }
+
+    fn multiply_out(&mut self, a: ExprId, b: ExprId, scale: &Number, terms: &mut Vec<(ExprId, Number)>) {
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        self.flatten(a, scale, &mut left);
+        self.flatten(b, &Number::ONE, &mut right);
+        if left.len() * right.len() > MOST_OPENED {
+            terms.push((self.graph.multiply(a, b), scale.clone()));
+            return;
+        }
+        for (a, c) in &left {
+            for (b, d) in &right {
+                terms.push((self.graph.multiply(*a, *b), c * d));
+            }
+        }
+    }
+
+    /// How many terms a sum has; anything else but zero has one.
+    pub(super) fn terms(&self, id: ExprId) -> usize {
+        let (_, core) = self.graph.split_coefficient(id);
+        match self.graph.node(core) {
+            Node::Number(value) if value.is_zero() => 0,
+            Node::Sum { constant, terms } => terms.len() + usize::from(!constant.is_zero()),
+            _ => 1,
+        }
+    }
+
+    /// `Σ weight · a · b`; what belongs to equal weights is added up first, because that is where it cancels.
+    pub(super) fn weighted(&mut self, products: &[(ExprId, ExprId, ExprId, Number)]) -> ExprId {
+        let mut groups: OrderedMap<ExprId, Vec<(ExprId, ExprId, Number)>> = OrderedMap::default();
+        for (weight, a, b, scale) in products {
+            groups.get_or_insert_with(*weight, Vec::new).push((*a, *b, scale.clone()));
+        }
+        let mut terms = Vec::new();
+        for (weight, products) in groups.iter() {
+            if let [(a, b, scale)] = products.as_slice() {
+                // Other sums share the product of weight and `a`.
+                let weighted = self.graph.multiply(*weight, *a);
+                terms.push((self.graph.multiply(weighted, *b), scale.clone()));
+                continue;
+            }
+            let sum = self.products(products);
+            terms.push((self.graph.multiply(*weight, sum), Number::ONE));
+        }
+        self.total(terms)
+    }
+
+    /// A sum with what all its terms have in common drawn out.
+    pub(super) fn factored(&mut self, id: ExprId) -> ExprId {
+        let Node::Sum { constant, terms } = self.graph.node(id).clone() else { return id };
+        if !constant.is_zero() || terms.len() < 2 {
+            return id;
+        }
+        let terms = terms.iter().map(|(term, c)| self.graph.scale(c.clone(), *term)).collect::<Vec<_>>();
+        let (common, rest) = simplify::content(self.graph, &terms);
+        let rest = self.graph.total(rest);
+        self.graph.multiply(common, rest)
+    }
+
+    /// The form with what its coefficients have in common taken out, which comes first.
+    pub(super) fn primitive(&mut self, form: &LinearForm) -> (ExprId, LinearForm) {
+        let coefficients = form.iter().map(|(_, coefficient)| *coefficient).collect::<Vec<_>>();
+        let (content, rest) = simplify::content(self.graph, &coefficients);
+        (content, form.iter().zip(rest).map(|((id, _), coefficient)| (*id, coefficient)).collect())
+    }
+
+    /// The form whose coefficients are these sums of products; those that vanish are left out.
+    pub(super) fn form_of_products(
+        &mut self,
+        sums: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>>,
+    ) -> LinearForm {
+        let mut form = Vec::with_capacity(sums.len());
+        for (variable, products) in sums {
+            let coefficient = self.products(&products);
+            if !self.graph.is_zero(coefficient) {
+                form.push((variable, coefficient));
+            }
+        }
+        form
+    }
+
+    /// The form whose coefficients are these sums; those that vanish are left out.
+    pub(super) fn linear_form(&mut self, sums: BTreeMap<ExprId, Vec<(ExprId, Number)>>) -> LinearForm {
+        let mut form = Vec::with_capacity(sums.len());
+        for (variable, terms) in sums {
+            let coefficient = self.total(terms);
+            if !self.graph.is_zero(coefficient) {
+                form.push((variable, coefficient));
+            }
+        }
+        form
+    }
+}

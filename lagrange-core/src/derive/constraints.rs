@@ -1,0 +1,120 @@
+//! Constraints as cross terms of the quadratic form.
+//!
+//! A constraint c(q, t) = 0, or one that is linear in the velocities, restricts the accelerations by A a + b = 0 with A = ∂ċ/∂v
+//! or ∂c/∂v. Gauss's principle then asks for the stationary point of ½ aᵀM a − fᵀa − λᵀ(A a + b): each multiplier λ is one
+//! more unknown, whose only terms are −λ times the rate of the constraint, and M a = f + Aᵀλ.
+//! Source: Udwadia, Kalaba, *Analytical Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
+
+use super::elimination::record::Elimination;
+use super::quadratic_form::QuadraticForm;
+use crate::calculus::{AccelerationTerms, Rates};
+use crate::expr::ExprId;
+use crate::model::{Constraint, Model};
+use crate::number::Number;
+
+/// What follows from the constraints of a model.
+#[derive(Clone, Default, Debug)]
+pub struct ConstraintEquations {
+    /// The multipliers λ in M q̈ = f + Aᵀλ as functions of t, q, v.
+    pub multipliers: Vec<ExprId>,
+    /// A in rows: what each constraint demands of the velocities is A v + …
+    pub jacobian: Vec<Vec<ExprId>>,
+    /// b in A q̈ + b = 0
+    pub drifts: Vec<ExprId>,
+    /// Aᵀλ, in which symbols stand for the multipliers: what is found for them at run time is more than the expressions above where
+    /// constraints depend on each other or contacts act.
+    pub forces: Vec<ExprId>,
+    /// δ with M δ = Aᵀμ and A δ = −r, where the symbol of each multiplier stands for the residual r of its constraint.
+    pub correction: Vec<ExprId>,
+    /// By how much rounding grows because constraints are nearly dependent; infinite where they are. `None` where that cannot be.
+    pub condition: Option<ExprId>,
+    /// Whether a constraint follows from the others wherever they hold.
+    pub is_redundant: bool,
+}
+
+impl ConstraintEquations {
+    /// From the multipliers with their condition, the form over the velocities, and the elimination that led to them.
+    pub(super) fn new(
+        model: &mut Model,
+        pushed: &QuadraticForm,
+        elimination: &Elimination,
+        (multipliers, condition): (Vec<ExprId>, Option<ExprId>),
+    ) -> ConstraintEquations {
+        if model.constraints.is_empty() {
+            return ConstraintEquations::default();
+        }
+        let jacobian = constraint_jacobian(model, pushed);
+        let acting = model.multipliers();
+        let forces = constraint_forces(model, &jacobian, &acting);
+        let drifts = drifts(model);
+        let correction = correction(model, elimination);
+        let is_redundant = elimination.is_redundant();
+        ConstraintEquations { multipliers, jacobian, drifts, forces, correction, condition, is_redundant }
+    }
+}
+
+/// What brings the constraints back from the residuals that their multipliers' symbols stand for.
+fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
+    let (unknowns, residuals) = (model.unknowns(), model.multipliers());
+    let count = model.coordinates.len();
+    let graph = &mut model.graph;
+    let mut linear = vec![graph.number(0); count];
+    linear.extend(residuals.into_iter().map(|residual| graph.negate(residual)));
+    let mut values = elimination.solve_again(graph, &linear, &unknowns);
+    values.truncate(count);
+    values
+}
+
+/// b in A a + b = 0. With a rate κ of stabilisation this is c̈ + 2 κ ċ + κ² c = 0, and ċ + κ c = 0 for constraints on
+/// velocities (Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1–16).
+fn drifts(model: &mut Model) -> Vec<ExprId> {
+    let mut rates = Rates::new(AccelerationTerms::Dropped);
+    let graph = &mut model.graph;
+    let drift = |constraint: &Constraint| {
+        let drift = rates.of(graph, constraint.velocity);
+        let Some(rate) = model.stabilisation else { return drift };
+        let slow = graph.multiply(rate, constraint.velocity);
+        if !constraint.is_holonomic {
+            return graph.add(drift, slow);
+        }
+        let slower = graph.multiply(rate, constraint.value);
+        let square = graph.multiply(rate, slower);
+        graph.sum(Number::ZERO, [(drift, Number::ONE), (slow, Number::TWO), (square, Number::ONE)])
+    };
+    model.constraints.iter().map(drift).collect()
+}
+
+/// Adds −λ (A a + b) for every constraint.
+pub(super) fn join_multipliers(model: &mut Model, form: &mut QuadraticForm) {
+    let drifts = drifts(model);
+    let graph = &mut model.graph;
+    for (constraint, drift) in model.constraints.iter().zip(drifts) {
+        let opposite = graph.negate(drift);
+        form.add_linear(graph, constraint.multiplier, opposite);
+        let (coefficient, velocity) = graph.split_coefficient(constraint.velocity);
+        let weight = graph.number(-&coefficient);
+        form.add_pair(graph, velocity, constraint.multiplier, weight);
+    }
+}
+
+/// A in rows: ∂ċ/∂v of each constraint, from the form that was pushed down to the velocities.
+fn constraint_jacobian(model: &mut Model, pushed: &QuadraticForm) -> Vec<Vec<ExprId>> {
+    let (velocities, multipliers) = (model.velocities(), model.multipliers());
+    pushed.matrix(&mut model.graph, &Number::MINUS_ONE, &multipliers, &velocities)
+}
+
+/// Aᵀλ
+fn constraint_forces(model: &mut Model, jacobian: &[Vec<ExprId>], multipliers: &[ExprId]) -> Vec<ExprId> {
+    let (count, graph) = (model.coordinates.len(), &mut model.graph);
+    let mut columns = vec![Vec::new(); count];
+    for (row, &multiplier) in jacobian.iter().zip(multipliers) {
+        let entries = columns.iter_mut().zip(row).filter(|(_, slope)| !graph.is_zero(**slope));
+        entries.for_each(|(column, &slope)| column.push((slope, multiplier)));
+    }
+    let force = |column: Vec<(ExprId, ExprId)>| {
+        let terms = column.into_iter().map(|(slope, multiplier)| graph.multiply(slope, multiplier));
+        let terms = terms.collect::<Vec<_>>();
+        graph.total(terms)
+    };
+    columns.into_iter().map(force).collect()
+}

@@ -1,0 +1,74 @@
+//! Accelerations and multipliers from the quadratic form, by elimination.
+
+use super::order::{eliminate_dense, eliminate_recursive};
+use super::pivot::Eliminated;
+use super::record::Elimination;
+use crate::collections::HashMap;
+use crate::derive::quadratic_form::QuadraticForm;
+use crate::derive::sweep::{Multiples, Sweep};
+use crate::expr::{ExprId, Graph};
+
+/// Pushes everything down to the generalised velocities.
+pub(in crate::derive) fn push_down(
+    graph: &mut Graph,
+    mut form: QuadraticForm,
+    velocities: &[ExprId],
+) -> QuadraticForm {
+    let mut sweep = Sweep::new(graph, [&form.variables(), &[]], velocities, Multiples::Kept);
+    while let Some(step) = sweep.next_step() {
+        form.apply(graph, &step);
+    }
+    form
+}
+
+/// The stationary point of a form, and names for what was computed on the way.
+pub(in crate::derive) struct Solution {
+    /// The accelerations in the order of the velocities, then the multipliers.
+    pub(in crate::derive) values: Vec<ExprId>,
+    /// Names for pivots, factors and biases.
+    pub(in crate::derive) labels: Vec<(ExprId, String)>,
+    /// Pivots at whose zeros the accelerations are computed another way, to the same values.
+    pub(in crate::derive) guards: Vec<ExprId>,
+    /// How much of the constraints the others leave, as [`Elimination::condition`] says; `None` if they are always independent.
+    pub(in crate::derive) condition: Option<ExprId>,
+    /// The steps that led there, for other right-hand sides; `None` if the strategy takes none.
+    pub(in crate::derive) elimination: Option<Elimination>,
+}
+
+/// Solves a form that has been pushed down; `None` if the equations are structurally singular.
+pub(in crate::derive) fn solve_dense(
+    graph: &mut Graph,
+    form: QuadraticForm,
+    unknowns: &[ExprId],
+) -> Option<Solution> {
+    Some(solution(eliminate_dense(graph, form, unknowns)?, graph, unknowns))
+}
+
+/// Solves a form body by body; `None` if a pivot is missing.
+pub(in crate::derive) fn solve_recursive(
+    graph: &mut Graph,
+    form: QuadraticForm,
+    unknowns: &[ExprId],
+) -> Option<Solution> {
+    Some(solution(eliminate_recursive(graph, form, unknowns)?, graph, unknowns))
+}
+
+fn solution(elimination: Elimination, graph: &mut Graph, unknowns: &[ExprId]) -> Solution {
+    let (values, condition) = (elimination.values(graph, unknowns), elimination.condition(graph));
+    let labels = labels(graph, &elimination.eliminated, unknowns);
+    Solution { values, labels, guards: Vec::new(), condition, elimination: Some(elimination) }
+}
+
+fn labels(graph: &mut Graph, eliminated: &[Eliminated], velocities: &[ExprId]) -> Vec<(ExprId, String)> {
+    let index = velocities.iter().enumerate().map(|(i, &v)| (v, i)).collect::<HashMap<_, _>>();
+    let mut labels = Vec::new();
+    for step in eliminated {
+        let Some(i) = index.get(&step.velocity) else { continue };
+        labels.push((step.pivot, format!("pivot_{i}")));
+        labels.push((graph.negate(step.bias), format!("forcing_{i}")));
+        for (j, factor) in &step.factors {
+            labels.extend(index.get(j).map(|j| (*factor, format!("factor_{j}_{i}"))));
+        }
+    }
+    labels
+}

@@ -1,0 +1,58 @@
+//! Mass matrices whose pivots may vanish although they are regular.
+//!
+//! No pivot of a positive definite matrix vanishes, in whatever order it is factorised, and a kinetic energy has no other. A
+//! Lagrangian may: of ½ sin x ẋ² + ẋ ẏ the matrix [sin x, 1; 1, 0] is regular everywhere, and its first pivot is zero at x = 0. What
+//! has a coupled diagonal entry without a sure sign gets a test at run time, and a second way to its accelerations.
+//! Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite systems).
+
+use super::elimination::solution::Solution;
+use crate::collections::HashMap;
+use crate::expr::{ExprId, Function, Graph, Node};
+use crate::functions;
+
+/// With more coordinates the second way, which has a matrix on the stack, is not taken.
+const LARGEST: usize = 40;
+
+/// By how much rounding grows through small pivots, squared; infinite where a pivot vanishes. `None` if every coupled entry of the
+/// diagonal has a sure sign.
+pub(super) fn pivot_growth(
+    graph: &mut Graph,
+    mass_matrix: &[Vec<ExprId>],
+    solution: &Solution,
+) -> Option<ExprId> {
+    let is_doubtful = |(i, row): (usize, &Vec<ExprId>)| {
+        let is_coupled = row.iter().enumerate().any(|(j, &entry)| i != j && !graph.is_zero(entry));
+        is_coupled && !graph.is_zero(row[i]) && !has_sure_sign(graph, row[i])
+    };
+    if mass_matrix.len() > LARGEST || !mass_matrix.iter().enumerate().any(is_doubtful) {
+        return None;
+    }
+    let mut growth = graph.number(1);
+    for step in solution.elimination.iter().flat_map(|elimination| &elimination.eliminated) {
+        let sizes = step.factors.iter().map(|(_, factor)| functions::apply(graph, Function::Abs, &[*factor]));
+        let sizes = sizes.collect::<Vec<_>>();
+        let size = graph.total(sizes);
+        let square = graph.square(size);
+        growth = functions::apply(graph, Function::Max, &[growth, square]);
+    }
+    Some(growth)
+}
+
+/// Whether an expression is taken to have one sign where a system is regular: parameters are positive, even powers do not vanish,
+/// and where one term of a sum has a sign the others do not outweigh it.
+fn has_sure_sign(graph: &Graph, root: ExprId) -> bool {
+    let mut known: HashMap<ExprId, bool> = HashMap::default();
+    for id in graph.reachable(&[root]) {
+        let of = |id: &ExprId| known.get(id).copied().unwrap_or(false);
+        let is_sure = match graph.node(id) {
+            Node::Number(number) => !number.is_zero(),
+            _ if graph.dependencies(id).is_constant_in_motion() => true,
+            Node::Sum { constant, terms } => !constant.is_zero() || terms.iter().any(|(term, _)| of(term)),
+            Node::Product(factors) => factors.iter().all(|(base, exponent)| exponent.is_even() || of(base)),
+            Node::Choose { then, otherwise, .. } => of(then) && of(otherwise),
+            Node::Pi | Node::Symbol(_) | Node::Call(..) => graph.is_nonnegative(id),
+        };
+        known.insert(id, is_sure);
+    }
+    known.get(&root).copied().unwrap_or(false)
+}

@@ -1,0 +1,20 @@
+//! Residual of the equations of motion: the forces that must act beside the declared ones to produce accelerations.
+
+use super::elimination::solution::push_down;
+use super::least_constraint::{SplitLagrangian, Terms, linear_form};
+use crate::calculus::AccelerationTerms;
+use crate::expr::ExprId;
+use crate::model::Model;
+
+/// The linear part at the generalised velocities.
+pub(super) fn residual(
+    model: &mut Model,
+    split: &SplitLagrangian,
+    accelerations: AccelerationTerms,
+    terms: Terms,
+) -> Vec<ExprId> {
+    let velocities = model.velocities();
+    let form = linear_form(model, split, accelerations, terms);
+    let pushed = push_down(&mut model.graph, form, &velocities);
+    velocities.iter().map(|&v| pushed.linear(&mut model.graph, v)).collect()
+}

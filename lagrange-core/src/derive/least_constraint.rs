@@ -1,0 +1,338 @@
+//! The Lagrangian as a quadratic form in velocities, with its linear part.
+//!
+//! For T = ½ Σ w u², u = dx(q, t)/dt, the accelerations a minimise
+//! ½ Σ w (u·a)² + Σ (w u̇ + ẇ u)(u·a) − ½ Σ u² (ẇ·a) + (V̇·a) − Σ F (ṗ·a),
+//! where u·a is the part of u that is linear in the velocities, taken at a, and rates are taken at zero
+//! acceleration (Gauss's principle; Udwadia and Kalaba, *Analytical Dynamics*, §3). Terms of the Lagrangian
+//! of any other form contribute d/dt ∂L/∂v − ∂L/∂q by reverse-mode differentiation, and second derivatives
+//! from the second-order reverse sweep of Gower and Mello, continued through the nonlinear nodes.
+
+use super::quadratic_form::QuadraticForm;
+use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates, gradient, partials, second_partials};
+use crate::collections::{HashMap, OrderedMap};
+use crate::expr::{Dependencies, ExprId, Graph, Node};
+use crate::model::Model;
+use crate::number::Number;
+
+/// The Lagrangian sorted into terms that are treated alike.
+#[derive(Debug)]
+pub(super) struct SplitLagrangian {
+    /// `(w, u)` for the terms ½ w u² with u = dx/dt.
+    pub(super) squares: Vec<(ExprId, ExprId)>,
+    /// Minus the velocity-free terms.
+    pub(super) potential: ExprId,
+    /// All other terms.
+    pub(super) rest: ExprId,
+    /// Whether those are more than linear in the velocities.
+    pub(super) has_other_inertia: bool,
+    /// The second derivatives with respect to affine nodes, the squares included.
+    quadratic: QuadraticForm,
+}
+
+impl SplitLagrangian {
+    pub(super) fn new(model: &mut Model) -> SplitLagrangian {
+        let lagrangian = model.lagrangian;
+        Splitter::new(model).split(lagrangian)
+    }
+}
+
+/// Which terms of d/dt ∂L/∂v − ∂L/∂q − Q are wanted.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Terms {
+    /// Only those of the Lagrangian.
+    Inertial,
+    /// Also loads and dissipation.
+    All,
+}
+
+/// The quadratic form with the linear part that `terms` and `accelerations` select.
+pub(super) fn least_constraint_form(
+    model: &mut Model,
+    split: &SplitLagrangian,
+    accelerations: AccelerationTerms,
+    terms: Terms,
+) -> QuadraticForm {
+    let mut form = linear_form(model, split, accelerations, terms);
+    form.add(&split.quadratic);
+    form
+}
+
+/// The linear part alone: its coefficients at the generalised velocities are d/dt ∂L/∂v − ∂L/∂q − Q.
+pub(super) fn linear_form(
+    model: &mut Model,
+    split: &SplitLagrangian,
+    accelerations: AccelerationTerms,
+    terms: Terms,
+) -> QuadraticForm {
+    let mut form = loads_beside_squares(model, split, accelerations, terms);
+    let mut rates = Rates::new(accelerations);
+    for &(weight, u) in &split.squares {
+        let u_rate = rates.of(&mut model.graph, u);
+        let inertial = model.graph.multiply(weight, u_rate);
+        form.add_linear(&model.graph, u, inertial);
+    }
+    form
+}
+
+/// The linear part without the terms w u̇ of the squares.
+pub(super) fn loads_beside_squares(
+    model: &mut Model,
+    split: &SplitLagrangian,
+    accelerations: AccelerationTerms,
+    terms: Terms,
+) -> QuadraticForm {
+    let mut form = QuadraticForm::default();
+    let mut rates = Rates::new(accelerations);
+    let mut slopes = Rates::new(AccelerationTerms::Dropped);
+    for &(weight, u) in &split.squares {
+        add_convection(&mut model.graph, &mut form, &mut slopes, weight, u);
+    }
+    let power = slopes.of(&mut model.graph, split.potential);
+    let one = model.graph.number(1);
+    form.add_linear(&model.graph, power, one);
+    add_rest(model, &mut form, &mut rates, split.rest);
+    if terms == Terms::All {
+        add_loads(model, &mut form);
+    }
+    form
+}
+
+/// What the change of its weight adds to the linear part of ½ w u².
+fn add_convection(
+    graph: &mut Graph,
+    form: &mut QuadraticForm,
+    slopes: &mut Rates,
+    weight: ExprId,
+    u: ExprId,
+) {
+    let weight_rate = slopes.of(graph, weight);
+    if graph.is_zero(weight_rate) {
+        return;
+    }
+    let convective = graph.multiply(weight_rate, u);
+    form.add_linear(graph, u, convective);
+    if graph.dependencies(weight_rate).intersects(Dependencies::VELOCITY) {
+        let square = graph.square(u);
+        let half = graph.scale(-&half(), square);
+        form.add_linear(graph, weight_rate, half);
+    }
+}
+
+fn add_rest(model: &mut Model, form: &mut QuadraticForm, rates: &mut Rates, rest: ExprId) {
+    let (positions, velocities) = (model.positions(), model.velocities());
+    let graph = &mut model.graph;
+    let momenta = gradient(graph, rest, &velocities);
+    let forces = gradient(graph, rest, &positions);
+    for ((&velocity, momentum), force) in velocities.iter().zip(momenta).zip(forces) {
+        let rate = rates.of(graph, momentum);
+        let value = graph.subtract(rate, force);
+        form.add_linear(graph, velocity, value);
+    }
+}
+
+fn add_loads(model: &mut Model, form: &mut QuadraticForm) {
+    let velocities = model.velocities();
+    let graph = &mut model.graph;
+    for load in &model.loads {
+        let (coefficient, velocity) = graph.split_coefficient(load.velocity);
+        let opposite = graph.scale(-&coefficient, load.force);
+        form.add_linear(graph, velocity, opposite);
+    }
+    let resistances = gradient(graph, model.dissipation, &velocities);
+    for (&velocity, resistance) in velocities.iter().zip(&resistances) {
+        form.add_linear(graph, velocity, *resistance);
+    }
+}
+
+fn half() -> Number {
+    Number::ratio(1, 2).unwrap_or(Number::ONE)
+}
+
+/// What affine nodes of the Lagrangian are rates of. Besides what the user wrote as `dot(…)`, multiples and
+/// sums of rates are rates.
+fn known_positions(model: &mut Model, degrees: &Degrees) -> HashMap<ExprId, ExprId> {
+    let coordinates = model.coordinates.iter().map(|c| (c.velocity, c.position));
+    let mut positions = model.rates.iter().copied().chain(coordinates).collect::<HashMap<_, _>>();
+    let graph = &mut model.graph;
+    for id in graph.reachable(&[model.lagrangian]) {
+        if degrees.of(graph, id) == Degree::Affine && !positions.contains(&id) {
+            let position = position_of_combination(graph, &positions, id);
+            position.map(|position| positions.insert(id, position));
+        }
+    }
+    positions
+}
+
+fn position_of_combination(
+    graph: &mut Graph,
+    positions: &HashMap<ExprId, ExprId>,
+    id: ExprId,
+) -> Option<ExprId> {
+    match graph.node(id).clone() {
+        Node::Sum { constant, terms } if constant.is_zero() => {
+            let known = terms.iter().map(|(term, c)| Some((*positions.get(term)?, c.clone())));
+            let known = known.collect::<Option<Vec<_>>>()?;
+            Some(graph.sum(Number::ZERO, known))
+        }
+        Node::Product(factors) => {
+            let fixed = |id: ExprId| graph.dependencies(id).is_constant_in_motion();
+            let known = factors.iter().map(|(base, exponent)| match fixed(*base) {
+                true => Some((*base, exponent.clone())),
+                false => Some((*positions.get(base)?, exponent.clone())),
+            });
+            let known = known.collect::<Option<Vec<_>>>()?;
+            Some(graph.product(known))
+        }
+        _ => None,
+    }
+}
+
+/// Walks the Lagrangian from the root through its velocity-dependent nodes.
+struct Splitter<'a> {
+    graph: &'a mut Graph,
+    positions: HashMap<ExprId, ExprId>,
+    degrees: Degrees,
+    /// Weights with which nodes enter the Lagrangian additively.
+    weights: OrderedMap<ExprId, Vec<ExprId>>,
+    /// Weights with which nodes enter through another nonlinear node.
+    adjoints: OrderedMap<ExprId, Vec<ExprId>>,
+    squares: Vec<(ExprId, ExprId)>,
+    free: Vec<ExprId>,
+    rest: Vec<ExprId>,
+    quadratic: QuadraticForm,
+}
+
+impl<'a> Splitter<'a> {
+    fn new(model: &'a mut Model) -> Splitter<'a> {
+        let mut degrees = Degrees::default();
+        degrees.classify(&model.graph, &[model.lagrangian]);
+        let positions = known_positions(model, &degrees);
+        Splitter {
+            graph: &mut model.graph,
+            positions,
+            degrees,
+            weights: OrderedMap::default(),
+            adjoints: OrderedMap::default(),
+            squares: Vec::new(),
+            free: Vec::new(),
+            rest: Vec::new(),
+            quadratic: QuadraticForm::default(),
+        }
+    }
+
+    fn split(mut self, lagrangian: ExprId) -> SplitLagrangian {
+        let one = self.graph.number(1);
+        self.enter(lagrangian, one);
+        for id in self.graph.reachable(&[lagrangian]).into_iter().rev() {
+            if self.degrees.of(self.graph, id) == Degree::Nonlinear {
+                self.visit(id);
+            }
+        }
+        let lagrangian_free = self.graph.total(self.free);
+        let potential = self.graph.negate(lagrangian_free);
+        let rest = self.graph.total(self.rest);
+        let mut degrees = Degrees::default();
+        degrees.classify(self.graph, &[rest]);
+        SplitLagrangian {
+            squares: self.squares,
+            potential,
+            rest,
+            has_other_inertia: degrees.of(self.graph, rest) == Degree::Nonlinear,
+            quadratic: self.quadratic,
+        }
+    }
+
+    /// Records that the Lagrangian holds `weight · id` as a term.
+    fn enter(&mut self, id: ExprId, weight: ExprId) {
+        match self.degrees.of(self.graph, id) {
+            Degree::Free => self.free.push(self.graph.multiply(weight, id)),
+            Degree::Affine => self.rest.push(self.graph.multiply(weight, id)),
+            Degree::Nonlinear => self.weights.get_or_insert_with(id, Vec::new).push(weight),
+        }
+    }
+
+    fn visit(&mut self, id: ExprId) {
+        let additive = self.take(id, |splitter| &mut splitter.weights);
+        let indirect = self.take(id, |splitter| &mut splitter.adjoints);
+        let Some(weight) = additive else { return self.curve(id, indirect) };
+        if let Some(parts) = self.linear_parts(id) {
+            for (part, slope) in parts {
+                let weight = self.graph.multiply(weight, slope);
+                self.enter(part, weight);
+            }
+            return self.curve(id, indirect);
+        }
+        match self.weighted_square(id) {
+            Some((slope, u)) => {
+                let weight = self.graph.multiply(weight, slope);
+                let weight = self.graph.scale(Number::TWO, weight);
+                self.squares.push((weight, u));
+            }
+            None => self.rest.push(self.graph.multiply(weight, id)),
+        }
+        let total = self.graph.total([Some(weight), indirect].into_iter().flatten());
+        self.curve(id, Some(total));
+    }
+
+    fn take(
+        &mut self,
+        id: ExprId,
+        map: impl Fn(&mut Self) -> &mut OrderedMap<ExprId, Vec<ExprId>>,
+    ) -> Option<ExprId> {
+        let terms = std::mem::take(map(self).get_mut(&id)?);
+        Some(self.graph.total(terms))
+    }
+
+    /// The terms of a sum, or the only moving factor of a product; `None` for every other node.
+    fn linear_parts(&mut self, id: ExprId) -> Option<Vec<(ExprId, ExprId)>> {
+        if let Node::Sum { constant, terms } = self.graph.node(id).clone() {
+            let one = self.graph.number(1);
+            let mut parts = vec![(one, self.graph.number(constant))];
+            parts.extend(terms.iter().map(|(term, c)| (*term, self.graph.number(c.clone()))));
+            return Some(parts);
+        }
+        let (slope, base, exponent) = self.only_moving_factor(id)?;
+        exponent.is_one().then(|| vec![(base, slope)])
+    }
+
+    /// `(slope, base, exponent)` for a product of the velocity-free `slope` and one moving factor.
+    fn only_moving_factor(&mut self, id: ExprId) -> Option<(ExprId, ExprId, Number)> {
+        let Node::Product(factors) = self.graph.node(id).clone() else { return None };
+        let is_free = |(base, _): &(ExprId, Number)| self.degrees.of(self.graph, *base) == Degree::Free;
+        let (free, moving): (Vec<_>, Vec<_>) = factors.iter().cloned().partition(is_free);
+        match moving.as_slice() {
+            [(base, exponent)] => Some((self.graph.product(free), *base, exponent.clone())),
+            _ => None,
+        }
+    }
+
+    /// `(slope, u)` if the node is slope·u² with u = dx/dt.
+    fn weighted_square(&mut self, id: ExprId) -> Option<(ExprId, ExprId)> {
+        let (slope, u, exponent) = self.only_moving_factor(id)?;
+        (self.positions.contains(&u) && exponent == Number::TWO).then_some((slope, u))
+    }
+
+    /// One step of the second-order reverse sweep: second derivatives of the node itself, and those that
+    /// have arrived at it, go to its operands.
+    fn curve(&mut self, id: ExprId, adjoint: Option<ExprId>) {
+        let mut parts = partials(self.graph, id);
+        parts.retain(|(part, _)| self.degrees.of(self.graph, *part) != Degree::Free);
+        if self.quadratic.contains(id) {
+            self.quadratic.push(self.graph, id, &parts);
+        }
+        let Some(adjoint) = adjoint else { return };
+        for (part, slope) in parts {
+            if self.degrees.of(self.graph, part) == Degree::Nonlinear {
+                let value = self.graph.multiply(adjoint, slope);
+                self.adjoints.get_or_insert_with(part, Vec::new).push(value);
+            }
+        }
+        for (i, j, second) in second_partials(self.graph, id) {
+            let moving = |id| self.degrees.of(self.graph, id) != Degree::Free;
+            if moving(i) && moving(j) {
+                let value = self.graph.multiply(adjoint, second);
+                self.quadratic.add_pair(self.graph, i, j, value);
+            }
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! Diagnostics for models without equations of motion.
+
+pub(super) const SINGULAR_MASS_MATRIX: &str =
+    "the mass matrix is singular: the kinetic energy leaves some motion of the coordinates without inertia";
+
+/// The same with the names of coordinates, if they are known.
+pub(super) fn singular_mass_matrix(coordinates: &[&str]) -> String {
+    match coordinates {
+        [] => SINGULAR_MASS_MATRIX.to_owned(),
+        [name] => format!("the mass matrix is singular: `{name}` can move without inertia"),
+        names => {
+            format!("the mass matrix is singular: `{}` can move together without inertia", names.join("`, `"))
+        }
+    }
+}
+
+pub(super) const SINGULAR_HELP: &str =
+    "add the kinetic energy that is missing, or describe the motion with fewer coordinates";

@@ -1,0 +1,198 @@
+//! Strategies of forward dynamics: ways from a quadratic form to the accelerations, and which one to take.
+
+use std::fmt;
+
+use super::algebra::Sums;
+use super::cost::cost;
+use super::elimination::contracted::{MOST_CONTRACTED, solve_contracted};
+use super::elimination::solution::{Solution, solve_dense, solve_recursive};
+use super::least_constraint::{SplitLagrangian, Terms, loads_beside_squares};
+use super::messages;
+use super::quadratic_form::QuadraticForm;
+use super::sum_of_squares::{Obstacle, solve_sum_of_squares};
+use crate::calculus::AccelerationTerms;
+use crate::expr::ExprId;
+use crate::model::Model;
+use crate::syntax::ast::Accuracy;
+
+/// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
+/// the factorisation down would be all that the trial finds.
+const LARGEST_TRIAL: usize = 40;
+
+/// How the accelerations are computed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Strategy {
+    /// The mass matrix is formed and factorised.
+    MassMatrix,
+    /// Coordinates are eliminated body by body; the mass matrix is never formed.
+    ArticulatedBody,
+    /// The same, with the kinetic energy kept a sum of squares: no coefficient of it is ever subtracted from.
+    SumOfSquares,
+}
+
+impl Strategy {
+    /// Every strategy, in the order of [`Equations::costs`](super::Equations::costs).
+    pub const ALL: [Strategy; 3] = [Strategy::MassMatrix, Strategy::ArticulatedBody, Strategy::SumOfSquares];
+}
+
+/// Which strategy to take.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum StrategyChoice {
+    /// The one with the lower counted cost.
+    #[default]
+    Cheapest,
+    /// This one; the mass matrix instead of a sum of squares where the kinetic energy is none.
+    Always(Strategy),
+    /// A sum of squares, if the kinetic energy is one, with sums simplified in this way.
+    SumOfSquares(Sums),
+}
+
+/// The mass matrix is singular whatever the values of the parameters.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SingularMassMatrix;
+
+impl fmt::Display for SingularMassMatrix {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(messages::SINGULAR_MASS_MATRIX)
+    }
+}
+
+impl std::error::Error for SingularMassMatrix {}
+
+impl SingularMassMatrix {
+    /// What is wrong, in the user's words, with the names of the coordinates that take part in a motion without inertia.
+    pub fn message(self, coordinates: &[&str]) -> String {
+        messages::singular_mass_matrix(coordinates)
+    }
+
+    /// What to do about it.
+    pub fn help(self) -> &'static str {
+        messages::SINGULAR_HELP
+    }
+}
+
+/// A solution, the strategy that found it, and the counted cost of each strategy that was tried.
+pub(super) type Solved = (Solution, Strategy, [Option<f64>; 3]);
+
+/// What the strategies start from.
+pub(super) struct Candidates<'a> {
+    pub(super) model: &'a mut Model,
+    pub(super) split: &'a SplitLagrangian,
+    pub(super) form: QuadraticForm,
+    /// The form over the generalised velocities.
+    pub(super) pushed: QuadraticForm,
+}
+
+impl Candidates<'_> {
+    pub(super) fn solve(mut self, choice: StrategyChoice) -> Result<Solved, SingularMassMatrix> {
+        let choice = match choice {
+            StrategyChoice::Always(Strategy::SumOfSquares) | StrategyChoice::SumOfSquares(_)
+                if !self.has_squares_only() =>
+            {
+                StrategyChoice::Always(Strategy::MassMatrix)
+            }
+            StrategyChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
+                return self.most_accurate();
+            }
+            choice => choice,
+        };
+        let mut best = None;
+        let mut costs = [None; 3];
+        // The mass matrix last, since it is not worth writing down its factors if it is large.
+        for (n, strategy) in Strategy::ALL.into_iter().enumerate().rev() {
+            let solution = match choice {
+                StrategyChoice::Always(only) if only != strategy => None,
+                StrategyChoice::SumOfSquares(_) if strategy != Strategy::SumOfSquares => None,
+                StrategyChoice::Cheapest
+                    if strategy == Strategy::MassMatrix && best.is_some() && self.is_large() =>
+                {
+                    None
+                }
+                StrategyChoice::SumOfSquares(sums) => self.squares(&[sums])?,
+                _ => self.take(strategy)?,
+            };
+            let Some(solution) = solution else { continue };
+            let cost = cost(&self.model.graph, &solution.values);
+            costs[n] = Some(cost);
+            if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
+                best = Some((solution, strategy, cost));
+            }
+        }
+        best.map(|(solution, strategy, _)| (solution, strategy, costs)).ok_or(SingularMassMatrix)
+    }
+
+    /// Nothing is more accurate than what needs no elimination. Otherwise squares come first; where they lead nowhere, the
+    /// mass matrix if what cancels in it can be looked for, and elimination body by body if it is too large for that:
+    /// this adds up less before it subtracts.
+    fn most_accurate(&mut self) -> Result<Solved, SingularMassMatrix> {
+        let velocities = self.model.velocities();
+        let is_coupled = velocities.iter().any(|&velocity| self.pushed.degree(velocity) > 0);
+        let is_contracted = velocities.len() <= MOST_CONTRACTED;
+        let strategies = match (is_coupled, is_contracted) {
+            (false, _) => [Strategy::MassMatrix, Strategy::ArticulatedBody, Strategy::SumOfSquares],
+            (true, true) => [Strategy::SumOfSquares, Strategy::MassMatrix, Strategy::ArticulatedBody],
+            (true, false) => [Strategy::SumOfSquares, Strategy::ArticulatedBody, Strategy::MassMatrix],
+        };
+        for strategy in strategies {
+            if let Some(solution) = self.take(strategy)? {
+                return Ok((solution, strategy, [None; 3]));
+            }
+        }
+        Err(SingularMassMatrix)
+    }
+
+    fn is_large(&self) -> bool {
+        let count = self.model.coordinates.len();
+        count > LARGEST_TRIAL && self.pushed.is_mostly_full(count)
+    }
+
+    /// The solution by one strategy, if it finds any.
+    fn take(&mut self, strategy: Strategy) -> Result<Option<Solution>, SingularMassMatrix> {
+        let unknowns = self.model.unknowns();
+        match strategy {
+            Strategy::MassMatrix => Ok(self.factorised(&unknowns)),
+            Strategy::ArticulatedBody => {
+                Ok(solve_recursive(&mut self.model.graph, self.form.clone(), &unknowns))
+            }
+            Strategy::SumOfSquares if !self.has_squares_only() => Ok(None),
+            Strategy::SumOfSquares if self.model.accuracy == Accuracy::Strict => {
+                self.squares(&[Sums::Contracted])
+            }
+            Strategy::SumOfSquares => self.squares(&[Sums::Contracted, Sums::Collected]),
+        }
+    }
+
+    /// Whether there is nothing but squares of rates; multipliers stand in products.
+    fn has_squares_only(&self) -> bool {
+        !self.split.has_other_inertia && self.model.constraints.is_empty()
+    }
+
+    fn factorised(&mut self, unknowns: &[ExprId]) -> Option<Solution> {
+        let graph = &mut self.model.graph;
+        let is_strict = self.model.accuracy == Accuracy::Strict && self.model.constraints.is_empty();
+        let contracted = is_strict.then(|| solve_contracted(graph, &self.pushed, unknowns)).flatten();
+        contracted.or_else(|| solve_dense(graph, self.pushed.clone(), unknowns))
+    }
+
+    /// The cheapest solution by way of squares, with sums simplified in each of these ways; the first of equals.
+    fn squares(&mut self, ways: &[Sums]) -> Result<Option<Solution>, SingularMassMatrix> {
+        let velocities = self.model.velocities();
+        let dropped = AccelerationTerms::Dropped;
+        let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
+        let mut best: Option<(f64, Solution)> = None;
+        for &sums in ways {
+            let graph = &mut self.model.graph;
+            match solve_sum_of_squares(graph, self.split, loads.clone(), &velocities, sums) {
+                Ok(solution) => {
+                    let cost = cost(graph, &solution.values);
+                    if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                        best = Some((cost, solution));
+                    }
+                }
+                Err(Obstacle::NothingMoves) => return Err(SingularMassMatrix),
+                Err(Obstacle::Pivot | Obstacle::Size) => {}
+            }
+        }
+        Ok(best.map(|(_, solution)| solution))
+    }
+}

@@ -1,0 +1,172 @@
+//! How velocities are made of each other.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::calculus::{AccelerationTerms, Rates};
+use crate::collections::{HashMap, OrderedMap};
+use crate::derive::algebra::{Algebra, LinearForm};
+use crate::derive::sweep::Sweep;
+use crate::expr::{ExprId, Graph};
+use crate::number::Number;
+
+/// An acceleration as `slope·x + Σ rest + drift`, where x is the one to be eliminated.
+#[derive(Clone, Debug)]
+pub(super) struct AffineExpansion {
+    pub(super) slope: ExprId,
+    pub(super) rest: LinearForm,
+    pub(super) drift: ExprId,
+}
+
+/// What each variable is made of: y = Σ slope·part, hence ÿ = Σ slope·p̈ + drift.
+///
+/// Variables may be measured from an offset: what is called the acceleration of y is then ÿ plus the offset.
+/// Gravity as the offset of all points leaves no force behind.
+pub(super) struct Composition {
+    parts: HashMap<ExprId, LinearForm>,
+    /// Variables made of this one that are still in use.
+    users: HashMap<ExprId, BTreeSet<ExprId>>,
+    offsets: HashMap<ExprId, ExprId>,
+    rates: Rates,
+}
+
+impl Composition {
+    /// Of everything that `heads` are made of.
+    pub(super) fn new(sweep: &Sweep, heads: impl IntoIterator<Item = ExprId>) -> Composition {
+        let mut parts: HashMap<ExprId, LinearForm> = HashMap::default();
+        let mut users: HashMap<ExprId, BTreeSet<ExprId>> = HashMap::default();
+        let mut pending = heads.into_iter().collect::<Vec<_>>();
+        while let Some(id) = pending.pop() {
+            if parts.contains(&id) {
+                continue;
+            }
+            for &(part, _) in sweep.parts(id) {
+                users.get_or_insert_with(part, BTreeSet::new).insert(id);
+                pending.push(part);
+            }
+            parts.insert(id, sweep.parts(id).to_vec());
+        }
+        Composition {
+            parts,
+            users,
+            offsets: HashMap::default(),
+            rates: Rates::new(AccelerationTerms::Dropped),
+        }
+    }
+
+    pub(super) fn parts(&self, id: ExprId) -> &[(ExprId, ExprId)] {
+        self.parts.get(&id).map_or(&[], |parts| parts)
+    }
+
+    /// Measures a variable from `offset`.
+    pub(super) fn set_offset(&mut self, id: ExprId, offset: ExprId) {
+        self.offsets.insert(id, offset);
+    }
+
+    /// What a variable is measured from.
+    pub(super) fn offset(&self, graph: &mut Graph, id: ExprId) -> ExprId {
+        self.offsets.get(&id).copied().unwrap_or_else(|| graph.number(0))
+    }
+
+    /// The acceleration of a variable when its parts do not accelerate.
+    pub(super) fn drift(&mut self, algebra: &mut Algebra<'_>, id: ExprId) -> ExprId {
+        let parts = self.parts(id).to_vec();
+        let graph = &mut *algebra.graph;
+        let offset = self.offset(graph, id);
+        if parts.is_empty() {
+            return offset;
+        }
+        let mut rates = vec![(self.rates.of(graph, id), Number::ONE)];
+        let mut offsets = vec![(offset, Number::ONE)];
+        for (part, slope) in parts {
+            let values = [self.rates.of(graph, part), self.offset(graph, part)];
+            let [rate, offset] = values.map(|value| graph.multiply(slope, value));
+            rates.push((rate, Number::MINUS_ONE));
+            offsets.push((offset, Number::MINUS_ONE));
+        }
+        // The rates of parts stand in that of the whole as they are; opened, they might not be found.
+        let own = graph.sum(Number::ZERO, rates);
+        offsets.push((own, Number::ONE));
+        algebra.total(offsets)
+    }
+
+    /// The one variable through which alone `x` enters others, if it does so with a number for a slope. To
+    /// choose its acceleration is to choose that of `x`, and it depends on fewer others.
+    pub(super) fn only_user(&self, graph: &Graph, x: ExprId) -> Option<(ExprId, Number)> {
+        let users = self.users.get(&x)?;
+        let user = *users.first().filter(|_| users.len() == 1)?;
+        let parts = self.parts(user);
+        let (_, slope) = parts.iter().find(|(part, _)| *part == x)?;
+        Some((user, graph.as_number(*slope)?.clone()))
+    }
+
+    /// Every variable that `x` is a part of, written in `x` and others that it is no part of.
+    pub(super) fn expand(
+        &mut self,
+        algebra: &mut Algebra<'_>,
+        x: ExprId,
+    ) -> OrderedMap<ExprId, AffineExpansion> {
+        let mut expansions: OrderedMap<ExprId, AffineExpansion> = OrderedMap::default();
+        for id in self.made_of(x) {
+            let expansion = match id == x {
+                true => {
+                    let (slope, drift) = (algebra.graph.number(1), algebra.graph.number(0));
+                    AffineExpansion { slope, rest: Vec::new(), drift }
+                }
+                false => self.expand_one(algebra, &expansions, id),
+            };
+            expansions.insert(id, expansion);
+        }
+        expansions
+    }
+
+    /// Every variable that `x` is a part of, itself included, parts before wholes.
+    pub(super) fn made_of(&self, x: ExprId) -> Vec<ExprId> {
+        let mut found = BTreeSet::new();
+        let mut pending = vec![x];
+        while let Some(id) = pending.pop() {
+            if found.insert(id) {
+                pending.extend(self.users.get(&id).into_iter().flatten());
+            }
+        }
+        found.into_iter().collect()
+    }
+
+    fn expand_one(
+        &mut self,
+        algebra: &mut Algebra<'_>,
+        known: &OrderedMap<ExprId, AffineExpansion>,
+        id: ExprId,
+    ) -> AffineExpansion {
+        let mut slopes = Vec::new();
+        let mut rest: BTreeMap<ExprId, Vec<(ExprId, Number)>> = BTreeMap::new();
+        let mut drift = vec![(self.drift(algebra, id), Number::ONE)];
+        for (part, slope) in self.parts(id).to_vec() {
+            let Some(inner) = known.get(&part) else {
+                rest.entry(part).or_default().push((slope, Number::ONE));
+                continue;
+            };
+            slopes.push((algebra.graph.multiply(slope, inner.slope), Number::ONE));
+            drift.push((algebra.graph.multiply(slope, inner.drift), Number::ONE));
+            for &(below, inner) in &inner.rest {
+                let product = algebra.graph.multiply(slope, inner);
+                rest.entry(below).or_default().push((product, Number::ONE));
+            }
+        }
+        AffineExpansion {
+            slope: algebra.total(slopes),
+            rest: algebra.linear_form(rest),
+            drift: algebra.total(drift),
+        }
+    }
+
+    /// Forgets variables that have been eliminated or written in others.
+    pub(super) fn retire(&mut self, retired: &[ExprId]) {
+        for id in retired {
+            for (part, _) in self.parts(*id).to_vec() {
+                self.users.get_mut(&part).into_iter().for_each(|users| {
+                    users.remove(id);
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,364 @@
+//! Elimination that keeps the form a sum of squares.
+//!
+//! The mass matrix is never formed, nor are its Schur complements: what is left of an elimination is again a
+//! sum of squares, found by [`rotation`]. That keeps the digits which differences of large entries lose, and on chains and
+//! trees of points it is also the shortest way: between two points a single number stands for a subtree.
+
+mod back;
+mod composition;
+mod frame;
+mod guard;
+mod rotation;
+mod square;
+
+use std::collections::BTreeSet;
+
+use super::algebra::{Algebra, LinearForm, Sums};
+use super::elimination::solution::Solution;
+use super::least_constraint::SplitLagrangian;
+use super::quadratic_form::QuadraticForm;
+use super::sweep::{Multiples, Sweep};
+use crate::collections::OrderedMap;
+use crate::expr::{ExprId, Graph};
+use crate::number::Number;
+use crate::simplify;
+use back::{EliminatedUnknown, Substitution, Way, substitute_back};
+use composition::{AffineExpansion, Composition};
+use frame::frame;
+use rotation::{Pull, eliminate};
+use square::{Carried, Carriers, Square};
+
+/// Why no accelerations are found among squares.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Obstacle {
+    /// Some motion moves none of them, so that the mass matrix is singular whatever the weights.
+    NothingMoves,
+    /// Weights of both signs leave no pivot.
+    Pivot,
+    /// They fill in too much.
+    Size,
+}
+
+/// Accelerations from the squares of a Lagrangian without other terms quadratic in the velocities, in the order of the
+/// velocities. `loads` are the linear part of the form without the rates of the squares.
+pub(super) fn solve_sum_of_squares(
+    graph: &mut Graph,
+    split: &SplitLagrangian,
+    loads: QuadraticForm,
+    velocities: &[ExprId],
+    sums: Sums,
+) -> Result<Solution, Obstacle> {
+    let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables()).collect::<Vec<_>>();
+    let mut sweep = Sweep::new(graph, [&heads, &[]], velocities, Multiples::Merged);
+    let mut elimination = SquareElimination::new(graph, &sweep, split, loads, sums);
+    let mut order = leaves(&mut sweep);
+    order.sort_by_cached_key(|&velocity| elimination.moved_by(velocity));
+    for velocity in order {
+        elimination.eliminate(velocity)?;
+    }
+    let SquareElimination { algebra, composition, steps, .. } = elimination;
+    if steps.len() < velocities.len() {
+        return Err(Obstacle::NothingMoves);
+    }
+    Ok(substitute_back(algebra, composition, &steps, velocities))
+}
+
+/// The generalised velocities, each after all that are made of it by way of others.
+fn leaves(sweep: &mut Sweep) -> Vec<ExprId> {
+    let mut order = Vec::new();
+    loop {
+        order.extend(std::iter::from_fn(|| sweep.next_leaf()));
+        if sweep.next_step().is_none() {
+            return order;
+        }
+    }
+}
+
+/// The variables of the squares that are made of the unknown.
+fn carrier_ids(expansions: &OrderedMap<ExprId, AffineExpansion>, squares: &[Square]) -> Vec<ExprId> {
+    let mut ids = squares.iter().flat_map(|square| square.form.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
+    ids.retain(|id| expansions.contains(id));
+    ids.sort_unstable();
+    ids.dedup();
+    ids
+}
+
+/// Writes loads along other variables as loads along the variables of squares and generalised velocities.
+fn push_loads(
+    graph: &mut Graph,
+    sweep: &Sweep,
+    squares: &OrderedMap<ExprId, Vec<(ExprId, Number)>>,
+    mut loads: QuadraticForm,
+) -> QuadraticForm {
+    let mut pending = loads.variables().into_iter().collect::<BTreeSet<_>>();
+    // Wholes come after their parts.
+    while let Some(id) = pending.pop_last() {
+        let parts = sweep.parts(id);
+        if !squares.contains(&id) && !parts.is_empty() {
+            loads.push(graph, id, parts);
+            pending.extend(parts.iter().map(|(part, _)| *part));
+        }
+    }
+    loads
+}
+
+struct SquareElimination<'g> {
+    algebra: Algebra<'g>,
+    composition: Composition,
+    squares: Vec<Square>,
+    loads: QuadraticForm,
+    steps: Vec<EliminatedUnknown>,
+}
+
+impl<'g> SquareElimination<'g> {
+    fn new(
+        graph: &'g mut Graph,
+        sweep: &Sweep,
+        split: &SplitLagrangian,
+        loads: QuadraticForm,
+        sums: Sums,
+    ) -> SquareElimination<'g> {
+        let mut weights: OrderedMap<ExprId, Vec<(ExprId, Number)>> = OrderedMap::default();
+        for &(weight, u) in &split.squares {
+            weights.get_or_insert_with(u, Vec::new).push((weight, Number::ONE));
+        }
+        let loads = push_loads(graph, sweep, &weights, loads);
+        let heads = weights.iter().map(|(u, _)| *u).chain(loads.variables());
+        let composition = Composition::new(sweep, heads);
+        let algebra = Algebra::new(graph, sums);
+        let mut elimination =
+            SquareElimination { algebra, composition, squares: Vec::new(), loads, steps: Vec::new() };
+        weights.iter().for_each(|(u, weights)| elimination.add_square_of(*u, weights));
+        elimination
+    }
+
+    /// The square of a variable, with the load that acts along it.
+    fn add_square_of(&mut self, u: ExprId, weights: &[(ExprId, Number)]) {
+        let graph = &mut *self.algebra.graph;
+        let weight = simplify::collect(graph, weights.to_vec());
+        let load = self.loads.take(graph, u).linear;
+        let offset = graph.divide(load, weight);
+        let is_steady = graph.dependencies(offset).is_constant_in_motion();
+        let one = graph.number(1);
+        let mut square = Square { weight, linear: load, form: vec![(u, one)] };
+        if is_steady && !self.composition.parts(u).is_empty() {
+            self.composition.set_offset(u, offset);
+            square.linear = graph.number(0);
+        }
+        self.squares.push(square);
+    }
+
+    /// How many inertias and how many squares a velocity moves. What moves the fewest is eliminated first, the pole
+    /// before its cart: what is left of it then adds to the inertia of what carries it.
+    fn moved_by(&self, velocity: ExprId) -> (usize, usize) {
+        let made_of = self.composition.made_of(velocity);
+        let touches = |square: &&Square| square.form.iter().any(|(id, _)| made_of.binary_search(id).is_ok());
+        let mut weights = self.squares.iter().filter(touches).map(|square| square.weight).collect::<Vec<_>>();
+        let squares = weights.len();
+        weights.sort_unstable();
+        weights.dedup();
+        (weights.len(), squares)
+    }
+
+    /// Eliminates one velocity.
+    fn eliminate(&mut self, velocity: ExprId) -> Result<(), Obstacle> {
+        let ways = self.ways_up(velocity);
+        let unknown = ways.last().map_or(velocity, |way| way.whole);
+        let mut expansions = self.composition.expand(&mut self.algebra, unknown);
+        let touched = self.take_touched(&expansions);
+        let ids = carrier_ids(&expansions, &touched);
+        let scale = self.rescale(&mut expansions, &ids);
+        self.draw_out_of_drifts(&mut expansions, &ids);
+        let of_carriers = ids.iter().filter_map(|id| expansions.get(id).cloned()).collect();
+        let carriers = Carriers::new(&mut self.algebra, ids, of_carriers);
+        let touched =
+            touched.into_iter().map(|square| carriers.carry(&mut self.algebra, square)).collect::<Vec<_>>();
+        if touched.is_empty() {
+            return Err(Obstacle::NothingMoves);
+        }
+        let (pull, left) = eliminate(&mut self.algebra, &carriers, &touched).ok_or(Obstacle::Size)?;
+        if self.algebra.graph.is_zero(pull.pivot) {
+            return Err(Obstacle::Pivot);
+        }
+        let applied = self.applied_load(&expansions);
+        let rule = self.rule(&carriers, &touched, &pull, applied);
+        let retired = expansions.iter().map(|(id, _)| *id).collect::<Vec<_>>();
+        self.composition.retire(&retired);
+        self.steps.push(EliminatedUnknown {
+            velocity,
+            unknown,
+            ways,
+            scale,
+            pivot: pull.pivot,
+            rule,
+            expansions,
+        });
+        self.add_squares(left);
+        Ok(())
+    }
+
+    /// Takes the squares that hold any of the variables.
+    fn take_touched(&mut self, expansions: &OrderedMap<ExprId, AffineExpansion>) -> Vec<Square> {
+        let is_touched = |square: &Square| square.form.iter().any(|(id, _)| expansions.contains(id));
+        let (touched, kept) = std::mem::take(&mut self.squares).into_iter().partition(is_touched);
+        self.squares = kept;
+        touched
+    }
+
+    /// How the unknown follows from what is left. A load along it is passed on.
+    fn rule(
+        &mut self,
+        carriers: &Carriers,
+        touched: &[Carried],
+        pull: &Pull,
+        applied: ExprId,
+    ) -> Substitution {
+        let loads = [pull.applied, applied];
+        if let Some(frame) = frame(carriers, &mut self.algebra, touched, pull.pivot) {
+            if !self.algebra.graph.is_zero(applied) {
+                let factors = frame.factors(&mut self.algebra);
+                self.pass_on(&factors, applied);
+            }
+            let offset = self.divided(&loads, pull.pivot);
+            return Substitution::InFrame { carriers: frame.carriers, bend: frame.bend, offset };
+        }
+        let factors = pull.factors(&mut self.algebra, carriers);
+        self.pass_on(&factors, applied);
+        let free = self.divided(&[&loads[..], &[pull.drifting]].concat(), pull.pivot);
+        Substitution::Plain { factors, free }
+    }
+
+    fn divided(&mut self, terms: &[ExprId], pivot: ExprId) -> ExprId {
+        let total = self.algebra.total(terms.iter().map(|&term| (term, Number::ONE)).collect());
+        simplify::quotient(self.algebra.graph, total, pivot)
+    }
+
+    /// The part of a load that what is left has to bear.
+    fn pass_on(&mut self, factors: &LinearForm, load: ExprId) {
+        let graph = &mut *self.algebra.graph;
+        for &(id, factor) in factors {
+            let value = graph.multiply(factor, load);
+            let value = graph.negate(value);
+            self.loads.add_linear(graph, id, value);
+        }
+    }
+
+    /// The way to the variable to eliminate for a velocity, which is one through which alone it enters.
+    fn ways_up(&mut self, velocity: ExprId) -> Vec<Way> {
+        let mut ways = Vec::new();
+        let mut part = velocity;
+        while !self.squares.iter().any(|square| square.form.iter().any(|(id, _)| *id == part))
+            && let Some((whole, slope)) = self.composition.only_user(self.algebra.graph, part)
+            && let Some(inverse) = slope.reciprocal()
+        {
+            self.move_load(part, whole, &inverse);
+            ways.push(Way { part, whole, inverse });
+            part = whole;
+        }
+        ways
+    }
+
+    /// Writes a load along a part as loads along the whole and its other parts.
+    fn move_load(&mut self, part: ExprId, whole: ExprId, inverse: &Number) {
+        let graph = &mut *self.algebra.graph;
+        let load = self.loads.take(graph, part).linear;
+        let load = graph.scale(inverse.clone(), load);
+        self.loads.add_linear(graph, whole, load);
+        for &(other, slope) in self.composition.parts(whole) {
+            if other != part {
+                let value = graph.multiply(slope, load);
+                let value = graph.negate(value);
+                self.loads.add_linear(graph, other, value);
+            }
+        }
+    }
+
+    /// Measures the unknown in units of what the slopes of its carriers have in common, such as the length of a
+    /// rod, so that it no longer occurs in them.
+    fn rescale(
+        &mut self,
+        expansions: &mut OrderedMap<ExprId, AffineExpansion>,
+        carriers: &[ExprId],
+    ) -> ExprId {
+        let slopes = carriers.iter().filter_map(|id| Some(expansions.get(id)?.slope)).collect::<Vec<_>>();
+        let graph = &mut *self.algebra.graph;
+        let (scale, _) = simplify::content(graph, &slopes);
+        if slopes.len() < 2 || !graph.dependencies(scale).is_constant_in_motion() {
+            return graph.number(1);
+        }
+        let ids = expansions.iter().map(|(id, _)| *id).collect::<Vec<_>>();
+        for id in ids {
+            if let Some(expansion) = expansions.get_mut(&id) {
+                expansion.slope = simplify::quotient(graph, expansion.slope, scale);
+            }
+        }
+        scale
+    }
+
+    /// Writes the drifts of the carriers as multiples of what they have in common, such as the rate of a rod
+    /// squared.
+    fn draw_out_of_drifts(
+        &mut self,
+        expansions: &mut OrderedMap<ExprId, AffineExpansion>,
+        carriers: &[ExprId],
+    ) {
+        let drifts = carriers.iter().filter_map(|id| Some(expansions.get(id)?.drift)).collect::<Vec<_>>();
+        if drifts.len() < 2 {
+            return;
+        }
+        let graph = &mut *self.algebra.graph;
+        let (common, rest) = simplify::content(graph, &drifts);
+        for (id, rest) in carriers.iter().zip(rest) {
+            if let Some(expansion) = expansions.get_mut(id) {
+                expansion.drift = graph.multiply(common, rest);
+            }
+        }
+    }
+
+    /// The load along the unknown; what loads along its carriers mean for other variables is moved there.
+    fn applied_load(&mut self, expansions: &OrderedMap<ExprId, AffineExpansion>) -> ExprId {
+        let mut along = Vec::new();
+        for (&id, expansion) in expansions.iter() {
+            let load = self.loads.take(self.algebra.graph, id).linear;
+            along.push((load, expansion.slope, Number::ONE));
+            for &(part, slope) in &expansion.rest {
+                let value = self.algebra.graph.multiply(slope, load);
+                self.loads.add_linear(self.algebra.graph, part, value);
+            }
+        }
+        self.algebra.products(&along)
+    }
+
+    /// Adds squares, those of the same form as one.
+    fn add_squares(&mut self, squares: Vec<Square>) {
+        for square in squares {
+            let square = self.primitive(&square);
+            match self.squares.iter_mut().find(|present| present.form == square.form) {
+                Some(present) => {
+                    let graph = &mut *self.algebra.graph;
+                    present.weight = simplify::collect(
+                        graph,
+                        vec![(present.weight, Number::ONE), (square.weight, Number::ONE)],
+                    );
+                    present.linear = graph.add(present.linear, square.linear);
+                }
+                None => self.squares.push(square),
+            }
+        }
+    }
+
+    /// The square with what its coefficients have in common moved into the weight.
+    fn primitive(&mut self, square: &Square) -> Square {
+        let (content, form) = self.algebra.primitive(&square.form);
+        let graph = &mut *self.algebra.graph;
+        let squared = graph.square(content);
+        Square {
+            weight: graph.multiply(square.weight, squared),
+            linear: graph.multiply(square.linear, content),
+            form,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

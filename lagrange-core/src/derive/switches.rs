@@ -1,0 +1,189 @@
+//! Switches: surfaces in time and state on which the equations of motion are not smooth.
+//!
+//! They are where a condition of `if` changes, and the kinks of `abs`, `sign`, `min` and `max`. Methods of integration keep their
+//! order only if no step leads across one: a run fixes the side of every switch, on which the equations are smooth, and changes
+//! it where the surface is met. [`one_sided`] writes expressions with symbols for the sides. For |x|, whose switch is x with the
+//! side s, that is s x; for `if t < 1 { 0 } else { f }`, whose switch is t − 1, it is `if s < 0 { 0 } else { f }`.
+//!
+//! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6, "discontinuous equations".
+
+use crate::calculus::rebuild;
+use crate::collections::{HashMap, OrderedMap};
+use crate::expr::{Dependencies, ExprId, Function, Graph, Node, Relation};
+use crate::model::{Energies, Model, ReactionKind};
+use crate::number::Number;
+use crate::symbol::{Role, SymbolId};
+
+/// A surface on which the equations of motion are not smooth.
+#[derive(Clone, Debug)]
+pub struct Switch {
+    /// What is zero there, a function of t, q, v and inputs. It increases with time if it depends on time alone.
+    pub value: ExprId,
+    /// The symbol of its side: the sign of `value`.
+    pub side: ExprId,
+    /// Where it is declared.
+    pub statement: Option<String>,
+    /// When it is passed, if it is t minus something that is constant in motion.
+    pub time: Option<ExprId>,
+}
+
+/// What an expression that is not smooth switches with: the sign of `value`, or its opposite.
+#[derive(Clone, Copy)]
+struct Surface {
+    value: ExprId,
+    is_opposite: bool,
+}
+
+impl Switch {
+    /// The switches of what determines a motion. Conditions on `guards` do not count: there both branches have the same value.
+    pub(super) fn find(model: &mut Model, roots: &[ExprId], guards: &[ExprId]) -> Vec<Switch> {
+        let statements = statements(model);
+        let mut found: OrderedMap<ExprId, Switch> = OrderedMap::default();
+        for id in model.graph.reachable(roots) {
+            if let Some(Surface { value, .. }) = surface(&mut model.graph, id, guards)
+                && !found.contains(&value)
+            {
+                let index = found.len() as u32;
+                let side = model.graph.symbol(&format!("side_{index}"), Role::Side(index));
+                let statement = statements.get(&value).cloned();
+                let time = passed_at(&mut model.graph, value);
+                found.insert(value, Switch { value, side, statement, time });
+            }
+        }
+        found.iter().map(|(_, switch)| switch.clone()).collect()
+    }
+}
+
+/// What the roots are made of, themselves included, with the sides of the switches as symbols. What is not on one of them stays as
+/// it is.
+pub fn one_sided(graph: &mut Graph, switches: &[Switch], roots: &[ExprId]) -> HashMap<ExprId, ExprId> {
+    let sides = switches.iter().map(|switch| (switch.value, switch.side)).collect::<HashMap<_, _>>();
+    let mut image: HashMap<ExprId, ExprId> = HashMap::default();
+    for id in graph.reachable(roots) {
+        let map = |child: ExprId| image.get(&child).copied().unwrap_or(child);
+        let surface = surface(graph, id, &[]);
+        let side = surface.and_then(|surface| Some((*sides.get(&surface.value)?, surface.is_opposite)));
+        let new = match side {
+            Some((side, is_opposite)) => on_side(graph, id, side, is_opposite, map),
+            None => rebuild(graph, id, map),
+        };
+        image.insert(id, new);
+    }
+    image
+}
+
+/// A node that is not smooth, on this side of its surface, or on the opposite one.
+fn on_side(
+    graph: &mut Graph,
+    id: ExprId,
+    side: ExprId,
+    is_opposite: bool,
+    map: impl Fn(ExprId) -> ExprId,
+) -> ExprId {
+    let zero = graph.number(0);
+    let (left, right) = if is_opposite { (zero, side) } else { (side, zero) };
+    let (relation, then, otherwise) = match graph.node(id).clone() {
+        Node::Call(Function::Min, arguments) => (Relation::Less, arguments[0], arguments[1]),
+        Node::Call(Function::Max, arguments) => (Relation::Less, arguments[1], arguments[0]),
+        Node::Choose { relation, then, otherwise, .. } => (relation, then, otherwise),
+        node => {
+            let sign = if is_opposite { graph.negate(side) } else { side };
+            return match node {
+                Node::Call(Function::Abs, arguments) => graph.multiply(sign, map(arguments[0])),
+                _ => sign,
+            };
+        }
+    };
+    graph.choose(relation, left, right, map(then), map(otherwise))
+}
+
+/// The surface on which a node is not smooth, if it has one that a motion may pass.
+fn surface(graph: &mut Graph, id: ExprId, guards: &[ExprId]) -> Option<Surface> {
+    let difference = match graph.node(id).clone() {
+        Node::Choose { left, right, .. } if graph.is_zero(right) && guards.contains(&left) => return None,
+        Node::Choose { left, right, .. } => graph.subtract(left, right),
+        Node::Call(Function::Abs | Function::Sign | Function::MagnitudeSlope, arguments) => arguments[0],
+        Node::Call(Function::Min | Function::Max, arguments) => graph.subtract(arguments[0], arguments[1]),
+        _ => return None,
+    };
+    let dependencies = graph.dependencies(difference);
+    let unknown = Dependencies::ACCELERATION | Dependencies::MULTIPLIER | Dependencies::REACTION;
+    let may_pass = dependencies.intersects(moving()) && !dependencies.intersects(unknown);
+    // What is never negative touches its surface at most, as a length where it is zero.
+    may_pass.then(|| normalised(graph, difference)).filter(|surface| !graph.is_nonnegative(surface.value))
+}
+
+/// The surface of a difference, the same for all its multiples: the time, or else the first term that moves, has the coefficient
+/// one.
+fn normalised(graph: &mut Graph, difference: ExprId) -> Surface {
+    let (scale, core) = graph.split_coefficient(difference);
+    let leading = match graph.node(core) {
+        Node::Sum { terms, .. } => {
+            let moves = |(term, _): &&(ExprId, Number)| !graph.dependencies(*term).is_constant_in_motion();
+            let timed = terms.iter().find(|(term, _)| is_time(graph, *term));
+            timed.or(terms.iter().find(moves)).map(|(_, coefficient)| coefficient.clone())
+        }
+        _ => None,
+    };
+    let leading = leading.unwrap_or(Number::ONE);
+    let value = match leading.reciprocal() {
+        Some(inverse) => graph.scale(inverse, core),
+        None => core,
+    };
+    Surface { value, is_opposite: leading.is_negative() != scale.is_negative() }
+}
+
+fn is_time(graph: &Graph, id: ExprId) -> bool {
+    let role = |symbol: SymbolId| graph.symbols().get(symbol).role;
+    matches!(graph.node(id), Node::Symbol(symbol) if role(*symbol) == Role::Time)
+}
+
+/// When a surface is passed, if time has its own term and all others stay.
+fn passed_at(graph: &mut Graph, value: ExprId) -> Option<ExprId> {
+    let time = graph.symbol("t", Role::Time);
+    let rest = graph.subtract(time, value);
+    (!graph.dependencies(rest).intersects(moving())).then_some(rest)
+}
+
+/// What may change in motion. Inputs do where a control computes them from the state.
+fn moving() -> Dependencies {
+    Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY | Dependencies::INPUT
+}
+
+/// For each surface in the declaration the first statement that holds it.
+fn statements(model: &mut Model) -> HashMap<ExprId, String> {
+    let mut roots: Vec<(ExprId, String)> = Vec::new();
+    for load in &model.loads {
+        let on = model.coordinates.iter().find(|coordinate| coordinate.velocity == load.velocity);
+        let statement = on.map_or("force".to_owned(), |coordinate| format!("force {}", coordinate.name));
+        roots.extend([(load.force, statement.clone()), (load.velocity, statement)]);
+    }
+    roots.push((model.dissipation, "dissipation".to_owned()));
+    match model.energies {
+        Energies::Separate { kinetic, potential } => {
+            roots.extend([(potential, "potential".to_owned()), (kinetic, "kinetic".to_owned())]);
+        }
+        Energies::Lagrangian => roots.push((model.lagrangian, "lagrangian".to_owned())),
+    }
+    for constraint in &model.constraints {
+        roots.push((constraint.value, format!("constraint {}", constraint.name)));
+    }
+    for reaction in &model.reactions {
+        let (statement, parts) = match reaction.kind {
+            ReactionKind::Contact { gap, .. } => ("event", vec![gap]),
+            ReactionKind::Friction { kinetic, fixed } => ("friction", vec![kinetic, fixed]),
+            ReactionKind::Smooth { limit, .. } => ("friction", vec![limit]),
+        };
+        let statement = format!("{statement} {}", reaction.name);
+        roots.extend(parts.into_iter().chain([reaction.velocity]).map(|part| (part, statement.clone())));
+    }
+    let mut found = HashMap::default();
+    for (root, statement) in roots {
+        for id in model.graph.reachable(&[root]) {
+            if let Some(surface) = surface(&mut model.graph, id, &[]) {
+                found.get_or_insert_with(surface.value, || statement.clone());
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,170 @@
+//! Function calls of the language: elementary functions, rates, vector operations, energies.
+
+use super::chains::power;
+use super::evaluator::Evaluator;
+use super::function_names::{arity, function_names, mass_function, usage};
+use super::inertia::evaluate_mass_function;
+use super::messages;
+use super::operand::{Operand, cross, half_square, inner, norm};
+use super::scope::NameKind;
+use crate::calculus::evaluate;
+use crate::diagnostics::nearest;
+use crate::expr::{Dependencies, ExprId};
+use crate::functions;
+use crate::syntax::ast::{AstId, Expression, Name};
+use crate::syntax::{foreign, print};
+
+pub(super) fn evaluate_call(
+    evaluator: &mut Evaluator<'_>,
+    name: &Name,
+    arguments: &[AstId],
+    call: AstId,
+) -> Option<Operand> {
+    if let Some(function) = mass_function(&name.text) {
+        return evaluate_mass_function(evaluator, function, name, arguments, call);
+    }
+    let Some(arity) = arity(&name.text) else {
+        let is_read = |&id: &AstId| !matches!(evaluator.syntax(id), Expression::Invalid);
+        if arguments.iter().all(is_read) {
+            report_no_function(evaluator, name, arguments);
+        }
+        return None;
+    };
+    if arguments.len() != arity {
+        let message = messages::names::wrong_argument_count(&name.text, arity, arguments.len());
+        let meant = meant_function(evaluator, &name.text, arguments);
+        let help = messages::names::write_call(&meant.unwrap_or_else(|| usage(&name.text, arity)));
+        evaluator.report.error(evaluator.origin(call), message).help(help);
+        return None;
+    }
+    match name.text.as_str() {
+        "dot" | "ddot" => evaluate_rate(evaluator, &name.text, arguments[0], call),
+        "norm" | "inner" | "cross" => evaluate_vector_function(evaluator, &name.text, arguments),
+        "kinetic_energy" | "spring_energy" => {
+            let weight = evaluator
+                .scalar(arguments[0], &format!("the first argument of `{name}`", name = name.text))?;
+            let components = evaluator.value(arguments[1])?;
+            if name.text == "kinetic_energy" {
+                check_mass(evaluator, arguments[0], weight)?;
+            }
+            Some(Operand::Scalar(half_square(&mut evaluator.graph, weight, components.components())))
+        }
+        _ => evaluate_elementary(evaluator, &name.text, arguments, call),
+    }
+}
+
+/// Reports a mass or moment of inertia that is negative whatever the parameters are.
+fn check_mass(evaluator: &mut Evaluator<'_>, syntax: AstId, mass: ExprId) -> Option<()> {
+    let is_judged = evaluator.graph.dependencies(mass) == Dependencies::NONE
+        && !evaluator.obliged_masses.contains(&syntax);
+    if !is_judged || evaluate(&evaluator.graph, &[mass], |_| f64::NAN)[0] >= 0.0 {
+        return Some(());
+    }
+    let error = evaluator.report.error(evaluator.origin(syntax), messages::NEGATIVE_INERTIA);
+    error.help(messages::NEGATIVE_INERTIA_HELP);
+    None
+}
+
+/// `dot` or `ddot`. That of what is written without anything that moves is a mistake, not zero.
+fn evaluate_rate(
+    evaluator: &mut Evaluator<'_>,
+    function: &str,
+    argument: AstId,
+    call: AstId,
+) -> Option<Operand> {
+    let value = evaluator.value(argument)?;
+    if evaluator.declaration.expressions.is_written(call) && is_at_rest(evaluator, argument) {
+        let text = print::expression(&evaluator.declaration.expressions, argument);
+        let error = evaluator.report.error(evaluator.origin(call), messages::rate_of_constant(&text));
+        error.help(messages::RATE_OF_CONSTANT_HELP);
+        return None;
+    }
+    let rate = evaluator.rate(&value, argument)?;
+    if function == "dot" { Some(rate) } else { evaluator.rate(&rate, argument) }
+}
+
+/// Whether an expression is made of numbers, constants and parameters, whatever it is worth.
+fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
+    let mut pending = vec![root];
+    while let Some(id) = pending.pop() {
+        match evaluator.syntax(id) {
+            Expression::Name(name) => {
+                let entry = evaluator.scope.find(name).filter(|entry| !entry.is_ambiguous);
+                let kind = entry.map(|entry| entry.kind);
+                let is_at_rest =
+                    name == "pi" || matches!(kind, Some(NameKind::Parameter | NameKind::Constant));
+                if !is_at_rest {
+                    return false;
+                }
+            }
+            Expression::Invalid => return false,
+            _ => pending.extend(evaluator.operands(id)),
+        }
+    }
+    true
+}
+
+/// How a call is written that means something in other languages.
+fn meant_function(evaluator: &Evaluator<'_>, name: &str, arguments: &[AstId]) -> Option<String> {
+    let text = |&id: &AstId| print::expression(&evaluator.declaration.expressions, id);
+    foreign::function(name, &arguments.iter().map(text).collect::<Vec<_>>())
+}
+
+fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[AstId]) {
+    if let Some(entry) = evaluator.scope.resolve(&name.text) {
+        let message = messages::names::not_a_function(&name.text, entry.kind.describe());
+        let is_time = |&id: &AstId| matches!(evaluator.syntax(id), Expression::Name(t) if t == "t");
+        let help = match arguments {
+            [argument] if is_time(argument) => messages::names::of_time(&name.text),
+            _ => messages::names::PRODUCT_HELP.to_owned(),
+        };
+        evaluator.report.error(name.span, message).help(help);
+        return;
+    }
+    let help = match (meant_function(evaluator, &name.text, arguments), nearest(&name.text, function_names()))
+    {
+        (Some(meant), _) => messages::names::write_call(&meant),
+        (None, Some(nearest)) => messages::names::did_you_mean(nearest),
+        (None, None) => messages::names::FUNCTIONS_ARE_LISTED.to_owned(),
+    };
+    evaluator.report.error(name.span, messages::names::unknown_function(&name.text)).help(help);
+}
+
+fn evaluate_vector_function(
+    evaluator: &mut Evaluator<'_>,
+    name: &str,
+    arguments: &[AstId],
+) -> Option<Operand> {
+    let what = format!("an argument of `{name}`");
+    let vectors = arguments.iter().map(|&argument| evaluator.vector(argument, &what)).collect::<Vec<_>>();
+    let vectors = vectors.into_iter().collect::<Option<Vec<_>>>()?;
+    if name == "norm" {
+        return Some(Operand::Scalar(norm(&mut evaluator.graph, &vectors[0])));
+    }
+    if vectors[0].len() != vectors[1].len() {
+        let kinds = [0, 1].map(|i| Operand::Vector(vectors[i].clone()).kind());
+        let message = messages::kinds_differ(&format!("take `{name}` of"), &kinds[0], &kinds[1]);
+        evaluator.report.error(evaluator.origin(arguments[1]), message).help(messages::KINDS_HELP);
+        return None;
+    }
+    Some(match name {
+        "inner" => Operand::Scalar(inner(&mut evaluator.graph, &vectors[0], &vectors[1])),
+        _ => cross(&mut evaluator.graph, &vectors[0], &vectors[1]),
+    })
+}
+
+fn evaluate_elementary(
+    evaluator: &mut Evaluator<'_>,
+    name: &str,
+    arguments: &[AstId],
+    call: AstId,
+) -> Option<Operand> {
+    let what = format!("an argument of `{name}`");
+    let scalars = arguments.iter().map(|&argument| evaluator.scalar(argument, &what)).collect::<Vec<_>>();
+    let scalars = scalars.into_iter().collect::<Option<Vec<_>>>()?;
+    Some(Operand::Scalar(match name {
+        "gravitational_energy" => evaluator.graph.product(scalars.into_iter().map(|s| (s, 1.into()))),
+        "pow" | "powi" | "powf" => power(evaluator, scalars[0], scalars[1], evaluator.origin(call))?,
+        _ => functions::apply(&mut evaluator.graph, functions::by_name(name)?.function, &scalars),
+    }))
+}

@@ -1,0 +1,116 @@
+//! Sums, products and powers. Chains of `+` and `-` and of `*` and `/` become one n-ary node each.
+
+use super::evaluator::{Evaluator, Link};
+use super::messages;
+use super::operand::{Operand, rebuild};
+use crate::diagnostics::Origin;
+use crate::expr::{ExprId, Function};
+use crate::functions;
+use crate::number::Number;
+use crate::syntax::ast::AstId;
+
+pub(super) fn evaluate_sum(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
+    let links = evaluator.chain(id);
+    let first = first_value(evaluator, &links)?;
+    let mut terms: Vec<Vec<(ExprId, Number)>> = vec![Vec::new(); first.components().len()];
+    let mut sound = true;
+    for link in &links {
+        let Some(value) = evaluator.value(link.operand) else {
+            sound = false;
+            continue;
+        };
+        if !value.same_kind(&first) {
+            let message = messages::kinds_differ("add", &first.kind(), &value.kind());
+            let help = messages::KINDS_HELP;
+            evaluator.report.error(evaluator.origin(link.operand), message).help(help);
+            sound = false;
+            continue;
+        }
+        let sign = if link.inverted { Number::MINUS_ONE } else { Number::ONE };
+        for (terms, &component) in terms.iter_mut().zip(value.components()) {
+            terms.push((component, sign.clone()));
+        }
+    }
+    let sums = terms.into_iter().map(|terms| evaluator.graph.sum(Number::ZERO, terms)).collect::<Vec<_>>();
+    sound.then(|| rebuild(&first, sums))
+}
+
+fn first_value(evaluator: &Evaluator<'_>, links: &[Link]) -> Option<Operand> {
+    links.iter().find_map(|link| evaluator.value(link.operand))
+}
+
+pub(super) fn evaluate_product(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
+    let mut factors = Vec::new();
+    let mut vector: Option<Operand> = None;
+    let mut sound = true;
+    for Link { operand, inverted } in evaluator.chain(id) {
+        match (evaluator.value(operand), inverted) {
+            (None, _) => sound = false,
+            (Some(Operand::Scalar(divisor)), true) if evaluator.graph.is_zero(divisor) => {
+                let error = evaluator.report.error(evaluator.origin(operand), messages::DIVISION_BY_ZERO);
+                error.help(messages::DIVISION_HELP);
+                sound = false;
+            }
+            (Some(Operand::Scalar(factor)), _) => {
+                factors.push((factor, if inverted { Number::MINUS_ONE } else { Number::ONE }));
+            }
+            (Some(_), true) => {
+                let error = evaluator.report.error(evaluator.origin(operand), messages::DIVISION_BY_VECTOR);
+                error.help(messages::HOW_TO_GET_A_SCALAR);
+                sound = false;
+            }
+            (Some(_), false) if vector.is_some() => {
+                let error = evaluator.report.error(evaluator.origin(operand), messages::PRODUCT_OF_VECTORS);
+                error.help(messages::INNER_OR_CROSS);
+                sound = false;
+            }
+            (Some(value), false) => vector = Some(value),
+        }
+    }
+    if !sound {
+        return None;
+    }
+    let product = evaluator.graph.product(factors);
+    Some(match vector {
+        None => Operand::Scalar(product),
+        Some(vector) => vector.map(|component| evaluator.graph.multiply(product, component)),
+    })
+}
+
+pub(super) fn evaluate_power(
+    evaluator: &mut Evaluator<'_>,
+    base: AstId,
+    exponent: AstId,
+    origin: Origin,
+) -> Option<Operand> {
+    let value = evaluator.scalar(base, "the base of a power");
+    let index = evaluator.scalar(exponent, "an exponent");
+    power(evaluator, value?, index?, origin).map(Operand::Scalar)
+}
+
+/// base ^ exponent, with a complaint where no real number results.
+pub(super) fn power(
+    evaluator: &mut Evaluator<'_>,
+    base: ExprId,
+    exponent: ExprId,
+    origin: Origin,
+) -> Option<ExprId> {
+    if let (Some(b), Some(e)) = (evaluator.graph.as_number(base), evaluator.graph.as_number(exponent)) {
+        if b.is_negative() && !e.is_integer() {
+            let message = messages::root_of_negative(&b.to_string(), &e.to_string());
+            evaluator.report.error(origin, message).help(messages::NEGATIVE_BASE_HELP);
+            return None;
+        }
+        if b.is_zero() && e.is_negative() {
+            evaluator.report.error(origin, messages::DIVISION_BY_ZERO).help(messages::ZERO_BASE_HELP);
+            return None;
+        }
+    } else if let Some(b) = evaluator.graph.as_number(base)
+        && b.is_negative()
+    {
+        let message = messages::varying_power_of_negative(&b.to_string());
+        evaluator.report.error(origin, message).help(messages::NEGATIVE_BASE_HELP);
+        return None;
+    }
+    Some(functions::apply(&mut evaluator.graph, Function::Power, &[base, exponent]))
+}

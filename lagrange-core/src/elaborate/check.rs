@@ -1,0 +1,274 @@
+//! The checks that need the whole declaration, and the model they certify.
+
+use super::constraints::{check_constraint_count, check_reduced_constraints, is_constrained};
+use super::damping::with_limits;
+use super::elaborator::{Elaborator, SourceTerm};
+use super::events::{check_event_count, check_reduced_events};
+use super::magnitudes::check_magnitudes;
+use super::messages::{self, scene};
+use super::reductions::check_reductions;
+use super::scalar_range::largest;
+use super::scene::check_motion_names;
+use super::signs::check_signs;
+use super::smoothness::{check_smoothness, without_kinks};
+use super::stabilisation::check_stabilisation;
+use crate::calculus::{AccelerationTerms, Rates, gradient};
+use crate::diagnostics::Origin;
+use crate::expr::{Dependencies, ExprId};
+use crate::model::{Energies, Model, Product, Reduction};
+use crate::syntax::ast::StatementKind;
+
+/// The model and what is to be reduced of it; `None` if anything is wrong, which has been reported.
+pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduction>)> {
+    check_statements(&mut elaborator);
+    if elaborator.evaluator.report.has_errors() {
+        return None;
+    }
+    let energies = total_energies(&mut elaborator);
+    let lagrangian = match energies {
+        Energies::Separate { kinetic, potential } => elaborator.evaluator.graph.subtract(kinetic, potential),
+        Energies::Lagrangian => total(&mut elaborator, |elaborator| &elaborator.lagrangian),
+    };
+    check_signs(&mut elaborator);
+    let lagrangian = without_kinks(&mut elaborator.evaluator.graph, lagrangian);
+    check_inertia(&mut elaborator, lagrangian);
+    if elaborator.evaluator.report.has_errors() {
+        return None;
+    }
+    elaborator.evaluator.scope.report_unused(elaborator.evaluator.report);
+    let reductions = std::mem::take(&mut elaborator.reductions);
+    Some((into_model(elaborator, energies, lagrangian), reductions))
+}
+
+/// What can be judged without the Lagrangian.
+fn check_statements(elaborator: &mut Elaborator<'_>) {
+    check_header(elaborator);
+    check_state_names(elaborator);
+    check_reductions(elaborator);
+    check_energies(elaborator);
+    check_magnitudes(elaborator);
+    check_products(elaborator);
+    check_output_names(elaborator);
+    check_motion_names(elaborator);
+    check_constraint_count(elaborator);
+    check_reduced_constraints(elaborator);
+    check_stabilisation(elaborator);
+    check_event_count(elaborator);
+    check_reduced_events(elaborator);
+}
+
+fn check_header(elaborator: &mut Elaborator<'_>) {
+    let declaration = elaborator.declaration;
+    let report = &mut *elaborator.evaluator.report;
+    if let Some(default) = declaration.derives.iter().find(|name| name.text == "Default") {
+        report.error(default.span, messages::DERIVED_DEFAULT).help(messages::DERIVED_DEFAULT_HELP);
+    }
+    if let [first, ..] = declaration.underivable()[..] {
+        let names = declaration.underivable().iter().map(|name| name.text.as_str()).collect::<Vec<_>>();
+        let (scalar, _) = largest(&declaration.scalar);
+        report.error(first.span, messages::underivable(&names, scalar)).help(messages::UNDERIVABLE_HELP);
+    }
+    if !declaration.unreadable_words.is_empty() {
+        // What is missing may be in a statement that could not be read.
+        return;
+    }
+    let has = |kind: fn(&StatementKind) -> bool| declaration.statements.iter().any(|s| kind(&s.kind));
+    if !has(|kind| matches!(kind, StatementKind::Coordinates(_))) {
+        report.error(declaration.name.span, messages::NO_COORDINATES).help(messages::COORDINATES_HELP);
+    }
+    if !has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_))) {
+        report.error(declaration.name.span, messages::NO_ENERGY).help(messages::ENERGY_HELP);
+    }
+}
+
+/// The state has a field for every coordinate and for every velocity.
+fn check_state_names(elaborator: &mut Elaborator<'_>) {
+    for (coordinate, declared) in &elaborator.coordinates {
+        let velocity = format!("{}_dot", coordinate.name);
+        let clash = elaborator.coordinates.iter().find(|(other, _)| other.name == velocity);
+        if let Some((other, span)) = clash {
+            let message = messages::velocity_field_collides(&other.name, &coordinate.name);
+            let error = elaborator.evaluator.report.error(*span, message).help(messages::OTHER_NAME_HELP);
+            error.related(Origin::from(*declared), messages::coordinate_is_here(&coordinate.name));
+        }
+    }
+}
+
+fn check_energies(elaborator: &mut Elaborator<'_>) {
+    if let Some(lagrangian) = elaborator.lagrangian.first() {
+        let beside = [("kinetic", elaborator.kinetic.first()), ("potential", elaborator.potential.first())];
+        for (name, term) in beside.into_iter().filter_map(|(name, term)| Some((name, term?))) {
+            let error = elaborator.evaluator.report.error(term.keyword, messages::both_lagrangian_and(name));
+            error.related(lagrangian.keyword.into(), messages::LAGRANGIAN_IS_HERE);
+            error.help(messages::LAGRANGIAN_HELP);
+        }
+    }
+    for (syntax, value) in
+        elaborator.potential.iter().map(|term| (term.syntax, term.value)).collect::<Vec<_>>()
+    {
+        let kinds = &[Dependencies::VELOCITY];
+        elaborator.forbid(kinds, (syntax, value), "the potential energy", messages::POTENTIAL_HELP);
+    }
+}
+
+fn check_products(elaborator: &mut Elaborator<'_>) {
+    for &(product, wanted, span) in &elaborator.wanted {
+        // A body may be where the text could not be read.
+        let is_unclear = product.is_of_bodies() && !elaborator.declaration.unreadable_words.is_empty();
+        if wanted && elaborator.is_undefined(product) && !is_unclear {
+            let (message, help) = match product {
+                _ if product.is_of_bodies() => (scene::needs_bodies(product.name()), scene::BODY_HELP),
+                _ if product.is_of_constraints() => {
+                    (messages::needs_constraints(product.name()), messages::CONSTRAINT_HELP)
+                }
+                _ => (messages::needs_separate_energies(product.name()), messages::LAGRANGIAN_HELP),
+            };
+            elaborator.evaluator.report.error(span, message).help(help);
+        }
+    }
+    check_needed_products(elaborator);
+    check_derivatives(elaborator);
+}
+
+/// Some methods are called by others.
+fn check_needed_products(elaborator: &mut Elaborator<'_>) {
+    let is_canonical = elaborator.products().contains(&Product::MomentumRates);
+    let is_constrained = !elaborator.constraints.is_empty();
+    for &(product, wanted, span) in &elaborator.wanted {
+        let reason = match product {
+            Product::Momenta | Product::MassMatrix if is_canonical => messages::NEEDED_BY_MOMENTUM_RATES,
+            Product::ConstraintVelocity | Product::ConstraintJacobian if is_constrained => {
+                messages::NEEDED_BY_PROJECTION
+            }
+            _ => continue,
+        };
+        if !wanted {
+            let error = elaborator.evaluator.report.error(span, messages::needed_product(product.name()));
+            error.help(messages::needed_product_help(product.name(), reason));
+        }
+    }
+}
+
+/// Accelerations jump where contacts and friction change what they do.
+fn check_derivatives(elaborator: &mut Elaborator<'_>) {
+    let Some((reaction, declared)) = elaborator.reactions.first() else { return };
+    for &(product, wanted, span) in &elaborator.wanted {
+        if wanted && matches!(product, Product::Jacobian | Product::ParameterJacobian) {
+            let message = messages::derivative_of_jumps(product.name());
+            let error =
+                elaborator.evaluator.report.error(span, message).help(messages::DERIVATIVE_OF_JUMPS_HELP);
+            error.related(Origin::from(*declared), messages::acts_here(&reaction.name));
+        }
+    }
+}
+
+/// Names of methods that systems with constraints, contacts or events have beside those of all systems.
+fn check_output_names(elaborator: &mut Elaborator<'_>) {
+    let groups: [(bool, &[&str]); 3] = [
+        (
+            elaborator.constraints.is_empty(),
+            &["project", "consistent_velocity", "redundant_motion", "redundant_correction"],
+        ),
+        (elaborator.reactions.is_empty(), &["reactions"]),
+        (elaborator.events.is_empty(), &["event_functions"]),
+    ];
+    let taken = groups.into_iter().filter(|(is_absent, _)| !is_absent).flat_map(|(_, names)| names);
+    let taken = taken.collect::<Vec<_>>();
+    for statement in &elaborator.declaration.statements {
+        if let StatementKind::Output(name, _) = &statement.kind
+            && taken.iter().any(|taken| **taken == name.text)
+        {
+            let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+            error.help(messages::OTHER_NAME_HELP);
+        }
+    }
+}
+
+fn total_energies(elaborator: &mut Elaborator<'_>) -> Energies {
+    if !elaborator.lagrangian.is_empty() {
+        return Energies::Lagrangian;
+    }
+    let kinetic = total(elaborator, |elaborator| &elaborator.kinetic);
+    let potential = total(elaborator, |elaborator| &elaborator.potential);
+    Energies::Separate { kinetic, potential }
+}
+
+fn total(
+    elaborator: &mut Elaborator<'_>,
+    terms: impl for<'e> Fn(&'e Elaborator<'_>) -> &'e Vec<SourceTerm>,
+) -> ExprId {
+    let values = terms(elaborator).iter().map(|term| term.value).collect::<Vec<_>>();
+    elaborator.evaluator.graph.total(values)
+}
+
+/// Every velocity must appear in the kinetic energy, and the momenta must not depend on inputs, whose
+/// rates would be needed.
+fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
+    let velocities = elaborator.coordinates.iter().map(|(c, _)| c.velocity).collect::<Vec<_>>();
+    let momenta = gradient(&mut elaborator.evaluator.graph, lagrangian, &velocities);
+    check_smoothness(elaborator, lagrangian, &momenta);
+    let mut needs_input_rate = false;
+    for ((coordinate, span), momentum) in elaborator.coordinates.iter().zip(momenta) {
+        let dependencies = elaborator.evaluator.graph.dependencies(momentum);
+        let is_determined = dependencies.intersects(Dependencies::VELOCITY);
+        if !is_determined && !is_constrained(elaborator, coordinate.velocity) {
+            let error = elaborator.evaluator.report.error(*span, messages::no_inertia(&coordinate.name));
+            error.help(messages::NO_INERTIA_HELP);
+        }
+        needs_input_rate |= dependencies.intersects(Dependencies::INPUT);
+    }
+    if needs_input_rate {
+        report_input_in_kinetic(elaborator);
+    }
+}
+
+fn report_input_in_kinetic(elaborator: &mut Elaborator<'_>) {
+    for term in elaborator.kinetic.iter().chain(&elaborator.lagrangian) {
+        if elaborator.evaluator.graph.dependencies(term.value).intersects(Dependencies::INPUT) {
+            let (place, name) = elaborator.evaluator.blame(term.syntax, Dependencies::INPUT);
+            let error = elaborator.evaluator.report.error(place, messages::input_in_kinetic(&name));
+            error.help(messages::RATE_OF_INPUT_HELP);
+        }
+    }
+}
+
+fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: ExprId) -> Model {
+    let dissipation = total(&mut elaborator, |elaborator| &elaborator.dissipation);
+    let dissipation = with_limits(&mut elaborator, dissipation);
+    let products = elaborator.products();
+    let mut labels = elaborator.labels;
+    // Rates of what has a name occur in the equations whether or not the user wrote them.
+    let moving = Dependencies::VELOCITY | Dependencies::ACCELERATION;
+    let mut rates = Rates::new(AccelerationTerms::Kept);
+    for (position, name) in labels.clone() {
+        let dependencies = elaborator.evaluator.graph.dependencies(position);
+        if !dependencies.intersects(moving) && !dependencies.is_constant_in_motion() {
+            let rate = rates.of(&mut elaborator.evaluator.graph, position);
+            labels.push((rate, format!("{name}_dot")));
+        }
+    }
+    let rates = elaborator.evaluator.named_rates.iter().map(|(velocity, position)| (*velocity, *position));
+    let rates = rates.collect();
+    Model {
+        graph: elaborator.evaluator.graph,
+        parameters: elaborator.parameters,
+        inputs: elaborator.inputs,
+        coordinates: elaborator.coordinates.into_iter().map(|(coordinate, _)| coordinate).collect(),
+        energies,
+        lagrangian,
+        dissipation,
+        loads: elaborator.loads,
+        constraints: elaborator.constraints.into_iter().map(|(constraint, _)| constraint).collect(),
+        implied: elaborator.implied,
+        stabilisation: elaborator.stabilisation.map(|(rate, _)| rate),
+        events: elaborator.events.into_iter().map(|(event, _)| event).collect(),
+        reactions: elaborator.reactions.into_iter().map(|(reaction, _)| reaction).collect(),
+        outputs: elaborator.outputs,
+        scene: elaborator.scene,
+        rates,
+        labels,
+        accuracy: elaborator.declaration.accuracy,
+        products,
+        reduced: Vec::new(),
+    }
+}

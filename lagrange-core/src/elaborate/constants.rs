@@ -1,0 +1,43 @@
+//! Values of expressions without symbols.
+
+use crate::calculus::node_value;
+use crate::collections::HashMap;
+use crate::expr::{ExprId, Graph, Node};
+use crate::functions;
+
+/// Values of expressions without symbols.
+#[derive(Default)]
+pub(super) struct Constants {
+    pub(super) values: HashMap<ExprId, f64>,
+}
+
+impl Constants {
+    /// Evaluates an expression without symbols; gives the first part of it that is not real although all that it is made
+    /// of is finite.
+    pub(super) fn first_unreal(&mut self, graph: &Graph, root: ExprId) -> Option<ExprId> {
+        if self.values.contains(&root) {
+            return None;
+        }
+        let new = graph.reachable_until(&[root], |id| self.values.contains(&id));
+        let unreal = new.into_iter().filter(|&id| self.add(graph, id));
+        unreal.min()
+    }
+
+    /// Evaluates one node, whose operands have been; says whether its value is the first that is not real.
+    pub(super) fn add(&mut self, graph: &Graph, id: ExprId) -> bool {
+        if self.values.contains(&id) {
+            return false;
+        }
+        let at = |child: &ExprId| self.values.get(child).copied().unwrap_or(f64::NAN);
+        let value = node_value(graph, id, at, |_| f64::NAN);
+        let mut from_finite = true;
+        graph.node(id).for_each_child(|child| from_finite &= at(&child).is_finite());
+        self.values.insert(id, value);
+        from_finite && (value.is_nan() || value.is_infinite() && has_poles(graph.node(id)))
+    }
+}
+
+/// Whether this is a function with arguments for which it is not defined.
+fn has_poles(node: &Node) -> bool {
+    matches!(node, Node::Call(function, _) if !functions::row(*function).is_total())
+}

@@ -1,0 +1,128 @@
+//! Constraints as statements: what is zero, and what that demands of the velocities.
+
+use super::elaborator::Elaborator;
+use super::messages;
+use super::operand::Operand;
+use super::scope::NameKind;
+use crate::calculus::{Degree, Degrees};
+use crate::diagnostics::Origin;
+use crate::expr::{Dependencies, ExprId};
+use crate::model::Constraint;
+use crate::simplify::vanishing;
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, Name};
+
+pub(super) fn add_constraint(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
+    let term = elaborator.term(syntax, name.span, "a constraint");
+    if elaborator.evaluator.scope.find(&name.text).is_some() {
+        // What is meant by the name decides what is wrong with the rest.
+        elaborator.declare(name, NameKind::Constraint, None);
+        return;
+    }
+    if let Some(term) = &term
+        && is_implied(elaborator, name, term.value)
+    {
+        elaborator.implied.push(name.text.clone());
+        elaborator.declare(name, NameKind::Implied, None);
+        return;
+    }
+    let index = elaborator.constraints.len() as u32;
+    let multiplier = elaborator.evaluator.graph.symbol(&name.text, Role::Multiplier(index));
+    let velocity =
+        term.and_then(|term| Some((term.value, constrained_velocity(elaborator, name, syntax, term.value)?)));
+    elaborator.declare(name, NameKind::Constraint, Some(Operand::Scalar(multiplier)));
+    let Some((value, velocity)) = velocity else { return };
+    report_repeated(elaborator, name, velocity);
+    let is_holonomic = !elaborator.evaluator.graph.dependencies(value).intersects(Dependencies::VELOCITY);
+    let constraint = Constraint { name: name.text.clone(), value, velocity, is_holonomic, multiplier };
+    elaborator.constraints.push((constraint, name.span));
+}
+
+/// Whether this is the constraint of a joint that the coordinates fulfil by themselves.
+fn is_implied(elaborator: &mut Elaborator<'_>, name: &Name, value: ExprId) -> bool {
+    let is_of_joint = elaborator.joints.iter().any(|joint| joint.text == name.text);
+    is_of_joint && vanishing(&mut elaborator.evaluator.graph, &[value]) == [true]
+}
+
+/// What a constraint demands of the velocities; `None` if that makes no sense, which has been reported.
+fn constrained_velocity(
+    elaborator: &mut Elaborator<'_>,
+    name: &Name,
+    syntax: AstId,
+    value: ExprId,
+) -> Option<ExprId> {
+    let dependencies = elaborator.evaluator.graph.dependencies(value);
+    let origin = elaborator.evaluator.origin(syntax);
+    if !dependencies.intersects(Dependencies::COORDINATE | Dependencies::VELOCITY) {
+        let number = elaborator.evaluator.graph.as_number(value).filter(|number| !number.is_zero());
+        let message = match number {
+            Some(number) => messages::impossible_constraint(&name.text, &number.to_string()),
+            None => messages::constrains_nothing(&name.text),
+        };
+        let error = elaborator.evaluator.report.error(origin, message);
+        error.help(messages::CONSTRAINS_NOTHING_HELP);
+        return None;
+    }
+    // The rate, and for accelerations also its rate, must be known.
+    let Operand::Scalar(rate) = elaborator.evaluator.rate(&Operand::Scalar(value), syntax)? else {
+        return None;
+    };
+    if !dependencies.intersects(Dependencies::VELOCITY) {
+        return Some(rate);
+    }
+    let mut degrees = Degrees::default();
+    degrees.classify(&elaborator.evaluator.graph, &[value]);
+    if degrees.of(&elaborator.evaluator.graph, value) == Degree::Nonlinear {
+        let (place, _) = elaborator.evaluator.blame(syntax, Dependencies::VELOCITY);
+        let error = elaborator.evaluator.report.error(place, messages::nonlinear_constraint(&name.text));
+        error.help(messages::NONLINEAR_CONSTRAINT_HELP);
+        return None;
+    }
+    Some(value)
+}
+
+fn report_repeated(elaborator: &mut Elaborator<'_>, name: &Name, velocity: ExprId) {
+    let graph = &mut elaborator.evaluator.graph;
+    let (_, core) = graph.split_coefficient(velocity);
+    let same =
+        elaborator.constraints.iter().find(|(other, _)| graph.split_coefficient(other.velocity).1 == core);
+    if let Some((other, span)) = same {
+        let message = match elaborator.joints.iter().any(|joint| joint.text == name.text) {
+            true => messages::REPEATED_JOINT.to_owned(),
+            false => messages::repeated_constraint(&name.text, &other.name),
+        };
+        let error =
+            elaborator.evaluator.report.error(name.span, message).help(messages::REPEATED_CONSTRAINT_HELP);
+        error.related(Origin::from(*span), messages::OTHER_CONSTRAINT_IS_HERE);
+    }
+}
+
+/// A reduced system would have to keep to constraints of its own.
+pub(super) fn check_reduced_constraints(elaborator: &mut Elaborator<'_>) {
+    if let (Some((_, span)), Some(reduction)) =
+        (elaborator.constraints.first(), elaborator.reductions.first())
+    {
+        let error = elaborator.evaluator.report.error(reduction.name.span, messages::REDUCED_CONSTRAINTS);
+        error.related(Origin::from(*span), messages::CONSTRAINT_IS_HERE);
+        error.help(messages::REDUCED_CONSTRAINTS_HELP);
+    }
+}
+
+/// Nothing can move, and no multiplier is determined, under more constraints than coordinates.
+pub(super) fn check_constraint_count(elaborator: &mut Elaborator<'_>) {
+    if elaborator.evaluator.report.has_errors() {
+        // One constraint too many may be one that was reported.
+        return;
+    }
+    let (count, most) = (elaborator.constraints.len(), elaborator.coordinates.len());
+    if let Some((_, span)) = elaborator.constraints.get(most).filter(|_| most > 0) {
+        let error = elaborator.evaluator.report.error(*span, messages::too_many_constraints(count, most));
+        error.help(messages::TOO_MANY_CONSTRAINTS_HELP);
+    }
+}
+
+/// Whether a constraint holds this velocity.
+pub(super) fn is_constrained(elaborator: &Elaborator<'_>, velocity: ExprId) -> bool {
+    let rates = elaborator.constraints.iter().map(|(constraint, _)| constraint.velocity).collect::<Vec<_>>();
+    elaborator.evaluator.graph.reachable(&rates).contains(&velocity)
+}

@@ -1,0 +1,172 @@
+//! Names that statements define: parameters, inputs, constants, coordinates, abbreviations, outputs, products.
+
+use super::elaborator::Elaborator;
+use super::expression::value_of;
+use super::messages;
+use super::operand::Operand;
+use super::scalar_range::{holds, largest};
+use super::scope::NameKind;
+use crate::calculus::evaluate;
+use crate::diagnostics::nearest;
+use crate::expr::{Dependencies, ExprId};
+use crate::model::{Coordinate, Output, Parameter, Product};
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, Definition, EmitItem, Name};
+
+/// Methods that every system has; no output may take their names.
+const GENERATED_METHODS: [&str; 7] =
+    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
+/// Products that later versions will emit.
+const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
+
+pub(super) fn define_parameter(elaborator: &mut Elaborator<'_>, definition: &Definition, kind: NameKind) {
+    let default = definition.value.and_then(|value| default_value(elaborator, &definition.name, value));
+    let name = &definition.name.text;
+    let is_input = kind == NameKind::Input;
+    let list = if is_input { &mut elaborator.inputs } else { &mut elaborator.parameters };
+    let index = list.len() as u32;
+    let role = if is_input { Role::Input(index) } else { Role::Parameter(index) };
+    let symbol = elaborator.evaluator.graph.symbol(name, role);
+    let default = match default {
+        None if is_input => Some(elaborator.evaluator.graph.number(0)),
+        given => given,
+    };
+    list.push(Parameter { name: name.clone(), symbol, default });
+    elaborator.declare(&definition.name, kind, Some(Operand::Scalar(symbol)));
+}
+
+fn default_value(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) -> Option<ExprId> {
+    let value = constant_scalar(elaborator, syntax, "a default")?;
+    let numeric = evaluate(&elaborator.evaluator.graph, &[value], |_| f64::NAN)[0];
+    if !holds(&elaborator.declaration.scalar, numeric) {
+        let (scalar, largest) = largest(&elaborator.declaration.scalar);
+        let message = messages::number_too_large(&name.text, scalar);
+        let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(syntax), message);
+        error.help(messages::largest_help(scalar, largest));
+    }
+    Some(value)
+}
+
+fn constant_scalar(elaborator: &mut Elaborator<'_>, syntax: AstId, what: &str) -> Option<ExprId> {
+    value_of(&mut elaborator.evaluator, syntax)?;
+    let value = elaborator.evaluator.scalar(syntax, what)?;
+    let dependencies = elaborator.evaluator.graph.dependencies(value);
+    if dependencies != Dependencies::NONE {
+        let (place, _) = elaborator.evaluator.blame(syntax, dependencies);
+        let error = elaborator.evaluator.report.error(place, messages::not_constant(what));
+        error.help(messages::NOT_CONSTANT_HELP);
+        return None;
+    }
+    Some(value)
+}
+
+pub(super) fn define_constant(elaborator: &mut Elaborator<'_>, definition: &Definition) {
+    let value = definition.value.and_then(|value| constant_scalar(elaborator, value, "a constant"));
+    elaborator.declare(&definition.name, NameKind::Constant, value.map(Operand::Scalar));
+}
+
+pub(super) fn define_coordinate(elaborator: &mut Elaborator<'_>, name: &Name) {
+    let index = elaborator.coordinates.len() as u32;
+    let graph = &mut elaborator.evaluator.graph;
+    let coordinate = Coordinate {
+        name: name.text.clone(),
+        position: graph.symbol(&name.text, Role::Coordinate(index)),
+        velocity: graph.symbol(&name.text, Role::Velocity(index)),
+        acceleration: graph.symbol(&name.text, Role::Acceleration(index)),
+    };
+    elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(coordinate.position)));
+    elaborator.coordinates.push((coordinate, name.span));
+}
+
+pub(super) fn define_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
+    let value = value_of(&mut elaborator.evaluator, syntax)
+        .filter(|value| is_sound_place(elaborator, name, syntax, value));
+    match &value {
+        Some(Operand::Scalar(id)) => elaborator.labels.push((*id, name.text.clone())),
+        Some(Operand::Vector(components)) => {
+            for (id, axis) in components.iter().zip(["x", "y", "z"]) {
+                elaborator.labels.push((*id, format!("{}_{axis}", name.text)));
+            }
+        }
+        None => {}
+    }
+    elaborator.declare(name, NameKind::Abbreviation, value);
+}
+
+/// Whether a name is that of no place, or of one made of coordinates and time.
+fn is_sound_place(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId, value: &Operand) -> bool {
+    let Some((_, what)) = elaborator.places.iter().find(|(place, _)| *place == name.text) else {
+        return true;
+    };
+    let moving = Dependencies::VELOCITY
+        | Dependencies::ACCELERATION
+        | Dependencies::MULTIPLIER
+        | Dependencies::REACTION;
+    let depends = |&id: &ExprId| elaborator.evaluator.graph.dependencies(id).intersects(moving);
+    if !value.components().iter().any(depends) {
+        return true;
+    }
+    let (place, _) = elaborator.evaluator.blame(syntax, moving);
+    elaborator.evaluator.report.error(place, messages::no_place(what)).help(messages::PLACE_HELP);
+    false
+}
+
+pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Name], syntax: AstId) {
+    let components = match value_of(&mut elaborator.evaluator, syntax) {
+        Some(Operand::Vector(components)) if components.len() == names.len() => {
+            components.into_iter().map(Some).collect()
+        }
+        Some(other) => {
+            let message = messages::tuple_size(names.len(), &other.kind());
+            let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(syntax), message);
+            error.help(messages::TUPLE_SIZE_HELP);
+            vec![None; names.len()]
+        }
+        None => vec![None; names.len()],
+    };
+    for (name, component) in names.iter().zip(components) {
+        elaborator.labels.extend(component.map(|id| (id, name.text.clone())));
+        elaborator.declare(name, NameKind::Abbreviation, component.map(Operand::Scalar));
+    }
+}
+
+pub(super) fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
+    let value = value_of(&mut elaborator.evaluator, syntax);
+    let mut methods = Product::ALL.iter().filter(|product| !product.is_of_bodies());
+    if methods.any(|method| method.name() == name.text) || GENERATED_METHODS.contains(&name.text.as_str()) {
+        let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+        error.help(messages::OTHER_NAME_HELP);
+    }
+    elaborator.declare(name, NameKind::Output, None);
+    let Some(value) = value else { return };
+    let graph = &elaborator.evaluator.graph;
+    let uses = |kind| value.components().iter().any(|&c| graph.dependencies(c).intersects(kind));
+    let uses_accelerations = uses(Dependencies::ACCELERATION);
+    let uses_multipliers = uses(Dependencies::MULTIPLIER);
+    let uses_reactions = uses(Dependencies::REACTION);
+    let components = value.components().to_vec();
+    elaborator.outputs.push(Output {
+        name: name.text.clone(),
+        components,
+        uses_accelerations,
+        uses_multipliers,
+        uses_reactions,
+    });
+}
+
+pub(super) fn add_product(elaborator: &mut Elaborator<'_>, item: &EmitItem) {
+    let name = item.product.text.as_str();
+    if let Some(&product) = Product::ALL.iter().find(|product| product.name() == name) {
+        elaborator.wanted.push((product, item.wanted, item.product.span));
+        return;
+    }
+    let message = match PLANNED_PRODUCTS.contains(&name) {
+        true => messages::product_not_available(name),
+        false => messages::unknown_product(name),
+    };
+    let help = match nearest(name, Product::ALL.iter().map(|product| product.name())) {
+        Some(nearest) => messages::names::did_you_mean(nearest),
+        None => messages::products(),
+    };
+    elaborator.evaluator.report.error(item.product.span, message).help(help);
+}

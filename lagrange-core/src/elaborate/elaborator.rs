@@ -1,0 +1,221 @@
+//! The model under construction, and what all statements need of it.
+
+use proc_macro2::Span;
+
+use super::evaluator::Evaluator;
+use super::expression::value_of;
+use super::messages;
+use super::operand::Operand;
+use super::scope::NameKind;
+use super::staged::Staged;
+use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
+use crate::bodies::Plain;
+use crate::calculus::evaluate;
+use crate::diagnostics::Report;
+use crate::expr::{Dependencies, ExprId};
+use crate::model::{
+    Action, Constraint, Coordinate, Event, Load, Output, Parameter, Product, Reaction, Reduction, Scene,
+};
+use crate::syntax::ast::{self, AstId, Declaration, Name};
+
+/// What only the equations of motion determine.
+pub(super) const UNKNOWNS: &[Dependencies] =
+    &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
+
+/// What a value must not depend on, the most telling first.
+const CHANGING: [Dependencies; 7] = [
+    Dependencies::MULTIPLIER,
+    Dependencies::REACTION,
+    Dependencies::ACCELERATION,
+    Dependencies::VELOCITY,
+    Dependencies::COORDINATE,
+    Dependencies::INPUT,
+    Dependencies::TIME,
+];
+
+/// An expression of a statement and where it stands.
+pub(super) struct SourceTerm {
+    pub(super) value: ExprId,
+    pub(super) syntax: AstId,
+    pub(super) keyword: Span,
+}
+
+/// The model under construction.
+pub(super) struct Elaborator<'a> {
+    pub(super) evaluator: Evaluator<'a>,
+    pub(super) declaration: &'a Declaration,
+    pub(super) parameters: Vec<Parameter>,
+    pub(super) inputs: Vec<Parameter>,
+    pub(super) coordinates: Vec<(Coordinate, Span)>,
+    pub(super) kinetic: Vec<SourceTerm>,
+    pub(super) potential: Vec<SourceTerm>,
+    pub(super) lagrangian: Vec<SourceTerm>,
+    pub(super) dissipation: Vec<SourceTerm>,
+    pub(super) loads: Vec<Load>,
+    /// Names of the constraints of joints.
+    pub(super) joints: &'a [Name],
+    /// Names of `let`s that are places, with what they are places of.
+    pub(super) places: &'a [(String, String)],
+    /// Those of them that the coordinates fulfil by themselves.
+    pub(super) implied: Vec<String>,
+    /// Constraints, with where their names stand.
+    pub(super) constraints: Vec<(Constraint, Span)>,
+    /// The rate of stabilisation, with where it is given.
+    pub(super) stabilisation: Option<(ExprId, Span)>,
+    /// Events, with where their names stand.
+    pub(super) events: Vec<(Event, Span)>,
+    /// Contacts and friction, with where their names stand.
+    pub(super) reactions: Vec<(Reaction, Span)>,
+    pub(super) outputs: Vec<Output>,
+    /// What there is of rigid bodies.
+    pub(super) staged: Staged,
+    pub(super) scene: Scene,
+    pub(super) labels: Vec<(ExprId, String)>,
+    /// Entries of `emit`, with where they stand.
+    pub(super) wanted: Vec<(Product, bool, Span)>,
+    pub(super) reductions: Vec<Reduction>,
+}
+
+impl<'a> Elaborator<'a> {
+    pub(super) fn new(plain: &'a Plain, report: &'a mut Report) -> Elaborator<'a> {
+        let Plain { declaration, joints, places, .. } = plain;
+        Elaborator {
+            evaluator: Evaluator::new(declaration, report),
+            declaration,
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+            coordinates: Vec::new(),
+            kinetic: Vec::new(),
+            potential: Vec::new(),
+            lagrangian: Vec::new(),
+            dissipation: Vec::new(),
+            loads: Vec::new(),
+            joints,
+            places,
+            implied: Vec::new(),
+            constraints: Vec::new(),
+            stabilisation: None,
+            events: Vec::new(),
+            reactions: Vec::new(),
+            outputs: Vec::new(),
+            staged: Staged::default(),
+            scene: Scene::default(),
+            labels: Vec::new(),
+            wanted: Vec::new(),
+            reductions: Vec::new(),
+        }
+    }
+
+    pub(super) fn declare(&mut self, name: &Name, kind: NameKind, value: Option<Operand>) {
+        self.evaluator.scope.declare(name, kind, value, self.evaluator.report);
+    }
+
+    pub(super) fn products(&self) -> Vec<Product> {
+        let last_word = |product| self.wanted.iter().rev().find(|(named, ..)| *named == product);
+        let asked =
+            |product: Product, otherwise| last_word(product).map_or(otherwise, |(_, wanted, _)| *wanted);
+        let wanted = |&product: &Product| {
+            let otherwise = match product {
+                Product::ParameterJacobian => asked(Product::Jacobian, false),
+                product => product.is_default(),
+            };
+            asked(product, otherwise) && !self.is_undefined(product)
+        };
+        Product::ALL.into_iter().filter(wanted).collect()
+    }
+
+    pub(super) fn is_undefined(&self, product: Product) -> bool {
+        let is_energy = matches!(product, Product::KineticEnergy | Product::PotentialEnergy);
+        !self.lagrangian.is_empty() && is_energy
+            || self.constraints.is_empty() && product.is_of_constraints()
+            || self.staged.lacks(product)
+    }
+
+    pub(super) fn push_event(&mut self, event: &ast::Event, value: ExprId, action: Action) {
+        let name = event.name.text.clone();
+        self.events.push((Event { name, value, direction: event.direction, action }, event.name.span));
+    }
+
+    /// A scalar expression without accelerations.
+    pub(super) fn term(&mut self, syntax: AstId, keyword: Span, what: &str) -> Option<SourceTerm> {
+        value_of(&mut self.evaluator, syntax)?;
+        let value = self.evaluator.scalar(syntax, what)?;
+        self.forbid_accelerations(syntax, value, what)?;
+        Some(SourceTerm { value, syntax, keyword })
+    }
+
+    /// A value that does not change during the motion.
+    pub(super) fn constant_in_motion(&mut self, syntax: AstId, what: &str) -> Option<ExprId> {
+        value_of(&mut self.evaluator, syntax)?;
+        let value = self.evaluator.scalar(syntax, what)?;
+        for kind in CHANGING {
+            if self.evaluator.graph.dependencies(value).intersects(kind) {
+                let (place, _) = self.evaluator.blame(syntax, kind);
+                self.evaluator
+                    .report
+                    .error(place, messages::not_constant(what))
+                    .help(messages::CONSTANT_IN_MOTION_HELP);
+                return None;
+            }
+        }
+        Some(value)
+    }
+
+    /// The number that an expression is in every motion of every system, if it is one.
+    pub(super) fn numeric(&self, value: ExprId) -> Option<f64> {
+        let graph = &self.evaluator.graph;
+        let is_number = graph.dependencies(value) == Dependencies::NONE;
+        is_number.then(|| evaluate(graph, &[value], |_| f64::NAN)[0])
+    }
+
+    pub(super) fn forbid_accelerations(&mut self, syntax: AstId, value: ExprId, what: &str) -> Option<()> {
+        let help = messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS;
+        self.forbid(UNKNOWNS, (syntax, value), what, help)
+    }
+
+    /// Reports if an expression depends on one of these kinds.
+    pub(super) fn forbid(
+        &mut self,
+        kinds: &[Dependencies],
+        (syntax, value): (AstId, ExprId),
+        what: &str,
+        help: &str,
+    ) -> Option<()> {
+        let dependencies = self.evaluator.graph.dependencies(value);
+        let Some(&kind) = kinds.iter().find(|&&kind| dependencies.intersects(kind)) else { return Some(()) };
+        let (place, name) = self.evaluator.blame(syntax, kind);
+        self.evaluator.report.error(place, messages::must_not_depend(what, kind, &name)).help(help);
+        None
+    }
+
+    /// Reports an expression.
+    pub(super) fn refuse<T>(&mut self, syntax: AstId, message: &str, help: &str) -> Option<T> {
+        self.evaluator.report.error(self.evaluator.origin(syntax), message).help(help);
+        None
+    }
+
+    /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of something else.
+    pub(super) fn report_no_coordinate(&mut self, name: &Name, usage: &str) {
+        let (text, origin) = (&name.text, name.span.into());
+        let is_unknown = self.evaluator.scope.find(text).is_none();
+        let is_told = |evaluator: &mut Evaluator| {
+            is_known_unresolved(evaluator, text, origin) || is_declared_elsewhere(evaluator, text, origin)
+        };
+        if is_unknown && is_told(&mut self.evaluator) {
+            return;
+        }
+        let scope = &self.evaluator.scope;
+        let coordinates = self.coordinates.iter().map(|(coordinate, _)| coordinate.name.as_str());
+        let help = match scope.nearest(&name.text, |kind| kind == NameKind::Coordinate) {
+            Some(nearest) => messages::names::did_you_mean(nearest),
+            None if scope.find(&name.text).is_some() => usage.to_owned(),
+            None => messages::coordinates_are(&coordinates.collect::<Vec<_>>(), usage),
+        };
+        match is_unknown {
+            true => report_unknown(&mut self.evaluator, text, origin, help),
+            false => {
+                self.evaluator.report.error(name.span, messages::not_a_coordinate(text)).help(help);
+            }
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! What is known of the expressions of a declaration while they are evaluated.
+
+use super::constants::Constants;
+use super::messages;
+use super::operand::Operand;
+use super::scope::Scope;
+use super::unresolved::Unresolved;
+use crate::calculus::{AccelerationTerms, Rates};
+use crate::collections::{HashMap, OrderedMap};
+use crate::diagnostics::{Origin, Report};
+use crate::expr::{Dependencies, ExprId, Graph, Node};
+use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
+
+/// Evaluates the expressions of one declaration.
+pub(super) struct Evaluator<'a> {
+    pub(super) graph: Graph,
+    pub(super) scope: Scope,
+    pub(super) report: &'a mut Report,
+    pub(super) declaration: &'a Declaration,
+    rates: Rates,
+    /// What each `dot(…)` evaluated to: velocity and position.
+    pub(super) named_rates: OrderedMap<ExprId, ExprId>,
+    /// Arguments that are reported to be no size of a solid.
+    pub(super) unsuitable: HashMap<Vec<AstId>, ()>,
+    /// Joints of which it was reported that they have no force.
+    pub(super) forceless_joints: HashMap<String, ()>,
+    pub(super) constants: Constants,
+    pub(super) unresolved: Unresolved,
+    /// Operands by expression; `None` where something was wrong and has been reported.
+    pub(super) values: HashMap<AstId, Option<Operand>>,
+    /// Expressions with an obligation to be a vector: that one is none is reported there, not for each of its components.
+    pub(super) obliged_vectors: HashMap<AstId, ()>,
+    /// Expressions with the obligations of a mass or a moment of inertia: that one is negative is reported there.
+    pub(super) obliged_masses: HashMap<AstId, ()>,
+}
+
+/// A leaf of a chain, negated in a sum or divided by in a product.
+pub(super) struct Link {
+    pub(super) operand: AstId,
+    pub(super) inverted: bool,
+}
+
+impl<'a> Evaluator<'a> {
+    pub(super) fn new(declaration: &'a Declaration, report: &'a mut Report) -> Evaluator<'a> {
+        Evaluator {
+            graph: Graph::new(),
+            scope: Scope::default(),
+            report,
+            declaration,
+            rates: Rates::new(AccelerationTerms::Kept),
+            named_rates: OrderedMap::default(),
+            unsuitable: HashMap::default(),
+            forceless_joints: HashMap::default(),
+            constants: Constants::default(),
+            unresolved: Unresolved::default(),
+            values: HashMap::default(),
+            obliged_vectors: HashMap::default(),
+            obliged_masses: HashMap::default(),
+        }
+    }
+
+    pub(super) fn origin(&self, id: AstId) -> Origin {
+        self.declaration.expressions.origin(id)
+    }
+
+    pub(super) fn syntax(&self, id: AstId) -> &'a Expression {
+        self.declaration.expressions.get(id)
+    }
+
+    pub(super) fn value(&self, id: AstId) -> Option<Operand> {
+        self.values.get(&id).cloned().flatten()
+    }
+
+    /// The value as a scalar; reports anything else as `what`.
+    pub(super) fn scalar(&mut self, id: AstId, what: &str) -> Option<ExprId> {
+        match self.value(id)? {
+            Operand::Scalar(scalar) => Some(scalar),
+            vector => {
+                let message = messages::scalar_needed(what, &vector.kind());
+                self.report.error(self.origin(id), message).help(messages::HOW_TO_GET_A_SCALAR);
+                None
+            }
+        }
+    }
+
+    /// The value as the components of a vector; reports a scalar as `what`.
+    pub(super) fn vector(&mut self, id: AstId, what: &str) -> Option<Vec<ExprId>> {
+        match self.value(id)? {
+            Operand::Vector(components) => Some(components),
+            scalar => {
+                let error = self.report.error(self.origin(id), messages::vector_needed(what, &scalar.kind()));
+                error.help(messages::VECTOR_HELP);
+                None
+            }
+        }
+    }
+
+    /// The expressions that must have values before `id` has one: the leaves of a chain.
+    pub(super) fn operands(&self, id: AstId) -> Vec<AstId> {
+        match self.syntax(id) {
+            Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
+            Expression::Binary(BinaryOperator::Power, _, base, exponent) => vec![*base, *exponent],
+            Expression::Negate(_) | Expression::Binary(..) => {
+                self.chain(id).into_iter().map(|link| link.operand).collect()
+            }
+            Expression::Tuple(components) => components.clone(),
+            Expression::Call(_, arguments) => arguments.clone(),
+            Expression::Component(of, _) => vec![*of],
+            Expression::If { condition, then, otherwise } => {
+                vec![condition.left, condition.right, *then, *otherwise]
+            }
+        }
+    }
+
+    /// The leaves of a chain of sums or of products, in source order.
+    pub(super) fn chain(&self, root: AstId) -> Vec<Link> {
+        let additive = match self.syntax(root) {
+            Expression::Binary(operator, ..) => is_additive(*operator),
+            _ => true,
+        };
+        let mut leaves = Vec::new();
+        let mut pending = vec![Link { operand: root, inverted: false }];
+        while let Some(Link { operand, inverted }) = pending.pop() {
+            match self.syntax(operand) {
+                Expression::Negate(inner) if additive => {
+                    pending.push(Link { operand: *inner, inverted: !inverted });
+                }
+                Expression::Binary(operator, _, left, right)
+                    if *operator != BinaryOperator::Power && is_additive(*operator) == additive =>
+                {
+                    let flips = matches!(operator, BinaryOperator::Subtract | BinaryOperator::Divide);
+                    pending.push(Link { operand: *right, inverted: inverted != flips });
+                    pending.push(Link { operand: *left, inverted });
+                }
+                _ => leaves.push(Link { operand, inverted }),
+            }
+        }
+        leaves
+    }
+
+    /// d/dt of an operand; remembers which velocity is the rate of what.
+    pub(super) fn rate(&mut self, value: &Operand, origin: AstId) -> Option<Operand> {
+        for &component in value.components() {
+            let forces = Dependencies::MULTIPLIER | Dependencies::REACTION;
+            if self.graph.dependencies(component).intersects(forces) {
+                let (place, name) = self.blame(origin, forces);
+                self.report.error(place, messages::rate_of_force(&name)).help(messages::RATE_OF_FORCE_HELP);
+                return None;
+            }
+            if self.graph.dependencies(component).intersects(Dependencies::INPUT) {
+                let (place, name) = self.blame(origin, Dependencies::INPUT);
+                self.report.error(place, messages::rate_of_input(&name)).help(messages::RATE_OF_INPUT_HELP);
+                return None;
+            }
+        }
+        Some(value.map(|component| {
+            let rate = self.rates.of(&mut self.graph, component);
+            self.remember_rate(component, rate);
+            rate
+        }))
+    }
+
+    fn remember_rate(&mut self, position: ExprId, rate: ExprId) {
+        let (coefficient, velocity) = self.graph.split_coefficient(rate);
+        if self.graph.as_number(velocity).is_some() || self.named_rates.contains(&velocity) {
+            return;
+        }
+        if let Some(inverse) = coefficient.reciprocal() {
+            let position = self.graph.scale(inverse, position);
+            self.named_rates.insert(velocity, position);
+        }
+    }
+
+    /// The smallest part of an expression that depends on one of `kinds`, and its text if it is a name.
+    pub(super) fn blame(&self, root: AstId, kinds: Dependencies) -> (Origin, String) {
+        let guilty = |id: AstId| {
+            let value = self.value(id);
+            value.is_some_and(|value| {
+                value.components().iter().any(|&c| self.graph.dependencies(c).intersects(kinds))
+            })
+        };
+        let mut culprit = root;
+        while let Some(inner) = self.operands(culprit).into_iter().find(|&operand| guilty(operand)) {
+            culprit = inner;
+        }
+        let name = match self.syntax(culprit) {
+            Expression::Name(name) => self.symbol_behind(name, culprit, kinds),
+            _ => String::new(),
+        };
+        (self.origin(culprit), name)
+    }
+
+    /// The smallest part of an expression of which another one is a part; `None` if it is none of its parts.
+    pub(super) fn place_of(&self, root: AstId, part: ExprId) -> Option<Origin> {
+        let holds = |id: AstId| {
+            let components = self.value(id).map_or_else(Vec::new, |value| value.components().to_vec());
+            self.graph.reachable(&components).contains(&part)
+        };
+        let mut place = Some(root).filter(|&root| holds(root))?;
+        while let Some(inner) = self.operands(place).into_iter().find(|&operand| holds(operand)) {
+            place = inner;
+        }
+        Some(self.origin(place))
+    }
+
+    /// The name itself if it is a symbol, else that of a symbol of these kinds that it abbreviates.
+    fn symbol_behind(&self, name: &str, id: AstId, kinds: Dependencies) -> String {
+        let roots = self.value(id).map(|value| value.components().to_vec()).unwrap_or_default();
+        let found = self.graph.reachable(&roots).into_iter().find_map(|id| match self.graph.node(id) {
+            Node::Symbol(symbol) if self.graph.dependencies(id).intersects(kinds) => {
+                Some(self.graph.symbols().get(*symbol).name.clone())
+            }
+            _ => None,
+        });
+        found.unwrap_or_else(|| name.to_owned())
+    }
+}
+
+fn is_additive(operator: BinaryOperator) -> bool {
+    matches!(operator, BinaryOperator::Add | BinaryOperator::Subtract)
+}

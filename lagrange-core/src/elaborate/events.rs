@@ -1,0 +1,139 @@
+//! `event` statements: zeros to be found during a motion, and what happens there.
+
+#[cfg(test)]
+mod tests;
+
+use super::elaborator::Elaborator;
+use super::expression::value_of;
+use super::messages::events as messages;
+use super::reactions::add_contact;
+use super::scope::NameKind;
+use crate::diagnostics::Origin;
+use crate::expr::{Dependencies, ExprId};
+use crate::model::{Action, Assignment};
+use crate::syntax::ast::{self, AstId, Expression, Name, StatementKind};
+
+/// The most events that run-time code can watch.
+const MOST_EVENTS: usize = 32;
+
+pub(super) fn add_event(elaborator: &mut Elaborator<'_>, event: &ast::Event) {
+    let (value, action) = match &event.action {
+        ast::Action::Impact(restitution) => return add_contact(elaborator, event, *restitution),
+        ast::Action::Stop => (event_function(elaborator, event), Some(Action::Stop)),
+        ast::Action::Record => (event_function(elaborator, event), Some(Action::Record)),
+        ast::Action::Assign(assignments) => {
+            (event_function(elaborator, event), assigned_values(elaborator, &event.name, assignments))
+        }
+    };
+    elaborator.declare(&event.name, NameKind::Event, None);
+    if let (Some(value), Some(action)) = (value, action) {
+        elaborator.push_event(event, value, action);
+    }
+}
+
+/// A scalar that can pass zero.
+fn event_function(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option<ExprId> {
+    let syntax = event.value;
+    value_of(&mut elaborator.evaluator, syntax)?;
+    let value = elaborator.evaluator.scalar(syntax, messages::EVENT_FUNCTION)?;
+    let kinds = &[Dependencies::REACTION];
+    elaborator.forbid(kinds, (syntax, value), messages::EVENT_FUNCTION, messages::EVENT_FUNCTION_HELP)?;
+    let state = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY;
+    let changing = state | Dependencies::INPUT | Dependencies::ACCELERATION | Dependencies::MULTIPLIER;
+    if elaborator.evaluator.graph.dependencies(value).intersects(changing) {
+        return Some(value);
+    }
+    let origin = elaborator.evaluator.origin(syntax);
+    let error = elaborator.evaluator.report.error(origin, messages::constant_event(&event.name.text));
+    error.help(messages::CONSTANT_EVENT_HELP);
+    None
+}
+
+fn assigned_values(
+    elaborator: &mut Elaborator<'_>,
+    event: &Name,
+    assignments: &[ast::Assignment],
+) -> Option<Action> {
+    let mut assigned: Vec<(usize, Origin)> = Vec::new();
+    let mut sound = Vec::new();
+    for assignment in assignments {
+        let index = assigned_index(elaborator, assignment.target);
+        let value = elaborator.term(assignment.value, event.span, messages::ASSIGNED_VALUE);
+        let Some(index) = index else { continue };
+        check_assigned_once(elaborator, index, elaborator.evaluator.origin(assignment.target), &mut assigned);
+        sound.extend(value.map(|value| Assignment { index, value: value.value }));
+    }
+    (sound.len() == assignments.len()).then_some(Action::Assign(sound))
+}
+
+fn check_assigned_once(
+    elaborator: &mut Elaborator<'_>,
+    index: usize,
+    origin: Origin,
+    assigned: &mut Vec<(usize, Origin)>,
+) {
+    if let Some((_, first)) = assigned.iter().find(|(other, _)| *other == index) {
+        let count = elaborator.declaration.coordinates().len();
+        let name =
+            |i: usize| elaborator.coordinates.get(i).map_or("", |(coordinate, _)| coordinate.name.as_str());
+        let target = match index.checked_sub(count) {
+            Some(velocity) => format!("dot({})", name(velocity)),
+            None => name(index).to_owned(),
+        };
+        let error = elaborator.evaluator.report.error(origin, messages::assigned_twice(&target));
+        error.related(*first, messages::ASSIGNED_HERE).help(messages::ASSIGNED_TWICE_HELP);
+    }
+    assigned.push((index, origin));
+}
+
+/// The index in [q…, v…] of what is assigned to.
+fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usize> {
+    let (coordinate, is_velocity) = match elaborator.evaluator.syntax(syntax) {
+        Expression::Call(function, arguments) if function.text == "dot" && arguments.len() == 1 => {
+            (arguments[0], true)
+        }
+        _ => (syntax, false),
+    };
+    let count = elaborator.declaration.coordinates().len();
+    let Expression::Name(text) = elaborator.evaluator.syntax(coordinate) else {
+        // What is wrong within it is said first.
+        value_of(&mut elaborator.evaluator, syntax)?;
+        let error =
+            elaborator.evaluator.report.error(elaborator.evaluator.origin(syntax), messages::NOT_ASSIGNABLE);
+        error.help(messages::ASSIGNMENT_HELP);
+        return None;
+    };
+    if elaborator.evaluator.scope.resolve(text).is_none() {
+        value_of(&mut elaborator.evaluator, coordinate);
+        return None;
+    }
+    let position = elaborator.coordinates.iter().position(|(known, _)| known.name == *text);
+    if position.is_none() {
+        let name = Name { text: text.clone(), span: elaborator.evaluator.origin(coordinate).start };
+        elaborator.report_no_coordinate(&name, messages::ASSIGNMENT_HELP);
+    }
+    position.map(|index| if is_velocity { count + index } else { index })
+}
+
+/// Friction that sticks and slips is an event, too.
+pub(super) fn check_event_count(elaborator: &mut Elaborator<'_>) {
+    let names = elaborator.declaration.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Event(event) => Some(&event.name),
+        StatementKind::Friction(friction) if friction.width.is_none() => Some(&friction.name),
+        _ => None,
+    });
+    if let Some(name) = names.into_iter().nth(MOST_EVENTS) {
+        let error = elaborator.evaluator.report.error(name.span, messages::too_many_events(MOST_EVENTS));
+        error.help(messages::TOO_MANY_EVENTS_HELP);
+    }
+}
+
+/// A reduced system would need events and modes of its own.
+pub(super) fn check_reduced_events(elaborator: &mut Elaborator<'_>) {
+    let events = elaborator.events.iter().map(|(_, span)| *span);
+    let mut declared = events.chain(elaborator.reactions.iter().map(|(_, span)| *span));
+    if let (Some(span), Some(reduction)) = (declared.next(), elaborator.reductions.first()) {
+        let error = elaborator.evaluator.report.error(reduction.name.span, messages::REDUCED_EVENTS);
+        error.related(Origin::from(span), messages::EVENT_IS_HERE).help(messages::REDUCED_HELP);
+    }
+}

@@ -1,0 +1,265 @@
+use crate::bodies::plain;
+use crate::calculus::evaluate;
+use crate::diagnostics::Report;
+use crate::elaborate::elaborate;
+use crate::expr::{Dependencies, ExprId};
+use crate::model::{Action, Model, ReactionKind};
+use crate::symbol::Role;
+use crate::syntax::ast::Direction;
+use crate::syntax::parse_text;
+
+const POINT: &str = "param m = 2, h = 3, mu = 0.3;
+    coord x, y;
+    kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
+    output used = m + h + mu;";
+
+/// The model of a point in a plane with these statements, or what is wrong.
+fn read(statements: &str) -> Result<Model, String> {
+    let mut report = Report::default();
+    let text = format!("{POINT}\n{statements}");
+    let declaration = parse_text(&text, &mut report).expect("tokens");
+    let model = elaborate(&plain(declaration, &mut report), &mut report).filter(|_| !report.has_errors());
+    model.ok_or_else(|| report.to_string())
+}
+
+fn model(statements: &str) -> Model {
+    read(statements).unwrap_or_else(|report| panic!("{statements}\n{report}"))
+}
+
+/// The first line of what is wrong.
+fn mistake(statements: &str) -> String {
+    let report = read(statements).expect_err(statements);
+    report.lines().next().expect("an error").to_owned()
+}
+
+/// The values of expressions at t = 0.5, (x, y) = (0.7, 1.1) and velocities (-0.2, 0.4).
+fn at_a_state<const K: usize>(model: &Model, expressions: [ExprId; K]) -> [f64; K] {
+    let value = |role| match role {
+        Role::Parameter(index) => [2.0, 3.0, 0.3][index as usize],
+        Role::Time => 0.5,
+        Role::Coordinate(index) => [0.7, 1.1][index as usize],
+        Role::Velocity(index) => [-0.2, 0.4][index as usize],
+        _ => f64::NAN,
+    };
+    let values = evaluate(&model.graph, &expressions, value);
+    values.try_into().expect("as many values as expressions")
+}
+
+fn assert_near<const K: usize>(found: [f64; K], expected: [f64; K]) {
+    for (a, b) in found.iter().zip(expected) {
+        assert!((a - b).abs() < 1e-14, "{found:?}, not {expected:?}");
+    }
+}
+
+fn contact(model: &Model, index: usize) -> [ExprId; 3] {
+    let reaction = &model.reactions[index];
+    match reaction.kind {
+        ReactionKind::Contact { gap, restitution } => [gap, reaction.velocity, restitution],
+        other => panic!("{other:?} is no contact"),
+    }
+}
+
+#[test]
+fn gaps_are_positive_where_bodies_are_free() {
+    let model = model(
+        "event floor = y, falling => impact(0);
+         event ceiling = y - h, rising => impact(1);",
+    );
+    assert_near(at_a_state(&model, contact(&model, 0)), [1.1, 0.4, 0.0]);
+    assert_near(at_a_state(&model, contact(&model, 1)), [1.9, -0.4, 1.0]);
+    assert_near(at_a_state(&model, [model.events[1].value]), [-1.9]);
+    assert_eq!(model.events[1].direction, Direction::Rising);
+}
+
+#[test]
+fn rates_of_gaps_hold_what_time_does() {
+    let model = model("event racket = y - sin(2 * t), falling => impact(1 / (1 + dot(y)^2));");
+    let expected = [1.1 - 1.0_f64.sin(), 0.4 - 2.0 * 1.0_f64.cos(), 1.0 / 1.16];
+    assert_near(at_a_state(&model, contact(&model, 0)), expected);
+}
+
+#[test]
+fn reactions_and_events_keep_the_order_of_their_declaration() {
+    let model = model(
+        "friction slide = dot(x), mu;
+         event first = x, crossing => record;
+         event floor = y, falling => impact(0);
+         friction slow = dot(y), mu, smooth: 0.1;
+         event wall = x - h, rising => impact(1/2);
+         event last = t - h, rising => stop;",
+    );
+    let names: Vec<_> = model.reactions.iter().map(|reaction| reaction.name.as_str()).collect();
+    assert_eq!(names, ["slide", "floor", "slow", "wall"]);
+    for (index, reaction) in (0..).zip(&model.reactions) {
+        let symbol = model.graph.symbols().find(Role::Reaction(index)).expect("a symbol");
+        assert_eq!(model.graph.symbols().get(symbol).name, reaction.name);
+        assert_eq!(model.graph.dependencies(reaction.symbol), Dependencies::REACTION);
+    }
+    let modes: Vec<_> = model.reactions.iter().map(|reaction| reaction.kind.has_mode()).collect();
+    assert_eq!(modes, [true, true, false, true]);
+    let events: Vec<_> = model.events.iter().map(|e| format!("{} {:?}", e.name, e.action)).collect();
+    assert_eq!(events, ["first Record", "floor Impact(1)", "wall Impact(3)", "last Stop"]);
+}
+
+#[test]
+fn assignments_are_entries_of_the_whole_state() {
+    let model = model(
+        "coord z;
+         kinetic = 1/2 * dot(z)^2;
+         event swap = x - y, crossing => { x = y; dot(z) = h; y = x; dot(x) = -dot(y); }",
+    );
+    let Action::Assign(assignments) = &model.events[0].action else { panic!("no assignments") };
+    let indices: Vec<_> = assignments.iter().map(|assignment| assignment.index).collect();
+    assert_eq!(indices, [0, 5, 1, 3]);
+    let values = std::array::from_fn(|i| assignments[i].value);
+    assert_near(at_a_state(&model, values), [1.1, 3.0, 0.7, -0.4]);
+}
+
+#[test]
+fn velocities_stand_behind_coordinates_that_are_declared_later() {
+    let model = model("event hit = x, falling => { dot(x) = 0; } coord z; kinetic = 1/2 * dot(z)^2;");
+    let Action::Assign(assignments) = &model.events[0].action else { panic!("no assignments") };
+    assert_eq!(assignments[0].index, 3);
+}
+
+#[test]
+fn a_single_limit_holds_for_slipping_and_for_sticking() {
+    let model = model(
+        "friction one = dot(x) - 1/2, mu;
+         friction two = 2 * dot(y), kinetic: mu, static: mu + x;
+         friction three = dot(x), mu, smooth: 1/h;",
+    );
+    let ReactionKind::Friction { kinetic, fixed } = model.reactions[0].kind else { panic!("no friction") };
+    assert_eq!(kinetic, fixed);
+    assert_near(at_a_state(&model, [kinetic, model.reactions[0].velocity]), [0.3, -0.7]);
+    let ReactionKind::Friction { kinetic, fixed } = model.reactions[1].kind else { panic!("no friction") };
+    assert_near(at_a_state(&model, [kinetic, fixed, model.reactions[1].velocity]), [0.3, 1.0, 0.8]);
+    let ReactionKind::Smooth { limit, width } = model.reactions[2].kind else { panic!("not smooth") };
+    assert_near(at_a_state(&model, [limit, width]), [0.3, 1.0 / 3.0]);
+}
+
+#[test]
+fn limits_may_hold_forces_and_so_may_outputs_and_events() {
+    let model = model(
+        "constraint track = x + y;
+         event floor = y, falling => impact(0);
+         friction slide = dot(x), (mu + dot(x)^2) * floor + (if x < 0 { track } else { 2 * floor }) + h;
+         friction belt = dot(x) - 1, mu * slide, smooth: 0.1;
+         event leaves = track, falling => stop;
+         event jerks = ddot(x) - track, rising => record;
+         output pull = track;
+         output pair = (floor, slide);",
+    );
+    let depends = |id: ExprId, kind| model.graph.dependencies(id).intersects(kind);
+    let ReactionKind::Friction { kinetic, .. } = model.reactions[1].kind else { panic!("no friction") };
+    assert!(depends(kinetic, Dependencies::REACTION) && depends(kinetic, Dependencies::MULTIPLIER));
+    assert!(depends(model.events[1].value, Dependencies::MULTIPLIER));
+    assert!(depends(model.events[2].value, Dependencies::ACCELERATION));
+    let uses = |name: &str| {
+        let output = model.outputs.iter().find(|output| output.name == name).expect("an output");
+        (output.uses_multipliers, output.uses_reactions)
+    };
+    assert_eq!([uses("used"), uses("pull"), uses("pair")], [(false, false), (true, false), (false, true)]);
+}
+
+#[test]
+fn limits_that_are_not_linear_in_forces_are_refused() {
+    let declared = "constraint track = x + y; event floor = y, falling => impact(0);";
+    for limit in ["floor^2", "floor * track", "abs(track)", "1 / floor", "if floor < 1 { 0 } else { 1 }"] {
+        let found = mistake(&format!("{declared} friction slide = dot(x), mu * ({limit});"));
+        assert!(found.contains("is not linear in the forces"), "{limit}: {found}");
+    }
+}
+
+#[test]
+fn slip_velocities_are_linear_in_the_velocities() {
+    model("friction slide = x * dot(x) + sin(t) - dot(y) / 2, 1;");
+    for slip in ["dot(x)^2", "abs(dot(x))", "dot(x) * dot(y)", "sin(dot(x))"] {
+        let found = mistake(&format!("friction slide = {slip}, 1;"));
+        assert!(found.contains("is not linear in the velocities"), "{slip}: {found}");
+    }
+    let found = mistake("friction slide = x, 1;");
+    assert!(found.contains("holds no velocity"), "{found}");
+}
+
+#[test]
+fn ends_of_the_range_of_restitution_are_possible() {
+    for restitution in ["0", "1", "0.5", "mu", "h", "mu * abs(dot(y))"] {
+        model(&format!("event floor = y, falling => impact({restitution});"));
+    }
+    for restitution in
+        ["sin(1)", "exp(-1/1000)", "1 - 1/1000000", "sqrt(2) / 2", "min(2, 1)", "if 1 < 2 { 1 } else { 3 }"]
+    {
+        model(&format!("event floor = y, falling => impact({restitution});"));
+    }
+    for restitution in [
+        "-1/100",
+        "1.01",
+        "pi",
+        "-pi",
+        "exp(1/1000)",
+        "1 + 1/1000000",
+        "sqrt(2)",
+        "-sin(1)",
+        "max(2, 1)",
+        "1 - 5/4",
+        "tan(1)",
+    ] {
+        let found = mistake(&format!("event floor = y, falling => impact({restitution});"));
+        assert!(found.contains("is not between 0 and 1"), "{restitution}: {found}");
+    }
+    for restitution in ["bounce", "2 * bounce - 1/2", "exp(-bounce)"] {
+        let declared = |value: &str| {
+            format!("const bounce = {value}; event floor = y, falling => impact({restitution});")
+        };
+        model(&declared("3/5"));
+        let found = mistake(&declared("-9/8"));
+        assert!(found.contains("is not between 0 and 1"), "{restitution}: {found}");
+    }
+}
+
+#[test]
+fn dry_friction_counts_as_an_event_and_smooth_friction_does_not() {
+    let events = |count: usize| -> String {
+        (0..count).map(|i| format!("event e{i} = x - {i}, rising => record;")).collect()
+    };
+    let (dry, smooth) = ("friction dry = dot(x), 1;", "friction smooth = dot(x), 1, smooth: 1;");
+    assert_eq!(model(&format!("{smooth} {}", events(32))).events.len(), 32);
+    assert_eq!(model(&format!("{dry} {}", events(31))).events.len(), 31);
+    for text in [events(33), format!("{dry} {}", events(32)), format!("{} {dry}", events(32))] {
+        assert!(mistake(&text).ends_with("a system can have at most 32 events"));
+    }
+}
+
+#[test]
+fn events_must_change() {
+    for function in ["m - h", "1", "2 * m"] {
+        let found = mistake(&format!("input u; event never = {function}, rising => stop;"));
+        assert!(found.contains("never changes"), "{found}");
+    }
+    for function in ["t - u", "x", "dot(x) * m", "ddot(x) - u", "u", "u - m"] {
+        model(&format!("input u = 1; event now = {function}, rising => stop; output control = u;"));
+    }
+}
+
+#[test]
+fn constraints_are_stabilised_at_a_rate_that_stays() {
+    let stabilised = model("constraint track = x + y; stabilise = 2 * h;");
+    let rate = stabilised.stabilisation.expect("a rate");
+    assert_near(at_a_state(&stabilised, [rate]), [6.0]);
+    assert!(model("constraint track = x + y;").stabilisation.is_none());
+    assert!(model("constraint track = x + y; stabilise = 0;").stabilisation.is_some());
+    let found = mistake("constraint track = x + y; stabilise = 1 + x;");
+    assert!(found.contains("cannot depend on this"), "{found}");
+    let found = mistake("stabilise = 1;");
+    assert!(found.contains("no constraint to stabilise"), "{found}");
+}
+
+#[test]
+fn a_faulty_contact_causes_no_second_mistake() {
+    let text = "event floor = y^2 * dot(y), falling => impact(0);
+        friction slide = dot(x), mu * floor;
+        output normal = floor;";
+    let report = read(text).expect_err("a gap with a velocity");
+    assert_eq!(report.matches("error").count(), 1, "{report}");
+}

@@ -1,0 +1,146 @@
+//! Expressions of the language to expressions of the graph.
+//!
+//! The walk is iterative. Chains of `+`/`-` and of `*`/`/` are evaluated as one, so that a sum of many terms
+//! is collected once and not pair by pair.
+
+use super::calls::evaluate_call;
+use super::chains::{evaluate_power, evaluate_product, evaluate_sum};
+use super::evaluator::Evaluator;
+use super::function_names::is_function;
+use super::messages;
+use super::numbers::is_sound;
+use super::operand::{Operand, rebuild};
+use super::scope::NameKind;
+use super::unknown_names::{help_for_unknown, is_declared_elsewhere, is_known_unresolved, report_unknown};
+use crate::diagnostics::Origin;
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Name};
+
+/// The value of an expression; `None` if something in it is wrong, which has been reported.
+pub(super) fn value_of(evaluator: &mut Evaluator<'_>, root: AstId) -> Option<Operand> {
+    let mut pending = vec![root];
+    while let Some(&id) = pending.last() {
+        let before = pending.len();
+        if !evaluator.values.contains(&id) {
+            // Reversed, so that operands are evaluated, and complained of, from left to right.
+            let operands = evaluator.operands(id).into_iter().rev();
+            pending.extend(operands.filter(|operand| !evaluator.values.contains(operand)));
+        }
+        if pending.len() == before {
+            pending.pop();
+            if !evaluator.values.contains(&id) {
+                let value = evaluate_node(evaluator, id).filter(|value| is_sound(evaluator, value, id));
+                evaluator.values.insert(id, value);
+            }
+        }
+    }
+    evaluator.value(root)
+}
+
+fn evaluate_node(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
+    match evaluator.syntax(id) {
+        Expression::Number(value) => Some(Operand::Scalar(evaluator.graph.number(value.clone()))),
+        Expression::Name(name) => evaluate_name(evaluator, name, evaluator.origin(id)),
+        Expression::Binary(BinaryOperator::Power, _, base, exponent) => {
+            evaluate_power(evaluator, *base, *exponent, evaluator.origin(id))
+        }
+        Expression::Binary(BinaryOperator::Multiply | BinaryOperator::Divide, ..) => {
+            evaluate_product(evaluator, id)
+        }
+        Expression::Negate(_) | Expression::Binary(..) => evaluate_sum(evaluator, id),
+        Expression::Tuple(components) => {
+            let components =
+                components.iter().map(|&c| evaluator.scalar(c, "a component")).collect::<Vec<_>>();
+            components.into_iter().collect::<Option<Vec<_>>>().map(Operand::Vector)
+        }
+        Expression::Call(function, arguments) => evaluate_call(evaluator, function, arguments, id),
+        Expression::Component(of, component) => evaluate_component(evaluator, *of, component),
+        Expression::If { condition, then, otherwise } => {
+            evaluate_if(evaluator, *condition, *then, *otherwise)
+        }
+        Expression::Invalid => None,
+    }
+}
+
+fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> Option<Operand> {
+    match name {
+        "t" => return Some(Operand::Scalar(evaluator.graph.symbol("t", Role::Time))),
+        "pi" => return Some(Operand::Scalar(evaluator.graph.pi())),
+        _ => {}
+    }
+    if let Some(entry) = evaluator.scope.resolve(name) {
+        if entry.kind.has_value() {
+            return entry.value.clone();
+        }
+        let kind = entry.kind;
+        if kind == NameKind::Implied && !is_first_of_joint(evaluator, name) {
+            return None;
+        }
+        let (message, help) = match kind {
+            NameKind::Implied => (messages::FORCE_OF_IMPLIED.to_owned(), messages::FORCE_OF_IMPLIED_HELP),
+            kind => (messages::names::has_no_value(kind.describe(), name), messages::names::NAME_IT_WITH_LET),
+        };
+        evaluator.report.error(origin, message).help(help);
+        return None;
+    }
+    if is_function(name) {
+        evaluator
+            .report
+            .error(origin, messages::names::function_as_value(name))
+            .help(messages::FUNCTION_HELP);
+        return None;
+    }
+    if !is_known_unresolved(evaluator, name, origin) && !is_declared_elsewhere(evaluator, name, origin) {
+        let help = help_for_unknown(evaluator, name);
+        report_unknown(evaluator, name, origin, help);
+    }
+    None
+}
+
+/// Whether nothing was said yet of a joint without forces, one of whose constraints has this name.
+fn is_first_of_joint(evaluator: &mut Evaluator<'_>, constraint: &str) -> bool {
+    let joint = constraint.rsplit_once('_').map_or(constraint, |(joint, _)| joint);
+    evaluator.forceless_joints.insert(joint.to_owned(), ()).is_none()
+}
+
+fn evaluate_component(evaluator: &mut Evaluator<'_>, of: AstId, component: &Name) -> Option<Operand> {
+    let value = evaluator.value(of)?;
+    let index = ["x", "y", "z"].iter().position(|name| *name == component.text);
+    if let (Operand::Vector(components), Some(index)) = (&value, index)
+        && let Some(&found) = components.get(index)
+    {
+        return Some(Operand::Scalar(found));
+    }
+    if is_function(&component.text) {
+        let error = evaluator.report.error(component.span, messages::names::method_as_value(&component.text));
+        error.help(messages::FUNCTION_HELP);
+        return None;
+    }
+    if evaluator.obliged_vectors.contains(&of) {
+        return None;
+    }
+    let message = messages::no_component(&component.text, &value.kind());
+    evaluator.report.error(component.span, message).help(messages::COMPONENTS);
+    None
+}
+
+fn evaluate_if(
+    evaluator: &mut Evaluator<'_>,
+    condition: Condition,
+    then: AstId,
+    otherwise: AstId,
+) -> Option<Operand> {
+    let left = evaluator.scalar(condition.left, "a compared value");
+    let right = evaluator.scalar(condition.right, "a compared value");
+    let (a, b) = (evaluator.value(then)?, evaluator.value(otherwise)?);
+    if !a.same_kind(&b) {
+        let message = messages::kinds_differ("choose between", &a.kind(), &b.kind());
+        evaluator.report.error(evaluator.origin(otherwise), message).help(messages::KINDS_HELP);
+        return None;
+    }
+    let (left, right) = (left?, right?);
+    let chosen = a.components().iter().zip(b.components());
+    let chosen = chosen.map(|(&a, &b)| evaluator.graph.choose(condition.relation, left, right, a, b));
+    let chosen = chosen.collect();
+    Some(rebuild(&a, chosen))
+}

@@ -1,0 +1,71 @@
+//! Forces and torques as loads along velocities, by virtual work.
+//!
+//! A force F at a point p does work at the rate F·ṗ; its generalised force is ∂(F·ṗ)/∂v, so it acts on the
+//! node ṗ itself and no Jacobian is formed.
+
+use proc_macro2::Span;
+
+use super::elaborator::Elaborator;
+use super::expression::value_of;
+use super::messages;
+use super::operand::Operand;
+use crate::expr::Dependencies;
+use crate::model::Load;
+use crate::syntax::ast::{AstId, Name};
+
+pub(super) fn add_force_on(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
+    let force = elaborator.term(syntax, name.span, "a force");
+    elaborator.evaluator.scope.resolve(&name.text);
+    let known = elaborator.coordinates.iter().find(|(coordinate, _)| coordinate.name == name.text);
+    match known {
+        Some((coordinate, _)) => {
+            let velocity = coordinate.velocity;
+            elaborator.loads.extend(force.map(|force| Load { velocity, force: force.value }));
+        }
+        None => elaborator.report_no_coordinate(name, messages::FORCE_HELP),
+    }
+}
+
+pub(super) fn add_force_at(elaborator: &mut Elaborator<'_>, force: AstId, point: AstId) {
+    let values = (value_of(&mut elaborator.evaluator, force), value_of(&mut elaborator.evaluator, point));
+    let components = elaborator.evaluator.vector(force, "a force at a point");
+    let place = elaborator.evaluator.vector(point, "the point of a force");
+    let (Some(force_value), Some(point_value)) = values else { return };
+    let (Some(components), Some(_)) = (components, place) else { return };
+    if !force_value.same_kind(&point_value) {
+        let message = messages::kinds_differ("pair", &force_value.kind(), &point_value.kind());
+        let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(point), message);
+        error.help(messages::KINDS_HELP);
+        return;
+    }
+    let sound = components.iter().all(|&c| elaborator.forbid_accelerations(force, c, "a force").is_some());
+    let velocity = velocity_of(elaborator, point, &point_value, "the point of a force");
+    if let (true, Some(velocity)) = (sound, velocity) {
+        let pairs = velocity.components().iter().zip(components);
+        elaborator.loads.extend(pairs.map(|(&velocity, force)| Load { velocity, force }));
+    }
+}
+
+pub(super) fn add_torque(elaborator: &mut Elaborator<'_>, moment: AstId, angle: AstId, keyword: Span) {
+    let moment = elaborator.term(moment, keyword, "a torque");
+    value_of(&mut elaborator.evaluator, angle);
+    let Some(value) = elaborator.evaluator.scalar(angle, "the angle of a torque") else { return };
+    let velocity = velocity_of(elaborator, angle, &Operand::Scalar(value), "the angle of a torque");
+    if let (Some(moment), Some(Operand::Scalar(velocity))) = (moment, velocity) {
+        elaborator.loads.push(Load { velocity, force: moment.value });
+    }
+}
+
+/// The rate of a point or angle, which must be a function of coordinates and time.
+fn velocity_of(
+    elaborator: &mut Elaborator<'_>,
+    syntax: AstId,
+    value: &Operand,
+    what: &str,
+) -> Option<Operand> {
+    for &component in value.components() {
+        let moving = &[Dependencies::VELOCITY, Dependencies::ACCELERATION];
+        elaborator.forbid(moving, (syntax, component), what, messages::PLACE_HELP)?;
+    }
+    elaborator.evaluator.rate(value, syntax)
+}

@@ -1,0 +1,360 @@
+//! What is said about mistakes in the meaning of a declaration.
+
+use crate::expr::Dependencies;
+use crate::model::Product;
+
+pub(super) mod events;
+pub(super) mod inertia;
+pub(super) mod names;
+pub(super) mod scene;
+
+pub(super) fn scalar_needed(what: &str, found: &str) -> String {
+    format!("{what} must be a scalar, but this is {found}")
+}
+
+pub(super) const HOW_TO_GET_A_SCALAR: &str = "use a component such as `.x`, or `norm(v)`, or `inner(v, w)`";
+
+pub(super) fn vector_needed(what: &str, found: &str) -> String {
+    format!("{what} must be a vector, but this is {found}")
+}
+
+pub(super) fn kinds_differ(operation: &str, left: &str, right: &str) -> String {
+    format!("cannot {operation} {left} and {right}")
+}
+
+pub(super) const KINDS_HELP: &str = "make both scalars, with components such as `.x` or `norm(v)`, or both vectors of as many components, such as `(0, e)`";
+pub(super) const VECTOR_HELP: &str = "write a vector, such as `(x, y)`";
+pub(super) const PRODUCT_OF_VECTORS: &str = "the product of two vectors is ambiguous";
+pub(super) const INNER_OR_CROSS: &str =
+    "use `inner(v, w)` for the scalar and `cross(v, w)` for the vector product";
+pub(super) const DIVISION_BY_VECTOR: &str = "cannot divide by a vector";
+pub(super) const DIVISION_BY_ZERO: &str = "division by zero";
+
+pub(super) const FUNCTION_HELP: &str = "write its arguments in parentheses behind it";
+pub(super) const TUPLE_SIZE_HELP: &str =
+    "write as many names as there are components, `let (a, b) = (e, f);`, or a single one, `let v = (e, f);`";
+pub(super) const ZERO_BASE_HELP: &str = "a negative power of zero has no value";
+pub(super) const DIVISION_HELP: &str = "this divisor is zero whatever the parameters are";
+
+pub(super) const NUMBER_TOO_LONG: &str = "the numbers in this expression become too long to be kept exactly";
+pub(super) const NUMBER_TOO_LONG_HELP: &str = "round a constant before it is used again and again";
+
+pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {
+    let exponent = if exponent.contains(['/', '-']) { format!("({exponent})") } else { exponent.to_owned() };
+    format!("({base})^{exponent} is not a real number")
+}
+
+pub(super) fn varying_power_of_negative(base: &str) -> String {
+    format!(
+        "a power of the negative number {base} is real only for integer exponents, which this one need not be"
+    )
+}
+
+pub(super) const NEGATIVE_BASE_HELP: &str =
+    "make the base positive; the sign in `-2^x` applies to the power, that in `(-2)^x` to the base";
+
+pub(super) const NOT_REAL: &str = "this is not a real number";
+
+pub(super) fn defined_where(function: &str, domain: &str) -> String {
+    format!("`{function}` is defined {domain}")
+}
+
+pub(super) fn excessive(is_constant: bool, scalar: &str) -> String {
+    let what = if is_constant { "this number" } else { "a number in this expression" };
+    format!("{what} is too large for `{scalar}`")
+}
+
+pub(super) fn no_component(component: &str, kind: &str) -> String {
+    format!("there is no component `{component}` in {kind}")
+}
+
+pub(super) const COMPONENTS: &str = "vectors have the components `x`, `y` and, in space, `z`";
+
+pub(super) fn rate_of_input(name: &str) -> String {
+    format!("the rate of input `{name}` is unknown")
+}
+
+/// For the rate of what is made of numbers and parameters.
+pub(super) fn rate_of_constant(what: &str) -> String {
+    format!("`{what}` does not change during the motion, so that its rate is zero")
+}
+
+pub(super) const RATE_OF_CONSTANT_HELP: &str = "leave the rate out, make what changes a `coord`, or write it as a function of `t`: `dot` is the rate of what moves, and `inner(v, w)` the scalar product";
+
+pub(super) const RATE_OF_FORCE_HELP: &str =
+    "leave the rate out: forces follow from the motion, not from an equation of their own";
+
+pub(super) fn rate_of_force(name: &str) -> String {
+    format!("the rate of the force `{name}` is unknown")
+}
+
+pub(super) const RATE_OF_INPUT_HELP: &str =
+    "an input may change at any time; make its rate another `input`, or the quantity a `coord`";
+
+/// `name` is that of the culprit, if it has one.
+pub(super) fn must_not_depend(place: &str, kind: Dependencies, name: &str) -> String {
+    let culprit = match kind {
+        Dependencies::VELOCITY => "velocities".to_owned(),
+        Dependencies::MULTIPLIER => format!("the multiplier `{name}`"),
+        Dependencies::REACTION => format!("the force `{name}`"),
+        _ => "accelerations".to_owned(),
+    };
+    format!("{place} must not depend on {culprit}")
+}
+
+pub(super) const PLACE_HELP: &str = "places and angles are functions of the coordinates and of time";
+pub(super) const POTENTIAL_HELP: &str =
+    "put terms with velocities into `kinetic`, `lagrangian` or `dissipation`";
+pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str =
+    "only an `output` may use `ddot`, or the name of a constraint, contact or friction for its force";
+
+pub(super) fn input_in_kinetic(name: &str) -> String {
+    format!("the rate of input `{name}` is needed here but unknown: it multiplies a velocity")
+}
+
+pub(super) fn not_constant(what: &str) -> String {
+    format!("{what} cannot depend on this")
+}
+
+pub(super) const NOT_CONSTANT_HELP: &str =
+    "compute it from numbers, `pi` and `const` names only; what `let` names may depend on anything";
+
+pub(super) fn both_lagrangian_and(other: &str) -> String {
+    format!("`{other}` beside `lagrangian`")
+}
+
+pub(super) const LAGRANGIAN_HELP: &str = "L = T - V: give either `lagrangian`, or `kinetic` and `potential`";
+pub(super) const LAGRANGIAN_IS_HERE: &str = "the Lagrangian is given here";
+pub(super) const NO_COORDINATES: &str = "a system needs at least one generalised coordinate";
+pub(super) const COORDINATES_HELP: &str = "declare them with `coord x, theta;`";
+pub(super) const NO_ENERGY: &str = "a system needs a kinetic energy or a Lagrangian";
+pub(super) const ENERGY_HELP: &str = "write `kinetic = …;` and `potential = …;`, or `lagrangian = …;`";
+
+pub(super) fn no_inertia(name: &str) -> String {
+    format!(
+        "`{name}` has no inertia: the kinetic energy does not grow with its velocity, so nothing determines its acceleration"
+    )
+}
+
+pub(super) const NO_INERTIA_HELP: &str = "add its kinetic energy, or make it a `param` or an `input`";
+
+pub(super) const NEGATIVE_INERTIA: &str = "this mass or moment of inertia is negative";
+
+pub(super) fn negative_kinetic_energy(name: &str) -> String {
+    format!("the kinetic energy of this falls as `{name}` moves faster, but inertia is positive")
+}
+
+pub(super) const NEGATIVE_INERTIA_HELP: &str =
+    "mind the sign; a Lagrangian that is not T − V can be given as `lagrangian = …;`";
+
+pub(super) const MOMENTA_JUMP: &str =
+    "energies need second derivatives by velocities, but here a momentum jumps where this changes its branch";
+
+pub(super) const MOMENTA_JUMP_HELP: &str = "write an even power, such as `1/2*m*norm(v)^2`, or a `force`, `dissipation` or `friction` for what acts against a motion";
+
+pub(super) fn not_a_coordinate(name: &str) -> String {
+    format!("`{name}` is not a coordinate")
+}
+
+pub(super) const FORCE_HELP: &str =
+    "`force x = …;` acts on a coordinate; `force (fx, fy) at (px, py);` acts at a point";
+
+pub(super) fn largest_help(scalar: &str, largest: f64) -> String {
+    format!("`{scalar}` holds numbers up to about {largest:.1e}: choose larger units")
+}
+
+/// Longer lists do not help.
+const MOST_LISTED: usize = 10;
+
+pub(super) fn coordinates_are(names: &[&str], usage: &str) -> String {
+    match names {
+        [] => COORDINATES_HELP.to_owned(),
+        [name] => format!("the coordinate is `{name}`"),
+        _ if names.len() > MOST_LISTED => usage.to_owned(),
+        _ => format!("the coordinates are `{}`", names.join("`, `")),
+    }
+}
+
+pub(super) fn reserved_output(name: &str) -> String {
+    format!("an output cannot be called `{name}`, since the system has something of that name")
+}
+
+pub(super) const OTHER_NAME_HELP: &str = "choose another name";
+
+pub(super) fn velocity_field_collides(name: &str, coordinate: &str) -> String {
+    format!("`{name}` collides with the name of the velocity of `{coordinate}`")
+}
+
+pub(super) fn coordinate_is_here(name: &str) -> String {
+    format!("the velocity of this coordinate is called `{name}_dot`")
+}
+
+pub(super) fn unknown_product(name: &str) -> String {
+    format!("`{name}` is nothing that can be emitted")
+}
+
+pub(super) fn product_not_available(name: &str) -> String {
+    format!("`{name}` is not available yet")
+}
+
+pub(super) fn products() -> String {
+    let names = Product::ALL.map(|product| format!("`{}`", product.name()));
+    format!("there are {}; write `no` before one to leave it out", names.join(", "))
+}
+
+pub(super) fn needs_separate_energies(name: &str) -> String {
+    format!("`{name}` is not defined for a system given by its `lagrangian`")
+}
+
+pub(super) fn needs_constraints(name: &str) -> String {
+    format!("`{name}` is not defined for a system without constraints")
+}
+
+pub(super) const CONSTRAINT_HELP: &str = "write `constraint name = e;` for e = 0";
+
+pub(super) fn needed_product(name: &str) -> String {
+    format!("`{name}` cannot be left out here")
+}
+
+pub(super) fn needed_product_help(name: &str, reason: &str) -> String {
+    format!("remove `no {name}`: {reason}")
+}
+
+pub(super) const NEEDED_BY_MOMENTUM_RATES: &str = "methods that use `momentum_rates` find velocities by it";
+pub(super) const NEEDED_BY_PROJECTION: &str = "states are brought back onto the constraints by it";
+
+pub(super) fn derivative_of_jumps(name: &str) -> String {
+    format!("`{name}` does not exist for a system with contacts or dry friction: its accelerations jump")
+}
+
+pub(super) const DERIVATIVE_OF_JUMPS_HELP: &str = "leave it out; implicit methods iterate without it";
+
+pub(super) fn acts_here(name: &str) -> String {
+    format!("`{name}` acts or does not act, by its mode")
+}
+
+pub(super) fn tuple_size(names: usize, found: &str) -> String {
+    format!("{names} names for {found}")
+}
+
+pub(super) const DERIVED_DEFAULT: &str = "`Default` is implemented by `system!` from the declared defaults";
+pub(super) const DERIVED_DEFAULT_HELP: &str = "remove `Default` from the `derive`";
+
+/// For traits that types with such fields cannot have.
+pub(super) fn underivable(names: &[&str], scalar: &str) -> String {
+    let names = names.join("`, `");
+    format!(
+        "`{names}` cannot be derived: parameters and inputs are fields of type `{scalar}`, which is not `Eq`, since NaN differs from itself"
+    )
+}
+
+pub(super) const UNDERIVABLE_HELP: &str =
+    "derive `PartialEq` and `PartialOrd` only; as a key use the bits of a number, `to_bits()`";
+
+pub(super) fn number_too_large(name: &str, scalar: &str) -> String {
+    format!("the default of `{name}` is too large for `{scalar}`")
+}
+
+// Constraints.
+
+pub(super) fn constrains_nothing(name: &str) -> String {
+    format!("the constraint `{name}` holds no coordinate")
+}
+
+pub(super) fn impossible_constraint(name: &str, value: &str) -> String {
+    format!("the constraint `{name}` can never be fulfilled: it holds no coordinate, and is {value}, not 0")
+}
+
+pub(super) const CONSTRAINS_NOTHING_HELP: &str =
+    "write what is to be zero as a function of coordinates or velocities";
+
+pub(super) fn nonlinear_constraint(name: &str) -> String {
+    format!("the constraint `{name}` is not linear in the velocities")
+}
+
+pub(super) const NONLINEAR_CONSTRAINT_HELP: &str =
+    "constraints are functions of coordinates and time, or sums of velocities times such functions";
+
+pub(super) fn repeated_constraint(name: &str, other: &str) -> String {
+    format!(
+        "the constraint `{name}` demands the same as `{other}`, so that nothing determines its multiplier"
+    )
+}
+
+pub(super) const REPEATED_CONSTRAINT_HELP: &str = "remove one of them";
+pub(super) const OTHER_CONSTRAINT_IS_HERE: &str = "the other one is here";
+
+pub(super) fn too_many_constraints(constraints: usize, coordinates: usize) -> String {
+    let plural = if coordinates == 1 { "" } else { "s" };
+    format!("{constraints} constraints are more than {coordinates} coordinate{plural} can fulfil")
+}
+
+pub(super) const TOO_MANY_CONSTRAINTS_HELP: &str =
+    "remove those that follow from the others, or add coordinates";
+
+pub(super) fn no_place(what: &str) -> String {
+    format!("{what} must be made of coordinates and time")
+}
+
+pub(super) const REPEATED_JOINT: &str = "this joint demands what another constraint does already";
+pub(super) const FORCE_OF_IMPLIED: &str =
+    "this joint has no force of its own, since the coordinates fulfil it by themselves";
+pub(super) const FORCE_OF_IMPLIED_HELP: &str =
+    "add coordinates that could leave the joint: the constraint then gets a multiplier, which is the force";
+
+pub(super) const REDUCED_CONSTRAINTS: &str = "a system with constraints cannot be reduced yet";
+pub(super) const REDUCED_CONSTRAINTS_HELP: &str =
+    "leave the `reduce` out, or choose coordinates that fulfil the constraint by themselves";
+pub(super) const CONSTRAINT_IS_HERE: &str = "a constraint is here";
+
+// Reduced types.
+
+pub(super) const REDUCTION_HELP: &str = "`freeze` and `small` take coordinates: `freeze x = 0; small theta;`";
+pub(super) const ALL_FROZEN: &str = "every coordinate is frozen, so that nothing is left to move";
+pub(super) const ALL_FROZEN_HELP: &str = "leave at least one coordinate free, or make it `small`";
+pub(super) const PINNED_VALUE: &str = "the value of a coordinate that is frozen or small";
+pub(super) const CONSTANT_IN_MOTION_HELP: &str =
+    "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
+pub(super) const TYPE_NAME_HELP: &str = "each declared type `Name` comes with `NameState`, `NameColumns` and `NameInputs`: choose a name that is none of them";
+
+pub(super) fn reduced_twice(name: &str) -> String {
+    format!("`{name}` is named twice in this reduction")
+}
+
+pub(super) const NAMED_TWICE_HELP: &str = "leave one of them out";
+pub(super) const NAMED_HERE: &str = "it is named here already";
+
+pub(super) fn type_name_taken(name: &str) -> String {
+    format!("the type name `{name}` is taken already")
+}
+
+pub(super) const TYPE_NAMED_HERE: &str = "by what is declared here";
+
+pub(super) fn no_expansion(part: &str, coordinate: Option<&str>) -> String {
+    match coordinate {
+        Some(name) => format!("{part} has no second-order expansion about this value of `{name}`"),
+        None => format!("{part} has no second-order expansion about these values"),
+    }
+}
+
+pub(super) const NO_EXPANSION_HELP: &str = "it is not defined there or has a kink there: a coordinate can be small only where energies and forces are smooth";
+
+pub(super) fn undefined_when_frozen(part: &str) -> String {
+    format!("{part} is not defined with this coordinate at this value")
+}
+
+pub(super) const UNDEFINED_HELP: &str =
+    "it divides by zero there, for example; freeze the coordinate at another value";
+
+pub(super) fn output_of_reduced(name: &str) -> String {
+    format!(
+        "beside `reduce`, an output cannot be called `{name}`, since reduced types have a method of that name"
+    )
+}
+
+pub(super) fn inertia_lost(coordinate: &str) -> String {
+    format!("`{coordinate}` has no inertia in this reduced system")
+}
+
+pub(super) const INERTIA_LOST_HELP: &str =
+    "its kinetic energy vanishes with what is frozen, or is of higher than second order in what is small";

@@ -1,0 +1,113 @@
+//! What is said about names and functions: declared twice, too late, not at all, or spelt as they are elsewhere.
+
+pub(in crate::elaborate) fn declared_twice(name: &str) -> String {
+    format!("the name `{name}` is declared twice")
+}
+
+pub(in crate::elaborate) fn first_declared(name: &str, kind: &str) -> String {
+    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
+    format!("`{name}` is declared here already, as {article} {kind}")
+}
+
+pub(in crate::elaborate) fn unused(kind: &str, name: &str) -> String {
+    format!("{kind} `{name}` is never used")
+}
+
+pub(in crate::elaborate) fn unused_help(name: &str) -> String {
+    format!("remove it, or call it `_{name}` if that is intended")
+}
+
+pub(in crate::elaborate) fn unknown_name(name: &str) -> String {
+    format!("unknown name `{name}`")
+}
+
+/// Behind what is said of a name that has no meaning in several places.
+pub(in crate::elaborate) fn and_elsewhere(others: usize) -> String {
+    match others {
+        1 => ", here and in one other place".to_owned(),
+        others => format!(", here and in {others} other places"),
+    }
+}
+
+pub(in crate::elaborate) fn unknown_function(name: &str) -> String {
+    format!("unknown function `{name}`")
+}
+
+pub(in crate::elaborate) fn did_you_mean(nearest: &str) -> String {
+    format!("did you mean `{nearest}`?")
+}
+
+pub(in crate::elaborate) fn used_too_early(name: &str) -> String {
+    format!("`{name}` is used before it is declared")
+}
+
+pub(in crate::elaborate) const ORDER_HELP: &str =
+    "a name is known only behind the statement that declares it";
+
+/// For another name that is used too early.
+pub(in crate::elaborate) fn also_declared_here(name: &str) -> String {
+    format!("`{name}`, which is used too early, too, is declared here")
+}
+
+pub(in crate::elaborate) const PLAIN_NAMES_HELP: &str =
+    "functions and constants go by their plain names, `sin(x)` and `pi`";
+
+/// For a word such as `omega` where a single coordinate moves.
+pub(in crate::elaborate) fn rate_of_single(coordinate: &str) -> String {
+    format!(
+        "the rate of `{coordinate}` is `dot({coordinate})`; declare what is no rate with `param`, `input` or `let`"
+    )
+}
+
+pub(in crate::elaborate) const RUST_CONSTANT_HELP: &str = "constants of Rust are not seen here: declare `param name;` and set that field when the program runs, or give the number, `const name = 9.81;`";
+pub(in crate::elaborate) const DECLARED_HERE: &str = "it is declared here";
+pub(in crate::elaborate) const DECLARE_FIRST: &str =
+    "declare it before this line with `param`, `coord`, `input` or `let`";
+pub(in crate::elaborate) const FUNCTIONS_ARE_LISTED: &str = "functions of Rust are not seen here: write the expression out with those that the documentation of `lagrange::system!` lists, or compute a number outside and pass it as an `input`";
+
+pub(in crate::elaborate) fn not_a_function(name: &str, kind: &str) -> String {
+    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
+    format!("`{name}` is {article} {kind}, not a function")
+}
+
+/// For `x(t)`.
+pub(in crate::elaborate) fn of_time(name: &str) -> String {
+    format!("write `{name}`: that it depends on time need not be said")
+}
+
+pub(in crate::elaborate) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
+
+pub(in crate::elaborate) fn has_no_value(kind: &str, name: &str) -> String {
+    format!("{kind} `{name}` cannot be used in an expression")
+}
+
+pub(in crate::elaborate) const NAME_IT_WITH_LET: &str =
+    "give the expression a name with `let` and use that in both places";
+
+pub(in crate::elaborate) fn function_as_value(name: &str) -> String {
+    format!("the function `{name}` needs arguments: `{name}(…)`")
+}
+
+pub(in crate::elaborate) fn method_as_value(name: &str) -> String {
+    format!("the function `{name}` needs parentheses behind it: `.{name}()`")
+}
+
+pub(in crate::elaborate) fn wrong_argument_count(name: &str, expected: usize, found: usize) -> String {
+    let plural = if expected == 1 { "" } else { "s" };
+    let given = match found {
+        0 => "none is given".to_owned(),
+        1 => "1 is given".to_owned(),
+        _ => format!("{found} are given"),
+    };
+    format!("`{name}` takes {expected} argument{plural}, but {given}")
+}
+
+pub(in crate::elaborate) fn write_call(usage: &str) -> String {
+    format!("write `{usage}`")
+}
+
+pub(in crate::elaborate) const NAMELESS_CONSTRAINT_HELP: &str = "a constraint has a name of its own, which stands for its force: write x = a as `constraint name = x - (a);`";
+pub(in crate::elaborate) const OTHER_EVENT_HELP: &str =
+    "an event has a name of its own: write `event name = e, falling => stop;`";
+pub(in crate::elaborate) const OTHER_OUTPUT_HELP: &str =
+    "an output has a name of its own: write `output name = e;`";

@@ -1,0 +1,58 @@
+//! Numbers in what the user wrote: whether they can be kept exactly, whether they are real, whether the scalar holds them.
+//!
+//! A value without symbols that is not real is a mistake wherever it stands. A number that is too large for the scalar is
+//! one only where it is left in what is to be computed: `1e400 / 1e399` is ten.
+
+use super::evaluator::Evaluator;
+use super::messages;
+use super::operand::Operand;
+use crate::expr::{Dependencies, ExprId, Node};
+use crate::functions;
+use crate::number::Number;
+use crate::syntax::ast::{AstId, Expression};
+
+/// Whether one can go on with a value; reports it if not.
+pub(super) fn is_sound(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
+    is_short(evaluator, value, id) && is_real(evaluator, value, id)
+}
+
+/// Exact numbers grow with every operation, twofold in each of `a1 = a0*a0 + 1/7`, `a2 = a1*a1 + 1/7`, ….
+fn is_short(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
+    let has_short_powers = |id: ExprId| match evaluator.graph.node(id) {
+        Node::Product(factors) => factors.iter().all(|(_, exponent)| exponent.is_short()),
+        _ => true,
+    };
+    let is_short = |&component: &ExprId| {
+        let (coefficient, core) = evaluator.graph.split_coefficient(component);
+        let number = evaluator.graph.as_number(core);
+        coefficient.is_short() && number.is_none_or(Number::is_short) && has_short_powers(core)
+    };
+    let short = value.components().iter().all(is_short);
+    if !short {
+        evaluator
+            .report
+            .error(evaluator.origin(id), messages::NUMBER_TOO_LONG)
+            .help(messages::NUMBER_TOO_LONG_HELP);
+    }
+    short
+}
+
+fn is_real(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
+    let graph = &evaluator.graph;
+    let unknown = |&component: &ExprId| {
+        graph.dependencies(component) == Dependencies::NONE && graph.as_number(component).is_none()
+    };
+    let mut constants = value.components().iter().copied().filter(unknown);
+    let is_real = constants.all(|component| evaluator.constants.first_unreal(graph, component).is_none());
+    if !is_real {
+        let help = match evaluator.syntax(id) {
+            Expression::Call(function, _) => {
+                functions::by_name(&function.text).map(|row| messages::defined_where(row.name, row.domain))
+            }
+            _ => None,
+        };
+        let error = evaluator.report.error(evaluator.origin(id), messages::NOT_REAL);
+        error.help(help.unwrap_or_else(|| messages::NEGATIVE_BASE_HELP.to_owned()));
+    }
+    is_real
+}

@@ -1,0 +1,215 @@
+//! What must hold of masses and moments of inertia, checked as far as the numbers are known.
+
+use super::elaborator::Elaborator;
+use super::expression::value_of;
+use super::messages::inertia as words;
+use super::operand::Operand;
+use crate::bodies::Obligation;
+use crate::calculus::evaluate;
+use crate::collections::HashMap;
+use crate::diagnostics::{Diagnostic, Origin};
+use crate::expr::{Dependencies, ExprId, Graph, Node};
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, Name};
+
+/// Moments of inertia that differ by less than this fraction are equal but for rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Reports obligations that do not hold: errors where numbers are given, warnings where only defaults say so.
+pub(super) fn check_obligations(elaborator: &mut Elaborator, obligations: &[Obligation]) {
+    for obligation in obligations {
+        match obligation {
+            Obligation::PositiveMass { body, mass } => positive_mass(elaborator, body, *mass),
+            Obligation::Inertia { body, inertia } => inertia_not_negative(elaborator, body, *inertia),
+            Obligation::SameInertia { body, stated, of_shape, shape } => {
+                same_inertia(elaborator, body, [*stated, *of_shape], *shape);
+            }
+            Obligation::Fixed { what, value } => fixed(elaborator, what, *value),
+            Obligation::Uniform { gravity } => uniform(elaborator, *gravity),
+            Obligation::PlaneVector { what, value } => plane_vector(elaborator, what, *value),
+            Obligation::Moves { body, center, angle } => moves(elaborator, body, [*center, *angle]),
+        }
+    }
+}
+
+fn positive_mass(elaborator: &mut Elaborator, body: &Name, mass: AstId) {
+    let Some(wrong) = unless(elaborator, mass, |mass| mass > 0.0) else { return };
+    let message = words::mass_not_positive(&body.text, &wrong.text, wrong.is_constant);
+    wrong.report(elaborator, message).help(words::HOLES_BELONG_IN_A_COMPOUND);
+}
+
+fn inertia_not_negative(elaborator: &mut Elaborator, body: &Name, inertia: AstId) {
+    let Some(wrong) = unless(elaborator, inertia, |inertia| inertia >= 0.0) else { return };
+    let message = words::inertia_negative(&body.text, &wrong.text, wrong.is_constant);
+    wrong.report(elaborator, message).help(words::HOLES_LIE_WITHIN);
+}
+
+/// A rigid body keeps its mass and how it is distributed.
+fn fixed(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
+    let message = words::not_fixed(what);
+    free_of(elaborator, syntax, |dependencies| !dependencies.is_constant_in_motion(), &message);
+}
+
+/// The weight m g of a body has the potential −m g·c only where g is the same everywhere.
+fn uniform(elaborator: &mut Elaborator, gravity: AstId) {
+    let varies = |dependencies: Dependencies| dependencies.intersects(Dependencies::COORDINATE);
+    free_of(elaborator, gravity, varies, words::GRAVITY_NOT_UNIFORM);
+}
+
+/// Reports a value that holds what it must not.
+fn free_of(elaborator: &mut Elaborator, syntax: AstId, is_wrong: fn(Dependencies) -> bool, message: &str) {
+    let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
+    let graph = &elaborator.evaluator.graph;
+    if value.components().iter().any(|&component| is_wrong(graph.dependencies(component))) {
+        let origin = elaborator.evaluator.origin(syntax);
+        elaborator.evaluator.report.error(origin, message).help(words::FREE_OF_MOTION_HELP);
+    }
+}
+
+/// A value that is not as it must be.
+struct Wrong {
+    text: String,
+    origin: Origin,
+    /// Whether it is so whatever the parameters are, and not only with their defaults.
+    is_constant: bool,
+}
+
+impl Wrong {
+    fn report<'a>(&self, elaborator: &'a mut Elaborator, message: String) -> &'a mut Diagnostic {
+        let report = &mut *elaborator.evaluator.report;
+        match self.is_constant {
+            true => report.error(self.origin, message),
+            false => report.doubtful(self.origin, message),
+        }
+    }
+}
+
+/// The value of a scalar that is known, at least with the defaults of parameters, unless it is right.
+fn unless(elaborator: &mut Elaborator, syntax: AstId, is_right: fn(f64) -> bool) -> Option<Wrong> {
+    let value = scalar(elaborator, syntax)?;
+    let graph = &elaborator.evaluator.graph;
+    let number = Defaults::of(elaborator).evaluate(graph, value).filter(|&number| !is_right(number))?;
+    Some(Wrong {
+        text: graph.as_number(value).map_or_else(|| number.to_string(), ToString::to_string),
+        origin: elaborator.evaluator.origin(syntax),
+        is_constant: graph.dependencies(value) == Dependencies::NONE,
+    })
+}
+
+fn same_inertia(elaborator: &mut Elaborator, body: &Name, inertias: [AstId; 2], shape: Origin) {
+    let [Some(stated), Some(of_shape)] = inertias.map(|syntax| scalar(elaborator, syntax)) else { return };
+    let origin = elaborator.evaluator.origin(inertias[0]);
+    let (graph, defaults) = (&elaborator.evaluator.graph, Defaults::of(elaborator));
+    let Some((values, condition)) = difference(graph, &defaults, stated, of_shape) else { return };
+    let message = words::other_inertia(&body.text, values[0], values[1], &condition);
+    let warning = elaborator.evaluator.report.doubtful(origin, message);
+    warning.related(shape, words::SHAPE_IS_HERE).help(words::OTHER_INERTIA_HELP);
+}
+
+fn plane_vector(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
+    let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
+    if !matches!(&value, Operand::Vector(components) if components.len() == 2) {
+        let origin = elaborator.evaluator.origin(syntax);
+        let message = words::plane_vector_needed(what, &value.kind());
+        elaborator.evaluator.report.error(origin, message).help(words::PLANE_VECTOR_HELP);
+    }
+}
+
+/// A body that stands still whatever happens has no place among coordinates.
+fn moves(elaborator: &mut Elaborator, body: &Name, placed: [AstId; 2]) {
+    let mut components = Vec::new();
+    for syntax in placed {
+        let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
+        components.extend_from_slice(value.components());
+    }
+    let graph = &elaborator.evaluator.graph;
+    let stands = |&component: &ExprId| graph.dependencies(component).is_constant_in_motion();
+    if components.iter().all(stands) {
+        let report = &mut *elaborator.evaluator.report;
+        report.error(body.span, words::body_stands_still(&body.text)).help(words::BODY_STANDS_STILL_HELP);
+    }
+}
+
+/// The value of an expression that is a scalar; anything else has been reported where it is used.
+fn scalar(elaborator: &mut Elaborator, syntax: AstId) -> Option<ExprId> {
+    match value_of(&mut elaborator.evaluator, syntax)? {
+        Operand::Scalar(value) => Some(value),
+        Operand::Vector(_) => None,
+    }
+}
+
+/// Both values where they differ by more than rounding, and the condition under which they have them. Nothing is known of
+/// formulas in different symbols without defaults.
+fn difference(
+    graph: &Graph,
+    defaults: &Defaults,
+    stated: ExprId,
+    of_shape: ExprId,
+) -> Option<([f64; 2], String)> {
+    if stated == of_shape {
+        return None;
+    }
+    let both = [stated, of_shape];
+    if let [Some(stated), Some(of_shape)] = both.map(|value| defaults.evaluate(graph, value)) {
+        let is_constant = both.iter().all(|&value| graph.dependencies(value) == Dependencies::NONE);
+        let condition = if is_constant { "" } else { words::WITH_DEFAULTS };
+        return differ(stated, of_shape).then(|| ([stated, of_shape], condition.to_owned()));
+    }
+    let symbols = symbols(graph, stated);
+    if symbols != self::symbols(graph, of_shape) {
+        return None;
+    }
+    let values = symbols.into_iter().zip(generic_values()).collect::<Vec<_>>();
+    let value_of = |role| {
+        let known = values.iter().find(|((_, known), _)| *known == role);
+        known.map_or(f64::NAN, |(_, value)| *value)
+    };
+    let [stated, of_shape] = both.map(|value| evaluate(graph, &[value], value_of)[0]);
+    let values = values.iter().map(|((name, _), value)| (name.clone(), *value)).collect::<Vec<_>>();
+    let certain = stated.is_finite() && of_shape.is_finite() && differ(stated, of_shape);
+    certain.then(|| ([stated, of_shape], words::for_values(&values)))
+}
+
+/// Values that stand for any others: 2, 3, 5, 7, 9, ….
+fn generic_values() -> impl Iterator<Item = f64> {
+    std::iter::once(2.0).chain((1..).map(|i| f64::from(2 * i + 1)))
+}
+
+/// Whether two numbers differ by more than rounding; NaN differs from everything.
+fn differ(a: f64, b: f64) -> bool {
+    let error = (a - b).abs();
+    error > ROUNDING * a.abs().max(b.abs()) || error.is_nan()
+}
+
+/// The symbols of an expression, in the order in which the graph met them.
+fn symbols(graph: &Graph, value: ExprId) -> Vec<(String, Role)> {
+    let symbols = graph.reachable(&[value]).into_iter().filter_map(|id| match graph.node(id) {
+        Node::Symbol(symbol) => Some(graph.symbols().get(*symbol)),
+        _ => None,
+    });
+    symbols.map(|symbol| (symbol.name.clone(), symbol.role)).collect()
+}
+
+/// The defaults of parameters.
+struct Defaults(HashMap<Role, f64>);
+
+impl Defaults {
+    fn of(elaborator: &Elaborator) -> Defaults {
+        let graph = &elaborator.evaluator.graph;
+        let values = elaborator.parameters.iter().filter_map(|parameter| {
+            let Node::Symbol(symbol) = graph.node(parameter.symbol) else { return None };
+            let value = evaluate(graph, &[parameter.default?], |_| f64::NAN)[0];
+            Some((graph.symbols().get(*symbol).role, value))
+        });
+        Defaults(values.collect())
+    }
+
+    /// The value with these defaults, if it depends on nothing else.
+    fn evaluate(&self, graph: &Graph, value: ExprId) -> Option<f64> {
+        let is_known = symbols(graph, value).iter().all(|(_, role)| self.0.contains(role));
+        is_known.then(|| evaluate(graph, &[value], |role| self.0.get(&role).copied().unwrap_or(f64::NAN))[0])
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,169 @@
+//! Contacts, which are events with an impact, and `friction` statements.
+//!
+//! Each acts along the gradient of a velocity that is affine in q̇: of the rate of its gap, or of its slip velocity.
+
+use super::elaborator::{Elaborator, UNKNOWNS};
+use super::expression::value_of;
+use super::messages::events as messages;
+use super::operand::Operand;
+use super::scope::NameKind;
+use crate::calculus::{Degree, Degrees};
+use crate::expr::{Dependencies, ExprId};
+use crate::model::{Action, Reaction, ReactionKind};
+use crate::symbol::Role;
+use crate::syntax::ast::{self, AstId, Direction, Name};
+
+/// `event name = gap, falling => impact(e);`
+pub(super) fn add_contact(elaborator: &mut Elaborator<'_>, event: &ast::Event, restitution: AstId) {
+    let gap = gap_and_rate(elaborator, event);
+    let restitution = sound_restitution(elaborator, restitution, &event.name);
+    let parts = gap.and_then(|(gap, velocity)| {
+        Some((velocity, ReactionKind::Contact { gap, restitution: restitution? }))
+    });
+    let index = elaborator.reactions.len() as u32;
+    if add_reaction(elaborator, &event.name, NameKind::Contact, parts)
+        && let Some(Operand::Scalar(value)) = elaborator.evaluator.value(event.value)
+    {
+        elaborator.push_event(event, value, Action::Impact(index));
+    }
+}
+
+/// `friction name = slip, limit;`
+pub(super) fn add_friction(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) {
+    let name = &friction.name;
+    let velocity = slip_velocity(elaborator, friction);
+    let kinetic = friction_limit(elaborator, name, friction.kinetic);
+    let fixed = match friction.fixed {
+        Some(fixed) => friction_limit(elaborator, name, fixed),
+        None => kinetic,
+    };
+    let width = friction.width.map(|width| friction_width(elaborator, width));
+    let kind = match width {
+        Some(width) => kinetic.zip(width).map(|(limit, width)| ReactionKind::Smooth { limit, width }),
+        None => kinetic.zip(fixed).map(|(kinetic, fixed)| ReactionKind::Friction { kinetic, fixed }),
+    };
+    if let (Some(ReactionKind::Friction { kinetic, fixed }), Some(syntax)) = (kind, friction.fixed) {
+        check_order(elaborator, kinetic, fixed, syntax);
+    }
+    add_reaction(elaborator, name, NameKind::Friction, velocity.zip(kind));
+}
+
+/// Declares its name, which stands for its force; whether there is nothing wrong with it.
+fn add_reaction(
+    elaborator: &mut Elaborator<'_>,
+    name: &Name,
+    kind: NameKind,
+    parts: Option<(ExprId, ReactionKind)>,
+) -> bool {
+    let Some((velocity, reaction)) = parts else {
+        elaborator.declare(name, kind, None);
+        return false;
+    };
+    let symbol =
+        elaborator.evaluator.graph.symbol(&name.text, Role::Reaction(elaborator.reactions.len() as u32));
+    elaborator.declare(name, kind, Some(Operand::Scalar(symbol)));
+    let reaction = Reaction { name: name.text.clone(), symbol, velocity, kind: reaction };
+    elaborator.reactions.push((reaction, name.span));
+    true
+}
+
+/// A function that is positive where bodies are apart, and its rate.
+fn gap_and_rate(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option<(ExprId, ExprId)> {
+    if event.direction == Direction::Crossing {
+        let error = elaborator.evaluator.report.error(event.direction_span, messages::CROSSING_IMPACT);
+        error.help(messages::CROSSING_IMPACT_HELP);
+    }
+    let syntax = event.value;
+    value_of(&mut elaborator.evaluator, syntax)?;
+    let value = elaborator.evaluator.scalar(syntax, messages::GAP)?;
+    let kinds = [&[Dependencies::VELOCITY], UNKNOWNS].concat();
+    elaborator.forbid(&kinds, (syntax, value), messages::GAP, messages::GAP_HELP)?;
+    if !elaborator.evaluator.graph.dependencies(value).intersects(Dependencies::COORDINATE) {
+        let message = messages::gap_without_coordinate(&event.name.text);
+        elaborator
+            .evaluator
+            .report
+            .error(elaborator.evaluator.origin(syntax), message)
+            .help(messages::GAP_HELP);
+        return None;
+    }
+    let gap = match event.direction {
+        Direction::Rising => elaborator.evaluator.graph.negate(value),
+        Direction::Falling => value,
+        Direction::Crossing => return None,
+    };
+    match elaborator.evaluator.rate(&Operand::Scalar(gap), syntax)? {
+        Operand::Scalar(velocity) => Some((gap, velocity)),
+        Operand::Vector(_) => None,
+    }
+}
+
+fn sound_restitution(elaborator: &mut Elaborator<'_>, syntax: AstId, event: &Name) -> Option<ExprId> {
+    let value = elaborator.term(syntax, event.span, messages::RESTITUTION)?.value;
+    match elaborator.numeric(value).filter(|number| !(0.0..=1.0).contains(number)) {
+        None => Some(value),
+        Some(number) => {
+            elaborator.refuse(syntax, &messages::restitution_out_of_range(number), messages::RESTITUTION_HELP)
+        }
+    }
+}
+
+fn slip_velocity(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) -> Option<ExprId> {
+    let (name, syntax) = (&friction.name.text, friction.slip);
+    let velocity = elaborator.term(syntax, friction.name.span, messages::SLIP)?.value;
+    if !elaborator.evaluator.graph.dependencies(velocity).intersects(Dependencies::VELOCITY) {
+        return elaborator.refuse(syntax, &messages::slip_without_velocity(name), messages::SLIP_HELP);
+    }
+    if degree_in(elaborator, velocity, Dependencies::VELOCITY) == Degree::Nonlinear {
+        return elaborator.refuse(syntax, &messages::nonlinear_slip(name), messages::SLIP_HELP);
+    }
+    // To stick is to keep the slip velocity, whose rate must then be known.
+    if friction.width.is_none() {
+        elaborator.evaluator.rate(&Operand::Scalar(velocity), syntax)?;
+    }
+    Some(velocity)
+}
+
+fn friction_limit(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) -> Option<ExprId> {
+    value_of(&mut elaborator.evaluator, syntax)?;
+    let limit = elaborator.evaluator.scalar(syntax, messages::LIMIT)?;
+    let kinds = &[Dependencies::ACCELERATION];
+    elaborator.forbid(kinds, (syntax, limit), messages::LIMIT, messages::LIMIT_HELP)?;
+    let forces = Dependencies::MULTIPLIER | Dependencies::REACTION;
+    if degree_in(elaborator, limit, forces) == Degree::Nonlinear {
+        let message = messages::nonlinear_limit(&name.text);
+        return elaborator.refuse(syntax, &message, messages::NONLINEAR_LIMIT_HELP);
+    }
+    match elaborator.numeric(limit).filter(|&number| number < 0.0) {
+        None => Some(limit),
+        Some(number) => {
+            elaborator.refuse(syntax, &messages::negative_limit(number), messages::NEGATIVE_LIMIT_HELP)
+        }
+    }
+}
+
+fn check_order(elaborator: &mut Elaborator<'_>, kinetic: ExprId, fixed: ExprId, syntax: AstId) {
+    let margin = elaborator.evaluator.graph.subtract(fixed, kinetic);
+    if elaborator.numeric(margin).is_some_and(|margin| margin < 0.0) {
+        let origin = elaborator.evaluator.origin(syntax);
+        let error = elaborator.evaluator.report.error(origin, messages::STATIC_BELOW_KINETIC);
+        error.help(messages::STATIC_BELOW_KINETIC_HELP);
+    }
+}
+
+fn friction_width(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
+    let width = elaborator.constant_in_motion(syntax, messages::WIDTH)?;
+    match elaborator.numeric(width).filter(|&number| number <= 0.0) {
+        None => Some(width),
+        Some(number) => {
+            elaborator.refuse(syntax, &messages::width_not_positive(number), messages::WIDTH_HELP)
+        }
+    }
+}
+
+fn degree_in(elaborator: &Elaborator<'_>, value: ExprId, kinds: Dependencies) -> Degree {
+    let graph = &elaborator.evaluator.graph;
+    let mut degrees = Degrees::in_terms_of(kinds);
+    degrees.classify(graph, &[value]);
+    degrees.of(graph, value)
+}

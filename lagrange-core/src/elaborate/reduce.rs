@@ -1,0 +1,262 @@
+//! A model with coordinates frozen or small, from the model of the whole system.
+//!
+//! A frozen coordinate is replaced by its value, its rates by zero. In small coordinates the Lagrangian is expanded
+//! to second order, their velocities counted like themselves, which makes their equations of motion linear
+//! (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §6.1, there about an equilibrium; here the other
+//! coordinates move on). So is dissipation, and of loads the power F·ṗ, so that forces on small coordinates are of
+//! first order. Expanding commutes with the rate of change, whence rates stay rates.
+
+use super::messages;
+use crate::calculus::{Expansion, Series, gradient, transplant};
+use crate::diagnostics::Report;
+use crate::expr::{Dependencies, ExprId, Graph, Node};
+use crate::model::{Energies, Load, Model, Output, Pinned, Reduced, Reduction, Scene};
+use crate::symbol::Role;
+
+/// The order to which Lagrangians are expanded.
+const ORDER: usize = 2;
+
+/// Reduces a model; what has no expansion is reported.
+pub(super) fn reduce(model: &Model, reduction: &Reduction, report: &mut Report) -> Option<Reduced> {
+    let mut reduced = match Reducer::new(model, reduction).model(model) {
+        Ok(model) => Reduced { reduction: reduction.clone(), model },
+        Err(part) => {
+            report_undefined(model, reduction, &part, report);
+            return None;
+        }
+    };
+    transplanted(&mut reduced);
+    check_inertia(&mut reduced, report)?;
+    Some(reduced)
+}
+
+/// What of a declaration has no expansion, in the user's words.
+type Undefined = String;
+
+struct Reducer<'a> {
+    graph: Graph,
+    reduction: &'a Reduction,
+    /// With frozen coordinates at their values.
+    frozen: Expansion,
+    /// With small coordinates expanded, too.
+    expanded: Expansion,
+}
+
+impl<'a> Reducer<'a> {
+    fn new(model: &Model, reduction: &'a Reduction) -> Reducer<'a> {
+        let mut graph = model.graph.clone();
+        let zero = graph.number(0);
+        let mut frozen = Expansion::default();
+        for pinned in &reduction.frozen {
+            let coordinate = &model.coordinates[pinned.coordinate];
+            frozen.hold(coordinate.position, pinned.value);
+            frozen.hold(coordinate.velocity, zero);
+            frozen.hold(coordinate.acceleration, zero);
+        }
+        let mut expanded = frozen.clone();
+        for pinned in &reduction.small {
+            let coordinate = &model.coordinates[pinned.coordinate];
+            expanded.vary(&mut graph, coordinate.position, pinned.value);
+            expanded.vary(&mut graph, coordinate.velocity, zero);
+        }
+        Reducer { graph, reduction, frozen, expanded }
+    }
+
+    /// The reduced model in the graph of the whole one.
+    fn model(mut self, model: &Model) -> Result<Model, Undefined> {
+        let energies = match model.energies {
+            Energies::Separate { kinetic, potential } => Energies::Separate {
+                kinetic: self.of(kinetic, "the kinetic energy")?.closed,
+                potential: self.of(potential, "the potential energy")?.closed,
+            },
+            Energies::Lagrangian => Energies::Lagrangian,
+        };
+        let lagrangian = match energies {
+            Energies::Separate { kinetic, potential } => self.graph.subtract(kinetic, potential),
+            Energies::Lagrangian => self.of(model.lagrangian, "the Lagrangian")?.closed,
+        };
+        let dissipation = self.of(model.dissipation, "the dissipation function")?.closed;
+        let mut loads = Vec::new();
+        for load in &model.loads {
+            loads.extend(self.load(*load)?);
+        }
+        let (outputs, scene) = (self.outputs(model)?, self.scene(model)?);
+        let (rates, labels) = (self.rates(model), self.labels(model));
+        let is_frozen = |i: &usize| self.reduction.frozen.iter().any(|pinned| pinned.coordinate == *i);
+        let coordinates = model.coordinates.iter().enumerate().filter(|(i, _)| !is_frozen(i));
+        let coordinates = coordinates.map(|(_, coordinate)| coordinate.clone()).collect();
+        Ok(Model {
+            graph: self.graph,
+            parameters: model.parameters.clone(),
+            inputs: model.inputs.clone(),
+            coordinates,
+            energies,
+            lagrangian,
+            dissipation,
+            loads,
+            // These are refused beside a reduction.
+            constraints: Vec::new(),
+            implied: Vec::new(),
+            stabilisation: None,
+            events: Vec::new(),
+            reactions: Vec::new(),
+            outputs,
+            scene,
+            rates,
+            labels,
+            accuracy: model.accuracy,
+            products: model.products.clone(),
+            reduced: Vec::new(),
+        })
+    }
+
+    fn of(&mut self, root: ExprId, part: &str) -> Result<Series, Undefined> {
+        self.expanded.of(&mut self.graph, root, ORDER).ok_or_else(|| part.to_owned())
+    }
+
+    /// The power of a load up to second order, as loads: F₀₁₂ along ṗ₀, F₀₁ along ṗ₁ and F₀ along ṗ₂.
+    fn load(&mut self, load: Load) -> Result<Vec<Load>, Undefined> {
+        let velocity = self.of(load.velocity, "the point of a force")?;
+        // Along the velocity of something small, a force of first order does.
+        let order = ORDER.saturating_sub(velocity.valuation(&self.graph));
+        let force = self.expanded.of(&mut self.graph, load.force, order).ok_or("a force")?;
+        let graph = &mut self.graph;
+        let mut loads = match velocity.degree(graph) + force.degree(graph) <= ORDER {
+            true => vec![Load { velocity: velocity.closed, force: force.closed }],
+            false => {
+                let parts = velocity.parts.iter().enumerate();
+                let along =
+                    |(degree, &velocity)| Load { velocity, force: force.up_to(graph, ORDER - degree) };
+                parts.map(along).collect()
+            }
+        };
+        loads.retain(|load| !self.graph.is_zero(load.velocity) && !self.graph.is_zero(load.force));
+        Ok(loads)
+    }
+
+    /// Outputs stay exact in what still moves.
+    fn outputs(&mut self, model: &Model) -> Result<Vec<Output>, Undefined> {
+        let mut outputs = model.outputs.clone();
+        for output in &mut outputs {
+            for component in &mut output.components {
+                let series = self.frozen.of(&mut self.graph, *component, 0);
+                *component = series.ok_or_else(|| format!("output `{}`", output.name))?.closed;
+            }
+            let uses = |&c: &ExprId| self.graph.dependencies(c).intersects(Dependencies::ACCELERATION);
+            output.uses_accelerations = output.components.iter().any(uses);
+        }
+        Ok(outputs)
+    }
+
+    /// So do bodies.
+    fn scene(&mut self, model: &Model) -> Result<Scene, Undefined> {
+        let mut scene = model.scene.clone();
+        for place in scene.places() {
+            let series = self.frozen.of(&mut self.graph, *place, 0);
+            *place = series.ok_or("the motion of bodies")?.closed;
+        }
+        Ok(scene)
+    }
+
+    fn rates(&mut self, model: &Model) -> Vec<(ExprId, ExprId)> {
+        let mut rates = Vec::new();
+        for &(velocity, position) in &model.rates {
+            let [velocity, position] =
+                [velocity, position].map(|id| self.expanded.of(&mut self.graph, id, ORDER));
+            let Some((velocity, position)) = velocity.zip(position) else { continue };
+            let (coefficient, velocity) = self.graph.split_coefficient(velocity.closed);
+            if self.graph.dependencies(velocity).intersects(Dependencies::VELOCITY)
+                && let Some(inverse) = coefficient.reciprocal()
+            {
+                rates.push((velocity, self.graph.scale(inverse, position.closed)));
+            }
+        }
+        rates
+    }
+
+    /// Names of what is left of an expression; a symbol says itself what it is.
+    fn labels(&mut self, model: &Model) -> Vec<(ExprId, String)> {
+        let mut labels = Vec::new();
+        for (expression, name) in &model.labels {
+            let Some(series) = self.expanded.of(&mut self.graph, *expression, ORDER) else { continue };
+            let is_plain = matches!(self.graph.node(series.closed), Node::Symbol(_) | Node::Number(_));
+            if !is_plain || series.closed == *expression {
+                labels.push((series.closed, name.clone()));
+            }
+        }
+        labels
+    }
+}
+
+/// Moves a model to a graph of its own, in which its coordinates are numbered from zero.
+fn transplanted(reduced: &mut Reduced) {
+    let Reduced { reduction, model } = reduced;
+    let frozen = reduction.frozen.iter().map(|pinned| pinned.coordinate as u32).collect::<Vec<_>>();
+    let number = |i: u32| i - frozen.iter().filter(|&&frozen| frozen < i).count() as u32;
+    let role = |role: Role| match role {
+        Role::Coordinate(i) => Role::Coordinate(number(i)),
+        Role::Velocity(i) => Role::Velocity(number(i)),
+        Role::Acceleration(i) => Role::Acceleration(number(i)),
+        other => other,
+    };
+    let source = std::mem::take(&mut model.graph);
+    let mut places = places(model);
+    let pinned = reduction.frozen.iter_mut().chain(&mut reduction.small);
+    places.extend(pinned.map(|pinned| &mut pinned.value));
+    let roots = places.iter().map(|place| **place).collect::<Vec<_>>();
+    let (graph, image) = transplant(&source, &roots, role);
+    places.into_iter().for_each(|place| *place = image.get(place).copied().unwrap_or(*place));
+    model.graph = graph;
+}
+
+/// Where a model holds expressions.
+fn places(model: &mut Model) -> Vec<&mut ExprId> {
+    let mut places = vec![&mut model.lagrangian, &mut model.dissipation];
+    if let Energies::Separate { kinetic, potential } = &mut model.energies {
+        places.extend([kinetic, potential]);
+    }
+    for parameter in model.parameters.iter_mut().chain(&mut model.inputs) {
+        places.push(&mut parameter.symbol);
+        places.extend(&mut parameter.default);
+    }
+    for coordinate in &mut model.coordinates {
+        places.extend([&mut coordinate.position, &mut coordinate.velocity, &mut coordinate.acceleration]);
+    }
+    places.extend(model.loads.iter_mut().flat_map(|load| [&mut load.velocity, &mut load.force]));
+    places.extend(model.outputs.iter_mut().flat_map(|output| &mut output.components));
+    places.extend(model.scene.places());
+    places.extend(model.rates.iter_mut().flat_map(|(velocity, position)| [velocity, position]));
+    places.extend(model.labels.iter_mut().map(|(expression, _)| expression));
+    places
+}
+
+/// Every velocity must still appear in the kinetic energy.
+fn check_inertia(reduced: &mut Reduced, report: &mut Report) -> Option<()> {
+    let model = &mut reduced.model;
+    let velocities = model.velocities();
+    let momenta = gradient(&mut model.graph, model.lagrangian, &velocities);
+    let is_light = |momentum: ExprId| !model.graph.dependencies(momentum).intersects(Dependencies::VELOCITY);
+    let lost = model.coordinates.iter().zip(momenta).find(|(_, momentum)| is_light(*momentum));
+    let Some((coordinate, _)) = lost else { return Some(()) };
+    let message = messages::inertia_lost(&coordinate.name);
+    report.error(reduced.reduction.name.span, message).help(messages::INERTIA_LOST_HELP);
+    None
+}
+
+/// Reports what has no expansion, at the first coordinate that alone has that effect.
+fn report_undefined(model: &Model, reduction: &Reduction, part: &Undefined, report: &mut Report) {
+    let fails = |frozen: &[Pinned], small: &[Pinned]| {
+        let (frozen, small) = (frozen.to_vec(), small.to_vec());
+        let reduction = Reduction { name: reduction.name.clone(), frozen, small };
+        Reducer::new(model, &reduction).model(model).is_err()
+    };
+    let Reduction { name, frozen, small } = reduction;
+    if let Some(pinned) = frozen.iter().find(|pinned| fails(std::slice::from_ref(*pinned), &[])) {
+        report.error(pinned.span, messages::undefined_when_frozen(part)).help(messages::UNDEFINED_HELP);
+        return;
+    }
+    let guilty = small.iter().find(|pinned| fails(frozen, std::slice::from_ref(*pinned)));
+    let span = guilty.map_or(name.span, |pinned| pinned.span);
+    let coordinate = guilty.map(|pinned| model.coordinates[pinned.coordinate].name.as_str());
+    report.error(span, messages::no_expansion(part, coordinate)).help(messages::NO_EXPANSION_HELP);
+}

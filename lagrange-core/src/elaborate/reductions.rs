@@ -1,0 +1,88 @@
+//! `reduce` statements: names resolved, and what can be wrong with them before anything is reduced.
+
+use proc_macro2::Span;
+
+use super::elaborator::Elaborator;
+use super::messages;
+use crate::model::{Pinned, Reduction};
+use crate::syntax::ast::{self, ReductionItem, ReductionKind, ScalarType, StatementKind};
+
+/// Methods of reduced types beside those of every system; no output may take their names.
+pub const METHODS_OF_REDUCED: [&str; 2] = ["expand", "deviation"];
+pub(super) fn add_reduction(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
+    check_type_name(elaborator, syntax);
+    let mut reduction = Reduction { name: syntax.name.clone(), frozen: Vec::new(), small: Vec::new() };
+    for item in &syntax.items {
+        let Some(pinned) = pinned_coordinate(elaborator, item) else { continue };
+        let named = reduction.frozen.iter().chain(&reduction.small);
+        if let Some(earlier) = named.into_iter().find(|earlier| earlier.coordinate == pinned.coordinate) {
+            let message = messages::reduced_twice(&item.coordinate.text);
+            let error = elaborator.evaluator.report.error(pinned.span, message);
+            error.related(earlier.span.into(), messages::NAMED_HERE).help(messages::NAMED_TWICE_HELP);
+            continue;
+        }
+        match item.kind {
+            ReductionKind::Frozen => reduction.frozen.push(pinned),
+            ReductionKind::Small => reduction.small.push(pinned),
+        }
+    }
+    elaborator.reductions.push(reduction);
+}
+
+fn pinned_coordinate(elaborator: &mut Elaborator<'_>, item: &ReductionItem) -> Option<Pinned> {
+    let name = &item.coordinate;
+    elaborator.evaluator.scope.resolve(&name.text);
+    let coordinate = elaborator.coordinates.iter().position(|(known, _)| known.name == name.text);
+    let value = match item.value {
+        Some(syntax) => elaborator.constant_in_motion(syntax, messages::PINNED_VALUE),
+        None => Some(elaborator.evaluator.graph.number(0)),
+    };
+    if coordinate.is_none() {
+        elaborator.report_no_coordinate(name, messages::REDUCTION_HELP);
+    }
+    Some(Pinned { coordinate: coordinate?, value: value?, span: name.span })
+}
+
+/// The types `Name` and `NameState` must be new.
+fn check_type_name(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
+    let declaration = elaborator.declaration;
+    let full = (declaration.name.text.as_str(), declaration.name.span);
+    let earlier = declaration.reductions().map(|(r, _)| (r.name.text.as_str(), r.name.span));
+    let earlier = earlier.take(elaborator.reductions.len());
+    let parameter = match &declaration.scalar {
+        ScalarType::Generic(name) => Some((name.text.as_str(), name.span)),
+        _ => None,
+    };
+    let new = &syntax.name;
+    let clashes = |&(name, _): &(&str, Span)| {
+        let belongs = |name: &str, to: &str| {
+            ["State", "Columns", "Inputs"].iter().any(|suffix| name.strip_suffix(suffix) == Some(to))
+        };
+        name == new.text || belongs(name, &new.text) || belongs(&new.text, name)
+    };
+    let types = std::iter::once(full).chain(earlier).chain(parameter);
+    if let Some((_, span)) = types.into_iter().find(clashes) {
+        let error = elaborator.evaluator.report.error(new.span, messages::type_name_taken(&new.text));
+        error.related(span.into(), messages::TYPE_NAMED_HERE).help(messages::TYPE_NAME_HELP);
+    }
+}
+
+/// What can be judged only with all coordinates and outputs known.
+pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
+    if elaborator.reductions.is_empty() {
+        return;
+    }
+    let report = &mut *elaborator.evaluator.report;
+    let all = elaborator.coordinates.len();
+    for reduction in elaborator.reductions.iter().filter(|r| all > 0 && r.frozen.len() == all) {
+        report.error(reduction.name.span, messages::ALL_FROZEN).help(messages::ALL_FROZEN_HELP);
+    }
+    for statement in &elaborator.declaration.statements {
+        if let StatementKind::Output(name, _) = &statement.kind
+            && METHODS_OF_REDUCED.contains(&name.text.as_str())
+        {
+            let error = report.error(name.span, messages::output_of_reduced(&name.text));
+            error.help(messages::OTHER_NAME_HELP);
+        }
+    }
+}

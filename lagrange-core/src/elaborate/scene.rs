@@ -1,0 +1,156 @@
+//! Statements on rigid bodies to what a model holds of them.
+//!
+//! [`crate::bodies`] says which expressions matter; here they are evaluated and differentiated by time, and only if a product that
+//! needs them is asked for. The equations of motion know nothing of it.
+
+use super::elaborator::Elaborator;
+use super::expression::value_of;
+use super::messages::{self, scene};
+use super::operand::Operand;
+use super::staged::Staged;
+use super::torques::torque_item;
+use crate::bodies::{Drawn, DrawnKind, Motion, Outline, Plain};
+use crate::expr::ExprId;
+use crate::model::{BodyMotion, DrawnItem, OutlinedPart, Product};
+use crate::solids;
+use crate::syntax::ast::{AstId, Name, StatementKind};
+
+/// Takes what is known of bodies into the model, as far as it is asked for.
+pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
+    let bodies = plain.motions.iter().map(|motion| motion.body.clone()).collect();
+    elaborator.staged = Staged { bodies, is_visible: !plain.drawing.is_empty() };
+    let products = elaborator.products();
+    let [moves, is_drawn] = [Product::Motion, Product::Drawing].map(|product| products.contains(&product));
+    if moves || is_drawn {
+        let motions = plain.motions.iter().map(|motion| body_motion(elaborator, motion)).collect::<Vec<_>>();
+        elaborator.scene.motions = motions.into_iter().flatten().collect();
+    }
+    // Where the motion of a body is unknown, that was reported.
+    if is_drawn && elaborator.scene.motions.len() == plain.motions.len() {
+        add_drawing(elaborator, &plain.drawing);
+    }
+}
+
+fn body_motion(elaborator: &mut Elaborator<'_>, motion: &Motion) -> Option<BodyMotion> {
+    let known = [motion.mass, motion.inertia, motion.centroid, motion.center, motion.angle];
+    let [position, angle] =
+        [motion.center, motion.angle].map(|syntax| value_of(&mut elaborator.evaluator, syntax));
+    let [position, angle] = [(motion.center, position?), (motion.angle, angle?)];
+    let mut rate = |(syntax, value): &(AstId, Operand)| {
+        elaborator.evaluator.rate(value, *syntax).map(|rate| (*syntax, rate))
+    };
+    let (velocity, spin) = (rate(&position)?, rate(&angle)?);
+    let (acceleration, change) = (rate(&velocity)?, rate(&spin)?);
+    let mut values = flattened(elaborator, &known)?;
+    for (_, operand) in [velocity, spin, acceleration, change] {
+        values.extend(operand.components());
+    }
+    let body = motion.body.clone();
+    let Ok(values) = values.try_into() else {
+        let error = elaborator.evaluator.report.error(body.span, scene::not_in_the_plane(&body.text));
+        error.help(scene::PLANE_HELP);
+        return None;
+    };
+    Some(BodyMotion { body, values })
+}
+
+/// The components of values one after another.
+fn flattened(elaborator: &mut Elaborator<'_>, values: &[AstId]) -> Option<Vec<ExprId>> {
+    let values = values.iter().map(|&value| value_of(&mut elaborator.evaluator, value)).collect::<Vec<_>>();
+    let values = values.into_iter().collect::<Option<Vec<_>>>()?;
+    Some(values.iter().flat_map(|value| value.components().to_vec()).collect())
+}
+
+/// Forces of joints that the coordinates fulfil by themselves have no multipliers: these are omitted.
+fn add_drawing(elaborator: &mut Elaborator<'_>, drawing: &[Drawn]) {
+    let constraints = elaborator.constraints.iter().map(|(constraint, _)| constraint.name.clone());
+    let constraints = constraints.collect::<Vec<_>>();
+    let exists = |item: &Drawn| item.needs.iter().all(|name| constraints.contains(name));
+    let mut items: Vec<DrawnItem> = Vec::new();
+    for item in drawing {
+        match &item.kind {
+            DrawnKind::Torque { name } => items.extend(torque_item(elaborator, name, &item.values)),
+            DrawnKind::Force { name, .. } if !exists(item) => {
+                let joint = name.split('.').next().unwrap_or(name);
+                let is_said =
+                    |other: &DrawnItem| matches!(&other.kind, DrawnKind::Omitted { name } if name == joint);
+                if !items.iter().any(is_said) {
+                    items.push(DrawnItem::omitted(joint));
+                }
+            }
+            _ => items.extend(drawn_item(elaborator, item)),
+        }
+    }
+    elaborator.scene.drawing = items;
+    elaborator.scene.drawing.sort_by_key(|item| layer(&item.kind));
+}
+
+fn drawn_item(elaborator: &mut Elaborator<'_>, item: &Drawn) -> Option<DrawnItem> {
+    let values = flattened(elaborator, &item.values)?;
+    // Forces in space have no place in the picture.
+    if values.len() != value_count(&item.kind) {
+        return None;
+    }
+    let parts = match &item.kind {
+        DrawnKind::Body { outlines, .. } => {
+            outlines.iter().map(|outline| outlined_part(elaborator, outline)).collect::<Option<_>>()?
+        }
+        _ => Vec::new(),
+    };
+    Some(DrawnItem { kind: item.kind.clone(), values, parts })
+}
+
+fn outlined_part(elaborator: &mut Elaborator<'_>, outline: &Outline) -> Option<OutlinedPart> {
+    let dimensions = flattened(elaborator, &outline.dimensions)?;
+    let has_corners = dimensions.len() > outline.dimensions.len();
+    let place = flattened(elaborator, &[outline.at, outline.angle])?;
+    // A solid that does not exist was reported where bodies became plain statements.
+    let variant = solids::by_name(&outline.solid)?.outline;
+    let values = [dimensions, place].concat();
+    Some(OutlinedPart { outline: variant, has_corners, values, is_hole: outline.is_hole })
+}
+
+/// No two methods have the same name.
+pub(super) fn check_motion_names(elaborator: &mut Elaborator<'_>) {
+    if !elaborator.products().contains(&Product::Motion) {
+        return;
+    }
+    let has_redundant_motion = !elaborator.constraints.is_empty();
+    let method = |body: &Name| format!("{}_motion", body.text);
+    for statement in &elaborator.declaration.statements {
+        if let StatementKind::Output(name, _) = &statement.kind
+            && elaborator.staged.bodies.iter().any(|body| method(body) == name.text)
+        {
+            let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+            error.help(messages::OTHER_NAME_HELP);
+        }
+    }
+    let taken = elaborator.staged.bodies.iter().find(|body| has_redundant_motion && body.text == "redundant");
+    if let Some(body) = taken {
+        let error = elaborator.evaluator.report.error(body.span, scene::reserved_body(&body.text));
+        error.help(messages::OTHER_NAME_HELP);
+    }
+}
+
+/// How many numbers there are of an item in the plane.
+fn value_count(kind: &DrawnKind) -> usize {
+    match kind {
+        DrawnKind::Body { .. } | DrawnKind::Omitted { .. } => 0,
+        DrawnKind::Joint { .. } | DrawnKind::Torque { .. } => 2,
+        DrawnKind::Line { .. } | DrawnKind::Moment { .. } => 3,
+        DrawnKind::Force { .. } => 4,
+        DrawnKind::Connector { .. } => 5,
+    }
+}
+
+/// What is handed out first is drawn below the rest.
+fn layer(kind: &DrawnKind) -> u8 {
+    match kind {
+        DrawnKind::Line { .. } => 0,
+        DrawnKind::Body { .. } => 1,
+        DrawnKind::Connector { .. } => 2,
+        DrawnKind::Joint { .. } => 3,
+        DrawnKind::Force { .. } | DrawnKind::Moment { .. } | DrawnKind::Torque { .. } => 4,
+        DrawnKind::Omitted { .. } => 5,
+    }
+}

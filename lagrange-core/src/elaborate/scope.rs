@@ -1,0 +1,133 @@
+//! The names of one declaration.
+
+use proc_macro2::Span;
+
+use super::messages;
+use super::operand::Operand;
+use crate::collections::OrderedMap;
+use crate::diagnostics::{Report, nearest};
+use crate::syntax::ast::Name;
+
+/// What a name stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum NameKind {
+    Parameter,
+    Input,
+    Constant,
+    Coordinate,
+    Abbreviation,
+    Constraint,
+    /// A constraint of a joint that the coordinates fulfil by themselves.
+    Implied,
+    /// An event without a force.
+    Event,
+    /// An event that is an impact; its name is that of the force of the contact, too.
+    Contact,
+    Friction,
+    Output,
+}
+
+impl NameKind {
+    /// In the user's words.
+    pub(super) fn describe(self) -> &'static str {
+        match self {
+            NameKind::Parameter => "parameter",
+            NameKind::Input => "input",
+            NameKind::Constant => "constant",
+            NameKind::Coordinate => "coordinate",
+            NameKind::Abbreviation => "`let`",
+            NameKind::Constraint | NameKind::Implied => "constraint",
+            NameKind::Event | NameKind::Contact => "event",
+            NameKind::Friction => "friction",
+            NameKind::Output => "output",
+        }
+    }
+
+    /// Whether expressions may mention a name of this kind.
+    pub(super) fn has_value(self) -> bool {
+        !matches!(self, NameKind::Implied | NameKind::Event | NameKind::Output)
+    }
+
+    /// Whether a name of this kind that nobody mentions is likely a mistake.
+    fn should_be_used(self) -> bool {
+        matches!(self, NameKind::Parameter | NameKind::Input | NameKind::Constant | NameKind::Abbreviation)
+    }
+}
+
+/// A declared name.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub(super) kind: NameKind,
+    /// `None` if the declaration was faulty and has been reported, and for what has no value.
+    pub(super) value: Option<Operand>,
+    pub(super) span: Span,
+    used: bool,
+    /// Whether it was declared twice, so that it may stand for something else.
+    pub(super) is_ambiguous: bool,
+}
+
+/// All names declared so far.
+#[derive(Default, Debug)]
+pub(super) struct Scope {
+    entries: OrderedMap<String, Entry>,
+}
+
+impl Scope {
+    /// Adds a name; reports it if it is taken.
+    pub(super) fn declare(
+        &mut self,
+        name: &Name,
+        kind: NameKind,
+        value: Option<Operand>,
+        report: &mut Report,
+    ) {
+        if let Some(first) = self.entries.get_mut(&name.text) {
+            first.is_ambiguous = true;
+            let help = match kind {
+                NameKind::Constraint => messages::names::NAMELESS_CONSTRAINT_HELP,
+                NameKind::Event | NameKind::Contact => messages::names::OTHER_EVENT_HELP,
+                NameKind::Output => messages::names::OTHER_OUTPUT_HELP,
+                _ => messages::OTHER_NAME_HELP,
+            };
+            let error = report.error(name.span, messages::names::declared_twice(&name.text)).help(help);
+            error.related(
+                first.span.into(),
+                messages::names::first_declared(&name.text, first.kind.describe()),
+            );
+            return;
+        }
+        self.entries.insert(
+            name.text.clone(),
+            Entry { kind, value, span: name.span, used: false, is_ambiguous: false },
+        );
+    }
+
+    /// The entry of that name, without counting as a use.
+    pub(super) fn find(&self, name: &str) -> Option<&Entry> {
+        self.entries.get(&name.to_owned())
+    }
+
+    /// The entry of a name that an expression mentions.
+    pub(super) fn resolve(&mut self, name: &str) -> Option<&Entry> {
+        let entry = self.entries.get_mut(&name.to_owned())?;
+        entry.used = true;
+        Some(entry)
+    }
+
+    /// The known name that is most like `name`, among those that pass the filter.
+    pub(super) fn nearest(&self, name: &str, accept: impl Fn(NameKind) -> bool) -> Option<&str> {
+        let known = self.entries.iter().filter(|(_, entry)| accept(entry.kind));
+        nearest(name, known.map(|(name, _)| name.as_str()))
+    }
+
+    /// Warns of names that nothing mentions.
+    pub(super) fn report_unused(&self, report: &mut Report) {
+        for (name, entry) in self.entries.iter() {
+            if !entry.used && entry.kind.should_be_used() && !name.starts_with('_') {
+                report
+                    .unused(name, entry.span, messages::names::unused(entry.kind.describe(), name))
+                    .help(messages::names::unused_help(name));
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Diagnostics for names that stand for nothing where they are used: each is reported once, with the number of other places.
+
+use super::evaluator::Evaluator;
+use super::messages;
+use super::scope::NameKind;
+use super::unresolved::{Late, Places, place};
+use crate::diagnostics::Origin;
+use crate::syntax::foreign;
+
+/// Whether a name is written as constants of Rust are: several capital letters.
+fn is_constant_of_rust(name: &str) -> bool {
+    let is_capital = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
+    name.len() > 2 && name.chars().all(is_capital)
+}
+
+/// Whether it was reported already that a name has no meaning where it is used, so that this place only counts.
+pub(super) fn is_known_unresolved(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> bool {
+    let places = evaluator.unresolved.names.get_mut(&name.to_owned());
+    places.map(|places| places.all.insert(place(origin))).is_some()
+}
+
+/// Reports a name without a meaning.
+pub(super) fn report_unknown(
+    evaluator: &mut Evaluator<'_>,
+    name: &str,
+    origin: Origin,
+    help: impl Into<String>,
+) {
+    evaluator.report.error(origin, messages::names::unknown_name(name)).help(help);
+    remember(evaluator, name, origin);
+}
+
+fn remember(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) {
+    let mistake = evaluator.report.diagnostics().len() - 1;
+    evaluator.unresolved.names.insert(name.to_owned(), Places::new(mistake, origin));
+}
+
+/// Whether an unknown name is declared further down, which is reported here, or may have been declared
+/// where the declaration could not be read. Names of one statement are too far down together.
+pub(super) fn is_declared_elsewhere(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> bool {
+    let Some((statement, declaration)) = evaluator.declaration.find(name) else {
+        return evaluator.declaration.lacks_names
+            || evaluator.declaration.unreadable_words.contains(&name.to_owned());
+    };
+    let (late, user) = (&mut evaluator.unresolved.late, evaluator.unresolved.statement);
+    let reported = late.iter().find(|late| late.user == user || late.declaration == statement).copied();
+    let mistake = match reported {
+        Some(late) => {
+            if let Some(mistake) = evaluator.report.diagnostic_mut(late.mistake) {
+                mistake.related(declaration.into(), messages::names::also_declared_here(name));
+            }
+            late.mistake
+        }
+        None => {
+            let error = evaluator
+                .report
+                .error(origin, messages::names::used_too_early(name))
+                .help(messages::names::ORDER_HELP);
+            error.related(declaration.into(), messages::names::DECLARED_HERE);
+            evaluator.report.diagnostics().len() - 1
+        }
+    };
+    late.push(Late { user, declaration: statement, mistake });
+    let places = Places { is_named: reported.is_none(), ..Places::new(mistake, origin) };
+    evaluator.unresolved.names.insert(name.to_owned(), places);
+    true
+}
+
+/// What to do about a name without a meaning: how it is spelt here, or where it is to be declared.
+pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String {
+    let moves = |name: &str| {
+        let entry = evaluator.scope.find(name);
+        entry.is_some_and(|entry| matches!(entry.kind, NameKind::Coordinate | NameKind::Abbreviation))
+    };
+    if let Some(rate) = foreign::rate(name, moves) {
+        return messages::names::write_call(&rate.written());
+    }
+    if let Some(meant) = foreign::letter(name).filter(|meant| evaluator.scope.find(meant).is_some()) {
+        return messages::names::write_call(&meant);
+    }
+    if let Some(meant) = foreign::name(name) {
+        return messages::names::write_call(meant);
+    }
+    if foreign::is_library(name) {
+        return messages::names::PLAIN_NAMES_HELP.to_owned();
+    }
+    if let ([single], true) = (&evaluator.declaration.coordinates()[..], foreign::is_word_for_rate(name)) {
+        return messages::names::rate_of_single(&single.text);
+    }
+    match evaluator.scope.nearest(name, NameKind::has_value) {
+        Some(nearest) => messages::names::did_you_mean(nearest),
+        None if is_constant_of_rust(name) => messages::names::RUST_CONSTANT_HELP.to_owned(),
+        None => messages::names::DECLARE_FIRST.to_owned(),
+    }
+}
+
+/// Adds the number of other places to what was reported of names.
+pub(super) fn count_unresolved(evaluator: &mut Evaluator<'_>) {
+    let is_elsewhere = |places: &Places| places.is_named && places.all.len() > 1;
+    for (_, places) in evaluator.unresolved.names.iter().filter(|(_, places)| is_elsewhere(places)) {
+        if let Some(mistake) = evaluator.report.diagnostic_mut(places.mistake) {
+            mistake.message.push_str(&messages::names::and_elsewhere(places.all.len() - 1));
+        }
+    }
+}

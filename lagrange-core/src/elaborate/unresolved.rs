@@ -1,0 +1,48 @@
+//! Names that stand for nothing where they are used, with the places where they stand.
+
+use std::collections::BTreeSet;
+
+use crate::collections::OrderedMap;
+use crate::diagnostics::Origin;
+
+/// What was reported of names.
+#[derive(Default)]
+pub(super) struct Unresolved {
+    pub(super) names: OrderedMap<String, Places>,
+    /// Names that are used too early.
+    pub(super) late: Vec<Late>,
+    /// The number of the statement that is looked at.
+    pub(super) statement: usize,
+}
+
+/// A name that is used before it is declared. One statement that stands too early or too late is one mistake.
+#[derive(Clone, Copy)]
+pub(super) struct Late {
+    /// The number of the statement that uses it.
+    pub(super) user: usize,
+    /// The number of the statement that declares it.
+    pub(super) declaration: usize,
+    /// The number of the mistake that was reported.
+    pub(super) mistake: usize,
+}
+
+/// Where a name stands.
+pub(super) struct Places {
+    /// The number of the mistake that was reported at the first of them.
+    pub(super) mistake: usize,
+    /// Whether the mistake names it, and not another name beside which it was reported.
+    pub(super) is_named: bool,
+    /// Lines and columns, the first place included.
+    pub(super) all: BTreeSet<(usize, usize)>,
+}
+
+pub(super) fn place(origin: Origin) -> (usize, usize) {
+    let start = origin.start.start();
+    (start.line, start.column)
+}
+
+impl Places {
+    pub(super) fn new(mistake: usize, origin: Origin) -> Places {
+        Places { mistake, is_named: true, all: BTreeSet::from([place(origin)]) }
+    }
+}

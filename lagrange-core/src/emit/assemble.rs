@@ -1,0 +1,164 @@
+//! A derived system as items: every wanted product lowered and written as a method.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::base::docs;
+use super::base::method::{Arguments, Method, Returns};
+use super::base::refusal::{Refusal, report_refusal};
+use super::base::shape::{doc, identifier};
+use super::base::size::{Size, report_cost};
+use super::base::writer::MethodWriter;
+use super::features::constants::{equations_latex, parameter_names, statements_constant};
+use super::features::constrained::write_constrained;
+use super::features::contacts::{default_modes, write_touching};
+use super::features::events::write_events;
+use super::features::indefinite::write_indefinite;
+use super::features::product::{Plan, plan};
+use super::features::scene::write_scene;
+use super::features::sparse::{Sparse, lowered_sparse};
+use super::features::switches::{derived_shape, free_switches, report_unlocated, write_switches};
+use super::item::items;
+use crate::derive::Equations;
+use crate::diagnostics::Report;
+use crate::expr::ExprId;
+use crate::model::{Model, Product};
+use crate::program::OperationCounts;
+use crate::syntax::ast::Declaration;
+
+/// The items of a derived system; `None` if it cannot be written, which is reported.
+///
+/// `statements` are the plain statements, if others stand for rigid bodies; `krate` is the path of the crate `lagrange` where the
+/// items will stand.
+pub fn system(
+    declaration: &Declaration,
+    model: &mut Model,
+    equations: &Equations,
+    statements: Option<&str>,
+    krate: &TokenStream,
+    report: &mut Report,
+) -> Option<TokenStream> {
+    let refused = |refusal: &Refusal| report_refusal(declaration, refusal, report);
+    let (items, size) =
+        assembled(declaration, model, equations, statements, krate).inspect_err(refused).ok()?;
+    report_cost(declaration, size, report);
+    report_unlocated(declaration, equations, report);
+    Some(items)
+}
+
+/// The items, and how large the methods are.
+fn assembled(
+    declaration: &Declaration,
+    model: &mut Model,
+    equations: &Equations,
+    statements: Option<&str>,
+    krate: &TokenStream,
+) -> Result<(TokenStream, Size), Refusal> {
+    let shape = derived_shape(declaration, krate, &model.graph, equations);
+    let mut writer = MethodWriter::new(&shape, model, equations);
+    let counts = write_acceleration(&mut writer);
+    write_events(&mut writer);
+    write_switches(&mut writer);
+    write_products(&mut writer);
+    write_outputs(&mut writer);
+    write_scene(&mut writer);
+    if !writer.is_hopeless() {
+        describe(&mut writer, statements, counts);
+    }
+    let (members, size) = writer.finish()?;
+    Ok((items(&shape, &members), size))
+}
+
+/// `acceleration` and what finds it; its operations where no contact or friction acts.
+fn write_acceleration(writer: &mut MethodWriter<'_>) -> OperationCounts {
+    let docs = ["Accelerations in the order of the coordinates."];
+    match (writer.model.constraints.is_empty(), writer.model.reactions.is_empty()) {
+        (true, true) => match writer.equations.pivot_growth {
+            Some(growth) => write_indefinite(writer, &docs, growth),
+            None => {
+                let roots = writer.equations.accelerations.clone();
+                add(writer, "acceleration", &docs, (Arguments::State, Returns::Vector(roots.len())), &roots)
+            }
+        },
+        (false, true) => write_constrained(writer, &docs),
+        (_, false) => write_touching(writer, &docs),
+    }
+}
+
+fn write_products(writer: &mut MethodWriter<'_>) {
+    let fields = writer.shape.fields.len();
+    for product in writer.model.products.clone() {
+        if let Some(Plan { docs, arguments, returns, roots }) =
+            plan(product, writer.model, writer.equations, fields)
+        {
+            add(writer, product.name(), docs, (arguments, returns), &roots);
+        }
+    }
+}
+
+fn write_outputs(writer: &mut MethodWriter<'_>) {
+    for output in writer.model.outputs.clone() {
+        let returns = match output.components.len() {
+            1 => Returns::Scalar,
+            count => Returns::Vector(count),
+        };
+        let line = format!("Output `{}`.", output.name);
+        add(writer, &output.name, &[&line], (Arguments::State, returns), &output.components);
+    }
+}
+
+/// Lowers and writes one method, unless those before it are too large already.
+fn add(
+    writer: &mut MethodWriter<'_>,
+    name: &str,
+    docs: &[&str],
+    (arguments, returns): (Arguments, Returns),
+    roots: &[ExprId],
+) -> OperationCounts {
+    let (body, counts) = match Sparse::of(&writer.model.graph, returns, roots) {
+        Some(sparse) => lowered_sparse(writer, &sparse, arguments),
+        None => writer.lowered(roots, arguments, |results| returns.collect(results)),
+    };
+    let output = writer.shape.outputs.iter().find(|(output, _)| output.text == name);
+    let (name, docs) = match output {
+        Some((output, _)) => (identifier(output), writer.shape.docs(output, &docs.concat())),
+        None => (format_ident!("{name}"), docs.iter().map(|line| doc(line)).collect()),
+    };
+    let docs = docs::with_counts(docs, counts);
+    writer.members.methods.push(Method { name, docs, arguments, returns, body });
+    counts
+}
+
+/// What the type says of itself: documentation, defaults, constants, and what its traits must know.
+fn describe(writer: &mut MethodWriter<'_>, statements: Option<&str>, counts: OperationCounts) {
+    writer.members.default = default_body(writer);
+    writer.members.constants = constants(writer, statements);
+    let mut docs = docs::system_docs(writer.model, writer.equations, counts);
+    docs.extend(statements.into_iter().flat_map(docs::statements));
+    writer.members.docs = docs;
+    writer.members.is_separable = writer.equations.is_separable(writer.model);
+    let constraints = writer.model.constraints.iter();
+    writer.members.are_holonomic = constraints.map(|constraint| constraint.is_holonomic).collect();
+}
+
+/// A value of the struct with its defaults, if every field has one.
+fn default_body(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
+    let fields = writer.model.parameters.iter().chain(&writer.model.inputs);
+    let defaults = fields.map(|field| field.default).collect::<Option<Vec<_>>>()?;
+    let body = writer.constants(&defaults)?;
+    let shape = writer.shape;
+    let (names, statements) = (shape.fields.iter().map(|name| identifier(name)), body.statements);
+    let (modes, switches) = (default_modes(shape), free_switches(shape));
+    let (values, marker) = (body.outputs, shape.needs_marker());
+    let marker = marker.then(|| quote!(scalar: ::core::marker::PhantomData));
+    Some(quote!(#statements Self { #(#names: #values,)* #modes #switches #marker }))
+}
+
+fn constants(writer: &mut MethodWriter<'_>, statements: Option<&str>) -> TokenStream {
+    let wants = |product: Product| writer.model.products.contains(&product);
+    let (latex, parameters) = (wants(Product::Latex), wants(Product::ParameterJacobian));
+    let statements = statements.filter(|_| wants(Product::Statements)).map(statements_constant);
+    let latex = latex.then(|| equations_latex(&docs::equations_latex(writer.model, writer.equations)));
+    let parameters = parameters.then(|| parameter_names(writer.shape));
+    quote!(#latex #parameters #statements)
+}

@@ -1,0 +1,122 @@
+//! What the bodies of methods call parameters, coordinates and the rest that they compute with.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::method::{ArgumentNames, Arguments};
+use super::shape::{Shape, identifier, length, local};
+use crate::code::Names;
+use crate::collections::HashMap;
+use crate::model::Model;
+use crate::symbol::Role;
+
+/// What the bodies of one system find their symbols in.
+pub(super) struct Bindings<'a> {
+    pub(super) shape: &'a Shape<'a>,
+    pub(super) model: &'a Model,
+    pub(super) arguments: &'a ArgumentNames,
+}
+
+impl Bindings<'_> {
+    /// Parameters, coordinates and rates under the names that the body uses.
+    pub(super) fn of(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
+        let ArgumentNames { time, positions, velocities, accelerations, state, residuals, .. } =
+            self.arguments;
+        let fields = field_bindings(self.shape, self.model, used, names);
+        let sides = self.side_bindings(used, names, arguments);
+        let fields = quote!(#fields #sides);
+        if arguments == Arguments::Whole {
+            let indices = 0..self.model.coordinates.len() as u32;
+            let roles = indices.clone().map(Role::Coordinate).chain(indices.map(Role::Velocity));
+            let pattern = self.pattern(roles, used, names);
+            let entries = pattern.map(|pattern| quote!(let #pattern = *#state;));
+            return quote!(#fields #entries);
+        }
+        let count = self.model.coordinates.len();
+        let mut vector = |source: TokenStream, count: usize, role: fn(u32) -> Role| {
+            let pattern = self.pattern((0..count as u32).map(role), used, names);
+            pattern.map(|pattern| quote!(let #pattern = #source;))
+        };
+        let q = vector(quote!(*#positions), count, Role::Coordinate);
+        let v = vector(quote!(*#velocities), count, Role::Velocity);
+        let accelerations = match arguments {
+            Arguments::Motion => quote!(*#accelerations),
+            _ => quote!(self.acceleration(#time, #positions, #velocities)),
+        };
+        let a = vector(accelerations, count, Role::Acceleration);
+        let multipliers = match arguments {
+            Arguments::Residuals => quote!(*#residuals),
+            _ => quote!(self.multipliers(#time, #positions, #velocities)),
+        };
+        let multipliers = vector(multipliers, self.model.constraints.len(), Role::Multiplier);
+        let reactions = quote!(self.reactions(#time, #positions, #velocities));
+        let reactions = vector(reactions, self.model.reactions.len(), Role::Reaction);
+        quote!(#fields #q #v #a #multipliers #reactions)
+    }
+
+    /// The sides of switches that a body uses.
+    fn side_bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> Option<TokenStream> {
+        let ArgumentNames { time, positions, velocities, state, .. } = self.arguments;
+        let pattern = self.pattern((0..self.shape.switches.len() as u32).map(Role::Side), used, names)?;
+        let (krate, n) = (self.shape.krate, length(self.model.coordinates.len()));
+        Some(match arguments {
+            Arguments::Whole => quote! {
+                let #pattern = {
+                    let (positions, velocities) = #krate::system::split::<Self>(#state);
+                    self.sides(#time, &positions, &velocities)
+                };
+            },
+            // What does not depend on velocities may be given any.
+            Arguments::Positions => {
+                let scalar = self.shape.scalar();
+                quote!(let #pattern = self.sides(#time, #positions, &[<#scalar as #krate::Scalar>::ZERO; #n]);)
+            }
+            _ => quote!(let #pattern = self.sides(#time, #positions, #velocities);),
+        })
+    }
+
+    /// An array of the names of those roles that are used, if any is.
+    fn pattern(
+        &self,
+        roles: impl Iterator<Item = Role> + Clone,
+        used: &[Role],
+        names: &mut Names,
+    ) -> Option<TokenStream> {
+        let symbols = self.model.graph.symbols();
+        let used = used.iter().map(|role| (*role, ())).collect::<HashMap<_, _>>();
+        let is_used = |role: &Role| used.contains(role);
+        let pattern = roles.clone().map(|role| match is_used(&role) {
+            true => names.role(symbols, role),
+            false => local("_"),
+        });
+        let pattern = pattern.collect::<Vec<_>>();
+        { roles }.any(|role| is_used(&role)).then(|| quote!([#(#pattern),*]))
+    }
+}
+
+/// Parameters and inputs under the names that a body uses.
+pub(in crate::emit) fn field_bindings(
+    shape: &Shape<'_>,
+    model: &Model,
+    used: &[Role],
+    names: &mut Names,
+) -> TokenStream {
+    let symbols = model.graph.symbols();
+    let used = used.iter().map(|role| (*role, ())).collect::<HashMap<_, _>>();
+    let roles = (0..model.parameters.len() as u32).map(Role::Parameter);
+    let roles = roles.chain((0..model.inputs.len() as u32).map(Role::Input));
+    let bound = shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
+    let bound = bound.map(|(name, role)| {
+        let field = identifier(name);
+        let local = names.role(symbols, role);
+        // A field can be named from the macro's side, and must be, for the local to be the macro's.
+        if local == name.text { quote!(#local) } else { quote!(#field: #local) }
+    });
+    let bound = bound.collect::<Vec<_>>();
+    if bound.is_empty() {
+        return TokenStream::new();
+    }
+    let has_others = !shape.switches.is_empty() || shape.fields_of_modes().next().is_some();
+    let rest = (has_others || bound.len() < shape.fields.len()).then(|| quote!(..));
+    quote!(let Self { #(#bound,)* #rest } = *self;)
+}

@@ -1,0 +1,315 @@
+//! The documentation of an emitted system: its equations and what was found out about it.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::shape::doc;
+use crate::collections::HashMap;
+use crate::derive::{Conserved, Equations, Strategy, Structure};
+use crate::expr::{ExprId, Graph};
+use crate::formula::{latex, text};
+use crate::model::Model;
+use crate::number::Number;
+use crate::program::{Labels, OperationCounts, lower, optimise};
+use crate::simplify::present_all;
+use crate::syntax::ast::Accuracy;
+
+/// Monomials up to which an entry is multiplied out for reading.
+const READING_BUDGET: usize = 120;
+/// Entries made of more expressions than this are printed as they were derived.
+const LARGEST_PRESENTED: usize = 300;
+/// Systems with more coordinates are too large for their equations to be read.
+const MOST_COORDINATES: usize = 6;
+/// Systems whose equations are made of more expressions are too large for that, too.
+const LARGEST_SYSTEM: usize = 200;
+/// Equations with more abbreviations are harder to read than the code.
+const MOST_ABBREVIATIONS: usize = 12;
+/// Lines longer than this, in characters, are broken.
+const LONGEST_LINE: usize = 100;
+/// Equations longer than this, in characters, are left out.
+const LONGEST_EQUATIONS: usize = 4000;
+
+const FAST: [&str; 2] = [
+    "- Accuracy: `fast`. Sines and cosines are computed several at a time;",
+    "  in `f64` each is within 0.9 units in the last place.",
+];
+const STRICT: &str = "- Accuracy: `strict`. Of equal ways the one that cancels least.";
+const SEPARABLE: &str = "- Separable: explicit symplectic methods take it.";
+const LEAPFROG: &str = "- Leapfrog methods take it and keep it on the constraints.";
+const STATEMENTS: &str = "Those about rigid bodies stand for plain ones:";
+const REDUNDANT: &str = "- Constraints follow from others: of the multipliers the smallest ones are taken.";
+const NO_SQUARES: &str = "the kinetic energy is no sum of squares";
+const TOO_LONG: &str =
+    "M q̈ = f, too long to be written out; `mass_matrix` and `forcing` compute the two sides.";
+
+/// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
+/// short; `None` if even that would be too long to read.
+fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
+    if model.coordinates.len() > MOST_COORDINATES {
+        return None;
+    }
+    let right = right_sides(model, equations);
+    let all = equations.mass_matrix.iter().flatten().chain(&right).copied().collect::<Vec<_>>();
+    if model.graph.reachable(&all).len() > LARGEST_SYSTEM {
+        return None;
+    }
+    let right = readable(&mut model.graph, &right);
+    // The right sides are the longer ones: if they cannot be read, the left ones need not be tried.
+    readable_lines(text::definitions(&model.graph, &right, LONGEST_EQUATIONS))?;
+    let sides = sides(model, equations, &right);
+    let lines = readable_lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS))?;
+    Some(lines.iter().flat_map(|line| wrapped(line)).collect())
+}
+
+/// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
+/// short.
+pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
+    let right = right_sides(model, equations);
+    let right = readable(&mut model.graph, &right);
+    let sides = sides(model, equations, &right);
+    lines(latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS)).join("\n")
+}
+
+/// f + Aᵀλ + Dᵀr, with the names of constraints, contacts and friction for their forces.
+fn right_sides(model: &mut Model, equations: &Equations) -> Vec<ExprId> {
+    let reactions = model.reactions.iter().map(|reaction| reaction.symbol);
+    let symbols = model.multipliers().into_iter().chain(reactions).collect::<Vec<_>>();
+    let graph = &mut model.graph;
+    let mut sides = equations.forcing.clone();
+    let rows = equations.constraints.jacobian.iter().chain(&equations.reactions.rows);
+    for (row, symbol) in rows.zip(symbols) {
+        for (side, &slope) in sides.iter_mut().zip(row) {
+            let force = graph.multiply(slope, symbol);
+            *side = graph.add(*side, force);
+        }
+    }
+    sides
+}
+
+/// The left and the right side of each row of M q̈ = f + Aᵀλ, then of each constraint.
+fn sides(model: &mut Model, equations: &Equations, right: &[ExprId]) -> Vec<ExprId> {
+    let mass = readable(&mut model.graph, &equations.mass_matrix.concat());
+    let rows = mass.chunks(right.len().max(1)).zip(right);
+    let mut sides = rows.flat_map(|(row, &right)| [left_side(model, row), right]).collect::<Vec<_>>();
+    let constraints = model.constraints.iter().map(|constraint| constraint.value).collect::<Vec<_>>();
+    let zero = model.graph.number(0);
+    sides.extend(readable(&mut model.graph, &constraints).into_iter().flat_map(|value| [value, zero]));
+    sides
+}
+
+/// The lines, unless there are too many characters or abbreviations.
+fn readable_lines(definitions: (Vec<(String, String)>, Vec<String>)) -> Option<Vec<String>> {
+    let abbreviations = definitions.0.len();
+    let lines = lines(definitions);
+    let length = lines.iter().map(String::len).sum::<usize>();
+    (length <= LONGEST_EQUATIONS && abbreviations <= MOST_ABBREVIATIONS).then_some(lines)
+}
+
+/// Equations between names and what they abbreviate, then between left and right sides.
+fn lines((abbreviations, sides): (Vec<(String, String)>, Vec<String>)) -> Vec<String> {
+    let abbreviations = abbreviations.into_iter().map(|(name, value)| format!("{name} = {value}"));
+    abbreviations.chain(sides.chunks(2).map(|side| side.join(" = "))).collect()
+}
+
+/// A long equation on several lines, broken before the operators between its terms.
+fn wrapped(line: &str) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut current = String::new();
+    for term in terms(line) {
+        if !current.is_empty() && current.chars().count() + term.chars().count() > LONGEST_LINE {
+            lines.push(std::mem::replace(&mut current, format!("    {}", term.trim_start())));
+        } else {
+            current.push_str(term);
+        }
+    }
+    lines.push(current);
+    lines
+}
+
+/// The pieces of an equation between blanks outside parentheses, each beginning with its operator.
+fn terms(line: &str) -> Vec<&str> {
+    let (mut depth, mut start, mut pieces) = (0_usize, 0, Vec::new());
+    for (index, character) in line.char_indices() {
+        match character {
+            '(' | '{' => depth += 1,
+            ')' | '}' => depth = depth.saturating_sub(1),
+            ' ' if depth == 0 && [" + ", " - ", " = "].iter().any(|op| line[index..].starts_with(op)) => {
+                pieces.push(&line[start..index]);
+                start = index;
+            }
+            _ => {}
+        }
+    }
+    pieces.push(&line[start..]);
+    pieces
+}
+
+/// Σ Mᵢⱼ q̈ⱼ
+fn left_side(model: &mut Model, row: &[ExprId]) -> ExprId {
+    let mut terms = Vec::new();
+    for (&entry, coordinate) in row.iter().zip(&model.coordinates) {
+        terms.push((model.graph.multiply(entry, coordinate.acceleration), Number::ONE));
+    }
+    model.graph.sum(Number::ZERO, terms)
+}
+
+/// The expressions in the form a textbook would print, if that can be found quickly.
+fn readable(graph: &mut Graph, expressions: &[ExprId]) -> Vec<ExprId> {
+    let is_small = |&&id: &&ExprId| graph.reachable(&[id]).len() <= LARGEST_PRESENTED;
+    let small = expressions.iter().filter(is_small).copied().collect::<Vec<_>>();
+    let presented = present_all(graph, &small, READING_BUDGET);
+    let presented = small.into_iter().zip(presented).collect::<HashMap<_, _>>();
+    expressions.iter().map(|id| presented.get(id).copied().unwrap_or(*id)).collect()
+}
+
+/// What the documentation of the emitted struct says of its equations and of what was found out about the
+/// system, in lines of Markdown.
+pub fn documentation(model: &mut Model, equations: &Equations) -> Vec<String> {
+    let program = lower(&model.graph, &equations.accelerations, &Labels::default());
+    let program = optimise(&program, model.accuracy);
+    system_docs(model, equations, OperationCounts::of(&program))
+}
+
+/// The same for accelerations whose operations have been counted.
+pub(in crate::emit) fn system_docs(
+    model: &mut Model,
+    equations: &Equations,
+    counts: OperationCounts,
+) -> Vec<String> {
+    let mut lines = vec!["# Equations of motion".to_owned(), String::new()];
+    match equations_text(model, equations) {
+        Some(equations) => {
+            lines.push("```text".to_owned());
+            lines.extend(equations);
+            lines.push("```".to_owned());
+        }
+        None => lines.push(TOO_LONG.to_owned()),
+    }
+    lines.extend([String::new(), "# State and structure".to_owned(), String::new()]);
+    lines.push(format!("- State: `[{}]`.", state_order(model)));
+    lines.extend(structure_lines(model, &equations.structure));
+    if equations.is_separable(model) {
+        lines.push(if model.constraints.is_empty() { SEPARABLE } else { LEAPFROG }.to_owned());
+    }
+    lines.push(format!("- Forward dynamics: {}.", strategy_text(equations)));
+    if !model.constraints.is_empty() {
+        lines.push(multiplier_order(model));
+    }
+    if !model.reactions.is_empty() {
+        lines.push(reaction_order(model));
+    }
+    if equations.constraints.is_redundant {
+        lines.push(REDUNDANT.to_owned());
+    }
+    match model.accuracy {
+        Accuracy::Fast => lines.extend(FAST.map(str::to_owned)),
+        Accuracy::Strict => lines.push(STRICT.to_owned()),
+        Accuracy::Standard => {}
+    }
+    let when = if model.reactions.is_empty() { "" } else { " while no contact or friction acts" };
+    lines.push(format!("- Cost of `acceleration`{when}: {}.", counts_text(counts)));
+    lines
+}
+
+/// What it says of the statements that those about rigid bodies stand for.
+pub(in crate::emit) fn statements(text: &str) -> Vec<String> {
+    let head = ["", "# Statements", "", STATEMENTS, "", "```text"].map(str::to_owned);
+    head.into_iter().chain(text.lines().map(str::to_owned)).chain(["```".to_owned()]).collect()
+}
+
+fn multiplier_order(model: &Model) -> String {
+    let names = model.constraints.iter().map(|constraint| constraint.name.as_str()).collect::<Vec<_>>();
+    format!("- Multipliers, which the equations name like their constraints: `[{}]`.", names.join(", "))
+}
+
+fn reaction_order(model: &Model) -> String {
+    let names = model.reactions.iter().map(|reaction| reaction.name.as_str()).collect::<Vec<_>>();
+    format!("- Forces of contacts and friction, zero where they do not act: `[{}]`.", names.join(", "))
+}
+
+fn state_order(model: &Model) -> String {
+    let names = model.coordinates.iter().map(|coordinate| coordinate.name.clone());
+    let rates = model.coordinates.iter().map(|coordinate| format!("{}_dot", coordinate.name));
+    names.chain(rates).collect::<Vec<_>>().join(", ")
+}
+
+fn structure_lines(model: &Model, structure: &Structure) -> Vec<String> {
+    let name = |i: usize| format!("`{}`", model.coordinates[i].name);
+    let join = |indices: &[usize]| indices.iter().map(|&i| name(i)).collect::<Vec<_>>().join(", ");
+    let mut lines = vec![format!("- Mass matrix: {}.", mass_text(structure, join))];
+    if !structure.cyclic.is_empty() {
+        lines.push(format!("- Cyclic coordinates: {}.", join(&structure.cyclic)));
+    }
+    let conserved = structure.conserved.iter().map(|quantity| match quantity {
+        Conserved::Momentum(i) => format!("the momentum of {}", name(*i)),
+        Conserved::Energy => "the energy function".to_owned(),
+    });
+    let conserved = conserved.collect::<Vec<_>>();
+    if !conserved.is_empty() {
+        lines.push(format!("- Conserved: {}.", conserved.join(", ")));
+    }
+    lines
+}
+
+fn mass_text(structure: &Structure, join: impl Fn(&[usize]) -> String) -> String {
+    let mass = &structure.mass;
+    let shape = if mass.is_diagonal() {
+        "diagonal".to_owned()
+    } else if mass.blocks.len() > 1 {
+        let blocks = mass.blocks.iter().map(|block| format!("{{{}}}", join(block)));
+        format!("blocks {}", blocks.collect::<Vec<_>>().join(", "))
+    } else {
+        "full".to_owned()
+    };
+    let dependence = match (mass.is_constant, mass.depends_on_velocities) {
+        (true, _) => "constant",
+        (_, true) => "depends on velocities",
+        _ => "depends on the configuration",
+    };
+    format!("{shape}, {dependence}")
+}
+
+/// The documentation of a method that takes so many operations.
+pub(in crate::emit) fn with_counts(docs: TokenStream, counts: OperationCounts) -> TokenStream {
+    if counts == OperationCounts::default() {
+        return docs;
+    }
+    let (blank, cost) = (doc(""), doc(&format!("Takes {}.", counts_text(counts))));
+    quote!(#docs #blank #cost)
+}
+
+/// Operation counts in Markdown.
+pub(in crate::emit) fn counts_text(counts: OperationCounts) -> String {
+    counts.to_string().replace("sin_cos", "`sin_cos`")
+}
+
+/// The strategy of forward dynamics, and why: the counted cost of each that was tried.
+fn strategy_text(equations: &Equations) -> String {
+    if equations.structure.mass.is_diagonal() && equations.constraints.jacobian.is_empty() {
+        return "each equation divided by its entry of the mass matrix".to_owned();
+    }
+    let costs = Strategy::ALL.into_iter().zip(equations.costs);
+    let costs = costs.filter_map(|(strategy, cost)| Some((strategy, cost?))).collect::<Vec<_>>();
+    let taken = match equations.strategy {
+        Strategy::MassMatrix => "the mass matrix is factorised",
+        Strategy::ArticulatedBody => "eliminated body by body",
+        Strategy::SumOfSquares => "eliminated body by body, the kinetic energy kept a sum of squares",
+    };
+    let others = costs.iter().filter(|(strategy, _)| *strategy != equations.strategy);
+    let others = others.map(|(strategy, cost)| format!("{} {cost}", strategy_name(*strategy)));
+    let no_squares = (!equations.is_sum_of_squares).then(|| NO_SQUARES.to_owned());
+    let others = others.chain(no_squares).collect::<Vec<_>>().join(", ");
+    match costs.iter().find(|(strategy, _)| *strategy == equations.strategy) {
+        Some((_, cost)) if costs.len() > 1 => format!("{taken} (counted cost {cost}; {others})"),
+        _ if !others.is_empty() => format!("{taken} ({others})"),
+        _ => taken.to_owned(),
+    }
+}
+
+fn strategy_name(strategy: Strategy) -> &'static str {
+    match strategy {
+        Strategy::MassMatrix => "factorised mass matrix",
+        Strategy::ArticulatedBody => "recursion",
+        Strategy::SumOfSquares => "sum of squares",
+    }
+}

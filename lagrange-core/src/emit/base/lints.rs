@@ -1,0 +1,34 @@
+//! Exceptions from lints that emitted items need.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::shape::{Shape, motion_name};
+
+/// Lets rounded constants look like those of the standard library.
+pub(in crate::emit) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {
+    is_needed.then(
+        || quote!(#[allow(clippy::approx_constant, reason = "constants are rounded to the scalar once")]),
+    )
+}
+
+/// Lets the names of types go with that of the struct, which alone is warned of.
+pub(in crate::emit) fn type_name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
+    let name = shape.declaration.name.text.trim_matches('_');
+    let is_camel_case = !name.starts_with(char::is_lowercase) && !name.contains('_');
+    let exception = quote!(#[allow(non_camel_case_types, reason = "the name goes with that of the system")]);
+    (!is_camel_case).then_some(exception)
+}
+
+/// Lets names keep the letters that they have in formulas.
+pub(in crate::emit) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> {
+    let touching = shape.touching.iter().map(|(name, _)| name);
+    let outputs = shape.outputs.iter().map(|(name, _)| name);
+    let names = shape.fields.iter().chain(&shape.coordinates).chain(touching).chain(outputs);
+    let methods = shape.bodies.iter().map(|body| motion_name(body).to_string());
+    let names = names.map(|name| name.text.clone()).chain(methods);
+    let is_snake_case = |name: &str| !name.contains(char::is_uppercase) && !name.contains("__");
+    let exception =
+        quote!(#[allow(non_snake_case, reason = "symbols keep the letters they have in formulas")]);
+    (!{ names }.all(|name| is_snake_case(&name))).then_some(exception)
+}

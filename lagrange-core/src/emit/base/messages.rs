@@ -1,0 +1,34 @@
+//! What is said about systems that are hard to compile or to integrate.
+
+pub(in crate::emit) fn expensive(size: usize, checking: f64, optimising: f64, bytes: f64) -> String {
+    format!(
+        "the methods of this system take {size} operations: checking them takes the compiler roughly {checking:.0} s \
+         and {:.1} GB, optimising them up to {optimising:.0} s more",
+        bytes / 1e9
+    )
+}
+
+pub(in crate::emit) fn expensive_help() -> String {
+    format!("{}; `#[allow(deprecated)]` on the struct silences this warning", smaller())
+}
+
+pub(in crate::emit) fn hopeless(limit: usize) -> String {
+    format!(
+        "this system takes more than {limit} operations, which no compiler gets through in reasonable time"
+    )
+}
+
+pub(in crate::emit) fn unlocated_switches(all: usize, room: usize) -> String {
+    format!(
+        "the equations of motion have jumps or kinks on {all} surfaces, of which runs can locate {room}: steps across the others \
+         lose the order of their method"
+    )
+}
+
+pub(in crate::emit) const UNLOCATED_HELP: &str = "they come from `if`, `abs`, `sign`, `min` and `max`; smooth functions such as `tanh` or `sqrt(x^2 + e^2)` have none; \
+     `#[allow(deprecated)]` on the struct silences this warning";
+
+pub(in crate::emit) fn smaller() -> &'static str {
+    "leave out methods with `emit { no … }`, or compute forces between many bodies in a loop and hand them in as \
+     inputs"
+}

@@ -1,0 +1,173 @@
+//! The methods of an emitted system.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::shape::{Shape, length};
+use crate::code::Names;
+
+/// What a method is a function of, beside the parameters.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(in crate::emit) enum Arguments {
+    /// None.
+    None,
+    /// `t, q`
+    Positions,
+    /// `t, q, v`
+    State,
+    /// `t, q, v, a`
+    Motion,
+    /// `t, y`
+    Whole,
+    /// `t, q, v, residuals`
+    Residuals,
+    /// `t, q, shares`, of which there is one for each coordinate
+    Shares,
+}
+
+/// What a method returns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(in crate::emit) enum Returns {
+    Scalar,
+    Vector(usize),
+    /// With this many rows and columns.
+    Matrix(usize, usize),
+}
+
+/// The names of the arguments, chosen so that they hide no name of the user.
+#[derive(Clone, Debug)]
+pub(in crate::emit) struct ArgumentNames {
+    pub(in crate::emit) time: Ident,
+    pub(in crate::emit) positions: Ident,
+    pub(in crate::emit) velocities: Ident,
+    pub(in crate::emit) accelerations: Ident,
+    pub(in crate::emit) state: Ident,
+    pub(in crate::emit) residuals: Ident,
+    pub(in crate::emit) shares: Ident,
+    /// What takes the items of a scene.
+    pub(in crate::emit) visit: Ident,
+}
+
+/// One method, ready to be written.
+pub(in crate::emit) struct Method {
+    pub(in crate::emit) name: Ident,
+    pub(in crate::emit) docs: TokenStream,
+    pub(in crate::emit) arguments: Arguments,
+    pub(in crate::emit) returns: Returns,
+    pub(in crate::emit) body: TokenStream,
+}
+
+impl ArgumentNames {
+    /// Distinct names beside those of the user.
+    pub(in crate::emit) fn beside(user_names: &[String]) -> ArgumentNames {
+        let mut names = Names::new(user_names.iter().map(String::as_str));
+        let mut allocate = |wish: &str| names.fresh(wish);
+        let (residuals, shares, visit) = (allocate("residuals"), allocate("shares"), allocate("visit"));
+        let mut either = |short: &str, long: &str| {
+            let name = allocate(short);
+            if name == short { name } else { allocate(long) }
+        };
+        ArgumentNames {
+            time: either("t", "time"),
+            positions: either("q", "positions"),
+            velocities: either("v", "velocities"),
+            accelerations: either("a", "accelerations"),
+            state: either("y", "state"),
+            residuals,
+            shares,
+            visit,
+        }
+    }
+}
+
+impl Arguments {
+    /// Those that are vectors.
+    pub(in crate::emit) fn vectors(self, names: &ArgumentNames) -> Vec<&Ident> {
+        let ArgumentNames { positions, velocities, accelerations, state, residuals, shares, .. } = names;
+        match self {
+            Arguments::None => Vec::new(),
+            Arguments::Positions => vec![positions],
+            Arguments::State => vec![positions, velocities],
+            Arguments::Motion => vec![positions, velocities, accelerations],
+            Arguments::Whole => vec![state],
+            Arguments::Residuals => vec![positions, velocities, residuals],
+            Arguments::Shares => vec![positions, shares],
+        }
+    }
+}
+
+impl Method {
+    pub(in crate::emit) fn tokens(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
+        let (docs, function) = (&self.docs, self.function(shape, names));
+        quote! {
+            #docs
+            #[must_use]
+            #[inline]
+            pub #function
+        }
+    }
+
+    /// As a method of a trait.
+    pub(in crate::emit) fn of_trait(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
+        let function = self.function(shape, names);
+        quote!(#[inline] #function)
+    }
+
+    fn function(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
+        let Method { name, body, .. } = self;
+        let (scalar, time) = (shape.scalar(), &names.time);
+        let length = |vector: &Ident| match vector {
+            _ if *vector == names.state => length(2 * shape.coordinates.len()),
+            _ if *vector == names.residuals => length(shape.constraints.len()),
+            _ => length(shape.coordinates.len()),
+        };
+        let vectors = self.arguments.vectors(names).into_iter().map(|vector| {
+            let length = length(vector);
+            quote!(#vector: &[#scalar; #length])
+        });
+        let returns = self.returns.tokens(&scalar);
+        quote! {
+            fn #name(&self, #time: #scalar, #(#vectors),*) -> #returns {
+                #body
+            }
+        }
+    }
+}
+
+impl Returns {
+    /// How many numbers that are.
+    pub(in crate::emit) fn count(self) -> usize {
+        match self {
+            Returns::Scalar => 1,
+            Returns::Vector(n) => n,
+            Returns::Matrix(rows, columns) => rows * columns,
+        }
+    }
+
+    pub(in crate::emit) fn tokens(self, scalar: &TokenStream) -> TokenStream {
+        match self {
+            Returns::Scalar => scalar.clone(),
+            Returns::Vector(n) => {
+                let n = length(n);
+                quote!([#scalar; #n])
+            }
+            Returns::Matrix(rows, columns) => {
+                let (rows, columns) = (length(rows), length(columns));
+                quote!([[#scalar; #columns]; #rows])
+            }
+        }
+    }
+
+    /// The expression that puts results into that form.
+    pub(in crate::emit) fn collect(self, results: &[TokenStream]) -> TokenStream {
+        match self {
+            Returns::Scalar => quote!(#(#results)*),
+            Returns::Vector(_) => quote!([#(#results),*]),
+            Returns::Matrix(rows, columns) => {
+                let rows = (0..rows).map(|i| &results[i * columns..][..columns]);
+                let rows = rows.map(|row| quote!([#(#row),*]));
+                quote!([#(#rows),*])
+            }
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! What features share: the shape of the emitted type, methods and their arguments, documentation, limits of size.
+
+pub(super) mod attributes;
+pub(super) mod bindings;
+pub(super) mod docs;
+pub(super) mod lints;
+pub(super) mod members;
+pub(super) mod messages;
+pub(super) mod method;
+pub(super) mod refusal;
+pub(super) mod shape;
+pub(super) mod sides;
+pub(super) mod size;
+pub(super) mod state;
+pub(super) mod statements;
+pub(super) mod writer;

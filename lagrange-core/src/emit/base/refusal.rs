@@ -1,0 +1,34 @@
+//! Why a derived system cannot be written.
+
+use super::size::report_hopeless;
+use crate::diagnostics::Report;
+use crate::syntax::ast::{Declaration, ScalarType};
+
+/// Why a system cannot be written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(in crate::emit) enum Refusal {
+    /// These constants, in words, cannot be represented by the scalar.
+    Constants(Vec<String>),
+    /// No compiler would get through it.
+    Size,
+}
+
+/// Reports why a system cannot be written.
+pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refusal, report: &mut Report) {
+    match refusal {
+        Refusal::Constants(constants) => report_too_large(declaration, constants, report),
+        Refusal::Size => report_hopeless(declaration, report),
+    }
+}
+
+/// Reports constants that the scalar cannot represent and that only derivation makes: what the user wrote has been
+/// checked.
+fn report_too_large(declaration: &Declaration, constants: &[String], report: &mut Report) {
+    let (scalar, largest) = match &declaration.scalar {
+        ScalarType::F32 => ("f32", f64::from(f32::MAX)),
+        ScalarType::F64 | ScalarType::Generic(_) => ("f64", f64::MAX),
+    };
+    let message = format!("the equations hold numbers too large for `{scalar}`: {}", constants.join(", "));
+    let help = format!("`{scalar}` holds numbers up to about {largest:.1e}: choose larger units");
+    report.error(declaration.name.span, message).help(help);
+}

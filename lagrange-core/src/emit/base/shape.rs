@@ -1,0 +1,348 @@
+//! What of an emitted system is known from its declaration alone: names, fields, types.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::code::Scalar;
+use crate::collections::HashMap;
+use crate::model::Product;
+use crate::syntax::ast::{
+    Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType, Statement,
+    StatementKind,
+};
+
+/// Names and types of one system.
+pub(in crate::emit) struct Shape<'a> {
+    pub(in crate::emit) declaration: &'a Declaration,
+    /// Path of the crate `lagrange`.
+    pub(in crate::emit) krate: &'a TokenStream,
+    /// Parameters and inputs in declaration order, parameters first.
+    pub(in crate::emit) fields: Vec<&'a Name>,
+    pub(in crate::emit) coordinates: Vec<&'a Name>,
+    /// Rigid bodies with a method that says how they move.
+    pub(in crate::emit) bodies: Vec<&'a Name>,
+    pub(in crate::emit) constraints: Vec<&'a Name>,
+    pub(in crate::emit) events: Vec<&'a Event>,
+    /// Whether constraints are stabilised instead of projected onto.
+    pub(in crate::emit) is_stabilised: bool,
+    /// Contacts and friction.
+    pub(in crate::emit) touching: Vec<(&'a Name, Touch)>,
+    /// What messages call the switches whose sides runs fix.
+    pub(in crate::emit) switches: Vec<String>,
+    /// Declared outputs with their number of components; one for a scalar.
+    pub(in crate::emit) outputs: Vec<(&'a Name, usize)>,
+    /// The user's documentation of fields, coordinates and outputs.
+    docs: HashMap<&'a str, &'a TokenStream>,
+}
+
+/// How the mode of a reaction is kept.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(in crate::emit) enum Touch {
+    /// In a field that says whether it is open.
+    Contact,
+    /// In a field that says whether it sticks.
+    Friction,
+    /// It has none.
+    Smooth,
+}
+
+impl<'a> Shape<'a> {
+    pub(in crate::emit) fn new(declaration: &'a Declaration, krate: &'a TokenStream) -> Shape<'a> {
+        let mut shape = Shape {
+            declaration,
+            krate,
+            fields: Vec::new(),
+            coordinates: Vec::new(),
+            bodies: Vec::new(),
+            constraints: Vec::new(),
+            events: Vec::new(),
+            is_stabilised: false,
+            touching: Vec::new(),
+            switches: Vec::new(),
+            outputs: Vec::new(),
+            docs: documentation(declaration),
+        };
+        let (mut inputs, components) = (Vec::new(), component_counts(declaration));
+        for statement in &declaration.statements {
+            match &statement.kind {
+                StatementKind::Parameters(list) => shape.fields.extend(list.iter().map(|d| &d.name)),
+                StatementKind::Inputs(list) => inputs.extend(list.iter().map(|d| &d.name)),
+                StatementKind::Coordinates(names) => shape.coordinates.extend(names),
+                StatementKind::Constraint(name, _) => shape.constraints.push(name),
+                StatementKind::Event(event) => shape.add_event(event),
+                StatementKind::Stabilise(_) => shape.is_stabilised = true,
+                StatementKind::Friction(friction) => {
+                    let touch = if friction.width.is_some() { Touch::Smooth } else { Touch::Friction };
+                    shape.touching.push((&friction.name, touch));
+                }
+                StatementKind::Output(name, value) => {
+                    shape.outputs.push((name, components.get(value).copied().unwrap_or(1)));
+                }
+                _ => {}
+            }
+        }
+        shape.fields.extend(inputs);
+        if shape.asks_for(Product::Motion) {
+            shape.bodies.extend(declaration.bodies.iter().map(|body| &body.name));
+        }
+        shape.drop_repeated_names();
+        shape
+    }
+
+    fn add_event(&mut self, event: &'a Event) {
+        self.events.push(event);
+        if let Action::Impact(_) = event.action {
+            self.touching.push((&event.name, Touch::Contact));
+        }
+    }
+
+    /// Names and directions of all events, as declared and then those of friction. Those that switch modes have no direction.
+    pub(in crate::emit) fn event_names(&self) -> Vec<(&'a Name, Option<Direction>)> {
+        let declared = self.events.iter().map(|event| match event.action {
+            Action::Impact(_) => (&event.name, None),
+            _ => (&event.name, Some(event.direction)),
+        });
+        let friction = self.touching.iter().filter(|(_, touch)| *touch == Touch::Friction);
+        declared.chain(friction.map(|(name, _)| (*name, None))).collect()
+    }
+
+    /// The fields that keep modes.
+    pub(in crate::emit) fn fields_of_modes(&self) -> impl Iterator<Item = &'a Name> {
+        let with_mode = self.touching.iter().filter(|(_, touch)| *touch != Touch::Smooth);
+        with_mode.map(|(name, _)| *name)
+    }
+
+    /// For each reaction the index of the event by which it changes its mode, if it has one.
+    pub(in crate::emit) fn events_of_reactions(&self) -> Vec<Option<usize>> {
+        let names = self.event_names();
+        let event = |(name, _): &(&Name, Touch)| names.iter().position(|(other, _)| other.text == name.text);
+        self.touching.iter().map(event).collect()
+    }
+
+    /// Whether a product that is emitted on demand is asked for.
+    pub(in crate::emit) fn asks_for(&self, product: Product) -> bool {
+        let items = self.declaration.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Emit(items) => Some(items),
+            _ => None,
+        });
+        let mut asked = items.flatten().filter(|item| item.product.text == product.name());
+        asked.next_back().is_some_and(|item| item.wanted)
+    }
+
+    /// Names declared twice are reported elsewhere; two fields of one name would be reported again.
+    fn drop_repeated_names(&mut self) {
+        let mut seen = HashMap::default();
+        let mut first = |name: &Name| seen.insert(name.text.clone(), ()).is_none();
+        self.fields.retain(|name| first(name));
+        self.coordinates.retain(|name| first(name));
+        self.touching.retain(|(name, _)| first(name));
+        self.outputs.retain(|(name, _)| first(name));
+        self.bodies.retain(|name| first(name));
+    }
+
+    /// What a field is.
+    pub(in crate::emit) fn kind_of_field(&self, name: &Name) -> &'static str {
+        if self.is_input(name) { "Input" } else { "Parameter" }
+    }
+
+    /// Whether a field is an input.
+    pub(in crate::emit) fn is_input(&self, name: &Name) -> bool {
+        self.declaration.statements.iter().any(|statement| match &statement.kind {
+            StatementKind::Inputs(list) => list.iter().any(|definition| definition.name.text == name.text),
+            _ => false,
+        })
+    }
+
+    /// These fields, those of modes among them, in a literal of the struct, as they are in `self`; with the marker, if there is one.
+    pub(in crate::emit) fn kept_fields(&self, keeps: impl Fn(&Name) -> bool) -> TokenStream {
+        let fields = self.fields.iter().copied().chain(self.fields_of_modes());
+        let fields = fields.filter(|name| keeps(name)).map(identifier);
+        let marker = self.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData,));
+        let fields = fields.map(|field| quote!(#field: self.#field,)).collect::<TokenStream>();
+        quote!(#fields #marker)
+    }
+
+    /// The user's documentation of a declared name, or else `line`.
+    pub(in crate::emit) fn docs(&self, name: &Name, line: &str) -> TokenStream {
+        match self.docs.get(&name.text.as_str()) {
+            Some(docs) => (*docs).clone(),
+            None => doc(line),
+        }
+    }
+
+    /// The user's documentation of a body, or a line that stands for it.
+    pub(in crate::emit) fn body_docs(&self, name: &Name, line: &str) -> TokenStream {
+        let bodies = self.declaration.bodies.iter();
+        let documented = bodies.filter(|body| !body.docs.is_empty()).find(|body| body.name.text == name.text);
+        documented.map_or_else(|| doc(line), |body| body.docs.clone())
+    }
+
+    /// The struct's name.
+    pub(in crate::emit) fn name(&self) -> Ident {
+        identifier(&self.declaration.name)
+    }
+
+    /// The name of the struct of states.
+    pub(in crate::emit) fn state_name(&self) -> Ident {
+        let name = &self.declaration.name;
+        format_ident!("{}State", name.text, span = name.span)
+    }
+
+    /// The name of the struct of columns.
+    pub(in crate::emit) fn columns_name(&self) -> Ident {
+        let name = &self.declaration.name;
+        format_ident!("{}Columns", name.text, span = name.span)
+    }
+
+    /// The number type where the user's scope decides what a bare name means.
+    pub(in crate::emit) fn scalar_path(&self) -> TokenStream {
+        match &self.declaration.scalar {
+            ScalarType::F64 => quote!(::core::primitive::f64),
+            ScalarType::F32 => quote!(::core::primitive::f32),
+            ScalarType::Generic(name) => {
+                let name = identifier(name);
+                quote!(#name)
+            }
+        }
+    }
+
+    /// The number type inside the block that holds the implementations.
+    pub(in crate::emit) fn scalar(&self) -> TokenStream {
+        match &self.declaration.scalar {
+            ScalarType::F64 => quote!(f64),
+            ScalarType::F32 => quote!(f32),
+            ScalarType::Generic(_) => self.scalar_path(),
+        }
+    }
+
+    /// The number type that bodies of methods compute with.
+    pub(in crate::emit) fn computed_with(&self) -> Scalar {
+        match &self.declaration.scalar {
+            ScalarType::F64 => Scalar::F64,
+            ScalarType::F32 => Scalar::F32,
+            ScalarType::Generic(name) => Scalar::Generic(identifier(name)),
+        }
+    }
+
+    /// `<S>` or nothing.
+    pub(in crate::emit) fn generics(&self) -> TokenStream {
+        match &self.declaration.scalar {
+            ScalarType::Generic(name) => {
+                let name = identifier(name);
+                quote!(<#name>)
+            }
+            _ => TokenStream::new(),
+        }
+    }
+
+    /// `<S: Scalar>` or nothing.
+    pub(in crate::emit) fn bounds(&self) -> TokenStream {
+        match &self.declaration.scalar {
+            ScalarType::Generic(name) => {
+                let (name, krate) = (identifier(name), self.krate);
+                quote!(<#name: #krate::Scalar>)
+            }
+            _ => TokenStream::new(),
+        }
+    }
+
+    /// Whether the struct needs a field only to mention its type parameter.
+    pub(in crate::emit) fn needs_marker(&self) -> bool {
+        self.fields.is_empty() && matches!(self.declaration.scalar, ScalarType::Generic(_))
+    }
+
+    /// Names of the user that stand in the methods' bodies beside the arguments.
+    pub(in crate::emit) fn user_names(&self) -> Vec<String> {
+        let coordinates = self.coordinates.iter();
+        let rates = coordinates.clone().map(|name| format!("{}_dot", name.text));
+        self.fields.iter().chain(coordinates).map(|name| name.text.clone()).chain(rates).collect()
+    }
+
+    /// Fields of the state: coordinates, then velocities.
+    pub(in crate::emit) fn state_fields(&self) -> Vec<Ident> {
+        let positions = self.coordinates.iter().map(|name| identifier(name));
+        let velocities = self.coordinates.iter().map(|name| {
+            let mut velocity = format!("{}_dot", name.text);
+            // Where that is a coordinate, which is a mistake, the skeleton has another field.
+            while self.coordinates.iter().any(|other| other.text == velocity) {
+                velocity.push('_');
+            }
+            Ident::new(&velocity, name.span)
+        });
+        positions.chain(velocities).collect()
+    }
+}
+
+/// How many components expressions have, judged by how they are written; one where that is wrong.
+fn component_counts(declaration: &Declaration) -> HashMap<AstId, usize> {
+    let mut named = HashMap::default();
+    for statement in &declaration.statements {
+        if let StatementKind::Let(name, value) = &statement.kind {
+            named.insert(name.text.clone(), *value);
+        }
+    }
+    let mut counts = HashMap::default();
+    for (id, expression) in declaration.expressions.iter() {
+        let known = |id: &AstId| counts.get(id).copied().unwrap_or(1);
+        let count = match expression {
+            Expression::Name(name) => named.get(name).map_or(1, known),
+            Expression::Tuple(components) => components.len(),
+            Expression::Negate(operand) => known(operand),
+            Expression::Binary(BinaryOperator::Power, ..) => 1,
+            Expression::Binary(_, _, left, right) => known(left).max(known(right)),
+            Expression::If { then, .. } => known(then),
+            Expression::Call(function, arguments) => match (function.text.as_str(), arguments.first()) {
+                ("dot" | "ddot", Some(argument)) => known(argument),
+                ("cross", Some(argument)) if known(argument) == 3 => 3,
+                _ => 1,
+            },
+            Expression::Number(_) | Expression::Component(..) | Expression::Invalid => 1,
+        };
+        counts.insert(id, count);
+    }
+    counts
+}
+
+fn documentation<'a>(declaration: &'a Declaration) -> HashMap<&'a str, &'a TokenStream> {
+    let mut docs = HashMap::default();
+    for Statement { kind, docs: text, .. } in declaration.statements.iter().filter(|s| !s.docs.is_empty()) {
+        let mut insert = |name: &'a Name| {
+            docs.insert(name.text.as_str(), text);
+        };
+        match kind {
+            StatementKind::Parameters(list) | StatementKind::Inputs(list) => {
+                list.iter().for_each(|definition| insert(&definition.name));
+            }
+            StatementKind::Coordinates(names) => names.iter().for_each(insert),
+            StatementKind::Constraint(name, _) | StatementKind::Output(name, _) => insert(name),
+            _ => {}
+        }
+    }
+    docs
+}
+
+/// The user's identifier, at the user's place.
+pub(in crate::emit) fn identifier(name: &Name) -> Ident {
+    Ident::new(&name.text, name.span)
+}
+
+/// An identifier that only generated code sees.
+pub(in crate::emit) fn local(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// A line of documentation, spaced as if it followed three slashes.
+pub(in crate::emit) fn doc(line: &str) -> TokenStream {
+    let line = if line.is_empty() { String::new() } else { format!(" {line}") };
+    quote!(#[doc = #line])
+}
+
+/// The length of an array, as people write it.
+pub(in crate::emit) fn length(length: usize) -> Literal {
+    Literal::usize_unsuffixed(length)
+}
+
+/// The name of the method that says how a body moves.
+pub(in crate::emit) fn motion_name(body: &Name) -> Ident {
+    Ident::new(&format!("{}_motion", body.text), body.span)
+}

@@ -1,0 +1,98 @@
+//! What emitted code costs the compiler, and from where on that is worth a warning or too much.
+//!
+//! Emitted methods are straight-line code, so that the compiler's time and memory are proportional to their size.
+//! The rates were measured with `tools/compile_time.py --large`; `docs/performance.md` shows from what.
+
+use super::messages;
+use crate::calculus::{Degree, Degrees};
+use crate::collections::HashMap;
+use crate::diagnostics::Report;
+use crate::expr::Node;
+use crate::model::{Model, Product};
+use crate::number::Number;
+use crate::program::OperationCounts;
+use crate::syntax::ast::Declaration;
+
+/// Above this size building takes more than about five seconds, which nobody should have to explain to themselves.
+const SIZE_WORTH_A_WORD: usize = 80_000;
+/// Above this size code is not emitted: reading it alone takes minutes and as much memory as many machines have.
+const LARGEST: usize = 2_000_000;
+
+/// Seconds of an unoptimised `cargo check` for a unit of size.
+const SECONDS_TO_CHECK: f64 = 45e-6;
+/// Seconds that an optimised build takes in addition if every method is called.
+const SECONDS_TO_OPTIMISE: f64 = 200e-6;
+/// Bytes that the compiler needs.
+const BYTES: f64 = 3500.0;
+
+/// How large emitted code is: the operations of all methods, and the numbers that they return.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
+pub(in crate::emit) struct Size(usize);
+
+impl Size {
+    pub(in crate::emit) fn add(&mut self, counts: OperationCounts, results: usize) {
+        self.0 += counts.total() + results;
+    }
+
+    /// Whether the compiler could not be expected to finish.
+    pub(in crate::emit) fn is_hopeless(self) -> bool {
+        self.0 > LARGEST
+    }
+}
+
+/// Warns of a system that takes long to compile.
+pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, report: &mut Report) {
+    if size <= SIZE_WORTH_A_WORD {
+        return;
+    }
+    let of_size = |rate: f64| rate * size as f64;
+    let message =
+        messages::expensive(size, of_size(SECONDS_TO_CHECK), of_size(SECONDS_TO_OPTIMISE), of_size(BYTES));
+    report.expensive(declaration.name.span, message).help(messages::expensive_help());
+}
+
+/// Reports a model from which more would follow than can be emitted, before anything is derived from it: methods
+/// hold about as many operations as energies have expressions, Jacobians an entry for each row and column, and mass matrices one for
+/// every two velocities that move the same part. `None` if there is no point in deriving.
+pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
+    let (coordinates, fields) = (model.coordinates.len(), model.parameters.len() + model.inputs.len());
+    let jacobians = [(Product::Jacobian, 4 * coordinates), (Product::ParameterJacobian, 2 * fields)];
+    let wanted = jacobians.into_iter().filter(|(product, _)| model.products.contains(product));
+    let entries =
+        wanted.map(|(_, columns)| coordinates.saturating_mul(columns)).fold(0, usize::saturating_add);
+    let has_matrix = model.products.contains(&Product::MassMatrix);
+    let entries = entries.saturating_add(if has_matrix { coupled_by_one_square(model) } else { 0 });
+    if Size(model.graph.len().max(entries)).is_hopeless() {
+        report_hopeless(declaration, report);
+        return None;
+    }
+    Some(())
+}
+
+/// A lower bound of the entries of the mass matrix: the square of the largest number of velocities that one square of the Lagrangian
+/// is made of, among those that a look of bounded length finds.
+fn coupled_by_one_square(model: &Model) -> usize {
+    let graph = &model.graph;
+    let mut degrees = Degrees::default();
+    degrees.classify(graph, &[model.lagrangian]);
+    let is_velocity = model.velocities().into_iter().map(|v| (v, ())).collect::<HashMap<_, _>>();
+    let (mut most, mut looked_at) = (0, 0);
+    for id in graph.reachable(&[model.lagrangian]).into_iter().rev() {
+        let Node::Product(factors) = graph.node(id) else { continue };
+        let squares = factors.iter().filter(|(_, exponent)| *exponent == Number::TWO).map(|(base, _)| *base);
+        for base in squares.filter(|base| degrees.of(graph, *base) == Degree::Affine) {
+            let parts = graph.reachable_until(&[base], |part| is_velocity.contains(&part));
+            most = most.max(parts.iter().filter(|part| is_velocity.contains(part)).count());
+            looked_at += parts.len();
+        }
+        if looked_at > LARGEST || Size(most * most).is_hopeless() {
+            break;
+        }
+    }
+    most * most
+}
+
+/// Reports a system that is too large to be compiled.
+pub(in crate::emit) fn report_hopeless(declaration: &Declaration, report: &mut Report) {
+    report.error(declaration.name.span, messages::hopeless(LARGEST)).help(messages::smaller());
+}

@@ -1,0 +1,144 @@
+//! The state of an emitted system as a struct with named fields, and tables of states with named columns.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use super::lints::{name_exception, type_name_exception};
+use super::shape::{Shape, doc, length};
+use crate::code::Names;
+
+pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
+    let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());
+    let visibility = &shape.declaration.visibility;
+    let title = doc(&format!("State of [`{}`]: coordinates, then velocities.", shape.declaration.name.text));
+    let docs = shape
+        .coordinates
+        .iter()
+        .map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text)))
+        .chain(shape.coordinates.iter().map(|name| doc(&format!("Velocity of `{}`.", name.text))));
+    let (fields, names) = (shape.state_fields(), name_exception(shape));
+    let type_name = type_name_exception(shape);
+    let allow = (!generics.is_empty()).then(
+        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
+    );
+    quote! {
+        #title
+        #names
+        #type_name
+        #allow
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #visibility struct #name #generics {
+            #(#docs pub #fields: #scalar,)*
+        }
+    }
+}
+
+pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
+    let (state, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar());
+    // Not `Scalar`: a state can be converted whatever its numbers can do.
+    let (fields, n) = (shape.state_fields(), shape.coordinates.len());
+    let (positions, velocities) = fields.split_at(n);
+    let (n, twice) = (length(n), length(2 * n));
+    let variables = state_variables(shape);
+    let entries = fields.iter().zip(&variables).map(|(field, variable)| match field == variable {
+        true => quote!(#variable),
+        false => quote!(#field: #variable),
+    });
+    quote! {
+        impl #generics #state #generics {
+            /// The coordinates in their order.
+            #[must_use]
+            #[inline]
+            pub fn coordinates(self) -> [#scalar; #n] {
+                [#(self.#positions),*]
+            }
+
+            /// The velocities in the order of the coordinates.
+            #[must_use]
+            #[inline]
+            pub fn velocities(self) -> [#scalar; #n] {
+                [#(self.#velocities),*]
+            }
+        }
+        #[automatically_derived]
+        impl #generics ::core::convert::From<[#scalar; #twice]> for #state #generics {
+            #[inline]
+            fn from([#(#variables),*]: [#scalar; #twice]) -> Self {
+                Self { #(#entries),* }
+            }
+        }
+        #[automatically_derived]
+        impl #generics ::core::convert::From<#state #generics> for [#scalar; #twice] {
+            #[inline]
+            fn from(state: #state #generics) -> Self {
+                [#(state.#fields),*]
+            }
+        }
+    }
+}
+
+/// Local variables for the entries of a state.
+pub(in crate::emit) fn state_variables(shape: &Shape<'_>) -> Vec<Ident> {
+    let mut names = Names::default();
+    shape.state_fields().iter().map(|field| names.fresh(&field.to_string())).collect()
+}
+
+/// A struct around a table, so that the columns can be methods of it.
+pub(in crate::emit) fn columns_struct(shape: &Shape<'_>) -> TokenStream {
+    let (name, visibility) = (shape.columns_name(), &shape.declaration.visibility);
+    let title = doc(&format!("Columns of a table of states of [`{}`].", shape.declaration.name.text));
+    let type_name = type_name_exception(shape);
+    quote! {
+        #title
+        #type_name
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+        #visibility struct #name<C>(C);
+    }
+}
+
+pub(in crate::emit) fn columns_impls(shape: &Shape<'_>) -> TokenStream {
+    let (name, krate, columns) = (shape.columns_name(), shape.krate, columns(shape));
+    quote! {
+        impl<C: #krate::system::Columns> #name<C> {
+            #(#columns)*
+        }
+        #[automatically_derived]
+        impl<C> ::core::convert::From<C> for #name<C> {
+            #[inline]
+            fn from(columns: C) -> Self {
+                Self(columns)
+            }
+        }
+        #[automatically_derived]
+        impl<C> ::core::convert::AsRef<C> for #name<C> {
+            #[inline]
+            fn as_ref(&self) -> &C {
+                &self.0
+            }
+        }
+    }
+}
+
+/// A method for each entry of the state.
+fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
+    let n = shape.coordinates.len();
+    let columns = shape.state_fields().into_iter().enumerate().map(|(i, field)| {
+        let coordinate = &shape.coordinates[i % n].text;
+        let docs = match i < n {
+            true => doc(&format!("Coordinate `{coordinate}`.")),
+            false => doc(&format!("Velocity of `{coordinate}`.")),
+        };
+        // At the user's place but the macro's own, so that nobody is told about columns that are never used.
+        let (name, index) =
+            (Ident::new(&field.to_string(), Span::mixed_site().located_at(field.span())), length(i));
+        quote! {
+            #docs
+            #[must_use]
+            #[inline]
+            pub fn #name(&self) -> &[C::Scalar] {
+                self.0.column(#index)
+            }
+        }
+    });
+    columns.collect()
+}

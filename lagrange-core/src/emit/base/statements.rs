@@ -1,0 +1,19 @@
+//! The plain statements of a declaration.
+
+use crate::model::Product;
+use crate::syntax::ast::{Declaration, StatementKind};
+use crate::syntax::print;
+
+/// The statements, one on each line, without demands that only those who declare bodies can make.
+pub fn statements(declaration: &Declaration) -> String {
+    let mut declaration = declaration.clone();
+    let is_of_bodies = |name: &str| Product::ALL.iter().any(|p| p.is_of_bodies() && p.name() == name);
+    for statement in &mut declaration.statements {
+        if let StatementKind::Emit(items) = &mut statement.kind {
+            items.retain(|item| !is_of_bodies(&item.product.text));
+        }
+    }
+    let is_empty = |kind: &StatementKind| matches!(kind, StatementKind::Emit(items) if items.is_empty());
+    declaration.statements.retain(|statement| !is_empty(&statement.kind));
+    print::statements(&declaration)
+}

@@ -1,0 +1,178 @@
+//! Methods of a derived system: expressions lowered to programs, and programs written as bodies.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::bindings::Bindings;
+use super::docs::with_counts;
+use super::members::Members;
+use super::method::{ArgumentNames, Arguments, Method, Returns};
+use super::refusal::Refusal;
+use super::shape::{Shape, doc, length};
+use super::sides::on_sides;
+use super::size::Size;
+use crate::code::{FunctionBody, Names, body};
+use crate::derive::Equations;
+use crate::expr::ExprId;
+use crate::model::Model;
+use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
+
+/// Writes the methods of one system. Features add to its members.
+pub(in crate::emit) struct MethodWriter<'a> {
+    pub(in crate::emit) shape: &'a Shape<'a>,
+    pub(in crate::emit) model: &'a mut Model,
+    pub(in crate::emit) equations: &'a Equations,
+    pub(in crate::emit) members: Members,
+    labels: Labels,
+    /// All methods so far.
+    size: Size,
+    /// Constants that are too large, in words.
+    unrepresentable: BTreeSet<String>,
+}
+
+impl<'a> MethodWriter<'a> {
+    pub(in crate::emit) fn new(
+        shape: &'a Shape<'a>,
+        model: &'a mut Model,
+        equations: &'a Equations,
+    ) -> MethodWriter<'a> {
+        let mut labels = Labels::default();
+        for (expression, name) in &equations.labels {
+            labels.insert(*expression, name.as_str());
+        }
+        let members = Members::new(ArgumentNames::beside(&shape.user_names()));
+        let (size, unrepresentable) = (Size::default(), BTreeSet::new());
+        MethodWriter { shape, model, equations, members, labels, size, unrepresentable }
+    }
+
+    /// The members with their size, if the compiler could get through them and the scalar has all their constants.
+    pub(in crate::emit) fn finish(self) -> Result<(Members, Size), Refusal> {
+        if self.size.is_hopeless() {
+            return Err(Refusal::Size);
+        }
+        if !self.unrepresentable.is_empty() {
+            return Err(Refusal::Constants(self.unrepresentable.into_iter().collect()));
+        }
+        Ok((self.members, self.size))
+    }
+
+    /// Whether no compiler would get through the methods so far.
+    pub(in crate::emit) fn is_hopeless(&self) -> bool {
+        self.size.is_hopeless()
+    }
+
+    /// Keeps a method of the state that returns a vector.
+    pub(in crate::emit) fn push_method(
+        &mut self,
+        name: &str,
+        docs: &[&str],
+        count: usize,
+        body: TokenStream,
+        counts: OperationCounts,
+    ) {
+        let lines = docs.iter().map(|line| doc(line)).collect::<TokenStream>();
+        let (docs, name) = (with_counts(lines, counts), format_ident!("{name}"));
+        let returns = Returns::Vector(count);
+        self.members.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
+    }
+
+    /// Keeps a method of `ConstrainedSystem`.
+    pub(in crate::emit) fn push_constrained(
+        &mut self,
+        name: &str,
+        arguments: Arguments,
+        returns: Returns,
+        body: TokenStream,
+    ) {
+        let name = format_ident!("{name}");
+        self.members.constrained.push(Method { name, docs: TokenStream::new(), arguments, returns, body });
+    }
+
+    /// Keeps a method of the state that only others call.
+    pub(in crate::emit) fn push_hidden(&mut self, name: &str, returns: Returns, body: &TokenStream) {
+        let (name, scalar, n) =
+            (format_ident!("{name}"), self.shape.scalar(), length(self.shape.coordinates.len()));
+        let ArgumentNames { time, positions, velocities, .. } = &self.members.names;
+        let returns = returns.tokens(&scalar);
+        self.members.hidden.extend(quote! {
+            #[inline]
+            fn #name(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #n],
+                #velocities: &[#scalar; #n],
+            ) -> #returns {
+                #body
+            }
+        });
+    }
+
+    /// A body that computes `roots` on the sides of the switches that the system is on, and makes its result of them, unless those
+    /// before it are too large already.
+    pub(in crate::emit) fn lowered(
+        &mut self,
+        roots: &[ExprId],
+        arguments: Arguments,
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> (TokenStream, OperationCounts) {
+        let switches = &self.equations.switches[..self.shape.switches.len()];
+        let roots = on_sides(&mut self.model.graph, &mut self.labels, switches, roots);
+        self.lowered_as_declared(&roots, arguments, collect)
+    }
+
+    /// The same with conditions, kinks and jumps as they are declared.
+    pub(in crate::emit) fn lowered_as_declared(
+        &mut self,
+        roots: &[ExprId],
+        arguments: Arguments,
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> (TokenStream, OperationCounts) {
+        if self.size.is_hopeless() {
+            return (TokenStream::new(), OperationCounts::default());
+        }
+        let program = optimise(&lower(&self.model.graph, roots, &self.labels), self.model.accuracy);
+        let counts = OperationCounts::of(&program);
+        self.size.add(counts, roots.len());
+        (self.body(&program, arguments, collect), counts)
+    }
+
+    fn body(
+        &mut self,
+        program: &Program,
+        arguments: Arguments,
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> TokenStream {
+        let argument_names = &self.members.names;
+        let reserved = arguments.vectors(argument_names).into_iter().chain([&argument_names.visit]);
+        let reserved = reserved.map(ToString::to_string).collect::<Vec<_>>();
+        let mut names = Names::new(reserved.iter().map(String::as_str));
+        let Some(body) = self.written(program, &mut names) else { return TokenStream::new() };
+        let bindings = Bindings { shape: self.shape, model: self.model, arguments: &self.members.names };
+        let bindings = bindings.of(&body.used, &mut names, arguments);
+        let (statements, result) = (&body.statements, collect(&body.outputs));
+        quote!(#bindings #statements #result)
+    }
+
+    /// A program as statements and results; `None` if it holds constants that are too large, which is kept in mind.
+    fn written(&mut self, program: &Program, names: &mut Names) -> Option<FunctionBody> {
+        self.members.has_rounded_constants |= program.values().any(|(_, op)| matches!(op, Op::Float(_)));
+        match body(program, self.model.graph.symbols(), &self.shape.computed_with(), names) {
+            Ok(body) => {
+                self.members.functions.extend(&body.functions);
+                Some(body)
+            }
+            Err(error) => {
+                self.unrepresentable.extend(error.constants);
+                None
+            }
+        }
+    }
+
+    /// Statements and values of constant expressions under names of their own.
+    pub(in crate::emit) fn constants(&mut self, values: &[ExprId]) -> Option<FunctionBody> {
+        let program = optimise(&lower(&self.model.graph, values, &Labels::default()), self.model.accuracy);
+        self.written(&program, &mut Names::default())
+    }
+}

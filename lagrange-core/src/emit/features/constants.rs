@@ -1,0 +1,32 @@
+//! Associated constants: the equations, the order of the fields, the plain statements.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::emit::base::shape::{Shape, length};
+
+/// The constant that holds the equations.
+pub(in crate::emit) fn equations_latex(equations: &str) -> TokenStream {
+    quote! {
+        /// The equations of motion in LaTeX, one line for each coordinate after the definitions of
+        /// abbreviations, if they need any.
+        pub const EQUATIONS_LATEX: &'static ::core::primitive::str = #equations;
+    }
+}
+
+/// The constant that says in which order the fields are differentiated by.
+pub(in crate::emit) fn parameter_names(shape: &Shape<'_>) -> TokenStream {
+    let (names, count) = (shape.fields.iter().map(|name| &name.text), length(shape.fields.len()));
+    quote! {
+        /// Parameters, then inputs: the columns of `parameter_jacobian`.
+        pub const PARAMETERS: [&'static ::core::primitive::str; #count] = [#(#names),*];
+    }
+}
+
+/// The constant that holds the plain statements.
+pub(in crate::emit) fn statements_constant(statements: &str) -> TokenStream {
+    quote! {
+        /// The statements that those about rigid bodies stand for.
+        pub const STATEMENTS: &'static ::core::primitive::str = #statements;
+    }
+}

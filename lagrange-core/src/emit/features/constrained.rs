@@ -1,0 +1,310 @@
+//! What is emitted for systems with constraints.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::redundant::{write_redundant_correction, write_redundant_motion};
+use super::sparse::write_sparse_scales;
+use crate::calculus::gradient;
+use crate::emit::base::members::Members;
+use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
+use crate::emit::base::shape::{Shape, length, local};
+use crate::emit::base::writer::MethodWriter;
+use crate::expr::ExprId;
+use crate::program::OperationCounts;
+
+/// With more coordinates than this a matrix of them is too large for the stack, and dependent constraints are not made good.
+const LARGEST_REDUNDANT: usize = 100;
+
+const MULTIPLIERS: [&str; 2] = [
+    "Multipliers λ of the constraints in the order of their declaration: M q̈ = f + Aᵀλ. That of a",
+    "constraint on a length is the force along it.",
+];
+
+/// `acceleration` and `multipliers`, and the methods of `ConstrainedSystem`; the operations of the first.
+pub(in crate::emit) fn write_constrained(writer: &mut MethodWriter<'_>, docs: &[&str]) -> OperationCounts {
+    write_hooks(writer);
+    if is_guarded(writer) {
+        write_redundant_motion(writer);
+    }
+    let (accelerations, multipliers) =
+        (writer.equations.accelerations.clone(), writer.equations.constraints.multipliers.clone());
+    let counts = write_guarded(writer, "acceleration", docs, &accelerations, "acceleration");
+    write_guarded(writer, "multipliers", &MULTIPLIERS, &multipliers, "multipliers");
+    counts
+}
+
+/// The methods of `ConstrainedSystem` that need bodies of their own.
+pub(in crate::emit) fn write_hooks(writer: &mut MethodWriter<'_>) {
+    write_correction(writer);
+    write_position_residuals(writer);
+    write_sparse_scales(writer);
+    write_mass_times(writer);
+    write_free_momentum_rates(writer);
+    if is_guarded(writer) {
+        write_redundant_correction(writer);
+    }
+}
+
+/// What `CanonicalSystem::free_momentum_rates` does.
+fn write_free_momentum_rates(writer: &mut MethodWriter<'_>) {
+    let Some(roots) = writer.equations.free_momentum_rates.clone() else { return };
+    let returns = Returns::Vector(roots.len());
+    let (body, _) = writer.lowered(&roots, Arguments::State, |results| returns.collect(results));
+    let (name, docs) = (format_ident!("free_momentum_rates"), TokenStream::new());
+    writer.members.canonical.push(Method { name, docs, arguments: Arguments::State, returns, body });
+}
+
+/// A method that returns `roots`, or where constraints depend on each other this field of what `redundant_motion` returns.
+fn write_guarded(
+    writer: &mut MethodWriter<'_>,
+    name: &str,
+    docs: &[&str],
+    roots: &[ExprId],
+    field: &str,
+) -> OperationCounts {
+    let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
+    let field = local(field);
+    let otherwise = quote!(self.redundant_motion(#time, #positions, #velocities).#field);
+    let (body, counts) = guarded(writer, roots, Arguments::State, &otherwise);
+    writer.push_method(name, docs, roots.len(), body, counts);
+    counts
+}
+
+/// A body that computes `roots`, but does something else where constraints depend on each other.
+fn guarded(
+    writer: &mut MethodWriter<'_>,
+    roots: &[ExprId],
+    arguments: Arguments,
+    otherwise: &TokenStream,
+) -> (TokenStream, OperationCounts) {
+    let constraints = &writer.equations.constraints;
+    let returns = Returns::Vector(roots.len());
+    if !is_guarded(writer) {
+        return writer.lowered(roots, arguments, |results| returns.collect(results));
+    }
+    if constraints.is_redundant {
+        return (otherwise.clone(), OperationCounts::default());
+    }
+    let (krate, values) = (writer.shape.krate, local("values"));
+    let all = roots.iter().copied().chain(constraints.condition).collect::<Vec<_>>();
+    writer.lowered(&all, arguments, |results| {
+        let (results, condition) = results.split_at(roots.len());
+        let list = returns.collect(results);
+        let test = match condition {
+            [] => quote!(are_finite(&#values)),
+            condition => quote!(are_regular(&#values, #(#condition)*)),
+        };
+        quote! {
+            let #values = #list;
+            if #krate::constraint::#test { #values } else { #otherwise }
+        }
+    })
+}
+
+fn is_guarded(writer: &MethodWriter<'_>) -> bool {
+    writer.model.coordinates.len() <= LARGEST_REDUNDANT
+}
+
+/// What `ConstrainedSystem::correction` does.
+fn write_correction(writer: &mut MethodWriter<'_>) {
+    let roots = writer.equations.constraints.correction.clone();
+    let ArgumentNames { time, positions, velocities, residuals, .. } = &writer.members.names;
+    let otherwise = quote!(self.redundant_correction(#time, #positions, #velocities, #residuals));
+    let (body, _) = guarded(writer, &roots, Arguments::Residuals, &otherwise);
+    writer.push_constrained("correction", Arguments::Residuals, Returns::Vector(roots.len()), body);
+}
+
+/// What `ConstrainedSystem::mass_times` does: M a is the gradient of a · ∂L/∂v by the velocities, which takes as long as the momenta.
+fn write_mass_times(writer: &mut MethodWriter<'_>) {
+    let (lagrangian, velocities) = (writer.model.lagrangian, writer.model.velocities());
+    let changes = writer.model.coordinates.iter().map(|c| c.acceleration).collect::<Vec<_>>();
+    let graph = &mut writer.model.graph;
+    let momenta = gradient(graph, lagrangian, &velocities);
+    let products = momenta.iter().zip(&changes).map(|(&p, &change)| graph.multiply(p, change));
+    let products = products.collect::<Vec<_>>();
+    let product = graph.total(products);
+    let roots = gradient(graph, product, &velocities);
+    let returns = Returns::Vector(roots.len());
+    let (body, _) = writer.lowered(&roots, Arguments::Motion, |results| returns.collect(results));
+    writer.push_constrained("mass_times", Arguments::Motion, returns, body);
+}
+
+fn write_position_residuals(writer: &mut MethodWriter<'_>) {
+    let zero = writer.model.graph.number(0);
+    let residual = |constraint: &crate::model::Constraint| {
+        if constraint.is_holonomic { constraint.value } else { zero }
+    };
+    let roots = writer.model.constraints.iter().map(residual).collect::<Vec<_>>();
+    let returns = Returns::Vector(roots.len());
+    let (body, _) = writer.lowered(&roots, Arguments::Positions, |results| returns.collect(results));
+    writer.push_constrained("position_residuals", Arguments::Positions, returns, body);
+}
+
+/// The methods by which users get back onto the constraints.
+pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    if members.constrained.is_empty() {
+        return TokenStream::new();
+    }
+    let (krate, scalar, n) = (shape.krate, shape.scalar(), length(shape.coordinates.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let violation = quote!(#krate::constraint::Violation<#scalar>);
+    quote! {
+        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix where they
+        /// are found measures distances: first positions, then velocities.
+        ///
+        /// # Errors
+        /// If that does not succeed; both are then what they were.
+        #[inline]
+        pub fn project(
+            &self,
+            #time: #scalar,
+            #positions: &mut [#scalar; #n],
+            #velocities: &mut [#scalar; #n],
+        ) -> ::core::result::Result<(), #violation> {
+            #krate::constraint::project(self, #time, #positions, #velocities)
+        }
+
+        /// The nearest velocities that satisfy the constraints at these positions.
+        ///
+        /// # Errors
+        /// If there are none.
+        #[inline]
+        pub fn consistent_velocity(
+            &self,
+            #time: #scalar,
+            #positions: &[#scalar; #n],
+            #velocities: &[#scalar; #n],
+        ) -> ::core::result::Result<[#scalar; #n], #violation> {
+            #krate::constraint::consistent_velocity(self, #time, #positions, #velocities)
+        }
+    }
+}
+
+/// The implementation of `ConstrainedSystem`.
+pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    if members.constrained.is_empty() {
+        return TokenStream::new();
+    }
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, n, m) = (shape.krate, length(shape.coordinates.len()), length(shape.constraints.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
+    let methods = members.constrained.iter().map(|method| method.of_trait(shape, &members.names));
+    let names = shape.constraints.iter().map(|name| &name.text);
+    let has_scales = members.constrained.iter().any(|method| method.name == "residual_scales");
+    let scales = (!has_scales).then(|| dense_scales(shape, members));
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::constraint::ConstrainedSystem for #name #generics {
+            type Multipliers = [#scalar; #m];
+            const CONSTRAINTS: &'static [&'static ::core::primitive::str] = &[#(#names),*];
+            #[inline]
+            fn multipliers(#parameters) -> [#scalar; #m] {
+                self.multipliers(#time, #positions, #velocities)
+            }
+            #[inline]
+            fn velocity_residuals(#parameters) -> [#scalar; #m] {
+                self.constraint_velocity(#time, #positions, #velocities)
+            }
+            #scales
+            #(#methods)*
+        }
+    }
+}
+
+/// `residual_scales` by way of the Jacobian of the constraints.
+fn dense_scales(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let (krate, scalar, shares) = (shape.krate, shape.scalar(), local("shares"));
+    let (n, m) = (length(shape.coordinates.len()), length(shape.constraints.len()));
+    let ArgumentNames { time, positions, .. } = &members.names;
+    quote! {
+        #[inline]
+        fn residual_scales(
+            &self,
+            #time: #scalar,
+            #positions: &[#scalar; #n],
+            #shares: &[#scalar; #n],
+        ) -> [#scalar; #m] {
+            #krate::constraint::weighed(&self.constraint_jacobian(#time, #positions), #shares)
+        }
+    }
+}
+
+/// What methods that are symplectic for any mass matrix must know of the constraints.
+pub(in crate::emit) fn canonical_constraints(
+    shape: &Shape<'_>,
+    members: &Members,
+    parameters: &TokenStream,
+) -> TokenStream {
+    if members.constrained.is_empty() {
+        return TokenStream::new();
+    }
+    let (krate, scalar, n) = (shape.krate, shape.scalar(), length(shape.coordinates.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let methods = members.canonical.iter().map(|method| method.of_trait(shape, &members.names));
+    let [residuals, rates, rows, values] = ["residuals", "rates", "rows", "values"].map(local);
+    let pushes = members.are_holonomic.iter().enumerate().map(|(i, is_holonomic)| {
+        let i = length(i);
+        match is_holonomic {
+            true => quote!(#values.push_holonomic(#residuals[#i], #rates[#i], &#rows[#i]);),
+            false => quote!(#values.push_nonholonomic(#rates[#i], &#rows[#i]);),
+        }
+    });
+    let position_residuals = members.are_holonomic.contains(&true).then(|| {
+        let system = quote!(#krate::constraint::ConstrainedSystem);
+        quote!(let #residuals = #system::position_residuals(self, #time, #positions);)
+    });
+    // Contacts and friction hold states, too.
+    let is_all = shape.touching.is_empty();
+    quote! {
+        const SAYS_CONSTRAINTS: ::core::primitive::bool = #is_all;
+        #(#methods)*
+        #[inline]
+        fn constraint_values(#parameters) -> #krate::constraint::ConstraintValues<#scalar, [#scalar; #n]> {
+            #position_residuals
+            let #rates = self.constraint_velocity(#time, #positions, #velocities);
+            let #rows = self.constraint_jacobian(#time, #positions);
+            let mut #values = #krate::constraint::ConstraintValues::NONE;
+            #(#pushes)*
+            #values
+        }
+    }
+}
+
+/// What leapfrog methods need to stay on the constraints.
+pub(in crate::emit) fn leapfrog_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let [later, to] = ["later", "to"].map(local);
+    let system = quote!(#krate::constraint::ConstrainedSystem);
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::LeapfrogSystem for #name #generics {
+            const IS_HELD: ::core::primitive::bool = true;
+            #[inline]
+            fn position_correction(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #n],
+                #later: #scalar,
+                #to: &[#scalar; #n],
+            ) -> [#scalar; #n] {
+                let residuals = #system::position_residuals(self, #later, #to);
+                // The mass matrix does not depend on velocities, which anything may stand for.
+                #system::correction(self, #time, #positions, #positions, &residuals)
+            }
+            #[inline]
+            fn velocity_correction(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #n],
+                #velocities: &[#scalar; #n],
+            ) -> [#scalar; #n] {
+                let residuals = self.constraint_velocity(#time, #positions, #velocities);
+                #system::correction(self, #time, #positions, #velocities, &residuals)
+            }
+        }
+    }
+}

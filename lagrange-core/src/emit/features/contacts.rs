@@ -1,0 +1,254 @@
+//! What is emitted for contacts and friction: fields for their modes, and what run-time code must know of their forces.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::constrained::write_hooks;
+use super::switches::kept_switches;
+use crate::derive::Affine;
+use crate::emit::base::members::Members;
+use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
+use crate::emit::base::shape::{Shape, Touch, identifier, length, local};
+use crate::emit::base::writer::MethodWriter;
+use crate::expr::ExprId;
+use crate::model::ReactionKind;
+use crate::program::OperationCounts;
+
+const REACTIONS: [&str; 2] = [
+    "Forces of contacts and friction in the order of their declaration: normal forces along the gradients of the gaps,",
+    "friction forces along those of the slip velocities.",
+];
+const MULTIPLIERS: [&str; 2] = [
+    "Multipliers λ of the constraints in the order of their declaration, with the forces of contacts and friction that",
+    "act in the present modes: M q̈ = f + Aᵀλ + Dᵀr.",
+];
+
+/// `acceleration`, `multipliers` and `reactions`; the operations of the first without reactions.
+pub(in crate::emit) fn write_touching(writer: &mut MethodWriter<'_>, docs: &[&str]) -> OperationCounts {
+    if !writer.model.constraints.is_empty() {
+        write_hooks(writer);
+    }
+    writer.members.terms = touching_terms(writer);
+    writer.members.restitutions_vary = varying_restitutions(writer);
+    let krate = writer.shape.krate;
+    let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
+    let system = quote!(#krate::contact::ContactSystem);
+    let (terms, modes) = (local("terms"), quote!(&#system::modes(self)));
+    let evaluated = quote!(let #terms = #system::terms(self, #time, #positions, #velocities););
+    let forces = quote!(#krate::contact::reactions(&#terms, #modes));
+    let otherwise = quote!(#evaluated #krate::contact::Terms::acceleration(&#terms, &#forces));
+    let counts = write_acceleration(writer, docs, &otherwise);
+    let body = quote!(#evaluated #forces);
+    writer.push_method(
+        "reactions",
+        &REACTIONS,
+        writer.model.reactions.len(),
+        body,
+        OperationCounts::default(),
+    );
+    let multipliers = writer.equations.reactions.multipliers.clone();
+    if !multipliers.is_empty() {
+        let returns = Returns::Vector(multipliers.len());
+        let (body, counts) =
+            writer.lowered(&multipliers, Arguments::State, |results| returns.collect(results));
+        writer.push_method("multipliers", &MULTIPLIERS, multipliers.len(), body, counts);
+    }
+    counts
+}
+
+/// The accelerations as they are without reactions where none acts, and otherwise what `otherwise` computes.
+fn write_acceleration(
+    writer: &mut MethodWriter<'_>,
+    docs: &[&str],
+    otherwise: &TokenStream,
+) -> OperationCounts {
+    let accelerations = writer.equations.accelerations.clone();
+    let returns = Returns::Vector(accelerations.len());
+    let (free, counts) = writer.lowered(&accelerations, Arguments::State, |results| returns.collect(results));
+    let open = writer.shape.touching.iter().map(|(name, touch)| {
+        let field = identifier(name);
+        let krate = writer.shape.krate;
+        (*touch == Touch::Contact).then(|| quote!(self.#field == #krate::contact::Contact::Open))
+    });
+    let body = match open.collect::<Option<Vec<_>>>() {
+        Some(open) => quote!(if #(#open)&&* { #free } else { #otherwise }),
+        None => otherwise.clone(),
+    };
+    writer.push_method("acceleration", docs, accelerations.len(), body, counts);
+    counts
+}
+
+/// Of each reaction, whether it has a coefficient of restitution that depends on time or the state.
+fn varying_restitutions(writer: &MethodWriter<'_>) -> Vec<bool> {
+    let graph = &writer.model.graph;
+    let varies = |kind: &ReactionKind| match kind {
+        ReactionKind::Contact { restitution, .. } => graph.dependencies(*restitution).may_change(),
+        _ => false,
+    };
+    writer.model.reactions.iter().map(|reaction| varies(&reaction.kind)).collect()
+}
+
+/// The body of `ContactSystem::terms`.
+fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
+    let (n, k) = (writer.model.coordinates.len(), writer.model.reactions.len());
+    let zero = writer.model.graph.number(0);
+    let parts = |pick: fn(&ReactionKind) -> Option<ExprId>| {
+        writer.model.reactions.iter().map(|reaction| pick(&reaction.kind).unwrap_or(zero)).collect::<Vec<_>>()
+    };
+    let gaps = parts(|kind| match kind {
+        ReactionKind::Contact { gap, .. } => Some(*gap),
+        _ => None,
+    });
+    let restitutions = parts(|kind| match kind {
+        ReactionKind::Contact { restitution, .. } => Some(*restitution),
+        _ => None,
+    });
+    let rates = writer.model.reactions.iter().map(|reaction| reaction.velocity).collect::<Vec<_>>();
+    let reactions = &writer.equations.reactions;
+    let free = |list: &[Affine]| list.iter().map(|affine| affine.free).collect::<Vec<_>>();
+    let slopes = |list: &[Affine]| list.iter().flat_map(|affine| affine.slopes.clone()).collect::<Vec<_>>();
+    let (vector, matrix, square) = (Returns::Vector(k), Returns::Matrix(k, n), Returns::Matrix(k, k));
+    let fields = [
+        ("free", Returns::Vector(n), writer.equations.accelerations.clone()),
+        ("responses", matrix, reactions.responses.concat()),
+        ("rows", matrix, reactions.rows.concat()),
+        ("gaps", vector, gaps),
+        ("rates", vector, rates),
+        ("drifts", vector, reactions.drifts.clone()),
+        ("restitutions", vector, restitutions),
+        ("kinetic", vector, free(&reactions.kinetic)),
+        ("kinetic_slopes", square, slopes(&reactions.kinetic)),
+        ("fixed", vector, free(&reactions.fixed)),
+        ("static_slopes", square, slopes(&reactions.fixed)),
+    ];
+    let roots = fields.iter().flat_map(|(_, _, roots)| roots.iter().copied()).collect::<Vec<_>>();
+    let krate = writer.shape.krate;
+    let (body, _) = writer.lowered(&roots, Arguments::State, |mut results| {
+        let fields = fields.iter().map(|(name, returns, roots)| {
+            let (own, others) = results.split_at(roots.len());
+            results = others;
+            let (name, value) = (format_ident!("{name}"), returns.collect(own));
+            quote!(#name: #value)
+        });
+        let fields = fields.collect::<Vec<_>>();
+        quote!(#krate::contact::Terms { #(#fields),* })
+    });
+    body
+}
+
+/// The fields that keep modes, as they are declared.
+pub(in crate::emit) fn mode_fields(shape: &Shape<'_>) -> TokenStream {
+    let krate = shape.krate;
+    let fields = shape.touching.iter().filter_map(|(name, touch)| {
+        let (field, of_type) = (identifier(name), mode_type(*touch)?);
+        let docs = shape.docs(name, &format!("What `{}` does; events change it.", name.text));
+        Some(quote!(#docs pub #field: #krate::contact::#of_type,))
+    });
+    fields.collect()
+}
+
+/// The fields that keep modes, with their defaults.
+pub(in crate::emit) fn default_modes(shape: &Shape<'_>) -> TokenStream {
+    shape
+        .fields_of_modes()
+        .map(|name| {
+            let field = identifier(name);
+            quote!(#field: ::core::default::Default::default(),)
+        })
+        .collect()
+}
+
+/// The implementation of `ContactSystem`.
+pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    if shape.touching.is_empty() {
+        return TokenStream::new();
+    }
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, n, k) = (shape.krate, length(shape.coordinates.len()), length(shape.touching.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (terms, modes, event_of) = (&members.terms, mode_members(shape), event_of(shape));
+    let names = shape.touching.iter().map(|(name, _)| &name.text);
+    let vary = &members.restitutions_vary;
+    let vary = vary
+        .contains(&true)
+        .then(|| quote!(const RESTITUTIONS_VARY: [::core::primitive::bool; #k] = [#(#vary),*];));
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::contact::ContactSystem<#n, #k> for #name #generics {
+            const REACTIONS: [&'static ::core::primitive::str; #k] = [#(#names),*];
+            #vary
+            #modes
+            #[inline]
+            fn terms(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #n],
+                #velocities: &[#scalar; #n],
+            ) -> #krate::contact::Terms<#scalar, #n, #k> {
+                #terms
+            }
+            #event_of
+        }
+    }
+}
+
+/// How modes are read from the fields, and a copy with others.
+fn mode_members(shape: &Shape<'_>) -> TokenStream {
+    let (krate, other, k) = (shape.krate, local("modes"), length(shape.touching.len()));
+    let modes = shape.touching.iter().map(|(name, touch)| {
+        let field = identifier(name);
+        match mode_type(*touch) {
+            Some(of_type) => quote!(#krate::contact::Mode::#of_type(self.#field)),
+            None => quote!(#krate::contact::Mode::Smooth),
+        }
+    });
+    let fields = shape.fields.iter().map(|name| identifier(name));
+    let switched = shape.touching.iter().enumerate().filter_map(|(k, (name, touch))| {
+        let (field, of_type, k) = (identifier(name), mode_type(*touch)?, length(k));
+        Some(quote! {
+            #field: match #other[#k] {
+                #krate::contact::Mode::#of_type(mode) => mode,
+                _ => self.#field,
+            },
+        })
+    });
+    let marker = shape.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData,));
+    let switches = kept_switches(shape);
+    quote! {
+        #[inline]
+        fn modes(&self) -> [#krate::contact::Mode; #k] {
+            [#(#modes),*]
+        }
+        #[inline]
+        fn in_modes(&self, #other: [#krate::contact::Mode; #k]) -> Self {
+            Self { #(#fields: self.#fields,)* #(#switched)* #switches #marker }
+        }
+    }
+}
+
+/// Which event switches the mode of a reaction.
+fn event_of(shape: &Shape<'_>) -> TokenStream {
+    let events = shape.events_of_reactions();
+    let events = events.iter().enumerate().filter_map(|(k, event)| {
+        let (k, event) = (length(k), length((*event)?));
+        Some(quote!(#k => #event,))
+    });
+    quote! {
+        #[inline]
+        fn event_of(&self, k: ::core::primitive::usize) -> ::core::primitive::usize {
+            match k {
+                #(#events)*
+                _ => ::core::primitive::usize::MAX,
+            }
+        }
+    }
+}
+
+/// The name of the type that keeps a mode.
+fn mode_type(touch: Touch) -> Option<Ident> {
+    match touch {
+        Touch::Contact => Some(local("Contact")),
+        Touch::Friction => Some(local("Friction")),
+        Touch::Smooth => None,
+    }
+}

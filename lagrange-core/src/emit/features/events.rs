@@ -1,0 +1,188 @@
+//! What is emitted for declared events.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::switches::{switch_events, timed_members};
+use crate::emit::base::members::Members;
+use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
+use crate::emit::base::shape::{Shape, length, local};
+use crate::emit::base::state::state_variables;
+use crate::emit::base::writer::MethodWriter;
+use crate::model::{Action, Assignment};
+use crate::syntax::ast::{self, Direction};
+
+/// The functions of the events, and the states that assignments lead to.
+pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
+    if writer.model.events.is_empty() {
+        return;
+    }
+    // Of contacts the function depends on the mode; its place is filled by run-time code.
+    let one = writer.model.graph.number(1);
+    let value = |event: &crate::model::Event| match event.action {
+        Action::Impact(_) => one,
+        _ => event.value,
+    };
+    let values = writer.model.events.iter().map(value).collect::<Vec<_>>();
+    let returns = Returns::Vector(values.len());
+    let (body, _) = writer.lowered(&values, Arguments::State, |results| returns.collect(results));
+    writer.push_hidden("event_functions", returns, &body);
+    for (i, event) in writer.model.events.clone().iter().enumerate() {
+        if let Action::Assign(assignments) = &event.action {
+            write_assignments(writer, i, assignments);
+        }
+    }
+}
+
+fn write_assignments(writer: &mut MethodWriter<'_>, event: usize, assignments: &[Assignment]) {
+    let mut state = [writer.model.positions(), writer.model.velocities()].concat();
+    for assignment in assignments {
+        state[assignment.index] = assignment.value;
+    }
+    let returns = Returns::Vector(state.len());
+    let (body, _) = writer.lowered(&state, Arguments::State, |results| returns.collect(results));
+    writer.push_hidden(&format!("after_event_{event}"), returns, &body);
+}
+
+/// The members of `OdeSystem` that belong to events.
+pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let names = shape.event_names();
+    if names.is_empty() && shape.switches.is_empty() {
+        return TokenStream::new();
+    }
+    let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
+    let ArgumentNames { time, state, .. } = &members.names;
+    let events = names.iter().map(|(name, direction)| {
+        let name = &name.text;
+        match direction.map(|direction| direction_tokens(shape, direction)) {
+            Some(direction) => quote!(#krate::event::DeclaredEvent::new(#name, #direction)),
+            None => quote!(#krate::event::DeclaredEvent::switch(#name)),
+        }
+    });
+    let events = events.chain(switch_events(shape));
+    let (values, event) = (local("values"), local("event"));
+    let functions = (!shape.events.is_empty()).then(|| {
+        let call = call(shape, members, "event_functions");
+        quote! {
+            for (value, found) in ::core::iter::Iterator::zip(#values.iter_mut(), #call) {
+                *value = found;
+            }
+        }
+    });
+    let touching = (!shape.touching.is_empty())
+        .then(|| quote!(#krate::contact::event_values(self, #time, #state, #values);));
+    let switches = (!shape.switches.is_empty())
+        .then(|| quote!(#krate::event::side_values(self, #time, #state, #values);));
+    let (reactions, begin) = (reactions(shape, members, &event), begin(shape, members));
+    let timed = timed_members(shape, members);
+    quote! {
+        const EVENTS: &'static [#krate::event::DeclaredEvent] = &[#(#events),*];
+        #[inline]
+        fn event_values(&self, #time: #scalar, #state: &[#scalar; #twice], #values: &mut [#scalar]) {
+            #functions
+            #touching
+            #switches
+        }
+        fn react(
+            &self,
+            #event: ::core::primitive::usize,
+            #time: #scalar,
+            #state: &[#scalar; #twice],
+        ) -> #krate::system::Reacted<Self> {
+            match #event {
+                #reactions
+            }
+        }
+        #begin
+        #timed
+    }
+}
+
+/// An arm for each event that does more than go on, and one for all others.
+fn reactions(shape: &Shape<'_>, members: &Members, event: &Ident) -> TokenStream {
+    let (krate, state) = (shape.krate, &members.names.state);
+    let time = &members.names.time;
+    let answer = |reaction: TokenStream| quote!(::core::result::Result::Ok(#krate::event::Response::new(#krate::event::Action::#reaction)));
+    let declared = shape.events.iter().enumerate().filter_map(|(i, event)| {
+        let index = length(i);
+        let answer = match &event.action {
+            ast::Action::Stop => answer(quote!(Stop)),
+            ast::Action::Assign(_) => {
+                let call = call(shape, members, &format!("after_event_{i}"));
+                answer(quote!(Replace(#call)))
+            }
+            ast::Action::Record | ast::Action::Impact(_) => return None,
+        };
+        Some(quote!(#index => #answer,))
+    });
+    let events = shape.events_of_reactions();
+    let touching = events.iter().flatten().map(|index| {
+        let index = length(*index);
+        quote!(#index => #krate::contact::react(self, #index, #time, #state),)
+    });
+    let others = match shape.switches.is_empty() {
+        true => answer(quote!(Continue)),
+        false => quote!(#krate::event::change_side(self, #event, #time, #state)),
+    };
+    declared.chain(touching).chain([quote!(_ => #others,)]).collect()
+}
+
+fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
+    let ArgumentNames { time, state, .. } = &members.names;
+    let contacts = quote!(#krate::contact::begin);
+    let sides = quote!(#krate::event::choose_sides(self, #time, #state));
+    let begun = match (shape.touching.is_empty(), shape.switches.is_empty()) {
+        (true, true) => return None,
+        (false, true) => quote!(#contacts(self, #time, #state)),
+        (true, false) => quote!(::core::result::Result::Ok(#sides)),
+        (false, false) => quote! {
+            let on_sides = #sides;
+            let system = ::core::option::Option::as_ref(&on_sides).unwrap_or(self);
+            ::core::result::Result::Ok(#contacts(system, #time, #state)?.or(on_sides))
+        },
+    };
+    let freed = (!shape.switches.is_empty()).then(|| {
+        quote! {
+            fn on_sides(&self, #time: #scalar, #state: &[#scalar; #twice]) -> ::core::option::Option<Self> {
+                #sides
+            }
+            fn freed(&self) -> ::core::option::Option<Self> {
+                ::core::option::Option::Some(#krate::event::free_sides(self))
+            }
+        }
+    });
+    Some({
+        quote! {
+            fn begin(
+                &self,
+                #time: #scalar,
+                #state: &[#scalar; #twice],
+            ) -> ::core::result::Result<::core::option::Option<Self>, #krate::system::StepFailure<#scalar>> {
+                #begun
+            }
+            #freed
+        }
+    })
+}
+
+/// A call of a hidden method with the halves of the state.
+fn call(shape: &Shape<'_>, members: &Members, method: &str) -> TokenStream {
+    let ArgumentNames { time, state, .. } = &members.names;
+    let variables = state_variables(shape);
+    let (positions, velocities) = variables.split_at(shape.coordinates.len());
+    let method = format_ident!("{method}");
+    quote!({
+        let [#(#variables),*] = *#state;
+        self.#method(#time, &[#(#positions),*], &[#(#velocities),*])
+    })
+}
+
+fn direction_tokens(shape: &Shape<'_>, direction: Direction) -> TokenStream {
+    let krate = shape.krate;
+    match direction {
+        Direction::Rising => quote!(#krate::event::Direction::Rising),
+        Direction::Falling => quote!(#krate::event::Direction::Falling),
+        Direction::Crossing => quote!(#krate::event::Direction::Crossing),
+    }
+}

@@ -1,0 +1,15 @@
+//! What is emitted, one feature a file.
+
+pub(super) mod constants;
+pub(super) mod constrained;
+pub(super) mod contacts;
+pub(super) mod events;
+pub(super) mod indefinite;
+pub(super) mod jacobian;
+pub(super) mod ports;
+pub(super) mod product;
+pub(super) mod reduced;
+pub(super) mod redundant;
+pub(super) mod scene;
+pub(super) mod sparse;
+pub(super) mod switches;

@@ -1,0 +1,157 @@
+//! What is emitted for inputs and outputs: a struct of the inputs, and the traits by which runs set and record them.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::switches::kept_switches;
+use crate::code::Names;
+use crate::emit::base::lints::{name_exception, type_name_exception};
+use crate::emit::base::members::Members;
+use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
+use crate::emit::base::shape::{Shape, doc, identifier, length, local};
+use crate::syntax::ast::Name;
+
+/// What the first components of a vector are called; further ones have their index.
+const COMPONENTS: [&str; 3] = ["x", "y", "z"];
+
+/// The struct of the inputs, if there are any.
+pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
+    let inputs = inputs(shape);
+    let (name, generics, scalar) = (inputs_name(shape), shape.generics(), shape.scalar_path());
+    let visibility = &shape.declaration.visibility;
+    let title = doc(&format!("Inputs of [`{}`].", shape.declaration.name.text));
+    let docs = inputs.iter().map(|input| shape.docs(input, &format!("Input `{}`.", input.text)));
+    let fields = inputs.iter().map(|input| identifier(input));
+    let (names, type_name) = (name_exception(shape), type_name_exception(shape));
+    let allow = (!generics.is_empty()).then(
+        || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
+    );
+    let item = quote! {
+        #title
+        #names
+        #type_name
+        #allow
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #visibility struct #name #generics {
+            #(#docs pub #fields: #scalar,)*
+        }
+    };
+    (!inputs.is_empty()).then_some(item)
+}
+
+/// Conversions of the inputs from and into arrays, and `ControlledSystem`.
+pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
+    let inputs = inputs(shape);
+    let (system, name, krate) = (shape.name(), inputs_name(shape), shape.krate);
+    let (generics, bounds, scalar) = (shape.generics(), shape.bounds(), shape.scalar());
+    let (state, k) = (shape.state_name(), length(inputs.len()));
+    let texts = inputs.iter().map(|input| input.text.as_str());
+    let fields = inputs.iter().map(|input| identifier(input)).collect::<Vec<_>>();
+    let mut names = Names::default();
+    let variables = inputs.iter().map(|input| names.fresh(&input.text)).collect::<Vec<_>>();
+    let entries = fields.iter().zip(&variables).map(|(field, variable)| match field == variable {
+        true => quote!(#variable),
+        false => quote!(#field: #variable),
+    });
+    let values = local("inputs");
+    let (others, switches) = (shape.kept_fields(|field| !shape.is_input(field)), kept_switches(shape));
+    let impls = quote! {
+        #[automatically_derived]
+        impl #generics ::core::convert::From<[#scalar; #k]> for #name #generics {
+            #[inline]
+            fn from([#(#variables),*]: [#scalar; #k]) -> Self {
+                Self { #(#entries),* }
+            }
+        }
+        #[automatically_derived]
+        impl #generics ::core::convert::From<#name #generics> for [#scalar; #k] {
+            #[inline]
+            fn from(#values: #name #generics) -> Self {
+                [#(#values.#fields),*]
+            }
+        }
+        #[automatically_derived]
+        impl #bounds #krate::system::ControlledSystem for #system #generics {
+            type Inputs = #name #generics;
+            type InputVector = [#scalar; #k];
+            type NamedState = #state #generics;
+            const INPUTS: &'static [&'static ::core::primitive::str] = &[#(#texts),*];
+            #[inline]
+            fn inputs(&self) -> #name #generics {
+                #name { #(#fields: self.#fields),* }
+            }
+            #[inline]
+            fn with_inputs(&self, #values: #name #generics) -> Self {
+                Self { #(#fields: #values.#fields,)* #others #switches }
+            }
+        }
+    };
+    (!inputs.is_empty()).then_some(impls)
+}
+
+/// The inputs in declaration order.
+fn inputs<'a>(shape: &Shape<'a>) -> Vec<&'a Name> {
+    shape.fields.iter().copied().filter(|name| shape.is_input(name)).collect()
+}
+
+/// The name of the struct of inputs.
+fn inputs_name(shape: &Shape<'_>) -> Ident {
+    let name = &shape.declaration.name;
+    format_ident!("{}Inputs", name.text, span = name.span)
+}
+
+/// `OutputSystem`, if there are outputs.
+pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    // In a declaration with errors something else may have the name of an output.
+    let is_output = |method: &Method| {
+        method.arguments == Arguments::State && !matches!(method.returns, Returns::Matrix(..))
+    };
+    let written = |name: &Name| {
+        members.methods.iter().filter(|method| is_output(method)).find(|method| method.name == name.text)
+    };
+    let outputs = shape.outputs.iter().filter_map(|(name, _)| Some((*name, written(name)?.returns)));
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (mut texts, mut statements, mut all) = (Vec::new(), TokenStream::new(), Vec::new());
+    for (output, returns) in outputs {
+        let (first, count) = (all.len(), returns.count());
+        let values = (first..first + count).map(|index| format_ident!("output_{index}")).collect::<Vec<_>>();
+        let pattern = match returns {
+            Returns::Scalar => quote!(#(#values)*),
+            _ => quote!([#(#values),*]),
+        };
+        let method = identifier(output);
+        statements.extend(quote!(let #pattern = self.#method(#time, #positions, #velocities);));
+        texts.extend((0..count).map(|index| column_name(&output.text, index, count)));
+        all.extend(values);
+    }
+    let k = length(all.len());
+    let item = quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::OutputSystem for #name #generics {
+            type Outputs = [#scalar; #k];
+            const OUTPUTS: &'static [&'static ::core::primitive::str] = &[#(#texts),*];
+            #[inline]
+            fn outputs(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #n],
+                #velocities: &[#scalar; #n],
+            ) -> [#scalar; #k] {
+                #statements
+                [#(#all),*]
+            }
+        }
+    };
+    (!all.is_empty()).then_some(item)
+}
+
+/// What the column of a component of an output is called, such as `tip.x`.
+fn column_name(output: &str, index: usize, count: usize) -> String {
+    match (count, COMPONENTS.get(index)) {
+        (1, _) => output.to_owned(),
+        (2..=3, Some(component)) => format!("{output}.{component}"),
+        _ => format!("{output}.{index}"),
+    }
+}

@@ -1,0 +1,264 @@
+//! Reduced types: what is said of them, and how they and their states convert to the whole system and back.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::switches::{derived_shape, free_switches};
+use crate::code::{Names, body};
+use crate::derive::Equations;
+use crate::diagnostics::Report;
+use crate::emit::base::attributes::{conditions, deprecated_exception, split_attributes};
+use crate::emit::base::bindings::field_bindings;
+use crate::emit::base::lints::rounded_exception;
+use crate::emit::base::refusal::{Refusal, report_refusal};
+use crate::emit::base::shape::{Shape, doc, identifier, local};
+use crate::formula::text;
+use crate::model::{Model, Pinned, Reduced};
+use crate::program::{Labels, Op, lower, optimise};
+use crate::syntax::ast::Declaration;
+
+/// Values with longer texts are not written out in documentation.
+const LONGEST_VALUE: usize = 60;
+
+/// The declarations of reduced types, documented, in the order of their `reduce` statements.
+pub fn reduced_declarations(declaration: &Declaration, reduced: &[Reduced]) -> Vec<Declaration> {
+    let pairs = declaration.reductions().zip(reduced);
+    let documented = pairs.map(|((syntax, docs), reduced)| {
+        let summary = summary(declaration, reduced);
+        declaration.reduced(syntax, reduced_attributes(declaration, docs, &summary))
+    });
+    documented.collect()
+}
+
+/// The attributes of the whole system with other documentation.
+pub(in crate::emit) fn reduced_attributes(
+    declaration: &Declaration,
+    docs: &TokenStream,
+    summary: &[String],
+) -> TokenStream {
+    let (_, kept) = split_attributes(&declaration.attributes);
+    let blank = (!docs.is_empty()).then(|| doc(""));
+    let summary = summary.iter().map(|line| doc(line));
+    quote!(#docs #blank #(#summary)* #(#kept)*)
+}
+
+fn summary(declaration: &Declaration, reduced: &Reduced) -> Vec<String> {
+    let names = declaration.coordinates();
+    let graph = &reduced.model.graph;
+    let name = |pinned: &Pinned| names.get(pinned.coordinate).map_or("", |name| name.text.as_str());
+    let value = |pinned: &Pinned| match text::definitions(graph, &[pinned.value], LONGEST_VALUE) {
+        (abbreviations, texts) if abbreviations.is_empty() => texts.concat(),
+        _ => "an expression of parameters".to_owned(),
+    };
+    let list = |all: &[Pinned], relation: &str| {
+        let item = |pinned: &Pinned| format!("`{} {relation} {}`", name(pinned), value(pinned));
+        all.iter().map(item).collect::<Vec<_>>().join(", ")
+    };
+    let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
+    let frozen = (!frozen.is_empty()).then(|| format!("{} frozen", list(frozen, "=")));
+    let nearby = (!small.is_empty()).then(|| format!("{} small", list(small, "≈")));
+    let parts = frozen.into_iter().chain(nearby).collect::<Vec<_>>().join(", ");
+    let mut lines = vec![format!("Reduced from [`{}`]: {parts}.", declaration.name.text)];
+    if !small.is_empty() {
+        lines.extend(["".to_owned(), EXPANDED[0].to_owned(), EXPANDED[1].to_owned()]);
+    }
+    lines
+}
+
+const EXPANDED: [&str; 2] = [
+    "Energies and dissipation are expanded to second order in what is small and its rates together, forces on",
+    "it to first order. Outputs are exact.",
+];
+
+/// Conversions between a system and a reduced type of it; `None` if a value is too large for the scalar, which is reported.
+pub fn conversions(
+    (full, model, equations): (&Declaration, &Model, &Equations),
+    (part, reduced, reduced_equations): (&Declaration, &Reduced, &Equations),
+    krate: &TokenStream,
+    report: &mut Report,
+) -> Option<TokenStream> {
+    let refused = |refusal: &Refusal| report_refusal(part, refusal, report);
+    let full = derived_shape(full, krate, &model.graph, equations);
+    let shape = derived_shape(part, krate, &reduced.model.graph, reduced_equations);
+    let state_methods = state_methods(&full, &shape, reduced).inspect_err(refused).ok()?;
+    Some(items(&full, &shape, &state_methods))
+}
+
+/// The same items without values, for a declaration with errors.
+pub(in crate::emit) fn placeholder_conversions(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
+    let nothing = StateBody { statements: TokenStream::new(), fields: TokenStream::new(), is_rounded: false };
+    items(full, part, &inherent_impl(full, part, &nothing, &nothing))
+}
+
+fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> TokenStream {
+    let systems = [system_conversion(full, part), system_conversion(part, full)];
+    let states = state_conversion(full, part);
+    let scalar = part.scalar_path();
+    let import = part.generics().is_empty().then(|| quote!(use #scalar;));
+    let attributes = &full.declaration.attributes;
+    let (conditions, deprecated) = (conditions(attributes), deprecated_exception(attributes));
+    quote! {
+        #conditions
+        #deprecated
+        const _: () = {
+            #import
+            #(#systems)*
+            #states
+            #state_methods
+        };
+    }
+}
+
+/// Parameters, inputs and what contacts and friction do are the same.
+fn system_conversion(from: &Shape<'_>, to: &Shape<'_>) -> TokenStream {
+    let (source, target, generics, bounds) = (from.name(), to.name(), to.generics(), to.bounds());
+    let system = local("system");
+    let fields = to.fields.iter().copied().chain(to.fields_of_modes()).map(identifier).collect::<Vec<_>>();
+    let switches = free_switches(to);
+    let marker = to.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData));
+    quote! {
+        #[automatically_derived]
+        impl #bounds ::core::convert::From<&#source #generics> for #target #generics {
+            #[inline]
+            fn from(#system: &#source #generics) -> Self {
+                Self { #(#fields: #system.#fields,)* #switches #marker }
+            }
+        }
+    }
+}
+
+/// What is frozen is left out.
+fn state_conversion(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
+    let (source, target, generics) = (full.state_name(), part.state_name(), part.generics());
+    let (state, fields) = (local("state"), part.state_fields());
+    quote! {
+        #[automatically_derived]
+        impl #generics ::core::convert::From<#source #generics> for #target #generics {
+            #[inline]
+            fn from(#state: #source #generics) -> Self {
+                Self { #(#fields: #state.#fields),* }
+            }
+        }
+    }
+}
+
+/// The methods that need the values of coordinates, which may depend on parameters.
+fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Result<TokenStream, Refusal> {
+    let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
+    let expand = with_values(part, reduced, frozen, |state, values, zero| {
+        let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
+            let value = match pinned(frozen, values, i, full.coordinates.len()) {
+                None => quote!(#state.#field),
+                Some(value) => value.unwrap_or(zero).clone(),
+            };
+            quote!(#field: #value)
+        });
+        quote!(#(#entries),*)
+    })?;
+    let all = frozen.iter().chain(small).cloned().collect::<Vec<_>>();
+    let deviation = with_values(part, reduced, &all, |state, values, zero| {
+        let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
+            match pinned(&all, values, i, full.coordinates.len()) {
+                None => quote!(#field: #zero),
+                Some(None) => quote!(#field: #state.#field),
+                Some(Some(value)) => quote!(#field: #state.#field - #value),
+            }
+        });
+        quote!(#(#entries),*)
+    })?;
+    Ok(inherent_impl(full, part, &expand, &deviation))
+}
+
+/// The value of an entry of the state, if the entry belongs to one of `all`: `Some(None)` is a value of zero.
+fn pinned<'v>(
+    all: &[Pinned],
+    values: &'v [Option<TokenStream>],
+    entry: usize,
+    coordinates: usize,
+) -> Option<Option<&'v TokenStream>> {
+    let position = all.iter().position(|pinned| pinned.coordinate == entry % coordinates)?;
+    Some(if entry < coordinates { values.get(position).and_then(Option::as_ref) } else { None })
+}
+
+/// A body that computes values and puts them into a state of the whole system; `fields` gets the state, the
+/// values that are not zero, and zero.
+fn with_values(
+    part: &Shape<'_>,
+    reduced: &Reduced,
+    all: &[Pinned],
+    fields: impl Fn(&Ident, &[Option<TokenStream>], &TokenStream) -> TokenStream,
+) -> Result<StateBody, Refusal> {
+    let mut graph = reduced.model.graph.clone();
+    let mut roots = all.iter().map(|pinned| pinned.value).collect::<Vec<_>>();
+    let is_zero = roots.iter().map(|&value| graph.is_zero(value)).collect::<Vec<_>>();
+    roots.push(graph.number(0));
+    let mut labels = Labels::default();
+    all.iter().for_each(|pinned| labels.insert(pinned.value, "held"));
+    let program = optimise(&lower(&graph, &roots, &labels), reduced.model.accuracy);
+    let is_rounded = program.values().any(|(_, op)| matches!(op, Op::Float(_)));
+    let (state, mut names) = (local("state"), Names::new(["state"]));
+    let written = body(&program, graph.symbols(), &part.computed_with(), &mut names)
+        .map_err(|error| Refusal::Constants(error.constants))?;
+    let bindings = field_bindings(part, &reduced.model, &written.used, &mut names);
+    let values = written.outputs.iter().zip(&is_zero);
+    let values = values.map(|(value, is_zero)| (!is_zero).then(|| value.clone())).collect::<Vec<_>>();
+    let zero = written.outputs.last().cloned().unwrap_or_default();
+    let (statements, fields) = (&written.statements, fields(&state, &values, &zero));
+    let krate = part.krate;
+    let functions = written.functions.iter().map(|name| local(name));
+    let functions = (!written.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
+    Ok(StateBody { statements: quote!(#functions #bindings #statements), fields, is_rounded })
+}
+
+/// Statements and the fields of the state that is returned behind them.
+struct StateBody {
+    statements: TokenStream,
+    fields: TokenStream,
+    /// Whether it holds rounded values of irrational constants.
+    is_rounded: bool,
+}
+
+fn inherent_impl(
+    full: &Shape<'_>,
+    part: &Shape<'_>,
+    expand: &StateBody,
+    deviation: &StateBody,
+) -> TokenStream {
+    let (name, generics, bounds) = (part.name(), part.generics(), part.bounds());
+    let (whole, reduced, state) = (full.state_name(), part.state_name(), local("state"));
+    let rounded = rounded_exception(expand.is_rounded || deviation.is_rounded);
+    let (expand, deviation) = (returning(&whole, expand), returning(&whole, deviation));
+    let system = &full.declaration.name.text;
+    let expand_docs = doc(&format!("The state of [`{system}`] that belongs to a state of this system:"));
+    let deviation_docs =
+        doc(&format!("How far a state of [`{system}`] is from those that this system stands for:"));
+    quote! {
+        #rounded
+        impl #bounds #name #generics {
+            #expand_docs
+            /// frozen coordinates have their values, and no velocity.
+            #[must_use]
+            #[inline]
+            pub fn expand(&self, #state: #reduced #generics) -> #whole #generics {
+                #expand
+            }
+
+            #deviation_docs
+            /// differences from their values for coordinates that are frozen or small, their velocities, and
+            /// zero for everything else. What is frozen is lost in the reduced state; of what is small, the
+            /// third power is neglected in energies.
+            #[must_use]
+            #[inline]
+            pub fn deviation(&self, #state: #whole #generics) -> #whole #generics {
+                #deviation
+            }
+        }
+    }
+}
+
+fn returning(state: &Ident, StateBody { statements, fields, .. }: &StateBody) -> TokenStream {
+    match fields.is_empty() {
+        true => quote!(::core::unreachable!()),
+        false => quote!(#statements #state { #fields }),
+    }
+}

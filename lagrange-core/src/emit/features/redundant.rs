@@ -1,0 +1,84 @@
+//! What is emitted for constraints that depend on each other: matrices that are formed at run time.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
+use crate::emit::base::shape::length;
+use crate::emit::base::writer::MethodWriter;
+use crate::expr::ExprId;
+
+/// The whole system of M a = f + Aᵀλ and A a + b = 0, solved at run time.
+pub(in crate::emit) fn write_redundant_motion(writer: &mut MethodWriter<'_>) {
+    let (n, m) = (writer.model.coordinates.len(), writer.model.constraints.len());
+    let equations = writer.equations;
+    let vectors = [&equations.forcing[..], &equations.constraints.drifts].concat();
+    let roots = [entries(writer), vectors].concat();
+    let krate = writer.shape.krate;
+    let (body, _) = writer.lowered(&roots, Arguments::State, |results| {
+        let (known, vectors) = results.split_at((n + m) * n);
+        let [mass_matrix, jacobian] = matrices(known, n, m);
+        let (forcing, drifts) = vectors.split_at(n);
+        quote! {
+            #krate::constraint::redundant_motion(
+                &#mass_matrix,
+                &[#(#forcing),*],
+                &#jacobian,
+                &[#(#drifts),*],
+            )
+        }
+    });
+    let (scalar, n, m) = (writer.shape.scalar(), length(n), length(m));
+    let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
+    writer.members.hidden.extend(quote! {
+        /// Accelerations and the least multipliers where constraints depend on each other.
+        #[cold]
+        #[inline(never)]
+        fn redundant_motion(
+            &self,
+            #time: #scalar,
+            #positions: &[#scalar; #n],
+            #velocities: &[#scalar; #n],
+        ) -> #krate::constraint::RedundantMotion<#scalar, #n, #m> {
+            #body
+        }
+    });
+}
+
+/// The correction, found in the same way.
+pub(in crate::emit) fn write_redundant_correction(writer: &mut MethodWriter<'_>) {
+    let (n, m) = (writer.model.coordinates.len(), writer.model.constraints.len());
+    let (krate, residuals) = (writer.shape.krate, writer.members.names.residuals.clone());
+    let roots = entries(writer);
+    let (body, _) = writer.lowered(&roots, Arguments::State, |results| {
+        let [mass_matrix, jacobian] = matrices(results, n, m);
+        quote!(#krate::constraint::redundant_correction(&#mass_matrix, &#jacobian, #residuals))
+    });
+    let (scalar, n, m) = (writer.shape.scalar(), length(n), length(m));
+    let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
+    writer.members.hidden.extend(quote! {
+        /// The correction where constraints depend on each other.
+        #[cold]
+        #[inline(never)]
+        fn redundant_correction(
+            &self,
+            #time: #scalar,
+            #positions: &[#scalar; #n],
+            #velocities: &[#scalar; #n],
+            #residuals: &[#scalar; #m],
+        ) -> [#scalar; #n] {
+            #body
+        }
+    });
+}
+
+/// The entries of M, then those of A.
+fn entries(writer: &MethodWriter<'_>) -> Vec<ExprId> {
+    [writer.equations.mass_matrix.concat(), writer.equations.constraints.jacobian.concat()].concat()
+}
+
+/// M and A of their entries.
+fn matrices(entries: &[TokenStream], n: usize, m: usize) -> [TokenStream; 2] {
+    let (mass_matrix, jacobian) = entries.split_at(n * n);
+    [Returns::Matrix(n, n).collect(mass_matrix), Returns::Matrix(m, n).collect(jacobian)]
+}

@@ -1,0 +1,196 @@
+//! What is emitted for switches: a field that fixes their sides, the functions that vanish on them, and what runs ask.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::derive::{Equations, Switch};
+use crate::diagnostics::Report;
+use crate::emit::base::members::Members;
+use crate::emit::base::messages;
+use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
+use crate::emit::base::shape::{Shape, length, local};
+use crate::emit::base::state::state_variables;
+use crate::emit::base::writer::MethodWriter;
+use crate::expr::{ExprId, Graph};
+use crate::formula::text;
+use crate::syntax::ast::Declaration;
+
+/// The most events, switches among them, that runs can look for.
+const MOST_EVENTS: usize = 64;
+/// Surfaces with longer texts are not written out in messages.
+const LONGEST_SURFACE: usize = 60;
+
+/// Warns of switches beyond those that runs can look for.
+pub(in crate::emit) fn report_unlocated(
+    declaration: &Declaration,
+    equations: &Equations,
+    report: &mut Report,
+) {
+    let (all, room) =
+        (equations.switches.len(), room_for_switches(&Shape::new(declaration, &TokenStream::new())));
+    if all > room {
+        let message = messages::unlocated_switches(all, room);
+        report.doubtful(declaration.name.span, message).help(messages::UNLOCATED_HELP);
+    }
+}
+
+/// The shape of a derived system, with the switches whose sides runs can fix.
+pub(in crate::emit) fn derived_shape<'a>(
+    declaration: &'a Declaration,
+    krate: &'a TokenStream,
+    graph: &Graph,
+    equations: &Equations,
+) -> Shape<'a> {
+    let mut shape = Shape::new(declaration, krate);
+    let located = equations.switches.iter().take(room_for_switches(&shape));
+    shape.switches = located.map(|switch| surface_name(graph, switch)).collect();
+    shape
+}
+
+/// How many switches runs can look for beside the events of the declaration.
+fn room_for_switches(shape: &Shape<'_>) -> usize {
+    MOST_EVENTS.saturating_sub(shape.event_names().len())
+}
+
+/// What messages call the surface of a switch.
+fn surface_name(graph: &Graph, switch: &Switch) -> String {
+    let surface = match text::definitions(graph, &[switch.value], LONGEST_SURFACE) {
+        (abbreviations, texts) if abbreviations.is_empty() => format!("`{}`", texts.concat()),
+        _ => "an expression".to_owned(),
+    };
+    match &switch.statement {
+        Some(statement) => format!("{surface} in `{statement}`"),
+        None => surface,
+    }
+}
+
+/// The functions that vanish on the switches, the sides that follow from them, and times at which switches are passed.
+pub(in crate::emit) fn write_switches(writer: &mut MethodWriter<'_>) {
+    let switches = &writer.equations.switches[..writer.shape.switches.len()];
+    if switches.is_empty() {
+        return;
+    }
+    let values = switches.iter().map(|switch| switch.value).collect::<Vec<_>>();
+    let times = switches.iter().map(|switch| switch.time).collect::<Vec<_>>();
+    let returns = Returns::Vector(values.len());
+    let (body, _) = writer.lowered_as_declared(&values, Arguments::State, |results| returns.collect(results));
+    writer.push_hidden("switch_functions", returns, &body);
+    let (krate, field) = (writer.shape.krate, switches_field(writer.shape));
+    let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
+    let call = quote!(self.switch_functions(#time, #positions, #velocities));
+    let body = quote!(#krate::event::Switches::signs(self.#field, || #call));
+    writer.push_hidden("sides", returns, &body);
+    write_switch_times(writer, &times);
+}
+
+/// The body of `SwitchedSystem::switch_times`.
+fn write_switch_times(writer: &mut MethodWriter<'_>, times: &[Option<ExprId>]) {
+    let known = times.iter().flatten().copied().collect::<Vec<_>>();
+    if known.is_empty() {
+        return;
+    }
+    let (body, _) = writer.lowered_as_declared(&known, Arguments::None, |results| {
+        let mut results = results.iter();
+        let times = times.iter().map(|time| match time.and_then(|_| results.next()) {
+            Some(time) => quote!(::core::option::Option::Some(#time)),
+            None => quote!(::core::option::Option::None),
+        });
+        quote!([#(#times),*])
+    });
+    writer.members.switch_times = Some(body);
+}
+
+/// The field that fixes sides.
+fn switches_field(shape: &Shape<'_>) -> Ident {
+    let mut name = "switches".to_owned();
+    let touching = shape.touching.iter().map(|(name, _)| *name);
+    let fields = shape.fields.iter().copied().chain(touching).collect::<Vec<_>>();
+    while fields.iter().any(|field| field.text == name) {
+        name.push('_');
+    }
+    format_ident!("{name}")
+}
+
+/// The field that fixes the sides of switches, as it is declared.
+pub(in crate::emit) fn switches_declaration(shape: &Shape<'_>) -> Option<TokenStream> {
+    let (krate, field) = (shape.krate, switches_field(shape));
+    let field = quote! {
+        /// On which sides of its switches the system is computed; runs fix them.
+        pub #field: #krate::event::Switches,
+    };
+    (!shape.switches.is_empty()).then_some(field)
+}
+
+/// The same field in a literal of the struct, free.
+pub(in crate::emit) fn free_switches(shape: &Shape<'_>) -> Option<TokenStream> {
+    let field = switches_field(shape);
+    (!shape.switches.is_empty()).then(|| quote!(#field: ::core::default::Default::default(),))
+}
+
+/// The same field in a literal of the struct, as it is in `self`.
+pub(in crate::emit) fn kept_switches(shape: &Shape<'_>) -> Option<TokenStream> {
+    let field = switches_field(shape);
+    (!shape.switches.is_empty()).then(|| quote!(#field: self.#field,))
+}
+
+/// The events by which sides change.
+pub(in crate::emit) fn switch_events(shape: &Shape<'_>) -> impl Iterator<Item = TokenStream> {
+    let krate = shape.krate;
+    shape.switches.iter().map(move |name| quote!(#krate::event::DeclaredEvent::side(#name)))
+}
+
+/// The members of `OdeSystem` by which runs end steps at known times.
+pub(in crate::emit) fn timed_members(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let (krate, scalar) = (shape.krate, shape.scalar());
+    let (time, end) = (&members.names.time, local("end"));
+    let option = quote!(::core::option::Option);
+    members.switch_times.as_ref().map(|_| {
+        quote! {
+            fn next_restart(&self, #time: #scalar, #end: #scalar) -> #option<#scalar> {
+                #krate::event::next_switch_time(self, #time, #end)
+            }
+            fn beyond(&self, #time: #scalar, #end: #scalar) -> #option<Self> {
+                #krate::event::beyond(self, #time, #end)
+            }
+        }
+    })
+}
+
+/// The implementation of `SwitchedSystem`.
+pub(in crate::emit) fn switched_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    if shape.switches.is_empty() {
+        return TokenStream::new();
+    }
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (krate, field, k) = (shape.krate, switches_field(shape), length(shape.switches.len()));
+    let (first, twice) = (length(shape.event_names().len()), length(2 * shape.coordinates.len()));
+    let ArgumentNames { time, state, .. } = &members.names;
+    let (switches, others) = (local("switches"), shape.kept_fields(|_| true));
+    let variables = state_variables(shape);
+    let (positions, velocities) = variables.split_at(shape.coordinates.len());
+    let option = quote!(::core::option::Option);
+    let times = members.switch_times.as_ref().map(|times| {
+        quote! {
+            fn switch_times(&self) -> [#option<#scalar>; #k] {
+                #times
+            }
+        }
+    });
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::event::SwitchedSystem<#k> for #name #generics {
+            const FIRST: ::core::primitive::usize = #first;
+            fn switches(&self) -> #krate::event::Switches {
+                self.#field
+            }
+            fn with_switches(&self, #switches: #krate::event::Switches) -> Self {
+                Self { #field: #switches, #others }
+            }
+            fn switch_values(&self, #time: #scalar, #state: &[#scalar; #twice]) -> [#scalar; #k] {
+                let [#(#variables),*] = *#state;
+                self.switch_functions(#time, &[#(#positions),*], &[#(#velocities),*])
+            }
+            #times
+        }
+    }
+}

@@ -1,0 +1,281 @@
+//! The constructors of sums and products.
+//!
+//! Both combine a list of operands with numeric weights: coefficients in a sum, exponents in a product.
+//! Equal operands are collected. A nested operand of the same kind is opened only if that makes
+//! something vanish, `(x + y) - x = y` or `(x·y)/x = y`: otherwise it is worth more as a shared part.
+
+mod magnitude;
+
+use crate::expr::weighted::{LONGEST_OPENED, Weighted};
+use crate::expr::{ExprId, Function, Graph, Node};
+use crate::number::Number;
+
+/// Products of more factors than this are nested, so that derivatives of long products stay short.
+const LONGEST_PRODUCT: usize = 16;
+
+impl Graph {
+    /// `constant + Σ coefficient · term`
+    ///
+    /// Numbers are folded, equal terms collected, cancelling nested sums opened. A sum whose
+    /// coefficients all have the same magnitude is written as that magnitude times a sum with
+    /// coefficients ±1, and the first coefficient of a sum is positive, so that `a - b`, `b - a` and
+    /// `2·a - 2·b` share one node.
+    pub fn sum(&mut self, constant: Number, terms: impl IntoIterator<Item = Weighted>) -> ExprId {
+        let mut constant = constant;
+        let mut collected = Vec::new();
+        for (term, coefficient) in terms {
+            self.push_term(&mut constant, &mut collected, term, &coefficient);
+        }
+        merge(&mut collected, |_, a, b| Some(a + b));
+        while let Some(position) = self.cancelling_sum(&constant, &collected) {
+            let (nested, coefficient) = collected.swap_remove(position);
+            let Node::Sum { constant: inner, terms } = self.node(nested).clone() else { break };
+            constant = &constant + &(&inner * &coefficient);
+            for (term, weight) in &terms {
+                self.push_term(&mut constant, &mut collected, *term, &(weight * &coefficient));
+            }
+            merge(&mut collected, |_, a, b| Some(a + b));
+        }
+        self.finish_sum(constant, collected)
+    }
+
+    fn push_term(
+        &self,
+        constant: &mut Number,
+        terms: &mut Vec<Weighted>,
+        term: ExprId,
+        coefficient: &Number,
+    ) {
+        if let Some(value) = self.as_number(term) {
+            *constant = &*constant + &(value * coefficient);
+        } else {
+            let (inner, term) = self.split_coefficient(term);
+            terms.push((term, &inner * coefficient));
+        }
+    }
+
+    /// A nested sum one of whose terms cancels against the rest.
+    fn cancelling_sum(&self, constant: &Number, terms: &[Weighted]) -> Option<usize> {
+        let opened = |id: ExprId| match self.node(id) {
+            Node::Sum { constant, terms } if terms.len() <= LONGEST_OPENED => Some((constant, &**terms)),
+            _ => None,
+        };
+        let cancels_constant = |&(id, ref c): &Weighted| {
+            opened(id).is_some_and(|(inner, _)| !inner.is_zero() && (&(inner * c) + constant).is_zero())
+        };
+        terms
+            .iter()
+            .position(cancels_constant)
+            .or_else(|| vanishing(terms, |id| opened(id).map(|(_, terms)| terms)))
+    }
+
+    fn finish_sum(&mut self, constant: Number, terms: Vec<Weighted>) -> ExprId {
+        match terms.as_slice() {
+            [] => return self.number(constant),
+            [(term, coefficient)] if constant.is_zero() => {
+                let (term, coefficient) = (*term, coefficient.clone());
+                return self.scaled(coefficient, term);
+            }
+            _ => {}
+        }
+        let magnitude = terms[0].1.abs();
+        let uniform = terms.iter().all(|(_, c)| c.abs() == magnitude)
+            && (constant.is_zero() || constant.abs() == magnitude);
+        let sign = if terms[0].1.is_negative() { Number::MINUS_ONE } else { Number::ONE };
+        let content = if uniform { &magnitude * &sign } else { sign };
+        if content.is_one() {
+            return self.intern(Node::Sum { constant, terms: terms.into() });
+        }
+        let inverse = content.reciprocal().unwrap_or(Number::ONE);
+        let terms = terms.into_iter().map(|(term, c)| (term, &c * &inverse)).collect();
+        let primitive = self.intern(Node::Sum { constant: &constant * &inverse, terms });
+        self.scaled(content, primitive)
+    }
+
+    /// `coefficient · term` for a term that is no number and has no coefficient of its own.
+    fn scaled(&mut self, coefficient: Number, term: ExprId) -> ExprId {
+        if coefficient.is_one() {
+            return term;
+        }
+        self.intern(Node::Sum { constant: Number::ZERO, terms: Box::new([(term, coefficient)]) })
+    }
+
+    /// `Π base ^ exponent`
+    ///
+    /// Numbers are folded, equal bases collected, cancelling nested products opened. Powers of powers are
+    /// combined where both sides have the same domain: `(x³)^⅓` stays and `x^½ · x^½` does unless `x` is known not to be negative. Magnitudes
+    /// have none but odd powers: `(x²)^½` is `|x|` and `|x|²` is `x²`, which has a second derivative at 0.
+    pub fn product(&mut self, factors: impl IntoIterator<Item = Weighted>) -> ExprId {
+        let mut coefficient = Number::ONE;
+        let mut collected = Vec::new();
+        for (base, exponent) in factors {
+            self.push_factor(&mut coefficient, &mut collected, base, exponent);
+        }
+        if coefficient.is_zero() {
+            return self.number(Number::ZERO);
+        }
+        self.merge_factors(&mut coefficient, &mut collected);
+        while let Some(replacement) =
+            self.opened_product(&mut collected).or_else(|| self.opened_magnitude(&mut collected))
+        {
+            for (base, exponent) in replacement {
+                self.push_factor(&mut coefficient, &mut collected, base, exponent);
+            }
+            self.merge_factors(&mut coefficient, &mut collected);
+        }
+        let product = self.finish_product(collected);
+        self.scale(coefficient, product)
+    }
+
+    fn push_factor(
+        &self,
+        coefficient: &mut Number,
+        factors: &mut Vec<Weighted>,
+        base: ExprId,
+        exponent: Number,
+    ) {
+        let mut factor = (base, exponent);
+        while let Some((number, rest)) = self.reduce_factor(&factor) {
+            *coefficient = &*coefficient * &number;
+            match rest {
+                Some(rest) => factor = rest,
+                None => return,
+            }
+        }
+        factors.push(factor);
+    }
+
+    /// A number taken out of a factor and what is left of it, if anything can be taken out or flattened.
+    fn reduce_factor(&self, (base, exponent): &Weighted) -> Option<(Number, Option<Weighted>)> {
+        if let Some(value) = self.as_number(*base) {
+            return Some((fold_power(value, exponent)?, None));
+        }
+        let (inner, core) = self.split_coefficient(*base);
+        let number = fold_power(&inner, exponent)?;
+        let rest = self.flatten_power(core, exponent.clone());
+        (rest.0 != *base).then_some((number, Some(rest)))
+    }
+
+    /// `(base^p)^e = base^(p·e)` where both have the same domain; `|base|^e = base^e` for even e.
+    fn flatten_power(&self, base: ExprId, exponent: Number) -> Weighted {
+        if let Node::Product(factors) = self.node(base)
+            && let [(inner, power)] = &**factors
+            && (exponent.is_integer()
+                || !(power * &exponent).is_integer() && !power.is_even()
+                || self.is_nonnegative(*inner))
+        {
+            return (*inner, power * &exponent);
+        }
+        if let Node::Call(Function::Abs, arguments) = self.node(base)
+            && exponent.is_even()
+        {
+            return (arguments[0], exponent);
+        }
+        (base, exponent)
+    }
+
+    /// Adds up exponents of equal bases, until nothing more can be taken out of a factor.
+    fn merge_factors(&self, coefficient: &mut Number, factors: &mut Vec<Weighted>) {
+        loop {
+            merge(factors, |base, a, b| {
+                let total = a + b;
+                let same_domain = a.is_integer() && b.is_integer() || !total.is_integer();
+                (same_domain || self.is_nonnegative(base)).then_some(total)
+            });
+            let reducible = |factor: &Weighted| self.reduce_factor(factor).is_some();
+            let Some(position) = factors.iter().position(reducible) else { return };
+            let (base, exponent) = factors.swap_remove(position);
+            self.push_factor(coefficient, factors, base, exponent);
+        }
+    }
+
+    /// Takes out a nested product one of whose factors cancels against the rest; its factors.
+    fn opened_product(&self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
+        let (nested, exponent) = factors.swap_remove(self.cancelling_product(factors)?);
+        let Node::Product(inner) = self.node(nested) else { return None };
+        Some(inner.iter().map(|(base, power)| (*base, power * &exponent)).collect())
+    }
+
+    fn cancelling_product(&self, factors: &[Weighted]) -> Option<usize> {
+        vanishing(factors, |id| match self.node(id) {
+            Node::Product(inner) if inner.len() <= LONGEST_OPENED => Some(&**inner),
+            _ => None,
+        })
+        .filter(|&position| factors[position].1.is_integer())
+    }
+
+    fn finish_product(&mut self, mut factors: Vec<Weighted>) -> ExprId {
+        while factors.len() > LONGEST_PRODUCT {
+            let groups = factors.chunks(LONGEST_PRODUCT).map(<[Weighted]>::to_vec).collect::<Vec<_>>();
+            factors = groups.into_iter().map(|group| (self.finish_product(group), Number::ONE)).collect();
+        }
+        match factors.as_slice() {
+            [] => self.number(Number::ONE),
+            [(base, exponent)] if exponent.is_one() => *base,
+            _ => self.intern(Node::Product(factors.into())),
+        }
+    }
+}
+
+/// `value ^ exponent`, if it is a number that can be written exactly.
+fn fold_power(value: &Number, exponent: &Number) -> Option<Number> {
+    if value.is_one() {
+        return Some(Number::ONE);
+    }
+    match exponent.to_i32() {
+        Some(integer) => value.power(integer),
+        None => value.exact_sqrt()?.power((exponent * &Number::TWO).to_i32()?),
+    }
+}
+
+/// Sorts by operand and combines the weights of equal ones with `combine`, unless it declines. Operands of
+/// weight zero are dropped.
+fn merge(operands: &mut Vec<Weighted>, combine: impl Fn(ExprId, &Number, &Number) -> Option<Number>) {
+    operands.sort_unstable_by(|(a, m), (b, n)| (a, m).cmp(&(b, n)));
+    let mut merged: Vec<Weighted> = Vec::with_capacity(operands.len());
+    for (operand, weight) in operands.drain(..) {
+        if let Some(last) = merged.last_mut()
+            && last.0 == operand
+            && let Some(total) = combine(operand, &last.1, &weight)
+        {
+            last.1 = total;
+        } else {
+            merged.push((operand, weight));
+        }
+    }
+    merged.retain(|(_, weight)| !weight.is_zero());
+    *operands = merged;
+}
+
+/// The position of an operand with parts (according to `parts`) of which one has total weight zero when
+/// all operands with parts are opened.
+fn vanishing<'a>(
+    operands: &'a [Weighted],
+    parts: impl Fn(ExprId) -> Option<&'a [Weighted]>,
+) -> Option<usize> {
+    if !operands.iter().any(|(id, _)| parts(*id).is_some()) {
+        return None;
+    }
+    let mut opened: Vec<(ExprId, Number, Option<usize>)> = Vec::new();
+    for (position, (id, weight)) in operands.iter().enumerate() {
+        match parts(*id) {
+            Some(inner) => {
+                opened.extend(inner.iter().map(|(part, w)| (*part, w * weight, Some(position))));
+            }
+            None => opened.push((*id, weight.clone(), None)),
+        }
+        // A part may also stand beside the operand that contains it as an operand with parts itself.
+        if parts(*id).is_some() {
+            opened.push((*id, weight.clone(), None));
+        }
+    }
+    opened.sort_unstable_by_key(|(id, _, position)| (*id, *position));
+    opened.chunk_by(|a, b| a.0 == b.0).find_map(|same| {
+        let total = same.iter().fold(Number::ZERO, |total, (_, weight, _)| &total + weight);
+        if same.len() > 1 && total.is_zero() {
+            same.iter().find_map(|(_, _, position)| *position)
+        } else {
+            None
+        }
+    })
+}

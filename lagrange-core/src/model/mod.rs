@@ -1,0 +1,271 @@
+//! A checked model: every name resolved, every expression of the right kind.
+
+mod product;
+mod scene;
+
+use proc_macro2::Span;
+
+use crate::expr::{ExprId, Graph};
+use crate::syntax::ast::{Accuracy, Direction, Name};
+
+pub use product::Product;
+pub use scene::{BodyMotion, DrawnItem, OutlinedPart, Scene};
+
+/// What a declaration says, as expressions of one graph.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Owns all expressions.
+    pub graph: Graph,
+    /// Run-time parameters in declaration order.
+    pub parameters: Vec<Parameter>,
+    /// Inputs in declaration order.
+    pub inputs: Vec<Parameter>,
+    /// Generalised coordinates in state order; at least one.
+    pub coordinates: Vec<Coordinate>,
+    /// The energies as declared.
+    pub energies: Energies,
+    /// L = T − V, or as declared.
+    pub lagrangian: ExprId,
+    /// The Rayleigh function, whose gradient with respect to v is subtracted from the forces.
+    pub dissipation: ExprId,
+    /// Applied forces and torques.
+    pub loads: Vec<Load>,
+    /// What coordinates and velocities must satisfy, in declaration order.
+    pub constraints: Vec<Constraint>,
+    /// Names of constraints of joints that are left out, since the coordinates fulfil them by themselves.
+    pub implied: Vec<String>,
+    /// The rate κ at which constraints are stabilised: c̈ + 2 κ ċ + κ² c = 0; constant in motion.
+    pub stabilisation: Option<ExprId>,
+    /// Declared events.
+    pub events: Vec<Event>,
+    /// Contacts and friction, in declaration order.
+    pub reactions: Vec<Reaction>,
+    /// Declared outputs.
+    pub outputs: Vec<Output>,
+    /// Rigid bodies, as far as they are asked for.
+    pub scene: Scene,
+    /// Velocities that are known to be rates, with what they are rates of: `(u, x)` with u = dx/dt.
+    pub rates: Vec<(ExprId, ExprId)>,
+    /// The user's names for expressions, in the order of preference.
+    pub labels: Vec<(ExprId, String)>,
+    /// The level of accuracy that was asked for.
+    pub accuracy: Accuracy,
+    /// The products to emit, in the order of [`Product::ALL`].
+    pub products: Vec<Product>,
+    /// The reduced types, in the order of their declaration.
+    pub reduced: Vec<Reduced>,
+}
+
+/// A model with fewer coordinates or with small ones, made from another.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    /// What was done to the coordinates; values are expressions of the reduced model.
+    pub reduction: Reduction,
+    /// What it comes to. Nothing is reduced a second time.
+    pub model: Model,
+}
+
+/// What is done to the coordinates of a model to reduce it.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    /// The name of the reduced type.
+    pub name: Name,
+    /// Coordinates held at a value.
+    pub frozen: Vec<Pinned>,
+    /// Coordinates that stay near a value.
+    pub small: Vec<Pinned>,
+}
+
+/// A coordinate and a value that is constant in motion.
+#[derive(Clone, Debug)]
+pub struct Pinned {
+    /// The index of the coordinate in the model that is reduced.
+    pub coordinate: usize,
+    /// The value.
+    pub value: ExprId,
+    /// Where the coordinate is named.
+    pub span: Span,
+}
+
+/// A parameter or an input.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// The expression that stands for it.
+    pub symbol: ExprId,
+    /// Its default, free of symbols.
+    pub default: Option<ExprId>,
+}
+
+/// A generalised coordinate.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// Its name.
+    pub name: String,
+    /// q
+    pub position: ExprId,
+    /// q̇
+    pub velocity: ExprId,
+    /// q̈
+    pub acceleration: ExprId,
+}
+
+/// The energies of a system.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Energies {
+    /// L = T − V
+    Separate {
+        /// T
+        kinetic: ExprId,
+        /// V
+        potential: ExprId,
+    },
+    /// L as declared
+    Lagrangian,
+}
+
+/// A force along a velocity: it does work at the rate `force · velocity`.
+#[derive(Clone, Copy, Debug)]
+pub struct Load {
+    /// The velocity, affine in q̇.
+    pub velocity: ExprId,
+    /// The force component.
+    pub force: ExprId,
+}
+
+/// A constraint.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Its name.
+    pub name: String,
+    /// What is zero: a function of t and q, or one that is affine in v.
+    pub value: ExprId,
+    /// What is zero for the velocities: the rate of `value` or, if that holds velocities, `value` itself.
+    pub velocity: ExprId,
+    /// Whether `value` is a function of t and q.
+    pub is_holonomic: bool,
+    /// The symbol of its multiplier.
+    pub multiplier: ExprId,
+}
+
+/// A declared output.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Its name.
+    pub name: String,
+    /// One expression for a scalar, two or three for a vector.
+    pub components: Vec<ExprId>,
+    /// Whether it needs the accelerations.
+    pub uses_accelerations: bool,
+    /// Whether it needs the multipliers.
+    pub uses_multipliers: bool,
+    /// Whether it needs the forces of contacts or of friction.
+    pub uses_reactions: bool,
+}
+
+/// A zero to be found during a motion, and what happens there.
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// Its name.
+    pub name: String,
+    /// What is zero: a function of t, q and v, accelerations and multipliers.
+    pub value: ExprId,
+    /// Which zeros count.
+    pub direction: Direction,
+    /// What happens.
+    pub action: Action,
+}
+
+/// What happens at an event.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// The motion ends.
+    Stop,
+    /// It goes on.
+    Record,
+    /// Bodies touch: the contact with this index among [`Model::reactions`].
+    Impact(u32),
+    /// Entries of the state take other values, all at once.
+    Assign(Vec<Assignment>),
+}
+
+/// An entry of the state and its value after an event.
+#[derive(Clone, Copy, Debug)]
+pub struct Assignment {
+    /// Its index in [q…, v…].
+    pub index: usize,
+    /// A function of t, q and v before the event.
+    pub value: ExprId,
+}
+
+/// A contact or dry friction, with a force along the gradient of a velocity.
+#[derive(Clone, Debug)]
+pub struct Reaction {
+    /// Its name.
+    pub name: String,
+    /// The symbol of its force.
+    pub symbol: ExprId,
+    /// The rate of the gap or the slip velocity, affine in q̇.
+    pub velocity: ExprId,
+    /// What its force obeys.
+    pub kind: ReactionKind,
+}
+
+/// What the force of a contact or of friction obeys.
+#[derive(Clone, Copy, Debug)]
+pub enum ReactionKind {
+    /// A unilateral contact.
+    Contact {
+        /// A function of t and q, positive where bodies are apart.
+        gap: ExprId,
+        /// The coefficient of restitution, a function of t, q and v.
+        restitution: ExprId,
+    },
+    /// Dry friction that sticks and slips. Limits are functions of t, q and v, affine in multipliers and in the forces of
+    /// reactions declared before.
+    Friction {
+        /// The magnitude of the force while it slips.
+        kinetic: ExprId,
+        /// The largest magnitude of the force while it sticks.
+        fixed: ExprId,
+    },
+    /// Friction that only slips: the force is −limit · tanh(velocity / width).
+    Smooth {
+        /// The magnitude of the force far from velocity zero, a limit like those above.
+        limit: ExprId,
+        /// A velocity, constant in motion.
+        width: ExprId,
+    },
+}
+
+impl ReactionKind {
+    /// Whether it has a mode, which events switch.
+    pub fn has_mode(self) -> bool {
+        !matches!(self, ReactionKind::Smooth { .. })
+    }
+}
+
+impl Model {
+    /// The generalised velocities in state order.
+    pub fn velocities(&self) -> Vec<ExprId> {
+        self.coordinates.iter().map(|coordinate| coordinate.velocity).collect()
+    }
+
+    /// What the equations of motion determine: rates of the velocities, and multipliers.
+    pub fn unknowns(&self) -> Vec<ExprId> {
+        let mut unknowns = self.velocities();
+        unknowns.extend(self.multipliers());
+        unknowns
+    }
+
+    /// The multipliers in the order of the constraints.
+    pub fn multipliers(&self) -> Vec<ExprId> {
+        self.constraints.iter().map(|constraint| constraint.multiplier).collect()
+    }
+
+    /// The generalised coordinates in state order.
+    pub fn positions(&self) -> Vec<ExprId> {
+        self.coordinates.iter().map(|coordinate| coordinate.position).collect()
+    }
+}

@@ -1,0 +1,83 @@
+//! Rigid bodies of a model: how they move, and what there is to draw of them.
+
+use crate::bodies::DrawnKind;
+use crate::expr::ExprId;
+use crate::syntax::ast::Name;
+
+/// Rigid bodies, as far as they are asked for.
+#[derive(Clone, Default, Debug)]
+pub struct Scene {
+    /// How bodies move, in the order of their declaration.
+    pub motions: Vec<BodyMotion>,
+    /// What there is to draw, in the order in which it is handed out.
+    pub drawing: Vec<DrawnItem>,
+}
+
+/// How a body moves.
+#[derive(Clone, Debug)]
+pub struct BodyMotion {
+    /// The name of the body.
+    pub body: Name,
+    /// Mass, moment of inertia, centroid in own coordinates, centre, angle, velocity, angular velocity, acceleration, angular
+    /// acceleration; vectors take two places.
+    pub values: [ExprId; BodyMotion::VALUES],
+}
+
+impl BodyMotion {
+    /// How many numbers tell how a body moves.
+    pub const VALUES: usize = 13;
+
+    /// The centre of mass.
+    pub(crate) fn center(&self) -> [ExprId; 2] {
+        [self.values[4], self.values[5]]
+    }
+
+    /// The angular velocity.
+    pub(crate) fn spin(&self) -> ExprId {
+        self.values[9]
+    }
+}
+
+/// Something to be drawn.
+#[derive(Clone, Debug)]
+pub struct DrawnItem {
+    /// What it is.
+    pub kind: DrawnKind,
+    /// Its numbers in the order that its kind says; vectors take two places.
+    pub values: Vec<ExprId>,
+    /// The shape, if it is a body.
+    pub parts: Vec<OutlinedPart>,
+}
+
+impl DrawnItem {
+    /// A load that is not known.
+    pub(crate) fn omitted(name: &str) -> DrawnItem {
+        let kind = DrawnKind::Omitted { name: name.to_owned() };
+        DrawnItem { kind, values: Vec::new(), parts: Vec::new() }
+    }
+}
+
+/// A part of a body's shape.
+#[derive(Clone, Debug)]
+pub struct OutlinedPart {
+    /// A variant of `lagrange::scene::Outline`.
+    pub outline: &'static str,
+    /// Whether the dimensions are corners, of which each takes two places.
+    pub has_corners: bool,
+    /// The dimensions, then the origin of its coordinates, then the angle of its axes.
+    pub values: Vec<ExprId>,
+    /// Whether it is cut out.
+    pub is_hole: bool,
+}
+
+impl Scene {
+    /// Where it holds expressions.
+    pub(crate) fn places(&mut self) -> Vec<&mut ExprId> {
+        let mut places = self.motions.iter_mut().flat_map(|motion| &mut motion.values).collect::<Vec<_>>();
+        for item in &mut self.drawing {
+            places.extend(&mut item.values);
+            places.extend(item.parts.iter_mut().flat_map(|part| &mut part.values));
+        }
+        places
+    }
+}

@@ -1,0 +1,72 @@
+//! The phases behind the parser, for a system and for its reduced types.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::bodies::plain;
+use crate::derive::{Equations, StrategyChoice, derive};
+use crate::diagnostics::Report;
+use crate::elaborate::elaborate;
+use crate::emit;
+use crate::model::{Model, Reduced};
+use crate::syntax::ast::Declaration;
+
+/// A reduced type with its equations of motion.
+#[derive(Clone, Debug)]
+pub struct DerivedPart {
+    /// The declaration of the whole system, without the frozen coordinates.
+    pub declaration: Declaration,
+    /// What is reduced, and the model that remains.
+    pub reduced: Reduced,
+    /// What follows.
+    pub equations: Equations,
+}
+
+/// The declaration in plain statements, and what it means; no model after an error.
+pub(super) fn model_of(declaration: Declaration, report: &mut Report) -> (Declaration, Option<Model>) {
+    let plain = plain(declaration, report);
+    let model = elaborate(&plain, report);
+    let mut declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
+    declaration.attributes = emit::attributes_of_struct(&declaration, report.diagnostics());
+    (declaration, model)
+}
+
+/// The equations of a model and those of its reduced types, which are taken out of it.
+pub(super) fn equations_of(
+    declaration: &Declaration,
+    model: &mut Model,
+    choice: StrategyChoice,
+    report: &mut Report,
+) -> Option<(Equations, Vec<DerivedPart>)> {
+    emit::report_hopeless_model(declaration, model, report)?;
+    let equations = derive(declaration, None, model, choice, report)?;
+    let reduced = std::mem::take(&mut model.reduced);
+    let declarations = emit::reduced_declarations(declaration, &reduced);
+    let parts = declarations.into_iter().zip(reduced).map(|(declaration, mut reduced)| {
+        emit::report_hopeless_model(&declaration, &reduced.model, report)?;
+        let place = Some(declaration.name.span);
+        let equations = derive(&declaration, place, &mut reduced.model, choice, report)?;
+        Some(DerivedPart { declaration, reduced, equations })
+    });
+    let parts = parts.collect::<Option<Vec<_>>>()?;
+    Some((equations, parts))
+}
+
+/// The items of a system, then those of its reduced types with their conversions.
+pub(super) fn items_of(
+    (declaration, model, equations): (&Declaration, &mut Model, &Equations),
+    parts: Vec<DerivedPart>,
+    krate: &TokenStream,
+    report: &mut Report,
+) -> Option<TokenStream> {
+    let statements = (!declaration.bodies.is_empty()).then(|| emit::statements(declaration));
+    let mut items = emit::system(declaration, model, equations, statements.as_deref(), krate, report)?;
+    for DerivedPart { declaration: of_part, mut reduced, equations: reduced_equations } in parts {
+        // What the statements of the whole system stand for is said there.
+        let part = emit::system(&of_part, &mut reduced.model, &reduced_equations, None, krate, report)?;
+        let (full, reduced) = ((declaration, &*model, equations), (&of_part, &reduced, &reduced_equations));
+        let conversions = emit::conversions(full, reduced, krate, report)?;
+        items.extend(quote!(#part #conversions));
+    }
+    Some(items)
+}

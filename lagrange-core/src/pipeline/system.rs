@@ -1,0 +1,92 @@
+//! Systems from text, phase by phase: for tests, tools and build scripts.
+
+use proc_macro2::TokenStream;
+
+use super::phases::{DerivedPart, equations_of, items_of, model_of};
+use crate::derive::{Equations, StrategyChoice};
+use crate::diagnostics::Report;
+use crate::emit;
+use crate::model::Model;
+use crate::syntax::ast::Declaration;
+use crate::syntax::parse_text;
+
+/// A declaration with its checked model.
+#[derive(Clone, Debug)]
+pub struct System {
+    /// What the user wrote, in plain statements.
+    pub declaration: Declaration,
+    /// What it means.
+    pub model: Model,
+    /// Warnings.
+    pub report: Report,
+}
+
+/// A system with its equations of motion.
+#[derive(Clone, Debug)]
+pub struct Derived {
+    /// What the user wrote, in plain statements.
+    pub declaration: Declaration,
+    /// What it means.
+    pub model: Model,
+    /// What follows.
+    pub equations: Equations,
+    /// The reduced types.
+    pub reduced: Vec<DerivedPart>,
+    /// Warnings.
+    pub report: Report,
+}
+
+/// Reads and checks a system from text: a whole declaration, or only its statements.
+///
+/// # Errors
+/// Everything that is wrong with the declaration.
+pub fn parse(text: &str) -> Result<System, Report> {
+    let mut report = Report::default();
+    let Some(declaration) = parse_text(text, &mut report) else { return Err(report) };
+    match model_of(declaration, &mut report) {
+        (declaration, Some(model)) => Ok(System { declaration, model, report }),
+        (_, None) => Err(report),
+    }
+}
+
+impl System {
+    /// The statements, one on each line; those about rigid bodies in plain words.
+    pub fn statements(&self) -> String {
+        emit::statements(&self.declaration)
+    }
+
+    /// Derives the equations of motion.
+    ///
+    /// # Errors
+    /// If the mass matrix is singular whatever the parameters are, or more would follow than can be emitted.
+    pub fn derive(self, choice: StrategyChoice) -> Result<Derived, Report> {
+        let System { declaration, mut model, mut report } = self;
+        match equations_of(&declaration, &mut model, choice, &mut report) {
+            Some((equations, reduced)) => Ok(Derived { declaration, model, equations, reduced, report }),
+            None => Err(report),
+        }
+    }
+}
+
+impl Derived {
+    /// The emitted items. `krate` is the path of the crate `lagrange` where they will stand.
+    ///
+    /// # Errors
+    /// If a constant is too large for the scalar.
+    pub fn emit(self, krate: &TokenStream) -> Result<TokenStream, Report> {
+        let Derived { declaration, mut model, equations, reduced, mut report } = self;
+        items_of((&declaration, &mut model, &equations), reduced, krate, &mut report).ok_or(report)
+    }
+
+    /// The equations, the structure and the cost of the system in lines of Markdown, as they stand in the
+    /// documentation of the emitted struct.
+    pub fn documentation(&mut self) -> Vec<String> {
+        emit::documentation(&mut self.model, &self.equations)
+    }
+
+    /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
+    /// short.
+    pub fn equations_latex(&mut self) -> String {
+        emit::equations_latex(&mut self.model, &self.equations)
+    }
+}

@@ -1,0 +1,33 @@
+//! Limits of multiplying out: how long a result may be, and how much may be made on the way to it.
+
+use super::polynomial::Polynomial;
+
+/// How many monomials may be made on the way for each one allowed in a result.
+const EFFORT_PER_MONOMIAL: usize = 50;
+
+/// Monomials that may be in a result, and those that may still be made.
+pub(super) struct Effort {
+    budget: usize,
+    left: usize,
+}
+
+impl Effort {
+    pub(super) fn new(budget: usize) -> Effort {
+        Effort { budget, left: budget.saturating_mul(EFFORT_PER_MONOMIAL) }
+    }
+
+    /// Uses up a part of the effort; `None` when there is not enough left.
+    pub(super) fn spend(&mut self, monomials: usize) -> Option<()> {
+        self.left = self.left.checked_sub(monomials)?;
+        Some(())
+    }
+
+    pub(super) fn within_budget(&self, polynomial: Polynomial) -> Option<Polynomial> {
+        (polynomial.len() <= self.budget).then_some(polynomial)
+    }
+
+    pub(super) fn times(&mut self, a: &Polynomial, b: &Polynomial) -> Option<Polynomial> {
+        self.spend(a.len().saturating_mul(b.len()))?;
+        self.within_budget(a.times(b))
+    }
+}

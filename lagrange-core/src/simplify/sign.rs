@@ -1,0 +1,41 @@
+//! Expressions that vanish nowhere, as far as their signs tell.
+
+use crate::expr::{ExprId, Graph, Node};
+use crate::number::Number;
+
+/// Sums nested deeper than this are not looked into.
+const DEEPEST: usize = 4;
+
+/// Whether an expression is known to vanish in no configuration, given that parameters are positive.
+pub fn never_vanishes(graph: &Graph, id: ExprId) -> bool {
+    stays(graph, id, DEEPEST)
+}
+
+fn stays(graph: &Graph, id: ExprId, depth: usize) -> bool {
+    if graph.dependencies(id).is_constant_in_motion() {
+        return !graph.is_zero(id);
+    }
+    match graph.node(id) {
+        Node::Product(factors) if depth > 0 => factors.iter().all(|(base, _)| stays(graph, *base, depth - 1)),
+        Node::Sum { constant, terms } if depth > 0 => {
+            let is_added = |(term, coefficient): &(ExprId, Number)| {
+                !coefficient.is_negative() && (is_square(graph, *term) || stays(graph, *term, depth - 1))
+            };
+            let has_constant =
+                !constant.is_zero() || terms.iter().any(|(term, _)| stays(graph, *term, depth - 1));
+            !constant.is_negative() && has_constant && terms.iter().all(is_added)
+        }
+        _ => false,
+    }
+}
+
+/// Whether an expression is never negative, given that parameters are positive.
+fn is_square(graph: &Graph, id: ExprId) -> bool {
+    let is_fixed = |id: ExprId| graph.dependencies(id).is_constant_in_motion();
+    match graph.node(id) {
+        Node::Product(factors) => {
+            factors.iter().all(|(base, exponent)| exponent.is_even() || is_fixed(*base))
+        }
+        _ => graph.is_nonnegative(id),
+    }
+}

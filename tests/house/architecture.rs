@@ -1,0 +1,58 @@
+//! The tables of layers as `ARCHITECTURE.md` shows them, between two comments.
+
+use std::path::Path;
+use std::{env, fs};
+
+use crate::tables::{LIBRARIES, Library};
+
+const START: &str = "<!-- Layers: tests/house/tables.rs -->\n";
+const END: &str = "<!-- End of layers -->\n";
+
+/// Compares the document with the tables, or writes them to it if `UPDATE_ARCHITECTURE` is set.
+pub(crate) fn check(root: &Path) {
+    let path = root.join("ARCHITECTURE.md");
+    let text = fs::read_to_string(&path).expect("the document");
+    let updated = with_tables(&text).expect("two comments in ARCHITECTURE.md around the tables of layers");
+    if env::var_os("UPDATE_ARCHITECTURE").is_some() {
+        fs::write(&path, updated).expect("the document can be written");
+    } else {
+        assert!(text == updated, "ARCHITECTURE.md does not show the layers; they are\n\n{}", tables());
+    }
+}
+
+/// The document with the tables between the comments.
+fn with_tables(text: &str) -> Option<String> {
+    let (before, rest) = text.split_once(START)?;
+    let (_, after) = rest.split_once(END)?;
+    Some(format!("{before}{START}\n{}{END}{after}", tables()))
+}
+
+/// One table for each crate with modules, in Markdown.
+fn tables() -> String {
+    LIBRARIES.iter().filter(|library| !library.layers.is_empty()).map(table).collect()
+}
+
+fn table(library: &Library) -> String {
+    let rows = library.layers.iter().map(|layer| {
+        let modules = layer.modules.iter().map(|module| format!("`{module}`")).collect::<Vec<_>>();
+        format!("| {} | {} |\n", modules.join(", "), layer.purpose)
+    });
+    let name = library.name;
+    format!("| layer of `{name}` | responsibility |\n|---|---|\n{}\n", rows.collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::architecture::{END, START, with_tables};
+
+    #[test]
+    fn tables_go_between_the_comments() {
+        let text = format!("before\n{START}stale\n{END}after\n");
+        let updated = with_tables(&text).expect("comments");
+        assert!(
+            updated.starts_with("before\n") && updated.ends_with("after\n") && !updated.contains("stale")
+        );
+        assert_eq!(with_tables(&updated).as_ref(), Some(&updated));
+        assert_eq!(with_tables("no comments"), None);
+    }
+}

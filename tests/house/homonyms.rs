@@ -1,0 +1,30 @@
+//! Types, aliases and traits of one name in several files of a crate.
+
+use std::collections::BTreeMap;
+
+use crate::imports::Crate;
+
+/// The most names for several types that a crate may have.
+const MOST: usize = 10;
+
+/// All such names of a crate that has too many of them.
+pub(crate) fn too_many(krate: &Crate) -> Option<String> {
+    let (names, name) = (homonyms(krate), &krate.name);
+    let list = names.join("\n  ");
+    (names.len() > MOST).then(|| format!("{name} has {} names for several types:\n  {list}", names.len()))
+}
+
+/// Every such name with its places.
+pub(crate) fn homonyms(krate: &Crate) -> Vec<String> {
+    let mut places = BTreeMap::<_, BTreeMap<_, _>>::new();
+    for item in &krate.types {
+        places.entry(&item.name).or_default().entry(&krate.files[item.file].path).or_insert(item.line);
+    }
+    let several = places.into_iter().filter(|(_, places)| places.len() > 1);
+    several
+        .map(|(name, places)| {
+            let places = places.into_iter().map(|(path, line)| format!("{path}:{line}"));
+            format!("{name}: {}", places.collect::<Vec<_>>().join(", "))
+        })
+        .collect()
+}

@@ -1,0 +1,78 @@
+//! The house rules, most of which only show between files, read from the sources of every crate of the workspace.
+//!
+//! 1. No circle of files ([`circles`]).
+//! 2. Every top-level module is in one layer and imports only from earlier layers ([`layers`]); the table of
+//!    layers ([`tables`]) is the one that `ARCHITECTURE.md` shows ([`architecture`]).
+//! 3. Few types of one crate share a name ([`homonyms`]).
+//! 4. Imports are explicit, failures are handled, files are short, and no code is unsafe ([`habits`]).
+//!
+//! Sources become files and modules ([`sources`]), these become items and what names mean ([`names`],
+//! [`methods`], [`receivers`]), and with them a walk through the code ([`walk`]) finds what each file needs of
+//! which other ([`imports`]). Tests are left out.
+
+mod architecture;
+mod circles;
+mod habits;
+mod homonyms;
+mod imports;
+mod layers;
+mod made_up;
+mod methods;
+mod names;
+mod receivers;
+mod sources;
+mod standard;
+mod tables;
+mod tokens;
+mod uses;
+mod walk;
+mod workspace;
+
+use crate::imports::Crate;
+use crate::tables::{LIBRARIES, Library};
+use crate::workspace::workspace;
+
+#[test]
+fn no_files_import_each_other_in_a_circle() {
+    let skipped: usize = workspace().crates.iter().map(|krate| krate.ambiguous_calls).sum();
+    println!("{skipped} calls of methods are left out, as several types have a method of that name.");
+    nothing_in(workspace().crates.iter().flat_map(circles::circles));
+}
+
+#[test]
+fn modules_import_only_from_earlier_layers() {
+    nothing_in(each_library(layers::upward_imports));
+}
+
+#[test]
+fn every_module_is_in_one_layer() {
+    let libraries = workspace().misplaced_libraries();
+    nothing_in(libraries.into_iter().chain(each_library(layers::misplaced_modules)));
+}
+
+#[test]
+fn architecture_shows_the_layers() {
+    architecture::check(&workspace().root);
+}
+
+#[test]
+fn every_file_keeps_the_habits() {
+    nothing_in(each_library(|krate, _| habits::lapses(krate)));
+}
+
+#[test]
+fn few_names_are_defined_twice() {
+    nothing_in(workspace().crates.iter().filter_map(homonyms::too_many));
+}
+
+fn each_library(rule: fn(&Crate, &Library) -> Vec<String>) -> Vec<String> {
+    let crates = &workspace().crates;
+    let read = |library: &Library| crates.iter().find(|krate| krate.name == library.name);
+    LIBRARIES.iter().filter_map(|library| Some(rule(read(library)?, library))).flatten().collect()
+}
+
+#[track_caller]
+fn nothing_in(complaints: impl IntoIterator<Item = String>) {
+    let complaints = complaints.into_iter().collect::<Vec<_>>();
+    assert!(complaints.is_empty(), "\n{}\n", complaints.join("\n"));
+}

@@ -1,0 +1,155 @@
+//! The layers of every crate, the one place to edit when a module comes, goes or moves. After a change
+//! `UPDATE_ARCHITECTURE=1 cargo test -p lagrange-tests --test house` writes the tables to `ARCHITECTURE.md`.
+
+/// Layers of one package with sources, from the ground up. None, if the crate is one file.
+pub(crate) struct Library {
+    pub(crate) name: &'static str,
+    pub(crate) layers: &'static [Layer],
+}
+
+/// Modules that do not import each other, and what they are for.
+pub(crate) struct Layer {
+    pub(crate) modules: &'static [&'static str],
+    pub(crate) purpose: &'static str,
+}
+
+pub(crate) const LIBRARIES: [Library; 8] = [
+    Library { name: "lagrange", layers: LAGRANGE },
+    Library { name: "lagrange-core", layers: CORE },
+    Library { name: "lagrange-draw", layers: DRAW },
+    Library { name: "lagrange-macro", layers: &[] },
+    Library { name: "lagrange-math", layers: MATH },
+    Library { name: "lagrange-plot", layers: PLOT },
+    Library { name: "lagrange-runtime", layers: RUNTIME },
+    Library { name: "xtask", layers: XTASK },
+];
+
+const LAGRANGE: &[Layer] = &[Layer {
+    modules: &["adapt", "private", "trade"],
+    purpose: "systems handed to `differential-equations` and `diffsol`; what emitted code names; methods, \
+                  numbers and variants of a system measured against each other",
+}];
+
+const CORE: &[Layer] = &[
+    Layer {
+        modules: &["collections", "diagnostics", "number"],
+        purpose: "containers in a fixed order; mistakes with places and help; exact rationals",
+    },
+    Layer { modules: &["symbol"], purpose: "names with roles" },
+    Layer {
+        modules: &["expr"],
+        purpose: "the graph, typed ids, and the only constructors of sums, products and choices",
+    },
+    Layer { modules: &["functions"], purpose: "one row per elementary function" },
+    Layer {
+        modules: &["calculus", "formula", "solids"],
+        purpose: "derivatives, expansion, substitution and evaluation; text, LaTeX and Graphviz; one row per \
+                  solid: dimensions, moment of inertia, centre of mass, outline",
+    },
+    Layer {
+        modules: &["simplify", "syntax"],
+        purpose: "named rules, `collect` and `quotient` for equations, `present` for readers, `proves_zero`; \
+                  tokens to syntax tree, and back to text",
+    },
+    Layer {
+        modules: &["bodies", "program"],
+        purpose: "plane rigid bodies, springs and joints to plain statements, syntax to syntax; straight-line \
+                  programs: lowering, passes, verifier, interpreter, operation counts",
+    },
+    Layer {
+        modules: &["code", "model"],
+        purpose: "programs as source text of a target; what is known of a system, in expressions",
+    },
+    Layer {
+        modules: &["derive", "elaborate"],
+        purpose: "model to equations: quadratic form, elimination, structure; declaration to model, reduced \
+                  models",
+    },
+    Layer { modules: &["emit"], purpose: "types, methods and documentation for a system" },
+    Layer { modules: &["pipeline"], purpose: "the whole of it" },
+];
+
+const MATH: &[Layer] = &[
+    Layer { modules: &["fused"], purpose: "products and sums in one rounding, where the target can" },
+    Layer { modules: &["reduction"], purpose: "angles to a multiple of π/2 and a rest" },
+    Layer { modules: &["angle"], purpose: "sine and cosine of one angle, without a branch" },
+    Layer { modules: &["batch"], purpose: "several angles at a time" },
+];
+
+const RUNTIME: &[Layer] = &[
+    Layer { modules: &["scalar"], purpose: "numbers that emitted code can compute with" },
+    Layer {
+        modules: &["body", "inertia", "linalg"],
+        purpose: "how a plane rigid body moves; how its mass is distributed; small matrices and vectors",
+    },
+    Layer {
+        modules: &["system"],
+        purpose: "traits that emitted types implement, and the plain data in their methods",
+    },
+    Layer {
+        modules: &["constraint", "scene"],
+        purpose: "residuals of constraints, projection onto them, motion where they depend on each other; what \
+                  there is to draw of a system: names and numbers only",
+    },
+    Layer {
+        modules: &["integrate"],
+        purpose: "methods, one family a file: settings (`Method`) start what changes from step to step \
+                  (`Stepper`), which needs no heap",
+    },
+    Layer {
+        modules: &["contact", "event"],
+        purpose: "modes of contacts and friction: forces, impacts, what follows upon an event; zeros of \
+                  functions of time and state within a step, one by one in the order of time",
+    },
+    Layer { modules: &["run"], purpose: "one loop over any `Stepper`: steps, events, restarts" },
+    Layer {
+        modules: &["simulate"],
+        purpose: "the front door (`std`): a builder, what is kept in columns, CSV and Parquet",
+    },
+];
+
+const PLOT: &[Layer] = &[
+    Layer {
+        modules: &["axis", "lettering", "thin"],
+        purpose: "what axes span and where their marks are; letters made of strokes, so that no font is needed; \
+                  as many points of a curve as can be told apart",
+    },
+    Layer { modules: &["canvas"], purpose: "pixels, with smooth lines" },
+    Layer { modules: &["panel"], purpose: "one pair of axes with curves" },
+    Layer { modules: &["figure"], purpose: "panels on any backend of plotters, as SVG or PNG" },
+];
+
+const DRAW: &[Layer] = &[
+    Layer {
+        modules: &["error", "load", "picture", "text"],
+        purpose: "failures; forces and moments as handed out; marks in pixels; the notation of formulas",
+    },
+    Layer { modules: &["colour", "geometry", "raster"], purpose: "colours; vectors of the plane; pixels" },
+    Layer {
+        modules: &["beside", "cut", "outline", "remainder"],
+        purpose: "pictures side by side; holes; shapes of bodies; what named forces leave open",
+    },
+    Layer {
+        modules: &["element", "snapshot", "svg"],
+        purpose: "what a picture consists of in the world; a scene at one moment; SVG documents",
+    },
+    Layer {
+        modules: &["files", "load_label", "moment", "parallel", "sketch", "stretch", "view"],
+        purpose: "files; what is written beside loads; what users add and what they see; lines on each other; \
+                  reach of lines and the window of a film",
+    },
+    Layer { modules: &["anchored", "marks"], purpose: "ends on the ground; elements as marks on paper" },
+    Layer {
+        modules: &["stage", "tag"],
+        purpose: "scenes to elements; where the label of an element belongs",
+    },
+    Layer { modules: &["heading", "labels"], purpose: "titles and notes; labels that lie on nothing" },
+    Layer { modules: &["layout"], purpose: "all moments of a film with the same marks in the same order" },
+    Layer { modules: &["drawing"], purpose: "what is drawn of a system" },
+    Layer { modules: &["film"], purpose: "animated SVG, GIF, HTML pages" },
+];
+
+const XTASK: &[Layer] = &[Layer {
+    modules: &["performance"],
+    purpose: "measures, and rewrites the tables of `docs/performance.md`",
+}];
