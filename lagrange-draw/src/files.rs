@@ -5,7 +5,8 @@ use std::path::Path;
 
 use crate::error::DrawError;
 use crate::picture::Picture;
-use crate::{raster, svg};
+use crate::raster;
+use crate::svg;
 
 impl Picture {
     /// The picture as an SVG document.

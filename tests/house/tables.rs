@@ -24,11 +24,17 @@ pub(crate) const LIBRARIES: [Library; 8] = [
     Library { name: "xtask", layers: XTASK },
 ];
 
-const LAGRANGE: &[Layer] = &[Layer {
-    modules: &["adapt", "private", "trade"],
-    purpose: "systems handed to `differential-equations` and `diffsol`; what emitted code names; methods, \
+const LAGRANGE: &[Layer] = &[
+    Layer {
+        modules: &["event", "integrate"],
+        purpose: "what `lagrange-runtime` has of these, with the loops without heap beside",
+    },
+    Layer {
+        modules: &["adapt", "private", "trade"],
+        purpose: "systems handed to `differential-equations` and `diffsol`; what emitted code names; methods, \
                   numbers and variants of a system measured against each other",
-}];
+    },
+];
 
 const CORE: &[Layer] = &[
     Layer {
@@ -79,6 +85,10 @@ const MATH: &[Layer] = &[
 const RUNTIME: &[Layer] = &[
     Layer { modules: &["scalar"], purpose: "numbers that emitted code can compute with" },
     Layer {
+        modules: &["tolerance"],
+        purpose: "how many roundings count as none: one table, with reasons and the tests that tell",
+    },
+    Layer {
         modules: &["body", "inertia", "linalg"],
         purpose: "how a plane rigid body moves; how its mass is distributed; small matrices and vectors",
     },
@@ -110,21 +120,26 @@ const RUNTIME: &[Layer] = &[
 
 const PLOT: &[Layer] = &[
     Layer {
-        modules: &["axis", "lettering", "thin"],
-        purpose: "what axes span and where their marks are; letters made of strokes, so that no font is needed; \
-                  as many points of a curve as can be told apart",
+        modules: &["axis", "lettering"],
+        purpose: "what axes span and where their marks are; letters made of strokes, so that no font is needed",
     },
-    Layer { modules: &["canvas"], purpose: "pixels, with smooth lines" },
+    Layer {
+        modules: &["canvas", "thin"],
+        purpose: "pixels, with smooth lines; as many points of a curve as can be told apart",
+    },
     Layer { modules: &["panel"], purpose: "one pair of axes with curves" },
     Layer { modules: &["figure"], purpose: "panels on any backend of plotters, as SVG or PNG" },
 ];
 
 const DRAW: &[Layer] = &[
     Layer {
-        modules: &["error", "load", "picture", "text"],
-        purpose: "failures; forces and moments as handed out; marks in pixels; the notation of formulas",
+        modules: &["error", "picture", "text"],
+        purpose: "failures; marks in pixels; the notation of formulas",
     },
-    Layer { modules: &["colour", "geometry", "raster"], purpose: "colours; vectors of the plane; pixels" },
+    Layer {
+        modules: &["colour", "geometry", "load", "raster"],
+        purpose: "colours; vectors of the plane; forces and moments as handed out; pixels",
+    },
     Layer {
         modules: &["beside", "cut", "outline", "remainder"],
         purpose: "pictures side by side; holes; shapes of bodies; what named forces leave open",

@@ -6,7 +6,8 @@ use crate::film::layers::{Change, Layer, kinds, layers};
 use crate::film::motion::Pose;
 use crate::film::{Film, points};
 use crate::picture::Segment;
-use crate::{svg, text};
+use crate::svg;
+use crate::text;
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");

@@ -1,7 +1,7 @@
 //! Accelerations where a pivot of a regular mass matrix vanishes.
 
 use crate::constraint::minimum_norm::{equilibration, finite, roundings};
-use crate::linalg::orthogonal::Factors;
+use crate::linalg::orthogonal::OrthogonalFactors;
 use crate::scalar::Scalar;
 
 /// The accelerations a of M a = f with a symmetric mass matrix M, in rows, that need not be definite, by orthogonal factors; NaN if it
@@ -22,7 +22,7 @@ pub fn indefinite_motion<S: Scalar, const N: usize>(mass: &[[S; N]; N], forcing:
     // Columns are rows: the matrix is symmetric.
     let scaled: [[S; N]; N] =
         core::array::from_fn(|j| core::array::from_fn(|i| scales[i] * mass[i][j] * scales[j]));
-    let factors = Factors::new(scaled, roundings::<S, N>());
+    let factors = OrthogonalFactors::new(scaled, roundings::<S, N>());
     if factors.rank() < N {
         return [S::NAN; N];
     }

@@ -8,7 +8,7 @@
 //! Simulation of Multibody Systems*; Ruiz, *A scaling algorithm to equilibrate both rows and columns norms in matrices*,
 //! Rutherford Appleton Laboratory report RAL-TR-2001-034.
 
-use crate::linalg::orthogonal::{Factors, euclidean_norm};
+use crate::linalg::orthogonal::{OrthogonalFactors, euclidean_norm};
 use crate::scalar::Scalar;
 use crate::tolerance::DEPENDENT_COLUMN;
 
@@ -59,7 +59,7 @@ pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D
     let scales = equilibration(&matrix);
     let scaled: [[S; D]; D] =
         core::array::from_fn(|j| core::array::from_fn(|i| scales[i] * matrix[i][j] * scales[j]));
-    let factors = Factors::new(scaled, roundings::<S, D>());
+    let factors = OrthogonalFactors::new(scaled, roundings::<S, D>());
     let scale = |right: &[S; D]| factors.inward(core::array::from_fn(|i| scales[i] * right[i]));
     let mut inner = scale(&right);
     if euclidean_norm(&inner[factors.rank()..]) > roundings::<S, D>() * euclidean_norm(&inner) {
@@ -86,7 +86,7 @@ pub fn redundant_motion<S: Scalar, const N: usize, const D: usize>(
     jacobian: &[[S; N]; D],
     drift: &[S; D],
 ) -> RedundantMotion<S, N, D> {
-    let equations = Equations::new(mass, jacobian).filter(|_| finite(&[*forcing]) && finite(&[*drift]));
+    let equations = ScaledEquations::new(mass, jacobian).filter(|_| finite(&[*forcing]) && finite(&[*drift]));
     let motion = equations.and_then(|equations| {
         let (acceleration, multipliers) = equations.solve(forcing, drift)?;
         equations.agrees(&acceleration, forcing, drift).then(|| RedundantMotion {
@@ -109,7 +109,7 @@ pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
 ) -> [S; N] {
     let is_lost = |(row, residual): (&[S; N], &S)| *residual != S::ZERO && row.iter().all(|x| *x == S::ZERO);
     let are_possible = finite(&[*residuals]) && !jacobian.iter().zip(residuals).any(is_lost);
-    let equations = Equations::new(mass, jacobian).filter(|_| are_possible);
+    let equations = ScaledEquations::new(mass, jacobian).filter(|_| are_possible);
     let change = equations.and_then(|equations| {
         let (change, _) = equations.solve(&[S::ZERO; N], residuals)?;
         Some(equations.in_coordinates(&change))
@@ -119,17 +119,17 @@ pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
 
 /// The matrices in coordinates whose masses are one, with the gradients of the constraints scaled to length one.
 #[derive(Debug)]
-struct Equations<S, const N: usize, const D: usize> {
+struct ScaledEquations<S, const N: usize, const D: usize> {
     mass: [[S; N]; N],
     /// By which coordinates were multiplied: a = scales a′.
     scales: [S; N],
     rows: [[S; N]; D],
     /// By which constraints were multiplied: λ = row_scales λ′.
     row_scales: [S; D],
-    factors: Factors<S, N, D>,
+    factors: OrthogonalFactors<S, N, D>,
 }
 
-impl<S: Scalar, const N: usize, const D: usize> Equations<S, N, D> {
+impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
     /// Scales and factorises; nothing if a matrix is not finite.
     fn new(mass: &[[S; N]; N], jacobian: &[[S; N]; D]) -> Option<Self> {
         if !(finite(mass) && finite(jacobian)) {
@@ -146,7 +146,13 @@ impl<S: Scalar, const N: usize, const D: usize> Equations<S, N, D> {
         for (row, scale) in rows.iter_mut().zip(row_scales) {
             *row = row.map(|entry| entry * scale);
         }
-        Some(Equations { mass, scales, rows, row_scales, factors: Factors::new(rows, rank_tolerance()) })
+        Some(ScaledEquations {
+            mass,
+            scales,
+            rows,
+            row_scales,
+            factors: OrthogonalFactors::new(rows, rank_tolerance()),
+        })
     }
 
     fn rank(&self) -> usize {
@@ -190,7 +196,7 @@ impl<S: Scalar, const N: usize, const D: usize> Equations<S, N, D> {
             column[..rank].fill(S::ZERO);
             column
         });
-        let factors = Factors::new(reduced, roundings::<S, N>());
+        let factors = OrthogonalFactors::new(reduced, roundings::<S, N>());
         let is_determined = factors.rank() == N;
         is_determined.then(|| self.factors.outward(factors.combination(right)))
     }
@@ -215,7 +221,7 @@ impl<S: Scalar, const N: usize, const D: usize> Equations<S, N, D> {
 /// The shortest x for which the columns of the factors, in the amounts x / `scales`, add up to what has these components in the
 /// directions of the independent columns.
 fn shortest<S: Scalar, const ROWS: usize, const COLUMNS: usize>(
-    factors: &Factors<S, ROWS, COLUMNS>,
+    factors: &OrthogonalFactors<S, ROWS, COLUMNS>,
     components: &[S; ROWS],
     scales: &[S; COLUMNS],
 ) -> [S; COLUMNS] {
@@ -229,17 +235,17 @@ fn shortest<S: Scalar, const ROWS: usize, const COLUMNS: usize>(
         *product = components[k] * scale;
         *row = row.map(|entry| entry * scale);
     }
-    Factors::new(rows, S::ZERO).shortest(&products)
+    OrthogonalFactors::new(rows, S::ZERO).shortest(&products)
 }
 
 /// What a symmetric matrix maps to zero.
 #[derive(Debug)]
 struct Ignored<S, const D: usize> {
-    basis: Factors<S, D, D>,
+    basis: OrthogonalFactors<S, D, D>,
 }
 
 impl<S: Scalar, const D: usize> Ignored<S, D> {
-    fn new(factors: &Factors<S, D, D>, scales: &[S; D]) -> Self {
+    fn new(factors: &OrthogonalFactors<S, D, D>, scales: &[S; D]) -> Self {
         let basis = core::array::from_fn(|l| {
             if l < factors.rank() {
                 return [S::ZERO; D];
@@ -249,7 +255,7 @@ impl<S: Scalar, const D: usize> Ignored<S, D> {
             let scale = reciprocal(euclidean_norm(&vector));
             vector.map(|entry| entry * scale)
         });
-        Ignored { basis: Factors::new(basis, S::ZERO) }
+        Ignored { basis: OrthogonalFactors::new(basis, S::ZERO) }
     }
 
     /// What is left of a vector without its part of this.
@@ -263,7 +269,7 @@ impl<S: Scalar, const D: usize> Ignored<S, D> {
     }
 }
 
-/// Factors that bring the largest entry of each row of a symmetric matrix near one, if columns are multiplied by them, too.
+/// OrthogonalFactors that bring the largest entry of each row of a symmetric matrix near one, if columns are multiplied by them, too.
 pub(super) fn equilibration<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [S; D] {
     let mut scales = [S::ONE; D];
     for _ in 0..SCALINGS {

@@ -11,11 +11,8 @@ use super::ConstrainedSystem;
 use super::residuals::largest;
 use crate::linalg::vector::{add, difference};
 use crate::scalar::Scalar;
-use crate::system::{MechanicalSystem, OdeSystem, StateVector};
+use crate::system::{Number, StateVector, Vector};
 use crate::tolerance::PULL;
-
-type Number<M> = <M as OdeSystem>::Scalar;
-type Vector<M> = <M as MechanicalSystem>::Coordinates;
 
 /// More steps than this are no use.
 const MOST: u32 = 100;
@@ -29,7 +26,7 @@ const STRETCH: f64 = 4.0;
 const MARGIN: f64 = 0.1;
 
 /// A search for the positions on the constraints nearest to `from`. The velocities are those of the mass matrix.
-pub(super) struct Search<'a, M: ConstrainedSystem + ?Sized> {
+pub(super) struct NearestSearch<'a, M: ConstrainedSystem + ?Sized> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
     pub(super) v: &'a M::Coordinates,
@@ -37,7 +34,7 @@ pub(super) struct Search<'a, M: ConstrainedSystem + ?Sized> {
 }
 
 /// Positions on the constraints.
-struct Point<Q> {
+struct SearchPoint<Q> {
     q: Q,
     /// The tangential part of the way to where the search began.
     pull: Q,
@@ -45,7 +42,7 @@ struct Point<Q> {
 
 /// Where a step along a direction ends.
 struct End<S, Q> {
-    point: Point<Q>,
+    point: SearchPoint<Q>,
     /// The direction, carried there.
     direction: Q,
     length: S,
@@ -53,7 +50,7 @@ struct End<S, Q> {
     slope: S,
 }
 
-impl<M: ConstrainedSystem + ?Sized> Search<'_, M> {
+impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     /// The nearest positions, from `found` on the constraints, to which `onto` brings others if it can.
     pub(super) fn nearest(&self, found: Vector<M>, onto: impl Fn(&mut Vector<M>) -> bool) -> Vector<M> {
         let mut point = self.point(found);
@@ -74,15 +71,15 @@ impl<M: ConstrainedSystem + ?Sized> Search<'_, M> {
         point.q
     }
 
-    fn point(&self, q: Vector<M>) -> Point<Vector<M>> {
-        Point { q, pull: self.tangential(&q, &difference(self.from, &q)) }
+    fn point(&self, q: Vector<M>) -> SearchPoint<Vector<M>> {
+        SearchPoint { q, pull: self.tangential(&q, &difference(self.from, &q)) }
     }
 
     /// The step along a direction at whose end the distance hardly falls any more; if there is none, because the way back onto the
     /// constraints leads elsewhere, the longest one found that leads nearer.
     fn step(
         &self,
-        start: &Point<Vector<M>>,
+        start: &SearchPoint<Vector<M>>,
         direction: &Vector<M>,
         (slope, first): (Number<M>, Number<M>),
         onto: impl Fn(&mut Vector<M>) -> bool,
@@ -128,7 +125,7 @@ impl<M: ConstrainedSystem + ?Sized> Search<'_, M> {
     }
 
     /// The direction of the next step, after Polak and Ribière; the pull itself where that would lead away.
-    fn conjugate(&self, start: &Point<Vector<M>>, end: &End<Number<M>, Vector<M>>) -> Vector<M> {
+    fn conjugate(&self, start: &SearchPoint<Vector<M>>, end: &End<Number<M>, Vector<M>>) -> Vector<M> {
         let End { point, direction, .. } = end;
         let before = self.product(&start.q, &start.pull, &start.pull);
         let change = difference(&point.pull, &self.tangential(&point.q, &start.pull));
@@ -143,7 +140,7 @@ impl<M: ConstrainedSystem + ?Sized> Search<'_, M> {
 
     /// What is left of a change of positions without its part normal to the constraints.
     fn tangential(&self, q: &Vector<M>, change: &Vector<M>) -> Vector<M> {
-        let Search { system, t, v, .. } = self;
+        let NearestSearch { system, t, v, .. } = self;
         let mut residuals = system.velocity_residuals(*t, q, &Vector::<M>::ZERO);
         let moved = system.velocity_residuals(*t, q, change);
         for (residual, moved) in residuals.as_mut().iter_mut().zip(moved.as_ref()) {

@@ -6,18 +6,16 @@
 //! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the module above.
 
 use super::ConstrainedSystem;
-use super::nearest::Search;
+use super::nearest::NearestSearch;
 use super::residuals::{
     beyond, largest, of_positions_together, of_velocities, of_velocities_together, size, worst,
 };
 use crate::linalg::vector::difference;
 use crate::scalar::Scalar;
-use crate::system::{MechanicalSystem, OdeSystem, StateVector, StepFailure, Violation, join, split};
+use crate::system::{Number, StateVector, StepFailure, Vector, Violation, join, split};
 
-type Number<M> = <M as OdeSystem>::Scalar;
-type Vector<M> = <M as MechanicalSystem>::Coordinates;
 type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
-type StepOf<M> = Step<Number<M>, Vector<M>>;
+type StepOf<M> = Correction<Number<M>, Vector<M>>;
 
 /// More corrections than this are no use within a motion,
 const MOST: u32 = 20;
@@ -189,7 +187,7 @@ fn bring_nearest<M: ConstrainedSystem + ?Sized>(
     }
     if largest(difference(&from, q).as_ref()) > negligible(q.as_ref()) {
         let onto = |q: &mut M::Coordinates| bring_positions(system, t, q, v, MOST);
-        *q = Search { system, t, v, from: &from }.nearest(*q, onto);
+        *q = NearestSearch { system, t, v, from: &from }.nearest(*q, onto);
     }
     true
 }
@@ -207,7 +205,7 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
     if are_zero(residuals.as_ref()) {
         return true;
     }
-    let step = Step::new(*q, system.correction(t, q, v, &residuals));
+    let step = Correction::new(*q, system.correction(t, q, v, &residuals));
     // What is not a number is larger than anything, too.
     if step.length <= negligible(q.as_ref()) {
         *q = step.end(M::Scalar::ONE);
@@ -245,7 +243,7 @@ fn newton<M: ConstrainedSystem + ?Sized>(
         if next.length <= negligible {
             return Some(next.end(M::Scalar::ONE));
         }
-        step = Step::new(to, system.correction(t, &to, v, &residuals));
+        step = Correction::new(to, system.correction(t, &to, v, &residuals));
         if step.length <= negligible {
             return Some(step.end(M::Scalar::ONE));
         }
@@ -264,7 +262,7 @@ fn shortened<M: ConstrainedSystem + ?Sized>(
     for _ in 0..MOST {
         let to = step.end(part);
         let residuals = system.position_residuals(t, &to);
-        let next = Step::new(to, system.correction(t, &step.from, v, &residuals));
+        let next = Correction::new(to, system.correction(t, &step.from, v, &residuals));
         let demanded = (M::Scalar::ONE - part / M::Scalar::from_f64(4.0)) * step.length;
         if next.length <= demanded && next.length.is_finite() {
             return Some((to, residuals, next));
@@ -275,16 +273,16 @@ fn shortened<M: ConstrainedSystem + ?Sized>(
 }
 
 /// A correction and from where.
-struct Step<S, Q> {
+struct Correction<S, Q> {
     from: Q,
     change: Q,
     length: S,
 }
 
-impl<S: Scalar, Q: StateVector<S>> Step<S, Q> {
+impl<S: Scalar, Q: StateVector<S>> Correction<S, Q> {
     #[inline]
     fn new(from: Q, change: Q) -> Self {
-        Step { from, change, length: largest(change.as_ref()) }
+        Correction { from, change, length: largest(change.as_ref()) }
     }
 
     /// Where this part of it leads.
@@ -311,7 +309,7 @@ fn bring_velocities<M: ConstrainedSystem + ?Sized>(
         if are_zero(residuals.as_ref()) {
             return true;
         }
-        let step = Step::new(*v, system.correction(t, q, v, &residuals));
+        let step = Correction::new(*v, system.correction(t, q, v, &residuals));
         let part = || of_velocities_together(system, t, (q, v));
         let is_large = step.length > M::Scalar::from_f64(LARGE) * largest(v.as_ref());
         if is_large && is_magnified(step.length, largest(v.as_ref()), part) {

@@ -13,44 +13,13 @@
 //! Sources: Murty, *Linear Complementarity, Linear and Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody
 //! Dynamics with Unilateral Contacts*, §5.3, §6.
 
+use super::choice::{Choice, Settled};
 use super::reaction_forces::{Balance, Rule};
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED, BALANCED_BY_SEARCH, HELD_TOGETHER, Roundings};
 
-/// What a reaction may do.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Choice {
-    /// Nothing but this.
-    Only(Rule),
-    /// To press or to part.
-    Touch,
-    /// To hold or to slip.
-    Rest,
-}
-
-/// Rules that fit together, and the reactions under them.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Settled<S, const K: usize> {
-    pub(super) rules: [Rule; K],
-    pub(super) reactions: [S; K],
-}
-
 /// Combinations are not tried if there are more.
 const MOST_COMBINATIONS: u64 = 1_296;
-
-impl Choice {
-    fn rules(self) -> &'static [Rule] {
-        match self {
-            Choice::Only(Rule::Absent) => &[Rule::Absent],
-            Choice::Only(Rule::Holds) => &[Rule::Holds],
-            Choice::Only(Rule::Forwards) => &[Rule::Forwards],
-            Choice::Only(Rule::Backwards) => &[Rule::Backwards],
-            Choice::Only(Rule::Smooth) => &[Rule::Smooth],
-            Choice::Touch => &[Rule::Holds, Rule::Absent],
-            Choice::Rest => &[Rule::Holds, Rule::Forwards, Rule::Backwards],
-        }
-    }
-}
 
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Rules out of these choices that fit together, if there are any.

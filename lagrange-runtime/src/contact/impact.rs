@@ -23,7 +23,7 @@
 
 use core::array;
 
-use super::complementarity::{Choice, Settled};
+use super::choice::{Choice, Settled};
 use super::reaction_forces::{Balance, Rule};
 use super::{Mode, Terms};
 use crate::scalar::Scalar;

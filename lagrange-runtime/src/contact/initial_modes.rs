@@ -2,7 +2,7 @@
 
 use core::array;
 
-use super::complementarity::Choice;
+use super::choice::Choice;
 use super::guards::nothing;
 use super::reaction_forces::{Balance, Rule};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};

@@ -26,7 +26,7 @@
 //! problems with friction as solvable linear complementarity problems", *Nonlinear Dynamics* 14 (1997) 231–247; Cottle, Pang,
 //! Stone, *The Linear Complementarity Problem*, §4.4, §4.9.
 
-use super::complementarity::{Choice, Settled};
+use super::choice::{Choice, Settled};
 use super::reaction_forces::{Balance, Rule};
 use crate::linalg::singular::negligible;
 use crate::scalar::Scalar;
@@ -60,7 +60,7 @@ struct Row<S, const K: usize> {
 }
 
 /// Variables that are in the basis, by those that are not and are zero.
-struct Tableau<S, const K: usize> {
+struct PivotTableau<S, const K: usize> {
     rows: Pairs<Row<S, K>, K>,
     /// The variables of the columns.
     columns: Pairs<Variable, K>,
@@ -107,7 +107,7 @@ impl<S: Scalar, const K: usize> Row<S, K> {
     }
 }
 
-impl<S: Scalar, const K: usize> Tableau<S, K> {
+impl<S: Scalar, const K: usize> PivotTableau<S, K> {
     /// Lets the variable of a column enter the basis, and that of a row leave it.
     fn exchange(&mut self, pair: usize, column: Column) -> Variable {
         let mut row = self.rows[pair / PAIRS][pair % PAIRS];
@@ -219,12 +219,12 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     }
 
     /// The problem of these choices; none if an equation cannot be solved for its reaction.
-    fn tableau(&self, choices: &[Choice; K]) -> Option<Tableau<S, K>> {
+    fn tableau(&self, choices: &[Choice; K]) -> Option<PivotTableau<S, K>> {
         let problem = Problem::new(self, choices);
         let pair = |k: usize, pair: usize| PAIRS * k + pair;
         let rows = core::array::from_fn(|k| core::array::from_fn(|i| problem.row(k, i)));
         let columns = core::array::from_fn(|k| core::array::from_fn(|i| Variable::Z(pair(k, i))));
-        let mut tableau = Tableau { rows, columns, cover: Variable::Cover };
+        let mut tableau = PivotTableau { rows, columns, cover: Variable::Cover };
         tableau.perturb();
         for k in (0..K).filter(|k| problem.is_equation(*k)) {
             let row = &tableau.rows[k][0];
@@ -237,7 +237,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     }
 }
 
-impl<S: Scalar, const K: usize> Tableau<S, K> {
+impl<S: Scalar, const K: usize> PivotTableau<S, K> {
     /// Moves the values of the rows by a little, upwards, where they have a sign.
     fn perturb(&mut self) {
         let rows = self.rows.iter().flatten();

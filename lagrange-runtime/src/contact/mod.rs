@@ -38,6 +38,7 @@
 //!
 //! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5.
 
+mod choice;
 mod complementarity;
 mod guards;
 mod impact;

@@ -1,7 +1,7 @@
 //! A piece of a step: values of functions in it, and the first event that they tell.
 
 use super::function::{Claim, EventFunction};
-use super::polynomial::{Change, POINTS, Polynomial};
+use super::polynomial::{POINTS, Polynomial, SignChange};
 use crate::scalar::Scalar;
 
 /// A function that rose since it was started at this part of its present rate, or more, did not start at rest.
@@ -57,14 +57,16 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         let mut x = self.part(first);
         loop {
             match polynomial.next_change(sign, x, x == S::ZERO && function.has_fired_at(self.times[0])) {
-                Change::Nowhere => return self.at_its_end(&values, sign, function),
-                Change::Between(from, to) if polynomial.is_trusted() => {
+                SignChange::Nowhere => return self.at_its_end(&values, sign, function),
+                SignChange::Between(from, to) if polynomial.is_trusted() => {
                     if function.direction.counts(sign, -sign) {
                         return Sight::Between { from: self.time(from), to: self.time(to), sign };
                     }
                     (sign, x) = (-sign, to);
                 }
-                Change::Unclear if polynomial.is_exact() => return self.at_its_end(&values, sign, function),
+                SignChange::Unclear if polynomial.is_exact() => {
+                    return self.at_its_end(&values, sign, function);
+                }
                 _ if !is_shortest => return Sight::Unclear,
                 _ => return self.by_signs(&values, (first, sign), function),
             }

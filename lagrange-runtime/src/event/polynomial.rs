@@ -48,7 +48,7 @@ pub(super) struct Polynomial<S> {
 
 /// Where a polynomial changes its sign.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Change<S> {
+pub(super) enum SignChange<S> {
     /// Nowhere.
     Nowhere,
     /// Between these places; only once where it is clear of zero.
@@ -100,7 +100,7 @@ impl<S: Scalar> Polynomial<S> {
     /// Where it next changes to the sign opposite to that of `sign`, from the place `x` on.
     ///
     /// `is_zero` says that its zero at `x` is known, which then does not matter if the polynomial can be trusted.
-    pub(super) fn next_change(&self, sign: S, mut x: S, is_zero: bool) -> Change<S> {
+    pub(super) fn next_change(&self, sign: S, mut x: S, is_zero: bool) -> SignChange<S> {
         let (error, narrowest) = (self.error(), S::from_f64(NARROWEST));
         let half = S::from_f64(0.5);
         let is_known = is_zero || self.part(sign, x, S::ONE)[0].abs() <= self.rounding;
@@ -118,7 +118,7 @@ impl<S: Scalar> Polynomial<S> {
                 && (is_steady(&part) || self.is_exact())
             {
                 let is_certain = !is_unclear || self.is_exact();
-                return if is_certain { Change::Between(clear, x + width) } else { Change::Unclear };
+                return if is_certain { SignChange::Between(clear, x + width) } else { SignChange::Unclear };
             } else if is_last {
                 // What turns so near to zero may hide two zeros, even behind a known one.
                 is_unclear |= !is_steady(&part);
@@ -130,7 +130,7 @@ impl<S: Scalar> Polynomial<S> {
             x = x + width;
             width = (width + width).min(S::ONE - x);
         }
-        if is_unclear || is_near { Change::Unclear } else { Change::Nowhere }
+        if is_unclear || is_near { SignChange::Unclear } else { SignChange::Nowhere }
     }
 
     /// The Bernstein coefficients on a part of the unit interval, with the sign turned if that of `sign` is negative.

@@ -40,7 +40,7 @@ pub(super) fn solve<S: Scalar, Y: StateVector<S>, const K: usize>(
     rounding: S,
     work: &mut Work,
 ) -> Result<(), StepFailure<S>> {
-    let mut progress = Progress::new(rounding);
+    let mut progress = Convergence::new(rounding);
     let mut stalls = 0;
     for iteration in 1..=LIMIT {
         let residual = equations.residual(unknowns, work);
@@ -83,15 +83,15 @@ pub(super) fn largest<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> Y {
 }
 
 /// The corrections of each unknown so far.
-struct Progress<S, Y> {
+struct Convergence<S, Y> {
     rounding: S,
     /// The smallest and the last, and the best of the ratios of one to the one before; nothing is known at first.
     seen: Option<(Y, Y, Y)>,
 }
 
-impl<S: Scalar, Y: StateVector<S>> Progress<S, Y> {
+impl<S: Scalar, Y: StateVector<S>> Convergence<S, Y> {
     fn new(rounding: S) -> Self {
-        Progress { rounding, seen: None }
+        Convergence { rounding, seen: None }
     }
 
     /// What one more correction makes of it.

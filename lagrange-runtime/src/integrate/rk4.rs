@@ -29,7 +29,7 @@ pub fn rk4_step<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::S
 where
     M: OdeSystem + ?Sized,
 {
-    combined(y, M::Scalar::ONE, &Stages::new(system, t, y, h, system.rhs(t, y)).increment(h))
+    combined(y, M::Scalar::ONE, &RungeKuttaStages::new(system, t, y, h, system.rhs(t, y)).increment(h))
 }
 
 /// The method is stable up to this |h λ| on the negative real axis, and a little farther on the imaginary one.
@@ -99,7 +99,7 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
             system.rhs(t, y)
         });
         work.evaluations += 3;
-        let stages = Stages::new(system, t, y, h, k1);
+        let stages = RungeKuttaStages::new(system, t, y, h, k1);
         self.trial = stages.k1;
         self.check(system, t, y, h, &stages, work)?;
         Ok(stages.increment(h))
@@ -155,7 +155,7 @@ impl<Y> Classical<Y> {
         t: M::Scalar,
         y: &Y,
         h: M::Scalar,
-        stages: &Stages<Y>,
+        stages: &RungeKuttaStages<Y>,
         work: &mut Work,
     ) -> Result<(), StepFailure<M::Scalar>>
     where
@@ -176,14 +176,14 @@ impl<Y> Classical<Y> {
 }
 
 /// The rates of the four stages.
-struct Stages<Y> {
+struct RungeKuttaStages<Y> {
     k1: Y,
     k2: Y,
     k3: Y,
     k4: Y,
 }
 
-impl<Y> Stages<Y> {
+impl<Y> RungeKuttaStages<Y> {
     #[inline]
     fn new<M>(system: &M, t: M::Scalar, y: &Y, h: M::Scalar, k1: Y) -> Self
     where
@@ -194,7 +194,7 @@ impl<Y> Stages<Y> {
         let k2 = system.rhs(t + half, &combined(y, half, &k1));
         let k3 = system.rhs(t + half, &combined(y, half, &k2));
         let k4 = system.rhs(t + h, &combined(y, h, &k3));
-        Stages { k1, k2, k3, k4 }
+        RungeKuttaStages { k1, k2, k3, k4 }
     }
 
     /// h (k₁ + 2 k₂ + 2 k₃ + k₄)/6

@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 
 /// The factors Q and R of a matrix whose columns are `columns`, in the order in which they were taken.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Factors<S, const ROWS: usize, const COLUMNS: usize> {
+pub(crate) struct OrthogonalFactors<S, const ROWS: usize, const COLUMNS: usize> {
     /// Of the column taken k-th, R above row k and, if k is below the rank, the reflection u with I − u uᵀ from there on.
     columns: [[S; ROWS]; COLUMNS],
     /// The diagonal of R.
@@ -18,7 +18,7 @@ pub(crate) struct Factors<S, const ROWS: usize, const COLUMNS: usize> {
     rank: usize,
 }
 
-impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMNS> {
+impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, ROWS, COLUMNS> {
     /// The factors of finite columns. Columns of which no more is left than the part `tolerance` of the largest one depend on
     /// those before.
     pub(crate) fn new(mut columns: [[S; ROWS]; COLUMNS], tolerance: S) -> Self {
@@ -38,7 +38,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> Factors<S, ROWS, COLUMN
             diagonal[k] = reflect(&mut columns[k..], k, left);
             rank += 1;
         }
-        Factors { columns, diagonal, order, rank }
+        OrthogonalFactors { columns, diagonal, order, rank }
     }
 
     /// How many columns are independent.

@@ -19,7 +19,7 @@ pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) ->
     let factors = Factors::<S, [S; K]>::new(Matrix(*a));
     match factors.filter(|factors| factors.smallest_pivot() > negligible) {
         Some(factors) => factors.solve(b),
-        None => orthogonal::Factors::new(*a, negligible).shortest(b),
+        None => orthogonal::OrthogonalFactors::new(*a, negligible).shortest(b),
     }
 }
 

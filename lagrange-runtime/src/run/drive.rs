@@ -33,7 +33,7 @@ where
         .map_err(|cause| explain(IntegrationError { cause, time: t0, state: y0 }, current.system()))?;
     let events = events(current.system(), stepper.state());
     observe(t0, stepper.state());
-    let mut sink = Observer(observe);
+    let mut sink = ObservingSink(observe);
     let mut run = Run::new(&mut current, stepper, events, (t0, t_end), &[]);
     while !run.is_over() {
         match run.next(&mut sink, None) {
@@ -46,9 +46,9 @@ where
 }
 
 /// A function that sees times and states.
-struct Observer<F>(F);
+struct ObservingSink<F>(F);
 
-impl<M: OdeSystem, F: FnMut(M::Scalar, &M::State)> Sink<M> for Observer<F> {
+impl<M: OdeSystem, F: FnMut(M::Scalar, &M::State)> Sink<M> for ObservingSink<F> {
     #[inline]
     fn reach_end(&mut self, _: &M, stepper: &mut impl Stepper<M>, time: M::Scalar) -> bool {
         (self.0)(time, stepper.state());

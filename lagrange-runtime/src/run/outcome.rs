@@ -10,7 +10,7 @@ pub(super) struct EventOutcome<M: OdeSystem> {
 }
 
 /// The state that a motion goes on from, and the system if it is another one.
-type Resumed<M> = Result<(<M as OdeSystem>::State, Option<M>), StepFailure<<M as OdeSystem>::Scalar>>;
+type Continuation<M> = Result<(<M as OdeSystem>::State, Option<M>), StepFailure<<M as OdeSystem>::Scalar>>;
 
 impl<M: OdeSystem> EventOutcome<M> {
     /// To go on.
@@ -46,7 +46,7 @@ impl<M: OdeSystem> EventOutcome<M> {
     ///
     /// # Errors
     /// If no motion goes on from there.
-    pub(super) fn resume(self, system: &M, t: M::Scalar) -> Option<Resumed<M>> {
+    pub(super) fn resume(self, system: &M, t: M::Scalar) -> Option<Continuation<M>> {
         self.state().map(|mut state| {
             let next = match self.system {
                 Some(next) => Some(next),

@@ -53,7 +53,7 @@ pub enum Turn<S, Y> {
 type Turned<M> = Outcome<M, Turn<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>>;
 
 /// The next event of the system M and whose it is, if there is one, or E.
-type Ahead<M, E> = Result<Option<(Origin, Found<M>)>, E>;
+type NextEvent<M, E> = Result<Option<(Origin, Found<M>)>, E>;
 
 /// What came of events, and whether the first of them was not told.
 type Reaction<M> = Result<(EventOutcome<M>, bool), StepFailure<<M as OdeSystem>::Scalar>>;
@@ -172,7 +172,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
 
     /// The next event of the last step.
     #[inline]
-    fn next_event(&mut self) -> Ahead<M, IntegrationError<M::Scalar, M::State>> {
+    fn next_event(&mut self) -> NextEvent<M, IntegrationError<M::Scalar, M::State>> {
         let system = self.current.system();
         match self.events.look(system, &mut self.stepper, self.end) {
             Ok(next) => Ok(next.and_then(|(origin, _)| Some((origin, self.events.take(origin)?)))),
@@ -221,7 +221,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         &mut self,
         outcome: &EventOutcome<M>,
         time: M::Scalar,
-    ) -> Ahead<M, StepFailure<M::Scalar>> {
+    ) -> NextEvent<M, StepFailure<M::Scalar>> {
         let (from, to) = (self.stepper.last_time(), self.stepper.time());
         loop {
             let next = self.events.look(self.current.system(), &mut self.stepper, self.end)?;

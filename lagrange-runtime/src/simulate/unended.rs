@@ -11,7 +11,7 @@ use super::progress::{Progress, Verdict};
 use super::trajectory::Trajectory;
 use crate::integrate::{Method, Verner98};
 use crate::scalar::Scalar;
-use crate::system::{Action, ControlledSystem, Direction, MechanicalSystem, OdeSystem};
+use crate::system::{Action, ControlledSystem, Direction, MechanicalSystem, Number, State};
 
 /// A run that knows when it ends.
 #[doc(hidden)]
@@ -21,9 +21,6 @@ use crate::system::{Action, ControlledSystem, Direction, MechanicalSystem, OdeSy
     note = "for example `system.simulate(start).until(10.0).run()`"
 )]
 pub trait KnowsItsEnd {}
-
-type Number<M> = <M as OdeSystem>::Scalar;
-type State<M> = <M as OdeSystem>::State;
 
 /// The run with the default method, as it would be after `.until(…)`.
 type Ended<'a, M> = Simulation<'a, M, Verner98<Number<M>>>;

@@ -26,6 +26,15 @@ pub use crate::linalg::vector::StateVector;
 
 use crate::scalar::Scalar;
 
+/// The scalar of a system.
+pub(crate) type Number<M> = <M as OdeSystem>::Scalar;
+
+/// Positions of a system, or as many velocities.
+pub(crate) type Vector<M> = <M as MechanicalSystem>::Coordinates;
+
+/// The state of a system.
+pub(crate) type State<M> = <M as OdeSystem>::State;
+
 /// The square matrix, in rows, that belongs to a system's state.
 pub type StateMatrix<M> = <<M as OdeSystem>::State as StateVector<<M as OdeSystem>::Scalar>>::Square;
 

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::system::{Action, DeclaredEvent, Response, StepFailure};
 
-type Number<W> = <<W as Wrapper>::Inner as OdeSystem>::Scalar;
+type InnerNumber<W> = <<W as Wrapper>::Inner as OdeSystem>::Scalar;
 type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 
 /// A system that contains another one and has equations of its own: with a control, with losses, or with more unknowns.
@@ -71,7 +71,7 @@ pub trait Wrapper: Sized {
     /// The system inside.
     type Inner: OdeSystem;
     /// The state of the inner system, or a longer vector that begins with it.
-    type State: StateVector<Number<Self>>;
+    type State: StateVector<InnerNumber<Self>>;
 
     /// The system inside, in its present modes.
     fn inner(&self) -> &Self::Inner;
@@ -86,7 +86,7 @@ pub trait Wrapper: Sized {
     /// contacts, friction, switches and the energy are computed by it. What [`around`](Wrapper::around) is given may come from here,
     /// with these inputs.
     #[inline]
-    fn present<R>(&self, _t: Number<Self>, _y: &Self::State, ask: impl FnOnce(&Self::Inner) -> R) -> R {
+    fn present<R>(&self, _t: InnerNumber<Self>, _y: &Self::State, ask: impl FnOnce(&Self::Inner) -> R) -> R {
         ask(self.inner())
     }
 
@@ -94,29 +94,34 @@ pub trait Wrapper: Sized {
     ///
     /// Where constraints hold the inner system, accelerations must keep to them; the inner system does that under other inputs and
     /// parameters, too.
-    fn outer_rhs(&self, t: Number<Self>, y: &Self::State) -> Self::State;
+    fn outer_rhs(&self, t: InnerNumber<Self>, y: &Self::State) -> Self::State;
 
     /// ∂f/∂y in rows, if it is known. That of the inner system is another one where the equations differ.
     #[inline]
     fn outer_jacobian(
         &self,
-        _t: Number<Self>,
+        _t: InnerNumber<Self>,
         _y: &Self::State,
-    ) -> Option<<Self::State as StateVector<Number<Self>>>::Square> {
+    ) -> Option<<Self::State as StateVector<InnerNumber<Self>>>::Square> {
         None
     }
 }
 
 impl<W: Wrapper> OdeSystem for W {
-    type Scalar = Number<W>;
+    type Scalar = InnerNumber<W>;
     type State = W::State;
 
     #[inline]
-    fn rhs(&self, t: Number<W>, y: &W::State) -> W::State {
+    fn rhs(&self, t: InnerNumber<W>, y: &W::State) -> W::State {
         self.outer_rhs(t, y)
     }
 
-    fn undefined(&self, t: Number<W>, y: &W::State, rates: &W::State) -> Option<Undefined<Number<W>>> {
+    fn undefined(
+        &self,
+        t: InnerNumber<W>,
+        y: &W::State,
+        rates: &W::State,
+    ) -> Option<Undefined<InnerNumber<W>>> {
         let inside = part::<W>(y);
         let own = Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index)?;
         if let Undefined::State { component: Component::Index(index), .. } = own
@@ -128,44 +133,44 @@ impl<W: Wrapper> OdeSystem for W {
     }
 
     #[inline]
-    fn jacobian(&self, t: Number<W>, y: &W::State) -> Option<StateMatrix<W>> {
+    fn jacobian(&self, t: InnerNumber<W>, y: &W::State) -> Option<StateMatrix<W>> {
         self.outer_jacobian(t, y)
     }
 
     #[inline]
-    fn next_restart(&self, t: Number<W>, end: Number<W>) -> Option<Number<W>> {
+    fn next_restart(&self, t: InnerNumber<W>, end: InnerNumber<W>) -> Option<InnerNumber<W>> {
         self.inner().next_restart(t, end)
     }
 
-    fn beyond(&self, t: Number<W>, end: Number<W>) -> Option<W> {
+    fn beyond(&self, t: InnerNumber<W>, end: InnerNumber<W>) -> Option<W> {
         self.inner().beyond(t, end).map(|inner| self.around(inner))
     }
 
     const IS_CONSTRAINED: bool = W::Inner::IS_CONSTRAINED;
 
     #[inline]
-    fn correct(&self, t: Number<W>, y: &mut W::State) -> Result<(), StepFailure<Number<W>>> {
+    fn correct(&self, t: InnerNumber<W>, y: &mut W::State) -> Result<(), StepFailure<InnerNumber<W>>> {
         change(self, t, y, |inner, part| inner.correct(t, part))
     }
 
     #[inline]
-    fn admit(&self, t: Number<W>, y: &mut W::State) -> Result<(), StepFailure<Number<W>>> {
+    fn admit(&self, t: InnerNumber<W>, y: &mut W::State) -> Result<(), StepFailure<InnerNumber<W>>> {
         change(self, t, y, |inner, part| inner.admit(t, part))
     }
 
     #[inline]
-    fn restore(&self, t: Number<W>, y: &mut W::State) -> Result<(), StepFailure<Number<W>>> {
+    fn restore(&self, t: InnerNumber<W>, y: &mut W::State) -> Result<(), StepFailure<InnerNumber<W>>> {
         change(self, t, y, |inner, part| inner.restore(t, part))
     }
 
     const EVENTS: &'static [DeclaredEvent] = W::Inner::EVENTS;
 
     #[inline]
-    fn event_values(&self, t: Number<W>, y: &W::State, values: &mut [Number<W>]) {
+    fn event_values(&self, t: InnerNumber<W>, y: &W::State, values: &mut [InnerNumber<W>]) {
         self.present(t, y, |inner| inner.event_values(t, &part::<W>(y), values));
     }
 
-    fn react(&self, event: usize, t: Number<W>, y: &W::State) -> Reacted<W> {
+    fn react(&self, event: usize, t: InnerNumber<W>, y: &W::State) -> Reacted<W> {
         let answer = self.present(t, y, |inner| inner.react(event, t, &part::<W>(y)));
         let Response { action, system, kind } = answer?;
         let action = match action {
@@ -176,12 +181,12 @@ impl<W: Wrapper> OdeSystem for W {
         Ok(Response { action, system: system.map(|inner| self.around(inner)), kind })
     }
 
-    fn begin(&self, t: Number<W>, y: &W::State) -> Result<Option<W>, StepFailure<Number<W>>> {
+    fn begin(&self, t: InnerNumber<W>, y: &W::State) -> Result<Option<W>, StepFailure<InnerNumber<W>>> {
         let begun = self.present(t, y, |inner| inner.begin(t, &part::<W>(y)))?;
         Ok(begun.map(|inner| self.around(inner)))
     }
 
-    fn on_sides(&self, t: Number<W>, y: &W::State) -> Option<W> {
+    fn on_sides(&self, t: InnerNumber<W>, y: &W::State) -> Option<W> {
         self.present(t, y, |inner| inner.on_sides(t, &part::<W>(y))).map(|inner| self.around(inner))
     }
 
@@ -241,10 +246,10 @@ fn replaced<W: Wrapper>(y: &W::State, part: &InnerState<W>) -> W::State {
 #[inline]
 fn change<W: Wrapper>(
     wrapper: &W,
-    t: Number<W>,
+    t: InnerNumber<W>,
     y: &mut W::State,
-    change: impl FnOnce(&W::Inner, &mut InnerState<W>) -> Result<(), StepFailure<Number<W>>>,
-) -> Result<(), StepFailure<Number<W>>> {
+    change: impl FnOnce(&W::Inner, &mut InnerState<W>) -> Result<(), StepFailure<InnerNumber<W>>>,
+) -> Result<(), StepFailure<InnerNumber<W>>> {
     let mut part = part::<W>(y);
     wrapper.present(t, y, |inner| change(inner, &mut part))?;
     *y = replaced::<W>(y, &part);

@@ -1,7 +1,7 @@
 //! The law of contacts and friction, held to its own inequalities on random bodies.
 
 use super::systems::{BACKWARDS, CLOSED, FORWARDS, FREE, OPEN, STICKS, Stick, nothing};
-use crate::contact::complementarity::Choice;
+use crate::contact::choice::Choice;
 use crate::contact::reaction_forces::Balance;
 use crate::contact::{ContactSystem, Mode, Terms, begin};
 use crate::system::{Action, OdeSystem};

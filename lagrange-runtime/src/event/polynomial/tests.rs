@@ -2,7 +2,7 @@
 
 use std::vec::Vec;
 
-use super::{Change, POINTS, Polynomial, points};
+use super::{POINTS, Polynomial, SignChange, points};
 
 fn of(function: impl Fn(f64) -> f64) -> Polynomial<f64> {
     Polynomial::new(&points().map(function))
@@ -12,7 +12,7 @@ fn of(function: impl Fn(f64) -> f64) -> Polynomial<f64> {
 fn changes(function: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
     let polynomial = of(&function);
     let (mut sign, mut x, mut found) = (function(0.0), 0.0, Vec::new());
-    while let Change::Between(from, to) = polynomial.next_change(sign, x, false) {
+    while let SignChange::Between(from, to) = polynomial.next_change(sign, x, false) {
         found.push((from, to));
         (sign, x) = (-sign, to);
     }
@@ -55,13 +55,13 @@ fn what_only_touches_zero_does_not_change() {
     for place in [0.0, 0.3, 0.5, 1.0] {
         let polynomial = of(|x| (x - place).powi(2));
         assert!(polynomial.is_exact());
-        assert!(!matches!(polynomial.next_change(1.0, 0.0, false), Change::Between(..)), "{place}");
+        assert!(!matches!(polynomial.next_change(1.0, 0.0, false), SignChange::Between(..)), "{place}");
     }
-    assert_eq!(of(|x| 1.0 + x).next_change(1.0, 0.0, false), Change::Nowhere);
+    assert_eq!(of(|x| 1.0 + x).next_change(1.0, 0.0, false), SignChange::Nowhere);
     let nearly = of(|x| (x - 0.5).powi(2) + 1e-9);
     assert_eq!(
         nearly.next_change(1.0, 0.0, false),
-        Change::Nowhere,
+        SignChange::Nowhere,
         "it stays clear of zero by more than rounding"
     );
 }
@@ -72,7 +72,7 @@ fn what_is_cut_off_shows() {
     assert!(!of(|x| (40.0 * x).sin()).is_trusted() && !of(|x| (x - 0.4).abs() - 0.1).is_trusted());
     let touching = of(|x| 1.0 - (3.0 * (x - 0.5)).cos());
     assert!(touching.is_trusted() && !touching.is_exact());
-    assert_eq!(touching.next_change(1.0, 0.0, false), Change::Unclear);
+    assert_eq!(touching.next_change(1.0, 0.0, false), SignChange::Unclear);
 }
 
 #[test]

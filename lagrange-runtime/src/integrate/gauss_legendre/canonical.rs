@@ -19,11 +19,9 @@ use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::{Prediction, sum, weights};
 use crate::linalg::vector::add;
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
+use crate::system::{CanonicalSystem, Number, StateVector, StepFailure, Vector, join, split};
 
-type Number<M> = <M as OdeSystem>::Scalar;
-type Vector<M> = <M as MechanicalSystem>::Coordinates;
-type Stages<M, const K: usize> = [Vector<M>; K];
+type CanonicalStages<M, const K: usize> = [Vector<M>; K];
 
 /// The formula of [`GaussLegendre`](crate::integrate::GaussLegendre) with K stages.
 #[derive(Debug)]
@@ -35,7 +33,7 @@ pub struct Canonical<M: CanonicalSystem + ?Sized, const K: usize> {
     prediction: Prediction<Number<M>, Vector<M>, K>,
     reached: Reached<M>,
     /// Velocities at the stages of the step that is being taken, and its length.
-    stages: (Stages<M, K>, Number<M>),
+    stages: (CanonicalStages<M, K>, Number<M>),
 }
 
 impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K>
@@ -121,7 +119,7 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
     fn solve(
         &mut self,
         step: &Step<'_, M>,
-        mut stages: Stages<M, K>,
+        mut stages: CanonicalStages<M, K>,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
         let mut mean = Vector::<M>::ZERO;
@@ -134,7 +132,7 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
         };
         let tableau = &self.tableau;
         let mut equations =
-            StageEquations { step, tableau, pencil, linearised, rates: [Vector::<M>::ZERO; K] };
+            CanonicalEquations { step, tableau, pencil, linearised, rates: [Vector::<M>::ZERO; K] };
         newton::solve(&mut equations, &mut stages, self.rounding, work)?;
         let (mut q, mut p) = (Vector::<M>::ZERO, Vector::<M>::ZERO);
         for ((weight, velocities), rates) in tableau.b.iter().zip(&stages).zip(&equations.rates) {
@@ -147,20 +145,20 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
 }
 
 /// The equations of the stages.
-struct StageEquations<'a, M: CanonicalSystem + ?Sized, const K: usize> {
+struct CanonicalEquations<'a, M: CanonicalSystem + ?Sized, const K: usize> {
     step: &'a Step<'a, M>,
     tableau: &'a Tableau<M::Scalar, K>,
     pencil: Derivatives<M>,
     linearised: Linearised<M::Scalar, M::Coordinates, K>,
     /// The rates of momenta at the last evaluation.
-    rates: Stages<M, K>,
+    rates: CanonicalStages<M, K>,
 }
 
 impl<M: CanonicalSystem + ?Sized, const K: usize> Equations<M::Scalar, M::Coordinates, K>
-    for StageEquations<'_, M, K>
+    for CanonicalEquations<'_, M, K>
 {
     #[inline]
-    fn residual(&mut self, velocities: &Stages<M, K>, work: &mut Work) -> Stages<M, K> {
+    fn residual(&mut self, velocities: &CanonicalStages<M, K>, work: &mut Work) -> CanonicalStages<M, K> {
         let Step { system, t, q, p, h } = *self.step;
         let Tableau { a, c, .. } = self.tableau;
         let mut residual = [p; K];
@@ -181,11 +179,11 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Equations<M::Scalar, M::Coordi
         residual
     }
 
-    fn correction(&self, residual: &Stages<M, K>) -> Stages<M, K> {
+    fn correction(&self, residual: &CanonicalStages<M, K>) -> CanonicalStages<M, K> {
         self.linearised.solve(residual)
     }
 
-    fn magnitude(&self, velocities: &Stages<M, K>) -> M::Coordinates {
+    fn magnitude(&self, velocities: &CanonicalStages<M, K>) -> M::Coordinates {
         self.pencil.magnitude(&magnitude(newton::largest(velocities), &self.step.q, self.step.h))
     }
 }

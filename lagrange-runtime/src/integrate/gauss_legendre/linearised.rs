@@ -5,17 +5,17 @@
 //! *Solving Ordinary Differential Equations II*, §IV.8.
 
 use crate::integrate::canonical::Pencil;
-use crate::integrate::gauss_legendre::tableau::{Mode, Tableau};
+use crate::integrate::gauss_legendre::tableau::{EigenMode, Tableau};
 use crate::linalg::pivoted::{ComplexFactors, Factors, Matrix};
 use crate::linalg::vector::add;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
 /// A real eigenvalue with the factors of its equations.
-type Real<S, Y, const K: usize> = (Mode<f64, K>, Factors<S, Y>);
+type Real<S, Y, const K: usize> = (EigenMode<f64, K>, Factors<S, Y>);
 
 /// A complex eigenvalue with the factors of its equations.
-type Complex<S, Y, const K: usize> = (Mode<(f64, f64), K>, ComplexFactors<S, Y>);
+type Complex<S, Y, const K: usize> = (EigenMode<(f64, f64), K>, ComplexFactors<S, Y>);
 
 /// The factors of the equations of all stages.
 #[derive(Clone, Copy, Debug)]

@@ -14,12 +14,10 @@ use crate::integrate::prediction::Prediction;
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::vector::add;
 use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StateVector, StepFailure};
+use crate::system::{Number, OdeSystem, State, StateVector, StepFailure};
 
-type Number<M> = <M as OdeSystem>::Scalar;
-type State<M> = <M as OdeSystem>::State;
 type Stages<M, const K: usize> = [State<M>; K];
-type Derivatives<M> = Pencil<Number<M>, State<M>>;
+type StageDerivatives<M> = Pencil<Number<M>, State<M>>;
 
 /// The formula of [`PlainGaussLegendre`](crate::integrate::PlainGaussLegendre) with K stages.
 #[derive(Debug)]
@@ -125,7 +123,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         step: &Step<'_, M>,
         stages: &Stages<M, K>,
         work: &mut Work,
-    ) -> Result<Derivatives<M>, StepFailure<M::Scalar>> {
+    ) -> Result<StageDerivatives<M>, StepFailure<M::Scalar>> {
         let half = step.h / M::Scalar::from_f64(2.0);
         let mut y = *step.y;
         for (weight, slope) in self.tableau.b.iter().zip(stages) {
@@ -149,7 +147,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
 struct StageEquations<'a, M: OdeSystem + ?Sized, const K: usize> {
     step: &'a Step<'a, M>,
     tableau: &'a Tableau<M::Scalar, K>,
-    pencil: Derivatives<M>,
+    pencil: StageDerivatives<M>,
     linearised: Linearised<M::Scalar, M::State, K>,
 }
 

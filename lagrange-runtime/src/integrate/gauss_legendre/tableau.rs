@@ -15,14 +15,14 @@ pub struct Tableau<S, const K: usize> {
     /// Nodes.
     pub(super) c: [S; K],
     /// The real eigenvalue of `a`, if there is one.
-    pub(super) real: Option<Mode<f64, K>>,
+    pub(super) real: Option<EigenMode<f64, K>>,
     /// The pair of complex eigenvalues of `a`, if there is one: that with the positive imaginary part.
-    pub(super) complex: Option<Mode<(f64, f64), K>>,
+    pub(super) complex: Option<EigenMode<(f64, f64), K>>,
 }
 
 /// An eigenvalue with its right eigenvector, a column, and its left one, a row; the product of row and column is one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Mode<N, const K: usize> {
+pub(super) struct EigenMode<N, const K: usize> {
     pub(super) value: N,
     pub(super) column: [N; K],
     pub(super) row: [N; K],
@@ -41,7 +41,7 @@ impl<S: Scalar> Coefficients for Tableau<S, 1> {
             a: [[half]],
             b: [S::ONE],
             c: [half],
-            real: Some(Mode { value: 0.5, column: [1.0], row: [1.0] }),
+            real: Some(EigenMode { value: 0.5, column: [1.0], row: [1.0] }),
             complex: None,
         }
     }
@@ -56,7 +56,7 @@ impl<S: Scalar> Coefficients for Tableau<S, 2> {
             b: [half, half],
             c: [half - shift, half + shift],
             real: None,
-            complex: Some(Mode {
+            complex: Some(EigenMode {
                 value: (0.25, 0.144_337_567_297_406_44),
                 column: [(0.0, 0.267_949_192_431_122_7), (1.0, 0.0)],
                 row: [(0.0, -1.866_025_403_784_438_6), (0.5, 0.0)],
@@ -78,12 +78,12 @@ impl<S: Scalar> Coefficients for Tableau<S, 3> {
             ],
             b: [ratio(5.0, 18.0), ratio(4.0, 9.0), ratio(5.0, 18.0)],
             c: [half - part(10.0), half, half + part(10.0)],
-            real: Some(Mode {
+            real: Some(EigenMode {
                 value: 0.215_314_423_116_112_18,
                 column: [0.072_151_852_055_200_17, 0.118_832_578_741_277_8, 1.0],
                 row: [5.991_698_084_937_801, 1.139_214_295_155_735_4, 0.432_312_113_783_858_4],
             }),
-            complex: Some(Mode {
+            complex: Some(EigenMode {
                 value: (0.142_342_788_441_943_9, 0.135_799_925_708_153_8),
                 column: [
                     (-0.082_241_230_573_630_67, -0.060_120_738_619_308_5),

@@ -22,13 +22,12 @@ use crate::integrate::canonical::{Derivatives, Step, magnitude};
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::variational::coupled::{Coupled, FORCES, PARTS, Values, combined};
-use crate::integrate::variational::{Instant, balance, places};
+use crate::integrate::variational::{Configuration, balance, places};
 use crate::linalg::vector::add;
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
-
-type Number<M> = <M as OdeSystem>::Scalar;
-type Vector<M> = <M as MechanicalSystem>::Coordinates;
+use crate::system::{
+    CanonicalSystem, MechanicalSystem, Number, StateVector, StepFailure, Vector, join, split,
+};
 
 /// The equations for the velocities at both ends of a step, with the multipliers at the start and in the middle.
 pub(super) struct ConstrainedEquations<'a, M: CanonicalSystem + ?Sized> {
@@ -74,7 +73,7 @@ impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
     /// What is left of the constraints in the first half and in the whole of the step, by its length.
     fn violations(
         &self,
-        places: &[Instant<M>; 3],
+        places: &[Configuration<M>; 3],
         middle: &Values<M>,
         last: &Values<M>,
     ) -> [M::Coordinates; 2] {

@@ -8,10 +8,10 @@ use crate::linalg::ranked::RankedFactors;
 use crate::linalg::vector::{add, dot};
 use crate::scalar::Scalar;
 use crate::system::{
-    CanonicalSystem, ConstraintValues, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split,
+    CanonicalSystem, ConstraintValues, MechanicalSystem, OdeSystem, StateVector, StepFailure, Vector, join,
+    split,
 };
 
-type Vector<M> = <M as MechanicalSystem>::Coordinates;
 type Square<M> = <<M as MechanicalSystem>::Coordinates as StateVector<<M as OdeSystem>::Scalar>>::Square;
 
 /// The constraints at a place.

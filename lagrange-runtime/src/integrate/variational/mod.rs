@@ -34,10 +34,7 @@ use crate::integrate::variational::constrained::{ConstrainedEquations, Solved};
 use crate::integrate::variational::linearised::Linearised;
 use crate::linalg::vector::add;
 use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
-
-type Number<M> = <M as OdeSystem>::Scalar;
-type Vector<M> = <M as MechanicalSystem>::Coordinates;
+use crate::system::{CanonicalSystem, Number, StateVector, StepFailure, Vector, join, split};
 
 /// A variational integrator of order four in equal steps, for any Lagrangian and any force.
 ///
@@ -262,11 +259,11 @@ fn mean<S: Scalar, Y: StateVector<S>>(ends: &[Y; 2]) -> Y {
 }
 
 /// A time with coordinates and velocities.
-type Instant<M> = (Number<M>, Vector<M>, Vector<M>);
+type Configuration<M> = (Number<M>, Vector<M>, Vector<M>);
 
 /// The start, the middle and the end of the parabola with these velocities at its ends.
 #[inline]
-fn places<M: CanonicalSystem + ?Sized>(step: &Step<'_, M>, ends: &[Vector<M>; 2]) -> [Instant<M>; 3] {
+fn places<M: CanonicalSystem + ?Sized>(step: &Step<'_, M>, ends: &[Vector<M>; 2]) -> [Configuration<M>; 3] {
     let Step { t, q, h, .. } = *step;
     let n = M::Scalar::from_f64;
     let (mut middle, mut last) = (q, q);

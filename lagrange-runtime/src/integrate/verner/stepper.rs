@@ -74,7 +74,7 @@ enum Known {
 }
 
 /// What came of an attempt.
-enum Verdict<S> {
+enum Judgement<S> {
     /// The step was taken.
     Taken,
     /// Its error was too large.
@@ -205,7 +205,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         system: &M,
         Attempt { h, clock }: Attempt<M::Scalar>,
         limit: M::Scalar,
-    ) -> Result<Verdict<M::Scalar>, StepFailure<M::Scalar>> {
+    ) -> Result<Judgement<M::Scalar>, StepFailure<M::Scalar>> {
         let y = *self.state.value();
         let ends = self.stages(system, &y, h);
         let mut state = self.advanced(h);
@@ -216,7 +216,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         }
         if let Err(cause) = correct(system, clock.time(), &mut state) {
             self.reject(h, M::Scalar::NAN);
-            return Ok(Verdict::Lost(cause));
+            return Ok(Judgement::Lost(cause));
         }
         if self.settings.refuses_stiff && self.stiffness.is_due(self.work.steps) {
             let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
@@ -230,16 +230,16 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         self.is_at_rest = self.settings.is_at_rest(h, &ADVANCE.weighted(&self.rates), &y);
         self.before = (self.clock, self.state);
         (self.clock, self.state, self.known) = (clock, state, Known::Stages);
-        Ok(Verdict::Taken)
+        Ok(Judgement::Taken)
     }
 
     /// Throws a step of the length `h` away that had this error.
-    fn reject(&mut self, h: M::Scalar, error: M::Scalar) -> Verdict<M::Scalar> {
+    fn reject(&mut self, h: M::Scalar, error: M::Scalar) -> Judgement<M::Scalar> {
         self.control.reject(h.abs(), error);
         self.work.rejections += 1;
         match check_finite(h, &self.rates[15]) {
-            Ok(()) => Verdict::Inaccurate,
-            Err(cause) => Verdict::Lost(cause),
+            Ok(()) => Judgement::Inaccurate,
+            Err(cause) => Judgement::Lost(cause),
         }
     }
 
@@ -300,12 +300,12 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
             }
             let attempt = self.next(limit).map_err(|underflow| lost.unwrap_or(underflow))?;
             lost = match self.attempt(system, attempt, limit)? {
-                Verdict::Taken => {
+                Judgement::Taken => {
                     self.look_for_crawling(attempt.h);
                     return Ok(());
                 }
-                Verdict::Inaccurate => None,
-                Verdict::Lost(cause) => Some(cause),
+                Judgement::Inaccurate => None,
+                Judgement::Lost(cause) => Some(cause),
             };
         }
     }
