@@ -62,3 +62,42 @@ functions! {
     powf(base, exponent: S) -> S;
     multiply_add(factor, other: S, addend: S) -> S;
 }
+
+/// sin(x)/x, one at zero.
+#[inline]
+pub fn sinc<S: Scalar>(x: S) -> S {
+    spherical_bessel_quotients(x)[0]
+}
+
+/// −sinc′(x)/x, which is j₁(x)/x.
+#[inline]
+pub fn sinc_slope<S: Scalar>(x: S) -> S {
+    spherical_bessel_quotients(x)[1]
+}
+
+/// j₂(x)/x², by which the slope of [`sinc_slope`] is −x times this.
+#[inline]
+pub fn sinc_curvature<S: Scalar>(x: S) -> S {
+    spherical_bessel_quotients(x)[2]
+}
+
+/// jₙ(x)/xⁿ for n from 0 to 2: by their series near zero, by recurrence elsewhere.
+fn spherical_bessel_quotients<S: Scalar>(x: S) -> [S; 3] {
+    let square = x * x;
+    if square < S::from_f64(4.0) {
+        return [(0.0, 1.0), (1.0, 3.0), (2.0, 15.0)].map(|(order, double_factorial)| {
+            let mut term = S::from_f64(1.0 / double_factorial);
+            let mut sum = term;
+            for k in 1..16 {
+                let k = f64::from(k);
+                term = term * square * S::from_f64(-0.5 / (k * (2.0 * (order + k) + 1.0)));
+                sum = sum + term;
+            }
+            sum
+        });
+    }
+    let (sine, cosine) = x.sin_cos();
+    let zeroth = sine / x;
+    let first = (zeroth - cosine) / square;
+    [zeroth, first, (S::from_f64(3.0) * first - zeroth) / square]
+}
