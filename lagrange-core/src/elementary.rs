@@ -35,9 +35,6 @@ pub enum Function {
     Hypot,
     /// The slope of `abs`: the sign, but with a square that is one, so that second derivatives of f(|x|) are right at 0.
     MagnitudeSlope,
-    Sinc,
-    SincSlope,
-    SincCurvature,
 }
 
 /// How a function of one argument behaves when the argument changes sign.
@@ -116,7 +113,7 @@ const Y: Partial = Argument(1);
 const SQUARED_RADIUS: Partial = Add(&Square(&X), &Square(&Y));
 
 /// Every function, in the order of [`Function`].
-pub const ROWS: [Row; 23] = [
+pub const ROWS: [Row; 20] = [
     Row {
         function: Function::Sin,
         name: "sin",
@@ -383,46 +380,6 @@ pub const ROWS: [Row; 23] = [
         value: |x| sign(x[0]),
         partials: &[Constant(0)],
     },
-    Row {
-        function: Function::Sinc,
-        name: "sinc",
-        arity: 1,
-        parity: Parity::Even,
-        domain: "everywhere",
-        at_zero: Some(1),
-        is_nonnegative: false,
-        latex: r"\operatorname{sinc}\left(#1\right)",
-        rust: "sinc",
-        value: |x| spherical_bessel_quotients(x[0])[0],
-        partials: &[Negate(&Multiply(&X, &Call(Function::SincSlope, &[X])))],
-    },
-    // j₁(x)/x and j₂(x)/x² of the spherical Bessel functions, so that no derivative up to the third divides by zero.
-    Row {
-        function: Function::SincSlope,
-        name: "sinc_slope",
-        arity: 1,
-        parity: Parity::Even,
-        domain: "everywhere",
-        at_zero: None,
-        is_nonnegative: false,
-        latex: r"\operatorname{sinc}_{1}\left(#1\right)",
-        rust: "sinc_slope",
-        value: |x| spherical_bessel_quotients(x[0])[1],
-        partials: &[Negate(&Multiply(&X, &Call(Function::SincCurvature, &[X])))],
-    },
-    Row {
-        function: Function::SincCurvature,
-        name: "sinc_curvature",
-        arity: 1,
-        parity: Parity::Even,
-        domain: "everywhere",
-        at_zero: None,
-        is_nonnegative: false,
-        latex: r"\operatorname{sinc}_{2}\left(#1\right)",
-        rust: "sinc_curvature",
-        value: |x| spherical_bessel_quotients(x[0])[2],
-        partials: &[Divide(&Add(&Call(Function::SincSlope, &[X]), &Linear(0, -5, &Value)), &X)],
-    },
 ];
 
 /// ±1; zero and NaN are their own signs.
@@ -434,22 +391,6 @@ fn sign(x: f64) -> f64 {
     } else {
         x
     }
-}
-
-/// jₙ(x)/xⁿ for n from 0 to 2 (Abramowitz and Stegun, 10.1.2 and 10.1.19).
-fn spherical_bessel_quotients(x: f64) -> [f64; 3] {
-    if x.abs() < 2.0 {
-        return [(0.0, 1.0), (1.0, 3.0), (2.0, 15.0)].map(|(order, double_factorial)| {
-            let mut term = 1.0 / double_factorial;
-            (1..16).map(f64::from).fold(term, |sum, k| {
-                term *= -0.5 * x * x / (k * (2.0 * (order + k) + 1.0));
-                sum + term
-            })
-        });
-    }
-    let zeroth = x.sin() / x;
-    let first = (zeroth - x.cos()) / (x * x);
-    [zeroth, first, (3.0 * first - zeroth) / (x * x)]
 }
 
 /// What is known of `function`.

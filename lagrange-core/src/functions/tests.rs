@@ -1,5 +1,5 @@
 use super::{ROWS, apply, row, sine_of_pi_times};
-use crate::calculus::{evaluate, partial};
+use crate::calculus::evaluate;
 use crate::expr::{Function, Graph, Node};
 use crate::number::Number;
 use crate::symbol::Role;
@@ -79,16 +79,4 @@ fn not_a_number_comes_through_every_function() {
 fn conditions_of_piecewise_functions_meet_at_equal_arguments() {
     assert_eq!((row(Function::Min).value)(&[2.0, 1.0]), 1.0);
     assert_eq!((row(Function::Max).value)(&[2.0, 1.0]), 2.0);
-}
-
-#[test]
-fn sinc_has_its_derivatives_at_zero() {
-    let mut g = Graph::new();
-    let x = g.symbol("x", Role::Coordinate(0));
-    let mut derivative = apply(&mut g, Function::Sinc, &[x]);
-    for at_zero in [1.0, 0.0, -1.0 / 3.0, 0.0] {
-        let found = evaluate(&g, &[derivative], |_| 0.0)[0];
-        assert!((found - at_zero).abs() < 1e-15, "{found} instead of {at_zero}");
-        derivative = partial(&mut g, derivative, x);
-    }
 }

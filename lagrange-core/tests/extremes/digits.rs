@@ -161,23 +161,7 @@ impl Arithmetic {
             Function::Max => x.max(second()),
             Function::Power => x.pow(second(), bits, ROUNDING, constants),
             Function::Hypot => self.sqrt(&self.dot(arguments, arguments)),
-            Function::Sinc => self.spherical_bessel_quotient(x, 0),
-            Function::SincSlope => self.spherical_bessel_quotient(x, 1),
-            Function::SincCurvature => self.spherical_bessel_quotient(x, 2),
         }
-    }
-
-    /// jₙ(x)/xⁿ by recurrence from the sine and the cosine.
-    fn spherical_bessel_quotient(&mut self, x: &Real, order: i32) -> Real {
-        let sine = x.sin(self.bits, ROUNDING, &mut self.constants);
-        let cosine = x.cos(self.bits, ROUNDING, &mut self.constants);
-        let square = self.multiply(x, x);
-        let (mut before, mut value) = (cosine, self.divide(&sine, x));
-        for n in 0..order {
-            let next = self.subtract(&self.multiply(&self.integer(2 * n + 1), &value), &before);
-            (before, value) = (value, self.divide(&next, &square));
-        }
-        value
     }
 
     /// The angle of (x, y): that of the half plane to the right, turned by half a turn to the left of it.
