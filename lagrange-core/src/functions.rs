@@ -1,348 +1,14 @@
-//! The elementary functions, one row each.
+//! Values of elementary functions as expressions, and their derivatives.
 //!
-//! A row holds everything the other modules know of a function; adding one is adding a variant to
-//! [`Function`] and a row here. Derivatives are those of Abramowitz and Stegun, *Handbook of Mathematical
-//! Functions*, chapter 4; derivatives of piecewise functions are taken branch by branch.
+//! What is known of each function is in its row of [`elementary`](crate::elementary).
 
 mod quarter_turns;
+
+pub use crate::elementary::{Parity, Partial, ROWS, Row, by_name, row};
 
 use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
 use quarter_turns::without_quarter_turns;
-
-/// How a function of one argument behaves when the argument changes sign.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Parity {
-    /// f(−x) = f(x)
-    Even,
-    /// f(−x) = −f(x)
-    Odd,
-    /// Neither of the two, or more than one argument.
-    Neither,
-}
-
-/// What is known of one function.
-#[derive(Debug)]
-pub struct Row {
-    /// The function.
-    pub function: Function,
-    /// Its name in the language.
-    pub name: &'static str,
-    /// The number of arguments.
-    pub arity: usize,
-    /// Behaviour under a change of sign.
-    pub parity: Parity,
-    /// Where it is defined, in words for error messages and docs.
-    pub domain: &'static str,
-    /// The exact value at zero, if that is a rational number.
-    pub at_zero: Option<i64>,
-    /// LaTeX in which `#1` and `#2` stand for the arguments.
-    pub latex: &'static str,
-    /// The function of `lagrange::Scalar` that computes it.
-    pub rust: &'static str,
-    /// The value in double precision.
-    pub value: fn(&[f64]) -> f64,
-    /// Partial derivatives with respect to each argument, given the arguments and the value itself.
-    pub partials: fn(&mut Graph, &[ExprId], ExprId) -> Vec<ExprId>,
-}
-
-impl Row {
-    /// Whether it is defined everywhere.
-    pub fn is_total(&self) -> bool {
-        self.domain == "everywhere"
-    }
-}
-
-/// Every function, in the order of [`Function`].
-pub const ROWS: [Row; 20] = [
-    Row {
-        function: Function::Sin,
-        name: "sin",
-        arity: 1,
-        parity: Parity::Odd,
-        domain: "everywhere",
-        at_zero: Some(0),
-        latex: r"\sin\left(#1\right)",
-        rust: "sin",
-        value: |x| x[0].sin(),
-        partials: |g, x, _| vec![apply(g, Function::Cos, x)],
-    },
-    Row {
-        function: Function::Cos,
-        name: "cos",
-        arity: 1,
-        parity: Parity::Even,
-        domain: "everywhere",
-        at_zero: Some(1),
-        latex: r"\cos\left(#1\right)",
-        rust: "cos",
-        value: |x| x[0].cos(),
-        partials: |g, x, _| {
-            let sin = apply(g, Function::Sin, x);
-            vec![g.negate(sin)]
-        },
-    },
-    Row {
-        function: Function::Tan,
-        name: "tan",
-        arity: 1,
-        parity: Parity::Odd,
-        domain: "away from odd multiples of π/2",
-        at_zero: Some(0),
-        latex: r"\tan\left(#1\right)",
-        rust: "tan",
-        value: |x| x[0].tan(),
-        partials: |g, _, f| vec![one_plus(g, Number::ONE, f)],
-    },
-    Row {
-        function: Function::Asin,
-        name: "asin",
-        arity: 1,
-        parity: Parity::Odd,
-        domain: "between -1 and 1",
-        at_zero: Some(0),
-        latex: r"\arcsin\left(#1\right)",
-        rust: "asin",
-        value: |x| x[0].asin(),
-        partials: |g, x, _| vec![inverse_root(g, Number::ONE, Number::MINUS_ONE, x[0])],
-    },
-    Row {
-        function: Function::Acos,
-        name: "acos",
-        arity: 1,
-        parity: Parity::Neither,
-        domain: "between -1 and 1",
-        at_zero: None,
-        latex: r"\arccos\left(#1\right)",
-        rust: "acos",
-        value: |x| x[0].acos(),
-        partials: |g, x, _| {
-            let root = inverse_root(g, Number::ONE, Number::MINUS_ONE, x[0]);
-            vec![g.negate(root)]
-        },
-    },
-    Row {
-        function: Function::Atan,
-        name: "atan",
-        arity: 1,
-        parity: Parity::Odd,
-        domain: "everywhere",
-        at_zero: Some(0),
-        latex: r"\arctan\left(#1\right)",
-        rust: "atan",
-        value: |x| x[0].atan(),
-        partials: |g, x, _| {
-            let denominator = one_plus(g, Number::ONE, x[0]);
-            vec![g.reciprocal(denominator)]
-        },
-    },
-    Row {
-        function: Function::Atan2,
-        name: "atan2",
-        arity: 2,
-        parity: Parity::Neither,
-        domain: "away from the origin",
-        at_zero: None,
-        latex: r"\operatorname{atan2}\left(#1, #2\right)",
-        rust: "atan2",
-        value: |x| x[0].atan2(x[1]),
-        partials: |g, x, _| {
-            let (y2, x2) = (g.square(x[0]), g.square(x[1]));
-            let r2 = g.add(y2, x2);
-            let (dy, dx) = (g.divide(x[1], r2), g.divide(x[0], r2));
-            vec![dy, g.negate(dx)]
-        },
-    },
-    Row {
-        function: Function::Sinh,
-        name: "sinh",
-        arity: 1,
-        parity: Parity::Odd,
-        domain: "everywhere",
-        at_zero: Some(0),
-        latex: r"\sinh\left(#1\right)",
-        rust: "sinh",
-        value: |x| x[0].sinh(),
-        partials: |g, x, _| vec![apply(g, Function::Cosh, x)],
-    },
-    Row {
-        function: Function::Cosh,
-        name: "cosh",
-        arity: 1,
-        parity: Parity::Even,
-        domain: "everywhere",
-        at_zero: Some(1),
-        latex: r"\cosh\left(#1\right)",
-        rust: "cosh",
-        value: |x| x[0].cosh(),
-        partials: |g, x, _| vec![apply(g, Function::Sinh, x)],
-    },
-    Row {
-        function: Function::Tanh,
-        name: "tanh",
-        arity: 1,
-        parity: Parity::Odd,
-        domain: "everywhere",
-        at_zero: Some(0),
-        latex: r"\tanh\left(#1\right)",
-        rust: "tanh",
-        value: |x| x[0].tanh(),
-        partials: |g, _, f| vec![one_plus(g, Number::MINUS_ONE, f)],
-    },
-    Row {
-        function: Function::Exp,
-        name: "exp",
-        arity: 1,
-        parity: Parity::Neither,
-        domain: "everywhere",
-        at_zero: Some(1),
-        latex: r"\exp\left(#1\right)",
-        rust: "exp",
-        value: |x| x[0].exp(),
-        partials: |_, _, f| vec![f],
-    },
-    Row {
-        function: Function::Ln,
-        name: "ln",
-        arity: 1,
-        parity: Parity::Neither,
-        domain: "above 0",
-        at_zero: None,
-        latex: r"\ln\left(#1\right)",
-        rust: "ln",
-        value: |x| x[0].ln(),
-        partials: |g, x, _| vec![g.reciprocal(x[0])],
-    },
-    Row {
-        function: Function::Sqrt,
-        name: "sqrt",
-        arity: 1,
-        parity: Parity::Neither,
-        domain: "from 0 upwards",
-        at_zero: Some(0),
-        latex: r"\sqrt{#1}",
-        rust: "sqrt",
-        value: |x| x[0].sqrt(),
-        partials: |g, x, _| {
-            let root = g.power(x[0], half_of(Number::MINUS_ONE));
-            vec![g.scale(half_of(Number::ONE), root)]
-        },
-    },
-    Row {
-        function: Function::Abs,
-        name: "abs",
-        arity: 1,
-        parity: Parity::Even,
-        domain: "everywhere",
-        at_zero: Some(0),
-        latex: r"\left|#1\right|",
-        rust: "abs",
-        value: |x| x[0].abs(),
-        partials: |g, x, _| vec![apply(g, Function::MagnitudeSlope, x)],
-    },
-    Row {
-        function: Function::Sign,
-        name: "sign",
-        arity: 1,
-        parity: Parity::Odd,
-        domain: "everywhere",
-        at_zero: Some(0),
-        latex: r"\operatorname{sign}\left(#1\right)",
-        rust: "sign",
-        value: |x| sign(x[0]),
-        partials: |g, _, _| vec![g.number(0)],
-    },
-    Row {
-        function: Function::Min,
-        name: "min",
-        arity: 2,
-        parity: Parity::Neither,
-        domain: "everywhere",
-        at_zero: None,
-        latex: r"\min\left(#1, #2\right)",
-        rust: "min",
-        // The comparisons are arranged so that NaN in either argument comes through.
-        value: |x| if x[0] < x[1] || x[0].is_nan() { x[0] } else { x[1] },
-        partials: |g, x, _| indicators(g, x[0], x[1]),
-    },
-    Row {
-        function: Function::Max,
-        name: "max",
-        arity: 2,
-        parity: Parity::Neither,
-        domain: "everywhere",
-        at_zero: None,
-        latex: r"\max\left(#1, #2\right)",
-        rust: "max",
-        value: |x| if x[0] > x[1] || x[0].is_nan() { x[0] } else { x[1] },
-        partials: |g, x, _| indicators(g, x[1], x[0]),
-    },
-    Row {
-        function: Function::Power,
-        name: "pow",
-        arity: 2,
-        parity: Parity::Neither,
-        domain: "bases above 0",
-        at_zero: None,
-        latex: r"{#1}^{#2}",
-        rust: "powf",
-        // Unlike `powf` of the platform, which makes 1^NaN and NaN^0 one.
-        value: |x| if x[0].is_nan() || x[1].is_nan() { f64::NAN } else { x[0].powf(x[1]) },
-        partials: |g, x, f| {
-            let one = g.number(1);
-            let lower = g.subtract(x[1], one);
-            let power = apply(g, Function::Power, &[x[0], lower]);
-            let logarithm = apply(g, Function::Ln, &x[..1]);
-            vec![g.multiply(x[1], power), g.multiply(f, logarithm)]
-        },
-    },
-    Row {
-        function: Function::Hypot,
-        name: "hypot",
-        arity: 2,
-        parity: Parity::Neither,
-        domain: "everywhere",
-        at_zero: None,
-        latex: r"\sqrt{\left(#1\right)^{2} + \left(#2\right)^{2}}",
-        rust: "hypot",
-        value: |x| x[0].hypot(x[1]),
-        partials: |g, x, f| vec![g.divide(x[0], f), g.divide(x[1], f)],
-    },
-    // Written as the sign, which has its value; only products tell them apart.
-    Row {
-        function: Function::MagnitudeSlope,
-        name: "sign",
-        arity: 1,
-        parity: Parity::Odd,
-        domain: "everywhere",
-        at_zero: Some(0),
-        latex: r"\operatorname{sign}\left(#1\right)",
-        rust: "sign",
-        value: |x| sign(x[0]),
-        partials: |g, _, _| vec![g.number(0)],
-    },
-];
-
-/// ±1; zero and NaN are their own signs.
-fn sign(x: f64) -> f64 {
-    if x > 0.0 {
-        1.0
-    } else if x < 0.0 {
-        -1.0
-    } else {
-        x
-    }
-}
-
-/// What is known of `function`.
-pub fn row(function: Function) -> &'static Row {
-    &ROWS[function as usize]
-}
-
-/// The function of that name in the language.
-pub fn by_name(name: &str) -> Option<&'static Row> {
-    ROWS.iter().find(|row| row.name == name)
-}
 
 /// The constructor of function values: uses parity and known values, and writes roots and powers with
 /// numeric exponents as products.
@@ -446,27 +112,76 @@ fn sine_of_pi_times(x: &Number) -> Option<Number> {
     }
 }
 
+/// Partial derivatives of a function value with respect to each argument.
+pub fn partials(graph: &mut Graph, function: Function, arguments: &[ExprId], value: ExprId) -> Vec<ExprId> {
+    let call = FunctionValue { arguments, value };
+    row(function).partials.iter().map(|partial| call.build(graph, partial)).collect()
+}
+
+/// A function value with what it was made of.
+struct FunctionValue<'a> {
+    arguments: &'a [ExprId],
+    value: ExprId,
+}
+
+impl FunctionValue<'_> {
+    fn build(&self, graph: &mut Graph, partial: &Partial) -> ExprId {
+        match *partial {
+            Partial::Argument(position) => self.arguments[position],
+            Partial::Value => self.value,
+            Partial::Constant(number) => graph.number(number),
+            Partial::Call(function, inner) => {
+                let inner = inner.iter().map(|inner| self.build(graph, inner)).collect::<Vec<_>>();
+                apply(graph, function, &inner)
+            }
+            Partial::Negate(a) => self.scaled(graph, Number::MINUS_ONE, a),
+            Partial::Half(a) => self.scaled(graph, half_of(Number::ONE), a),
+            Partial::Square(a) => self.power(graph, a, Number::TWO),
+            Partial::Reciprocal(a) => self.power(graph, a, Number::MINUS_ONE),
+            Partial::ReciprocalRoot(a) => self.power(graph, a, half_of(Number::MINUS_ONE)),
+            Partial::Add(a, b) => self.of_two(graph, a, b, Graph::add),
+            Partial::Multiply(a, b) => self.of_two(graph, a, b, Graph::multiply),
+            Partial::Divide(a, b) => self.of_two(graph, a, b, Graph::divide),
+            Partial::Linear(constant, coefficient, a) => {
+                let a = self.build(graph, a);
+                graph.sum(Number::from(constant), [(a, Number::from(coefficient))])
+            }
+            Partial::Less(a, b) => self.indicator(graph, a, b, [1, 0]),
+            Partial::NotLess(a, b) => self.indicator(graph, a, b, [0, 1]),
+        }
+    }
+
+    fn scaled(&self, graph: &mut Graph, factor: Number, a: &Partial) -> ExprId {
+        let a = self.build(graph, a);
+        graph.scale(factor, a)
+    }
+
+    fn power(&self, graph: &mut Graph, a: &Partial, exponent: Number) -> ExprId {
+        let a = self.build(graph, a);
+        graph.power(a, exponent)
+    }
+
+    fn of_two(
+        &self,
+        graph: &mut Graph,
+        a: &Partial,
+        b: &Partial,
+        operation: fn(&mut Graph, ExprId, ExprId) -> ExprId,
+    ) -> ExprId {
+        let (a, b) = (self.build(graph, a), self.build(graph, b));
+        operation(graph, a, b)
+    }
+
+    /// The first number where a < b, the second elsewhere.
+    fn indicator(&self, graph: &mut Graph, a: &Partial, b: &Partial, numbers: [i64; 2]) -> ExprId {
+        let (a, b) = (self.build(graph, a), self.build(graph, b));
+        let [then, otherwise] = numbers.map(|number| graph.number(number));
+        graph.choose(Relation::Less, a, b, then, otherwise)
+    }
+}
+
 fn half_of(x: Number) -> Number {
     x * Number::ratio(1, 2).unwrap_or(Number::ZERO)
-}
-
-/// 1 + sign·x²
-fn one_plus(graph: &mut Graph, sign: Number, x: ExprId) -> ExprId {
-    let square = graph.square(x);
-    graph.sum(Number::ONE, [(square, sign)])
-}
-
-/// 1/√(constant + sign·x²)
-fn inverse_root(graph: &mut Graph, constant: Number, sign: Number, x: ExprId) -> ExprId {
-    let square = graph.square(x);
-    let radicand = graph.sum(constant, [(square, sign)]);
-    graph.power(radicand, half_of(Number::MINUS_ONE))
-}
-
-/// 1 and 0 where a < b; 0 and 1 elsewhere.
-fn indicators(graph: &mut Graph, a: ExprId, b: ExprId) -> Vec<ExprId> {
-    let (zero, one) = (graph.number(0), graph.number(1));
-    vec![graph.choose(Relation::Less, a, b, one, zero), graph.choose(Relation::Less, a, b, zero, one)]
 }
 
 #[cfg(test)]

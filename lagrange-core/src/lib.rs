@@ -53,6 +53,7 @@ pub mod collections;
 pub mod derive;
 pub mod diagnostics;
 pub mod elaborate;
+pub mod elementary;
 pub mod emit;
 pub mod expr;
 pub mod formula;

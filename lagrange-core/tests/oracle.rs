@@ -117,7 +117,7 @@ fn jacobians_cost_less_than_differences() {
             let program = lower(&model.graph, roots, &Labels::default());
             OperationCounts::of(&optimise(&program, model.accuracy)).total()
         };
-        let jacobian = equations.jacobian.as_ref().expect("it is asked for").concat();
+        let jacobian = equations.product(Product::Jacobian, model).expect("it is asked for");
         let (found, differences) =
             (operations(&jacobian), 2 * model.coordinates.len() * operations(&equations.accelerations));
         println!("{name}: {found} operations beside {differences}");

@@ -41,12 +41,15 @@ const CORE: &[Layer] = &[
         modules: &["collections", "diagnostics", "number"],
         purpose: "containers in a fixed order; mistakes with places and help; exact rationals",
     },
-    Layer { modules: &["symbol"], purpose: "names with roles" },
+    Layer {
+        modules: &["elementary", "symbol"],
+        purpose: "one row per elementary function; names with roles",
+    },
     Layer {
         modules: &["expr"],
         purpose: "the graph, typed ids, and the only constructors of sums, products and choices",
     },
-    Layer { modules: &["functions"], purpose: "one row per elementary function" },
+    Layer { modules: &["functions"], purpose: "function values as expressions, and their derivatives" },
     Layer {
         modules: &["calculus", "formula", "solids"],
         purpose: "derivatives, expansion, substitution and evaluation; text, LaTeX and Graphviz; one row per \

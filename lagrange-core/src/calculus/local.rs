@@ -3,7 +3,7 @@
 use crate::calculus::{partial, substitute};
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Graph, Node};
-use crate::functions::row;
+use crate::functions;
 use crate::number::Number;
 use crate::symbol::Role;
 
@@ -27,7 +27,7 @@ fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
             (0..factors.len()).map(|i| (factors[i].0, differentiate_factor(graph, &factors, i))).collect()
         }
         Node::Call(function, arguments) => {
-            let partials = (row(function).partials)(graph, &arguments, id);
+            let partials = functions::partials(graph, function, &arguments, id);
             arguments.iter().copied().zip(partials).collect()
         }
         Node::Choose { relation, left, right, then, otherwise } => {
@@ -62,7 +62,7 @@ fn pairs_of_places(graph: &mut Graph, id: ExprId) -> Vec<((usize, usize), Second
         Node::Call(function, arguments) => {
             let scratch = (0..arguments.len()).map(|i| placeholder(graph, i)).collect::<Vec<_>>();
             let value = graph.call(function, &scratch);
-            let first = (row(function).partials)(graph, &scratch, value);
+            let first = functions::partials(graph, function, &scratch, value);
             let back = scratch.iter().copied().zip(arguments.iter().copied()).collect::<HashMap<_, _>>();
             let mut found = Vec::new();
             for (i, &slope) in first.iter().enumerate() {

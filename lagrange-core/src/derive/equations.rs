@@ -18,7 +18,7 @@ use super::switches::Switch;
 use crate::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
 use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::model::{Energies, Model, Product};
+use crate::model::{Constraint, Energies, Model, Product};
 use crate::number::Number;
 use crate::simplify::{self, Angles, vanishing};
 use crate::syntax::ast::Accuracy;
@@ -56,22 +56,10 @@ pub struct Equations {
     pub mass_matrix: Rows,
     /// f in M q̈ = f
     pub forcing: Vec<ExprId>,
-    /// d/dt ∂L/∂v − ∂L/∂q at zero acceleration, without loads and dissipation.
-    pub bias: Option<Vec<ExprId>>,
-    /// ∂L/∂v
-    pub momenta: Option<Vec<ExprId>>,
-    /// ∂L/∂q + Q + Aᵀλ, by which the momenta change
-    pub momentum_rates: Option<Vec<ExprId>>,
-    /// ∂L/∂q + Q
+    /// ∂L/∂q + Q, by which the momenta change without constraints
     pub free_momentum_rates: Option<Vec<ExprId>>,
-    /// v·∂L/∂v − L
-    pub energy: Option<ExprId>,
-    /// The generalised forces that must be added for given accelerations.
-    pub inverse_dynamics: Option<Vec<ExprId>>,
-    /// ∂a/∂q and ∂a/∂v, in rows
-    pub jacobian: Option<Rows>,
-    /// The derivatives of the accelerations by parameters, then by inputs, in rows.
-    pub parameter_jacobian: Option<Rows>,
+    /// What was asked for beside the two sides of M q̈ = f and what the model itself holds, matrices row by row.
+    products: Vec<(Product, Vec<ExprId>)>,
     /// What was found out about the system.
     pub structure: Structure,
     /// Surfaces on which what determines the motion is not smooth.
@@ -104,11 +92,28 @@ impl Equations {
         };
         let structure = Structure::find(model, &mass_matrix);
         let labels = labels(model, &mass_matrix, &solution);
-        let (jacobian, parameter_jacobian) = jacobians(model, &split, forms, (&solution.values, strategy));
-        let products = model.products.clone();
-        let wants = |product: Product| products.contains(&product);
-        let rates = wants(Product::MomentumRates).then(|| free_momentum_rates(model));
+        let mut products = jacobians(model, &split, forms, (&solution.values, strategy));
+        let rates = model.products.contains(&Product::MomentumRates).then(|| free_momentum_rates(model));
+        let rates = rates.unwrap_or_default();
         let touching = reaction_forces(model, &reactions);
+        let mut without_constraints = None;
+        for product in model.products.clone() {
+            let found = match product {
+                Product::Bias => residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial),
+                Product::Momenta => gradient(&mut model.graph, model.lagrangian, &velocities),
+                Product::MomentumRates => {
+                    let sums = [&constraints.forces[..], &[]]
+                        .map(|forces| sums(model, &rates, &[forces, &touching]));
+                    let [all, free] = sums;
+                    without_constraints = Some(free);
+                    all
+                }
+                Product::Energy => vec![energy_function(model)],
+                Product::InverseDynamics => residual(model, &split, AccelerationTerms::Kept, Terms::All),
+                _ => continue,
+            };
+            products.push((product, found));
+        }
         let mut equations = Equations {
             accelerations: solution.values,
             pivot_growth,
@@ -117,19 +122,10 @@ impl Equations {
             costs,
             mass_matrix,
             forcing,
-            bias: wants(Product::Bias)
-                .then(|| residual(model, &split, AccelerationTerms::Dropped, Terms::Inertial)),
-            momenta: wants(Product::Momenta)
-                .then(|| gradient(&mut model.graph, model.lagrangian, &velocities)),
-            momentum_rates: rates.as_ref().map(|rates| sums(model, rates, &[&constraints.forces, &touching])),
-            free_momentum_rates: rates.as_ref().map(|rates| sums(model, rates, &[&touching])),
+            free_momentum_rates: without_constraints,
             constraints,
             reactions,
-            energy: wants(Product::Energy).then(|| energy_function(model)),
-            inverse_dynamics: wants(Product::InverseDynamics)
-                .then(|| residual(model, &split, AccelerationTerms::Kept, Terms::All)),
-            jacobian,
-            parameter_jacobian,
+            products,
             structure,
             switches: Vec::new(),
             labels,
@@ -139,6 +135,32 @@ impl Equations {
         }
         equations.switches = Switch::find(model, &equations.of_motion(model), &solution.guards);
         Ok(equations)
+    }
+
+    /// Components of a product of a model, matrices row by row and Jacobians without the rows of the velocities; `None` if it has no
+    /// components or was not asked for.
+    pub fn product(&self, product: Product, model: &Model) -> Option<Vec<ExprId>> {
+        let of_constraints =
+            |part: fn(&Constraint) -> ExprId| Some(model.constraints.iter().map(part).collect());
+        let of_energies = |part: fn(ExprId, ExprId) -> ExprId| match model.energies {
+            Energies::Separate { kinetic, potential } => Some(vec![part(kinetic, potential)]),
+            Energies::Lagrangian => None,
+        };
+        match product {
+            Product::MassMatrix => Some(self.mass_matrix.concat()),
+            Product::Forcing => Some(self.forcing.clone()),
+            Product::KineticEnergy => of_energies(|kinetic, _| kinetic),
+            Product::PotentialEnergy => of_energies(|_, potential| potential),
+            Product::Constraints => of_constraints(|constraint| constraint.value),
+            Product::ConstraintVelocity => of_constraints(|constraint| constraint.velocity),
+            Product::ConstraintJacobian => Some(self.constraints.jacobian.concat()),
+            Product::ConstraintForces => Some(self.constraints.forces.clone()),
+            _ => self.derived(product).map(<[ExprId]>::to_vec),
+        }
+    }
+
+    fn derived(&self, product: Product) -> Option<&[ExprId]> {
+        self.products.iter().find(|(known, _)| *known == product).map(|(_, roots)| roots.as_slice())
     }
 
     /// Whether the mass matrix is constant during the motion and nothing but constraint forces depends on a velocity. It is
@@ -159,7 +181,11 @@ impl Equations {
             vectors.into_iter().chain([&constraints.correction, &reactions.multipliers, &reactions.drifts]);
         let matrices = [&self.mass_matrix, &constraints.jacobian, &reactions.responses, &reactions.rows];
         let limits = reactions.kinetic.iter().chain(&reactions.fixed);
-        let rates = self.momentum_rates.iter().chain(&self.free_momentum_rates).flatten();
+        let rates = self
+            .derived(Product::MomentumRates)
+            .into_iter()
+            .chain(self.free_momentum_rates.as_deref())
+            .flatten();
         let mut roots =
             vectors.chain(matrices.into_iter().flatten()).flatten().chain(rates).copied().collect::<Vec<_>>();
         roots.extend(limits.flat_map(|limit| limit.slopes.iter().chain([&limit.free])));
@@ -170,15 +196,12 @@ impl Equations {
     /// Writes what is emitted beside the accelerations with as little to cancel as is found.
     fn contract(&mut self, model: &mut Model) {
         let mut places = self.mass_matrix.iter_mut().flatten().chain(&mut self.forcing).collect::<Vec<_>>();
-        let optional = [
-            &mut self.bias,
-            &mut self.momenta,
-            &mut self.momentum_rates,
-            &mut self.free_momentum_rates,
-            &mut self.inverse_dynamics,
-        ];
-        places.extend(optional.into_iter().flatten().flatten());
-        places.extend(&mut self.energy);
+        let is_derivative =
+            |product: &Product| matches!(product, Product::Jacobian | Product::ParameterJacobian);
+        let products = self.products.iter_mut().filter(|(product, _)| !is_derivative(product));
+        places.extend(
+            products.flat_map(|(_, roots)| roots).chain(self.free_momentum_rates.iter_mut().flatten()),
+        );
         if let Energies::Separate { kinetic, potential } = &mut model.energies {
             places.extend([kinetic, potential]);
         }
@@ -225,18 +248,20 @@ fn jacobians(
     split: &SplitLagrangian,
     forms: Forms,
     solution: (&[ExprId], Strategy),
-) -> (Option<Rows>, Option<Rows>) {
+) -> Vec<(Product, Vec<ExprId>)> {
     let [by_state, by_parameters] =
         [Product::Jacobian, Product::ParameterJacobian].map(|product| model.products.contains(&product));
     if !by_state && !by_parameters {
-        return (None, None);
+        return Vec::new();
     }
     let derivatives = Derivatives::new(model, split, forms, solution);
     let state = [model.positions(), model.velocities()].concat();
     let constants = model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol);
     let constants = constants.collect::<Vec<_>>();
-    let jacobian = by_state.then(|| derivatives.by(model, &state));
-    (jacobian, by_parameters.then(|| derivatives.by(model, &constants)))
+    let wanted =
+        [(by_state, Product::Jacobian, state), (by_parameters, Product::ParameterJacobian, constants)];
+    let wanted = wanted.into_iter().filter(|(is_wanted, ..)| *is_wanted);
+    wanted.map(|(_, product, arguments)| (product, derivatives.by(model, &arguments).concat())).collect()
 }
 
 /// Removes couplings that vanish without showing it, as between polar coordinates that were written down by

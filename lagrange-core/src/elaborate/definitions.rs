@@ -16,8 +16,6 @@ use crate::syntax::ast::{AstId, Definition, EmitItem, Name};
 /// Methods that every system has; no output may take their names.
 const GENERATED_METHODS: [&str; 7] =
     ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
-/// Products that later versions will emit.
-const PLANNED_PRODUCTS: [&str; 2] = ["hamiltonian", "taylor"];
 
 pub(super) fn define_parameter(elaborator: &mut Elaborator<'_>, definition: &Definition, kind: NameKind) {
     let default = definition.value.and_then(|value| default_value(elaborator, &definition.name, value));
@@ -156,17 +154,13 @@ pub(super) fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: A
 
 pub(super) fn add_product(elaborator: &mut Elaborator<'_>, item: &EmitItem) {
     let name = item.product.text.as_str();
-    if let Some(&product) = Product::ALL.iter().find(|product| product.name() == name) {
+    if let Some(product) = Product::by_name(name) {
         elaborator.wanted.push((product, item.wanted, item.product.span));
         return;
     }
-    let message = match PLANNED_PRODUCTS.contains(&name) {
-        true => messages::product_not_available(name),
-        false => messages::unknown_product(name),
-    };
     let help = match nearest(name, Product::ALL.iter().map(|product| product.name())) {
         Some(nearest) => messages::names::did_you_mean(nearest),
         None => messages::products(),
     };
-    elaborator.evaluator.report.error(item.product.span, message).help(help);
+    elaborator.evaluator.report.error(item.product.span, messages::unknown_product(name)).help(help);
 }

@@ -14,7 +14,8 @@ use crate::calculus::evaluate;
 use crate::diagnostics::Report;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{
-    Action, Constraint, Coordinate, Event, Load, Output, Parameter, Product, Reaction, Reduction, Scene,
+    Action, Availability, Constraint, Coordinate, Event, Load, Output, Parameter, Product, Reaction,
+    Reduction, Scene,
 };
 use crate::syntax::ast::{self, AstId, Declaration, Name};
 
@@ -115,9 +116,10 @@ impl<'a> Elaborator<'a> {
         let asked =
             |product: Product, otherwise| last_word(product).map_or(otherwise, |(_, wanted, _)| *wanted);
         let wanted = |&product: &Product| {
-            let otherwise = match product {
-                Product::ParameterJacobian => asked(Product::Jacobian, false),
-                product => product.is_default(),
+            let otherwise = match product.row().when {
+                Availability::Always | Availability::SeparateEnergies | Availability::Constraints => true,
+                Availability::Demand | Availability::Bodies => false,
+                Availability::With(other) => asked(other, false),
             };
             asked(product, otherwise) && !self.is_undefined(product)
         };
@@ -125,10 +127,12 @@ impl<'a> Elaborator<'a> {
     }
 
     pub(super) fn is_undefined(&self, product: Product) -> bool {
-        let is_energy = matches!(product, Product::KineticEnergy | Product::PotentialEnergy);
-        !self.lagrangian.is_empty() && is_energy
-            || self.constraints.is_empty() && product.is_of_constraints()
-            || self.staged.lacks(product)
+        match product.row().when {
+            Availability::SeparateEnergies => !self.lagrangian.is_empty(),
+            Availability::Constraints => self.constraints.is_empty(),
+            Availability::Bodies => self.staged.lacks(product),
+            Availability::Always | Availability::Demand | Availability::With(_) => false,
+        }
     }
 
     pub(super) fn push_event(&mut self, event: &ast::Event, value: ExprId, action: Action) {

@@ -2,20 +2,7 @@
 
 use crate::functions;
 use crate::solids::{self, Dimensions, SOLIDS, Solid};
-
-/// Functions of the language that are no elementary functions, with their number of arguments.
-const STRUCTURAL: [(&str, usize); 10] = [
-    ("dot", 1),
-    ("ddot", 1),
-    ("norm", 1),
-    ("inner", 2),
-    ("cross", 2),
-    ("kinetic_energy", 2),
-    ("gravitational_energy", 3),
-    ("spring_energy", 2),
-    ("powi", 2),
-    ("powf", 2),
-];
+use crate::syntax::STRUCTURAL_FUNCTIONS;
 
 /// Whether the language has a function of that name.
 pub(super) fn is_function(name: &str) -> bool {
@@ -24,7 +11,8 @@ pub(super) fn is_function(name: &str) -> bool {
 
 pub(super) fn arity(name: &str) -> Option<usize> {
     let elementary = functions::by_name(name).map(|row| row.arity);
-    elementary.or_else(|| STRUCTURAL.iter().find(|(known, _)| *known == name).map(|(_, arity)| *arity))
+    elementary
+        .or_else(|| STRUCTURAL_FUNCTIONS.iter().find(|(known, _)| *known == name).map(|(_, arity)| *arity))
 }
 
 /// How a function is called, with the names that its arguments have in textbooks.
@@ -47,7 +35,7 @@ pub(super) fn usage(name: &str, arity: usize) -> String {
 
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
     let elementary = functions::ROWS.iter().map(|row| row.name);
-    elementary.chain(STRUCTURAL.iter().map(|(name, _)| *name)).chain(mass_function_names())
+    elementary.chain(STRUCTURAL_FUNCTIONS.iter().map(|(name, _)| *name)).chain(mass_function_names())
 }
 
 /// A function of mass geometry.

@@ -193,10 +193,6 @@ pub(super) fn unknown_product(name: &str) -> String {
     format!("`{name}` is nothing that can be emitted")
 }
 
-pub(super) fn product_not_available(name: &str) -> String {
-    format!("`{name}` is not available yet")
-}
-
 pub(super) fn products() -> String {
     let names = Product::ALL.map(|product| format!("`{}`", product.name()));
     format!("there are {}; write `no` before one to leave it out", names.join(", "))

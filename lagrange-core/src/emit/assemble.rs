@@ -86,10 +86,9 @@ fn write_acceleration(writer: &mut MethodWriter<'_>) -> OperationCounts {
 }
 
 fn write_products(writer: &mut MethodWriter<'_>) {
-    let fields = writer.shape.fields.len();
     for product in writer.model.products.clone() {
         if let Some(Plan { docs, arguments, returns, roots }) =
-            plan(product, writer.model, writer.equations, fields)
+            plan(product, writer.model, writer.equations, writer.shape)
         {
             add(writer, product.name(), docs, (arguments, returns), &roots);
         }

@@ -7,6 +7,7 @@ use super::base::members::Members;
 use super::base::method::{ArgumentNames, Arguments, Method, Returns};
 use super::base::shape::{Shape, identifier, local, motion_name};
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
+use super::features::product::signature;
 use super::features::reduced::{placeholder_conversions, reduced_attributes};
 use super::features::scene::motion_method;
 use super::item::items;
@@ -49,23 +50,11 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
     if touching > 0 {
         methods.push(placeholder(local("reactions"), Arguments::State, Returns::Vector(touching)));
     }
-    let is_written = |product: &Product| {
-        let is_method = *product != Product::Latex && !product.is_of_bodies();
-        is_method && (m > 0 || !product.is_of_constraints())
-    };
+    let is_written = |product: &Product| m > 0 || !product.is_of_constraints();
     for product in Product::ALL.into_iter().filter(is_written) {
-        let (arguments, returns) = match product {
-            Product::MassMatrix => (Arguments::Positions, Returns::Matrix(n, n)),
-            Product::PotentialEnergy => (Arguments::Positions, Returns::Scalar),
-            Product::KineticEnergy | Product::Energy => (Arguments::State, Returns::Scalar),
-            Product::Jacobian => (Arguments::Whole, Returns::Matrix(2 * n, 2 * n)),
-            Product::ParameterJacobian => (Arguments::Whole, Returns::Matrix(2 * n, shape.fields.len())),
-            Product::Constraints | Product::ConstraintVelocity => (Arguments::State, Returns::Vector(m)),
-            Product::ConstraintJacobian => (Arguments::Positions, Returns::Matrix(m, n)),
-            Product::InverseDynamics => (Arguments::Motion, Returns::Vector(n)),
-            _ => (Arguments::State, Returns::Vector(n)),
-        };
-        methods.push(placeholder(local(product.name()), arguments, returns));
+        if let Some((arguments, returns)) = signature(product, &shape, false) {
+            methods.push(placeholder(local(product.name()), arguments, returns));
+        }
     }
     let motions = shape.bodies.iter().map(|body| motion_name(body)).collect::<Vec<_>>();
     for &(name, count) in &shape.outputs {

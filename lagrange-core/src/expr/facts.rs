@@ -3,6 +3,7 @@
 use std::ops::BitOr;
 
 use super::{ExprId, Function, Graph, Node};
+use crate::elementary::row;
 use crate::number::Number;
 use crate::symbol::Role;
 
@@ -104,8 +105,7 @@ fn is_nonnegative(graph: &Graph, node: &Node) -> bool {
         Node::Product(factors) => factors.iter().all(|(base, exponent): &(ExprId, Number)| {
             exponent.is_even() || !exponent.is_integer() || known(base)
         }),
-        Node::Call(Function::Abs | Function::Exp | Function::Cosh | Function::Hypot, _) => true,
-        Node::Call(_, _) => false,
+        Node::Call(function, _) => row(*function).is_nonnegative,
         Node::Choose { then, otherwise, .. } => known(then) && known(otherwise),
     }
 }

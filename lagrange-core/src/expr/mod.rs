@@ -17,6 +17,7 @@ mod weighted;
 use indexmap::IndexSet;
 use rustc_hash::FxBuildHasher;
 
+pub use crate::elementary::Function;
 pub use facts::Dependencies;
 
 use crate::collections::HashMap;
@@ -67,33 +68,6 @@ impl Relation {
             Relation::GreaterEqual => ">=",
         }
     }
-}
-
-/// An elementary function; what is known about each is in its row of [`crate::functions`].
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-#[expect(missing_docs, reason = "the names are those of the functions")]
-pub enum Function {
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
-    Atan2,
-    Sinh,
-    Cosh,
-    Tanh,
-    Exp,
-    Ln,
-    Sqrt,
-    Abs,
-    Sign,
-    Min,
-    Max,
-    Power,
-    Hypot,
-    /// The slope of `abs`: the sign, but with a square that is one, so that second derivatives of f(|x|) are right at 0.
-    MagnitudeSlope,
 }
 
 /// One expression; operands are ids of the same graph.

@@ -8,7 +8,7 @@ use proc_macro2::Span;
 use crate::expr::{ExprId, Graph};
 use crate::syntax::ast::{Accuracy, Direction, Name};
 
-pub use product::Product;
+pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
 pub use scene::{BodyMotion, DrawnItem, OutlinedPart, Scene};
 
 /// What a declaration says, as expressions of one graph.

@@ -1,111 +1,338 @@
-//! What can be emitted of a system.
+//! What can be emitted of a system, one row each.
+//!
+//! A row holds everything that the language, its messages and emitted code know of a product. How it is derived is in
+//! [`Equations`](crate::derive::Equations).
 
 /// Something that can be emitted beside accelerations and outputs.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[expect(missing_docs, reason = "the names are those of the rows")]
 pub enum Product {
-    /// `mass_matrix`
     MassMatrix,
-    /// `forcing`
     Forcing,
-    /// `bias`; only on demand
     Bias,
-    /// `momenta`
     Momenta,
-    /// `momentum_rates`; only on demand
     MomentumRates,
-    /// `kinetic_energy`
     KineticEnergy,
-    /// `potential_energy`
     PotentialEnergy,
-    /// `energy`
     Energy,
-    /// `inverse_dynamics`
     InverseDynamics,
-    /// `constraints`; like the next three only for systems with constraints
     Constraints,
-    /// `constraint_velocity`
     ConstraintVelocity,
-    /// `constraint_jacobian`
     ConstraintJacobian,
-    /// `constraint_forces`
     ConstraintForces,
-    /// `jacobian`; only on demand
     Jacobian,
-    /// `parameter_jacobian`; only with `jacobian` or on demand
     ParameterJacobian,
-    /// `EQUATIONS_LATEX`; only on demand
     Latex,
-    /// `NAME_motion` for each body; like the next two only for systems with rigid bodies, on demand
     Motion,
-    /// `lagrange::scene::Scene`
     Drawing,
-    /// `STATEMENTS`
     Statements,
 }
 
+/// When a product is emitted.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Availability {
+    /// Of every system.
+    Always,
+    /// Of systems that are given by their kinetic and potential energies.
+    SeparateEnergies,
+    /// Of systems with constraints.
+    Constraints,
+    /// On demand.
+    Demand,
+    /// On demand, or together with another product that is.
+    With(Product),
+    /// On demand, of systems with rigid bodies.
+    Bodies,
+}
+
+/// What a product is a function of, beside time and the parameters.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ProductArguments {
+    /// The positions; the velocities, too, if the result depends on them.
+    Configuration,
+    /// The positions.
+    Positions,
+    /// The positions and the velocities.
+    State,
+    /// The positions, the velocities and the accelerations.
+    Motion,
+    /// The whole state as one vector.
+    Whole,
+}
+
+/// How many numbers stand side by side in a result.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Extent {
+    /// One for each coordinate.
+    Coordinates,
+    /// One for each position and each velocity.
+    State,
+    /// One for each constraint.
+    Constraints,
+    /// One for each parameter and each input.
+    Fields,
+}
+
+/// What the method of a product returns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ProductShape {
+    /// A number.
+    Scalar,
+    /// As many numbers.
+    Vector(Extent),
+    /// Rows and columns.
+    Matrix(Extent, Extent),
+}
+
+/// The method of a product: arguments, result, documentation in lines.
+#[derive(Debug)]
+pub struct ProductMethod {
+    /// What it is a function of.
+    pub arguments: ProductArguments,
+    /// What it returns.
+    pub returns: ProductShape,
+    /// What it says of itself.
+    pub docs: &'static [&'static str],
+}
+
+/// What is known of one product.
+#[derive(Debug)]
+pub struct ProductRow {
+    /// The product.
+    pub product: Product,
+    /// Its name in `emit { … }`, which is that of its method, if it has one.
+    pub name: &'static str,
+    /// When it is emitted.
+    pub when: Availability,
+    /// Its method; `None` for constants and for what is emitted of bodies.
+    pub method: Option<ProductMethod>,
+}
+
+/// Every product, in the order of [`Product`], in which they are emitted.
+const ROWS: [ProductRow; 19] = [
+    ProductRow {
+        product: Product::MassMatrix,
+        name: "mass_matrix",
+        when: Availability::Always,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::Configuration,
+            returns: ProductShape::Matrix(Extent::Coordinates, Extent::Coordinates),
+            docs: &["Mass matrix M, in rows."],
+        }),
+    },
+    ProductRow {
+        product: Product::Forcing,
+        name: "forcing",
+        when: Availability::Always,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Vector(Extent::Coordinates),
+            docs: &["Right-hand side f of M q̈ = f."],
+        }),
+    },
+    ProductRow {
+        product: Product::Bias,
+        name: "bias",
+        when: Availability::Demand,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Vector(Extent::Coordinates),
+            docs: &[
+                "Bias c of M q̈ + c = Q: Coriolis, centrifugal and potential terms,",
+                "without applied forces and dissipation.",
+            ],
+        }),
+    },
+    ProductRow {
+        product: Product::Momenta,
+        name: "momenta",
+        when: Availability::Always,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Vector(Extent::Coordinates),
+            docs: &["Generalised momenta ∂L/∂v."],
+        }),
+    },
+    ProductRow {
+        product: Product::MomentumRates,
+        name: "momentum_rates",
+        when: Availability::Demand,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Vector(Extent::Coordinates),
+            docs: &["Rates ∂L/∂q + Q of the momenta."],
+        }),
+    },
+    ProductRow {
+        product: Product::KineticEnergy,
+        name: "kinetic_energy",
+        when: Availability::SeparateEnergies,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Scalar,
+            docs: &["Kinetic energy T."],
+        }),
+    },
+    ProductRow {
+        product: Product::PotentialEnergy,
+        name: "potential_energy",
+        when: Availability::SeparateEnergies,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::Positions,
+            returns: ProductShape::Scalar,
+            docs: &["Potential energy V."],
+        }),
+    },
+    ProductRow {
+        product: Product::Energy,
+        name: "energy",
+        when: Availability::Always,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Scalar,
+            docs: &["Energy function v·∂L/∂v − L."],
+        }),
+    },
+    ProductRow {
+        product: Product::InverseDynamics,
+        name: "inverse_dynamics",
+        when: Availability::Always,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::Motion,
+            returns: ProductShape::Vector(Extent::Coordinates),
+            docs: &[
+                "Inverse dynamics: the generalised forces that must act, in addition to the declared ones,",
+                "to produce given accelerations.",
+            ],
+        }),
+    },
+    ProductRow {
+        product: Product::Constraints,
+        name: "constraints",
+        when: Availability::Constraints,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Vector(Extent::Constraints),
+            docs: &[
+                "What the constraints hold at zero, in the order of their declaration; the velocities matter to",
+                "nonholonomic ones only.",
+            ],
+        }),
+    },
+    ProductRow {
+        product: Product::ConstraintVelocity,
+        name: "constraint_velocity",
+        when: Availability::Constraints,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Vector(Extent::Constraints),
+            docs: &[
+                "What the constraints demand of the velocities to be zero: the rate of a holonomic constraint,",
+                "a nonholonomic one itself.",
+            ],
+        }),
+    },
+    ProductRow {
+        product: Product::ConstraintJacobian,
+        name: "constraint_jacobian",
+        when: Availability::Constraints,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::Positions,
+            returns: ProductShape::Matrix(Extent::Constraints, Extent::Coordinates),
+            docs: &[
+                "Matrix A of the constraints, in rows: what each demands of the velocities, differentiated by",
+                "them.",
+            ],
+        }),
+    },
+    ProductRow {
+        product: Product::ConstraintForces,
+        name: "constraint_forces",
+        when: Availability::Constraints,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Vector(Extent::Coordinates),
+            docs: &["Generalised forces Aᵀλ of the constraints."],
+        }),
+    },
+    ProductRow {
+        product: Product::Jacobian,
+        name: "jacobian",
+        when: Availability::Demand,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::Whole,
+            returns: ProductShape::Matrix(Extent::State, Extent::State),
+            docs: &[
+                "Jacobian of `rhs`, in rows: entry `[i][j]` is the derivative of its entry `i` by entry `j`",
+                "of the state.",
+            ],
+        }),
+    },
+    ProductRow {
+        product: Product::ParameterJacobian,
+        name: "parameter_jacobian",
+        when: Availability::With(Product::Jacobian),
+        method: Some(ProductMethod {
+            arguments: ProductArguments::Whole,
+            returns: ProductShape::Matrix(Extent::State, Extent::Fields),
+            docs: &[
+                "Derivatives of `rhs` by the fields in the order of `PARAMETERS`, in rows: entry `[i][j]`",
+                "is that of its entry `i` by field `j`.",
+            ],
+        }),
+    },
+    ProductRow { product: Product::Latex, name: "latex", when: Availability::Demand, method: None },
+    ProductRow { product: Product::Motion, name: "motion", when: Availability::Bodies, method: None },
+    ProductRow { product: Product::Drawing, name: "drawing", when: Availability::Bodies, method: None },
+    ProductRow { product: Product::Statements, name: "statements", when: Availability::Bodies, method: None },
+];
+
 impl Product {
     /// Every product, in the order in which they are emitted.
-    pub const ALL: [Product; 19] = [
-        Product::MassMatrix,
-        Product::Forcing,
-        Product::Bias,
-        Product::Momenta,
-        Product::MomentumRates,
-        Product::KineticEnergy,
-        Product::PotentialEnergy,
-        Product::Energy,
-        Product::InverseDynamics,
-        Product::Constraints,
-        Product::ConstraintVelocity,
-        Product::ConstraintJacobian,
-        Product::ConstraintForces,
-        Product::Jacobian,
-        Product::ParameterJacobian,
-        Product::Latex,
-        Product::Motion,
-        Product::Drawing,
-        Product::Statements,
-    ];
+    pub const ALL: [Product; ROWS.len()] = {
+        let mut all = [Product::MassMatrix; ROWS.len()];
+        let mut index = 0;
+        while index < all.len() {
+            all[index] = ROWS[index].product;
+            index += 1;
+        }
+        all
+    };
+
+    /// What is known of it.
+    pub fn row(self) -> &'static ProductRow {
+        &ROWS[self as usize]
+    }
+
+    /// The product of that name in `emit { … }`.
+    pub fn by_name(name: &str) -> Option<Product> {
+        Product::ALL.into_iter().find(|product| product.name() == name)
+    }
 
     /// Its name in `emit { … }`.
     pub fn name(self) -> &'static str {
-        match self {
-            Product::MassMatrix => "mass_matrix",
-            Product::Forcing => "forcing",
-            Product::Bias => "bias",
-            Product::Momenta => "momenta",
-            Product::MomentumRates => "momentum_rates",
-            Product::KineticEnergy => "kinetic_energy",
-            Product::PotentialEnergy => "potential_energy",
-            Product::Energy => "energy",
-            Product::InverseDynamics => "inverse_dynamics",
-            Product::Constraints => "constraints",
-            Product::ConstraintVelocity => "constraint_velocity",
-            Product::ConstraintJacobian => "constraint_jacobian",
-            Product::ConstraintForces => "constraint_forces",
-            Product::Jacobian => "jacobian",
-            Product::ParameterJacobian => "parameter_jacobian",
-            Product::Latex => "latex",
-            Product::Motion => "motion",
-            Product::Drawing => "drawing",
-            Product::Statements => "statements",
-        }
+        self.row().name
     }
 
     /// Whether only systems with constraints have it.
     pub fn is_of_constraints(self) -> bool {
-        use Product::{ConstraintForces, ConstraintJacobian, ConstraintVelocity, Constraints};
-        matches!(self, Constraints | ConstraintVelocity | ConstraintJacobian | ConstraintForces)
+        self.row().when == Availability::Constraints
     }
 
     /// Whether only systems with rigid bodies have it. No method has its name.
     pub fn is_of_bodies(self) -> bool {
-        matches!(self, Product::Motion | Product::Drawing | Product::Statements)
+        self.row().when == Availability::Bodies
     }
+}
 
-    /// Whether it is emitted without being asked for.
-    pub fn is_default(self) -> bool {
-        use Product::{Bias, Jacobian, Latex, MomentumRates, ParameterJacobian};
-        !self.is_of_bodies() && !matches!(self, Bias | MomentumRates | Jacobian | ParameterJacobian | Latex)
+#[cfg(test)]
+mod tests {
+    use super::ROWS;
+
+    #[test]
+    fn rows_stand_in_the_order_of_the_products() {
+        for (index, row) in ROWS.iter().enumerate() {
+            assert_eq!(row.product as usize, index, "{}", row.name);
+        }
     }
 }

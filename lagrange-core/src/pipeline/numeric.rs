@@ -9,7 +9,7 @@ use crate::derive::Equations;
 use crate::emit::on_sides;
 use crate::expr::{ExprId, Function};
 use crate::functions::row;
-use crate::model::{Energies, Model, Product};
+use crate::model::{Model, Product};
 use crate::program::{Labels, Program, lower, optimise, run};
 use crate::symbol::Role;
 
@@ -85,28 +85,13 @@ impl NumericSystem {
         let inputs = model.inputs.iter().enumerate();
         let named = parameters.map(|(i, p)| (p.name.clone(), Role::Parameter(i as u32)));
         let named = named.chain(inputs.map(|(i, p)| (p.name.clone(), Role::Input(i as u32))));
-        let energies = match model.energies {
-            Energies::Separate { kinetic, potential } => [Some(vec![kinetic]), Some(vec![potential])],
-            Energies::Lagrangian => [None, None],
-        };
-        let [kinetic, potential] = energies;
-        let products = [
-            (Product::MassMatrix, Some(equations.mass_matrix.concat())),
-            (Product::Forcing, Some(equations.forcing.clone())),
-            (Product::Bias, equations.bias.clone()),
-            (Product::Momenta, equations.momenta.clone()),
-            (Product::MomentumRates, equations.momentum_rates.clone()),
-            (Product::KineticEnergy, kinetic),
-            (Product::PotentialEnergy, potential),
-            (Product::Energy, equations.energy.map(|energy| vec![energy])),
-            (Product::InverseDynamics, equations.inverse_dynamics.clone()),
-            (Product::Jacobian, equations.jacobian.as_ref().map(|rows| rows.concat())),
-            (Product::ParameterJacobian, equations.parameter_jacobian.as_ref().map(|rows| rows.concat())),
-        ];
         let [accelerations, multipliers, undivided] =
             [&equations.accelerations, &equations.constraints.multipliers, &undivided(equations)]
                 .map(|roots| lowered(roots));
-        let products = products.into_iter().filter_map(|(product, roots)| Some((product, lowered(&roots?))));
+        let is_free = |product: &Product| !product.is_of_constraints();
+        let products = Product::ALL.into_iter().filter(is_free);
+        let products =
+            products.filter_map(|product| Some((product, lowered(&equations.product(product, model)?))));
         let products = products.collect();
         NumericSystem {
             names: named.collect(),

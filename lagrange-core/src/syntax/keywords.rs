@@ -1,5 +1,7 @@
 //! The words of the language, and which of them a declaration cannot use as names of its own.
 
+use crate::functions;
+
 /// Words that begin a statement.
 pub(super) const STATEMENTS: &[&str] = &[
     "param",
@@ -59,37 +61,18 @@ pub(super) enum Soft {
 /// Words that can follow a name within a statement.
 const CONNECTIVES: &[&str] = &["at", "on", "to", "as"];
 
-/// Functions of the language, also those that are only written behind a dot.
-const FUNCTIONS: &[&str] = &[
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan",
-    "atan2",
-    "sinh",
-    "cosh",
-    "tanh",
-    "exp",
-    "ln",
-    "sqrt",
-    "abs",
-    "sign",
-    "min",
-    "max",
-    "pow",
-    "powi",
-    "powf",
-    "hypot",
-    "dot",
-    "ddot",
-    "norm",
-    "inner",
-    "cross",
-    "kinetic_energy",
-    "gravitational_energy",
-    "spring_energy",
+/// Functions of the language that are no elementary functions, with their number of arguments.
+pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 10] = [
+    ("dot", 1),
+    ("ddot", 1),
+    ("norm", 1),
+    ("inner", 2),
+    ("cross", 2),
+    ("kinetic_energy", 2),
+    ("gravitational_energy", 3),
+    ("spring_energy", 2),
+    ("powi", 2),
+    ("powf", 2),
 ];
 
 /// Keywords of Rust, those reserved for later included: none can be a field of the emitted struct.
@@ -123,7 +106,7 @@ pub fn is_rust_keyword(word: &str) -> bool {
 
 /// Whether a name is that of a function of the language.
 pub(super) fn is_function(name: &str) -> bool {
-    FUNCTIONS.contains(&name)
+    functions::by_name(name).is_some() || STRUCTURAL_FUNCTIONS.iter().any(|(known, _)| *known == name)
 }
 
 /// What a name stands for in every system, if it does: time and the number π.

@@ -84,7 +84,7 @@ use crate::diagnostics::Report;
 use ast::{Declaration, DeclaredBody, SceneStatement, StatementKind};
 use cursor::Cursor;
 use header::{default_header, header_ahead};
-pub use keywords::is_rust_keyword;
+pub use keywords::{STRUCTURAL_FUNCTIONS, is_rust_keyword};
 use parser::Parser;
 
 /// Reads the input of `system!`.
