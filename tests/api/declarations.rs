@@ -54,10 +54,12 @@ fn a_system_stands_in_a_function() {
 }
 
 #[test]
-fn a_macro_passes_on_names_and_expressions() {
+fn a_macro_passes_on_attributes_names_and_expressions() {
     macro_rules! oscillator {
-        ($visibility:vis $name:ident, $stiffness:expr) => {
+        ($(#[$attribute:meta])* $visibility:vis $name:ident, $text:literal, $stiffness:expr) => {
             lagrange::system! {
+                $(#[$attribute])*
+                #[doc = $text]
                 $visibility struct $name;
 
                 coord x;
@@ -66,8 +68,21 @@ fn a_macro_passes_on_names_and_expressions() {
             }
         };
     }
-    oscillator!(pub Soft, 1 / 2);
-    oscillator!(Hard, 2 + 3);
+    oscillator!(pub Soft, "A soft spring.", 1 / 2);
+    oscillator!(
+        /// A spring.
+        #[derive(PartialEq, Debug)]
+        Hard,
+        "A hard one.",
+        2 + 3
+    );
+    oscillator!(
+        #[cfg(any())]
+        Hard,
+        "Another one.",
+        7
+    );
+    assert_eq!(Hard, Hard);
     assert_eq!(Soft.acceleration(0.0, &[1.0], &[0.0]), [-0.5]);
     assert_eq!(Hard.acceleration(0.0, &[1.0], &[0.0]), [-5.0]);
 }

@@ -1,10 +1,13 @@
 //! Attributes of the struct: those of the language are consumed, all others are kept.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser as _};
+use syn::punctuated::Punctuated;
+use syn::{Lit, Macro, MacroDelimiter, Meta, MetaList, Path, Token, bracketed};
 
 use super::ast::{Accuracy, Name};
-use super::cursor::{Cursor, group_origin};
-use super::keywords;
+use super::cursor::Cursor;
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
 use crate::diagnostics::{Origin, nearest};
@@ -25,7 +28,7 @@ impl Parser<'_> {
     pub(super) fn attributes(&mut self, cursor: &mut Cursor) -> Attributes {
         let mut attributes = Attributes::default();
         self.each_at('#', cursor, |parser, cursor| {
-            let _ = parser.attribute(cursor, &mut attributes);
+            let _ = parser.attribute_of_struct(cursor, &mut attributes);
         });
         attributes
     }
@@ -33,7 +36,7 @@ impl Parser<'_> {
     /// Reads attributes before a statement: the documentation among them, and where they stand if there are
     /// any.
     pub(super) fn documentation(&mut self, cursor: &mut Cursor) -> (TokenStream, Option<Origin>) {
-        let mut start = None;
+        let mut first = None;
         let mut attributes = TokenStream::new();
         let mut only_docs = true;
         self.each_at('#', cursor, |parser, cursor| {
@@ -41,20 +44,36 @@ impl Parser<'_> {
             if is_comment {
                 return parser.comment(cursor);
             }
-            start.get_or_insert(cursor.position());
-            attributes.extend(cursor.advance());
-            only_docs &= cursor.eat('!').is_none();
-            let group = cursor.eat_group(Delimiter::Bracket);
-            let is_doc = |group: &Group| Cursor::inside(group).at_word("doc") && is_attribute(group);
-            only_docs &= group.as_ref().is_some_and(is_doc);
-            attributes.extend(group.map(TokenTree::Group));
+            let start = cursor.position();
+            let Ok((meta, tokens)) = parser.attribute(cursor) else { return };
+            first.get_or_insert(start);
+            only_docs &= meta.path().is_ident("doc");
+            attributes.extend(tokens);
         });
-        let origin = start.map(|start| cursor.since(start));
+        let origin = first.map(|first| cursor.since(first));
         (if only_docs { attributes } else { TokenStream::new() }, origin)
     }
 
-    fn attribute(&mut self, cursor: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
-        let pound = cursor.advance();
+    fn attribute_of_struct(&mut self, cursor: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
+        let (meta, tokens) = self.attribute(cursor)?;
+        match (meta.path().get_ident(), &meta) {
+            (Some(name), _) if name == "scalar" => return self.scalar(name, &meta, attributes),
+            (Some(name), _) if name == "accuracy" => return self.accuracy(name, &meta, attributes),
+            (Some(name), Meta::List(list)) if name == "derive" => {
+                attributes.derives.extend(self.traits(list)?);
+            }
+            _ => {}
+        }
+        attributes.kept.extend(tokens);
+        Ok(())
+    }
+
+    /// Reads `#[…]`: what it says, and its tokens. One that is malformed is not emitted: it would make all emitted items
+    /// unreadable.
+    fn attribute(&mut self, cursor: &mut Cursor) -> Parsed<(Meta, TokenStream)> {
+        let start = cursor.position();
+        cursor.skip_one();
+        let pound = cursor.taken_since(start).to_vec();
         let inner = cursor.eat('!');
         let Some(group) = cursor.eat_group(Delimiter::Bracket) else {
             return Err(self.fail_with_help(
@@ -68,28 +87,29 @@ impl Parser<'_> {
             return Err(self.fail_with_help(span, messages::INNER_ATTRIBUTE, help));
         }
         self.inside(&group, Self::shallow)?;
-        if !is_attribute(&group) {
-            let origin = group_origin(&group);
-            return Err(self.fail_with_help(origin, messages::ATTRIBUTE_FORM, messages::ATTRIBUTE_FORM_HELP));
-        }
-        let mut content = Cursor::inside(&group);
-        match content.eat_ident() {
-            Some(name) if name == "scalar" => self.scalar(&name, &mut content, attributes),
-            Some(name) if name == "accuracy" => self.accuracy(&name, &mut content, attributes),
-            name => {
-                let list = content.eat_group(Delimiter::Parenthesis);
-                if let Some(list) = list.filter(|_| name.is_some_and(|name| name == "derive")) {
-                    attributes.derives.extend(traits(&list));
-                }
-                attributes.kept.extend(pound.into_iter().chain([TokenTree::Group(group)]));
-                Ok(())
-            }
+        let group = TokenTree::from(without_fragment(group));
+        match in_brackets.parse2(group.clone().into()) {
+            Ok(meta) => Ok((meta, pound.into_iter().chain([group]).collect())),
+            Err(error) => Err(self.malformed_attribute(&error)),
         }
     }
 
-    fn scalar(&mut self, name: &Ident, content: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
-        let (argument, origin) =
-            self.argument(name, content, messages::SCALAR_FORM, messages::SCALAR_HELP)?;
+    fn malformed_attribute(&mut self, error: &syn::Error) -> Reported {
+        let message = messages::malformed_attribute(error);
+        self.fail_with_help(error.span(), message, messages::ATTRIBUTE_FORM_HELP)
+    }
+
+    /// The last segment of each path in a list of traits.
+    fn traits(&mut self, list: &MetaList) -> Parsed<Vec<Name>> {
+        let paths = Punctuated::<Path, Token![,]>::parse_terminated_with;
+        let paths = list.parse_args_with(|input: ParseStream| paths(input, Path::parse_mod_style));
+        let paths = paths.map_err(|error| self.malformed_attribute(&error))?;
+        let names = paths.iter().filter_map(|path| path.segments.last());
+        Ok(names.map(|name| Name { text: name.ident.to_string(), span: name.ident.span() }).collect())
+    }
+
+    fn scalar(&mut self, name: &Ident, meta: &Meta, attributes: &mut Attributes) -> Parsed<()> {
+        let (argument, origin) = self.argument(name, meta, messages::SCALAR_FORM, messages::SCALAR_HELP)?;
         let single = match argument.to_string().as_str() {
             "f32" => true,
             "f64" => false,
@@ -104,9 +124,9 @@ impl Parser<'_> {
         }
     }
 
-    fn accuracy(&mut self, name: &Ident, content: &mut Cursor, attributes: &mut Attributes) -> Parsed<()> {
+    fn accuracy(&mut self, name: &Ident, meta: &Meta, attributes: &mut Attributes) -> Parsed<()> {
         let (argument, origin) =
-            self.argument(name, content, messages::ACCURACY_FORM, &messages::levels_of_accuracy())?;
+            self.argument(name, meta, messages::ACCURACY_FORM, &messages::levels_of_accuracy())?;
         let accuracy = self.level(&argument)?;
         match attributes.accuracy.replace((accuracy, origin)) {
             Some((_, first)) => Err(self.repeated(name, first)),
@@ -128,16 +148,14 @@ impl Parser<'_> {
     }
 
     /// The only word in the parentheses behind an attribute's name.
-    fn argument(
-        &mut self,
-        name: &Ident,
-        content: &mut Cursor,
-        form: &str,
-        help: &str,
-    ) -> Parsed<(Ident, Origin)> {
-        let group = content.eat_group(Delimiter::Parenthesis).filter(|_| content.at_end());
-        let origin = Origin::from(name.span()).to(group.as_ref().map_or(content.before(), group_origin));
-        match group.as_ref().and_then(only_word) {
+    fn argument(&mut self, name: &Ident, meta: &Meta, form: &str, help: &str) -> Parsed<(Ident, Origin)> {
+        let list = match meta {
+            Meta::List(list) if matches!(list.delimiter, MacroDelimiter::Paren(_)) => Some(list),
+            _ => None,
+        };
+        let end = list.map_or(name.span(), |list| list.delimiter.span().close());
+        let origin = Origin { start: name.span(), end };
+        match list.and_then(|list| list.parse_args_with(Ident::parse_any).ok()) {
             Some(word) => Ok((word, origin)),
             None => Err(self.fail_with_help(origin, form, help)),
         }
@@ -151,73 +169,41 @@ impl Parser<'_> {
     }
 }
 
-/// Whether an attribute has the shape that Rust asks for: a path alone, before brackets or before `=` and a literal
-/// or a macro. Emitted as it stands, any other would make all emitted items unreadable.
-fn is_attribute(group: &Group) -> bool {
-    let content = Cursor::inside(group);
-    let tokens = content.rest();
-    let Some(length) = path_length(tokens) else { return false };
-    match &tokens[length..] {
-        [] | [TokenTree::Group(_)] => true,
-        [equals, value @ ..] => is_punct(equals, '=') && is_attribute_value(value),
-    }
-}
-
-fn is_attribute_value(tokens: &[TokenTree]) -> bool {
-    match (tokens, path_length(tokens)) {
-        ([TokenTree::Literal(_)], _) => true,
-        (_, Some(length)) => {
-            matches!(&tokens[length..], [exclamation, TokenTree::Group(_)] if is_punct(exclamation, '!'))
+/// The same group, also where a `macro_rules!` macro passes on all that stands between the brackets.
+fn without_fragment(group: Group) -> Group {
+    let mut content = Cursor::inside(&group);
+    match content.eat_group(Delimiter::None).filter(|_| content.at_end()) {
+        None => group,
+        Some(fragment) => {
+            let mut plain = Group::new(group.delimiter(), fragment.stream());
+            plain.set_span(group.span());
+            plain
         }
-        _ => false,
     }
 }
 
-/// How many tokens the path takes with which these begin.
-fn path_length(tokens: &[TokenTree]) -> Option<usize> {
-    let is_colon = |token: &TokenTree| is_punct(token, ':');
-    let (first, rest) = tokens.split_first()?;
-    let links =
-        rest.chunks_exact(3).take_while(|link| link[..2].iter().all(is_colon) && is_segment(&link[2]));
-    is_segment(first).then(|| 1 + 3 * links.count())
+/// Reads the bracket group of an attribute.
+fn in_brackets(input: ParseStream) -> syn::Result<Meta> {
+    let content;
+    bracketed!(content in input);
+    require_plain_value(&content.fork())?;
+    content.parse()
 }
 
-/// Whether a token can stand in a path.
-fn is_segment(token: &TokenTree) -> bool {
-    let TokenTree::Ident(word) = token else { return false };
-    let word = word.to_string();
-    let is_name = word != "_" && !keywords::is_rust_keyword(&word);
-    is_name || ["crate", "self", "super", "unsafe"].contains(&word.as_str())
-}
-
-fn is_punct(token: &TokenTree, character: char) -> bool {
-    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
-}
-
-/// Whether what stands behind `pub` restricts it as Rust allows.
-pub(super) fn is_restriction(group: &Group) -> bool {
-    let content = Cursor::inside(group);
-    match content.rest() {
-        [TokenTree::Ident(word)] => word == "crate" || word == "self" || word == "super",
-        [TokenTree::Ident(word), path @ ..] => word == "in" && path_length(path) == Some(path.len()),
-        _ => false,
+/// Checks that what stands behind `=`, if anything does, is a literal or a macro: the compiler takes nothing else, and syn reads
+/// all other expressions by recursion.
+fn require_plain_value(input: ParseStream) -> syn::Result<()> {
+    let is_unsafe = input.parse::<Option<Token![unsafe]>>()?.is_some();
+    let is_path = is_unsafe || input.call(Path::parse_mod_style).is_ok();
+    if !is_path || input.parse::<Option<Token![=]>>()?.is_none() {
+        return Ok(());
     }
-}
-
-fn only_word(group: &Group) -> Option<Ident> {
-    let mut content = Cursor::inside(group);
-    content.eat_ident().filter(|_| content.at_end())
-}
-
-/// The last segment of each path in a list of traits.
-fn traits(list: &Group) -> Vec<Name> {
-    let content = Cursor::inside(list);
-    let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
-    let last_word = |path: &[TokenTree]| {
-        path.iter().rev().find_map(|token| match token {
-            TokenTree::Ident(word) => Some(Name { text: word.to_string(), span: word.span() }),
-            _ => None,
-        })
-    };
-    content.rest().split(is_comma).filter_map(last_word).collect()
+    let value = input.fork();
+    if input.parse::<Option<Lit>>()?.is_none() && input.parse::<Macro>().is_err() {
+        return Err(value.error("expected a literal or a macro"));
+    }
+    match input.is_empty() {
+        true => Ok(()),
+        false => Err(input.error("unexpected token")),
+    }
 }

@@ -1,6 +1,7 @@
 //! A position in a sequence of tokens.
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+use syn::parse::{ParseStream, Parser as _};
 
 use super::keywords;
 use crate::diagnostics::Origin;
@@ -8,6 +9,9 @@ use crate::diagnostics::Origin;
 /// Operators of two characters, of this language and of others.
 const PAIRS: [&str; 17] =
     [":=", "==", "+=", "-=", "*=", "/=", "^=", "->", "=>", "<-", "!=", "<=", ">=", "&&", "||", "**", "::"];
+
+/// Longer lists of type parameters and of what is said about them are refused, whatever they say.
+const MOST_TOKENS_OF_RUST: usize = 32;
 
 /// Walks the tokens of one bracket group, or of the whole input. Groups inside count as one token each and
 /// get a cursor of their own, so every token is copied once.
@@ -49,13 +53,6 @@ impl Cursor {
     /// The last token that was taken.
     pub(super) fn previous(&self) -> Option<&TokenTree> {
         self.tokens.get(self.next.checked_sub(1)?)
-    }
-
-    /// Takes the next token.
-    pub(super) fn advance(&mut self) -> Option<TokenTree> {
-        let token = self.tokens.get(self.next)?.clone();
-        self.next += 1;
-        Some(token)
     }
 
     /// Whether no token is left.
@@ -128,6 +125,21 @@ impl Cursor {
     /// Where the next token stands, and the one behind it if both are one operator.
     pub(super) fn here_to_pair(&self) -> Origin {
         self.pair().map_or(self.here(), |(_, origin)| origin)
+    }
+
+    /// Takes what a parser of Rust reads here; nothing if it fails. It sees few tokens, since it may read by recursion.
+    pub(super) fn read<T>(&mut self, read: impl Fn(ParseStream) -> syn::Result<T>) -> syn::Result<T> {
+        let mut left = MOST_TOKENS_OF_RUST;
+        let is_seen = |token: &&TokenTree| {
+            left = left.saturating_sub(token_count(token));
+            left > 0 && !is_punct(Some(token), ';')
+        };
+        let seen = self.rest().iter().take_while(is_seen).cloned().collect::<Vec<_>>();
+        let count = seen.len();
+        let parser = |input: ParseStream| Ok((read(input)?, input.parse::<TokenStream>()?));
+        let (result, rest) = parser.parse2(seen.into_iter().collect())?;
+        self.next += count.saturating_sub(rest.into_iter().count());
+        Ok(result)
     }
 
     /// Skips what stands on the same line as the last token.
@@ -276,10 +288,29 @@ impl Cursor {
         self.skip_to(|cursor| cursor.at(';') || cursor.at_statement());
     }
 
+    /// Skips to what ends the head of a declaration.
+    pub(super) fn skip_head(&mut self) {
+        self.skip_to(|cursor| {
+            cursor.at(';') || cursor.group(Delimiter::Brace).is_some() || cursor.at_statement()
+        });
+    }
+
     /// Skips to the next `,`, but not beyond the current statement.
     pub(super) fn skip_item(&mut self) {
         self.skip_to(|cursor| cursor.at(',') || cursor.at(';') || cursor.at_statement());
     }
+}
+
+/// The number of tokens in a token, which is one but for a group.
+fn token_count(token: &TokenTree) -> usize {
+    let (mut pending, mut count) = (vec![token.clone()], 0);
+    while let Some(token) = pending.pop() {
+        count += 1;
+        if let TokenTree::Group(group) = token {
+            pending.extend(group.stream());
+        }
+    }
+    count
 }
 
 /// Where a token stands, a group from bracket to bracket.

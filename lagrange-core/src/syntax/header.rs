@@ -1,13 +1,16 @@
 //! The head of a declaration: attributes, visibility and the struct.
 
-use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use quote::quote;
+use syn::parse::Parse;
+use syn::{GenericParam, Generics, Visibility, WhereClause};
 
 use super::ast::{Declaration, Expressions, Name, ScalarType};
-use super::attributes::{Attributes, is_restriction};
+use super::attributes::Attributes;
 use super::cursor::{Cursor, group_origin};
 use super::keywords;
 use super::messages;
-use super::parser::{Parsed, Parser};
+use super::parser::{Parsed, Parser, Reported};
 use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 
@@ -16,9 +19,8 @@ const DEFAULT_NAME: &str = "System";
 
 /// The declaration that a bare list of statements belongs to.
 pub(super) fn default_header() -> Declaration {
-    let public = TokenTree::from(Ident::new("pub", Span::call_site()));
     let name = Name { text: DEFAULT_NAME.to_owned(), span: Span::call_site() };
-    declaration(Attributes::default(), (public.into(), Span::call_site()), name, ScalarType::F64)
+    declaration(Attributes::default(), (quote!(pub), Span::call_site()), name, ScalarType::F64)
 }
 
 /// Whether a struct follows, perhaps behind attributes and a visibility.
@@ -59,7 +61,7 @@ impl Parser<'_> {
     /// Reads the head up to its semicolon; the declaration has no statements yet.
     pub(super) fn header(&mut self, cursor: &mut Cursor) -> Parsed<Declaration> {
         let attributes = self.attributes(cursor);
-        let visibility = self.visibility(cursor);
+        let visibility = self.visibility(cursor).unwrap_or_else(|Reported| quote!(pub));
         let Some(keyword) = cursor.eat_word("struct") else {
             let message = match cursor.peek() {
                 None => messages::EMPTY_DECLARATION.to_owned(),
@@ -70,6 +72,7 @@ impl Parser<'_> {
         let name = self.type_name(cursor)?;
         let parameter = self.type_parameter(cursor);
         let scalar = self.scalar_type(&attributes, parameter);
+        self.where_clause(cursor);
         self.end_of_header(cursor);
         Ok(declaration(attributes, (visibility, keyword), name, scalar))
     }
@@ -77,6 +80,10 @@ impl Parser<'_> {
     /// The name of an emitted type.
     pub(super) fn type_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let name = self.name(cursor)?;
+        self.no_keyword(name)
+    }
+
+    fn no_keyword(&mut self, name: Name) -> Parsed<Name> {
         if keywords::is_rust_keyword(&name.text) || name.text == "_" {
             let message = messages::keyword_as_type(&name.text);
             return Err(self.fail_with_help(name.span, message, messages::OTHER_NAME_HELP));
@@ -84,22 +91,36 @@ impl Parser<'_> {
         Ok(name)
     }
 
-    /// `<S>`; anything else between angle brackets is reported and skipped.
+    /// `<S>`; any other type parameters are reported and skipped.
     fn type_parameter(&mut self, cursor: &mut Cursor) -> Option<Name> {
-        let start = cursor.position();
-        cursor.eat('<')?;
-        let name = cursor.ident().filter(|ident| !keywords::is_rust_keyword(&ident.to_string())).cloned();
-        let name = name.and_then(|ident| self.plain(&ident).ok());
-        if name.is_some() {
-            cursor.skip_one();
-            if cursor.eat('>').is_some() {
-                return name;
-            }
+        if !cursor.at('<') {
+            return None;
         }
-        cursor.skip_to(|cursor| cursor.at(';') || cursor.group(Delimiter::Brace).is_some());
-        let error = self.report.error(cursor.since(start), messages::TYPE_PARAMETERS);
-        error.help(messages::TYPE_PARAMETERS_HELP);
+        let start = cursor.position();
+        let generics = cursor.read(Generics::parse).ok();
+        if generics.is_none() {
+            cursor.skip_head();
+        }
+        let name = match generics.as_ref().and_then(|generics| generics.type_params().next()) {
+            Some(first) => Some(self.plain(&first.ident).and_then(|name| self.no_keyword(name)).ok()?),
+            None => None,
+        };
+        if !generics.is_some_and(|generics| is_one_name(&generics)) {
+            let error = self.report.error(cursor.since(start), messages::TYPE_PARAMETERS);
+            error.help(messages::TYPE_PARAMETERS_HELP);
+        }
         name
+    }
+
+    fn where_clause(&mut self, cursor: &mut Cursor) {
+        if !cursor.at_word("where") {
+            return;
+        }
+        let start = cursor.position();
+        if cursor.read(WhereClause::parse).is_err() {
+            cursor.skip_head();
+        }
+        self.fail_with_help(cursor.since(start), messages::WHERE_CLAUSE, messages::TYPE_PARAMETERS_HELP);
     }
 
     fn scalar_type(&mut self, attributes: &Attributes, parameter: Option<Name>) -> ScalarType {
@@ -140,36 +161,36 @@ impl Parser<'_> {
             self.missing_semicolon(cursor);
         } else {
             let message = messages::expected("`;`", cursor.peek());
-            let help =
-                if cursor.at_word("where") { messages::TYPE_PARAMETERS_HELP } else { messages::HEADER_HELP };
-            self.fail_with_help(cursor.here(), message, help);
+            self.fail_with_help(cursor.here(), message, messages::HEADER_HELP);
             cursor.skip_statement();
             cursor.eat(';');
         }
     }
 
-    fn restriction(&mut self, group: &Group) -> Parsed<()> {
-        self.inside(group, Self::shallow)?;
-        match is_restriction(group) {
-            true => Ok(()),
-            false => {
-                let origin = group_origin(group);
-                Err(self.fail_with_help(origin, messages::VISIBILITY, messages::VISIBILITY_HELP))
+    /// `pub`, `pub(…)`, what a `macro_rules!` macro passes on as a visibility, or nothing.
+    fn visibility(&mut self, cursor: &mut Cursor) -> Parsed<TokenStream> {
+        let start = cursor.position();
+        let fragment = cursor.eat_group(Delimiter::None);
+        if fragment.is_none() && cursor.eat_word("pub").is_some() {
+            cursor.eat_group(Delimiter::Parenthesis);
+        }
+        let tokens = cursor.taken_since(start).iter().cloned().collect::<TokenStream>();
+        self.shallow(&mut Cursor::new(tokens.clone()))?;
+        match syn::parse2::<Visibility>(tokens.clone()) {
+            Ok(_) => Ok(fragment.map_or(tokens, |fragment| fragment.stream())),
+            Err(_) => {
+                Err(self.fail_with_help(cursor.before(), messages::VISIBILITY, messages::VISIBILITY_HELP))
             }
         }
     }
+}
 
-    /// `pub`, `pub(…)`, what a `macro_rules!` macro passes on as a visibility, or nothing.
-    fn visibility(&mut self, cursor: &mut Cursor) -> TokenStream {
-        if let Some(fragment) = cursor.eat_group(Delimiter::None) {
-            return fragment.stream();
+fn is_one_name(generics: &Generics) -> bool {
+    let is_name = |parameter: &GenericParam| match parameter {
+        GenericParam::Type(parameter) => {
+            parameter.attrs.is_empty() && parameter.colon_token.is_none() && parameter.default.is_none()
         }
-        if !cursor.at_word("pub") {
-            return TokenStream::new();
-        }
-        let public = cursor.advance();
-        let restriction = cursor.eat_group(Delimiter::Parenthesis);
-        let restriction = restriction.filter(|group| self.restriction(group).is_ok());
-        public.into_iter().chain(restriction.map(TokenTree::Group)).collect()
-    }
+        _ => false,
+    };
+    generics.params.len() == 1 && generics.params.iter().all(is_name)
 }

@@ -81,6 +81,8 @@ pub(super) const TYPE_PARAMETERS: &str = "only one plain type parameter, the num
 pub(super) const TYPE_PARAMETERS_HELP: &str =
     "write `struct Name<S>;`; that `S` is a number need not be said";
 
+pub(super) const WHERE_CLAUSE: &str = "a `where` clause has no place here";
+
 pub(super) fn number_type_as_parameter(number: &str) -> String {
     format!("`{number}` is a number type and cannot be a parameter")
 }
@@ -90,7 +92,6 @@ pub(super) fn number_type_help(number: &str) -> String {
 }
 
 pub(super) const ATTRIBUTE: &str = "expected `[` behind `#`";
-pub(super) const ATTRIBUTE_FORM: &str = "this is no attribute of Rust";
 pub(super) const ATTRIBUTE_FORM_HELP: &str =
     "write `#[name]`, `#[name(…)]` or `#[name = \"…\"]`, or `///` for documentation";
 pub(super) const VISIBILITY: &str = "this restricts no visibility";
@@ -104,6 +105,10 @@ pub(super) const SCALAR_WITH_PARAMETER_HELP: &str = "leave out either `#[scalar(
 pub(super) const TYPE_PARAMETER_HERE: &str = "the type parameter is here";
 pub(super) const ACCURACY_FORM: &str = "`accuracy` names one level";
 pub(super) const FIRST_HERE: &str = "it is given here already";
+
+pub(super) fn malformed_attribute(error: &syn::Error) -> String {
+    format!("this is no attribute of Rust: {error}")
+}
 
 pub(super) fn keyword_as_type(name: &str) -> String {
     format!("{} is a keyword of Rust and cannot name a type", quoted(name))

@@ -92,7 +92,22 @@ fn wrong_heads_leave_a_skeleton() {
         ("struct A<S: Float>;", "only one plain type parameter, the number type, is possible here"),
         ("struct A<const N: usize>;", "only one plain type parameter, the number type, is possible here"),
         ("struct A<>;", "only one plain type parameter, the number type, is possible here"),
-        ("struct A where A: Copy;", "expected `;`, found `where`"),
+        (
+            "struct A<S: Fn(f64) -> [f64; 2] + 'static>;",
+            "only one plain type parameter, the number type, is possible here",
+        ),
+        ("struct A<S;", "only one plain type parameter, the number type, is possible here"),
+        ("struct A<'a, S>;", "only one plain type parameter, the number type, is possible here"),
+        ("struct A<S,, T>;", "only one plain type parameter, the number type, is possible here"),
+        ("struct A<_>;", "`_` is a keyword of Rust and cannot name a type"),
+        ("struct A<gen>;", "`gen` is a keyword of Rust and cannot name a type"),
+        ("struct A<r#S>;", "`r#S` is a raw identifier, which cannot be used as a name here"),
+        (
+            "struct A<S> where S: Fn(f64) -> [f64; 2], for<'a> &'a S: Copy;",
+            "a `where` clause has no place here",
+        ),
+        ("struct A where 1;", "a `where` clause has no place here"),
+        ("struct A where A: Copy;", "a `where` clause has no place here"),
         ("struct A", "missing `;` behind this"),
         ("#[scalar(f32)] struct A<S>;", "the number type is given by the type parameter already"),
         ("#[scalar(f16)] struct A;", "`scalar` names the number type"),
@@ -106,6 +121,10 @@ fn wrong_heads_leave_a_skeleton() {
         ("#[accuracy(standard)] #[accuracy(fast)] struct A;", "`accuracy` is given twice"),
         ("#![a] struct A;", "attributes that begin with `#!` have no place here"),
         ("# struct A;", "expected `[` behind `#`"),
+        (
+            "#[a = ] struct A;",
+            "this is no attribute of Rust: unexpected end of input, expected a literal or a macro",
+        ),
     ];
     for (head, message) in cases {
         let text = format!("{head}\ncoord x;");
@@ -118,29 +137,61 @@ fn wrong_heads_leave_a_skeleton() {
     }
 }
 
+#[test]
+fn all_mistakes_of_a_head_are_found_at_once() {
+    let text = "#[derive *] #[doc = ] #[accuracy(best)] pub(in) struct A<S: Copy> where S: Copy { x: S }";
+    let places = errors(text).into_iter().filter_map(|error| Some(error.split_once(": ")?.0.to_owned()));
+    let columns = [10, 21, 34, 44, 57, 67, 81];
+    let expected = columns.map(|column| format!("error at 1:{column}"));
+    assert_eq!(places.collect::<Vec<_>>(), expected, "{:#?}", errors(text));
+}
+
+/// What a `macro_rules!` macro passes on is a group without brackets.
+#[test]
+fn attributes_hold_fragments_of_other_macros() {
+    let fragment = |text: &str| {
+        let tokens = text.parse::<TokenStream>().expect("tokens");
+        TokenTree::from(Group::new(Delimiter::None, tokens))
+    };
+    let (literal, value) = (fragment("\"text\""), fragment("concat!(\"a\", \"b\")"));
+    let (derive, doc) = (fragment("derive(Clone)"), fragment("doc = \"text\""));
+    let tokens = quote!(#[#derive] #[doc = #literal] struct A; #[#doc] #[doc = #value] coord x;);
+    let mut report = Report::default();
+    let declaration = parse_tokens(tokens, &mut report).expect("a struct");
+    assert!(!report.has_errors(), "{report}");
+    assert_eq!(declaration.derives[0].text, "Clone");
+    assert!(declaration.attributes.to_string().starts_with("# [derive (Clone)] # [doc = "));
+    assert!(declaration.statements[0].docs.to_string().starts_with("# [doc = \"text\"] # [doc = "));
+}
+
 /// Emitted as they stand, they would make everything emitted unreadable.
 #[test]
 fn what_is_no_attribute_of_rust_is_refused() {
-    for attribute in [
-        "[derive *]",
-        "[derive Clone]",
-        "[doc \"text\"]",
-        "[doc = ]",
-        "[doc = 1 2]",
-        "[do = 1]",
-        "[_ = 1]",
-        "[= 1]",
-        "[]",
-        "[a::]",
-        "[a:b]",
-        "[a::b c]",
-        "[a(b) c]",
-        "[::a]",
-        "[a = b]",
-        "[a = b!]",
-    ] {
+    let cases = [
+        ("[derive *]", 10),
+        ("[derive Clone]", 10),
+        ("[derive(Clone *)]", 16),
+        ("[derive(Clone<S>)]", 15),
+        ("[doc \"text\"]", 7),
+        ("[doc = ]", 9),
+        ("[doc = 1 2]", 11),
+        ("[do = 1]", 3),
+        ("[_ = 1]", 3),
+        ("[= 1]", 3),
+        ("[]", 3),
+        ("[a::]", 6),
+        ("[a:b]", 4),
+        ("[a::b c]", 8),
+        ("[a(b) c]", 8),
+        ("[a = b]", 7),
+        ("[a = b!]", 7),
+        ("[a = --1]", 7),
+        ("[unsafe = --1]", 12),
+    ];
+    for (attribute, column) in cases {
         let report = read_wrong(&format!("#{attribute} struct Rod;")).1;
-        assert!(report.starts_with("error at 1:2: this is no attribute of Rust"), "{attribute}\n{report}");
+        let message = format!("error at 1:{column}: this is no attribute of Rust: ");
+        assert!(report.starts_with(&message), "{attribute}\n{report}");
     }
     for attribute in [
         "[doc = \"text\"]",
@@ -148,11 +199,13 @@ fn what_is_no_attribute_of_rust_is_refused() {
         "[doc = core::concat!(\"a\")]",
         "[a]",
         "[a::b]",
+        "[::a]",
         "[a::b(c d)]",
         "[a[1]]",
         "[a{b}]",
         "[unsafe(no_mangle)]",
         "[a = 1]",
+        "[derive(Clone, ::core::fmt::Debug,)]",
     ] {
         read(&format!("#{attribute} struct Rod;"));
     }

@@ -81,8 +81,27 @@ fn deep_nesting_of_any_kind_is_harmless() {
     assert_eq!(deep("", "x", ")"), 1);
     let deep_attribute = format!("#[a{}{}] struct A;", "(".repeat(LONG), ")".repeat(LONG));
     assert_eq!(read(deep_attribute), (0, 1));
+    let deep_docs = format!("#[doc{}{}] coord x;", "(".repeat(LONG), ")".repeat(LONG));
+    assert_eq!(read(deep_docs), (0, 1));
     let deep_visibility = format!("pub{}{} struct A;", "(".repeat(LONG), ")".repeat(LONG));
     assert_eq!(read(deep_visibility), (0, 1));
+}
+
+/// Types and expressions of Rust nest without brackets, too.
+#[test]
+fn heads_of_any_length_are_read() {
+    let head =
+        |before: &str, link: &str, behind: &str| read(format!("{before}{}{behind}", link.repeat(LONG)));
+    assert_eq!(head("struct A<S: ", "B<", ">; coord x;"), (0, 1));
+    assert_eq!(head("struct A<S = ", "&", "T>; coord x;"), (0, 1));
+    assert_eq!(head("struct A<S = [u8; ", "-", "1]>; coord x;"), (0, 1));
+    assert_eq!(head("struct A where ", "&", "T: Copy; coord x;"), (0, 1));
+    assert_eq!(head("#[a = ", "-", "1] struct A; coord x;"), (0, 1));
+    assert_eq!(head("#[unsafe = ", "-", "1] struct A; coord x;"), (0, 1));
+    assert_eq!(head("#[a = b!(", "-", "1)] struct A; coord x;"), (0, 0));
+    assert_eq!(head("#[derive(", "A, ", ")] struct A; coord x;"), (0, 0));
+    assert_eq!(head("#[a", "::a", "] struct A; coord x;"), (0, 0));
+    assert_eq!(head("", "#[a] ", "struct A; coord x;"), (0, 0));
 }
 
 /// Turns that take nothing: each token is complained about and skipped.
