@@ -65,3 +65,8 @@ pub mod simplify;
 pub mod solids;
 pub mod symbol;
 pub mod syntax;
+
+/// `docs/tour.md`, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/tour.md")]
+struct Tour;
