@@ -59,6 +59,7 @@ impl Derivatives {
         if (is_small || is_factorised) && !is_only_explicit {
             eliminations.extend(eliminate_dense(&mut model.graph, forms.pushed, &velocities));
         }
+        // A large full matrix is the one case in which the explicit way is known to lose.
         let is_explicit = is_small || !is_factorised || eliminations.is_empty();
         let residual = match eliminations.is_empty() {
             true => Vec::new(),

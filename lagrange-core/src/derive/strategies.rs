@@ -114,6 +114,7 @@ impl Candidates<'_> {
             let Some(solution) = solution else { continue };
             let cost = cost(&self.model.graph, &solution.values);
             costs[n] = Some(cost);
+            // Of equal costs the later one, which is the simpler one, is kept.
             if best.as_ref().is_none_or(|(_, _, least)| cost <= *least) {
                 best = Some((solution, strategy, cost));
             }

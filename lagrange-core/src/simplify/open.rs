@@ -6,7 +6,7 @@ use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
-/// Nothing is multiplied out to more terms than this.
+/// Number of terms to which anything is multiplied out, as many as [`contract`](super::contract()) takes.
 const MOST_TERMS: usize = 64;
 
 /// The terms with those sums among their factors multiplied out that `is_chosen` accepts; `None` if they become

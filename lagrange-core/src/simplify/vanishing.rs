@@ -6,11 +6,11 @@ use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
 use crate::symbol::Role;
 
-/// Monomials up to which a derivative is expanded to prove that it vanishes.
+/// Monomials up to which a value is expanded to prove that it vanishes: room for any formula that people read.
 const PROOF_BUDGET: usize = 200;
-/// Derivatives made of more expressions than this are not expanded at all.
+/// Number of expressions up to which a value is expanded at all. A zero that is missed costs operations or a line of documentation.
 const LARGEST_EXPANDED: usize = 400;
-/// What rounding may make of zero, against the largest number on the way to it: far more than it ever does.
+/// Fraction of the largest number on the way to a zero that rounding may leave of it: far more than it ever does.
 const ROUNDING: f64 = 1e-8;
 
 /// Which values are zero everywhere, as far as that can be proved quickly.

@@ -197,6 +197,8 @@ impl<'g> SquareElimination<'g> {
         let is_steady = graph.dependencies(offset).is_constant_in_motion();
         let one = graph.number(1);
         let mut square = Square { weight, linear: load, form: vec![(u, one)] };
+        // Gravity is such an offset, the same for all points, so that it drops out of their differences. What changes in motion stays a
+        // load, and so does a load on a generalised velocity itself, which no other variable shares.
         if is_steady && !self.composition.parts(u).is_empty() {
             self.composition.set_offset(u, offset);
             square.linear = graph.number(0);
@@ -339,6 +341,7 @@ impl<'g> SquareElimination<'g> {
         let slopes = carriers.iter().filter_map(|id| Some(expansions.get(id)?.slope)).collect::<Vec<_>>();
         let graph = &mut *self.algebra.graph;
         let (scale, _) = simplify::content(graph, &slopes);
+        // What moves may vanish and is no unit of measure; a single slope would be all scale.
         if slopes.len() < 2 || !graph.dependencies(scale).is_constant_in_motion() {
             return graph.number(1);
         }

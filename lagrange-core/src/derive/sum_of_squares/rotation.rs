@@ -57,6 +57,7 @@ pub(super) fn eliminate(
     squares: &[Carried],
 ) -> Option<(Pull, Vec<Square>)> {
     let is_single_minor = carriers.minors.len() < 2 && squares.iter().all(|square| square.others.is_empty());
+    // All pairs of squares are then multiples of one form and add up to a single square, without rotations.
     if is_single_minor {
         let pull = pull(algebra, carriers, squares);
         // What depends on no acceleration cannot be made smaller.
@@ -80,6 +81,7 @@ fn rotate(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -
     let mut is_certain = false;
     for square in &before[1..] {
         let pair = [kept, square.clone()];
+        // Once a pivot cannot vanish, no later one can: every rotation adds to it.
         is_certain |= pair.iter().any(|square| always_holds_unknown(algebra.graph, square));
         let (lost, found) = rotate_pair(algebra, carriers, &pair, &mut is_certain);
         left.extend(lost);
