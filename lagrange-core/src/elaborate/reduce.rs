@@ -4,7 +4,9 @@
 //! to second order, their velocities counted like themselves, which makes their equations of motion linear
 //! (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §6.1, there about an equilibrium; here the other
 //! coordinates move on). So is dissipation, and of loads the power F·ṗ, so that forces on small coordinates are of
-//! first order. Expanding commutes with the rate of change, whence rates stay rates.
+//! first order. Expanding commutes with the rate of change, whence rates stay rates and sums of squares survive.
+//!
+//! The result moves to a graph of its own with coordinates numbered from zero, and from there it takes the ordinary way.
 
 use super::messages;
 use crate::calculus::{Expansion, Series, gradient, transplant};
