@@ -34,16 +34,18 @@
 //!
 //! [`pipeline`] is the whole of it on one screen:
 //!
-//! 1. [`syntax`] reads tokens or text into a declaration, with all mistakes reported together;
-//! 2. [`bodies`] translates what is declared of rigid bodies into plain statements;
+//! 1. [`syntax`] reads tokens or text into a [`Declaration`](syntax::ast::Declaration), with all mistakes reported
+//!    together;
+//! 2. [`bodies`] translates statements about rigid bodies into plain ones, [`Plain`](bodies::Plain);
 //! 3. [`mod@elaborate`] resolves names and checks meaning, which gives a [`Model`](model::Model);
 //! 4. [`mod@derive`] finds the [`Equations`](derive::Equations) of a model;
 //! 5. [`emit`] writes them as Rust: [`program`] lowers expressions to straight-line [`Program`](program::Program)s, [`code`]
 //!    writes those as the body of a function, [`formula`] writes expressions as text, LaTeX or graphs.
 //!
-//! They stand on [`expr`], the graph that owns every expression of a system; [`functions`], one row for each
-//! elementary function; [`calculus`] and [`simplify`], algorithms that take the graph; and on [`number`],
-//! [`symbol`], [`diagnostics`] and [`collections`]. A module imports only from those that come before it.
+//! They stand on [`expr`], the graph that owns every expression of a system; [`functions`] and [`solids`], one row for
+//! each; [`calculus`] and [`simplify`], algorithms that take the graph; and on [`number`], [`symbol`], [`diagnostics`]
+//! and [`collections`]. `ARCHITECTURE.md` says which may import which, and `docs/tour.md` shows what each phase makes
+//! of a double pendulum.
 #![forbid(unsafe_code)]
 
 pub mod bodies;
@@ -66,3 +68,8 @@ pub mod simplify;
 pub mod solids;
 pub mod symbol;
 pub mod syntax;
+
+/// `docs/tour.md`, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/tour.md")]
+struct Tour;

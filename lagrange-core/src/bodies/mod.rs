@@ -1,9 +1,19 @@
 //! Plane rigid bodies in the statements of the plain language.
 //!
 //! A body is its kinetic energy ½ m |ċ|² + ½ J φ̇² and its potential energy −m g·c; springs, dampers and joints are
-//! energies, Rayleigh functions and constraints of points that bodies carry. [`plain`] writes all of that down as
+//! energies, Rayleigh functions and constraints of points that bodies carry. [`plain()`] writes all of that down as
 //! syntax, before names are resolved, so that what follows knows nothing of bodies and the plain statements can be
 //! shown to the user. Nothing is simplified or differentiated here.
+//!
+//! Hand-written energies mix with those of bodies, and what a scene costs is what the same system costs by hand, to which `tests/bodies`
+//! holds it. Mistakes point at what the user wrote. A constraint of a joint that proves to be zero is left out.
+//!
+//! Beside the statements come expressions for motions and drawings ([`Plain`]); `elaborate::scene` evaluates them only if `emit` asks for
+//! them, and they are emitted as values of `lagrange::body` and `lagrange::scene`, which every build has; pictures are behind the feature
+//! `draw`. What is handed out to be drawn is all that acts of what is declared with bodies: `tests/laws/scenes.rs` and
+//! `tests/api/axiom.rs` hold it to F = m a and to the axiom of angular momentum. On a free body the drawing adds the resultant of what has
+//! no name, m a − Σ F, from the motion. Torques on angles find their bodies by proof (`elaborate::torques`); joints without multipliers
+//! and torques that fit no body or several are handed out as omitted, and named below the picture.
 //!
 //! Source of the formulas: any textbook of plane rigid-body mechanics, such as Meriam, Kraige, *Engineering Mechanics:
 //! Dynamics*, ch. 5 and 6.

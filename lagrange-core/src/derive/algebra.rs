@@ -10,12 +10,12 @@ use crate::simplify::{self, Angles};
 /// Σ slope · variable, in ascending order of variables.
 pub(super) type LinearForm = Vec<(ExprId, ExprId)>;
 
-/// Products of sums are multiplied out up to this many terms.
+/// Terms up to which the product of two sums is multiplied out on trial, as of four by four: the trial costs as much as it makes.
 const MOST_OPENED: usize = 16;
-/// Factors nested deeper than this are not counted apart.
+/// Depth to which factors are counted. Counting decides between two ways of writing one sum and must not walk a whole graph.
 const DEEPEST_COUNTED: usize = 4;
 
-/// How sums are simplified.
+/// Simplification of sums.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Sums {
     /// Equal products meet, and squares of sine and cosine.
@@ -92,11 +92,13 @@ impl<'g> Algebra<'g> {
         }
         let is_the_same = opened.len() == closed.len();
         let closed = self.simplified(closed);
+        // One term has nothing to cancel with.
         if is_the_same || self.terms(closed) < 2 {
             return closed;
         }
         let before = opened.len();
         let opened = self.simplified(opened);
+        // What is opened no longer shares its factors with other sums; only terms that cancel pay for that.
         let has_shrunk = self.terms(opened) < before;
         let is_short = self.terms(opened) <= self.terms(closed)
             || self.factors(opened, DEEPEST_COUNTED) < self.factors(closed, DEEPEST_COUNTED);
@@ -120,6 +122,7 @@ impl<'g> Algebra<'g> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
         self.flatten(a, scale, &mut left);
         self.flatten(b, &Number::ONE, &mut right);
+        // Too long to hope that most of it cancels; one closed term keeps it shared.
         if left.len() * right.len() > MOST_OPENED {
             terms.push((self.graph.multiply(a, b), scale.clone()));
             return;
@@ -131,7 +134,7 @@ impl<'g> Algebra<'g> {
         }
     }
 
-    /// How many terms a sum has; anything else but zero has one.
+    /// Number of terms of a sum; anything else but zero has one.
     pub(super) fn terms(&self, id: ExprId) -> usize {
         let (_, core) = self.graph.split_coefficient(id);
         match self.graph.node(core) {

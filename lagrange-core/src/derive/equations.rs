@@ -23,11 +23,12 @@ use crate::number::Number;
 use crate::simplify::{self, Angles, vanishing};
 use crate::syntax::ast::Accuracy;
 
-/// Systems with more coordinates are not multiplied out on trial.
+/// Number of unknowns up to which coefficients are multiplied out on trial. What a coordinate does to itself cancels, but the number of
+/// coefficients grows as its square, and with it what they share when they stay closed.
 const MOST_MULTIPLIED_OUT: usize = 4;
-/// The same for systems made of more expressions.
+/// Number of expressions up to which they are: the trial multiplies out everything and factorises two matrices.
 const LARGEST_MULTIPLIED_OUT: usize = 300;
-/// Monomials up to which coefficients are multiplied out.
+/// Monomials up to which a coefficient is multiplied out; a longer one hardly costs less than the closed one.
 const MULTIPLYING_BUDGET: usize = 60;
 
 /// A matrix in rows.
@@ -291,6 +292,7 @@ fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, unknowns: &[Ex
         Some(cost(graph, &solution.values))
     });
     match costs {
+        // Equal costs leave the form as it was declared.
         [Some(as_it_is), Some(multiplied_out)] if multiplied_out < as_it_is => expanded,
         _ => pushed,
     }

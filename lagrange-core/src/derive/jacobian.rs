@@ -28,13 +28,13 @@ pub(super) struct Forms {
     pub(super) pushed: QuadraticForm,
 }
 
-/// What the derivatives are found from.
+/// Functions that the derivatives are found from.
 pub(super) struct Derivatives {
     /// The accelerations as they are computed, if they are to be differentiated.
     explicit: Option<Vec<ExprId>>,
     /// r(q, v, a), with symbols for the accelerations.
     residual: Vec<ExprId>,
-    /// Of M, each to be tried with r.
+    /// Eliminations of M, each to be tried with r.
     eliminations: Vec<Elimination>,
 }
 
@@ -59,6 +59,7 @@ impl Derivatives {
         if (is_small || is_factorised) && !is_only_explicit {
             eliminations.extend(eliminate_dense(&mut model.graph, forms.pushed, &velocities));
         }
+        // A large full matrix is the one case in which the explicit way is known to lose.
         let is_explicit = is_small || !is_factorised || eliminations.is_empty();
         let residual = match eliminations.is_empty() {
             true => Vec::new(),

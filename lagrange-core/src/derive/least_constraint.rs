@@ -6,6 +6,26 @@
 //! acceleration (Gauss's principle; Udwadia and Kalaba, *Analytical Dynamics*, §3). Terms of the Lagrangian
 //! of any other form contribute d/dt ∂L/∂v − ∂L/∂q by reverse-mode differentiation, and second derivatives
 //! from the second-order reverse sweep of Gower and Mello, continued through the nonlinear nodes.
+//!
+//! # A pendulum in numbers
+//!
+//! m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1: x = 5 sin θ, y = −5 cos θ, hence ẋ = 4 θ̇ and ẏ = 3 θ̇, and
+//! at zero acceleration ẍ = −3, ÿ = 4. The potential loses height at the rate V̇ = 30 θ̇.
+//!
+//! | node | square | linear part | because |
+//! |---|---|---|---|
+//! | ẋ | 1 | −3 | w u̇ |
+//! | ẏ | 1 | 4 | w u̇ |
+//! | V̇ | | 1 | V̇·a |
+//! | θ̇ | 4² + 3² = 25 | 4 · (−3) + 3 · 4 + 30 · 1 = 30 | pushed down |
+//!
+//! So θ̈ = −30/25 = −6/5, which is −(g/l) sin θ; what centripetal acceleration contributes, −12 + 12, cancels along the path.
+//!
+//! # Polar coordinates in numbers
+//!
+//! Weights that change: ½ m (ṙ² + r² φ̇²) with m = 1 at r = 2, ṙ = 3, φ̇ = 5. The weight of φ̇ is w = r² = 4 with ẇ = 2 r ṙ, so that
+//! ẇ u = 60 is the linear part at φ̇, Coriolis' force, and −½ u² = −25/2 at the node ẇ comes down to ṙ as −25/2 · 2 r = −50, the
+//! centrifugal force.
 
 use super::quadratic_form::QuadraticForm;
 use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates, gradient, partials, second_partials};
@@ -336,3 +356,6 @@ impl<'a> Splitter<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,4 +1,4 @@
-//! What can be said of a system from its equations: the shape of the mass matrix, cyclic coordinates,
+//! Structure of a system as its equations show it: the shape of the mass matrix, cyclic coordinates,
 //! conserved quantities.
 
 use crate::calculus::{adjoint, gradient};
@@ -34,7 +34,7 @@ pub enum Conserved {
     Energy,
 }
 
-/// What was found out about a system.
+/// Structure of a system, as far as its equations show it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Structure {
     /// The shape of the mass matrix.

@@ -8,9 +8,10 @@ use crate::expr::{ExprId, Graph};
 use crate::model::Model;
 use crate::symbol::Role;
 
-/// Pivots and entries below this fraction of the largest entry are zero but for rounding.
+/// Fraction of the largest entry below which pivots and entries are zero but for rounding. Symbols have values between one and two, so
+/// that entries are far larger, while a few eliminations round in the last of sixteen digits.
 const ROUNDING: f64 = 1e-9;
-/// As many states are tried until one has no undefined entries.
+/// Number of states that are tried until one has no undefined entries, such as the root of something negative.
 const MOST_STATES: u32 = 8;
 const GOLDEN_RATIO: f64 = 0.618_033_988_749_895;
 

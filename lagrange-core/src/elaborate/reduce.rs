@@ -4,7 +4,9 @@
 //! to second order, their velocities counted like themselves, which makes their equations of motion linear
 //! (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §6.1, there about an equilibrium; here the other
 //! coordinates move on). So is dissipation, and of loads the power F·ṗ, so that forces on small coordinates are of
-//! first order. Expanding commutes with the rate of change, whence rates stay rates.
+//! first order. Expanding commutes with the rate of change, whence rates stay rates and sums of squares survive.
+//!
+//! The result moves to a graph of its own with coordinates numbered from zero, and from there it takes the ordinary way.
 
 use super::messages;
 use crate::calculus::{Expansion, Series, gradient, transplant};
@@ -30,15 +32,15 @@ pub(super) fn reduce(model: &Model, reduction: &Reduction, report: &mut Report) 
     Some(reduced)
 }
 
-/// What of a declaration has no expansion, in the user's words.
+/// Part of a declaration that has no expansion, in the user's words.
 type Undefined = String;
 
 struct Reducer<'a> {
     graph: Graph,
     reduction: &'a Reduction,
-    /// With frozen coordinates at their values.
+    /// Expressions with frozen coordinates at their values.
     frozen: Expansion,
-    /// With small coordinates expanded, too.
+    /// Expressions with small coordinates expanded, too.
     expanded: Expansion,
 }
 
@@ -209,7 +211,7 @@ fn transplanted(reduced: &mut Reduced) {
     model.graph = graph;
 }
 
-/// Where a model holds expressions.
+/// Places of a model that hold expressions.
 fn places(model: &mut Model) -> Vec<&mut ExprId> {
     let mut places = vec![&mut model.lagrangian, &mut model.dissipation];
     if let Energies::Separate { kinetic, potential } = &mut model.energies {

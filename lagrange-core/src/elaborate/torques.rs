@@ -1,4 +1,4 @@
-//! On which bodies torques act that are declared on angles.
+//! Bodies on which torques act that are declared on angles.
 //!
 //! A torque m on an angle θ has the power m θ̇. If θ turns as a body does, θ̇ = ω, that of a moment m on this body is the same; if it
 //! turns as one body does against another, θ̇ = ω₂ − ω₁, that of m on one and −m on the other. Where θ is the second angle of a double
@@ -53,7 +53,7 @@ fn turned(elaborator: &mut Elaborator<'_>, rate: ExprId) -> Vec<Shares> {
     fitting(elaborator, rate, pairs)
 }
 
-/// Those whose rate is this one, or its opposite, with the opposite moments then.
+/// Bodies whose rate is this one, or its opposite, with the opposite moments then.
 fn fitting(elaborator: &mut Elaborator<'_>, rate: ExprId, candidates: Vec<(Shares, ExprId)>) -> Vec<Shares> {
     let graph = &mut elaborator.evaluator.graph;
     let mut differences = Vec::new();

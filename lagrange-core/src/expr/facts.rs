@@ -1,4 +1,4 @@
-//! What is known of every expression from its construction on.
+//! Facts about every expression from its construction on.
 
 use std::ops::BitOr;
 
@@ -71,7 +71,7 @@ impl BitOr for Dependencies {
     }
 }
 
-/// What is known of one expression.
+/// Facts about one expression.
 #[derive(Clone, Debug)]
 pub(super) struct Facts {
     pub(super) dependencies: Dependencies,

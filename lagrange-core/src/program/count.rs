@@ -1,4 +1,4 @@
-//! How much work a program is.
+//! Operation counts of programs.
 
 use std::fmt;
 
@@ -54,7 +54,7 @@ impl OperationCounts {
         }
     }
 
-    /// How many operations there are.
+    /// Number of operations.
     pub fn total(&self) -> usize {
         let OperationCounts {
             additions,

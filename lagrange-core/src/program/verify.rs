@@ -1,4 +1,4 @@
-//! What every program satisfies. Tests run this after every pass.
+//! Conditions that every program satisfies. Tests check them after every pass.
 
 use std::fmt;
 
@@ -93,7 +93,7 @@ fn verify_operands(program: &Program) -> Result<(), Fault> {
     }
 }
 
-/// What a value is.
+/// Kind of a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum ValueKind {
     Number,

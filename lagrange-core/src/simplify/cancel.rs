@@ -6,7 +6,8 @@ use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
-/// Sums nested deeper than this are not searched for common factors.
+/// Depth to which sums are searched for common factors: what all terms share shows near the top, and each level opens sums that
+/// others share.
 const DEEPEST: usize = 6;
 
 /// `numerator / denominator`. If the denominator is a product and the terms of the numerator share a factor
@@ -25,11 +26,12 @@ pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Ex
     let factor = common.over(&below).build(graph);
     let product = graph.multiply(rest, factor);
     let cancelled = graph.scale(scale.reciprocal().unwrap_or(Number::ONE), product);
+    // Cancelling opens sums that were shared; only what ends up shorter is worth that.
     let mut sizes = Sizes::default();
     if sizes.of(graph, cancelled) < sizes.of(graph, plain) { cancelled } else { plain }
 }
 
-/// What is known of the parts of one numerator; parts that occur often are looked into once.
+/// Parts of one numerator, of which those that occur often are looked into once.
 #[derive(Default)]
 struct Canceller {
     common: HashMap<ExprId, Monomial>,

@@ -21,9 +21,9 @@ use crate::expr::{ExprId, Function, Graph, Node};
 use crate::functions::apply;
 use crate::number::Number;
 
-/// Products of more sines and cosines than this stay as they are.
+/// Number of sines and cosines up to which a product is written as a sum of waves: n of them make 2ⁿ⁻¹ terms.
 const MOST_WAVES: usize = 4;
-/// Sums of more terms than this stay as they are.
+/// Number of terms up to which a sum is contracted, since all pairs of its waves are compared.
 const MOST_TERMS: usize = 64;
 
 /// A number times sines and cosines.
@@ -60,6 +60,7 @@ pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Numb
     }
     for (cofactor, group) in groups.iter() {
         let gathered = gather(&group.products);
+        // As many waves as terms would trade shared sines for others.
         if gathered.len() < group.terms.len() {
             left.extend(gathered.iter().map(|product| build(graph, angles, cofactor, product)));
         } else {

@@ -2,7 +2,8 @@
 
 use super::polynomial::Polynomial;
 
-/// How many monomials may be made on the way for each one allowed in a result.
+/// Number of monomials that may be made on the way for each one allowed in a result. What cancels is made first, so that the way is
+/// longer than the result; without a bound nested products would make exponentially many.
 const EFFORT_PER_MONOMIAL: usize = 50;
 
 /// Monomials that may be in a result, and those that may still be made.

@@ -20,15 +20,15 @@ use crate::expr::{ExprId, Function, Graph, Node};
 use crate::functions::apply;
 use crate::number::Number;
 
-/// Higher powers of sums are left as powers.
+/// Exponent up to which powers of sums are multiplied out: (a + b + c)⁸ has 45 monomials, and readers prefer the power before that.
 const HIGHEST_POWER: i32 = 8;
 
-/// What the result is for.
+/// Purpose of a result.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Purpose {
     /// Short formulas.
     Reading,
-    /// As few different ways of writing the same value as possible.
+    /// The same value in as few different ways of writing as possible.
     Comparing,
     /// Few operations, none of which loses digits that the expression as it stands keeps.
     Computing,

@@ -9,7 +9,7 @@ use crate::collections::OrderedMap;
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
-/// Coefficients of more terms than this are not searched for common factors.
+/// Number of terms up to which a coefficient is searched for common factors: every group that is drawn out searches the rest again.
 const MOST_TERMS: usize = 64;
 
 /// An expression with the value of the polynomial.
@@ -19,6 +19,7 @@ pub(super) fn group(graph: &mut Graph, polynomial: &Polynomial) -> ExprId {
     });
     let mut parts = Vec::new();
     for (denominator, terms) in by_denominator {
+        // A denominator of a single term stays with it; there is nothing to put over it together.
         if terms.len() == 1 || denominator.is_one() {
             let whole = terms.into_iter().map(|term| term.times(&denominator)).collect();
             parts.extend(by_motion(graph, whole));

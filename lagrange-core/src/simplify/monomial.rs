@@ -3,7 +3,8 @@
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
-/// Products with more nested parts than this are not looked into.
+/// Number of nested parts up to which a product is written flat. Products grow with every elimination; flat copies of all of them would
+/// take a time quadratic in the length of a chain.
 pub(super) const MOST_FACTORS: usize = 16;
 
 /// `Π base ^ exponent`: ascending bases, no exponent zero. Equal monomials are equal values.

@@ -6,7 +6,7 @@ use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
-/// Nothing is multiplied out to more terms than this.
+/// Number of terms to which anything is multiplied out, as many as [`contract`](super::contract()) takes.
 const MOST_TERMS: usize = 64;
 
 /// The terms with those sums among their factors multiplied out that `is_chosen` accepts; `None` if they become
@@ -31,7 +31,7 @@ pub fn open(
     Some(opened)
 }
 
-/// How many terms an expression has when everything is multiplied out and nothing is added up.
+/// Number of terms of an expression when everything is multiplied out and nothing is added up.
 pub fn count_opened(graph: &Graph, id: ExprId) -> usize {
     let mut counts: HashMap<ExprId, usize> = HashMap::default();
     for id in graph.reachable(&[id]) {

@@ -6,7 +6,8 @@ use crate::calculus::evaluate;
 use crate::expr::{ExprId, Graph};
 use crate::symbol::Role;
 
-/// Rounding leaves less than this of a zero at the point where expressions are tried.
+/// Residue of a zero that rounding may leave at the point where expressions are tried. A larger one settles the question without a proof;
+/// a smaller one only means that the proof is tried.
 const LARGEST_RESIDUE: f64 = 1e-6;
 
 /// An equal expression that is shorter when written out, or `expr` itself if none is found.

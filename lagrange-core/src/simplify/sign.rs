@@ -3,7 +3,7 @@
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
-/// Sums nested deeper than this are not looked into.
+/// Depth to which sums are looked into. A pivot is a sum of products of sums; a miss costs a guard, never a wrong answer.
 const DEEPEST: usize = 4;
 
 /// Whether an expression is known to vanish in no configuration, given that parameters are positive.

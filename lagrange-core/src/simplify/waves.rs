@@ -11,7 +11,8 @@ use crate::expr::{ExprId, Function, Graph, Node};
 use crate::functions::apply;
 use crate::number::Number;
 
-/// Higher multiples of an angle are angles of their own.
+/// Multiple of an angle up to which it is written in sine and cosine of the angle, n + 1 terms for both; higher multiples are
+/// angles of their own.
 const HIGHEST_MULTIPLE: i32 = 8;
 
 /// The sine and the cosine of an angle.

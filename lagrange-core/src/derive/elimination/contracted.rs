@@ -15,9 +15,9 @@ use crate::simplify;
 
 /// More coordinates are factorised without looking for what cancels: the search in each entry would take too long.
 pub(in crate::derive) const MOST_CONTRACTED: usize = 8;
-/// Expressions made of more are left as they are.
+/// Number of parts up to which an expression is searched for what cancels; each round of the search opens every sum in it once.
 const LARGEST_OPENED: usize = 300;
-/// How many sums in one expression are opened one after the other.
+/// Number of sums opened one after the other in one expression. Each makes it shorter, so this bounds the time and nothing else.
 const MOST_ROUNDS: usize = 8;
 
 /// The form over the generalised velocities with its coefficients contracted.
@@ -152,6 +152,7 @@ fn schur(algebra: &mut Algebra<'_>, value: ExprId, pivot: ExprId, a: ExprId, b: 
     }
     let terms = [(algebra.graph.multiply(value, pivot), Number::ONE), (product, Number::MINUS_ONE)];
     let numerator = algebra.graph.sum(Number::ZERO, terms);
+    // Over the pivot only if something cancels: otherwise the fill-in keeps its own, shared quotient.
     if let Some(numerator) = shorter(algebra, numerator, simplify::is_no_difference) {
         return simplify::quotient(algebra.graph, numerator, pivot);
     }

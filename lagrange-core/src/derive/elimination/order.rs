@@ -1,4 +1,4 @@
-//! In which order unknowns are eliminated from the quadratic form.
+//! Order in which unknowns are eliminated from the quadratic form.
 
 use super::pivot::{Eliminated, eliminate, eliminate_pair};
 use super::queue::{Queue, Waiting};
@@ -10,16 +10,16 @@ use crate::derive::sweep::{Multiples, Sweep};
 use crate::expr::{ExprId, Function, Graph};
 use crate::functions;
 
-/// When multipliers are eliminated.
+/// Time at which multipliers are eliminated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Multipliers {
-    /// As soon as they can be.
+    /// As soon as their squares are complete.
     Early,
     /// After the velocities.
     Late,
 }
 
-/// With more unknowns only one order of elimination is written down.
+/// Number of unknowns up to which both orders of elimination are written down; beyond it the trial would dominate the time of expansion.
 const LARGEST_TRIAL: usize = 40;
 
 /// Eliminates all unknowns from a form that has been pushed down: a left-looking LDLᵀ factorisation of
@@ -42,6 +42,7 @@ pub(in crate::derive) fn eliminate_dense(
         Some(cost(graph, &values))
     });
     match costs {
+        // Of equal costs the early one: it keeps chains of any length linear.
         [Some(early), Some(late)] if late < early => {}
         [None, _] => {}
         _ => return early,
@@ -194,7 +195,8 @@ fn eliminate_all(
     Some(())
 }
 
-/// Eliminates one of the unknowns; rows with the fewest neighbours go first. What has no square of its own goes with another,
+/// Eliminates one of the unknowns; rows with the fewest neighbours go first, which makes little fill-in (minimum degree; Tinney, Walker,
+/// Proc. IEEE 55 (1967) 1801–1809). What has no square of its own goes with another,
 /// or with one of the partners. A constraint of which nothing is left follows from others.
 fn eliminate_next(
     elimination: &mut Elimination,

@@ -30,6 +30,7 @@ pub(super) fn frame(
     let ([x, y], [a, b]) = (carriers.ids.as_slice(), carriers.expansions.as_slice()) else { return None };
     let length = [a, b].map(|e| (e.slope, e.slope, Number::ONE));
     let length = algebra.products(&length);
+    // Without a unit vector there is no frame to turn into, and variables beside the carriers have no component in it.
     if !algebra.graph.is_one(length) || squares.iter().any(|square| !square.others.is_empty()) {
         return None;
     }

@@ -3,6 +3,62 @@
 //! The mass matrix is never formed, nor are its Schur complements: what is left of an elimination is again a
 //! sum of squares, found by [`rotation`]. That keeps the digits which differences of large entries lose, and on chains and
 //! trees of points it is also the shortest way: between two points a single number stands for a subtree.
+//!
+//! # The double pendulum in numbers
+//!
+//! Unit lengths and masses and g = 10, the upper rod horizontal (θ₁ = 90°) with θ̇₁ = 1, the lower one hanging from its end (θ₂ = 0)
+//! with θ̇₂ = 2. Write (x₁, y₁) and (x₂, y₂) for the accelerations of the points, measured from an offset: y is ÿ + 10, so that
+//! gravity is nowhere else. Then x₁ = −1, y₁ = θ̈₁ + 10, and ½ (x₁² + y₁² + x₂² + y₂²) is to be made minimal.
+//!
+//! **θ̈₂ first.** It moves the second point along t = (cos θ₂, sin θ₂) = (1, 0):
+//! x₂ = 1 θ̈₂ + x₁, y₂ = 0 θ̈₂ + y₁ + 4, with the centripetal θ̇₂² = 4 as *drift*.
+//!
+//! | | |
+//! |---|---|
+//! | weights w, arms a | 1, 1 along (1, 0) |
+//! | pivot Σ w a² | 1 · 1² + 1 · 0² = 1 |
+//! | minor t₁ y₂ − t₂ x₂, without θ̈₂ | y₁ + 4 |
+//! | left by Lagrange's identity | ½ · (1 · 1 / 1) · (y₁ + 4)² |
+//!
+//! What is left of the two squares of the second point is one, of the acceleration along the lower rod, and that is all that the
+//! upper rod feels of it. **θ̈₁ next.** In ½ (x₁² + y₁² + (y₁ + 4)²) the arms of θ̈₁ are 0, 1, 1:
+//!
+//! | | |
+//! |---|---|
+//! | `pivot_0` | 1 + 1 = 2; in symbols m₁ + m₂ sin²(θ₁ − θ₂), a sum as ever |
+//! | stationary | y₁ + (y₁ + 4) = 0, hence y₁ = −2 and θ̈₁ = −12 |
+//!
+//! **Back.** Along and across the upper rod, in the frame of t = (0, 1), the end has `normal_0` = −x₁ = 1 and `minus_tangential_0` = 2.
+//! The lower rod has `normal_1` = y₁ + 4 = 2, and its tangential acceleration is free of load: θ̈₂ + x₁ = 0, so θ̈₂ = 1.
+//!
+//! ```
+//! use std::f64::consts::FRAC_PI_2;
+//!
+//! use lagrange_core::calculus::evaluate;
+//! use lagrange_core::derive::{Strategy, StrategyChoice};
+//! use lagrange_core::pipeline::parse;
+//! use lagrange_core::symbol::Role;
+//!
+//! let declaration = std::fs::read_to_string("tests/golden/double_pendulum/declaration.lag")?;
+//! let derived = parse(&declaration)?.derive(StrategyChoice::Always(Strategy::SumOfSquares))?;
+//! let value = |expression| {
+//!     let values = evaluate(&derived.model.graph, &[expression], |role| match role {
+//!         Role::Parameter(4) => 10.0,
+//!         Role::Coordinate(0) => FRAC_PI_2,
+//!         Role::Coordinate(_) => 0.0,
+//!         Role::Velocity(1) => 2.0,
+//!         _ => 1.0,
+//!     });
+//!     (values[0] * 1e9).round() / 1e9
+//! };
+//! for (name, expected) in [("pivot_0", 2.0), ("normal_0", 1.0), ("minus_tangential_0", 2.0), ("normal_1", 2.0)] {
+//!     let (found, _) = derived.equations.labels.iter().find(|(_, label)| label == name).expect("a label");
+//!     assert_eq!(value(*found), expected, "{name}");
+//! }
+//! let accelerations = derived.equations.accelerations.iter().map(|&id| value(id)).collect::<Vec<_>>();
+//! assert_eq!(accelerations, [-12.0, 1.0]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod back;
 mod composition;
@@ -141,6 +197,8 @@ impl<'g> SquareElimination<'g> {
         let is_steady = graph.dependencies(offset).is_constant_in_motion();
         let one = graph.number(1);
         let mut square = Square { weight, linear: load, form: vec![(u, one)] };
+        // Gravity is such an offset, the same for all points, so that it drops out of their differences. What changes in motion stays a
+        // load, and so does a load on a generalised velocity itself, which no other variable shares.
         if is_steady && !self.composition.parts(u).is_empty() {
             self.composition.set_offset(u, offset);
             square.linear = graph.number(0);
@@ -205,7 +263,7 @@ impl<'g> SquareElimination<'g> {
         touched
     }
 
-    /// How the unknown follows from what is left. A load along it is passed on.
+    /// Rule by which the unknown follows from what is left. A load along it is passed on.
     fn rule(
         &mut self,
         carriers: &Carriers,
@@ -283,6 +341,7 @@ impl<'g> SquareElimination<'g> {
         let slopes = carriers.iter().filter_map(|id| Some(expansions.get(id)?.slope)).collect::<Vec<_>>();
         let graph = &mut *self.algebra.graph;
         let (scale, _) = simplify::content(graph, &slopes);
+        // What moves may vanish and is no unit of measure; a single slope would be all scale.
         if slopes.len() < 2 || !graph.dependencies(scale).is_constant_in_motion() {
             return graph.number(1);
         }

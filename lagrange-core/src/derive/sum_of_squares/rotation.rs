@@ -7,6 +7,9 @@
 //! Σ wᵢ pᵢ² − (Σ wᵢ aᵢ pᵢ)² / D = Σ_{i<j} (wᵢ wⱼ / D) (aᵢ pⱼ − aⱼ pᵢ)².
 //! ```
 //!
+//! In numbers: of ½ · 1 · (x + 3)² + ½ · 2 · (x + 6)² the pivot is D = 1 + 2 = 3, the minimum is at x = −(3 + 12)/3 = −5, and what is
+//! left is ½ · (1 · 2/3) · (1 · 6 − 1 · 3)² = 3, as −5 in the squares themselves gives: ½ · 4 + ½ · 2 · 1.
+//!
 //! Two at a time, that is a Givens rotation without square roots (Gentleman, "Least squares computations by
 //! Givens transformations without square roots", J. Inst. Math. Appl. 12 (1973), 329–336): one square keeps x
 //! and the other loses it. No difference of squares occurs, as in a Schur complement, and the condition
@@ -35,7 +38,7 @@ use crate::simplify::{self, never_vanishes};
 /// so that many squares of many variables cost far more than the mass matrix that they add up to.
 const LARGEST_ROTATION: usize = 1000;
 
-/// How the unknown depends on the rest: pivot · x = −Σ numerator · y′ − Σ others − load.
+/// Dependence of the unknown on the rest: pivot · x = −Σ numerator · y′ − Σ others − load.
 #[derive(Debug)]
 pub(super) struct Pull {
     /// D
@@ -57,6 +60,7 @@ pub(super) fn eliminate(
     squares: &[Carried],
 ) -> Option<(Pull, Vec<Square>)> {
     let is_single_minor = carriers.minors.len() < 2 && squares.iter().all(|square| square.others.is_empty());
+    // All pairs of squares are then multiples of one form and add up to a single square, without rotations.
     if is_single_minor {
         let pull = pull(algebra, carriers, squares);
         // What depends on no acceleration cannot be made smaller.
@@ -80,6 +84,7 @@ fn rotate(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -
     let mut is_certain = false;
     for square in &before[1..] {
         let pair = [kept, square.clone()];
+        // Once a pivot cannot vanish, no later one can: every rotation adds to it.
         is_certain |= pair.iter().any(|square| always_holds_unknown(algebra.graph, square));
         let (lost, found) = rotate_pair(algebra, carriers, &pair, &mut is_certain);
         left.extend(lost);

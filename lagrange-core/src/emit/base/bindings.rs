@@ -1,4 +1,4 @@
-//! What the bodies of methods call parameters, coordinates and the rest that they compute with.
+//! Variables of method bodies: parameters, coordinates and the rest that they compute with.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -10,7 +10,7 @@ use crate::collections::HashMap;
 use crate::model::Model;
 use crate::symbol::Role;
 
-/// What the bodies of one system find their symbols in.
+/// Variables that the bodies of one system find their symbols in.
 pub(super) struct Bindings<'a> {
     pub(super) shape: &'a Shape<'a>,
     pub(super) model: &'a Model,

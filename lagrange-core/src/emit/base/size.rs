@@ -1,4 +1,4 @@
-//! What emitted code costs the compiler, and from where on that is worth a warning or too much.
+//! Cost of emitted code to the compiler, and from where on it is worth a warning or too much.
 //!
 //! Emitted methods are straight-line code, so that the compiler's time and memory are proportional to their size.
 //! The rates were measured with `tools/compile_time.py --large`; `docs/performance.md` shows from what.
@@ -25,7 +25,7 @@ const SECONDS_TO_OPTIMISE: f64 = 200e-6;
 /// Bytes that the compiler needs.
 const BYTES: f64 = 3500.0;
 
-/// How large emitted code is: the operations of all methods, and the numbers that they return.
+/// Size of emitted code: the operations of all methods, and the numbers that they return.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
 pub(in crate::emit) struct Size(usize);
 
