@@ -77,9 +77,11 @@ fn steps() -> Vec<Step> {
         Step::new("formatting", "fmt --all --check"),
         // All targets: benchmarks, too, are compiled as far as lints go.
         Step::new("lints", "clippy --workspace --all-targets --all-features -- -D warnings"),
-        // The same random cases every time; `cargo test` by itself draws new ones.
+        // The same random cases every time; `cargo verify` by itself draws new ones.
         // Among them every example, which asserts its own reference values.
-        Step::new("tests and doctests", "test --workspace --all-features").with("PROPTEST_RNG_SEED", "20"),
+        Step::new("tests and doctests", "verify").with("PROPTEST_RNG_SEED", "20"),
+        Step::new("adapters", "test --package lagrange-adapters-tests"),
+        Step::new("documentation of adapters", "test --package lagrange --all-features --doc adapt"),
         Step::new(
             "messages about missing features",
             "test --package lagrange-tests --test ui missing_features",
