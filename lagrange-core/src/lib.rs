@@ -41,8 +41,8 @@
 //! 5. [`emit`] writes them as Rust: [`program`] lowers expressions to straight-line [`Program`](program::Program)s, [`code`]
 //!    writes those as the body of a function, [`formula`] writes expressions as text, LaTeX or graphs.
 //!
-//! They stand on [`expr`], the graph that owns every expression of a system; [`functions`], one row for each
-//! elementary function; [`calculus`] and [`simplify`], algorithms that take the graph; and on [`number`],
+//! They stand on [`elementary`], one row for each elementary function; [`expr`], the graph that owns every expression of a
+//! system; [`functions`], their values as expressions; [`calculus`] and [`simplify`], algorithms that take the graph; and on [`number`],
 //! [`symbol`], [`diagnostics`] and [`collections`]. A module imports only from those that come before it.
 #![forbid(unsafe_code)]
 
