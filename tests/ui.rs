@@ -37,7 +37,7 @@ fn one_mistake_is_one_error() {
 /// Related places stand in the text of an error, with file, line and column.
 #[test]
 fn no_error_is_a_note() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("ui");
     let folders = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
     let files = folders.flat_map(|folder| fs::read_dir(folder).expect("a folder"));
     let answers = files.map(|entry| entry.expect("an entry").path());
@@ -46,7 +46,7 @@ fn no_error_is_a_note() {
     for path in answers {
         let answer = fs::read_to_string(&path).expect("a file");
         assert!(!answer.contains("error: note"), "{}:\n{answer}", path.display());
-        notes += answer.matches("note at $DIR/tests/ui/").count();
+        notes += answer.matches("note at $DIR/ui/").count();
     }
     assert!(notes > 30, "{notes}");
 }

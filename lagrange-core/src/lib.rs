@@ -42,10 +42,10 @@
 //! 5. [`emit`] writes them as Rust: [`program`] lowers expressions to straight-line [`Program`](program::Program)s, [`code`]
 //!    writes those as the body of a function, [`formula`] writes expressions as text, LaTeX or graphs.
 //!
-//! They stand on [`expr`], the graph that owns every expression of a system; [`functions`] and [`solids`], one row for
-//! each; [`calculus`] and [`simplify`], algorithms that take the graph; and on [`number`], [`symbol`], [`diagnostics`]
-//! and [`collections`]. `ARCHITECTURE.md` says which may import which, and `docs/tour.md` shows what each phase makes
-//! of a double pendulum.
+//! They stand on [`elementary`], one row for each elementary function, and [`solids`], one row for each solid; [`expr`], the graph
+//! that owns every expression of a system; [`functions`], their values as expressions; [`calculus`] and [`simplify`], algorithms
+//! that take the graph; and on [`number`], [`symbol`], [`diagnostics`] and [`collections`]. `ARCHITECTURE.md` says which may import
+//! which, and `docs/tour.md` shows what each phase makes of a double pendulum.
 #![forbid(unsafe_code)]
 
 pub mod bodies;
