@@ -14,7 +14,7 @@ use crate::functions;
 use crate::number::Number;
 pub use polygon::double_area;
 
-/// Writes something down that follows from the size of a solid.
+/// Formula for something that follows from the size of a solid.
 pub type Formula<T> = fn(&mut Graph, &[ExprId]) -> T;
 
 /// A solid that inertia functions and shapes may name.
@@ -22,16 +22,16 @@ pub type Formula<T> = fn(&mut Graph, &[ExprId]) -> T;
 pub struct Solid {
     /// Its name: that of the function `name(m, …)` and of the shape `name(…)`.
     pub name: &'static str,
-    /// What its size is given by.
+    /// Dimensions that give its size.
     pub dimensions: Dimensions,
-    /// The moment of inertia about the centre of mass for a mass of one, from as many scalars as there are dimensions. Of
-    /// corners these are the coordinates, one corner after the other, in either orientation.
+    /// Moment of inertia about the centre of mass for a mass of one, from as many scalars as there are dimensions; of corners
+    /// from their coordinates, one corner after the other, in either orientation.
     pub inertia: Formula<ExprId>,
-    /// The centre of mass in the solid's coordinates, from the same scalars; `None` for the origin.
+    /// Centre of mass in the solid's coordinates, from the same scalars; `None` for the origin.
     pub centroid: Option<Formula<[ExprId; 2]>>,
-    /// Whether there is no such solid, whatever those of the same scalars are that are NaN here because they are not known.
+    /// True if no solid has these dimensions. NaN stands for a dimension that is not yet known.
     pub is_impossible: fn(&[f64]) -> bool,
-    /// What must hold instead, in the user's words.
+    /// Condition that must hold instead, in the user's words.
     pub condition: &'static str,
     /// The variant of `lagrange::scene::Outline` that it is drawn as, which takes the same dimensions.
     pub outline: &'static str,
@@ -39,7 +39,7 @@ pub struct Solid {
     pub radius: Option<usize>,
 }
 
-/// What the size of a solid is given by.
+/// Dimensions of a solid.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Dimensions {
     /// Scalars of these names.
@@ -48,11 +48,11 @@ pub enum Dimensions {
     Corners,
 }
 
-/// A polygon has no fewer corners.
+/// Number of corners that a polygon has at least.
 pub const FEWEST_CORNERS: usize = 3;
 
 impl Dimensions {
-    /// Whether that many are given rightly.
+    /// True if this is the right number of them.
     pub fn accept(self, count: usize) -> bool {
         match self {
             Dimensions::Scalars(names) => count == names.len(),
@@ -60,7 +60,7 @@ impl Dimensions {
         }
     }
 
-    /// As they are written in a call.
+    /// Spelling in a call.
     pub fn written(self) -> String {
         match self {
             Dimensions::Scalars(names) => names.join(", "),
@@ -70,12 +70,12 @@ impl Dimensions {
 }
 
 impl Solid {
-    /// How it is written as a shape: `rectangle(a, b)`.
+    /// Spelling as a shape: `rectangle(a, b)`.
     pub fn shape_usage(&self) -> String {
         format!("{}({})", self.name, self.dimensions.written())
     }
 
-    /// How its moment of inertia is called: `rectangle(m, a, b)`.
+    /// Call of its moment of inertia: `rectangle(m, a, b)`.
     pub fn inertia_usage(&self) -> String {
         match self.dimensions {
             Dimensions::Scalars([]) => format!("{}(m)", self.name),
@@ -83,7 +83,7 @@ impl Solid {
         }
     }
 
-    /// How its centre of mass is called: `triangle_center(a, b, c)`.
+    /// Call of its centre of mass: `triangle_center(a, b, c)`.
     pub fn center_usage(&self) -> String {
         format!("{}{CENTER_SUFFIX}({})", self.name, self.dimensions.written())
     }
@@ -94,7 +94,7 @@ impl Solid {
     }
 }
 
-/// What follows the name of a solid in that of the function of its centre of mass.
+/// Suffix that makes the name of a solid that of the function of its centre of mass.
 const CENTER_SUFFIX: &str = "_center";
 
 /// The solid of a name.

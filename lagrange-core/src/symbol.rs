@@ -6,7 +6,7 @@ use crate::collections::OrderedMap;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct SymbolId(u32);
 
-/// What a symbol stands for; the number is its index among its kind, in declaration order.
+/// Meaning of a symbol; the number is its index among its kind, in declaration order.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Role {
     /// A run-time parameter: constant during the motion.
@@ -25,7 +25,7 @@ pub enum Role {
     Multiplier(u32),
     /// The force of the contact or of the friction with the same index.
     Reaction(u32),
-    /// On which side of the switch with the same index an expression is evaluated: 1 or −1, or 0 on the surface itself.
+    /// Side of the switch with the same index on which an expression is evaluated: 1 or −1, or 0 on the surface itself.
     Side(u32),
     /// A place holder inside one computation; never part of a result.
     Placeholder(u32),

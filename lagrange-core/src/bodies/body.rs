@@ -150,7 +150,7 @@ fn body_place(
     (center, origin)
 }
 
-/// Where the own coordinates begin, under a name of its own if it is not written by components.
+/// Origin of the own coordinates, under a name of its own if it is not written by components.
 fn own_origin(translation: &mut Translation<'_>, name: &str, origin: AstId) -> Pair {
     let components = vector_of(translation, origin, &messages::origin_of(name));
     match translation.expressions.get(components[0]) {

@@ -91,7 +91,7 @@ fn compound_part(translation: &mut Translation<'_>, body: &str, part: &Part) -> 
     Some(CompoundPart { is_hole: part.is_hole, mass, inertia, centroid, outline })
 }
 
-/// Where the centre of mass of a part is in the body's coordinates, under a name of its own where the part is turned.
+/// Centre of mass of a part in the body's coordinates, under a name of its own where the part is turned.
 fn placed_point(translation: &mut Translation<'_>, name: &str, own: Pair, at: Pair, angle: AstId) -> Pair {
     let mut terms = translation.terms();
     let arm = terms.turned(own, angle);

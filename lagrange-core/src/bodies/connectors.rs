@@ -52,7 +52,7 @@ pub(super) fn translate_connector(translation: &mut Translation<'_>, statement: 
     }
 }
 
-/// What is wrong with it was reported; its name is still known.
+/// Declares a connector whose mistake was reported; its name is still known.
 fn declare_broken(translation: &mut Translation<'_>, statement: &ast::Connector) {
     if let Some(name) = &statement.name {
         let invalid = translation.terms().invalid();

@@ -46,7 +46,7 @@ pub(super) fn plain_expression(translation: &mut Translation<'_>, root: AstId) -
     become_of(translation, root)
 }
 
-/// What the user wrote, in plain words; it is looked at, whether or not it is needed.
+/// Translation of what the user wrote into plain words. Mistakes in it are found whether or not it is needed.
 pub(super) fn mention(translation: &mut Translation<'_>, id: AstId) -> AstId {
     let plain = plain_expression(translation, id);
     translation.mentioned.push(plain);
@@ -174,7 +174,7 @@ pub(super) fn report_early(translation: &mut Translation<'_>, name: &str) -> boo
     true
 }
 
-/// The same expression of what became of its parts.
+/// Copy of the expression with its parts translated.
 fn rebuilt(translation: &mut Translation<'_>, id: AstId) -> AstId {
     let expression = translation.expressions.get(id).clone();
     let parts = operands(&expression);

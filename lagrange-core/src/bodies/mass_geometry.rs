@@ -10,7 +10,7 @@ use crate::solids::{self, Solid};
 use crate::syntax::ast::{self, AstId, Shape};
 use crate::syntax::foreign;
 
-/// How the mass of a body is distributed.
+/// Distribution of the mass of a body.
 pub(super) struct MassGeometry {
     pub(super) mass: AstId,
     /// `None` if nothing says it.
@@ -20,7 +20,7 @@ pub(super) struct MassGeometry {
     pub(super) radius: Option<AstId>,
 }
 
-/// What the user wrote of how mass is distributed.
+/// Translation of a property of the mass distribution that the user wrote.
 pub(super) fn property(translation: &mut Translation<'_>, id: AstId, what: &str) -> AstId {
     let value = mention(translation, id);
     translation.obligations.push(Obligation::Fixed { what: what.to_owned(), value });

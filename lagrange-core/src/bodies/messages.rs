@@ -183,7 +183,7 @@ pub(super) fn no_part(name: &str, what: &str, part: &str) -> String {
     format!("`{name}` is {what} and has no `{part}`")
 }
 
-/// For the rate of a point that is made of numbers and parameters.
+/// Message for the rate of a point that is made of numbers and parameters.
 pub(super) fn point_at_rest(function: &str) -> String {
     format!("this point does not move, so that its {function} is zero")
 }

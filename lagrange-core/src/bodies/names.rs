@@ -14,11 +14,11 @@ pub(super) struct SceneNames {
     all_objects: OrderedMap<String, Name>,
     /// Parameters and constants.
     fixed: HashMap<String, ()>,
-    /// Everything that is declared anywhere but lines.
+    /// Names declared anywhere but on lines.
     declared: HashMap<String, ()>,
     /// Names that plain statements must not take.
     taken: HashMap<String, ()>,
-    /// How many nameless statements there were of each kind.
+    /// Number of nameless statements of each kind.
     nameless: HashMap<String, u32>,
 }
 
@@ -65,12 +65,12 @@ impl SceneNames {
         self.objects.insert(name.to_owned(), object);
     }
 
-    /// What was declared under a name so far.
+    /// Object declared under a name so far.
     pub(super) fn find(&self, name: &str) -> Option<&Object> {
         self.objects.get(&name.to_owned())
     }
 
-    /// Where an object of that name is declared, be it further down.
+    /// Declaration of an object of that name, be it further down.
     pub(super) fn anywhere(&self, name: &str) -> Option<&Name> {
         self.all_objects.get(&name.to_owned())
     }

@@ -33,7 +33,7 @@ pub(super) struct Connector {
     pub(super) kind: ConnectorKind,
     /// The distance of its ends or the angle between them.
     pub(super) length: AstId,
-    /// By which it pulls its ends together.
+    /// Force that pulls the ends together.
     pub(super) tension: AstId,
 }
 
@@ -46,7 +46,7 @@ pub(super) struct Joint {
     pub(super) parts: Vec<(&'static str, AstId)>,
 }
 
-/// What a name of a scene stands for.
+/// Meaning of a name in a scene.
 #[derive(Clone, Debug)]
 pub(super) enum Object {
     Body(usize),
@@ -56,7 +56,7 @@ pub(super) enum Object {
 }
 
 impl Object {
-    /// What it is to those who look for parts of it under other names.
+    /// Kind of object, for those who look for parts of it under other names.
     pub(super) fn owner(&self) -> Option<Owner> {
         match self {
             Object::Body(_) => Some(Owner::Body),
@@ -66,7 +66,7 @@ impl Object {
         }
     }
 
-    /// In the user's words, with its article.
+    /// Description in the user's words, with its article.
     pub(super) fn describe(&self) -> &'static str {
         match self {
             Object::Body(_) => "a body",

@@ -10,17 +10,17 @@ use crate::syntax::ast::{AstId, ConnectorKind, Declaration, Name, StatementKind}
 pub struct Plain {
     /// The plain statements.
     pub declaration: Declaration,
-    /// How bodies move, in the order of their declaration.
+    /// Motions of bodies, in the order of their declaration.
     pub motions: Vec<Motion>,
-    /// What there is to draw.
+    /// Items to draw.
     pub drawing: Vec<Drawn>,
-    /// What must hold of the numbers, if they are known.
+    /// Conditions on numbers, checked where these are known.
     pub obligations: Vec<Obligation>,
     /// Names of the constraints of joints. They are left out where the coordinates fulfil them by themselves.
     pub joints: Vec<Name>,
     /// Names of `let`s that are places, with what they are places of: they are made of coordinates and time.
     pub places: Vec<(String, String)>,
-    /// Everything that stands in statements about bodies, so that mistakes in it are found whether or not it is needed.
+    /// Expressions in statements about bodies, so that mistakes in them are found whether or not they are needed.
     pub mentioned: Vec<AstId>,
 }
 
@@ -36,7 +36,7 @@ impl Plain {
     }
 }
 
-/// How a body moves. Vectors have two components, rates may hold `ddot`.
+/// Motion of a body. Vectors have two components, rates may hold `ddot`.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// The name of the body.
@@ -53,10 +53,10 @@ pub struct Motion {
     pub inertia: AstId,
 }
 
-/// Something to be drawn.
+/// Item to be drawn.
 #[derive(Clone, Debug)]
 pub struct Drawn {
-    /// What it is.
+    /// Kind of the item.
     pub kind: DrawnKind,
     /// Its numbers, scalars and vectors, in the order that its kind says.
     pub values: Vec<AstId>,
@@ -64,7 +64,7 @@ pub struct Drawn {
     pub needs: Vec<String>,
 }
 
-/// What there is to draw; vectors have two components.
+/// Kinds of items to draw; vectors have two components.
 #[derive(Clone, Debug)]
 pub enum DrawnKind {
     /// A body: no values of its own, but the outlines of its shape, one for each part.
@@ -85,7 +85,7 @@ pub enum DrawnKind {
     Connector {
         /// Its name.
         name: String,
-        /// What it is.
+        /// Kind of the connector.
         kind: ConnectorKind,
     },
     /// A joint: where it is.
@@ -99,7 +99,7 @@ pub enum DrawnKind {
     Force {
         /// Its name.
         name: String,
-        /// Where it comes from.
+        /// Origin of the load.
         cause: LoadOrigin,
         /// The body it acts on, if that is known.
         body: Option<String>,
@@ -108,19 +108,19 @@ pub enum DrawnKind {
     Moment {
         /// Its name.
         name: String,
-        /// Where it comes from.
+        /// Origin of the load.
         cause: LoadOrigin,
         /// The body it acts on, if that is known.
         body: Option<String>,
     },
     /// A torque on an angle that is no body's by name: its value, and the angle. Which bodies it turns shows in their angles.
     Torque {
-        /// What it is called where that does not show.
+        /// Name where the picture does not show it.
         name: String,
     },
     /// A force or moment that acts, but whose value or place is not known: no values.
     Omitted {
-        /// What it is called.
+        /// Name of what is omitted.
         name: String,
     },
 }
@@ -132,9 +132,9 @@ pub struct Outline {
     pub solid: String,
     /// Its dimensions.
     pub dimensions: Vec<AstId>,
-    /// Where the origin of its own coordinates is in those of the body; a vector.
+    /// Origin of its own coordinates in those of the body; a vector.
     pub at: AstId,
-    /// By which its own axes are turned in those of the body.
+    /// Angle by which its own axes are turned in those of the body.
     pub angle: AstId,
     /// Whether it is cut out.
     pub is_hole: bool,
@@ -153,7 +153,7 @@ pub enum JointForm {
     Roll,
 }
 
-/// Where a force comes from.
+/// Origin of a force.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LoadOrigin {
     /// A `force` or `torque` statement.
@@ -166,7 +166,7 @@ pub enum LoadOrigin {
     Joint,
 }
 
-/// Something that must hold of numbers, if they are known.
+/// Condition on numbers, checked where these are known.
 #[derive(Clone, Debug)]
 pub enum Obligation {
     /// A mass must be positive.
@@ -185,14 +185,14 @@ pub enum Obligation {
     },
     /// A vector of two components.
     PlaneVector {
-        /// What it is, in words.
+        /// Description in words.
         what: String,
         /// It.
         value: AstId,
     },
     /// A property of a rigid body, which does not change during the motion.
     Fixed {
-        /// What it is, in words.
+        /// Description in words.
         what: String,
         /// It.
         value: AstId,
@@ -215,11 +215,11 @@ pub enum Obligation {
     SameInertia {
         /// The body.
         body: Name,
-        /// What is stated.
+        /// Stated value.
         stated: AstId,
-        /// That of the shape with the stated mass.
+        /// Value for the shape with the stated mass.
         of_shape: AstId,
-        /// Where the shape stands.
+        /// Place of the shape.
         shape: Origin,
     },
 }

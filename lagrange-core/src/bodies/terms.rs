@@ -20,7 +20,7 @@ pub(super) struct TermWriter<'e> {
 }
 
 impl<'e> TermWriter<'e> {
-    /// Everything written is blamed on `origin`.
+    /// Terms that are blamed on `origin`.
     pub(super) fn new(expressions: &'e mut Expressions, origin: Origin) -> TermWriter<'e> {
         TermWriter { expressions, origin }
     }
@@ -42,7 +42,7 @@ impl<'e> TermWriter<'e> {
         self.add_node(Expression::Name(name.to_owned()))
     }
 
-    /// What was put together before, blamed on the place that these terms stand for; calls and numbers stay as they are.
+    /// Copy of terms that were put together before, blamed on the place that these stand for; calls and numbers stay as they are.
     pub(super) fn repeated(&mut self, id: AstId) -> AstId {
         let expression = match self.expressions.get(id).clone() {
             Expression::Tuple(parts) => {
@@ -62,7 +62,7 @@ impl<'e> TermWriter<'e> {
         [self.number(0), self.number(0)]
     }
 
-    /// What was reported already.
+    /// Placeholder for what was reported already.
     pub(super) fn invalid(&mut self) -> AstId {
         self.add_node(Expression::Invalid)
     }
@@ -230,7 +230,7 @@ impl<'e> TermWriter<'e> {
         [choose(then[0], otherwise[0]), choose(then[1], otherwise[1])]
     }
 
-    /// How far one point is from another in a direction.
+    /// Distance of one point from another in a direction.
     pub(super) fn projection(&mut self, direction: Pair, to: Pair, from: Pair) -> AstId {
         let arm = self.minus_pair(to, from);
         self.inner(direction, arm)

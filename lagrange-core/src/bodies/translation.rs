@@ -25,7 +25,7 @@ pub(super) struct Translation<'a> {
     pub(super) points: HashMap<String, usize>,
     /// Names of which it was reported that they are used too early.
     pub(super) early: HashMap<String, ()>,
-    /// What expressions became.
+    /// Translations of expressions, each found once.
     pub(super) translated: HashMap<AstId, AstId>,
     pub(super) motions: Vec<Motion>,
     pub(super) drawing: Vec<Drawn>,
@@ -35,9 +35,9 @@ pub(super) struct Translation<'a> {
     pub(super) joints: Vec<Name>,
     /// Names of `let`s that are places, with what they are places of.
     pub(super) places: Vec<(String, String)>,
-    /// Where the declaration gives a Lagrangian.
+    /// Place of the Lagrangian, if the declaration gives one.
     pub(super) lagrangian: Option<Origin>,
-    /// Everything the user wrote in statements about bodies.
+    /// Expressions that the user wrote in statements about bodies.
     pub(super) mentioned: Vec<AstId>,
 }
 

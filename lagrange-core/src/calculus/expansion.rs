@@ -36,7 +36,7 @@ impl Series {
         Series { parts: [value, zero, zero], closed: value, order: HIGHEST, varies: false }
     }
 
-    /// With unknown parts left out.
+    /// Series with unknown parts left out.
     fn new(graph: &mut Graph, mut parts: [ExprId; 3], order: usize) -> Series {
         let (order, zero) = (order.min(HIGHEST), graph.number(0));
         parts.iter_mut().skip(order + 1).for_each(|part| *part = zero);
@@ -61,7 +61,7 @@ impl Series {
         }
     }
 
-    /// What two expressions have in common that are equal at the point: neither is known where they differ.
+    /// Common part of two expressions that are equal at the point: neither is known where they differ.
     fn common(self, graph: &mut Graph, other: Series) -> Option<Series> {
         let differ = |degree: &usize| {
             let difference = graph.subtract(self.parts[*degree], other.parts[*degree]);

@@ -18,7 +18,7 @@ pub fn partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     slopes.iter().map(|(operand, slope)| (*operand, *slope)).collect()
 }
 
-/// As [`partials`], with an edge for every place in which an operand stands, as in `pow(x, x)`.
+/// Edges as of [`partials`], one for every place in which an operand stands, as in `pow(x, x)`.
 fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     match graph.node(id).clone() {
         Node::Number(_) | Node::Pi | Node::Symbol(_) => Vec::new(),

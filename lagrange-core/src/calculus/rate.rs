@@ -6,7 +6,7 @@ use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
 use crate::symbol::Role;
 
-/// What the rate of a velocity is.
+/// Treatment of accelerations, the rates of velocities.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum AccelerationTerms {
     /// The acceleration of the same coordinate.

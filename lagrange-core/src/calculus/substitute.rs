@@ -9,7 +9,7 @@ pub fn substitute(graph: &mut Graph, root: ExprId, replacements: &HashMap<ExprId
     substitute_all(graph, &[root], replacements)[0]
 }
 
-/// The same for several roots, each shared part once.
+/// Substitution in several roots, each shared part once.
 pub fn substitute_all(
     graph: &mut Graph,
     roots: &[ExprId],

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote_spanned};
 
-/// How tightly an expression holds together.
+/// Binding strength of the outermost operation.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Precedence {
     /// Additions and subtractions.
@@ -29,7 +29,7 @@ pub(super) struct Fragment {
 }
 
 impl Fragment {
-    /// Something that holds together and costs nothing.
+    /// Piece that holds together and costs nothing.
     pub(super) fn atom(tokens: TokenStream, width: usize) -> Fragment {
         Fragment { tokens, precedence: Precedence::Atom, starts_with_minus: false, operations: 0, width }
     }
@@ -60,7 +60,7 @@ impl Fragment {
         Fragment { operations: 1, ..Fragment::atom(tokens, usize::MAX / 4) }
     }
 
-    /// The same, not counted as work.
+    /// Copy that does not count as work.
     pub(super) fn free(self) -> Fragment {
         Fragment { operations: 0, ..self }
     }

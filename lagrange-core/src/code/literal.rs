@@ -37,7 +37,7 @@ impl Constant<'_> {
         }
     }
 
-    /// How a message names a constant that does not fit: long numbers by their order of magnitude.
+    /// Words of a message for a constant that does not fit: long numbers by their order of magnitude.
     pub(super) fn describe(self) -> String {
         match self {
             Constant::Rounded(value) => value.value().to_string(),

@@ -18,7 +18,7 @@ pub(super) struct VariableNames<'a> {
     program: &'a Program,
     names: &'a mut Names,
     variability: ValueTable<Variability>,
-    /// Which values are in variables whose names only number them.
+    /// Values in variables whose names only number them.
     is_numbered: ValueTable<bool>,
     /// Values that are in variables.
     variables: ValueTable<Option<Ident>>,

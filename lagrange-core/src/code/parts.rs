@@ -22,7 +22,7 @@ const LONGEST_BLOCK: usize = 1000;
 /// A `let`.
 pub(super) struct LetStatement {
     pub(super) tokens: TokenStream,
-    /// What it defines.
+    /// Variables that the part defines.
     pub(super) variables: Vec<(ValueId, Ident)>,
 }
 

@@ -36,7 +36,7 @@ pub(super) fn write(mut writer: BodyWriter<'_>, used: Vec<Role>) -> Result<Funct
     }
 }
 
-/// How a value is written that is no constant; a branch is used once, in a selection.
+/// Writes a value that is no constant; a branch is used once, in a selection.
 fn value(writer: &mut BodyWriter<'_>, id: ValueId, op: &Op, is_branch: bool) -> Written {
     match op {
         Op::Input(role) => Written::Variable(writer.names.role(writer.symbols, *role)),
@@ -156,7 +156,7 @@ fn selection(
     }
 }
 
-/// Which values are used once, as a branch of a selection: they are computed only where they are wanted.
+/// Values that are used once, as a branch of a selection: they are computed only where they are wanted.
 fn branches(program: &Program) -> ValueTable<bool> {
     let uses = program.uses();
     let mut is_branch = ValueTable::filled(program.len(), false);

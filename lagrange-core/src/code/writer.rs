@@ -20,7 +20,7 @@ const MOST_OPERATIONS: usize = 10;
 /// Expressions longer than this many characters are split by a `let`, so that it fits on a line.
 const LONGEST_EXPRESSION: usize = 80;
 
-/// How a value is written where it is used.
+/// Text of a value where it is used.
 #[derive(Clone, Debug)]
 pub(super) enum Written {
     /// Already used in the only place where it is.
@@ -33,7 +33,7 @@ pub(super) enum Written {
     Pairs(Vec<[Ident; 2]>),
 }
 
-/// What is written of a body so far.
+/// Body of a function as far as it is written.
 pub(super) struct BodyWriter<'a> {
     pub(super) program: &'a Program,
     pub(super) symbols: &'a Symbols,

@@ -15,7 +15,7 @@ const MOST_OPENED: usize = 16;
 /// Depth to which factors are counted. Counting decides between two ways of writing one sum and must not walk a whole graph.
 const DEEPEST_COUNTED: usize = 4;
 
-/// How sums are simplified.
+/// Simplification of sums.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Sums {
     /// Equal products meet, and squares of sine and cosine.
@@ -134,7 +134,7 @@ impl<'g> Algebra<'g> {
         }
     }
 
-    /// How many terms a sum has; anything else but zero has one.
+    /// Number of terms of a sum; anything else but zero has one.
     pub(super) fn terms(&self, id: ExprId) -> usize {
         let (_, core) = self.graph.split_coefficient(id);
         match self.graph.node(core) {

@@ -12,7 +12,7 @@ use crate::expr::ExprId;
 use crate::model::{Constraint, Model};
 use crate::number::Number;
 
-/// What follows from the constraints of a model.
+/// Equations that follow from the constraints of a model.
 #[derive(Clone, Default, Debug)]
 pub struct ConstraintEquations {
     /// The multipliers λ in M q̈ = f + Aᵀλ as functions of t, q, v.
@@ -26,14 +26,14 @@ pub struct ConstraintEquations {
     pub forces: Vec<ExprId>,
     /// δ with M δ = Aᵀμ and A δ = −r, where the symbol of each multiplier stands for the residual r of its constraint.
     pub correction: Vec<ExprId>,
-    /// By how much rounding grows because constraints are nearly dependent; infinite where they are. `None` where that cannot be.
+    /// Growth of rounding errors through constraints that are nearly dependent; infinite where they are dependent. `None` where that cannot be.
     pub condition: Option<ExprId>,
     /// Whether a constraint follows from the others wherever they hold.
     pub is_redundant: bool,
 }
 
 impl ConstraintEquations {
-    /// From the multipliers with their condition, the form over the velocities, and the elimination that led to them.
+    /// Collects the equations from the multipliers with their condition, the form over the velocities, and the elimination that led to them.
     pub(super) fn new(
         model: &mut Model,
         pushed: &QuadraticForm,
@@ -53,7 +53,7 @@ impl ConstraintEquations {
     }
 }
 
-/// What brings the constraints back from the residuals that their multipliers' symbols stand for.
+/// Displacement that brings the constraints back from the residuals that their multipliers' symbols stand for.
 fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
     let (unknowns, residuals) = (model.unknowns(), model.multipliers());
     let count = model.coordinates.len();

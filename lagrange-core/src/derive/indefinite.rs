@@ -13,7 +13,7 @@ use crate::functions;
 /// Number of coordinates up to which there is a second way. It holds a matrix on the stack: 13 kB of `f64` at this size.
 const LARGEST: usize = 40;
 
-/// By how much rounding grows through small pivots, squared; infinite where a pivot vanishes. `None` if every coupled entry of the
+/// Growth of rounding through small pivots, squared; infinite where a pivot vanishes. `None` if every coupled entry of the
 /// diagonal has a sure sign.
 pub(super) fn pivot_growth(
     graph: &mut Graph,

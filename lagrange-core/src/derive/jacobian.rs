@@ -28,13 +28,13 @@ pub(super) struct Forms {
     pub(super) pushed: QuadraticForm,
 }
 
-/// What the derivatives are found from.
+/// Functions that the derivatives are found from.
 pub(super) struct Derivatives {
     /// The accelerations as they are computed, if they are to be differentiated.
     explicit: Option<Vec<ExprId>>,
     /// r(q, v, a), with symbols for the accelerations.
     residual: Vec<ExprId>,
-    /// Of M, each to be tried with r.
+    /// Eliminations of M, each to be tried with r.
     eliminations: Vec<Elimination>,
 }
 

@@ -3,7 +3,7 @@
 pub(super) const SINGULAR_MASS_MATRIX: &str =
     "the mass matrix is singular: the kinetic energy leaves some motion of the coordinates without inertia";
 
-/// The same with the names of coordinates, if they are known.
+/// Message that names the coordinates, if they are known.
 pub(super) fn singular_mass_matrix(coordinates: &[&str]) -> String {
     match coordinates {
         [] => SINGULAR_MASS_MATRIX.to_owned(),

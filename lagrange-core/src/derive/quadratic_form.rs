@@ -30,7 +30,7 @@ pub(super) struct QuadraticForm {
     pairs: BTreeMap<(ExprId, ExprId), Contributions>,
     neighbours: HashMap<ExprId, BTreeSet<ExprId>>,
     linear: BTreeMap<ExprId, Contributions>,
-    /// What shared terms with variables that have been removed, and what has lost its square.
+    /// Variables that shared terms with others that have been removed, and those that have lost their squares.
     changed: BTreeSet<ExprId>,
 }
 

@@ -16,18 +16,18 @@ use crate::number::Number;
 pub struct Affine {
     /// Its value without any.
     pub free: ExprId,
-    /// By how much a unit of each adds to it.
+    /// Slopes: what a unit of each reaction adds.
     pub slopes: Vec<ExprId>,
 }
 
-/// What belongs to the reactions of a model, in the order of their declaration; empty without any.
+/// Equations of the reactions of a model, in the order of their declaration; empty without any.
 #[derive(Clone, Default, Debug)]
 pub struct ReactionEquations {
-    /// In row k the accelerations that a unit of reaction k adds.
+    /// Accelerations that a unit of reaction k adds, in row k.
     pub responses: Vec<Vec<ExprId>>,
     /// The multipliers, in which symbols stand for the reactions.
     pub multipliers: Vec<ExprId>,
-    /// In row k the gradient of gap rate or slip velocity k with respect to the velocities.
+    /// Gradient of gap rate or slip velocity k with respect to the velocities, in row k.
     pub rows: Vec<Vec<ExprId>>,
     /// Rates of these velocities at zero acceleration.
     pub drifts: Vec<ExprId>,
@@ -38,7 +38,7 @@ pub struct ReactionEquations {
 }
 
 impl ReactionEquations {
-    /// From the elimination that led to the accelerations, and the multipliers without reactions.
+    /// Collects the equations from the elimination that led to the accelerations, and the multipliers without reactions.
     pub(super) fn new(
         model: &mut Model,
         elimination: &Elimination,
@@ -85,11 +85,11 @@ fn with_reactions(model: &mut Model, multipliers: &[ExprId], responses: &[Vec<Ex
     multipliers.iter().enumerate().map(total).collect()
 }
 
-/// What limits of friction are made of.
+/// Quantities that limits of friction are made of.
 struct Limits<'a> {
-    /// Without reactions.
+    /// Multipliers without reactions.
     multipliers: &'a [ExprId],
-    /// By how much a unit of each reaction adds to them.
+    /// Multipliers that a unit of each reaction adds.
     responses: &'a [Vec<ExprId>],
 }
 

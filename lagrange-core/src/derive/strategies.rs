@@ -19,14 +19,14 @@ use crate::syntax::ast::Accuracy;
 /// the factorisation down would be all that the trial finds.
 const LARGEST_TRIAL: usize = 40;
 
-/// How the accelerations are computed.
+/// Strategy by which the accelerations are computed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Strategy {
     /// The mass matrix is formed and factorised.
     MassMatrix,
     /// Coordinates are eliminated body by body; the mass matrix is never formed.
     ArticulatedBody,
-    /// The same, with the kinetic energy kept a sum of squares: no coefficient of it is ever subtracted from.
+    /// Coordinates are eliminated body by body with the kinetic energy kept a sum of squares: nothing is ever subtracted from a coefficient.
     SumOfSquares,
 }
 
@@ -35,13 +35,13 @@ impl Strategy {
     pub const ALL: [Strategy; 3] = [Strategy::MassMatrix, Strategy::ArticulatedBody, Strategy::SumOfSquares];
 }
 
-/// Which strategy to take.
+/// Choice of a strategy.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum StrategyChoice {
     /// The one with the lower counted cost.
     #[default]
     Cheapest,
-    /// This one; the mass matrix instead of a sum of squares where the kinetic energy is none.
+    /// A given one; the mass matrix instead of a sum of squares where the kinetic energy is none.
     Always(Strategy),
     /// A sum of squares, if the kinetic energy is one, with sums simplified in this way.
     SumOfSquares(Sums),
@@ -60,12 +60,12 @@ impl fmt::Display for SingularMassMatrix {
 impl std::error::Error for SingularMassMatrix {}
 
 impl SingularMassMatrix {
-    /// What is wrong, in the user's words, with the names of the coordinates that take part in a motion without inertia.
+    /// Message in the user's words, with the names of the coordinates that take part in a motion without inertia.
     pub fn message(self, coordinates: &[&str]) -> String {
         messages::singular_mass_matrix(coordinates)
     }
 
-    /// What to do about it.
+    /// Advice.
     pub fn help(self) -> &'static str {
         messages::SINGULAR_HELP
     }
@@ -74,7 +74,7 @@ impl SingularMassMatrix {
 /// A solution, the strategy that found it, and the counted cost of each strategy that was tried.
 pub(super) type Solved = (Solution, Strategy, [Option<f64>; 3]);
 
-/// What the strategies start from.
+/// Forms that the strategies start from.
 pub(super) struct Candidates<'a> {
     pub(super) model: &'a mut Model,
     pub(super) split: &'a SplitLagrangian,

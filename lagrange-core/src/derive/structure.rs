@@ -34,7 +34,7 @@ pub enum Conserved {
     Energy,
 }
 
-/// What was found out about a system.
+/// Structure of a system, as far as its equations show it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Structure {
     /// The shape of the mass matrix.

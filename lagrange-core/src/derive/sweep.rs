@@ -26,7 +26,7 @@ struct Variable {
     multiples: Vec<ExprId>,
 }
 
-/// What becomes of a multiple of a multiple of a variable, `l·(cos q·q̇)`.
+/// Treatment of a multiple of a multiple of a variable, `l·(cos q·q̇)`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Multiples {
     /// Two substitutions: weights are multiplied with `l` once for all that is pushed through. This is
@@ -37,7 +37,7 @@ pub(super) enum Multiples {
     Merged,
 }
 
-/// What to do next with the form.
+/// Substitution to make in the form.
 #[derive(Debug)]
 pub(super) enum Step {
     /// Substitute the sum of its parts for a variable.
@@ -46,7 +46,7 @@ pub(super) enum Step {
     Collapse(ExprId, Vec<(ExprId, ExprId)>),
 }
 
-/// What may be processed next.
+/// Variables in the order in which they may be processed.
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
     variables: OrderedMap<ExprId, Variable>,
@@ -246,7 +246,7 @@ impl Sweep {
     }
 }
 
-/// Everything affine that the heads are made of, parts before wholes, with heights.
+/// Affine expressions that the heads are made of, parts before wholes, with heights.
 fn affine_variables(
     graph: &mut Graph,
     heads: &[ExprId],

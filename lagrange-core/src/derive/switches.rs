@@ -17,17 +17,17 @@ use crate::symbol::{Role, SymbolId};
 /// A surface on which the equations of motion are not smooth.
 #[derive(Clone, Debug)]
 pub struct Switch {
-    /// What is zero there, a function of t, q, v and inputs. It increases with time if it depends on time alone.
+    /// Function of t, q, v and inputs that is zero on the surface. It increases with time if it depends on time alone.
     pub value: ExprId,
     /// The symbol of its side: the sign of `value`.
     pub side: ExprId,
-    /// Where it is declared.
+    /// Statement that declares it.
     pub statement: Option<String>,
-    /// When it is passed, if it is t minus something that is constant in motion.
+    /// Time at which it is passed, if it is t minus something that is constant in motion.
     pub time: Option<ExprId>,
 }
 
-/// What an expression that is not smooth switches with: the sign of `value`, or its opposite.
+/// Surface of an expression that is not smooth, which switches with the sign of `value`, or with its opposite.
 #[derive(Clone, Copy)]
 struct Surface {
     value: ExprId,
@@ -138,19 +138,19 @@ fn is_time(graph: &Graph, id: ExprId) -> bool {
     matches!(graph.node(id), Node::Symbol(symbol) if role(*symbol) == Role::Time)
 }
 
-/// When a surface is passed, if time has its own term and all others stay.
+/// Time at which a surface is passed, if time has its own term and all others stay.
 fn passed_at(graph: &mut Graph, value: ExprId) -> Option<ExprId> {
     let time = graph.symbol("t", Role::Time);
     let rest = graph.subtract(time, value);
     (!graph.dependencies(rest).intersects(moving())).then_some(rest)
 }
 
-/// What may change in motion. Inputs do where a control computes them from the state.
+/// Dependencies that may change in motion. Inputs do where a control computes them from the state.
 fn moving() -> Dependencies {
     Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY | Dependencies::INPUT
 }
 
-/// For each surface in the declaration the first statement that holds it.
+/// First statement that holds each surface of the declaration.
 fn statements(model: &mut Model) -> HashMap<ExprId, String> {
     let mut roots: Vec<(ExprId, String)> = Vec::new();
     for load in &model.loads {

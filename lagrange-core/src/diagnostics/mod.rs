@@ -24,7 +24,7 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// From the start of `self` to the end of `other`.
+    /// Stretch from the start of `self` to the end of `other`.
     pub fn to(self, other: Origin) -> Origin {
         Origin { start: self.start, end: other.end }
     }
@@ -47,7 +47,7 @@ impl From<Span> for Origin {
     }
 }
 
-/// How bad it is.
+/// Severity of a diagnostic.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Severity {
     /// The declaration has no meaning; no equations are derived.
@@ -63,15 +63,15 @@ pub enum Severity {
 /// One mistake.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
-    /// How bad it is.
+    /// Severity.
     pub severity: Severity,
-    /// What is wrong, in one sentence without a full stop.
+    /// Message in one sentence without a full stop.
     pub message: String,
     /// The offending tokens.
     pub origin: Origin,
     /// Other places that matter, each with what is there.
     pub related: Vec<(Origin, String)>,
-    /// What to do about it.
+    /// Advice.
     pub help: Option<String>,
 }
 
@@ -90,7 +90,7 @@ impl Diagnostic {
 }
 
 impl Diagnostic {
-    /// What is wrong, then related places and help, each from a line of its own on.
+    /// Message, then related places and help, each from a line of its own on.
     pub fn text(&self) -> String {
         let mut text = self.message.clone();
         for (origin, note) in &self.related {
@@ -165,7 +165,7 @@ impl Report {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
 
-    /// Everything found so far.
+    /// Diagnostics found so far.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
     }

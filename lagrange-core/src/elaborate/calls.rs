@@ -104,7 +104,7 @@ fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
     true
 }
 
-/// How a call is written that means something in other languages.
+/// Spelling of a call that means something in other languages.
 fn meant_function(evaluator: &Evaluator<'_>, name: &str, arguments: &[AstId]) -> Option<String> {
     let text = |&id: &AstId| print::expression(&evaluator.declaration.expressions, id);
     foreign::function(name, &arguments.iter().map(text).collect::<Vec<_>>())

@@ -40,7 +40,7 @@ pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduc
     Some((into_model(elaborator, energies, lagrangian), reductions))
 }
 
-/// What can be judged without the Lagrangian.
+/// Checks that need no Lagrangian.
 fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_header(elaborator);
     check_state_names(elaborator);

@@ -44,7 +44,7 @@ fn is_implied(elaborator: &mut Elaborator<'_>, name: &Name, value: ExprId) -> bo
     is_of_joint && vanishing(&mut elaborator.evaluator.graph, &[value]) == [true]
 }
 
-/// What a constraint demands of the velocities; `None` if that makes no sense, which has been reported.
+/// Expression of the velocities that a constraint makes zero; `None` if that makes no sense, which has been reported.
 fn constrained_velocity(
     elaborator: &mut Elaborator<'_>,
     name: &Name,

@@ -75,7 +75,7 @@ fn limited_square(graph: &mut Graph, length: &LengthRate) -> ExprId {
     graph.add(quotient, limit)
 }
 
-/// What a velocity is made of that is the rate of a root of a sum of squares, all of which may vanish during the motion.
+/// Parts of a velocity that is the rate of a root of a sum of squares, all of which may vanish during the motion.
 fn length_rate(graph: &mut Graph, rate: ExprId, position: ExprId) -> Option<LengthRate> {
     let (scale, root) = graph.split_coefficient(position);
     let Node::Product(factors) = graph.node(root).clone() else { return None };

@@ -18,11 +18,11 @@ use crate::model::{
 };
 use crate::syntax::ast::{self, AstId, Declaration, Name};
 
-/// What only the equations of motion determine.
+/// Quantities that only the equations of motion determine.
 pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
-/// What a value must not depend on, the most telling first.
+/// Dependencies that a constant value must not have, the most telling first.
 const CHANGING: [Dependencies; 7] = [
     Dependencies::MULTIPLIER,
     Dependencies::REACTION,
@@ -56,7 +56,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) joints: &'a [Name],
     /// Names of `let`s that are places, with what they are places of.
     pub(super) places: &'a [(String, String)],
-    /// Those of them that the coordinates fulfil by themselves.
+    /// Constraints of joints that the coordinates fulfil by themselves.
     pub(super) implied: Vec<String>,
     /// Constraints, with where their names stand.
     pub(super) constraints: Vec<(Constraint, Span)>,
@@ -67,7 +67,7 @@ pub(super) struct Elaborator<'a> {
     /// Contacts and friction, with where their names stand.
     pub(super) reactions: Vec<(Reaction, Span)>,
     pub(super) outputs: Vec<Output>,
-    /// What there is of rigid bodies.
+    /// Rigid bodies of the declaration.
     pub(super) staged: Staged,
     pub(super) scene: Scene,
     pub(super) labels: Vec<(ExprId, String)>,

@@ -18,7 +18,7 @@ pub(super) struct Evaluator<'a> {
     pub(super) report: &'a mut Report,
     pub(super) declaration: &'a Declaration,
     rates: Rates,
-    /// What each `dot(…)` evaluated to: velocity and position.
+    /// Velocity and position that each `dot(…)` evaluated to.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
     /// Arguments that are reported to be no size of a solid.
     pub(super) unsuitable: HashMap<Vec<AstId>, ()>,

@@ -38,7 +38,7 @@ pub(super) fn check_magnitudes(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Which expressions hold a number that the scalar does not.
+/// Expressions that hold a number out of the range of the scalar.
 struct Excessive<'a> {
     scalar: &'a ScalarType,
     known: HashMap<ExprId, bool>,
@@ -120,7 +120,7 @@ fn computed(kind: &StatementKind) -> Vec<AstId> {
     }
 }
 
-/// What names stand for that abbreviate an expression.
+/// Names that abbreviate an expression, with these expressions.
 fn definitions(declaration: &Declaration) -> HashMap<&str, AstId> {
     let kinds = declaration.statements.iter().map(|statement| &statement.kind);
     let definitions = kinds.flat_map(|kind| match kind {

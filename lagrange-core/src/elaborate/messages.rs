@@ -74,7 +74,7 @@ pub(super) fn rate_of_input(name: &str) -> String {
     format!("the rate of input `{name}` is unknown")
 }
 
-/// For the rate of what is made of numbers and parameters.
+/// Message for the rate of what is made of numbers and parameters.
 pub(super) fn rate_of_constant(what: &str) -> String {
     format!("`{what}` does not change during the motion, so that its rate is zero")
 }
@@ -240,7 +240,7 @@ pub(super) fn tuple_size(names: usize, found: &str) -> String {
 pub(super) const DERIVED_DEFAULT: &str = "`Default` is implemented by `system!` from the declared defaults";
 pub(super) const DERIVED_DEFAULT_HELP: &str = "remove `Default` from the `derive`";
 
-/// For traits that types with such fields cannot have.
+/// Message for traits that types with such fields cannot have.
 pub(super) fn underivable(names: &[&str], scalar: &str) -> String {
     let names = names.join("`, `");
     format!(

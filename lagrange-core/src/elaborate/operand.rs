@@ -21,7 +21,7 @@ impl Operand {
         }
     }
 
-    /// The same kind of operand with every component mapped.
+    /// Operand of the same kind with every component mapped.
     pub(super) fn map(&self, mut f: impl FnMut(ExprId) -> ExprId) -> Operand {
         match self {
             Operand::Scalar(id) => Operand::Scalar(f(*id)),
@@ -29,7 +29,7 @@ impl Operand {
         }
     }
 
-    /// In the user's words.
+    /// Description in the user's words.
     pub(super) fn kind(&self) -> String {
         match self {
             Operand::Scalar(_) => "a scalar".to_owned(),

@@ -32,15 +32,15 @@ pub(super) fn reduce(model: &Model, reduction: &Reduction, report: &mut Report) 
     Some(reduced)
 }
 
-/// What of a declaration has no expansion, in the user's words.
+/// Part of a declaration that has no expansion, in the user's words.
 type Undefined = String;
 
 struct Reducer<'a> {
     graph: Graph,
     reduction: &'a Reduction,
-    /// With frozen coordinates at their values.
+    /// Expressions with frozen coordinates at their values.
     frozen: Expansion,
-    /// With small coordinates expanded, too.
+    /// Expressions with small coordinates expanded, too.
     expanded: Expansion,
 }
 
@@ -211,7 +211,7 @@ fn transplanted(reduced: &mut Reduced) {
     model.graph = graph;
 }
 
-/// Where a model holds expressions.
+/// Places of a model that hold expressions.
 fn places(model: &mut Model) -> Vec<&mut ExprId> {
     let mut places = vec![&mut model.lagrangian, &mut model.dissipation];
     if let Energies::Separate { kinetic, potential } = &mut model.energies {

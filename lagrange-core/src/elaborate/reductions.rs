@@ -67,7 +67,7 @@ fn check_type_name(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
     }
 }
 
-/// What can be judged only with all coordinates and outputs known.
+/// Checks that need all coordinates and outputs.
 pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
     if elaborator.reductions.is_empty() {
         return;

@@ -132,7 +132,7 @@ pub(super) fn check_motion_names(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// How many numbers there are of an item in the plane.
+/// Number of values of an item in the plane.
 fn value_count(kind: &DrawnKind) -> usize {
     match kind {
         DrawnKind::Body { .. } | DrawnKind::Omitted { .. } => 0,
@@ -143,7 +143,7 @@ fn value_count(kind: &DrawnKind) -> usize {
     }
 }
 
-/// What is handed out first is drawn below the rest.
+/// Order of drawing: what is handed out first is drawn below the rest.
 fn layer(kind: &DrawnKind) -> u8 {
     match kind {
         DrawnKind::Line { .. } => 0,

@@ -8,7 +8,7 @@ use crate::collections::OrderedMap;
 use crate::diagnostics::{Report, nearest};
 use crate::syntax::ast::Name;
 
-/// What a name stands for.
+/// Meaning of a name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum NameKind {
     Parameter,
@@ -28,7 +28,7 @@ pub(super) enum NameKind {
 }
 
 impl NameKind {
-    /// In the user's words.
+    /// Description in the user's words.
     pub(super) fn describe(self) -> &'static str {
         match self {
             NameKind::Parameter => "parameter",

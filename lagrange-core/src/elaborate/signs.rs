@@ -31,7 +31,7 @@ fn falls_with(weights: &HashMap<ExprId, Option<f64>>, velocity: ExprId) -> bool 
     weights.get(&velocity).copied().flatten().is_some_and(|weight| weight < 0.0)
 }
 
-/// By velocity, what its square is multiplied with in a sum; `None` where it stands in other terms, too.
+/// Factor of the square of each velocity in a sum; `None` where the velocity stands in other terms, too.
 fn weights(graph: &Graph, values: &[ExprId]) -> HashMap<ExprId, Option<f64>> {
     let mut weights: HashMap<ExprId, Option<f64>> = HashMap::default();
     let mut pending = values.iter().map(|&value| (1.0, value)).collect::<Vec<_>>();

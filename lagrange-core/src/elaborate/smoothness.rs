@@ -16,7 +16,7 @@ use crate::simplify::multiply_out;
 /// Monomials up to which an energy with kinks is multiplied out.
 const BUDGET: usize = 200;
 
-/// What is known of an expression where a kink's argument vanishes.
+/// Behaviour of an expression where a kink's argument vanishes.
 #[derive(Clone, Copy, Default)]
 struct Local {
     vanishes: bool,
@@ -70,7 +70,7 @@ fn kinks(graph: &mut Graph, root: ExprId) -> Vec<(ExprId, Vec<ExprId>)> {
     found
 }
 
-/// What vanishes where a function, or an indicator that came of its derivative, switches.
+/// Argument that vanishes where a function, or an indicator that came of its derivative, switches.
 fn switch(graph: &mut Graph, id: ExprId) -> Option<ExprId> {
     match *graph.node(id) {
         Node::Call(Function::Abs | Function::Sign | Function::MagnitudeSlope, ref arguments) => {

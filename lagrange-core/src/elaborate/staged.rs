@@ -3,7 +3,7 @@
 use crate::model::Product;
 use crate::syntax::ast::Name;
 
-/// What is declared of rigid bodies.
+/// Rigid bodies of a declaration.
 #[derive(Default, Debug)]
 pub(super) struct Staged {
     /// Their names.

@@ -53,7 +53,7 @@ fn turned(elaborator: &mut Elaborator<'_>, rate: ExprId) -> Vec<Shares> {
     fitting(elaborator, rate, pairs)
 }
 
-/// Those whose rate is this one, or its opposite, with the opposite moments then.
+/// Bodies whose rate is this one, or its opposite, with the opposite moments then.
 fn fitting(elaborator: &mut Elaborator<'_>, rate: ExprId, candidates: Vec<(Shares, ExprId)>) -> Vec<Shares> {
     let graph = &mut elaborator.evaluator.graph;
     let mut differences = Vec::new();

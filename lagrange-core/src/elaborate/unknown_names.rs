@@ -66,7 +66,7 @@ pub(super) fn is_declared_elsewhere(evaluator: &mut Evaluator<'_>, name: &str, o
     true
 }
 
-/// What to do about a name without a meaning: how it is spelt here, or where it is to be declared.
+/// Advice for a name without a meaning: how it is spelt here, or where it is to be declared.
 pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String {
     let moves = |name: &str| {
         let entry = evaluator.scope.find(name);

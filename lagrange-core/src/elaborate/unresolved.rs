@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::collections::OrderedMap;
 use crate::diagnostics::Origin;
 
-/// What was reported of names.
+/// Names that were reported.
 #[derive(Default)]
 pub(super) struct Unresolved {
     pub(super) names: OrderedMap<String, Places>,
@@ -26,7 +26,7 @@ pub(super) struct Late {
     pub(super) mistake: usize,
 }
 
-/// Where a name stands.
+/// Places of a name.
 pub(super) struct Places {
     /// The number of the mistake that was reported at the first of them.
     pub(super) mistake: usize,

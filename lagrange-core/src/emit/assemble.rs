@@ -129,7 +129,7 @@ fn add(
     counts
 }
 
-/// What the type says of itself: documentation, defaults, constants, and what its traits must know.
+/// Documentation, defaults and constants of the type, and what its traits must know.
 fn describe(writer: &mut MethodWriter<'_>, statements: Option<&str>, counts: OperationCounts) {
     writer.members.default = default_body(writer);
     writer.members.constants = constants(writer, statements);

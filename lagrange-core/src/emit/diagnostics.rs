@@ -37,7 +37,7 @@ pub fn diagnostics(diagnostics: &[Diagnostic], attributes: &TokenStream) -> Toke
     quote!(#errors #warnings #notices)
 }
 
-/// Something of which the compiler says that expectations are not fulfilled.
+/// Item of which the compiler says that expectations are not fulfilled.
 fn nothing(expectations: TokenStream) -> TokenStream {
     if expectations.is_empty() { expectations } else { quote!(#expectations const _: () = ();) }
 }

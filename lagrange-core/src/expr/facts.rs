@@ -70,7 +70,7 @@ impl BitOr for Dependencies {
     }
 }
 
-/// What is known of one expression.
+/// Facts about one expression.
 #[derive(Clone, Debug)]
 pub(super) struct Facts {
     pub(super) dependencies: Dependencies,

@@ -58,7 +58,7 @@ impl Relation {
         }
     }
 
-    /// How it is written.
+    /// Symbol of the relation.
     pub fn symbol(self) -> &'static str {
         match self {
             Relation::Less => "<",
@@ -180,7 +180,7 @@ impl Graph {
         &self.symbols
     }
 
-    /// What the value can change with.
+    /// Dependencies: what the value can change with.
     pub fn dependencies(&self, id: ExprId) -> Dependencies {
         self.facts[id.index()].dependencies
     }
@@ -323,12 +323,12 @@ impl Graph {
         self.intern(Node::Choose { relation, left, right, then, otherwise })
     }
 
-    /// Everything the roots are made of, themselves included, children before parents.
+    /// Expressions that the roots are made of, themselves included, children before parents.
     pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
         self.reachable_until(roots, |_| false)
     }
 
-    /// As [`reachable`](Graph::reachable), but without what is only reached through expressions that
+    /// Expressions as of [`reachable`](Graph::reachable), but without what is only reached through those that
     /// `stop` accepts; those themselves are included.
     pub fn reachable_until(&self, roots: &[ExprId], stop: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
         let mut seen = vec![false; roots.iter().map(|root| root.index() + 1).max().unwrap_or(0)];

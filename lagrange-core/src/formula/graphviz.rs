@@ -8,7 +8,7 @@ use crate::functions::row;
 use crate::number::Number;
 use crate::symbol::{Role, Symbol};
 
-/// What the roots are made of, operands below; edges carry coefficients and exponents other than one.
+/// Graph of what the roots are made of, operands below; edges carry coefficients and exponents other than one.
 /// Nodes are numbered from the leaves, so that equal systems give equal text.
 pub fn graph(graph: &Graph, roots: &[ExprId]) -> String {
     let parts = graph.reachable(roots);

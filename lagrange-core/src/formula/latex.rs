@@ -19,7 +19,7 @@ pub fn latex(graph: &Graph, expr: ExprId) -> String {
     write(graph, expr, &|_| None)
 }
 
-/// As [`text::definitions`](super::text::definitions), in LaTeX.
+/// Definitions as of [`text::definitions`](super::text::definitions), in LaTeX.
 pub fn definitions(
     graph: &Graph,
     roots: &[ExprId],

@@ -23,7 +23,7 @@ pub(super) struct WrittenTerm {
     pub(super) factors: Vec<(ExprId, Number)>,
 }
 
-/// How tightly the outermost operation binds.
+/// Binding strength of the outermost operation.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Strength {
     /// A choice.

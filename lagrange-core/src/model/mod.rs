@@ -11,7 +11,7 @@ use crate::syntax::ast::{Accuracy, Direction, Name};
 pub use product::Product;
 pub use scene::{BodyMotion, DrawnItem, OutlinedPart, Scene};
 
-/// What a declaration says, as expressions of one graph.
+/// Meaning of a declaration, as expressions of one graph.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// Owns all expressions.
@@ -30,7 +30,7 @@ pub struct Model {
     pub dissipation: ExprId,
     /// Applied forces and torques.
     pub loads: Vec<Load>,
-    /// What coordinates and velocities must satisfy, in declaration order.
+    /// Constraints on coordinates and velocities, in declaration order.
     pub constraints: Vec<Constraint>,
     /// Names of constraints of joints that are left out, since the coordinates fulfil them by themselves.
     pub implied: Vec<String>,
@@ -59,13 +59,13 @@ pub struct Model {
 /// A model with fewer coordinates or with small ones, made from another.
 #[derive(Clone, Debug)]
 pub struct Reduced {
-    /// What was done to the coordinates; values are expressions of the reduced model.
+    /// Reduction that was made; values are expressions of the reduced model.
     pub reduction: Reduction,
-    /// What it comes to. Nothing is reduced a second time.
+    /// Model that results. Nothing is reduced a second time.
     pub model: Model,
 }
 
-/// What is done to the coordinates of a model to reduce it.
+/// Changes to the coordinates of a model that reduce it.
 #[derive(Clone, Debug)]
 pub struct Reduction {
     /// The name of the reduced type.
@@ -83,7 +83,7 @@ pub struct Pinned {
     pub coordinate: usize,
     /// The value.
     pub value: ExprId,
-    /// Where the coordinate is named.
+    /// Place where the coordinate is named.
     pub span: Span,
 }
 
@@ -139,9 +139,9 @@ pub struct Load {
 pub struct Constraint {
     /// Its name.
     pub name: String,
-    /// What is zero: a function of t and q, or one that is affine in v.
+    /// Function of t and q, or one that is affine in v, that the constraint makes zero.
     pub value: ExprId,
-    /// What is zero for the velocities: the rate of `value` or, if that holds velocities, `value` itself.
+    /// Function of the velocities that must be zero: the rate of `value` or, if that holds velocities, `value` itself.
     pub velocity: ExprId,
     /// Whether `value` is a function of t and q.
     pub is_holonomic: bool,
@@ -169,15 +169,15 @@ pub struct Output {
 pub struct Event {
     /// Its name.
     pub name: String,
-    /// What is zero: a function of t, q and v, accelerations and multipliers.
+    /// Function of t, q and v, accelerations and multipliers whose zeros are the event.
     pub value: ExprId,
-    /// Which zeros count.
+    /// Zeros that count.
     pub direction: Direction,
-    /// What happens.
+    /// Action at the event.
     pub action: Action,
 }
 
-/// What happens at an event.
+/// Action at an event.
 #[derive(Clone, Debug)]
 pub enum Action {
     /// The motion ends.
@@ -208,11 +208,11 @@ pub struct Reaction {
     pub symbol: ExprId,
     /// The rate of the gap or the slip velocity, affine in q̇.
     pub velocity: ExprId,
-    /// What its force obeys.
+    /// Law of its force.
     pub kind: ReactionKind,
 }
 
-/// What the force of a contact or of friction obeys.
+/// Law of the force of a contact or of friction.
 #[derive(Clone, Copy, Debug)]
 pub enum ReactionKind {
     /// A unilateral contact.
@@ -252,7 +252,7 @@ impl Model {
         self.coordinates.iter().map(|coordinate| coordinate.velocity).collect()
     }
 
-    /// What the equations of motion determine: rates of the velocities, and multipliers.
+    /// Unknowns of the equations of motion: rates of the velocities, and multipliers.
     pub fn unknowns(&self) -> Vec<ExprId> {
         let mut unknowns = self.velocities();
         unknowns.extend(self.multipliers());

@@ -7,13 +7,13 @@ use crate::syntax::ast::Name;
 /// Rigid bodies, as far as they are asked for.
 #[derive(Clone, Default, Debug)]
 pub struct Scene {
-    /// How bodies move, in the order of their declaration.
+    /// Motions of bodies, in the order of their declaration.
     pub motions: Vec<BodyMotion>,
-    /// What there is to draw, in the order in which it is handed out.
+    /// Items to draw, in the order in which they are handed out.
     pub drawing: Vec<DrawnItem>,
 }
 
-/// How a body moves.
+/// Motion of a body.
 #[derive(Clone, Debug)]
 pub struct BodyMotion {
     /// The name of the body.
@@ -24,7 +24,7 @@ pub struct BodyMotion {
 }
 
 impl BodyMotion {
-    /// How many numbers tell how a body moves.
+    /// Number of values that tell how a body moves.
     pub const VALUES: usize = 13;
 
     /// The centre of mass.
@@ -38,10 +38,10 @@ impl BodyMotion {
     }
 }
 
-/// Something to be drawn.
+/// Item to be drawn.
 #[derive(Clone, Debug)]
 pub struct DrawnItem {
-    /// What it is.
+    /// Kind of the item.
     pub kind: DrawnKind,
     /// Its numbers in the order that its kind says; vectors take two places.
     pub values: Vec<ExprId>,
@@ -71,7 +71,7 @@ pub struct OutlinedPart {
 }
 
 impl Scene {
-    /// Where it holds expressions.
+    /// Places that hold expressions.
     pub(crate) fn places(&mut self) -> Vec<&mut ExprId> {
         let mut places = self.motions.iter_mut().flat_map(|motion| &mut motion.values).collect::<Vec<_>>();
         for item in &mut self.drawing {

@@ -27,7 +27,7 @@ pub struct NumericSystem {
     switches: Program,
     accelerations: Program,
     multipliers: Program,
-    /// What the second way starts from; nothing for large systems.
+    /// Matrices and vectors that the second way starts from; nothing for large systems.
     undivided: Program,
     products: Vec<(Product, Program)>,
     outputs: Vec<(String, Program)>,
@@ -62,7 +62,7 @@ impl NumericSystem {
         NumericSystem::lowered(&derived.model, &derived.equations)
     }
 
-    /// The same for a reduced type.
+    /// Lowers everything that a reduced type holds.
     pub fn of_part(part: &DerivedPart) -> NumericSystem {
         NumericSystem::lowered(&part.reduced.model, &part.equations)
     }

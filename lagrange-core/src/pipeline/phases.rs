@@ -16,9 +16,9 @@ use crate::syntax::ast::Declaration;
 pub struct DerivedPart {
     /// The declaration of the whole system, without the frozen coordinates.
     pub declaration: Declaration,
-    /// What is reduced, and the model that remains.
+    /// Reduction, and the model that remains.
     pub reduced: Reduced,
-    /// What follows.
+    /// Equations of that model.
     pub equations: Equations,
 }
 

@@ -4,7 +4,7 @@
 //! M a = f + Aᵀλ and A a + b = 0 are solved as one system by Gaussian elimination with complete pivoting (Golub, Van Loan, *Matrix
 //! Computations*, 4th ed., §3.4.8). Constraints that depend on each other are not for this: then all is NaN.
 
-/// Of rows scaled to one, so many roundings for each are zero.
+/// Number of roundings, of rows scaled to one, below which a coefficient is zero.
 const ROUNDINGS: f64 = 32.0;
 
 /// The accelerations and multipliers of `n` coordinates and `m` constraints; `values` holds M and A in rows, then f and b.
@@ -65,7 +65,7 @@ fn scale(rows: &mut [Vec<f64>]) -> Option<()> {
     Some(())
 }
 
-/// Where the largest coefficient is, from row and column `k` on.
+/// Place of the largest coefficient, from row and column `k` on.
 fn largest(rows: &[Vec<f64>], k: usize) -> (usize, usize) {
     let size = rows.len();
     let places = (k..size).flat_map(|i| (k..size).map(move |j| (i, j)));

@@ -13,9 +13,9 @@ use crate::syntax::parse_text;
 /// A declaration with its checked model.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// What the user wrote, in plain statements.
+    /// Declaration in plain statements.
     pub declaration: Declaration,
-    /// What it means.
+    /// Meaning of the declaration.
     pub model: Model,
     /// Warnings.
     pub report: Report,
@@ -24,11 +24,11 @@ pub struct System {
 /// A system with its equations of motion.
 #[derive(Clone, Debug)]
 pub struct Derived {
-    /// What the user wrote, in plain statements.
+    /// Declaration in plain statements.
     pub declaration: Declaration,
-    /// What it means.
+    /// Meaning of the declaration.
     pub model: Model,
-    /// What follows.
+    /// Equations of motion.
     pub equations: Equations,
     /// The reduced types.
     pub reduced: Vec<DerivedPart>,

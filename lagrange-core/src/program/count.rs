@@ -54,7 +54,7 @@ impl OperationCounts {
         }
     }
 
-    /// How many operations there are.
+    /// Number of operations.
     pub fn total(&self) -> usize {
         let OperationCounts {
             additions,

@@ -119,7 +119,7 @@ impl Op {
         }
     }
 
-    /// The same operation on other operands.
+    /// Operation of the same kind on other operands.
     pub fn map_operands(&self, mut map: impl FnMut(ValueId) -> ValueId) -> Op {
         let mut mapped = self.clone();
         mapped.for_each_operand_mut(|operand| *operand = map(*operand));
@@ -144,7 +144,7 @@ impl Op {
         }
     }
 
-    /// The same operation with the operands of its commutative part the other way round.
+    /// Operation with the operands of its commutative part the other way round.
     pub(super) fn commuted(&self) -> Option<Op> {
         match self {
             Op::Add(a, b) => Some(Op::Add(*b, *a)),
@@ -214,7 +214,7 @@ impl Program {
         self.values.len() == 0
     }
 
-    /// How often each value is used, an output counting as a use.
+    /// Number of uses of each value, an output counting as a use.
     pub fn uses(&self) -> ValueTable<usize> {
         let mut uses = ValueTable::filled(self.len(), 0);
         for (_, op) in self.values() {
@@ -225,7 +225,7 @@ impl Program {
     }
 }
 
-/// Something for each value of a program.
+/// Table with an entry for each value of a program.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ValueTable<T>(Vec<T>);
 
@@ -235,7 +235,7 @@ impl<T> ValueTable<T> {
         ValueTable(Vec::with_capacity(capacity))
     }
 
-    /// The same for each of `len` values.
+    /// Table with the same entry for each of `len` values.
     pub fn filled(len: usize, entry: T) -> ValueTable<T>
     where
         T: Clone,

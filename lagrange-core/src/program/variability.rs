@@ -4,7 +4,7 @@ use super::ir::{Op, Program, ValueTable};
 use crate::expr::{Dependencies, ExprId, Graph};
 use crate::symbol::Role;
 
-/// What a value changes with, the strongest thing first counted: what depends on a coordinate and on a
+/// Kind of quantity that a value changes with, the strongest first counted: what depends on a coordinate and on a
 /// velocity changes with velocities.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Variability {
@@ -21,7 +21,7 @@ pub enum Variability {
 }
 
 impl Variability {
-    /// That of a symbol.
+    /// Variability of a symbol.
     pub fn of_role(role: Role) -> Variability {
         match role {
             Role::Parameter(_) => Variability::Constant,
@@ -32,7 +32,7 @@ impl Variability {
         }
     }
 
-    /// That of an expression.
+    /// Variability of an expression.
     pub fn of_expression(graph: &Graph, id: ExprId) -> Variability {
         let position = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::PLACEHOLDER;
         let kinds = [
@@ -46,7 +46,7 @@ impl Variability {
         strongest.map_or(Variability::Constant, |(_, variability)| *variability)
     }
 
-    /// That of every value of a program.
+    /// Variability of every value of a program.
     pub fn of_values(program: &Program) -> ValueTable<Variability> {
         let mut found = ValueTable::with_capacity(program.len());
         for (_, op) in program.values() {

@@ -93,7 +93,7 @@ fn verify_operands(program: &Program) -> Result<(), Fault> {
     }
 }
 
-/// What a value is.
+/// Kind of a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum ValueKind {
     Number,

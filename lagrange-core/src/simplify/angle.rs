@@ -20,7 +20,7 @@ pub(super) struct Wave {
     pub(super) angle: Angle,
 }
 
-/// How angles have been written, so that each is written in one way.
+/// Angles that have been written, so that each is written in one way.
 #[derive(Default, Debug)]
 pub struct Angles {
     written: HashMap<Angle, ExprId>,

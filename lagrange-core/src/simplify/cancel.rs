@@ -31,7 +31,7 @@ pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Ex
     if sizes.of(graph, cancelled) < sizes.of(graph, plain) { cancelled } else { plain }
 }
 
-/// What is known of the parts of one numerator; parts that occur often are looked into once.
+/// Parts of one numerator, of which those that occur often are looked into once.
 #[derive(Default)]
 struct Canceller {
     common: HashMap<ExprId, Monomial>,

@@ -23,12 +23,12 @@ use crate::number::Number;
 /// Exponent up to which powers of sums are multiplied out: (a + b + c)⁸ has 45 monomials, and readers prefer the power before that.
 const HIGHEST_POWER: i32 = 8;
 
-/// What the result is for.
+/// Purpose of a result.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Purpose {
     /// Short formulas.
     Reading,
-    /// As few different ways of writing the same value as possible.
+    /// The same value in as few different ways of writing as possible.
     Comparing,
     /// Few operations, none of which loses digits that the expression as it stands keeps.
     Computing,

@@ -31,7 +31,7 @@ pub fn open(
     Some(opened)
 }
 
-/// How many terms an expression has when everything is multiplied out and nothing is added up.
+/// Number of terms of an expression when everything is multiplied out and nothing is added up.
 pub fn count_opened(graph: &Graph, id: ExprId) -> usize {
     let mut counts: HashMap<ExprId, usize> = HashMap::default();
     for id in graph.reachable(&[id]) {

@@ -24,7 +24,7 @@ struct Reading {
     is_left: bool,
     x: ExprId,
     y: ExprId,
-    /// What the left term of the rule is multiplied with.
+    /// Factor of the left term of the rule.
     coefficient: Number,
     cofactor: Monomial,
 }

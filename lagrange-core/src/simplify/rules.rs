@@ -7,7 +7,7 @@ use crate::expr::{ExprId, Function, Graph, Node};
 use crate::functions::apply;
 use crate::number::Number;
 
-/// How the arguments of the two calls in one side of a rule must compare.
+/// Relation between the arguments of the two calls in one side of a rule.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RuleArguments {
     /// They are the same expression.
@@ -21,11 +21,11 @@ pub enum RuleArguments {
 pub struct Rule {
     /// The name.
     pub name: &'static str,
-    /// What it does, in formulas.
+    /// Formula of the rule.
     pub algebra: &'static str,
-    /// Where it holds.
+    /// Domain where it holds.
     pub domain: &'static str,
-    /// What falls each time it is applied, so that applying it ends.
+    /// Measure that falls each time it is applied, so that applying it ends.
     pub measure: &'static str,
     /// The functions of the first term.
     pub left: [Function; 2],
@@ -33,9 +33,9 @@ pub struct Rule {
     pub right: [Function; 2],
     /// Whether the second term is subtracted.
     pub subtracts: bool,
-    /// How x and y compare.
+    /// Relation between x and y.
     pub arguments: RuleArguments,
-    /// What replaces the two.
+    /// Expression that replaces the two.
     pub result: fn(&mut Graph, ExprId, ExprId) -> ExprId,
 }
 

@@ -13,7 +13,7 @@ const LARGEST_EXPANDED: usize = 400;
 /// Fraction of the largest number on the way to a zero that rounding may leave of it: far more than it ever does.
 const ROUNDING: f64 = 1e-8;
 
-/// Which values are zero everywhere, as far as that can be proved quickly.
+/// Marks the values that are zero everywhere, as far as that can be proved quickly.
 pub fn vanishing(graph: &mut Graph, values: &[ExprId]) -> Vec<bool> {
     let differs = differ_from_zero(graph, values);
     values.iter().zip(differs).map(|(&value, differs)| !differs && vanishes(graph, value)).collect()
@@ -26,7 +26,7 @@ fn vanishes(graph: &mut Graph, value: ExprId) -> bool {
     !graph.is_larger_than(value, LARGEST_EXPANDED) && proves_zero(graph, value, PROOF_BUDGET)
 }
 
-/// Which values differ from zero at a point chosen once and for all, by more than rounding can explain. Nobody
+/// Marks the values that differ from zero at a point chosen once and for all, by more than rounding can explain. Nobody
 /// need try to prove that these vanish, which matters where there are as many as entries of a mass matrix.
 fn differ_from_zero(graph: &Graph, values: &[ExprId]) -> Vec<bool> {
     let parts = graph.reachable(values);

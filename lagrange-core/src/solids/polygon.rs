@@ -40,7 +40,7 @@ pub(super) fn inertia(graph: &mut Graph, coordinates: &[ExprId]) -> ExprId {
     graph.subtract(about_corner, square)
 }
 
-/// Where the centre of mass is seen from the first corner.
+/// Centre of mass seen from the first corner.
 fn offset(graph: &mut Graph, fan: &[Triangle]) -> Vector {
     [0, 1].map(|axis| {
         let terms = fan.iter().map(|triangle| {

@@ -13,7 +13,7 @@ use crate::diagnostics::{Origin, nearest};
 
 /// The labels that something can have, and those that were read.
 pub(super) struct BlockLabels {
-    /// What is described, with its article.
+    /// Object that is described, with its article.
     owner: &'static str,
     known: &'static [&'static str],
     given: Vec<(&'static str, Origin)>,
@@ -170,7 +170,7 @@ impl Parser<'_> {
         self.unreadable(cursor, start)
     }
 
-    /// In the place of what is missing because it could not be read.
+    /// Placeholder for what is missing because it could not be read.
     pub(super) fn missing(&mut self, value: &mut Option<AstId>, origin: Origin) {
         if value.is_none() {
             *value = Some(self.add(Expression::Invalid, origin).id);

@@ -10,9 +10,9 @@ use super::messages::scenes;
 use super::parser::{Parsed, Parser};
 use super::recovery::Turn;
 
-/// What can be said of a body.
+/// Labels in the description of a body.
 const BODY: &[&str] = &["mass", "inertia", "center", "origin", "centroid", "angle", "shape", "compound"];
-/// What can be said of a part of a compound, behind what it is.
+/// Labels of a part of a compound, behind what it is.
 const PART: &[&str] = &["mass", "at", "angle"];
 
 impl Parser<'_> {
@@ -52,7 +52,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// What could not be read may be what is missing, so that nothing more is to be said about it.
+    /// Completes a body: what could not be read may be what is missing, so that nothing more is to be said about it.
     fn complete_body(&mut self, body: &mut Body) {
         let origin = body.name.span.into();
         if body.parts.is_empty() {

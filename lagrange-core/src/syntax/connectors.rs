@@ -77,7 +77,7 @@ fn is_spring(kind: ConnectorKind) -> bool {
     matches!(kind, ConnectorKind::Spring | ConnectorKind::TorsionSpring)
 }
 
-/// What can be said of a connector.
+/// Labels in the description of a connector.
 fn labels(kind: ConnectorKind) -> &'static [&'static str] {
     if is_spring(kind) { SPRING } else { DAMPER }
 }

@@ -14,7 +14,7 @@ const PAIRS: [&str; 17] =
 pub(super) struct Cursor {
     tokens: Vec<TokenTree>,
     next: usize,
-    /// What stands behind the last token: the closing bracket, or the last token itself.
+    /// Place behind the last token: the closing bracket, or the last token itself.
     end: Span,
 }
 
@@ -63,12 +63,12 @@ impl Cursor {
         self.next == self.tokens.len()
     }
 
-    /// Where the next token stands; at the end, what stands there.
+    /// Place of the next token; at the end, of what stands there.
     pub(super) fn here(&self) -> Origin {
         self.peek().map_or(Origin::from(self.end), origin)
     }
 
-    /// Where the last token that was taken stands; at the start, the same as [`Cursor::here`].
+    /// Place of the last token that was taken; at the start, the same as [`Cursor::here`].
     pub(super) fn before(&self) -> Origin {
         match self.previous() {
             Some(token) => origin(token),
@@ -76,18 +76,18 @@ impl Cursor {
         }
     }
 
-    /// Where the next `count` tokens stand.
+    /// Place of the next `count` tokens.
     pub(super) fn reaching(&self, count: usize) -> Origin {
         let last = self.tokens.get(self.next + count.saturating_sub(1)).map(origin);
         last.map_or(self.here(), |last| self.here().to(last))
     }
 
-    /// How many tokens were taken; see [`Cursor::since`].
+    /// Number of tokens that were taken; see [`Cursor::since`].
     pub(super) fn position(&self) -> usize {
         self.next
     }
 
-    /// Where the tokens stand that were taken since the cursor was at a position; if there are none, the same
+    /// Place of the tokens that were taken since the cursor was at a position; if there are none, the same
     /// as [`Cursor::here`].
     pub(super) fn since(&self, position: usize) -> Origin {
         match self.tokens.get(position) {
@@ -125,7 +125,7 @@ impl Cursor {
         Some((pair, self.here().to(end)))
     }
 
-    /// Where the next token stands, and the one behind it if both are one operator.
+    /// Place of the next token, and of the one behind it if both are one operator.
     pub(super) fn here_to_pair(&self) -> Origin {
         self.pair().map_or(self.here(), |(_, origin)| origin)
     }
@@ -290,7 +290,7 @@ fn origin(token: &TokenTree) -> Origin {
     }
 }
 
-/// Where a group stands, from bracket to bracket.
+/// Place of a group, from bracket to bracket.
 pub(super) fn group_origin(group: &Group) -> Origin {
     Origin { start: group.span_open(), end: group.span_close() }
 }

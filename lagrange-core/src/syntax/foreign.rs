@@ -216,7 +216,7 @@ const PARTS: &[(Owner, &[&str], &str)] = &[
     (Owner::Joint, &["normal_force", "pressure", "N"], "#1.normal"),
 ];
 
-/// What has parts.
+/// Kind of object that has parts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Owner {
     /// A rigid body.
@@ -261,7 +261,7 @@ const UNITS: &[&str] = &[
     "m", "cm", "mm", "km", "kg", "g", "s", "ms", "min", "h", "Hz", "N", "Nm", "kN", "J", "W", "Pa", "rad",
     "deg", "degree", "degrees", "grad", "meter", "meters", "metre", "second", "seconds", "newton", "rpm",
 ];
-/// Those of them that measure angles in degrees.
+/// Functions among them that measure angles in degrees.
 const DEGREES: &[&str] = &["deg", "degree", "degrees"];
 
 /// The keyword that is meant by a word that begins no statement.
@@ -269,12 +269,12 @@ pub(super) fn statement(word: &str) -> Option<&'static str> {
     STATEMENTS.iter().find(|(words, _)| words.contains(&word)).map(|(_, keyword)| *keyword)
 }
 
-/// What is to be said of a word that begins what a declaration has no room for, and what to do.
+/// Message for a word that begins what a declaration has no room for, and advice.
 pub(super) fn stranger(word: &str) -> Option<(&'static str, &'static str)> {
     STRANGERS.iter().find(|(words, ..)| words.contains(&word)).map(|(_, message, help)| (*message, *help))
 }
 
-/// What is written for a name without a meaning.
+/// Spelling here of a name without a meaning.
 pub fn name(word: &str) -> Option<&'static str> {
     NAMES.iter().find(|(words, _)| words.contains(&word)).map(|(_, meant)| *meant)
 }
@@ -284,7 +284,7 @@ pub fn is_library(word: &str) -> bool {
     LIBRARIES.contains(&word)
 }
 
-/// The same name with Greek letters written out, or with the names of letters as letters; `None` if it has neither.
+/// Name with Greek letters written out, or with the names of letters as letters; `None` if it has neither.
 pub fn letter(word: &str) -> Option<String> {
     let written_out =
         LETTERS.iter().fold(word.to_owned(), |text, (letter, name)| text.replace(*letter, name));
@@ -306,7 +306,7 @@ pub fn solid(word: &str) -> Option<&'static str> {
     SOLIDS.iter().find(|(_, words)| words.contains(&word)).map(|(solid, _)| *solid)
 }
 
-/// What is written for a part of an object, whose name comes behind its kind.
+/// Spelling here of a part of an object, whose name comes behind its kind.
 pub fn part((kind, object): (Owner, &str), word: &str) -> Option<String> {
     let (.., template) = PARTS.iter().find(|(owner, words, _)| *owner == kind && words.contains(&word))?;
     Some(filled(template, &[object.to_owned(), word.to_owned()]))

@@ -10,9 +10,9 @@ use super::parser::{Parsed, Parser, Reported};
 use super::recovery::Turn;
 use crate::diagnostics::{Origin, nearest};
 
-/// What the labels behind the slip velocity can be.
+/// Labels behind the slip velocity.
 const LABELS: [&str; 3] = ["kinetic", "static", "smooth"];
-/// What stands for a value without a label.
+/// Label of a value that has none.
 const LIMIT: &str = "";
 
 /// A value, its label and where it stands, from the label on.
@@ -39,7 +39,7 @@ impl Parser<'_> {
         Ok(Friction { name, slip, kinetic, fixed, width })
     }
 
-    /// What stands behind the slip velocity.
+    /// Values behind the slip velocity.
     fn labelled_values(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Labelled>> {
         let mut values = Vec::new();
         self.turns(cursor, |parser, cursor| {

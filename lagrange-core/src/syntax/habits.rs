@@ -10,14 +10,14 @@ use super::messages::habits;
 use super::parser::Parser;
 use crate::diagnostics::Origin;
 
-/// Where the mistake is, what it is, and what to do.
+/// Place of a mistake, message and advice.
 type Habit = (Origin, &'static str, String);
 
 /// Stands for an argument that is too long to be repeated.
 const SOMETHING: &str = "…";
 
 impl Parser<'_> {
-    /// What is to be said of the word here and what follows it, if that has a meaning elsewhere only.
+    /// Message for the word here and what follows it, if that has a meaning elsewhere only.
     pub(super) fn habit(&self, cursor: &Cursor) -> Option<Habit> {
         self.quotient(cursor).or_else(|| power_of_function(cursor)).or_else(|| self.path(cursor))
     }
@@ -155,7 +155,7 @@ impl Ahead<'_> {
         matches!(self.peek(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis)
     }
 
-    /// What stands in the parentheses that come next, if it is short.
+    /// Contents of the parentheses that come next, if they are short.
     fn argument(&mut self) -> Option<String> {
         let Some(TokenTree::Group(group)) = self.peek().filter(|_| self.has_argument()) else { return None };
         let tokens = group.stream().into_iter().collect::<Vec<_>>();
@@ -167,7 +167,7 @@ impl Ahead<'_> {
         Some(self.passed(text))
     }
 
-    /// From the cursor to the last token that was looked at.
+    /// Place from the cursor to the last token that was looked at.
     fn origin(&self) -> Origin {
         self.cursor.reaching(self.count)
     }

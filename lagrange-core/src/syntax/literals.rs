@@ -11,7 +11,7 @@ use crate::number::Number;
 /// Longer literals are refused before any arithmetic is done on them.
 const LONGEST_LITERAL: usize = 5000;
 
-/// What a number of Rust may end with.
+/// Suffixes of numbers in Rust.
 const TYPES: [&str; 14] =
     ["f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize"];
 
@@ -48,14 +48,14 @@ impl Parser<'_> {
         })
     }
 
-    /// What to do about a word behind a number that is a unit of measurement and nothing that was declared.
+    /// Advice for a word behind a number that is a unit of measurement and nothing that was declared.
     pub(super) fn unit(&self, word: &str, number: &str) -> Option<String> {
         let is_in_degrees = foreign::unit(word).filter(|_| self.declared(word).is_none())?;
         Some(if is_in_degrees { habits::in_radians(number) } else { habits::without_unit(number) })
     }
 }
 
-/// How much of a literal is a decimal number; a type suffix may follow.
+/// Length of the decimal number in a literal; a type suffix may follow.
 fn decimal_length(text: &str) -> usize {
     let mantissa = leading(text, |byte| byte.is_ascii_digit() || byte == b'_' || byte == b'.');
     let Some(exponent) = text[mantissa..].strip_prefix(['e', 'E']) else {

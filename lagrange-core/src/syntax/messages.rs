@@ -36,19 +36,19 @@ fn found(token: Option<&TokenTree>) -> String {
     }
 }
 
-/// For every place where only certain tokens can stand.
+/// Message for every place where only certain tokens can stand.
 pub(super) fn expected(wanted: &str, token: Option<&TokenTree>) -> String {
     format!("expected {wanted}, found {}", found(token))
 }
 
-/// For a token that nothing can be made of.
+/// Message for a token that nothing can be made of.
 pub(super) fn misplaced(token: Option<&TokenTree>) -> String {
     format!("{} has no meaning here", found(token))
 }
 
 pub(super) const MISPLACED_HELP: &str = "leave it out";
 
-/// For what can stand behind an expression.
+/// Message for what can stand behind an expression.
 pub(super) fn expected_operator_or(wanted: &str, token: Option<&TokenTree>) -> String {
     let conjunction = if wanted.contains(" or ") { "," } else { " or" };
     expected(&format!("an operator{conjunction} {wanted}"), token)
@@ -362,7 +362,7 @@ pub(super) fn excessive_number(literal: &str) -> String {
     format!("the number {} is too long or too extreme to be kept exactly", quoted(literal))
 }
 
-/// The same as [`expected`], for an operator of two characters.
+/// Message as of [`expected`], for an operator of two characters.
 pub(super) fn expected_instead(wanted: &str, found: &str) -> String {
     format!("expected {wanted}, found `{found}`")
 }

@@ -23,12 +23,12 @@ pub(super) struct Parser<'r> {
     pub(super) declared_names: HashMap<String, Declared>,
     /// Whether something is declared without the name that it should have.
     pub(super) lacks_names: bool,
-    /// What is said only once of a statement.
+    /// Messages that are given only once in a statement.
     said: HashMap<String, ()>,
     depth: u32,
 }
 
-/// What a declared name is, as far as reading depends on it.
+/// Kind of a declared name, as far as reading depends on it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Declared {
     Parameter,
@@ -37,7 +37,7 @@ pub(super) enum Declared {
 }
 
 impl Declared {
-    /// What the names of a statement are.
+    /// Kind of the names that a statement declares.
     pub(super) fn by(kind: &StatementKind) -> Declared {
         match kind {
             StatementKind::Parameters(_) | StatementKind::Inputs(_) | StatementKind::Constants(_) => {
@@ -52,7 +52,7 @@ impl Declared {
 /// A mistake was reported that makes a part of the input unreadable.
 pub(super) struct Reported;
 
-/// Something read, unless a mistake was reported instead.
+/// Result of reading, unless a mistake was reported instead.
 pub(super) type Parsed<T> = Result<T, Reported>;
 
 impl<'r> Parser<'r> {
@@ -99,12 +99,12 @@ impl<'r> Parser<'r> {
         self.said = HashMap::default();
     }
 
-    /// What a name was declared as, where the text could be read.
+    /// Kind that a name was declared as, where the text could be read.
     pub(super) fn declared(&self, name: &str) -> Option<Declared> {
         self.declared_names.get(&name.to_owned()).copied()
     }
 
-    /// What stands for the tokens since a position of the cursor, which a reported mistake made unreadable.
+    /// Placeholder for the tokens since a position of the cursor, which a reported mistake made unreadable.
     pub(super) fn unreadable(&mut self, cursor: &Cursor, start: usize) -> AstId {
         self.expressions.add(Expression::Invalid, cursor.since(start))
     }

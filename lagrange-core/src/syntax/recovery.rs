@@ -154,7 +154,7 @@ impl Parser<'_> {
         self.fail_with_help(word.span(), messages::unknown_statement(&text), help)
     }
 
-    /// What is to be said of a word that begins no statement but has a meaning in this declaration or in other languages.
+    /// Message for a word that begins no statement but has a meaning in this declaration or in other languages.
     fn strange_statement(&self, word: &str, cursor: &Cursor) -> Option<(String, String)> {
         let is_assigned = at_equals_past(0, cursor);
         match self.declared(word) {

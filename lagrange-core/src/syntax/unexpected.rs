@@ -85,7 +85,7 @@ fn operand_help(cursor: &Cursor) -> String {
     help.to_owned()
 }
 
-/// For what should have an operand behind it.
+/// Advice for what should have an operand behind it.
 fn missing_operand_help(cursor: &Cursor) -> String {
     match cursor.previous() {
         Some(TokenTree::Punct(punct)) if "+-*/^.".contains(punct.as_char()) => {

@@ -10,10 +10,10 @@ use crate::derive::sweep::{Multiples, Sweep};
 use crate::expr::{ExprId, Function, Graph};
 use crate::functions;
 
-/// When multipliers are eliminated.
+/// Time at which multipliers are eliminated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Multipliers {
-    /// As soon as they can be.
+    /// As soon as their squares are complete.
     Early,
     /// After the velocities.
     Late,

@@ -19,7 +19,7 @@ pub(in crate::derive) struct Queue {
     degrees: HashMap<ExprId, usize>,
     /// Places of the others.
     squareless: BTreeSet<usize>,
-    /// Those whose terms have changed since they were last asked for.
+    /// Unknowns whose terms have changed since this was last asked for.
     touched: BTreeSet<ExprId>,
 }
 
@@ -43,7 +43,7 @@ impl Queue {
         self.places.contains(&id)
     }
 
-    /// Everything that waits, in the order of places.
+    /// Unknowns that wait, in the order of places.
     pub(in crate::derive) fn ids(&self) -> impl Iterator<Item = ExprId> {
         self.by_place.values().copied()
     }
@@ -65,7 +65,7 @@ impl Queue {
         }
     }
 
-    /// Of the unknowns with squares the first that shares terms with the fewest others.
+    /// First unknown with a square that shares terms with the fewest others.
     pub(in crate::derive) fn least_coupled(&self) -> Option<ExprId> {
         let (_, place) = self.by_degree.first()?;
         self.by_place.get(place).copied()

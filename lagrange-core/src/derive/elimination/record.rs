@@ -7,7 +7,7 @@ use crate::expr::{Dependencies, ExprId, Function, Graph};
 use crate::functions;
 use crate::number::Number;
 
-/// What happens to the linear part of a form when its velocities are eliminated, in the order in which it happens.
+/// Step of an elimination as the linear part of a form sees it, in the order in which steps happen.
 pub(in crate::derive) enum Move {
     /// The step with this index.
     Eliminate(usize),
@@ -21,13 +21,13 @@ pub(in crate::derive) enum Move {
 pub(in crate::derive) struct Elimination {
     pub(in crate::derive) eliminated: Vec<Eliminated>,
     pub(in crate::derive) moves: Vec<Move>,
-    /// How the variables that remained at an elimination are made of velocities, if they were not themselves.
+    /// Composition of the variables that remained at an elimination, if they were not generalised velocities themselves.
     pub(in crate::derive) sweep: Option<Sweep>,
     /// Multipliers of constraints that follow from others wherever they hold.
     pub(in crate::derive) redundant: Vec<ExprId>,
-    /// What eliminated velocities have added to the squares of multipliers, but for the sign.
+    /// Contributions of eliminated velocities to the squares of multipliers, but for the sign.
     gained: HashMap<ExprId, Vec<ExprId>>,
-    /// By how much a multiplier's square, or the row of a constraint, is larger than what is divided by.
+    /// Ratios of a multiplier's square, or of the row of a constraint, to what is divided by.
     pub(in crate::derive) ratios: Vec<ExprId>,
 }
 

@@ -29,7 +29,7 @@ pub(in crate::derive) struct Solution {
     pub(in crate::derive) labels: Vec<(ExprId, String)>,
     /// Pivots at whose zeros the accelerations are computed another way, to the same values.
     pub(in crate::derive) guards: Vec<ExprId>,
-    /// How much of the constraints the others leave, as [`Elimination::condition`] says; `None` if they are always independent.
+    /// Growth of rounding through constraints, as [`Elimination::condition`] says; `None` if they are always independent.
     pub(in crate::derive) condition: Option<ExprId>,
     /// The steps that led there, for other right-hand sides; `None` if the strategy takes none.
     pub(in crate::derive) elimination: Option<Elimination>,

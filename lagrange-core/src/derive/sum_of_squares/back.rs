@@ -14,7 +14,7 @@ pub(super) struct EliminatedUnknown {
     pub(super) velocity: ExprId,
     /// The variable whose acceleration was eliminated.
     pub(super) unknown: ExprId,
-    /// From the velocity to the unknown.
+    /// Ways from the velocity to the unknown.
     pub(super) ways: Vec<Way>,
     /// The unknown is its acceleration times this.
     pub(super) scale: ExprId,
@@ -31,7 +31,7 @@ pub(super) struct Way {
     pub(super) inverse: Number,
 }
 
-/// How an unknown follows from accelerations that are known before it.
+/// Rule by which an unknown follows from accelerations that are known before it.
 pub(super) enum Substitution {
     /// −Σ factor · variable − free
     Plain { factors: LinearForm, free: ExprId },

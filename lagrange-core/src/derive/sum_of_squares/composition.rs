@@ -30,7 +30,7 @@ pub(super) struct Composition {
 }
 
 impl Composition {
-    /// Of everything that `heads` are made of.
+    /// Composition of everything that `heads` are made of.
     pub(super) fn new(sweep: &Sweep, heads: impl IntoIterator<Item = ExprId>) -> Composition {
         let mut parts: HashMap<ExprId, LinearForm> = HashMap::default();
         let mut users: HashMap<ExprId, BTreeSet<ExprId>> = HashMap::default();
@@ -62,7 +62,7 @@ impl Composition {
         self.offsets.insert(id, offset);
     }
 
-    /// What a variable is measured from.
+    /// Offset that a variable is measured from.
     pub(super) fn offset(&self, graph: &mut Graph, id: ExprId) -> ExprId {
         self.offsets.get(&id).copied().unwrap_or_else(|| graph.number(0))
     }

@@ -263,7 +263,7 @@ impl<'g> SquareElimination<'g> {
         touched
     }
 
-    /// How the unknown follows from what is left. A load along it is passed on.
+    /// Rule by which the unknown follows from what is left. A load along it is passed on.
     fn rule(
         &mut self,
         carriers: &Carriers,

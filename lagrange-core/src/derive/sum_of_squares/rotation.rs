@@ -35,7 +35,7 @@ use crate::simplify::{self, never_vanishes};
 /// so that many squares of many variables cost far more than the mass matrix that they add up to.
 const LARGEST_ROTATION: usize = 1000;
 
-/// How the unknown depends on the rest: pivot · x = −Σ numerator · y′ − Σ others − load.
+/// Dependence of the unknown on the rest: pivot · x = −Σ numerator · y′ − Σ others − load.
 #[derive(Debug)]
 pub(super) struct Pull {
     /// D

@@ -44,7 +44,7 @@ pub(in crate::elaborate) fn used_too_early(name: &str) -> String {
 pub(in crate::elaborate) const ORDER_HELP: &str =
     "a name is known only behind the statement that declares it";
 
-/// For another name that is used too early.
+/// Message for another name that is used too early.
 pub(in crate::elaborate) fn also_declared_here(name: &str) -> String {
     format!("`{name}`, which is used too early, too, is declared here")
 }
@@ -52,7 +52,7 @@ pub(in crate::elaborate) fn also_declared_here(name: &str) -> String {
 pub(in crate::elaborate) const PLAIN_NAMES_HELP: &str =
     "functions and constants go by their plain names, `sin(x)` and `pi`";
 
-/// For a word such as `omega` where a single coordinate moves.
+/// Message for a word such as `omega` where a single coordinate moves.
 pub(in crate::elaborate) fn rate_of_single(coordinate: &str) -> String {
     format!(
         "the rate of `{coordinate}` is `dot({coordinate})`; declare what is no rate with `param`, `input` or `let`"
@@ -70,7 +70,7 @@ pub(in crate::elaborate) fn not_a_function(name: &str, kind: &str) -> String {
     format!("`{name}` is {article} {kind}, not a function")
 }
 
-/// For `x(t)`.
+/// Message for `x(t)`.
 pub(in crate::elaborate) fn of_time(name: &str) -> String {
     format!("write `{name}`: that it depends on time need not be said")
 }

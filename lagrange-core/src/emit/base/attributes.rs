@@ -39,7 +39,7 @@ impl Attribute<'_> {
         arguments.map(|argument| argument.iter().cloned().collect()).collect()
     }
 
-    /// The same without those of its arguments that end in one of these words.
+    /// Attribute without those of its arguments that end in one of these words.
     fn without(&self, words: &[&Name]) -> Option<TokenStream> {
         let ends_in = |argument: &TokenStream| match argument.clone().into_iter().last() {
             Some(TokenTree::Ident(word)) => words.iter().any(|other| word == other.text.as_str()),
@@ -53,7 +53,7 @@ impl Attribute<'_> {
         Some(quote!(#[derive(#(#kept),*)]))
     }
 
-    /// Those of its lints that are `chosen`, with the reason; `None` without such a lint.
+    /// Attribute with those of its lints that are `chosen`, and the reason; `None` without such a lint.
     fn with(&self, level: &str, chosen: impl Fn(&str) -> bool) -> Option<TokenStream> {
         let is_reason = |argument: &TokenStream| argument.to_string().starts_with("reason =");
         let (reasons, lints): (Vec<_>, Vec<_>) = self.arguments().into_iter().partition(is_reason);
@@ -63,7 +63,7 @@ impl Attribute<'_> {
     }
 }
 
-/// What `write` makes of each attribute.
+/// Attributes as `write` changes each.
 fn mapped(attributes: &TokenStream, write: impl Fn(&Attribute<'_>) -> Option<TokenStream>) -> TokenStream {
     let tokens = attributes.clone().into_iter().collect::<Vec<_>>();
     let attributes = tokens.chunks(2).filter_map(|tokens| match tokens {
@@ -78,7 +78,7 @@ pub(in crate::emit) fn conditions(attributes: &TokenStream) -> TokenStream {
     mapped(attributes, |attribute| attribute.is("cfg").then(|| attribute.tokens()))
 }
 
-/// For warnings of one of these lints: the conditions of the struct and its lint levels.
+/// Attributes for warnings of one of these lints: the conditions of the struct and its lint levels.
 pub(in crate::emit) fn of_warnings(attributes: &TokenStream, lints: &[&str]) -> TokenStream {
     mapped(attributes, |attribute| {
         match ["cfg", "allow", "warn", "deny"].iter().any(|name| attribute.is(name)) {
@@ -89,7 +89,7 @@ pub(in crate::emit) fn of_warnings(attributes: &TokenStream, lints: &[&str]) -> 
     })
 }
 
-/// What expects one of these lints, with the conditions of the struct; nothing if nothing does.
+/// Expectations of one of these lints, with the conditions of the struct; nothing if there are none.
 pub(in crate::emit) fn expectations(attributes: &TokenStream, lints: &[&str]) -> TokenStream {
     let expected = mapped(attributes, |attribute| match attribute.is("expect") {
         true => attribute.with("expect", |lint| lints.contains(&lint)),

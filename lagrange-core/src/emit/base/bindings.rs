@@ -10,7 +10,7 @@ use crate::collections::HashMap;
 use crate::model::Model;
 use crate::symbol::Role;
 
-/// What the bodies of one system find their symbols in.
+/// Variables that the bodies of one system find their symbols in.
 pub(super) struct Bindings<'a> {
     pub(super) shape: &'a Shape<'a>,
     pub(super) model: &'a Model,

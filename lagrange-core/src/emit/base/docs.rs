@@ -162,7 +162,7 @@ fn readable(graph: &mut Graph, expressions: &[ExprId]) -> Vec<ExprId> {
     expressions.iter().map(|id| presented.get(id).copied().unwrap_or(*id)).collect()
 }
 
-/// What the documentation of the emitted struct says of its equations and of what was found out about the
+/// Documentation of the emitted struct about its equations and what was found out about the
 /// system, in lines of Markdown.
 pub fn documentation(model: &mut Model, equations: &Equations) -> Vec<String> {
     let program = lower(&model.graph, &equations.accelerations, &Labels::default());
@@ -170,7 +170,7 @@ pub fn documentation(model: &mut Model, equations: &Equations) -> Vec<String> {
     system_docs(model, equations, OperationCounts::of(&program))
 }
 
-/// The same for accelerations whose operations have been counted.
+/// Documentation for accelerations whose operations have been counted.
 pub(in crate::emit) fn system_docs(
     model: &mut Model,
     equations: &Equations,
@@ -211,7 +211,7 @@ pub(in crate::emit) fn system_docs(
     lines
 }
 
-/// What it says of the statements that those about rigid bodies stand for.
+/// Documentation of the statements that those about rigid bodies stand for.
 pub(in crate::emit) fn statements(text: &str) -> Vec<String> {
     let head = ["", "# Statements", "", STATEMENTS, "", "```text"].map(str::to_owned);
     head.into_iter().chain(text.lines().map(str::to_owned)).chain(["```".to_owned()]).collect()

@@ -27,7 +27,7 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) is_stabilised: bool,
     /// Contacts and friction.
     pub(in crate::emit) touching: Vec<(&'a Name, Touch)>,
-    /// What messages call the switches whose sides runs fix.
+    /// Names that messages give to the switches whose sides runs fix.
     pub(in crate::emit) switches: Vec<String>,
     /// Declared outputs with their number of components; one for a scalar.
     pub(in crate::emit) outputs: Vec<(&'a Name, usize)>,
@@ -35,12 +35,12 @@ pub(in crate::emit) struct Shape<'a> {
     docs: HashMap<&'a str, &'a TokenStream>,
 }
 
-/// How the mode of a reaction is kept.
+/// Kind of field that keeps the mode of a reaction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(in crate::emit) enum Touch {
-    /// In a field that says whether it is open.
+    /// A field that says whether the contact is open.
     Contact,
-    /// In a field that says whether it sticks.
+    /// A field that says whether friction sticks.
     Friction,
     /// It has none.
     Smooth,
@@ -112,7 +112,7 @@ impl<'a> Shape<'a> {
         with_mode.map(|(name, _)| *name)
     }
 
-    /// For each reaction the index of the event by which it changes its mode, if it has one.
+    /// Index of the event by which each reaction changes its mode, if it has one.
     pub(in crate::emit) fn events_of_reactions(&self) -> Vec<Option<usize>> {
         let names = self.event_names();
         let event = |(name, _): &(&Name, Touch)| names.iter().position(|(other, _)| other.text == name.text);
@@ -140,7 +140,7 @@ impl<'a> Shape<'a> {
         self.bodies.retain(|name| first(name));
     }
 
-    /// What a field is.
+    /// Kind of a field, in words.
     pub(in crate::emit) fn kind_of_field(&self, name: &Name) -> &'static str {
         if self.is_input(name) { "Input" } else { "Parameter" }
     }
@@ -273,7 +273,7 @@ impl<'a> Shape<'a> {
     }
 }
 
-/// How many components expressions have, judged by how they are written; one where that is wrong.
+/// Number of components of expressions, judged by how they are written; one where that is wrong.
 fn component_counts(declaration: &Declaration) -> HashMap<AstId, usize> {
     let mut named = HashMap::default();
     for statement in &declaration.statements {

@@ -25,7 +25,7 @@ const SECONDS_TO_OPTIMISE: f64 = 200e-6;
 /// Bytes that the compiler needs.
 const BYTES: f64 = 3500.0;
 
-/// How large emitted code is: the operations of all methods, and the numbers that they return.
+/// Size of emitted code: the operations of all methods, and the numbers that they return.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
 pub(in crate::emit) struct Size(usize);
 

@@ -122,7 +122,7 @@ impl<'a> MethodWriter<'a> {
         self.lowered_as_declared(&roots, arguments, collect)
     }
 
-    /// The same with conditions, kinks and jumps as they are declared.
+    /// Program with conditions, kinks and jumps as they are declared.
     pub(in crate::emit) fn lowered_as_declared(
         &mut self,
         roots: &[ExprId],

@@ -13,7 +13,7 @@ use crate::emit::base::writer::MethodWriter;
 use crate::expr::ExprId;
 use crate::program::OperationCounts;
 
-/// With more coordinates than this a matrix of them is too large for the stack, and dependent constraints are not made good.
+/// Number of coordinates up to which dependent constraints are made good; a matrix of more is too large for the stack.
 const LARGEST_REDUNDANT: usize = 100;
 
 const MULTIPLIERS: [&str; 2] = [
@@ -46,7 +46,7 @@ pub(in crate::emit) fn write_hooks(writer: &mut MethodWriter<'_>) {
     }
 }
 
-/// What `CanonicalSystem::free_momentum_rates` does.
+/// Writes `CanonicalSystem::free_momentum_rates`.
 fn write_free_momentum_rates(writer: &mut MethodWriter<'_>) {
     let Some(roots) = writer.equations.free_momentum_rates.clone() else { return };
     let returns = Returns::Vector(roots.len());
@@ -106,7 +106,7 @@ fn is_guarded(writer: &MethodWriter<'_>) -> bool {
     writer.model.coordinates.len() <= LARGEST_REDUNDANT
 }
 
-/// What `ConstrainedSystem::correction` does.
+/// Writes `ConstrainedSystem::correction`.
 fn write_correction(writer: &mut MethodWriter<'_>) {
     let roots = writer.equations.constraints.correction.clone();
     let ArgumentNames { time, positions, velocities, residuals, .. } = &writer.members.names;
@@ -115,7 +115,7 @@ fn write_correction(writer: &mut MethodWriter<'_>) {
     writer.push_constrained("correction", Arguments::Residuals, Returns::Vector(roots.len()), body);
 }
 
-/// What `ConstrainedSystem::mass_times` does: M a is the gradient of a · ∂L/∂v by the velocities, which takes as long as the momenta.
+/// Writes `ConstrainedSystem::mass_times`: M a is the gradient of a · ∂L/∂v by the velocities, which takes as long as the momenta.
 fn write_mass_times(writer: &mut MethodWriter<'_>) {
     let (lagrangian, velocities) = (writer.model.lagrangian, writer.model.velocities());
     let changes = writer.model.coordinates.iter().map(|c| c.acceleration).collect::<Vec<_>>();
@@ -231,7 +231,7 @@ fn dense_scales(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// What methods that are symplectic for any mass matrix must know of the constraints.
+/// Members for methods that are symplectic for any mass matrix, about the constraints.
 pub(in crate::emit) fn canonical_constraints(
     shape: &Shape<'_>,
     members: &Members,
@@ -272,7 +272,7 @@ pub(in crate::emit) fn canonical_constraints(
     }
 }
 
-/// What leapfrog methods need to stay on the constraints.
+/// Implementation that leapfrog methods need to stay on the constraints.
 pub(in crate::emit) fn leapfrog_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));

@@ -78,7 +78,7 @@ fn write_acceleration(
     counts
 }
 
-/// Of each reaction, whether it has a coefficient of restitution that depends on time or the state.
+/// Reactions with a coefficient of restitution that depends on time or the state.
 fn varying_restitutions(writer: &MethodWriter<'_>) -> Vec<bool> {
     let graph = &writer.model.graph;
     let varies = |kind: &ReactionKind| match kind {
@@ -192,7 +192,7 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
     }
 }
 
-/// How modes are read from the fields, and a copy with others.
+/// Members that read modes from the fields, and a copy with others.
 fn mode_members(shape: &Shape<'_>) -> TokenStream {
     let (krate, other, k) = (shape.krate, local("modes"), length(shape.touching.len()));
     let modes = shape.touching.iter().map(|(name, touch)| {
@@ -226,7 +226,7 @@ fn mode_members(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// Which event switches the mode of a reaction.
+/// Member that tells which event switches the mode of a reaction.
 fn event_of(shape: &Shape<'_>) -> TokenStream {
     let events = shape.events_of_reactions();
     let events = events.iter().enumerate().filter_map(|(k, event)| {

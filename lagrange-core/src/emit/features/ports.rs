@@ -11,7 +11,7 @@ use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, identifier, length, local};
 use crate::syntax::ast::Name;
 
-/// What the first components of a vector are called; further ones have their index.
+/// Names of the first components of a vector; further ones have their index.
 const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
 /// The struct of the inputs, if there are any.
@@ -147,7 +147,7 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
     (!all.is_empty()).then_some(item)
 }
 
-/// What the column of a component of an output is called, such as `tip.x`.
+/// Name of the column of a component of an output, such as `tip.x`.
 fn column_name(output: &str, index: usize, count: usize) -> String {
     match (count, COMPONENTS.get(index)) {
         (1, _) => output.to_owned(),

@@ -84,7 +84,7 @@ pub fn conversions(
     Some(items(&full, &shape, &state_methods))
 }
 
-/// The same items without values, for a declaration with errors.
+/// Conversions without values, for a declaration with errors.
 pub(in crate::emit) fn placeholder_conversions(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
     let nothing = StateBody { statements: TokenStream::new(), fields: TokenStream::new(), is_rounded: false };
     items(full, part, &inherent_impl(full, part, &nothing, &nothing))
@@ -127,7 +127,7 @@ fn system_conversion(from: &Shape<'_>, to: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// What is frozen is left out.
+/// Conversion of states that leaves out frozen coordinates.
 fn state_conversion(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
     let (source, target, generics) = (full.state_name(), part.state_name(), part.generics());
     let (state, fields) = (local("state"), part.state_fields());

@@ -181,7 +181,7 @@ impl<'a> Values<'a> {
     }
 }
 
-/// What forces and moments have in common.
+/// Members that forces and moments have in common.
 fn acts(krate: &TokenStream, name: &str, from: LoadOrigin, body: Option<&str>) -> TokenStream {
     let (cause, body) = (cause(from), option(body));
     quote!(name: #name, cause: #krate::scene::Cause::#cause, body: #body,)

@@ -11,7 +11,8 @@ use crate::program::OperationCounts;
 
 /// Matrices with no more entries than this are written in rows, zeros included, since they are easier to read that way.
 const LARGEST_IN_ROWS: usize = 10_000;
-/// In larger ones a row is shorter than its entries with their indices unless at least three in four are zero.
+/// Share of entries that differ from zero, one in so many, up to which a larger matrix is listed; of a fuller one rows are shorter than
+/// entries with their indices.
 const FEWEST_ZEROS: usize = 4;
 
 /// The entries of a matrix that are not zero, with their rows and columns.

@@ -47,12 +47,12 @@ pub(in crate::emit) fn derived_shape<'a>(
     shape
 }
 
-/// How many switches runs can look for beside the events of the declaration.
+/// Number of switches that runs can look for beside the events of the declaration.
 fn room_for_switches(shape: &Shape<'_>) -> usize {
     MOST_EVENTS.saturating_sub(shape.event_names().len())
 }
 
-/// What messages call the surface of a switch.
+/// Name of the surface of a switch in messages.
 fn surface_name(graph: &Graph, switch: &Switch) -> String {
     let surface = match text::definitions(graph, &[switch.value], LONGEST_SURFACE) {
         (abbreviations, texts) if abbreviations.is_empty() => format!("`{}`", texts.concat()),
@@ -121,13 +121,13 @@ pub(in crate::emit) fn switches_declaration(shape: &Shape<'_>) -> Option<TokenSt
     (!shape.switches.is_empty()).then_some(field)
 }
 
-/// The same field in a literal of the struct, free.
+/// Field in a literal of the struct, free.
 pub(in crate::emit) fn free_switches(shape: &Shape<'_>) -> Option<TokenStream> {
     let field = switches_field(shape);
     (!shape.switches.is_empty()).then(|| quote!(#field: ::core::default::Default::default(),))
 }
 
-/// The same field in a literal of the struct, as it is in `self`.
+/// Field in a literal of the struct, as it is in `self`.
 pub(in crate::emit) fn kept_switches(shape: &Shape<'_>) -> Option<TokenStream> {
     let field = switches_field(shape);
     (!shape.switches.is_empty()).then(|| quote!(#field: self.#field,))

@@ -32,7 +32,7 @@ pub(super) struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// What an expression met before was lowered to.
+    /// Value that an expression met before was lowered to.
     pub(super) fn signed(&self, id: ExprId) -> Signed {
         *self.values.get(&id).expect("children come before parents and are merged only where expected")
     }

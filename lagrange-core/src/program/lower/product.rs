@@ -93,7 +93,7 @@ fn push_factor(
     negative
 }
 
-/// What `base ^ (twice / 2)` is the product of: an integer power and a square root, or one of them.
+/// Factors of `base ^ (twice / 2)`: an integer power and a square root, or one of them.
 fn powers(lowering: &mut Lowering<'_>, base: ValueId, twice: i32) -> impl Iterator<Item = ValueId> + use<> {
     let whole = (twice >= 2).then(|| integer_power(lowering, base, twice / 2));
     let root = (twice % 2 != 0).then(|| lowering.builder.call(Function::Sqrt, &[base]));

@@ -5,16 +5,16 @@ use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 use crate::program::Labels;
 
-/// What is known of the uses of expressions before any is lowered.
+/// Uses of expressions, counted before any is lowered.
 #[derive(Default)]
 pub(super) struct Sharing {
     merged: HashMap<ExprId, Host>,
-    /// How many products hold a square or a higher power of an expression.
+    /// Number of products that hold a square or a higher power of an expression.
     squares: HashMap<ExprId, usize>,
     reciprocals: HashMap<Reciprocal, usize>,
 }
 
-/// What an expression that is used once dissolves in.
+/// Kind of node that an expression used once dissolves in.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Host {
     Sum,

@@ -21,7 +21,7 @@ pub fn batch_sines_and_cosines(program: &Program) -> Program {
     Rebuilding::new(program, &batches).run(&order)
 }
 
-/// How many sines and cosines must be known, one after the other, before a value can be.
+/// Number of sines and cosines that must be known, one after the other, before a value can be.
 fn rounds(program: &Program) -> ValueTable<usize> {
     let mut rounds: ValueTable<usize> = ValueTable::with_capacity(program.len());
     for (_, op) in program.values() {

@@ -19,7 +19,7 @@ use crate::syntax::ast::Accuracy;
 pub struct Pass {
     /// The name.
     pub name: &'static str,
-    /// What it does.
+    /// Function that runs it.
     pub run: fn(&Program) -> Program,
 }
 

@@ -4,7 +4,7 @@ use super::rewrite::rewrite;
 use crate::expr::Function;
 use crate::program::{Op, Program, ValueTable};
 
-/// Where both the sine and the cosine of a value are computed, one operation computes the pair.
+/// Computes the sine and the cosine of a value by one operation where both are wanted.
 pub fn pair_sines_and_cosines(program: &Program) -> Program {
     let mut sine_of = ValueTable::filled(program.len(), false);
     let mut cosine_of = sine_of.clone();

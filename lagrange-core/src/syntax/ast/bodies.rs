@@ -61,7 +61,7 @@ pub struct Shape {
     pub solid: Name,
     /// Its dimensions; for a polygon its corners.
     pub dimensions: Vec<AstId>,
-    /// Where all of it stands.
+    /// Place of all of it.
     pub origin: Origin,
 }
 
@@ -70,15 +70,15 @@ pub struct Shape {
 pub struct Part {
     /// Whether it is cut out of the others.
     pub is_hole: bool,
-    /// What it is.
+    /// Shape of the part.
     pub shape: Shape,
     /// Its mass; for a hole the mass that is missing.
     pub mass: Option<AstId>,
-    /// Where the origin of its own coordinates is in those of the body.
+    /// Origin of its own coordinates in those of the body.
     pub at: Option<AstId>,
-    /// By which its own axes are turned in those of the body.
+    /// Angle by which its own axes are turned in those of the body.
     pub angle: Option<AstId>,
-    /// Where all of it stands.
+    /// Place of all of it.
     pub origin: Origin,
 }
 
@@ -95,10 +95,10 @@ pub struct Line {
     pub angle: Option<AstId>,
 }
 
-/// What stores or dissipates energy between two points or two angles.
+/// Element that stores or dissipates energy between two points or two angles.
 #[derive(Clone, Debug)]
 pub struct Connector {
-    /// What it is.
+    /// Kind of the connector.
     pub kind: ConnectorKind,
     /// Its name, if it has one.
     pub name: Option<Name>,
@@ -114,7 +114,7 @@ pub struct Connector {
     pub damping: Option<AstId>,
 }
 
-/// What a connector is.
+/// Kind of a connector.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ConnectorKind {
     /// `spring`, between points
@@ -157,11 +157,11 @@ impl ConnectorKind {
 pub struct Joint {
     /// Its name, if it has one.
     pub name: Option<Name>,
-    /// What it holds together.
+    /// Kind of the joint, with what it holds together.
     pub kind: JointKind,
 }
 
-/// What a joint holds together.
+/// Kind of a joint, with what it holds together.
 #[derive(Clone, Debug)]
 pub enum JointKind {
     /// `pin p to q;`: two points stay together.

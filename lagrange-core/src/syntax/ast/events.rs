@@ -9,28 +9,28 @@ use super::{AstId, Name};
 pub struct Event {
     /// Its name.
     pub name: Name,
-    /// What is zero.
+    /// Function whose zeros are the event.
     pub value: AstId,
-    /// Which zeros count.
+    /// Zeros that count.
     pub direction: Direction,
-    /// Where that is said.
+    /// Place of the direction.
     pub direction_span: Span,
-    /// What happens.
+    /// Action at the event.
     pub action: Action,
 }
 
-/// How a function passes zero as time goes on.
+/// Direction in which a function passes zero as time goes on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
-    /// From negative to positive.
+    /// Upwards, from negative to positive.
     Rising,
-    /// From positive to negative.
+    /// Downwards, from positive to negative.
     Falling,
     /// Either.
     Crossing,
 }
 
-/// What happens at an event.
+/// Action at an event.
 #[derive(Clone, Debug)]
 pub enum Action {
     /// `stop`: the motion ends.
@@ -46,9 +46,9 @@ pub enum Action {
 /// One `target = value;` of an event.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
-    /// What changes: should be `x` or `dot(x)` of a coordinate.
+    /// Quantity that changes: should be `x` or `dot(x)` of a coordinate.
     pub target: AstId,
-    /// To what.
+    /// Value that it gets.
     pub value: AstId,
 }
 

@@ -63,7 +63,7 @@ pub enum Expression {
         /// Value elsewhere.
         otherwise: AstId,
     },
-    /// Something that was reported already.
+    /// Placeholder for what was reported already.
     Invalid,
 }
 
@@ -96,7 +96,7 @@ impl Expressions {
         &self.nodes[id.0 as usize].0
     }
 
-    /// Where it stands.
+    /// Place of an expression.
     pub fn origin(&self, id: AstId) -> Origin {
         self.nodes[id.0 as usize].1
     }

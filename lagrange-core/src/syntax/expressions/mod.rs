@@ -29,7 +29,7 @@ enum WaitingOperator {
     Binary(ReadOperand, BinaryOperator, Span),
 }
 
-/// How tightly operators bind; larger is tighter.
+/// Binding strength of operators; larger is tighter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
     Sum,

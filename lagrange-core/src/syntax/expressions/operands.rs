@@ -183,7 +183,7 @@ impl Parser<'_> {
     }
 }
 
-/// What stands between parentheses.
+/// Contents of parentheses.
 enum Elements {
     Single(AstId),
     Vector(Vec<AstId>),

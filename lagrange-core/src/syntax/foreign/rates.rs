@@ -1,6 +1,6 @@
 //! Spellings of rates: `dx`, `xdot`, `x_ddot`, `ẋ`.
 
-/// What stands before the name of a coordinate for its derivatives, with their order; longer ones first.
+/// Prefixes of the name of a coordinate for its derivatives, with their order; longer ones first.
 const BEFORE: &[(&str, usize)] = &[
     ("velocity_", 1),
     ("omega_", 1),
@@ -23,7 +23,7 @@ const BEFORE: &[(&str, usize)] = &[
     ("v", 1),
     ("a", 2),
 ];
-/// What stands behind it.
+/// Suffixes of the name of a coordinate for its derivatives, with their order.
 const BEHIND: &[(&str, usize)] = &[
     ("_velocity", 1),
     ("_acceleration", 2),
@@ -81,21 +81,21 @@ const DERIVATIVES: &[&str] = &[
 ];
 /// Functions that derive twice.
 const SECOND_DERIVATIVES: &[&str] = &["dotdot", "der2", "d2dt2", "dddt"];
-/// What a rate is called where only one thing moves.
+/// Words for a rate where only one thing moves.
 const WORDS: &[&str] =
     &["omega", "w", "velocity", "speed", "vel", "v", "qdot", "qd", "thetadot", "phidot", "xdot"];
 
 /// A rate, spelt as it is elsewhere.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Rate<'a> {
-    /// What changes.
+    /// Quantity that changes.
     pub of: &'a str,
-    /// How often it is derived by time: once or twice.
+    /// Order of the derivative by time: once or twice.
     pub order: usize,
 }
 
 impl Rate<'_> {
-    /// How it is written.
+    /// Spelling here.
     pub fn written(self) -> String {
         let function = if self.order == 1 { "dot" } else { "ddot" };
         format!("{function}({})", self.of)

@@ -14,7 +14,7 @@ pub(in crate::syntax) const SECOND_SYSTEM_HELP: &str =
 pub(in crate::syntax) const ADDS_UP: &str =
     "write `=`: statements such as `kinetic = e;` may be repeated, and add up";
 
-/// For a statement that should begin with a name.
+/// Message for a statement that should begin with a name.
 pub(in crate::syntax) fn nameless(keyword: &str) -> String {
     let article = if keyword.starts_with(['e', 'o']) { "an" } else { "a" };
     format!("{article} {keyword} needs a name")
@@ -24,7 +24,7 @@ pub(in crate::syntax) const TYPED: &str = "names have no type of their own here"
 
 pub(in crate::syntax) const TWICE_IN_A_ROW: &str = "this name stands here twice";
 
-/// For brackets between a name and its value.
+/// Message for brackets between a name and its value.
 pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static str) {
     match keyword {
         "coord" => (
@@ -57,13 +57,13 @@ pub(in crate::syntax) fn value_where_declared(name: &str) -> String {
     format!("give it its value where it is declared: `param {} = …;`", shortened(name))
 }
 
-/// For an equation of motion.
+/// Message for an equation of motion.
 pub(in crate::syntax) fn equations_are_derived() -> String {
     "equations of motion are derived: write the energies that they follow from, `kinetic = …;` and `potential = …;`, and forces, `force x = …;`"
         .to_owned()
 }
 
-/// For `dot(x) = …` and `ddot(x) = …` as statements.
+/// Message for `dot(x) = …` and `ddot(x) = …` as statements.
 pub(in crate::syntax) fn rate_as_statement(function: &str) -> String {
     match function {
         "dot" => "initial velocities belong to the state from which a simulation starts; what must hold throughout is a `constraint name = …;`".to_owned(),
@@ -98,7 +98,7 @@ pub(in crate::syntax) fn zero_and_direction(name: &str) -> String {
 
 // Names.
 
-/// For a token that is no name where one is needed.
+/// Message for a token that is no name where one is needed.
 pub(in crate::syntax) fn name_help(token: Option<&TokenTree>) -> &'static str {
     match token {
         Some(TokenTree::Literal(literal)) if literal.to_string().starts_with('"') => {
@@ -147,7 +147,7 @@ pub(in crate::syntax) const RUST_NAME_HELP: &str =
 pub(in crate::syntax) const LIBRARY: &str = "libraries have no names here";
 pub(in crate::syntax) const STRING: &str = "quotation marks have no meaning here";
 
-/// For quotation marks around a text.
+/// Message for quotation marks around a text.
 pub(in crate::syntax) fn unquoted(literal: &str) -> String {
     let text = literal.trim_matches(['"', '\'']);
     format!("leave them out: write {}", quoted(text))

@@ -25,12 +25,12 @@ pub(in crate::syntax) const EMPTY_COMPOUND: &str = "this body has no parts";
 pub(in crate::syntax) const LINE_HELP_END: &str = "what is said between the braces ends in `;`";
 pub(in crate::syntax) const NEXT_LABEL: &str = "the next line begins here";
 
-/// For a word in front of a colon that means nothing there; `owner` has its article.
+/// Message for a word in front of a colon that means nothing there; `owner` has its article.
 pub(in crate::syntax) fn unknown_label(label: &str, owner: &str) -> String {
     format!("{} says nothing about {owner}", quoted(label))
 }
 
-/// What can be said of something.
+/// Labels that something may have, in words.
 pub(in crate::syntax) fn labels_are(owner: &str, labels: &[&str]) -> String {
     format!("what can be said of {owner}: `{}`", labels.join("`, `"))
 }

@@ -7,14 +7,14 @@ use super::numbers::{Form, numeral};
 use crate::expr::Relation;
 use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Expressions};
 
-/// Something to be written.
+/// Piece to be written.
 enum PrintedPiece {
     Text(String),
     /// An expression, in parentheses if it binds less tightly than this.
     Expression(AstId, PrintedBinding),
 }
 
-/// How tightly an expression holds together; larger is tighter.
+/// Binding strength of an expression; larger is tighter.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum PrintedBinding {
     /// A condition, which reads badly within other expressions.
@@ -86,7 +86,7 @@ fn own_binding(operator: BinaryOperator) -> PrintedBinding {
     }
 }
 
-/// What the operands of an operator must be without parentheses.
+/// Binding strengths that the operands of an operator must have without parentheses.
 fn operand_bindings(operator: BinaryOperator) -> (PrintedBinding, PrintedBinding) {
     match operator {
         BinaryOperator::Add | BinaryOperator::Subtract => (PrintedBinding::Sum, PrintedBinding::Product),
@@ -121,7 +121,7 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
     }
 }
 
-/// What stands before a dot. A number takes brackets: the dot behind it would be read as a decimal point.
+/// Text before a dot. A number takes brackets: the dot behind it would be read as a decimal point.
 fn receiver(expressions: &Expressions, id: AstId) -> PrintedPiece {
     match expressions.get(id) {
         Expression::Number(number) => text(format!("({})", numeral(number).0)),

@@ -5,12 +5,12 @@ use crate::number::Number;
 /// More zeros than this are written as a power of ten.
 const MOST_ZEROS: usize = 6;
 
-/// What a number is written as.
+/// Form in which a number is written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Form {
     /// `2`, `0.1` or `1e-9`.
     Literal,
-    /// With a minus in front.
+    /// A minus in front.
     Negative,
     /// Two integers: the decimal does not end.
     Quotient,
