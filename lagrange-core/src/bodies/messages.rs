@@ -1,4 +1,4 @@
-//! What is said about statements of bodies.
+//! Diagnostics for statements about bodies.
 
 use super::object::Object;
 use crate::solids::SOLIDS;

@@ -1,4 +1,4 @@
-//! What the names of a scene stand for.
+//! Meanings of the names in a scene.
 
 use super::terms::Pair;
 use crate::syntax::ast::{AstId, ConnectorKind, Name};

@@ -1,4 +1,4 @@
-//! What a declaration with bodies becomes: plain statements, and what is known of the bodies beside them.
+//! A declaration in plain statements, with the facts about its bodies beside them.
 
 use crate::diagnostics::Origin;
 use crate::syntax::ast::{AstId, ConnectorKind, Declaration, Name, StatementKind};

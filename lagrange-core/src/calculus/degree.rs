@@ -1,4 +1,4 @@
-//! How expressions depend on the velocities, or on symbols of another kind: not at all, affinely, or otherwise.
+//! Dependence of expressions on the velocities, or on symbols of another kind: none, affine, or another.
 
 use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Graph, Node};

@@ -1,4 +1,4 @@
-//! The same expressions in a graph of their own.
+//! Copies of expressions in a graph of their own.
 
 use crate::calculus::substitute::construct;
 use crate::collections::HashMap;

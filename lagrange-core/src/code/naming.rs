@@ -1,4 +1,4 @@
-//! What variables are called.
+//! Names of variables.
 
 use proc_macro2::{Ident, Span};
 

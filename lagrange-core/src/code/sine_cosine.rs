@@ -1,4 +1,4 @@
-//! Which values of a program are the sine or the cosine of a pair that is computed together.
+//! Values of a program that are the sine or the cosine of a pair that is computed together.
 
 use crate::collections::HashMap;
 use crate::program::{Op, Program, ValueId};

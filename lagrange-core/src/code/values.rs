@@ -1,4 +1,4 @@
-//! How each value of a program is written: in place, or as a variable.
+//! Writing of values: in place, or as a variable.
 
 use proc_macro2::{Literal, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};

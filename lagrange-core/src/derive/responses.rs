@@ -1,4 +1,4 @@
-//! What forces of contacts and friction do to the motion, and what they depend on.
+//! Responses of the motion to forces of contacts and friction, and limits of these forces.
 //!
 //! The equations of motion are linear in these forces: with all of them zero they give a₀ and λ₀, and a unit of reaction k, acting
 //! along the gradient d_k of its velocity, adds w_k and μ_k, which follow from the same elimination with −d_k as its linear part.

@@ -1,4 +1,4 @@
-//! What can be said of a system from its equations: the shape of the mass matrix, cyclic coordinates,
+//! Structure of a system as its equations show it: the shape of the mass matrix, cyclic coordinates,
 //! conserved quantities.
 
 use crate::calculus::{adjoint, gradient};

@@ -1,4 +1,4 @@
-//! What is known of the expressions of a declaration while they are evaluated.
+//! State of the evaluation of a declaration's expressions.
 
 use super::constants::Constants;
 use super::messages;

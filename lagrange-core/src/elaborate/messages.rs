@@ -1,4 +1,4 @@
-//! What is said about mistakes in the meaning of a declaration.
+//! Diagnostics for the meaning of a declaration.
 
 use crate::expr::Dependencies;
 use crate::model::Product;

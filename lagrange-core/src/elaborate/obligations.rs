@@ -1,4 +1,4 @@
-//! What must hold of masses and moments of inertia, checked as far as the numbers are known.
+//! Conditions on masses and moments of inertia, checked as far as the numbers are known.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;

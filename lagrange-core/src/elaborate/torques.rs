@@ -1,4 +1,4 @@
-//! On which bodies torques act that are declared on angles.
+//! Bodies on which torques act that are declared on angles.
 //!
 //! A torque m on an angle θ has the power m θ̇. If θ turns as a body does, θ̇ = ω, that of a moment m on this body is the same; if it
 //! turns as one body does against another, θ̇ = ω₂ − ω₁, that of m on one and −m on the other. Where θ is the second angle of a double

@@ -1,4 +1,4 @@
-//! What is known of every expression from its construction on.
+//! Facts about every expression from its construction on.
 
 use std::ops::BitOr;
 

@@ -1,4 +1,4 @@
-//! How exact numbers are written.
+//! Numerals for exact numbers.
 
 use crate::number::Number;
 

@@ -1,4 +1,4 @@
-//! How much work a program is.
+//! Operation counts of programs.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! How often values change.
+//! Variability of values: what they change with, and so how often.
 
 use super::ir::{Op, Program, ValueTable};
 use crate::expr::{Dependencies, ExprId, Graph};

@@ -1,4 +1,4 @@
-//! What every program satisfies. Tests run this after every pass.
+//! Conditions that every program satisfies. Tests check them after every pass.
 
 use std::fmt;
 

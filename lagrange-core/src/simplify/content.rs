@@ -1,4 +1,4 @@
-//! What several expressions have in common as a factor.
+//! Common factor of several expressions.
 
 use super::cancel::quotient;
 use super::monomial::{MOST_FACTORS, Monomial, Term};

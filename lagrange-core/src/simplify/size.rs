@@ -1,4 +1,4 @@
-//! How long expressions are when written out.
+//! Length of expressions when written out.
 
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};

@@ -1,4 +1,4 @@
-//! What mistakes of writing are called, and what helps against them.
+//! Diagnostics for mistakes of writing, with what helps against them.
 
 pub(super) mod forms;
 pub(super) mod habits;

@@ -1,4 +1,4 @@
-//! What the readers of statements and of expressions share.
+//! State and helpers that the readers of statements and of expressions share.
 
 use proc_macro2::{Group, TokenTree};
 

@@ -1,4 +1,4 @@
-//! In which order unknowns are eliminated from the quadratic form.
+//! Order in which unknowns are eliminated from the quadratic form.
 
 use super::pivot::{Eliminated, eliminate, eliminate_pair};
 use super::queue::{Queue, Waiting};

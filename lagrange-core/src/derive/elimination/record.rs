@@ -1,4 +1,4 @@
-//! What is remembered of an elimination, for substitution back and for other right-hand sides.
+//! Record of an elimination, for substitution back and for other right-hand sides.
 
 use super::pivot::{Eliminated, Rest, freed};
 use crate::collections::HashMap;

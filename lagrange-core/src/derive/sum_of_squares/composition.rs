@@ -1,4 +1,4 @@
-//! How velocities are made of each other.
+//! Composition: how velocities are made of each other.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! What is said about events, contacts, friction and stabilisation.
+//! Diagnostics for events, contacts, friction and stabilisation.
 
 // Events.
 

@@ -1,4 +1,4 @@
-//! What is said about mass geometry: calls of its functions, and obligations about masses and moments of inertia.
+//! Diagnostics for mass geometry: calls of its functions, and obligations about masses and moments of inertia.
 
 pub(in crate::elaborate) fn too_few_arguments(name: &str, least: usize, found: usize) -> String {
     let given = match found {

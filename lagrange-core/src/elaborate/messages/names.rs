@@ -1,4 +1,4 @@
-//! What is said about names and functions: declared twice, too late, not at all, or spelt as they are elsewhere.
+//! Diagnostics for names and functions: declared twice, too late, not at all, or spelt as they are elsewhere.
 
 pub(in crate::elaborate) fn declared_twice(name: &str) -> String {
     format!("the name `{name}` is declared twice")

@@ -1,4 +1,4 @@
-//! What is said about rigid bodies.
+//! Diagnostics for rigid bodies.
 
 pub(in crate::elaborate) fn needs_bodies(name: &str) -> String {
     format!("`{name}` is not defined for a system without rigid bodies")

@@ -1,4 +1,4 @@
-//! What the bodies of methods call parameters, coordinates and the rest that they compute with.
+//! Variables of method bodies: parameters, coordinates and the rest that they compute with.
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,4 +1,4 @@
-//! What is said about systems that are hard to compile or to integrate.
+//! Diagnostics for systems that are hard to compile or to integrate.
 
 pub(in crate::emit) fn expensive(size: usize, checking: f64, optimising: f64, bytes: f64) -> String {
     format!(

@@ -1,4 +1,4 @@
-//! What features share: the shape of the emitted type, methods and their arguments, documentation, limits of size.
+//! Common ground of features: the shape of the emitted type, methods and their arguments, documentation, limits of size.
 
 pub(super) mod attributes;
 pub(super) mod bindings;

@@ -1,4 +1,4 @@
-//! What of an emitted system is known from its declaration alone: names, fields, types.
+//! Shape of an emitted system as its declaration alone determines it: names, fields, types.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};

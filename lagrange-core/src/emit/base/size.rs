@@ -1,4 +1,4 @@
-//! What emitted code costs the compiler, and from where on that is worth a warning or too much.
+//! Cost of emitted code to the compiler, and from where on it is worth a warning or too much.
 //!
 //! Emitted methods are straight-line code, so that the compiler's time and memory are proportional to their size.
 //! The rates were measured with `tools/compile_time.py --large`; `docs/performance.md` shows from what.

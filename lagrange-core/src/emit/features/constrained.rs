@@ -1,4 +1,4 @@
-//! What is emitted for systems with constraints.
+//! Members of systems with constraints.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};

@@ -1,4 +1,4 @@
-//! What is emitted for contacts and friction: fields for their modes, and what run-time code must know of their forces.
+//! Members for contacts and friction: fields for their modes, and what run-time code must know of their forces.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

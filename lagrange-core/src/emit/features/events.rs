@@ -1,4 +1,4 @@
-//! What is emitted for declared events.
+//! Members for declared events.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

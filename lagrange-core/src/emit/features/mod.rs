@@ -1,4 +1,4 @@
-//! What is emitted, one feature a file.
+//! Features of emitted systems, one a file.
 
 pub(super) mod constants;
 pub(super) mod constrained;

@@ -1,4 +1,4 @@
-//! What is emitted for constraints that depend on each other: matrices that are formed at run time.
+//! Members for constraints that depend on each other: matrices that are formed at run time.
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,4 +1,4 @@
-//! What is emitted for rigid bodies: how each moves, and what there is to draw.
+//! Members for rigid bodies: how each moves, and what there is to draw.
 
 use std::slice::Iter;
 

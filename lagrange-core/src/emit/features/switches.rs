@@ -1,4 +1,4 @@
-//! What is emitted for switches: a field that fixes their sides, the functions that vanish on them, and what runs ask.
+//! Members for switches: a field that fixes their sides, the functions that vanish on them, and what runs ask.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

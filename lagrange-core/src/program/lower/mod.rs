@@ -1,4 +1,4 @@
-//! From expressions to a program.
+//! Lowering of expressions to a program.
 //!
 //! A walk over ascending ids, children before parents, that gives each expression a value. What makes
 //! good code is decided per sum ([`sum`]) and per product ([`product`]); which expressions get no value

@@ -1,4 +1,4 @@
-//! Which expressions get a value of their own, and which reciprocals are shared.
+//! Expressions that get a value of their own, and reciprocals that are shared.
 
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Graph, Node};

@@ -1,4 +1,4 @@
-//! How each statement is written.
+//! Written forms of each statement.
 
 use super::scenes;
 

@@ -1,4 +1,4 @@
-//! What habits from other languages and from paper are called, and what is written here.
+//! Diagnostics for habits from other languages and from paper, with what is written here.
 
 use proc_macro2::{Delimiter, TokenTree};
 

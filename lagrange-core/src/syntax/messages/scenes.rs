@@ -1,4 +1,4 @@
-//! What mistakes in statements about plane rigid bodies are called, and what helps against them.
+//! Diagnostics for statements about plane rigid bodies, with what helps against mistakes in them.
 
 use super::quoted;
 
