@@ -1,7 +1,7 @@
 //! Plane rigid bodies in the statements of the plain language.
 //!
 //! A body is its kinetic energy ½ m |ċ|² + ½ J φ̇² and its potential energy −m g·c; springs, dampers and joints are
-//! energies, Rayleigh functions and constraints of points that bodies carry. [`plain`] writes all of that down as
+//! energies, Rayleigh functions and constraints of points that bodies carry. [`plain()`] writes all of that down as
 //! syntax, before names are resolved, so that what follows knows nothing of bodies and the plain statements can be
 //! shown to the user. Nothing is simplified or differentiated here.
 //!

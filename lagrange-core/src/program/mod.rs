@@ -1,8 +1,8 @@
 //! Straight-line programs: what is computed, in which order, and nothing about how it is written.
 //!
-//! [`lower`] turns expressions of the graph into a [`Program`], in which every value is one machine-sized
+//! [`lower()`] turns expressions of the graph into a [`Program`], in which every value is one machine-sized
 //! operation on earlier ones. [`optimise`] runs the passes, each of which takes a program and returns
-//! another that computes the same. [`run`] interprets, [`OperationCounts`] measures, [`verify`] checks
+//! another that computes the same. [`run`] interprets, [`OperationCounts`] measures, [`verify()`] checks
 //! what every program must satisfy.
 //!
 //! Equal operations, constants and values that nothing needs are the business of the [`Builder`], so no
