@@ -4,6 +4,20 @@
 //! A variable may be pushed when no unprocessed variable depends on it; this is the reverse sweep of
 //! Gower and Mello, "A new framework for the computation of Hessians", Optim. Methods Softw. 27 (2012),
 //! 251–273, restricted to the part of the graph that is affine in the velocities.
+//!
+//! # The double pendulum, step by step
+//!
+//! | step | variables | become |
+//! |---|---|---|
+//! | replace | ẏ₂ | ẏ₁ + l₂ sin θ₂ θ̇₂ |
+//! | replace | ẋ₂ | ẋ₁ + l₂ cos θ₂ θ̇₂ |
+//! | collapse | l₂ sin θ₂ θ̇₂ and l₂ cos θ₂ θ̇₂, together | multiples of θ̇₂ |
+//! | free | θ̇₂ | nothing unprocessed is made of it |
+//! | collapse | ẋ₁ and ẏ₁, together | multiples of θ̇₁ |
+//! | free | θ̇₁ | |
+//!
+//! A strategy that eliminates θ̇₂ where it is free does so while the form still speaks of ẋ₁ and ẏ₁, the end of the upper rod: that is
+//! the articulated-body algorithm. One that waits for the last step has the mass matrix.
 
 use std::collections::BTreeSet;
 
@@ -272,3 +286,6 @@ fn affine_parts(graph: &mut Graph, degrees: &Degrees, id: ExprId) -> Vec<(ExprId
     parts.retain(|(part, _)| degrees.of(graph, *part) == Degree::Affine);
     parts
 }
+
+#[cfg(test)]
+mod tests;

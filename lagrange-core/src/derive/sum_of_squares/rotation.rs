@@ -7,6 +7,9 @@
 //! Σ wᵢ pᵢ² − (Σ wᵢ aᵢ pᵢ)² / D = Σ_{i<j} (wᵢ wⱼ / D) (aᵢ pⱼ − aⱼ pᵢ)².
 //! ```
 //!
+//! In numbers: of ½ · 1 · (x + 3)² + ½ · 2 · (x + 6)² the pivot is D = 1 + 2 = 3, the minimum is at x = −(3 + 12)/3 = −5, and what is
+//! left is ½ · (1 · 2/3) · (1 · 6 − 1 · 3)² = 3, as −5 in the squares themselves gives: ½ · 4 + ½ · 2 · 1.
+//!
 //! Two at a time, that is a Givens rotation without square roots (Gentleman, "Least squares computations by
 //! Givens transformations without square roots", J. Inst. Math. Appl. 12 (1973), 329–336): one square keeps x
 //! and the other loses it. No difference of squares occurs, as in a Schur complement, and the condition
