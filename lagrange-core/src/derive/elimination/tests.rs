@@ -3,6 +3,7 @@
 use super::order::eliminate_dense;
 use crate::derive::quadratic_form::QuadraticForm;
 use crate::expr::{ExprId, Graph};
+use crate::number::Number;
 use crate::symbol::Role;
 
 /// A form with these coefficients of products, squares among them, and of the variables alone.
@@ -20,7 +21,7 @@ fn form(graph: &mut Graph, pairs: &[(ExprId, ExprId, i32)], linear: &[(ExprId, i
 }
 
 fn numbers(graph: &Graph, ids: impl IntoIterator<Item = ExprId>) -> Vec<f64> {
-    let number = |id| graph.as_number(id).map_or(f64::NAN, |number| number.to_f64());
+    let number = |id| graph.as_number(id).map_or(f64::NAN, Number::to_f64);
     ids.into_iter().map(number).collect()
 }
 
