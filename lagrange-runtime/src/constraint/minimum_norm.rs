@@ -80,6 +80,22 @@ pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D
 /// Constraints depend on each other as [`rank_tolerance`] says. All is NaN if what is given is not finite, if the accelerations
 /// are not determined, or if the constraints contradict each other: if one that depends on others is missed by more than a hundred
 /// times that tolerance, beside the accelerations with and without constraints and the drifts.
+///
+/// A table of weight 40 on four legs at (±1, ±1), loaded at (½, 0). Height and two tilts are three coordinates, and the height of each
+/// foot z + y a − x b is a constraint: the four depend on each other, since one diagonal of legs can be pressed against the other without
+/// moving anything. Of all forces that carry the load, Σ λ = 40, Σ x λ = 20 and Σ y λ = 0, the shortest are 10 + 5 x.
+///
+/// ```
+/// use lagrange::constraint::redundant_motion;
+///
+/// let mass = [[4.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// let weight = [-40.0, 0.0, 20.0];
+/// let legs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)].map(|(x, y)| [1.0, y, -x]);
+/// let motion = redundant_motion(&mass, &weight, &legs, &[0.0; 4]);
+/// assert_eq!(motion.rank, 3);
+/// assert_eq!(motion.multipliers.map(|force: f64| (force * 1e12).round() / 1e12), [15.0, 15.0, 5.0, 5.0]);
+/// assert!(motion.acceleration.iter().all(|acceleration| acceleration.abs() < 1e-12));
+/// ```
 pub fn redundant_motion<S: Scalar, const N: usize, const D: usize>(
     mass: &[[S; N]; N],
     forcing: &[S; N],

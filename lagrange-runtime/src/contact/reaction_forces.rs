@@ -37,7 +37,7 @@ pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
     matrix: [[S; K]; K],
     /// Rates without reactions.
     offsets: [S; K],
-    /// How large the terms are of which the offsets are sums.
+    /// Magnitude of the terms in the offsets, the scale for rounding tests.
     sizes: [S; K],
     /// One if limits hold what is there without reactions; zero for impulses, to which finite forces do not contribute.
     presence: S,
