@@ -104,8 +104,6 @@ fn form<S: Copy + Into<f64>>(outline: Outline<'_, S>) -> Form {
         Outline::Triangle(a, b, c) => polygon(triangle(a.into(), b.into(), c.into())),
         Outline::RegularPolygon(n, radius) => polygon(regular_polygon(n.into(), radius.into())),
         Outline::Polygon(corners) => polygon(corners.iter().map(|corner| corner.map(Into::into)).collect()),
-        // Outlines may become more in time; what is not known has none.
-        _ => Form::Area(Vec::new()),
     }
 }
 

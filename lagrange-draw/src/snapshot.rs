@@ -72,8 +72,6 @@ impl Snapshot {
             Item::Moment { name, cause, body, at, moment } => {
                 self.load(name, cause, body, point(at), Value::Moment(moment.into()));
             }
-            // Scenes may hand out more in time; what is not known has no picture.
-            _ => {}
         }
     }
 

@@ -25,7 +25,6 @@ pub trait Scene: MechanicalSystem {
 
 /// Something to be drawn.
 #[derive(Clone, Copy, PartialEq, Debug)]
-#[non_exhaustive]
 pub enum Item<'a, S> {
     /// A rigid body.
     Body {
@@ -118,7 +117,6 @@ pub struct Part<'a, S> {
 
 /// An outline in its own coordinates, the same in which [`lagrange::inertia`](mod@crate::inertia) says where centres of mass are.
 #[derive(Clone, Copy, PartialEq, Debug)]
-#[non_exhaustive]
 pub enum Outline<'a, S> {
     /// A point mass at the origin.
     PointMass,

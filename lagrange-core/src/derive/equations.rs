@@ -34,8 +34,8 @@ const MULTIPLYING_BUDGET: usize = 60;
 /// A matrix in rows.
 type Rows = Vec<Vec<ExprId>>;
 
-/// The equations of motion and what else a model was asked for. Products that are not wanted are `None` and
-/// have not been derived; the two sides of M q̈ = f come with the accelerations.
+/// The equations of motion and what else a model was asked for. Products that are not wanted are not
+/// among `products`; the two sides of M q̈ = f come with the accelerations.
 #[derive(Clone, Debug)]
 pub struct Equations {
     /// q̈ as functions of t, q, v.

@@ -8,7 +8,7 @@ use super::messages;
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
 
-/// Bracket groups and conditions deeper than this are refused: nothing else is read by recursion.
+/// Bracket groups and conditions deeper than this are refused: nothing else is read by recursion, but for the few tokens that `Cursor::read` hands to `syn`.
 const DEEPEST_NESTING: u32 = 64;
 
 /// Reads one declaration; the grammar is spread over the modules named after its parts.

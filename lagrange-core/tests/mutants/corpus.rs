@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 
 /// Where declarations are, from the root of the repository.
-const PLACES: [&str; 7] = [
+const PLACES: [&str; 9] = [
     "lagrange-core/tests/mutants",
     "README.md",
     "examples",
     "lagrange-core/tests/golden",
     "lagrange-core/tests/laws",
+    "lagrange-draw/src",
+    "lagrange-runtime/src",
     "src",
     "tests",
 ];

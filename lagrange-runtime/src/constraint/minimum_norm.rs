@@ -285,7 +285,7 @@ impl<S: Scalar, const D: usize> Ignored<S, D> {
     }
 }
 
-/// OrthogonalFactors that bring the largest entry of each row of a symmetric matrix near one, if columns are multiplied by them, too.
+/// Factors that bring the largest entry of each row of a symmetric matrix near one, if columns are multiplied by them, too.
 pub(super) fn equilibration<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [S; D] {
     let mut scales = [S::ONE; D];
     for _ in 0..SCALINGS {

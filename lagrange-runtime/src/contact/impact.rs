@@ -13,7 +13,7 @@
 //! With friction, or with several contacts of different restitution, Newton's law of restitution may create energy (the
 //! paradox of Kane and Levinson), or there may be no impulses, as for a body wedged between more walls than it has freedoms. Then all
 //! coefficients are reduced in proportion until there are, and no energy is created. Without restitution there always are impulses
-//! ([`complementarity`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving surfaces.
+//! ([`lemke`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving surfaces.
 //!
 //! A jam is what is left of such an impact as the approach falls to zero. It differs from nothing only where friction is so strong
 //! that a contact which slips would be drawn in.

@@ -8,7 +8,7 @@ use crate::event::{Detector, Occurrence};
 use crate::integrate::{Method, Outcome, Stepper};
 use crate::system::{Action, Direction, OdeSystem, Reacted, Response};
 
-/// Integrates from `y0` at `t0` towards `t_end` and calls `act` at each zero of the K functions `values` that has the
+/// Integrates from `y0` at `t0` towards `t_end` and calls `act` at each zero of the E functions `values` that has the
 /// given direction; returns time and state at the end, which is earlier than `t_end` if an action was to stop.
 ///
 /// # Errors

@@ -37,7 +37,7 @@
 //!
 //! # Methods
 //!
-//! [`integrate`](crate::integrate) lists them, with what each is for; the default is [`Verner98`]. Code for microcontrollers
+//! The module `integrate` of the crate `lagrange` lists them, with what each is for; the default is [`Verner98`]. Code for microcontrollers
 //! and inner loops goes without heap through [`integrate()`](crate::run::integrate).
 
 mod builder;

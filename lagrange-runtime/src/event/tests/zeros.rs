@@ -191,7 +191,7 @@ impl Random {
 }
 
 /// Polynomials with known roots and products of sines, 60 of each, or as many as `LAGRANGE_EVENTS` says:
-/// `LAGRANGE_EVENTS=20000 cargo test --release --lib event::tests::zeros`.
+/// `LAGRANGE_EVENTS=20000 cargo test --release -p lagrange-runtime --lib event::tests::zeros`.
 #[test]
 fn random_polynomials_and_products_of_sines_have_the_zeros_that_they_were_made_of() {
     let count = std::env::var("LAGRANGE_EVENTS").ok().and_then(|count| count.parse().ok()).unwrap_or(60);
