@@ -95,7 +95,7 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
 }
 
 /// Brings a state of a motion back onto the constraints, as [`project`] but without looking at what is left: the corrections say
-/// that it is small. This is what [`OdeSystem::correct`] of emitted types does.
+/// that it is small. This is what [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types does.
 ///
 /// # Errors
 /// [`StepFailure::Violated`] if corrections do not converge, [`StepFailure::Stuck`] if they would make another motion of it; the state is then
@@ -120,7 +120,7 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
 }
 
 /// Brings a state that was put in the place of another onto the constraints, as [`project`]. This is what
-/// [`OdeSystem::restore`] of emitted types does.
+/// [`OdeSystem::restore`](crate::system::OdeSystem::restore) of emitted types does.
 ///
 /// # Errors
 /// [`StepFailure::Violated`]; the state is then what it was.
@@ -145,7 +145,7 @@ fn leaps<S: Scalar, Q: StateVector<S>>(before: &Q, after: &Q, q: &Q) -> bool {
 }
 
 /// Brings a state from which a motion is to start onto the constraints if it nearly satisfies them: if every residual is at most
-/// 10⁻⁶ of its scale, as [`project`] measures it. This is what [`OdeSystem::admit`] of emitted types does.
+/// 10⁻⁶ of its scale, as [`project`] measures it. This is what [`OdeSystem::admit`](crate::system::OdeSystem::admit) of emitted types does.
 ///
 /// # Errors
 /// [`StepFailure::Violated`] with the constraint that is violated most in proportion to its scale; the state is then what it was.
