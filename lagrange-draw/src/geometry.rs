@@ -107,7 +107,7 @@ fn arc_pieces(angle: f64) -> usize {
 
 /// An ellipse about the origin.
 pub(super) fn ellipse(radii: Point) -> Vec<Segment> {
-    let mut segments = std::vec![Segment::Move([radii[0], 0.0])];
+    let mut segments = vec![Segment::Move([radii[0], 0.0])];
     segments.extend(arc(radii, 0.0, TAU));
     segments.push(Segment::Close);
     segments
@@ -163,7 +163,7 @@ mod tests {
 
     #[test]
     fn arcs_keep_their_distance_from_the_middle() {
-        let mut line = std::vec![Segment::Move(times(2.0, direction(0.3)))];
+        let mut line = vec![Segment::Move(times(2.0, direction(0.3)))];
         line.extend(arc([2.0, 2.0], 0.3, 0.3 + 1.5 * PI));
         for p in flattened(&line, 16) {
             assert!((length(p) - 2.0).abs() < 1e-3, "{p:?}");

@@ -60,7 +60,7 @@ fn wrapped(title: &str, size: f64, room: f64) -> Vec<String> {
                 line.push(' ');
                 line.push_str(word);
             }
-            Some(line) if LEEWAY * width(&std::format!("{line} {word}"), size) <= room => {
+            Some(line) if LEEWAY * width(&format!("{line} {word}"), size) <= room => {
                 line.push(' ');
                 line.push_str(word);
             }

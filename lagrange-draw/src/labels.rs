@@ -55,7 +55,7 @@ pub(super) fn labels(film: &[Sheet], window: Area) -> Vec<Vec<Mark>> {
     let may_hide = |index: usize| film.iter().any(|s| s.tags[index].as_ref().is_some_and(|tag| tag.may_hide));
     let mut order: Vec<usize> = (0..count).collect();
     order.sort_by_key(|index| may_hide(*index));
-    let mut sides = std::vec![None; count];
+    let mut sides = vec![None; count];
     for index in order {
         // What is free but farther away is better than what may not be taken.
         let place = |side: usize| {

@@ -171,7 +171,7 @@ mod tests {
         let mut file = Vec::new();
         write(&pixels, &mut file).expect("writes");
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("reads");
-        let mut read = std::vec![0; reader.output_buffer_size().expect("fits")];
+        let mut read = vec![0; reader.output_buffer_size().expect("fits")];
         let info = reader.next_frame(&mut read).expect("reads");
         assert_eq!((info.width, info.height), (pixels.width, pixels.height));
         let rgb: Vec<u8> = pixels.rgba.chunks(4).flat_map(|pixel| pixel[..3].to_vec()).collect();

@@ -80,11 +80,11 @@ pub(super) fn formula(name: &str) -> String {
     let (letter, number) = base.split_once('_').unwrap_or((&base, ""));
     match &behind[..] {
         parts if letters(letter) > 1 && (parts.len() > 1 || letters(&parts[0]) > SHORT) => {
-            std::format!("{base} {}", parts.join(" "))
+            format!("{base} {}", parts.join(" "))
         }
-        [part] if number.is_empty() => std::format!("{letter}_{part}"),
+        [part] if number.is_empty() => format!("{letter}_{part}"),
         // Several subscripts are one.
-        parts => std::format!("{letter}_{{{}}}", std::format!("{number} {}", parts.join(" ")).trim_start()),
+        parts => format!("{letter}_{{{}}}", format!("{number} {}", parts.join(" ")).trim_start()),
     }
 }
 

@@ -61,8 +61,8 @@ impl Figure {
         self.draw(&mut backend)?;
         drop(backend);
         // Points are finer than what a size is given in, and corners of curves must not stick out.
-        let size = |points: u32| std::format!("=\"{points}\"");
-        let wanted = |points: u32| std::format!("=\"{}\"", points / FINENESS);
+        let size = |points: u32| format!("=\"{points}\"");
+        let wanted = |points: u32| format!("=\"{}\"", points / FINENESS);
         let text = text.replacen(&size(width), &wanted(width), 1).replacen(&size(height), &wanted(height), 1);
         Ok(text.replacen("<svg ", "<svg stroke-linejoin=\"round\" stroke-linecap=\"round\" ", 1))
     }

@@ -47,7 +47,7 @@ fn every_sample_of_a_short_curve_is_drawn() {
     // The margins, in tenths of the unit.
     assert_eq!((line[0].0, line[49].0), (740.0, 3820.0));
     for text in ["time", "height", "2000"] {
-        assert!(svg.contains(&std::format!(">\n{text}\n<")), "{text}");
+        assert!(svg.contains(&format!(">\n{text}\n<")), "{text}");
     }
     assert!(svg.contains("width=\"400\" height=\"300\" viewBox=\"0 0 4000 3000\""));
     assert!(!svg.contains(">\ny\n<"), "a single curve needs no legend");
@@ -58,7 +58,7 @@ fn several_curves_have_a_legend() {
     let curves = ["one", "two", "three"].map(|name| curve(name, (0..3).map(|k| (f64::from(k), 0.0))));
     let svg = figure(curves.to_vec()).svg().expect("draws");
     assert_eq!(polylines(&svg).len(), 3);
-    assert!(["one", "two", "three"].iter().all(|name| svg.contains(&std::format!(">\n{name}\n<"))));
+    assert!(["one", "two", "three"].iter().all(|name| svg.contains(&format!(">\n{name}\n<"))));
 }
 
 #[test]
@@ -187,7 +187,7 @@ fn a_picture_has_pixels_where_the_curve_is() {
     let figure = figure(vec![curve("y", [(0.0, 0.0), (1.0, 1.0)].into_iter())]);
     let mut canvas = Canvas::new(figure.points(), 5);
     figure.draw(&mut canvas).expect("draws");
-    let path = std::env::temp_dir().join(std::format!("lagrange_{}.png", std::process::id()));
+    let path = std::env::temp_dir().join(format!("lagrange_{}.png", std::process::id()));
     canvas.save(&path).expect("writes");
     let file = std::io::BufReader::new(std::fs::File::open(&path).expect("is there"));
     let mut reader = png::Decoder::new(file).read_info().expect("is PNG");

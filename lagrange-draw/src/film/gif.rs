@@ -113,5 +113,5 @@ fn extent(before: &[u8], picture: &[u8], width: usize) -> (Range, Range) {
 }
 
 fn failure(error: &EncodingError) -> DrawError {
-    DrawError::Film(std::format!("the pictures cannot be written as GIF: {error}"))
+    DrawError::Film(format!("the pictures cannot be written as GIF: {error}"))
 }

@@ -50,7 +50,7 @@ pub(super) fn layers(pictures: &[Picture]) -> Vec<Layer> {
             .iter()
             .map(|picture| Some(&picture.marks[index]).filter(|mark| !svg::is_empty(mark)))
             .collect();
-        growing(&marks).map_or_else(|| by_look(&marks), |layer| std::vec![layer])
+        growing(&marks).map_or_else(|| by_look(&marks), |layer| vec![layer])
     };
     (0..count).flat_map(of_mark).collect()
 }
@@ -147,7 +147,7 @@ fn by_look(marks: &[Option<&Mark>]) -> Vec<Layer> {
         let Some(mark) = mark else { continue };
         // The look before is the likeliest.
         let known = looks.iter().rposition(|(look, _)| are_alike(look, mark)).unwrap_or_else(|| {
-            looks.push((mark, std::vec![None; marks.len()]));
+            looks.push((mark, vec![None; marks.len()]));
             looks.len() - 1
         });
         looks[known].1[index] = Some(mark);

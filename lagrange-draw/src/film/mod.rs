@@ -68,7 +68,7 @@ impl Film {
     pub fn with_values(mut self, name: &str, values: Vec<f64>) -> Result<Film, DrawError> {
         if values.len() != self.pictures.len() {
             let (values, pictures) = (values.len(), self.pictures.len());
-            return Err(refusal(&std::format!("`{name}` has {values} values for {pictures} pictures")));
+            return Err(refusal(&format!("`{name}` has {values} values for {pictures} pictures")));
         }
         self.curves.push(Curve { name: name.to_string(), values });
         Ok(self)
@@ -117,7 +117,7 @@ fn check_times(times: &[f64], pictures: usize) -> Result<(), DrawError> {
         return Err(refusal("a film needs at least one picture"));
     }
     if times.len() != pictures {
-        return Err(refusal(&std::format!("{pictures} pictures have {} times", times.len())));
+        return Err(refusal(&format!("{pictures} pictures have {} times", times.len())));
     }
     let is_finite = times.iter().all(|time| time.is_finite());
     let rises = times.windows(2).all(|pair| pair[0] < pair[1]);
@@ -131,13 +131,13 @@ fn check_times(times: &[f64], pictures: usize) -> Result<(), DrawError> {
 fn check_pictures(pictures: &[Picture]) -> Result<(), DrawError> {
     for (index, picture) in pictures.iter().enumerate() {
         if picture.size != pictures[0].size {
-            return Err(refusal(&std::format!("picture {index} has another size than the first")));
+            return Err(refusal(&format!("picture {index} has another size than the first")));
         }
         if picture.marks.len() != pictures[0].marks.len() {
-            return Err(refusal(&std::format!("picture {index} has other marks than the first")));
+            return Err(refusal(&format!("picture {index} has other marks than the first")));
         }
         if !picture.marks.iter().all(is_finite) {
-            return Err(refusal(&std::format!("a mark of picture {index} is not at a finite place")));
+            return Err(refusal(&format!("a mark of picture {index} is not at a finite place")));
         }
     }
     Ok(())
@@ -155,8 +155,8 @@ fn is_finite(mark: &Mark) -> bool {
 /// The points of a segment, in the order in which they are written.
 fn points(segment: Segment) -> Vec<[f64; 2]> {
     match segment {
-        Segment::Move(end) | Segment::Line(end) => std::vec![end],
-        Segment::Curve(first, second, end) => std::vec![first, second, end],
+        Segment::Move(end) | Segment::Line(end) => vec![end],
+        Segment::Curve(first, second, end) => vec![first, second, end],
         Segment::Close => Vec::new(),
     }
 }

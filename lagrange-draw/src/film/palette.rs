@@ -26,7 +26,7 @@ impl Histogram {
 
     /// The colours that stand for all, no more than this many: of each box the most frequent, so that areas keep their colour.
     pub(super) fn palette(self, limit: usize) -> Palette {
-        let mut boxes: Vec<Vec<(Rgb, u64)>> = std::vec![self.counts.into_iter().collect()];
+        let mut boxes: Vec<Vec<(Rgb, u64)>> = vec![self.counts.into_iter().collect()];
         while boxes.len() < limit {
             let widest = (0..boxes.len()).max_by_key(|index| longest_side(&boxes[*index]).1);
             let Some(index) = widest.filter(|index| longest_side(&boxes[*index]).1 > 0) else { break };

@@ -52,7 +52,7 @@ fn picture(index: usize, times: &[f64]) -> Picture {
         stroke(line(&[tip, on_rod(time, LENGTH, 40.0 * speed)])),
         stroke(force),
         text(on_rod(time, 0.5 * LENGTH, 12.0), "l_1"),
-        text([10.0, 20.0], &std::format!("t = {time:.1} s")),
+        text([10.0, 20.0], &format!("t = {time:.1} s")),
     ];
     Picture { size: [320.0, 200.0], title: "A pendulum & its <path>".into(), marks }
 }

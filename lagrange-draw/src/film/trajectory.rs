@@ -78,7 +78,7 @@ impl Film {
         for name in names {
             let column = trajectory
                 .column(name)
-                .ok_or_else(|| refusal(&std::format!("the trajectory has no column `{name}`")))?;
+                .ok_or_else(|| refusal(&format!("the trajectory has no column `{name}`")))?;
             let value = |t: &f64| Some(column[sample(trajectory, *t)?].into());
             let values: Option<Vec<f64>> = self.times.iter().map(value).collect();
             let values = values.ok_or_else(|| refusal("columns hold values at the times of samples only"))?;

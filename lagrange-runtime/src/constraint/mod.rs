@@ -43,14 +43,14 @@
 //! *Stabilization of constraints and integrals of motion in dynamical systems*, Computer Methods in Applied Mechanics and
 //! Engineering 1 (1972), 1–16.
 
+#[cfg(test)]
+pub(crate) mod doubles;
 mod indefinite;
 mod minimum_norm;
 mod nearest;
 mod projection;
 mod regular;
 mod residuals;
-#[cfg(test)]
-pub(crate) mod systems;
 mod unprojected;
 
 pub use self::indefinite::indefinite_motion;

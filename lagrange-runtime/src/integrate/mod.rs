@@ -5,13 +5,11 @@
 //! rounding errors do not grow with the number of steps where the method itself lets them not.
 
 mod canonical;
-#[cfg(test)]
-mod canonical_systems;
 mod clock;
 mod compensated;
-#[cfg(test)]
-mod constrained_systems;
 mod corrected;
+#[cfg(test)]
+mod doubles;
 mod error;
 mod fixed;
 mod gauss_legendre;

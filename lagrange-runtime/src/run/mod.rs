@@ -3,8 +3,6 @@
 //! [`Run`] is the one loop: [`integrate()`] and [`integrate_with_events`] drive it without heap and keep nothing, the front door `simulate`
 //! keeps what is asked for. It is gone through turn by turn, so that others may act between the turns.
 
-#[cfg(test)]
-mod constrained;
 mod current;
 mod declared;
 mod drive;
@@ -14,6 +12,8 @@ mod outcome;
 mod pending;
 mod restarts;
 mod steps;
+#[cfg(test)]
+mod tests;
 mod with_events;
 
 pub use self::current::Current;

@@ -92,8 +92,7 @@ fn hold_only_what_changes() {
         })
         .collect();
     // Ground, path, rod, disk, velocity, force, label; a time for each tenth of a second, to which 1.16 s is rounded, too.
-    let times =
-        film.times.iter().map(|time| std::format!("{time:.1}")).collect::<std::collections::BTreeSet<_>>();
+    let times = film.times.iter().map(|time| format!("{time:.1}")).collect::<std::collections::BTreeSet<_>>();
     let wanted: Vec<char> = "sgmmbsm".chars().chain(std::iter::repeat_n('s', times.len())).collect();
     assert_eq!(kinds, wanted);
 }
@@ -125,7 +124,7 @@ fn turn_on_without_end() {
 }
 
 fn path(points: &[Point]) -> Picture {
-    Picture { size: [100.0; 2], title: "".into(), marks: std::vec![stroke(line(points))] }
+    Picture { size: [100.0; 2], title: "".into(), marks: vec![stroke(line(points))] }
 }
 
 #[test]

@@ -23,7 +23,7 @@ fn moves_each_layer_in_each_picture() {
     let layers = data["layers"].as_array().expect("has layers");
     assert!(layers.len() > 6);
     for (index, layer) in layers.iter().enumerate() {
-        assert!(html.contains(&std::format!("id=\"layer-{index}\"")));
+        assert!(html.contains(&format!("id=\"layer-{index}\"")));
         let track = layer["track"].as_array().expect("has a track");
         assert!(layer["change"] == "shows" || track.len() == 26);
     }
@@ -111,11 +111,11 @@ fn names_what_it_shows() {
 fn has_a_look_for_every_curve() {
     let mut film = pendulum(2);
     for number in 0..9 {
-        film = film.with_values(&std::format!("curve {number}"), vec![0.0, f64::from(number)]).expect("fits");
+        film = film.with_values(&format!("curve {number}"), vec![0.0, f64::from(number)]).expect("fits");
     }
     let html = film.html();
     let looks: Vec<&str> =
         html.split("class=\"curve ").skip(1).filter_map(|rest| rest.split('"').next()).collect();
     assert_eq!(looks.len(), 9);
-    assert!(looks.iter().all(|look| html.contains(&std::format!(".{look} {{ stroke: "))), "{looks:?}");
+    assert!(looks.iter().all(|look| html.contains(&format!(".{look} {{ stroke: "))), "{looks:?}");
 }

@@ -2,7 +2,7 @@
 
 use super::{admit, consistent_velocity, correct, project};
 use crate::constraint::ConstrainedSystem;
-use crate::constraint::systems::{Bead, Mechanism, Parallelogram, Pendulum, Skate, System};
+use crate::constraint::doubles::{Bead, Mechanism, Parallelogram, Pendulum, Skate, System};
 use crate::system::{StepFailure, Violated, Violation, split};
 
 const PENDULUM: System<Pendulum, 2, 1> = System(Pendulum);

@@ -4,13 +4,13 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
-use crate::integrate::canonical_systems::checks::{
+use crate::integrate::doubles::canonical::checks::{
     canonical, check_order, defect_of_symplecticity, distance, reached,
 };
-use crate::integrate::canonical_systems::{
+use crate::integrate::doubles::canonical::{
     DoublePendulum, HeavyTop, Kepler, Lagrangian, ShakenPendulum, SpringPendulum, System, opaque, smooth,
 };
-use crate::integrate::constrained_systems::{Pinned, PlanePendulum, checks as constrained};
+use crate::integrate::doubles::constrained::{Pinned, PlanePendulum, checks as constrained};
 use crate::integrate::{Method, RungeKutta4, Stepper};
 use crate::run::integrate;
 use crate::system::{EnergyFunction, StepFailure};

@@ -3,10 +3,10 @@
 mod constrained;
 
 use super::Variational;
-use crate::integrate::canonical_systems::checks::{
+use crate::integrate::doubles::canonical::checks::{
     canonical, check_order, defect_of_symplecticity, distance, reached,
 };
-use crate::integrate::canonical_systems::{
+use crate::integrate::doubles::canonical::{
     DoublePendulum, HeavyTop, Kepler, Lagrangian, ShakenPendulum, SpringPendulum, System, opaque, smooth,
 };
 use crate::integrate::{GaussLegendre6, Method, Stepper};

@@ -1,11 +1,11 @@
 //! Constraints on positions.
 
 use super::run;
-use crate::integrate::canonical_systems::checks::distance;
-use crate::integrate::constrained_systems::checks::{
+use crate::integrate::doubles::canonical::checks::distance;
+use crate::integrate::doubles::constrained::checks::{
     check_order, defect_of_symmetry, defect_of_symplecticity, residuals,
 };
-use crate::integrate::constrained_systems::{
+use crate::integrate::doubles::constrained::{
     Pinned, PlanePendulum, SphericalPendulum, TurningWire, TwoRods, on_sphere,
 };
 use crate::integrate::{Method, Stepper, StormerVerlet, SymplecticEuler};

@@ -1,11 +1,11 @@
 //! Order and structure under constraints.
 
 use super::Variational;
-use crate::integrate::canonical_systems::checks::{distance, reached};
-use crate::integrate::constrained_systems::checks::{
+use crate::integrate::doubles::canonical::checks::{distance, reached};
+use crate::integrate::doubles::constrained::checks::{
     check_order, defect_of_symmetry, defect_of_symplecticity, residuals,
 };
-use crate::integrate::constrained_systems::{
+use crate::integrate::doubles::constrained::{
     Dragged, DrivenSlide, Pinned, PlanePendulum, Sleigh, SphericalPendulum, ThreeCranks, TurningWire,
     TwoRods, on_sphere,
 };

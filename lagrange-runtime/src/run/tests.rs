@@ -3,7 +3,7 @@
 use std::vec::Vec;
 
 use crate::constraint::Unprojected;
-use crate::constraint::systems::{Bead, Parallelogram, Pendulum, Skate, Spherical, System};
+use crate::constraint::doubles::{Bead, Parallelogram, Pendulum, Skate, Spherical, System};
 use crate::integrate::{
     GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, Stepper, Verner98,
 };

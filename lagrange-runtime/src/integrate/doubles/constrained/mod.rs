@@ -10,13 +10,13 @@ use crate::system::{
     StateVector, join, split,
 };
 
-pub(super) use self::mechanisms::{
+pub(in crate::integrate) use self::mechanisms::{
     Dragged, DrivenSlide, PlanePendulum, Sleigh, SphericalPendulum, ThreeCranks, TurningWire, TwoRods,
     on_sphere,
 };
 
 /// A Lagrangian ½ vᵀ M(q) v − V(q) under constraints.
-pub(super) trait Mechanism<const N: usize> {
+pub(in crate::integrate) trait Mechanism<const N: usize> {
     type State: StateVector<f64>;
 
     fn mass(&self, q: &[f64; N]) -> [[f64; N]; N];
@@ -39,7 +39,7 @@ pub(super) trait Mechanism<const N: usize> {
 
 /// A mechanism as a system.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pinned<L, const N: usize>(pub(super) L);
+pub(in crate::integrate) struct Pinned<L, const N: usize>(pub(in crate::integrate) L);
 
 impl<L: Mechanism<N>, const N: usize> Pinned<L, N> {
     /// x with M x = f + Aᵀμ, A x = d

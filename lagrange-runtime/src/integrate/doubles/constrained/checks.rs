@@ -2,7 +2,7 @@
 
 use std::vec::Vec;
 
-use crate::integrate::canonical_systems::checks::{canonical, derivative, distance, reached};
+use crate::integrate::doubles::canonical::checks::{canonical, derivative, distance, reached};
 use crate::integrate::{Method, Verner98};
 use crate::run::integrate;
 use crate::system::{CanonicalSystem, OdeSystem, split};

@@ -9,7 +9,7 @@ use crate::system::{
 };
 
 /// A Lagrangian ½ vᵀ M(q) v + (what is linear in v) − V(q) in N coordinates.
-pub(super) trait Lagrangian<const N: usize> {
+pub(in crate::integrate) trait Lagrangian<const N: usize> {
     type Number: Scalar;
     type State: StateVector<Self::Number>;
 
@@ -29,18 +29,18 @@ pub(super) trait Lagrangian<const N: usize> {
 
 /// A Lagrangian as a system; the Jacobian is found by differences or not known.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct System<L, const N: usize> {
+pub(in crate::integrate) struct System<L, const N: usize> {
     lagrangian: L,
     knows_jacobian: bool,
 }
 
 /// A system that knows its Jacobian.
-pub(super) fn smooth<L: Lagrangian<N>, const N: usize>(lagrangian: L) -> System<L, N> {
+pub(in crate::integrate) fn smooth<L: Lagrangian<N>, const N: usize>(lagrangian: L) -> System<L, N> {
     System { lagrangian, knows_jacobian: true }
 }
 
 /// A system that does not know its Jacobian.
-pub(super) fn opaque<L: Lagrangian<N>, const N: usize>(lagrangian: L) -> System<L, N> {
+pub(in crate::integrate) fn opaque<L: Lagrangian<N>, const N: usize>(lagrangian: L) -> System<L, N> {
     System { lagrangian, knows_jacobian: false }
 }
 
@@ -112,7 +112,7 @@ impl<L: Lagrangian<N>, const N: usize> EnergyFunction for System<L, N> {
 
 /// Two unit masses on unit rods, absolute angles from the rest position, g = 9.81.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct DoublePendulum;
+pub(in crate::integrate) struct DoublePendulum;
 
 impl Lagrangian<2> for DoublePendulum {
     type Number = f64;
@@ -140,7 +140,7 @@ impl Lagrangian<2> for DoublePendulum {
 
 /// A symmetric top about a fixed point; precession, nutation and spin.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct HeavyTop;
+pub(in crate::integrate) struct HeavyTop;
 
 impl HeavyTop {
     const ACROSS: f64 = 0.12;
@@ -181,7 +181,7 @@ impl Lagrangian<3> for HeavyTop {
 
 /// The Kepler problem in polar coordinates with unit constants.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Kepler;
+pub(in crate::integrate) struct Kepler;
 
 impl Lagrangian<2> for Kepler {
     type Number = f64;
@@ -206,8 +206,8 @@ impl Lagrangian<2> for Kepler {
 
 /// A unit mass on a spring of unit length and stiffness k, in polar coordinates with the angle from below, g = 9.81.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SpringPendulum<S> {
-    pub(super) stiffness: S,
+pub(in crate::integrate) struct SpringPendulum<S> {
+    pub(in crate::integrate) stiffness: S,
 }
 
 macro_rules! spring_pendulum {
@@ -241,9 +241,9 @@ spring_pendulum!(f32);
 
 /// A pendulum of unit length and mass, g = 1, whose pivot goes up and down by `amplitude` cos(`frequency` t).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ShakenPendulum {
-    pub(super) amplitude: f64,
-    pub(super) frequency: f64,
+pub(in crate::integrate) struct ShakenPendulum {
+    pub(in crate::integrate) amplitude: f64,
+    pub(in crate::integrate) frequency: f64,
 }
 
 impl ShakenPendulum {
