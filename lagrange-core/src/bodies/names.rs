@@ -28,27 +28,23 @@ impl SceneNames {
         let (mut taken, mut fixed, mut declared) =
             (HashMap::default(), HashMap::default(), HashMap::default());
         for statement in &declaration.statements {
-            match &statement.kind {
-                StatementKind::Scene(scene) => {
-                    // A name that stands for something else already is not one that is used too early.
-                    let is_new = |name: &&Name| !taken.contains(&name.text);
-                    if let Some(name) = scene.declared_name().filter(is_new) {
-                        all_objects.insert(name.text.clone(), name.clone());
-                    }
-                }
-                StatementKind::Output(name, _) => drop(taken.insert(name.text.clone(), ())),
-                StatementKind::Parameters(list) | StatementKind::Constants(list) => {
-                    for row in list {
-                        fixed.insert(row.name.text.clone(), ());
-                    }
-                }
-                _ => {}
-            }
-            let is_line = matches!(&statement.kind, StatementKind::Scene(SceneStatement::Line(_)));
+            let is_object = matches!(statement.kind, StatementKind::Scene(_));
+            let is_line = matches!(statement.kind, StatementKind::Scene(SceneStatement::Line(_)));
+            let is_fixed =
+                matches!(statement.kind, StatementKind::Parameters(_) | StatementKind::Constants(_));
             for name in statement.kind.declared_names() {
+                // A name that stands for something else already is not one that is used too early.
+                if is_object && !taken.contains(&name.text) {
+                    all_objects.insert(name.text.clone(), name.clone());
+                }
                 if !is_line {
                     declared.insert(name.text.clone(), ());
                 }
+                if is_fixed {
+                    fixed.insert(name.text.clone(), ());
+                }
+            }
+            for name in [statement.kind.declared_names(), statement.kind.member_names()].concat() {
                 taken.insert(name.text.clone(), ());
             }
         }

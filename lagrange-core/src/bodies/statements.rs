@@ -10,10 +10,7 @@ use super::messages;
 use super::object::Body;
 use super::plain::{Drawn, DrawnKind, LoadOrigin, Plain};
 use super::translation::Translation;
-use crate::syntax::ast::{
-    Action, AstId, Declaration, Definition, Event, Expression, Friction, SceneStatement, Statement,
-    StatementKind,
-};
+use crate::syntax::ast::{AstId, Declaration, Expression, SceneStatement, Statement, StatementKind};
 
 /// Translates all statements.
 pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Declaration) -> Plain {
@@ -43,13 +40,15 @@ pub(super) fn translate_statement(translation: &mut Translation<'_>, statement: 
         StatementKind::Scene(scene) => translate_scene(translation, scene),
         StatementKind::ForceAt { force, point } => translate_force(translation, force, point, statement),
         StatementKind::Torque { moment, angle } => translate_torque(translation, moment, angle, statement),
-        kind => {
+        mut kind => {
             if let StatementKind::Let(name, value) = &kind
                 && let Some(body) = translation.body_of(*value)
             {
                 translation.points.insert(name.text.clone(), body);
             }
-            let kind = with_plain_expressions(translation, kind);
+            for expression in kind.expressions_mut() {
+                *expression = plain_expression(translation, *expression);
+            }
             translation.statements.push(Statement { kind, ..statement });
         }
     }
@@ -128,65 +127,4 @@ pub(super) fn translate_torque(
         translation.loads.push(Drawn { kind, values: vec![moment, angle], needs: Vec::new() });
     }
     translation.statements.push(Statement { kind: StatementKind::Torque { moment, angle }, ..statement });
-}
-
-/// The statement with every expression in plain words.
-pub(super) fn with_plain_expressions(
-    translation: &mut Translation<'_>,
-    kind: StatementKind,
-) -> StatementKind {
-    use StatementKind as Kind;
-    let mut plain = |id: AstId| plain_expression(translation, id);
-    match kind {
-        Kind::Parameters(list) => Kind::Parameters(definitions(list, plain)),
-        Kind::Inputs(list) => Kind::Inputs(definitions(list, plain)),
-        Kind::Constants(list) => Kind::Constants(definitions(list, plain)),
-        Kind::Let(name, value) => Kind::Let(name, plain(value)),
-        Kind::LetTuple(names, value) => Kind::LetTuple(names, plain(value)),
-        Kind::Kinetic(value) => Kind::Kinetic(plain(value)),
-        Kind::Potential(value) => Kind::Potential(plain(value)),
-        Kind::Lagrangian(value) => Kind::Lagrangian(plain(value)),
-        Kind::Dissipation(value) => Kind::Dissipation(plain(value)),
-        Kind::ForceOn(name, value) => Kind::ForceOn(name, plain(value)),
-        Kind::Constraint(name, value) => Kind::Constraint(name, plain(value)),
-        Kind::Stabilise(value) => Kind::Stabilise(plain(value)),
-        Kind::Output(name, value) => Kind::Output(name, plain(value)),
-        Kind::Event(event) => Kind::Event(with_plain_event(event, plain)),
-        Kind::Friction(friction) => Kind::Friction(Friction {
-            slip: plain(friction.slip),
-            kinetic: plain(friction.kinetic),
-            fixed: friction.fixed.map(&mut plain),
-            width: friction.width.map(&mut plain),
-            ..friction
-        }),
-        Kind::Reduce(mut reduction) => {
-            for item in &mut reduction.items {
-                item.value = item.value.map(&mut plain);
-            }
-            Kind::Reduce(reduction)
-        }
-        // These have been translated before.
-        Kind::ForceAt { .. } | Kind::Torque { .. } | Kind::Scene(_) => kind,
-        Kind::Coordinates(_) | Kind::Emit(_) => kind,
-    }
-}
-
-fn definitions(list: Vec<Definition>, mut plain: impl FnMut(AstId) -> AstId) -> Vec<Definition> {
-    let plain = |definition: Definition| Definition { value: definition.value.map(&mut plain), ..definition };
-    list.into_iter().map(plain).collect()
-}
-
-fn with_plain_event(mut event: Event, mut plain: impl FnMut(AstId) -> AstId) -> Event {
-    event.value = plain(event.value);
-    match &mut event.action {
-        Action::Impact(restitution) => *restitution = plain(*restitution),
-        Action::Assign(assignments) => {
-            for assignment in assignments {
-                assignment.value = plain(assignment.value);
-                assignment.target = plain(assignment.target);
-            }
-        }
-        Action::Stop | Action::Record => {}
-    }
-    event
 }

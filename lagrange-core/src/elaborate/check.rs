@@ -174,10 +174,8 @@ fn check_output_names(elaborator: &mut Elaborator<'_>) {
     ];
     let taken = groups.into_iter().filter(|(is_absent, _)| !is_absent).flat_map(|(_, names)| names);
     let taken = taken.collect::<Vec<_>>();
-    for statement in &elaborator.declaration.statements {
-        if let StatementKind::Output(name, _) = &statement.kind
-            && taken.iter().any(|taken| **taken == name.text)
-        {
+    for name in elaborator.declaration.outputs() {
+        if taken.iter().any(|taken| **taken == name.text) {
             let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
             error.help(messages::OTHER_NAME_HELP);
         }

@@ -1,4 +1,4 @@
-//! Names that statements define: parameters, inputs, constants, coordinates, abbreviations, outputs, products.
+//! Names that statements define: parameters, inputs, constants, coordinates, abbreviations.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
@@ -7,15 +7,10 @@ use super::operand::Operand;
 use super::scalar_range::{holds, largest};
 use super::scope::NameKind;
 use crate::calculus::evaluate;
-use crate::diagnostics::nearest;
 use crate::expr::{Dependencies, ExprId};
-use crate::model::{Coordinate, Output, Parameter, Product};
+use crate::model::{Coordinate, Parameter};
 use crate::symbol::Role;
-use crate::syntax::ast::{AstId, Definition, EmitItem, Name};
-
-/// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 7] =
-    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
+use crate::syntax::ast::{AstId, Definition, Name};
 
 pub(super) fn define_parameter(elaborator: &mut Elaborator<'_>, definition: &Definition, kind: NameKind) {
     let default = definition.value.and_then(|value| default_value(elaborator, &definition.name, value));
@@ -126,41 +121,4 @@ pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Nam
         elaborator.labels.extend(component.map(|id| (id, name.text.clone())));
         elaborator.declare(name, NameKind::Abbreviation, component.map(Operand::Scalar));
     }
-}
-
-pub(super) fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
-    let value = value_of(&mut elaborator.evaluator, syntax);
-    let mut methods = Product::ALL.iter().filter(|product| !product.is_of_bodies());
-    if methods.any(|method| method.name() == name.text) || GENERATED_METHODS.contains(&name.text.as_str()) {
-        let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
-        error.help(messages::OTHER_NAME_HELP);
-    }
-    elaborator.declare(name, NameKind::Output, None);
-    let Some(value) = value else { return };
-    let graph = &elaborator.evaluator.graph;
-    let uses = |kind| value.components().iter().any(|&c| graph.dependencies(c).intersects(kind));
-    let uses_accelerations = uses(Dependencies::ACCELERATION);
-    let uses_multipliers = uses(Dependencies::MULTIPLIER);
-    let uses_reactions = uses(Dependencies::REACTION);
-    let components = value.components().to_vec();
-    elaborator.outputs.push(Output {
-        name: name.text.clone(),
-        components,
-        uses_accelerations,
-        uses_multipliers,
-        uses_reactions,
-    });
-}
-
-pub(super) fn add_product(elaborator: &mut Elaborator<'_>, item: &EmitItem) {
-    let name = item.product.text.as_str();
-    if let Some(product) = Product::by_name(name) {
-        elaborator.wanted.push((product, item.wanted, item.product.span));
-        return;
-    }
-    let help = match nearest(name, Product::ALL.iter().map(|product| product.name())) {
-        Some(nearest) => messages::names::did_you_mean(nearest),
-        None => messages::products(),
-    };
-    elaborator.evaluator.report.error(item.product.span, messages::unknown_product(name)).help(help);
 }

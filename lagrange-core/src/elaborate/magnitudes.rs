@@ -8,7 +8,7 @@ use super::scalar_range::{holds, largest};
 use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
-use crate::syntax::ast::{Action, AstId, Declaration, Expression, ScalarType, StatementKind};
+use crate::syntax::ast::{AstId, Declaration, Expression, ScalarType, StatementKind};
 
 /// Reports numbers that are too large for the scalar, each at the smallest expression that holds it.
 pub(super) fn check_magnitudes(elaborator: &mut Elaborator<'_>) {
@@ -90,48 +90,13 @@ fn report_excessive(evaluator: &mut Evaluator<'_>, id: AstId, scalar: &ScalarTyp
     error.help(messages::largest_help(name, largest));
 }
 
-/// The expressions of a statement whose values are computed at run time, those of defaults aside.
+/// The expressions of a statement whose values are computed at run time, those of what it defines aside.
 fn computed(kind: &StatementKind) -> Vec<AstId> {
-    match kind {
-        StatementKind::Kinetic(value)
-        | StatementKind::Potential(value)
-        | StatementKind::Lagrangian(value)
-        | StatementKind::Dissipation(value)
-        | StatementKind::Stabilise(value)
-        | StatementKind::ForceOn(_, value)
-        | StatementKind::Constraint(_, value)
-        | StatementKind::Output(_, value) => vec![*value],
-        StatementKind::ForceAt { force, point } => vec![*force, *point],
-        StatementKind::Torque { moment, angle } => vec![*moment, *angle],
-        StatementKind::Event(event) => match &event.action {
-            Action::Impact(restitution) => vec![event.value, *restitution],
-            Action::Assign(list) => {
-                [event.value].into_iter().chain(list.iter().map(|assignment| assignment.value)).collect()
-            }
-            Action::Stop | Action::Record => vec![event.value],
-        },
-        StatementKind::Friction(friction) => [friction.slip, friction.kinetic]
-            .into_iter()
-            .chain(friction.fixed)
-            .chain(friction.width)
-            .collect(),
-        StatementKind::Reduce(reduction) => reduction.items.iter().filter_map(|item| item.value).collect(),
-        _ => Vec::new(),
-    }
+    if kind.definitions().is_empty() { kind.expressions() } else { Vec::new() }
 }
 
-/// Names that abbreviate an expression, with these expressions.
+/// Names that stand for an expression, with these expressions.
 fn definitions(declaration: &Declaration) -> HashMap<&str, AstId> {
-    let kinds = declaration.statements.iter().map(|statement| &statement.kind);
-    let definitions = kinds.flat_map(|kind| match kind {
-        StatementKind::Let(name, value) => vec![(name.text.as_str(), *value)],
-        StatementKind::LetTuple(names, value) => {
-            names.iter().map(|name| (name.text.as_str(), *value)).collect()
-        }
-        StatementKind::Constants(list) => {
-            list.iter().filter_map(|one| Some((one.name.text.as_str(), one.value?))).collect()
-        }
-        _ => Vec::new(),
-    });
-    definitions.collect()
+    let definitions = declaration.statements.iter().flat_map(|statement| statement.kind.definitions());
+    definitions.map(|(name, value)| (name.text.as_str(), value)).collect()
 }

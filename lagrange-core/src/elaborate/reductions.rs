@@ -5,10 +5,11 @@ use proc_macro2::Span;
 use super::elaborator::Elaborator;
 use super::messages;
 use crate::model::{Pinned, Reduction};
-use crate::syntax::ast::{self, ReductionItem, ReductionKind, ScalarType, StatementKind};
+use crate::syntax::ast::{self, ReductionItem, ReductionKind, ScalarType};
 
 /// Methods of reduced types beside those of every system; no output may take their names.
 pub const METHODS_OF_REDUCED: [&str; 2] = ["expand", "deviation"];
+
 pub(super) fn add_reduction(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
     check_type_name(elaborator, syntax);
     let mut reduction = Reduction { name: syntax.name.clone(), frozen: Vec::new(), small: Vec::new() };
@@ -77,10 +78,8 @@ pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
     for reduction in elaborator.reductions.iter().filter(|r| all > 0 && r.frozen.len() == all) {
         report.error(reduction.name.span, messages::ALL_FROZEN).help(messages::ALL_FROZEN_HELP);
     }
-    for statement in &elaborator.declaration.statements {
-        if let StatementKind::Output(name, _) = &statement.kind
-            && METHODS_OF_REDUCED.contains(&name.text.as_str())
-        {
+    for name in elaborator.declaration.outputs() {
+        if METHODS_OF_REDUCED.contains(&name.text.as_str()) {
             let error = report.error(name.span, messages::output_of_reduced(&name.text));
             error.help(messages::OTHER_NAME_HELP);
         }

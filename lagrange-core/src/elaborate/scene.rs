@@ -13,7 +13,7 @@ use crate::bodies::{Drawn, DrawnKind, Motion, Outline, Plain};
 use crate::expr::ExprId;
 use crate::model::{BodyMotion, DrawnItem, OutlinedPart, Product};
 use crate::solids;
-use crate::syntax::ast::{AstId, Name, StatementKind};
+use crate::syntax::ast::{AstId, Name};
 
 /// Takes what is known of bodies into the model, as far as it is asked for.
 pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
@@ -117,10 +117,8 @@ pub(super) fn check_motion_names(elaborator: &mut Elaborator<'_>) {
     }
     let has_redundant_motion = !elaborator.constraints.is_empty();
     let method = |body: &Name| format!("{}_motion", body.text);
-    for statement in &elaborator.declaration.statements {
-        if let StatementKind::Output(name, _) = &statement.kind
-            && elaborator.staged.bodies.iter().any(|body| method(body) == name.text)
-        {
+    for name in elaborator.declaration.outputs() {
+        if elaborator.staged.bodies.iter().any(|body| method(body) == name.text) {
             let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
             error.help(messages::OTHER_NAME_HELP);
         }

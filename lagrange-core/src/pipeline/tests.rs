@@ -246,6 +246,30 @@ fn reduced_types_keep_attributes_but_not_documentation() {
     assert_eq!(items.matches("hidden").count(), 2);
 }
 
+#[test]
+fn documentation_of_names_is_kept_in_emitted_code() {
+    let text = "
+        /// Of a parameter.
+        param m = 1, mu = 1/2;
+        /// Of an input.
+        input u;
+        /// Of a coordinate.
+        coord x, y;
+        kinetic = 1/2*m*(dot(x)^2 + dot(y)^2);
+        potential = 9.81*m*y;
+        force x = u;
+        /// Of a contact.
+        event floor = y, falling => impact(0);
+        /// Of friction.
+        friction rub = dot(x), mu*floor;
+        /// Of an output.
+        output height = y;";
+    let items = derived(text).emit(&quote!(::lagrange)).expect("constants that fit").to_string();
+    for of in ["a parameter", "an input", "a coordinate", "a contact", "friction", "an output"] {
+        assert!(items.contains(&format!("\" Of {of}.\"")), "{of}: {items}");
+    }
+}
+
 /// One rule for roots: real from zero upwards, be they odd or even.
 #[test]
 fn roots_of_odd_powers_are_real_where_their_radicands_are_not_negative() {

@@ -3,17 +3,22 @@
 //! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth are
 //! built, walked and dropped without recursion. Children have smaller ids than their parents.
 
-mod bodies;
+pub mod bodies;
 mod events;
 mod expressions;
+mod keywords;
+pub mod statements;
 
 use proc_macro2::{Span, TokenStream};
 
 use crate::collections::HashMap;
-use crate::diagnostics::Origin;
 pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
 pub use events::{Action, Assignment, Direction, Event, Friction};
 pub use expressions::{AstId, BinaryOperator, Condition, Expression, Expressions};
+pub use keywords::{Keyword, Soft};
+pub use statements::{
+    Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Statement, StatementKind,
+};
 
 /// A whole `system!` declaration.
 #[derive(Clone, Debug)]
@@ -73,6 +78,14 @@ impl Declaration {
         coordinates.flatten().collect()
     }
 
+    /// The names of outputs in their order.
+    pub fn outputs(&self) -> impl Iterator<Item = &Name> {
+        self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Output(name, _) => Some(name),
+            _ => None,
+        })
+    }
+
     /// The reduced types in their order, each with its documentation.
     pub fn reductions(&self) -> impl Iterator<Item = (&Reduction, &TokenStream)> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
@@ -99,23 +112,6 @@ impl Declaration {
     }
 }
 
-impl StatementKind {
-    /// The names that expressions behind the statement may mention.
-    pub fn declared_names(&self) -> Vec<&Name> {
-        match self {
-            StatementKind::Parameters(list)
-            | StatementKind::Inputs(list)
-            | StatementKind::Constants(list) => list.iter().map(|definition| &definition.name).collect(),
-            StatementKind::Coordinates(names) | StatementKind::LetTuple(names, _) => names.iter().collect(),
-            StatementKind::Let(name, _) | StatementKind::Constraint(name, _) => vec![name],
-            StatementKind::Event(event) => vec![&event.name],
-            StatementKind::Friction(friction) => vec![&friction.name],
-            StatementKind::Scene(statement) => statement.declared_name().into_iter().collect(),
-            _ => Vec::new(),
-        }
-    }
-}
-
 /// A rigid body by its name.
 #[derive(Clone, Debug)]
 pub struct DeclaredBody {
@@ -132,6 +128,19 @@ pub struct Name {
     pub text: String,
     /// Where it stands.
     pub span: Span,
+}
+
+/// Where a declared name is known.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Reach {
+    /// In expressions behind the statement.
+    Expressions,
+    /// In emitted code, as that of a member.
+    Members,
+    /// In both.
+    Both,
+    /// In emitted code, as that of a type.
+    Types,
 }
 
 /// The number type of the emitted code.
@@ -169,130 +178,4 @@ impl Accuracy {
             Accuracy::Strict => "strict",
         }
     }
-}
-
-/// A statement and the stretch of source it covers.
-#[derive(Clone, Debug)]
-pub struct Statement {
-    /// What it says.
-    pub kind: StatementKind,
-    /// From the keyword to the semicolon.
-    pub origin: Origin,
-    /// Documentation of the declared names, as attributes.
-    pub docs: TokenStream,
-}
-
-impl StatementKind {
-    /// Whether it declares something that is emitted and can be documented.
-    pub fn is_documented(&self) -> bool {
-        use StatementKind::{
-            Constraint, Coordinates, Event, Friction, Inputs, Output, Parameters, Reduce, Scene,
-        };
-        matches!(self, Parameters(_) | Inputs(_) | Coordinates(_) | Constraint(..) | Event(_))
-            || matches!(self, Friction(_) | Output(..) | Reduce(_) | Scene(SceneStatement::Body(_)))
-    }
-}
-
-/// What a statement says.
-#[derive(Clone, Debug)]
-pub enum StatementKind {
-    /// `param a, b = 1.0;`
-    Parameters(Vec<Definition>),
-    /// `input u;`
-    Inputs(Vec<Definition>),
-    /// `const k = 1/2;`
-    Constants(Vec<Definition>),
-    /// `coord x, theta;`
-    Coordinates(Vec<Name>),
-    /// `let n = e;`
-    Let(Name, AstId),
-    /// `let (a, b) = e;`
-    LetTuple(Vec<Name>, AstId),
-    /// `kinetic = e;`
-    Kinetic(AstId),
-    /// `potential = e;`
-    Potential(AstId),
-    /// `lagrangian = e;`
-    Lagrangian(AstId),
-    /// `dissipation = e;`
-    Dissipation(AstId),
-    /// `force x = e;`
-    ForceOn(Name, AstId),
-    /// `force f at p;`
-    ForceAt {
-        /// A vector of two or three components.
-        force: AstId,
-        /// The point it acts on, a vector of as many components.
-        point: AstId,
-    },
-    /// `torque m on angle;`
-    Torque {
-        /// The moment.
-        moment: AstId,
-        /// The angle it turns.
-        angle: AstId,
-    },
-    /// `constraint name = e;`
-    Constraint(Name, AstId),
-    /// `stabilise = e;`
-    Stabilise(AstId),
-    /// `event name = e, falling => stop;`
-    Event(Event),
-    /// `friction name = e, e;`
-    Friction(Friction),
-    /// `output name = e;`
-    Output(Name, AstId),
-    /// `emit { a, no b }`
-    Emit(Vec<EmitItem>),
-    /// `reduce Name { freeze x = e; small theta; }`
-    Reduce(Reduction),
-    /// Of plane rigid bodies.
-    Scene(SceneStatement),
-}
-
-/// A second type with fewer or simpler motions.
-#[derive(Clone, Debug)]
-pub struct Reduction {
-    /// Its name.
-    pub name: Name,
-    /// What is done to which coordinates.
-    pub items: Vec<ReductionItem>,
-}
-
-/// What is done to one coordinate of a reduced type.
-#[derive(Clone, Debug)]
-pub struct ReductionItem {
-    /// The coordinate.
-    pub coordinate: Name,
-    /// What is done to it.
-    pub kind: ReductionKind,
-    /// The value behind `=`, if there is one; 0 is meant if there is none.
-    pub value: Option<AstId>,
-}
-
-/// What can be done to a coordinate.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum ReductionKind {
-    /// `freeze x = e;`: held at a value.
-    Frozen,
-    /// `small theta = e;`: stays near a value.
-    Small,
-}
-
-/// One `name = value` of a `param`, `input` or `const` statement.
-#[derive(Clone, Debug)]
-pub struct Definition {
-    /// The declared name.
-    pub name: Name,
-    /// The value behind `=`, if there is one.
-    pub value: Option<AstId>,
-}
-
-/// One entry of `emit { … }`: a product to add, or with `no` in front one to leave out.
-#[derive(Clone, Debug)]
-pub struct EmitItem {
-    /// The product.
-    pub product: Name,
-    /// Whether it is wanted.
-    pub wanted: bool,
 }

@@ -6,6 +6,7 @@ use super::ast::{Body, Name, Part, Shape};
 use super::blocks::{BlockLabels, at_label};
 use super::cursor::{Cursor, group_origin};
 use super::messages;
+use super::messages::forms::form;
 use super::messages::scenes;
 use super::parser::{Parsed, Parser};
 use super::recovery::Turn;
@@ -18,8 +19,8 @@ const PART: &[&str] = &["mass", "at", "angle"];
 impl Parser<'_> {
     /// `name { mass: e; … }`.
     pub(super) fn body(&mut self, cursor: &mut Cursor) -> Parsed<Body> {
-        let name = self.scene_name(scenes::BODY_HELP, cursor)?;
-        let group = self.braces(scenes::BODY_HELP, cursor)?;
+        let name = self.scene_name(form("body"), cursor)?;
+        let group = self.braces(form("body"), cursor)?;
         let mut body = empty_body(name);
         let mut labels = BlockLabels::new("a body", BODY);
         let complete = self.lines(&group, |parser, cursor| parser.body_line(&mut body, &mut labels, cursor));

@@ -3,7 +3,7 @@
 use super::ast::{Connector, ConnectorKind, Line};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
-use super::messages::scenes;
+use super::messages::forms::form;
 use super::parser::{Parsed, Parser};
 
 const LINE: &[&str] = &["on", "through", "angle"];
@@ -13,8 +13,8 @@ const DAMPER: &[&str] = &["from", "to", "damping"];
 impl Parser<'_> {
     /// `name { on: body; through: e; angle: e; }`.
     pub(super) fn line_statement(&mut self, cursor: &mut Cursor) -> Parsed<Line> {
-        let name = self.scene_name(scenes::LINE_HELP, cursor)?;
-        let group = self.braces(scenes::LINE_HELP, cursor)?;
+        let name = self.scene_name(form("line"), cursor)?;
+        let group = self.braces(form("line"), cursor)?;
         let mut line = Line { name, on: None, through: None, angle: None };
         let mut labels = BlockLabels::new("a line", LINE);
         self.lines(&group, |parser, cursor| {
@@ -32,7 +32,7 @@ impl Parser<'_> {
 
     /// `name { from: e; to: e; … }`, with or without the name.
     pub(super) fn connector(&mut self, kind: ConnectorKind, cursor: &mut Cursor) -> Parsed<Connector> {
-        let help = help(kind);
+        let help = form(kind.name());
         let name = match cursor.ident() {
             None => None,
             Some(_) => Some(self.scene_name(help, cursor)?),
@@ -88,14 +88,5 @@ fn owner(kind: ConnectorKind) -> &'static str {
         ConnectorKind::Damper => "a damper",
         ConnectorKind::TorsionSpring => "a torsion spring",
         ConnectorKind::TorsionDamper => "a torsion damper",
-    }
-}
-
-fn help(kind: ConnectorKind) -> &'static str {
-    match kind {
-        ConnectorKind::Spring => scenes::SPRING_HELP,
-        ConnectorKind::Damper => scenes::DAMPER_HELP,
-        ConnectorKind::TorsionSpring => scenes::TORSION_SPRING_HELP,
-        ConnectorKind::TorsionDamper => scenes::TORSION_DAMPER_HELP,
     }
 }

@@ -3,6 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser as _};
 
+use super::ast::Soft;
 use super::keywords;
 use crate::diagnostics::Origin;
 
@@ -247,18 +248,16 @@ impl Cursor {
     }
 
     /// Whether the next token is followed by what makes it begin a statement.
-    fn at_soft_statement(&self, form: keywords::Soft) -> bool {
+    fn at_soft_statement(&self, form: Soft) -> bool {
         let name = match self.peek_past(1) {
             Some(TokenTree::Ident(name)) => Some(name.to_string()),
             _ => None,
         };
         match form {
-            keywords::Soft::Definition => name.is_some() && self.equals_past(2),
-            keywords::Soft::Braces if name.is_some() => {
-                as_group(self.peek_past(2), Delimiter::Brace).is_some()
-            }
-            keywords::Soft::Braces => as_group(self.peek_past(1), Delimiter::Brace).is_some_and(is_labelled),
-            keywords::Soft::Joint => name.is_some_and(|name| !keywords::is_connective(&name)),
+            Soft::Definition => name.is_some() && self.equals_past(2),
+            Soft::Braces if name.is_some() => as_group(self.peek_past(2), Delimiter::Brace).is_some(),
+            Soft::Braces => as_group(self.peek_past(1), Delimiter::Brace).is_some_and(is_labelled),
+            Soft::Joint => name.is_some_and(|name| !keywords::is_connective(&name)),
         }
     }
 

@@ -203,7 +203,7 @@ impl Parser<'_> {
     pub(super) fn emit(&mut self, cursor: &mut Cursor) -> Parsed<Vec<EmitItem>> {
         let Some(group) = cursor.eat_group(Delimiter::Brace) else {
             let message = messages::expected("`{`", cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, messages::EMIT_HELP));
+            return Err(self.fail_with_help(cursor.here(), message, form("emit")));
         };
         // A mistake between the braces leaves the end of the statement in place.
         Ok(self.inside(&group, Self::emit_items).unwrap_or_default())
@@ -229,7 +229,7 @@ impl Parser<'_> {
         let item = EmitItem { product: self.name(cursor)?, wanted };
         if cursor.eat(',').is_none() && !cursor.at_end() {
             let message = messages::expected("`,` or `}`", cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, messages::EMIT_HELP));
+            return Err(self.fail_with_help(cursor.here(), message, form("emit")));
         }
         Ok(Some(item))
     }

@@ -6,6 +6,7 @@ use super::ast::{Action, Assignment, AstId, Direction, Event, Name};
 use super::cursor::{Cursor, group_origin};
 use super::foreign;
 use super::messages;
+use super::messages::forms::form;
 use super::messages::habits;
 use super::names::at_relation;
 use super::parser::{Parsed, Parser, Reported};
@@ -37,7 +38,7 @@ impl Parser<'_> {
 
     /// `= e,`.
     fn event_function(&mut self, name: &Name, cursor: &mut Cursor) -> Parsed<AstId> {
-        self.equals(messages::EVENT_HELP, cursor)?;
+        self.equals(form("event"), cursor)?;
         let value = self.expression(cursor)?;
         if at_relation(cursor) && !at_arrow(cursor) {
             let origin = cursor.here_to_pair();
@@ -49,7 +50,7 @@ impl Parser<'_> {
         }
         if cursor.at_statement_end() {
             let message = messages::event_without_action(&name.text);
-            return Err(self.fail_with_help(cursor.here(), message, messages::EVENT_HELP));
+            return Err(self.fail_with_help(cursor.here(), message, form("event")));
         }
         if at_arrow(cursor) || cursor.ident().is_some_and(|word| direction_of(&word.to_string()).is_some()) {
             return Err(self.no_direction(name, cursor));

@@ -6,6 +6,7 @@ use super::ast::{AstId, Friction, Name};
 use super::cursor::Cursor;
 use super::foreign;
 use super::messages;
+use super::messages::forms::form;
 use super::parser::{Parsed, Parser, Reported};
 use super::recovery::Turn;
 use crate::diagnostics::{Origin, nearest};
@@ -22,7 +23,7 @@ impl Parser<'_> {
     /// `name = slip, limit`, with `kinetic:` and `static:` limits, or with `smooth: width`.
     pub(super) fn friction(&mut self, cursor: &mut Cursor) -> Parsed<Friction> {
         let name = self.declared_name(cursor)?;
-        self.equals(messages::FRICTION_HELP, cursor)?;
+        self.equals(form("friction"), cursor)?;
         let slip = self.expression(cursor)?;
         if cursor.eat(',').is_none() && !cursor.at_statement_end() {
             return Err(self.no_operator(cursor, "`,`"));
@@ -71,7 +72,7 @@ impl Parser<'_> {
         let here = cursor.here();
         let word = cursor.eat_ident().map(|word| word.to_string()).unwrap_or_default();
         if cursor.eat(':').is_none() {
-            self.fail_once(cursor.here(), messages::EQUALS_BEHIND_LABEL, messages::FRICTION_HELP);
+            self.fail_once(cursor.here(), messages::EQUALS_BEHIND_LABEL, form("friction"));
             cursor.skip_one();
         }
         if let Some(label) = LABELS.into_iter().find(|label| *label == word) {
@@ -79,7 +80,7 @@ impl Parser<'_> {
         }
         let help = match foreign::label(&word, LABELS).or_else(|| nearest(&word, LABELS)) {
             Some(known) => messages::meant(known),
-            None => messages::FRICTION_HELP.to_owned(),
+            None => form("friction").to_owned(),
         };
         Err(self.fail_with_help(here, messages::unknown_label(&word), help))
     }
@@ -89,7 +90,7 @@ impl Parser<'_> {
             LIMIT => messages::SECOND_LIMIT.to_owned(),
             label => messages::repeated_label(label),
         };
-        self.fail_with_help(origin, message, messages::FRICTION_HELP)
+        self.fail_with_help(origin, message, form("friction"))
     }
 
     /// The kinetic limit and the static one, if that is not the same.
@@ -104,7 +105,7 @@ impl Parser<'_> {
             [None, Some((_, kinetic, _)), Some((_, fixed, _))] => return Ok((*kinetic, Some(*fixed))),
             [None, None, None] => {
                 let message = messages::friction_without_limit(&name.text);
-                (cursor.here(), message, messages::FRICTION_HELP)
+                (cursor.here(), message, form("friction"))
             }
             [Some((.., origin)), ..] => {
                 (*origin, messages::UNLABELLED_LIMIT.to_owned(), messages::ONE_LIMIT_HELP)

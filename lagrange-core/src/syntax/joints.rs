@@ -4,7 +4,7 @@ use super::ast::{AstId, Joint, JointKind, Name};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages;
-use super::messages::scenes;
+use super::messages::forms::form;
 use super::parser::{Parsed, Parser, Reported};
 
 impl Parser<'_> {
@@ -12,7 +12,7 @@ impl Parser<'_> {
     pub(super) fn pin(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
         let name = self.joint_name(cursor)?;
         let first = self.expression(cursor)?;
-        self.joining("to", scenes::PIN_HELP, cursor)?;
+        self.joining("to", form("pin"), cursor)?;
         Ok(Joint { name, kind: JointKind::Pin { first, second: self.value(cursor) } })
     }
 
@@ -20,10 +20,10 @@ impl Parser<'_> {
     pub(super) fn slide(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
         let name = self.joint_name(cursor)?;
         let point = self.expression(cursor)?;
-        self.joining("on", scenes::SLIDE_HELP, cursor)?;
-        let line = self.mentioned(scenes::SLIDE_HELP, cursor)?;
+        self.joining("on", form("slide"), cursor)?;
+        let line = self.mentioned(form("slide"), cursor)?;
         if !cursor.at_statement_end() {
-            return Err(self.misplaced("`;`", scenes::SLIDE_HELP, cursor));
+            return Err(self.misplaced("`;`", form("slide"), cursor));
         }
         Ok(Joint { name, kind: JointKind::Slide { point, line } })
     }
@@ -31,9 +31,9 @@ impl Parser<'_> {
     /// `name = body on line, radius: e`, with or without the name and the radius.
     pub(super) fn roll(&mut self, cursor: &mut Cursor) -> Parsed<Joint> {
         let name = self.joint_name(cursor)?;
-        let body = self.mentioned(scenes::ROLL_HELP, cursor)?;
-        self.joining("on", scenes::ROLL_HELP, cursor)?;
-        let line = self.mentioned(scenes::ROLL_HELP, cursor)?;
+        let body = self.mentioned(form("roll"), cursor)?;
+        self.joining("on", form("roll"), cursor)?;
+        let line = self.mentioned(form("roll"), cursor)?;
         let radius = self.radius(cursor)?;
         Ok(Joint { name, kind: JointKind::Roll { body, line, radius } })
     }
@@ -44,10 +44,10 @@ impl Parser<'_> {
             return Ok(None);
         }
         if cursor.eat(',').is_none() {
-            return Err(self.misplaced("`,` or `;`", scenes::ROLL_HELP, cursor));
+            return Err(self.misplaced("`,` or `;`", form("roll"), cursor));
         }
         if cursor.ident().is_none() {
-            return Err(self.misplaced("`radius`", scenes::ROLL_HELP, cursor));
+            return Err(self.misplaced("`radius`", form("roll"), cursor));
         }
         let label = self.label_of(&mut BlockLabels::new("rolling", &["radius"]), cursor)?;
         self.colon(label, cursor)?;

@@ -1,62 +1,20 @@
 //! The words of the language, and which of them a declaration cannot use as names of its own.
 
+use super::ast::{Keyword, Soft, bodies, statements};
 use crate::functions;
 
 /// Words that begin a statement.
-pub(super) const STATEMENTS: &[&str] = &[
-    "param",
-    "const",
-    "coord",
-    "input",
-    "let",
-    "kinetic",
-    "potential",
-    "lagrangian",
-    "dissipation",
-    "force",
-    "torque",
-    "constraint",
-    "stabilise",
-    "event",
-    "friction",
-    "output",
-    "emit",
-    "reduce",
-    "gravity",
-    "body",
-    "line",
-    "spring",
-    "damper",
-    "torsion_spring",
-    "torsion_damper",
-    "pin",
-    "slide",
-    "roll",
-];
-
-/// Words that begin a statement only before certain tokens, and are free as names elsewhere.
-const SOFT_STATEMENTS: &[(&str, Soft)] = &[
-    ("friction", Soft::Definition),
-    ("line", Soft::Braces),
-    ("spring", Soft::Braces),
-    ("damper", Soft::Braces),
-    ("torsion_spring", Soft::Braces),
-    ("torsion_damper", Soft::Braces),
-    ("pin", Soft::Joint),
-    ("slide", Soft::Joint),
-    ("roll", Soft::Joint),
-];
-
-/// What follows a word that begins a statement only before certain tokens.
-#[derive(Clone, Copy)]
-pub(super) enum Soft {
-    /// A name and `=`.
-    Definition,
-    /// Braces, with or without a name before them.
-    Braces,
-    /// A name.
-    Joint,
-}
+pub(super) const STATEMENTS: [&str; statements::KEYWORDS.len() + bodies::KEYWORDS.len()] = {
+    let plain = statements::KEYWORDS.len();
+    let mut words = [""; statements::KEYWORDS.len() + bodies::KEYWORDS.len()];
+    let mut index = 0;
+    while index < words.len() {
+        let row = if index < plain { &statements::KEYWORDS[index] } else { &bodies::KEYWORDS[index - plain] };
+        words[index] = row.word;
+        index += 1;
+    }
+    words
+};
 
 /// Words that can follow a name within a statement.
 const CONNECTIVES: &[&str] = &["at", "on", "to", "as"];
@@ -84,14 +42,19 @@ const RUST: &[&str] = &[
     "where", "while", "yield",
 ];
 
-/// Whether a word begins a statement wherever it stands.
-pub(super) fn begins_statement(word: &str) -> bool {
-    STATEMENTS.contains(&word) && soft_statement(word).is_none()
+/// The statement that a word begins, be it before certain tokens only.
+pub(super) fn statement(word: &str) -> Option<&'static Keyword> {
+    statements::KEYWORDS.iter().chain(&bodies::KEYWORDS).find(|keyword| keyword.word == word)
 }
 
-/// Before what a word begins a statement, if it does not everywhere.
+/// True if a word begins a statement wherever it stands.
+pub(super) fn begins_statement(word: &str) -> bool {
+    statement(word).is_some_and(|keyword| keyword.soft.is_none())
+}
+
+/// What must follow a word that begins a statement, if not everywhere.
 pub(super) fn soft_statement(word: &str) -> Option<Soft> {
-    SOFT_STATEMENTS.iter().find(|(soft, _)| *soft == word).map(|(_, form)| *form)
+    statement(word)?.soft
 }
 
 /// Whether a word can follow a name within a statement.

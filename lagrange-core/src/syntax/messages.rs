@@ -142,14 +142,9 @@ pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
 pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";
 pub(super) const COORDINATE_WITH_VALUE_HELP: &str =
     "initial values belong to the state from which a simulation starts";
-pub(super) const FORCE_HELP: &str =
-    "write `force x = e;` for a coordinate or `force (fx, fy) at (px, py);` for a point";
-pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
-pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
 
 // Events.
 
-pub(super) const EVENT_HELP: &str = "write `event name = e, falling => stop;`";
 pub(super) const DIRECTION: &str = "`rising`, `falling` or `crossing`";
 pub(super) const DIRECTION_HELP: &str = "say whether zeros count where the function is `rising`, `falling` or either, `crossing`: `event name = e, falling => stop;`";
 pub(super) const ACTION: &str = "`stop`, `record`, `impact(e)` or `{`";
@@ -179,7 +174,6 @@ pub(super) fn event_without_action(name: &str) -> String {
 
 // Friction.
 
-pub(super) const FRICTION_HELP: &str = "write `friction name = slip, limit;`, `… = slip, kinetic: a, static: b;` or `… = slip, limit, smooth: width;`";
 pub(super) const ONE_LIMIT_HELP: &str =
     "write `kinetic: e, static: f`, or a single limit without a label for both";
 
@@ -209,7 +203,6 @@ pub(super) const SMOOTH_HELP: &str = "write `friction name = slip, limit, smooth
 
 // Reduced types.
 
-pub(super) const REDUCTION_HELP: &str = "write `reduce Name { freeze x = 0; small theta; }`";
 pub(super) const NOTHING_REDUCED: &str = "nothing is frozen or small here";
 pub(super) const REDUCTION_ITEM: &str = "`freeze` or `small`";
 

@@ -6,39 +6,6 @@
 //!
 //! ```text
 //! declaration = attribute* visibility "struct" NAME [ "<" NAME ">" ] ";" statement*
-//! statement   = attribute* ( "param" | "input" ) NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
-//!             | "const" NAME "=" sum { "," NAME "=" sum } ";"
-//!             | "coord" NAME { "," NAME } ";"
-//!             | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
-//!             | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
-//!             | "force" NAME "=" sum ";"
-//!             | "force" sum "at" sum ";"
-//!             | "torque" sum "on" sum ";"
-//!             | ( "constraint" | "output" ) NAME "=" sum ";"
-//!             | "stabilise" "=" sum ";"
-//!             | "event" NAME "=" sum "," ( "rising" | "falling" | "crossing" ) "=>" action
-//!             | "friction" NAME "=" sum "," limits ";"
-//!             | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
-//!             | "reduce" NAME "{" { reduction } "}" [ ";" ]
-//!             | "gravity" "=" sum ";"
-//!             | "body" NAME "{" { body-line } "}" [ ";" ]
-//!             | "line" NAME "{" { "on" ":" NAME ";" | ( "through" | "angle" ) ":" sum ";" } "}" [ ";" ]
-//!             | ( "spring" | "torsion_spring" ) [ NAME ]
-//!                   "{" { ( "from" | "to" | "stiffness" | "rest" ) ":" sum ";" } "}" [ ";" ]
-//!             | ( "damper" | "torsion_damper" ) [ NAME ]
-//!                   "{" { ( "from" | "to" | "damping" ) ":" sum ";" } "}" [ ";" ]
-//!             | "pin" [ NAME "=" ] sum "to" sum ";"
-//!             | "slide" [ NAME "=" ] sum "on" NAME ";"
-//!             | "roll" [ NAME "=" ] NAME "on" NAME [ "," "radius" ":" sum ] ";"
-//! body-line   = ( "mass" | "inertia" | "center" | "origin" | "centroid" | "angle" ) ":" sum ";"
-//!             | "shape" ":" solid ";"
-//!             | "compound" "{" { [ "hole" ] solid { "," ( "mass" | "at" | "angle" ) ":" sum } ";" } "}" [ ";" ]
-//! solid       = NAME "(" [ sum { "," sum } ] ")"
-//! reduction   = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
-//!             | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
-//! action      = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
-//!             | "{" { sum "=" sum ";" } "}" [ ";" ]
-//! limits      = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
 //! sum         = product { ( "+" | "-" ) product }
 //! product     = signed { ( "*" | "/" ) signed }
 //! signed      = { "-" } power
@@ -48,6 +15,8 @@
 //!             | "(" sum "," sum [ "," sum ] ")"
 //!             | "if" sum ( "<" | "<=" | ">" | ">=" ) sum "{" sum "}" "else" ( "{" sum "}" | if )
 //! ```
+//!
+//! Statements are in the documentation of [`StatementKind`].
 
 pub mod ast;
 mod attributes;

@@ -120,7 +120,7 @@ impl Parser<'_> {
         let is_assigned = at_equals_past(1, cursor) && cursor.group(Delimiter::Parenthesis).is_some();
         let help = match is_assigned {
             true => form("let").to_owned(),
-            false => messages::statements_are(keywords::STATEMENTS),
+            false => messages::statements_are(&keywords::STATEMENTS),
         };
         let message = messages::expected(messages::STATEMENT, cursor.peek());
         self.fail_with_help(cursor.here(), message, help)
@@ -145,11 +145,11 @@ impl Parser<'_> {
         if let Some((message, help)) = self.strange_statement(&text, cursor) {
             return self.fail_with_help(word.span(), message, help);
         }
-        let help = match nearest(&text, keywords::STATEMENTS.iter().copied()) {
+        let help = match nearest(&text, keywords::STATEMENTS) {
             _ if self.declared(&text).is_some() => habits::equations_are_derived(),
             Some(keyword) => messages::meant(keyword),
             None if cursor.equals_past(0) => messages::meant_let(&text),
-            None => messages::statements_are(keywords::STATEMENTS),
+            None => messages::statements_are(&keywords::STATEMENTS),
         };
         self.fail_with_help(word.span(), messages::unknown_statement(&text), help)
     }

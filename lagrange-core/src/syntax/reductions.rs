@@ -7,6 +7,7 @@ use super::cursor::{Cursor, group_origin};
 use super::definitions::List;
 use super::foreign;
 use super::messages;
+use super::messages::forms::form;
 use super::parser::{Parsed, Parser};
 use crate::diagnostics::nearest;
 
@@ -20,10 +21,10 @@ impl Parser<'_> {
         let name = self.type_name(cursor)?;
         let Some(group) = cursor.eat_group(Delimiter::Brace) else {
             let message = messages::expected("`{`", cursor.peek());
-            return Err(self.fail_with_help(cursor.here(), message, messages::REDUCTION_HELP));
+            return Err(self.fail_with_help(cursor.here(), message, form("reduce")));
         };
         if group.stream().is_empty() {
-            let help = messages::REDUCTION_HELP;
+            let help = form("reduce");
             self.report.error(group_origin(&group), messages::NOTHING_REDUCED).help(help);
         }
         // A mistake between the braces leaves the end of the statement in place.
@@ -57,11 +58,11 @@ impl Parser<'_> {
             let known = WORDS.map(|(known, _)| known);
             let help = match foreign::label(&word, known).or_else(|| nearest(&word, known)) {
                 Some(known) => messages::meant(known),
-                None => messages::REDUCTION_HELP.to_owned(),
+                None => form("reduce").to_owned(),
             };
             return Err(self.fail_with_help(here, message, help));
         };
-        let list = List { help: messages::REDUCTION_HELP, has_values: true };
+        let list = List { help: form("reduce"), has_values: true };
         Ok(self.items(list, cursor, |parser, cursor| parser.reduction_item(*kind, cursor)))
     }
 

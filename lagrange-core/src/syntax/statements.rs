@@ -142,17 +142,17 @@ impl Parser<'_> {
     fn force(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         if cursor.ident().is_some() && at_equals_past(1, cursor) {
             let name = self.name(cursor)?;
-            return Ok(StatementKind::ForceOn(name, self.assigned(messages::FORCE_HELP, cursor)?));
+            return Ok(StatementKind::ForceOn(name, self.assigned(form("force"), cursor)?));
         }
         let force = self.loading("force", cursor)?;
-        self.connective("at", messages::FORCE_HELP, cursor)?;
+        self.connective("at", form("force"), cursor)?;
         Ok(StatementKind::ForceAt { force, point: self.value(cursor) })
     }
 
     /// `e on e`.
     fn torque(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let moment = self.loading("torque", cursor)?;
-        self.connective("on", messages::TORQUE_HELP, cursor)?;
+        self.connective("on", form("torque"), cursor)?;
         Ok(StatementKind::Torque { moment, angle: self.value(cursor) })
     }
 

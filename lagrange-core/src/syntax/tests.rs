@@ -1,5 +1,6 @@
 mod bodies;
 mod expressions;
+mod facts;
 mod habits;
 mod header;
 mod limits;

@@ -303,22 +303,12 @@ fn component_counts(declaration: &Declaration) -> HashMap<AstId, usize> {
     counts
 }
 
-fn documentation<'a>(declaration: &'a Declaration) -> HashMap<&'a str, &'a TokenStream> {
-    let mut docs = HashMap::default();
-    for Statement { kind, docs: text, .. } in declaration.statements.iter().filter(|s| !s.docs.is_empty()) {
-        let mut insert = |name: &'a Name| {
-            docs.insert(name.text.as_str(), text);
-        };
-        match kind {
-            StatementKind::Parameters(list) | StatementKind::Inputs(list) => {
-                list.iter().for_each(|definition| insert(&definition.name));
-            }
-            StatementKind::Coordinates(names) => names.iter().for_each(insert),
-            StatementKind::Constraint(name, _) | StatementKind::Output(name, _) => insert(name),
-            _ => {}
-        }
-    }
-    docs
+fn documentation(declaration: &Declaration) -> HashMap<&str, &TokenStream> {
+    let documented = declaration.statements.iter().filter(|statement| !statement.docs.is_empty());
+    let names = documented.flat_map(|Statement { kind, docs, .. }| {
+        kind.member_names().into_iter().map(move |name| (name.text.as_str(), docs))
+    });
+    names.collect()
 }
 
 /// The user's identifier, at the user's place.

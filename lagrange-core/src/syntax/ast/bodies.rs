@@ -1,9 +1,27 @@
 //! Plane rigid bodies and what connects them, as written.
 
-use super::{AstId, Name};
+use super::keywords::{Keyword, Soft};
+use super::{AstId, Name, Reach};
 use crate::diagnostics::Origin;
 
 /// A statement about plane rigid bodies.
+///
+/// ```text
+/// scene     = "gravity" "=" sum ";"
+///           | "body" NAME "{" { body-line } "}" [ ";" ]
+///           | "line" NAME "{" { "on" ":" NAME ";" | ( "through" | "angle" ) ":" sum ";" } "}" [ ";" ]
+///           | ( "spring" | "torsion_spring" ) [ NAME ]
+///                 "{" { ( "from" | "to" | "stiffness" | "rest" ) ":" sum ";" } "}" [ ";" ]
+///           | ( "damper" | "torsion_damper" ) [ NAME ]
+///                 "{" { ( "from" | "to" | "damping" ) ":" sum ";" } "}" [ ";" ]
+///           | "pin" [ NAME "=" ] sum "to" sum ";"
+///           | "slide" [ NAME "=" ] sum "on" NAME ";"
+///           | "roll" [ NAME "=" ] NAME "on" NAME [ "," "radius" ":" sum ] ";"
+/// body-line = ( "mass" | "inertia" | "center" | "origin" | "centroid" | "angle" ) ":" sum ";"
+///           | "shape" ":" solid ";"
+///           | "compound" "{" { [ "hole" ] solid { "," ( "mass" | "at" | "angle" ) ":" sum } ";" } "}" [ ";" ]
+/// solid     = NAME "(" [ sum { "," sum } ] ")"
+/// ```
 #[derive(Clone, Debug)]
 pub enum SceneStatement {
     /// `gravity = (gx, gy);`
@@ -18,15 +36,51 @@ pub enum SceneStatement {
     Joint(Joint),
 }
 
+/// Words that begin statements about plane rigid bodies.
+pub const KEYWORDS: [Keyword; 10] = [
+    Keyword::new("gravity", "write `gravity = (0, -g);`"),
+    Keyword::new("body", "write `body name { mass: m; inertia: disk(m, r); center: (x, y); angle: phi; }`"),
+    Keyword::new("line", "write `line name { through: (x, y); angle: e; }`").before(Soft::Braces),
+    Keyword::new("spring", "write `spring { from: p; to: q; stiffness: k; rest: l; }`, with a name behind `spring` if it needs one")
+        .before(Soft::Braces),
+    Keyword::new("damper", "write `damper { from: p; to: q; damping: c; }`, with a name behind `damper` if it needs one")
+        .before(Soft::Braces),
+    Keyword::new("torsion_spring", "write `torsion_spring { from: ground; to: arm; stiffness: k; rest: e; }`")
+        .before(Soft::Braces),
+    Keyword::new("torsion_damper", "write `torsion_damper { from: ground; to: arm; damping: c; }`")
+        .before(Soft::Braces),
+    Keyword::new("pin", "write `pin p to q;` or `pin name = p to q;`").before(Soft::Joint),
+    Keyword::new("slide", "write `slide p on floor;` or `slide name = p on floor;`, with the name of a line")
+        .before(Soft::Joint),
+    Keyword::new("roll", "write `roll wheel on floor;` or `roll name = wheel on floor, radius: r;`, with the names of a body and a line")
+        .before(Soft::Joint),
+];
+
 impl SceneStatement {
-    /// The name that statements behind this one may mention.
-    pub fn declared_name(&self) -> Option<&Name> {
+    /// The names that a statement declares, and where they are known.
+    pub(super) fn names(&self) -> (Vec<&Name>, Reach) {
         match self {
-            SceneStatement::Gravity(_) => None,
-            SceneStatement::Body(body) => Some(&body.name),
-            SceneStatement::Line(line) => Some(&line.name),
-            SceneStatement::Connector(connector) => connector.name.as_ref(),
-            SceneStatement::Joint(joint) => joint.name.as_ref(),
+            SceneStatement::Gravity(_) => (Vec::new(), Reach::Expressions),
+            SceneStatement::Body(body) => (vec![&body.name], Reach::Both),
+            SceneStatement::Line(line) => (vec![&line.name], Reach::Expressions),
+            SceneStatement::Connector(connector) => (connector.name.iter().collect(), Reach::Expressions),
+            SceneStatement::Joint(joint) => (joint.name.iter().collect(), Reach::Expressions),
+        }
+    }
+
+    /// Its expressions.
+    pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        match self {
+            SceneStatement::Gravity(value) => vec![value],
+            SceneStatement::Body(body) => body.expressions_mut(),
+            SceneStatement::Line(Line { through, angle, .. }) => {
+                [through, angle].into_iter().flatten().collect()
+            }
+            SceneStatement::Connector(connector) => {
+                let Connector { from, to, stiffness, rest, damping, .. } = connector;
+                [from, to, stiffness, rest, damping].into_iter().flatten().collect()
+            }
+            SceneStatement::Joint(joint) => joint.kind.expressions_mut(),
         }
     }
 }
@@ -52,6 +106,15 @@ pub struct Body {
     pub shape: Option<Shape>,
     /// `compound { … }`; empty if there is none.
     pub parts: Vec<Part>,
+}
+
+impl Body {
+    fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        let Body { mass, inertia, center, origin, centroid, angle, shape, parts, .. } = self;
+        let properties = [mass, inertia, center, origin, centroid, angle].into_iter().flatten();
+        let dimensions = shape.iter_mut().flat_map(|shape| &mut shape.dimensions);
+        properties.chain(dimensions).chain(parts.iter_mut().flat_map(Part::expressions_mut)).collect()
+    }
 }
 
 /// A solid with its dimensions: `rectangle(a, b)`.
@@ -80,6 +143,13 @@ pub struct Part {
     pub angle: Option<AstId>,
     /// Place of all of it.
     pub origin: Origin,
+}
+
+impl Part {
+    fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
+        let properties = [&mut self.mass, &mut self.at, &mut self.angle].into_iter().flatten();
+        self.shape.dimensions.iter_mut().chain(properties)
+    }
 }
 
 /// `line name { on: body; through: (x, y); angle: e; }`
@@ -187,4 +257,14 @@ pub enum JointKind {
         /// `, radius: r`; that of its shape if it is not given.
         radius: Option<AstId>,
     },
+}
+
+impl JointKind {
+    fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        match self {
+            JointKind::Pin { first, second } => vec![first, second],
+            JointKind::Slide { point, .. } => vec![point],
+            JointKind::Roll { radius, .. } => radius.iter_mut().collect(),
+        }
+    }
 }

@@ -19,6 +19,21 @@ pub struct Event {
     pub action: Action,
 }
 
+impl Event {
+    /// Its expressions.
+    pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        let mut expressions = vec![&mut self.value];
+        match &mut self.action {
+            Action::Stop | Action::Record => {}
+            Action::Impact(restitution) => expressions.push(restitution),
+            Action::Assign(assignments) => {
+                expressions.extend(assignments.iter_mut().flat_map(|a| [&mut a.value, &mut a.target]));
+            }
+        }
+        expressions
+    }
+}
+
 /// Direction in which a function passes zero as time goes on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
@@ -65,4 +80,12 @@ pub struct Friction {
     pub fixed: Option<AstId>,
     /// The range of slip velocities over which the force changes its sign, if it is smooth.
     pub width: Option<AstId>,
+}
+
+impl Friction {
+    /// Its expressions.
+    pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        let limits = [Some(&mut self.kinetic), self.fixed.as_mut(), self.width.as_mut()];
+        [&mut self.slip].into_iter().chain(limits.into_iter().flatten()).collect()
+    }
 }

@@ -1,22 +1,8 @@
 //! Diagnostics for statements about plane rigid bodies, with what helps against mistakes in them.
 
+use super::forms::form;
 use super::quoted;
 
-pub(in crate::syntax) const BODY_HELP: &str =
-    "write `body name { mass: m; inertia: disk(m, r); center: (x, y); angle: phi; }`";
-pub(in crate::syntax) const LINE_HELP: &str = "write `line name { through: (x, y); angle: e; }`";
-pub(in crate::syntax) const SPRING_HELP: &str =
-    "write `spring { from: p; to: q; stiffness: k; rest: l; }`, with a name behind `spring` if it needs one";
-pub(in crate::syntax) const DAMPER_HELP: &str =
-    "write `damper { from: p; to: q; damping: c; }`, with a name behind `damper` if it needs one";
-pub(in crate::syntax) const TORSION_SPRING_HELP: &str =
-    "write `torsion_spring { from: ground; to: arm; stiffness: k; rest: e; }`";
-pub(in crate::syntax) const TORSION_DAMPER_HELP: &str =
-    "write `torsion_damper { from: ground; to: arm; damping: c; }`";
-pub(in crate::syntax) const PIN_HELP: &str = "write `pin p to q;` or `pin name = p to q;`";
-pub(in crate::syntax) const SLIDE_HELP: &str =
-    "write `slide p on floor;` or `slide name = p on floor;`, with the name of a line";
-pub(in crate::syntax) const ROLL_HELP: &str = "write `roll wheel on floor;` or `roll name = wheel on floor, radius: r;`, with the names of a body and a line";
 pub(in crate::syntax) const COMPOUND_HELP: &str =
     "write `compound { disk(r), mass: m; hole disk(s), mass: n, at: (a, b); }`";
 pub(in crate::syntax) const SOLID_HELP: &str =
@@ -43,7 +29,7 @@ pub(in crate::syntax) fn labelled(label: &str) -> String {
     match label {
         "shape" => "write `shape: disk(r);`".to_owned(),
         "on" => "write `on: cart;`, with the name of a body".to_owned(),
-        "radius" => ROLL_HELP.to_owned(),
+        "radius" => form("roll").to_owned(),
         label => format!("write `{label}: …;`"),
     }
 }

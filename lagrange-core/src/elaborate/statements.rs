@@ -1,0 +1,106 @@
+//! Statements, one by one: what each says is handed to who understands it.
+
+use super::constraints::add_constraint;
+use super::definitions::{
+    define_abbreviation, define_abbreviations, define_constant, define_coordinate, define_parameter,
+};
+use super::elaborator::Elaborator;
+use super::events::add_event;
+use super::expression::value_of;
+use super::loads::{add_force_at, add_force_on, add_torque};
+use super::messages;
+use super::reactions::add_friction;
+use super::reductions::add_reduction;
+use super::scope::NameKind;
+use super::stabilisation::set_stabilisation;
+use crate::diagnostics::nearest;
+use crate::expr::Dependencies;
+use crate::model::{Output, Product};
+use crate::syntax::ast::{AstId, EmitItem, Name, Statement, StatementKind};
+
+/// Methods that every system has; no output may take their names.
+const GENERATED_METHODS: [&str; 7] =
+    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
+
+pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Statement) {
+    let keyword = statement.origin.start;
+    match &statement.kind {
+        StatementKind::Parameters(list) => {
+            list.iter().for_each(|d| define_parameter(elaborator, d, NameKind::Parameter));
+        }
+        StatementKind::Inputs(list) => {
+            list.iter().for_each(|d| define_parameter(elaborator, d, NameKind::Input));
+        }
+        StatementKind::Constants(list) => list.iter().for_each(|d| define_constant(elaborator, d)),
+        StatementKind::Coordinates(names) => {
+            names.iter().for_each(|name| define_coordinate(elaborator, name));
+        }
+        StatementKind::Let(name, value) => define_abbreviation(elaborator, name, *value),
+        StatementKind::LetTuple(names, value) => define_abbreviations(elaborator, names, *value),
+        StatementKind::Kinetic(value) => {
+            let term = elaborator.term(*value, keyword, "the kinetic energy");
+            elaborator.kinetic.extend(term);
+        }
+        StatementKind::Potential(value) => {
+            let term = elaborator.term(*value, keyword, "the potential energy");
+            elaborator.potential.extend(term);
+        }
+        StatementKind::Lagrangian(value) => {
+            let term = elaborator.term(*value, keyword, "the Lagrangian");
+            elaborator.lagrangian.extend(term);
+        }
+        StatementKind::Dissipation(value) => {
+            let term = elaborator.term(*value, keyword, "the dissipation function");
+            elaborator.dissipation.extend(term);
+        }
+        StatementKind::ForceOn(coordinate, value) => add_force_on(elaborator, coordinate, *value),
+        StatementKind::ForceAt { force, point } => add_force_at(elaborator, *force, *point),
+        StatementKind::Torque { moment, angle } => add_torque(elaborator, *moment, *angle, keyword),
+        StatementKind::Constraint(name, value) => add_constraint(elaborator, name, *value),
+        StatementKind::Stabilise(rate) => set_stabilisation(elaborator, *rate, keyword),
+        StatementKind::Event(event) => add_event(elaborator, event),
+        StatementKind::Friction(friction) => add_friction(elaborator, friction),
+        StatementKind::Output(name, value) => add_output(elaborator, name, *value),
+        StatementKind::Emit(items) => items.iter().for_each(|item| add_product(elaborator, item)),
+        StatementKind::Reduce(reduction) => add_reduction(elaborator, reduction),
+        // Plain statements have taken its place.
+        StatementKind::Scene(_) => {}
+    }
+}
+
+fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
+    let value = value_of(&mut elaborator.evaluator, syntax);
+    let mut methods = Product::ALL.iter().filter(|product| !product.is_of_bodies());
+    if methods.any(|method| method.name() == name.text) || GENERATED_METHODS.contains(&name.text.as_str()) {
+        let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
+        error.help(messages::OTHER_NAME_HELP);
+    }
+    elaborator.declare(name, NameKind::Output, None);
+    let Some(value) = value else { return };
+    let graph = &elaborator.evaluator.graph;
+    let uses = |kind| value.components().iter().any(|&c| graph.dependencies(c).intersects(kind));
+    let uses_accelerations = uses(Dependencies::ACCELERATION);
+    let uses_multipliers = uses(Dependencies::MULTIPLIER);
+    let uses_reactions = uses(Dependencies::REACTION);
+    let components = value.components().to_vec();
+    elaborator.outputs.push(Output {
+        name: name.text.clone(),
+        components,
+        uses_accelerations,
+        uses_multipliers,
+        uses_reactions,
+    });
+}
+
+fn add_product(elaborator: &mut Elaborator<'_>, item: &EmitItem) {
+    let name = item.product.text.as_str();
+    if let Some(product) = Product::by_name(name) {
+        elaborator.wanted.push((product, item.wanted, item.product.span));
+        return;
+    }
+    let help = match nearest(name, Product::ALL.iter().map(|product| product.name())) {
+        Some(nearest) => messages::names::did_you_mean(nearest),
+        None => messages::products(),
+    };
+    elaborator.evaluator.report.error(item.product.span, messages::unknown_product(name)).help(help);
+}

@@ -1,0 +1,35 @@
+//! Words that begin statements.
+
+/// A word that begins a statement.
+#[derive(Debug)]
+pub struct Keyword {
+    /// The word.
+    pub word: &'static str,
+    /// How the statement is written, as advice; what stands first between backquotes is an example.
+    pub form: &'static str,
+    /// What must follow where the word is free as a name otherwise.
+    pub soft: Option<Soft>,
+}
+
+/// What follows a word that begins a statement only before certain tokens.
+#[derive(Clone, Copy, Debug)]
+pub enum Soft {
+    /// A name and `=`.
+    Definition,
+    /// Braces, with or without a name before them.
+    Braces,
+    /// A name.
+    Joint,
+}
+
+impl Keyword {
+    /// A word that begins a statement wherever it stands.
+    pub(super) const fn new(word: &'static str, form: &'static str) -> Keyword {
+        Keyword { word, form, soft: None }
+    }
+
+    /// The same word, which begins a statement only before these tokens.
+    pub(super) const fn before(self, soft: Soft) -> Keyword {
+        Keyword { soft: Some(soft), ..self }
+    }
+}

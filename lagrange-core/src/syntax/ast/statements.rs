@@ -1,0 +1,283 @@
+//! Statements, one variant each, with what each says of itself.
+//!
+//! Whoever walks over statements asks for their names and expressions here, and so learns of a variant as soon as it is listed.
+
+use proc_macro2::TokenStream;
+
+use super::bodies::SceneStatement;
+use super::events::{Event, Friction};
+use super::keywords::{Keyword, Soft};
+use super::{AstId, Name, Reach};
+use crate::diagnostics::Origin;
+
+/// A statement and the stretch of source it covers.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// What it says.
+    pub kind: StatementKind,
+    /// From the keyword to the semicolon.
+    pub origin: Origin,
+    /// Documentation of the declared names, as attributes.
+    pub docs: TokenStream,
+}
+
+/// What a statement says.
+///
+/// ```text
+/// statement = attribute* ( "param" | "input" ) NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
+///           | "const" NAME "=" sum { "," NAME "=" sum } ";"
+///           | "coord" NAME { "," NAME } ";"
+///           | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
+///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
+///           | "force" NAME "=" sum ";"
+///           | "force" sum "at" sum ";"
+///           | "torque" sum "on" sum ";"
+///           | ( "constraint" | "output" ) NAME "=" sum ";"
+///           | "stabilise" "=" sum ";"
+///           | "event" NAME "=" sum "," ( "rising" | "falling" | "crossing" ) "=>" action
+///           | "friction" NAME "=" sum "," limits ";"
+///           | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
+///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
+///           | scene
+/// reduction = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
+///           | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
+/// action    = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
+///           | "{" { sum "=" sum ";" } "}" [ ";" ]
+/// limits    = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
+/// ```
+///
+/// What `sum` is stands in the documentation of [`syntax`](crate::syntax), what `scene` is in that of [`SceneStatement`].
+#[derive(Clone, Debug)]
+pub enum StatementKind {
+    /// `param a, b = 1.0;`
+    Parameters(Vec<Definition>),
+    /// `input u;`
+    Inputs(Vec<Definition>),
+    /// `const k = 1/2;`
+    Constants(Vec<Definition>),
+    /// `coord x, theta;`
+    Coordinates(Vec<Name>),
+    /// `let n = e;`
+    Let(Name, AstId),
+    /// `let (a, b) = e;`
+    LetTuple(Vec<Name>, AstId),
+    /// `kinetic = e;`
+    Kinetic(AstId),
+    /// `potential = e;`
+    Potential(AstId),
+    /// `lagrangian = e;`
+    Lagrangian(AstId),
+    /// `dissipation = e;`
+    Dissipation(AstId),
+    /// `force x = e;`
+    ForceOn(Name, AstId),
+    /// `force f at p;`
+    ForceAt {
+        /// A vector of two or three components.
+        force: AstId,
+        /// The point it acts on, a vector of as many components.
+        point: AstId,
+    },
+    /// `torque m on angle;`
+    Torque {
+        /// The moment.
+        moment: AstId,
+        /// The angle it turns.
+        angle: AstId,
+    },
+    /// `constraint name = e;`
+    Constraint(Name, AstId),
+    /// `stabilise = e;`
+    Stabilise(AstId),
+    /// `event name = e, falling => stop;`
+    Event(Event),
+    /// `friction name = e, e;`
+    Friction(Friction),
+    /// `output name = e;`
+    Output(Name, AstId),
+    /// `emit { a, no b }`
+    Emit(Vec<EmitItem>),
+    /// `reduce Name { freeze x = e; small theta; }`
+    Reduce(Reduction),
+    /// Of plane rigid bodies.
+    Scene(SceneStatement),
+}
+
+/// Words that begin statements, but for those of [`SceneStatement`].
+pub const KEYWORDS: [Keyword; 18] = [
+    Keyword::new("param", "write `param m = 1.0, l;`"),
+    Keyword::new("const", "write `const k = 1/2;`"),
+    Keyword::new("coord", "write `coord x, theta;`"),
+    Keyword::new("input", "write `input u;`"),
+    Keyword::new(
+        "let",
+        "write `let name = e;`, or `let (a, b) = (e, f);` for the components of a vector",
+    ),
+    Keyword::new("kinetic", "write `kinetic = e;`"),
+    Keyword::new("potential", "write `potential = e;`"),
+    Keyword::new("lagrangian", "write `lagrangian = e;`"),
+    Keyword::new("dissipation", "write `dissipation = e;`, the Rayleigh function"),
+    Keyword::new(
+        "force",
+        "write `force x = e;` for a coordinate or `force (fx, fy) at (px, py);` for a point",
+    ),
+    Keyword::new("torque", "write `torque m on angle;`"),
+    Keyword::new("constraint", "write `constraint name = e;`, with what is to be zero behind the name"),
+    Keyword::new("stabilise", "write `stabilise = rate;`"),
+    Keyword::new("event", "write `event name = e, falling => stop;`"),
+    Keyword::new(
+        "friction",
+        "write `friction name = slip, limit;`, `… = slip, kinetic: a, static: b;` or `… = slip, limit, smooth: width;`",
+    )
+    .before(Soft::Definition),
+    Keyword::new("output", "write `output name = e;`"),
+    Keyword::new("emit", "write `emit { product, no product }`"),
+    Keyword::new("reduce", "write `reduce Name { freeze x = 0; small theta; }`"),
+];
+
+impl StatementKind {
+    /// The names that a statement declares, and where they are known.
+    fn names(&self) -> (Vec<&Name>, Reach) {
+        match self {
+            StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
+            StatementKind::Constants(list) => (defined(list), Reach::Expressions),
+            StatementKind::Coordinates(names) => (names.iter().collect(), Reach::Both),
+            StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
+            StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
+            StatementKind::Constraint(name, _) => (vec![name], Reach::Both),
+            StatementKind::Event(event) => (vec![&event.name], Reach::Both),
+            StatementKind::Friction(friction) => (vec![&friction.name], Reach::Both),
+            StatementKind::Output(name, _) => (vec![name], Reach::Members),
+            StatementKind::Reduce(reduction) => (vec![&reduction.name], Reach::Types),
+            StatementKind::Scene(scene) => scene.names(),
+            StatementKind::Kinetic(_)
+            | StatementKind::Potential(_)
+            | StatementKind::Lagrangian(_)
+            | StatementKind::Dissipation(_)
+            | StatementKind::ForceOn(..)
+            | StatementKind::ForceAt { .. }
+            | StatementKind::Torque { .. }
+            | StatementKind::Stabilise(_)
+            | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
+        }
+    }
+
+    /// All expressions in a statement, to be read or replaced.
+    pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        match self {
+            StatementKind::Parameters(list)
+            | StatementKind::Inputs(list)
+            | StatementKind::Constants(list) => list.iter_mut().filter_map(|d| d.value.as_mut()).collect(),
+            StatementKind::Let(_, value)
+            | StatementKind::LetTuple(_, value)
+            | StatementKind::Kinetic(value)
+            | StatementKind::Potential(value)
+            | StatementKind::Lagrangian(value)
+            | StatementKind::Dissipation(value)
+            | StatementKind::ForceOn(_, value)
+            | StatementKind::Constraint(_, value)
+            | StatementKind::Stabilise(value)
+            | StatementKind::Output(_, value) => vec![value],
+            StatementKind::ForceAt { force, point } => vec![force, point],
+            StatementKind::Torque { moment, angle } => vec![moment, angle],
+            StatementKind::Event(event) => event.expressions_mut(),
+            StatementKind::Friction(friction) => friction.expressions_mut(),
+            StatementKind::Reduce(reduction) => {
+                reduction.items.iter_mut().filter_map(|item| item.value.as_mut()).collect()
+            }
+            StatementKind::Scene(scene) => scene.expressions_mut(),
+            StatementKind::Coordinates(_) | StatementKind::Emit(_) => Vec::new(),
+        }
+    }
+
+    /// All expressions in a statement.
+    pub fn expressions(&self) -> Vec<AstId> {
+        // Of a copy, so that they are listed in one place.
+        self.clone().expressions_mut().into_iter().map(|id| *id).collect()
+    }
+
+    /// Names with the expressions that they stand for, be it as a default.
+    pub fn definitions(&self) -> Vec<(&Name, AstId)> {
+        match self {
+            StatementKind::Parameters(list)
+            | StatementKind::Inputs(list)
+            | StatementKind::Constants(list) => {
+                list.iter().filter_map(|d| Some((&d.name, d.value?))).collect()
+            }
+            StatementKind::Let(name, value) => vec![(name, *value)],
+            StatementKind::LetTuple(names, value) => names.iter().map(|name| (name, *value)).collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The names that expressions behind the statement may mention.
+    pub fn declared_names(&self) -> Vec<&Name> {
+        self.names_within(&[Reach::Expressions, Reach::Both])
+    }
+
+    /// The names of members of the emitted type.
+    pub fn member_names(&self) -> Vec<&Name> {
+        self.names_within(&[Reach::Members, Reach::Both])
+    }
+
+    /// True if it declares something that is emitted and can be documented.
+    pub fn is_documented(&self) -> bool {
+        !self.names_within(&[Reach::Members, Reach::Both, Reach::Types]).is_empty()
+    }
+
+    fn names_within(&self, reaches: &[Reach]) -> Vec<&Name> {
+        let (names, reach) = self.names();
+        if reaches.contains(&reach) { names } else { Vec::new() }
+    }
+}
+
+fn defined(list: &[Definition]) -> Vec<&Name> {
+    list.iter().map(|definition| &definition.name).collect()
+}
+
+/// A second type with fewer or simpler motions.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    /// Its name.
+    pub name: Name,
+    /// What is done to which coordinates.
+    pub items: Vec<ReductionItem>,
+}
+
+/// What is done to one coordinate of a reduced type.
+#[derive(Clone, Debug)]
+pub struct ReductionItem {
+    /// The coordinate.
+    pub coordinate: Name,
+    /// What is done to it.
+    pub kind: ReductionKind,
+    /// The value behind `=`, if there is one; 0 is meant if there is none.
+    pub value: Option<AstId>,
+}
+
+/// What can be done to a coordinate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ReductionKind {
+    /// `freeze x = e;`: held at a value.
+    Frozen,
+    /// `small theta = e;`: stays near a value.
+    Small,
+}
+
+/// One `name = value` of a `param`, `input` or `const` statement.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The declared name.
+    pub name: Name,
+    /// The value behind `=`, if there is one.
+    pub value: Option<AstId>,
+}
+
+/// One entry of `emit { … }`: a product to add, or with `no` in front one to leave out.
+#[derive(Clone, Debug)]
+pub struct EmitItem {
+    /// The product.
+    pub product: Name,
+    /// Whether it is wanted.
+    pub wanted: bool,
+}
