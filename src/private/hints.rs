@@ -183,6 +183,54 @@ pub trait InverseDynamics {
 
 impl<M: EmitsInverseDynamics> InverseDynamics for M {}
 
+/// A system that emits `constraints`.
+#[diagnostic::on_unimplemented(
+    message = "the declaration of `{Self}` does not emit `constraints`",
+    label = "not emitted",
+    note = "systems with constraints emit it, unless `emit {{ … }}` says `no constraints`"
+)]
+pub trait EmitsConstraints {}
+
+/// The name of that product.
+pub trait Constraints {
+    /// Never called.
+    fn constraints(&self) {}
+}
+
+impl<M: EmitsConstraints> Constraints for M {}
+
+/// A system that emits `constraint_velocity`.
+#[diagnostic::on_unimplemented(
+    message = "the declaration of `{Self}` does not emit `constraint_velocity`",
+    label = "not emitted",
+    note = "systems with constraints emit it"
+)]
+pub trait EmitsConstraintVelocity {}
+
+/// The name of that product.
+pub trait ConstraintVelocity {
+    /// Never called.
+    fn constraint_velocity(&self) {}
+}
+
+impl<M: EmitsConstraintVelocity> ConstraintVelocity for M {}
+
+/// A system that emits `constraint_jacobian`.
+#[diagnostic::on_unimplemented(
+    message = "the declaration of `{Self}` does not emit `constraint_jacobian`",
+    label = "not emitted",
+    note = "systems with constraints emit it"
+)]
+pub trait EmitsConstraintJacobian {}
+
+/// The name of that product.
+pub trait ConstraintJacobian {
+    /// Never called.
+    fn constraint_jacobian(&self) {}
+}
+
+impl<M: EmitsConstraintJacobian> ConstraintJacobian for M {}
+
 /// A system that emits `constraint_forces`.
 #[diagnostic::on_unimplemented(
     message = "the declaration of `{Self}` does not emit `constraint_forces`",
@@ -272,7 +320,8 @@ macro_rules! __hints {
     () => {
         #[allow(unused_imports, reason = "they are for what the compiler says of what is not emitted")]
         use $crate::private::hints::{
-            Bias as _, ConstraintForces as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _,
+            Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
+            Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _,
             KineticEnergy as _, Latex as _, MassMatrix as _, Momenta as _, MomentumRates as _,
             ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Statements as _,
         };

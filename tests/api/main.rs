@@ -19,6 +19,7 @@ mod inertia;
 mod long_rope;
 mod methods;
 mod pivots;
+mod product_rows;
 mod products;
 mod projection;
 mod reduced;

@@ -1,0 +1,92 @@
+//! Every product has a hint where it is not emitted and a line in the description of the language.
+
+use lagrange_core::model::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductShape};
+
+const HINTS: &str = include_str!("../../src/private/hints.rs");
+const LANGUAGE: &str = include_str!("../../src/language.md");
+
+/// Name of what a product adds to the emitted type; of bodies it adds no member of its own name.
+fn member(product: Product) -> Option<&'static str> {
+    match product {
+        Product::Latex => Some("EQUATIONS_LATEX"),
+        Product::Statements => Some("STATEMENTS"),
+        Product::Motion | Product::Drawing => None,
+        product => Some(product.name()),
+    }
+}
+
+/// What a hint must advise.
+fn advice(product: Product) -> String {
+    let name = product.name();
+    match product.row().when {
+        Availability::Always | Availability::SeparateEnergies => {
+            format!("take `no {name}` out of its `emit {{{{ … }}}}`")
+        }
+        Availability::Constraints => "systems with constraints emit it".to_owned(),
+        Availability::Demand | Availability::With(_) | Availability::Bodies => {
+            format!("add `emit {{{{ {name} }}}}` to the declaration")
+        }
+    }
+}
+
+#[test]
+fn every_product_has_a_hint_where_it_is_not_emitted() {
+    let (traits, imports) = HINTS.split_once("macro_rules! __hints").expect("a macro at the end");
+    for product in Product::ALL {
+        let Some(member) = member(product) else { continue };
+        let message = format!("the declaration of `{{Self}}` does not emit `{member}`");
+        let (_, hint) = traits.split_once(&message).unwrap_or_else(|| panic!("no hint for {member}"));
+        let (hint, end) = hint.split_once("\nimpl<M: Emits").expect("an implementation behind each hint");
+        assert!(hint.contains(&advice(product)), "{member}: {hint}");
+        let items = [format!("fn {member}(&self) {{}}"), format!("const {member}: () = ();")];
+        assert!(items.iter().any(|item| hint.contains(item)), "{member}: {hint}");
+        let (name, _) = end.split_once('>').expect("the name of the trait");
+        assert!(imports.contains(&format!(" {name} as _")), "{name} is not brought into scope");
+    }
+}
+
+fn arguments(method: &ProductMethod) -> &'static str {
+    match method.arguments {
+        ProductArguments::Configuration | ProductArguments::Positions => "t, q",
+        ProductArguments::State => "t, q, v",
+        ProductArguments::Motion => "t, q, v, a",
+        ProductArguments::Whole => "t, y",
+    }
+}
+
+fn size(extent: Extent) -> &'static str {
+    match extent {
+        Extent::Coordinates => "N",
+        Extent::State => "2N",
+        Extent::Constraints => "M",
+        Extent::Fields => "P",
+    }
+}
+
+fn returned(method: &ProductMethod) -> String {
+    match method.returns {
+        ProductShape::Scalar => "`S`".to_owned(),
+        ProductShape::Vector(length) => format!("`[S; {}]`", size(length)),
+        ProductShape::Matrix(rows, columns) => format!("`[[S; {}]; {}]`", size(columns), size(rows)),
+    }
+}
+
+#[test]
+fn the_description_of_the_language_has_a_line_for_every_product() {
+    for product in Product::ALL {
+        let row = product.row();
+        let is_on_demand = match row.when {
+            Availability::Always | Availability::SeparateEnergies | Availability::Constraints => false,
+            Availability::Demand | Availability::With(_) | Availability::Bodies => true,
+        };
+        let first = if is_on_demand { format!("| `{}`", row.name) } else { format!("| `{}(", row.name) };
+        let line = LANGUAGE.lines().find(|line| line.starts_with(&first));
+        let line = line.unwrap_or_else(|| panic!("no line for {}", row.name));
+        if let Some(method) = &row.method {
+            let call = format!("`{}({})`", row.name, arguments(method));
+            assert!(line.contains(&call) && line.contains(&returned(method)), "{call}: {line}");
+        } else if let Some(member) = member(product) {
+            assert!(line.contains(&format!("`{member}`")), "{member}: {line}");
+        }
+    }
+}
