@@ -99,7 +99,7 @@ fn report_unknown_inertia(translation: &mut Translation<'_>, statement: &ast::Bo
     }
 }
 
-fn mass_of(translation: &mut Translation<'_>, statement: &ast::Body) -> AstId {
+pub(super) fn mass_of(translation: &mut Translation<'_>, statement: &ast::Body) -> AstId {
     let name = &statement.name;
     let Some(mass) = statement.mass else {
         let error = translation.report.error(name.span, messages::no_mass(&name.text));

@@ -50,7 +50,7 @@ pub(super) fn compound_geometry(translation: &mut Translation<'_>, statement: &a
     MassGeometry { mass, inertia: Some(inertia), centroid, outlines, radius: None }
 }
 
-fn report_beside_compound(translation: &mut Translation<'_>, statement: &ast::Body) {
+pub(super) fn report_beside_compound(translation: &mut Translation<'_>, statement: &ast::Body) {
     let given = [("mass", statement.mass), ("inertia", statement.inertia), ("centroid", statement.centroid)];
     for (label, id) in given.into_iter().filter_map(|(label, id)| Some((label, id?))) {
         let error =
@@ -104,7 +104,7 @@ fn placed_point(translation: &mut Translation<'_>, name: &str, own: Pair, at: Pa
     translation.terms().pair(centroid)
 }
 
-fn mass_of_part(translation: &mut Translation<'_>, part: &Part) -> Option<AstId> {
+pub(super) fn mass_of_part(translation: &mut Translation<'_>, part: &Part) -> Option<AstId> {
     let Some(mass) = part.mass else {
         let error = translation.report.error(part.origin, messages::PART_WITHOUT_MASS);
         error.help(messages::PART_WITHOUT_MASS_HELP);

@@ -1,6 +1,6 @@
 //! Springs and dampers between points and between angles.
 
-use super::expressions::{is_ground, mention, plane_point, turning};
+use super::expressions::{is_ground, mention, scene_point, turning};
 use super::messages;
 use super::object::{Body, Connector, Object};
 use super::plain::{Drawn, DrawnKind, LoadOrigin};
@@ -79,7 +79,7 @@ fn end_of(
             error.help(messages::GROUND_IS_NO_POINT_HELP);
             return None;
         }
-        true => (translation.body_of(end), plane_point(translation, end, messages::END)),
+        true => (translation.body_of(end), scene_point(translation, end, messages::END)),
         false => (translation.body_named(end), turning(translation, end)),
     };
     translation.mentioned.push(at);
@@ -101,16 +101,14 @@ fn between_points(
     rest: Option<AstId>,
 ) -> Connector {
     let span = span_of(translation, name, ends);
+    let length = translation.terms().call("norm", &[span]);
+    if translation.space.is_some() {
+        return between_points_in_space(translation, kind, factor, rest, [span, length]);
+    }
     let mut terms = translation.terms();
-    let (length, spread) = (terms.call("norm", &[span]), terms.pair(span));
+    let spread = terms.pair(span);
     let stretch = rest.map_or(length, |rest| terms.minus(length, rest));
-    let tension = match kind {
-        ConnectorKind::Spring => terms.times(factor, stretch),
-        _ => {
-            let rate = terms.call("dot", &[length]);
-            terms.times(factor, rate)
-        }
-    };
+    let tension = tension_of(&mut terms, kind, factor, [stretch, length]);
     // Without a length at rest no root is needed, whose derivative would fail where both ends meet.
     let (strained, pull) = match kind == ConnectorKind::Spring && stretch == length {
         true => (span, terms.scale(factor, spread)),
@@ -126,12 +124,44 @@ fn between_points(
     Connector { kind, length, tension }
 }
 
+/// The same in space, where nothing is drawn.
+fn between_points_in_space(
+    translation: &mut Translation<'_>,
+    kind: ConnectorKind,
+    factor: AstId,
+    rest: Option<AstId>,
+    [span, length]: [AstId; 2],
+) -> Connector {
+    let mut terms = translation.terms();
+    let stretch = rest.map_or(length, |rest| terms.minus(length, rest));
+    let tension = tension_of(&mut terms, kind, factor, [stretch, length]);
+    let is_root_needed = kind != ConnectorKind::Spring || stretch != length;
+    push_energy(translation, kind, factor, if is_root_needed { stretch } else { span });
+    Connector { kind, length, tension }
+}
+
+/// k (l − l₀) or c l̇
+fn tension_of(
+    terms: &mut TermWriter<'_>,
+    kind: ConnectorKind,
+    factor: AstId,
+    [stretch, length]: [AstId; 2],
+) -> AstId {
+    match kind {
+        ConnectorKind::Spring => terms.times(factor, stretch),
+        _ => {
+            let rate = terms.call("dot", &[length]);
+            terms.times(factor, rate)
+        }
+    }
+}
+
 /// The vector from one end to the other, under a name of its own.
 fn span_of(translation: &mut Translation<'_>, name: &str, ends: [End; 2]) -> AstId {
+    let dimension = translation.dimension();
     let mut terms = translation.terms();
-    let (from, to) = (terms.pair(ends[0].at), terms.pair(ends[1].at));
-    let span = terms.minus_pair(to, from);
-    let span = terms.tuple(span);
+    let span = terms.difference(dimension, [ends[1].at, ends[0].at]);
+    let span = terms.vector(&span);
     translation.bind(&format!("{name}_span"), span)
 }
 

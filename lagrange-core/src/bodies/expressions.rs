@@ -4,8 +4,9 @@ use super::kinematics::{of_body, of_line};
 use super::messages;
 use super::object::{Body, Joint, Line, Object};
 use super::plain::Obligation;
+use super::space::{call_of_link, in_axes, part_of_link, place_of_link, point_on_link, rate_of_link_point};
 use super::translation::Translation;
-use crate::syntax::ast::{AstId, Expression, Name};
+use crate::syntax::ast::{AstId, Expression, IN_AXES, Name};
 use crate::syntax::foreign;
 
 /// Functions whose first argument is a body, with the names of all of them; those in brackets may be left out.
@@ -43,7 +44,7 @@ pub(super) fn plain_expression(translation: &mut Translation<'_>, root: AstId) -
             }
         }
     }
-    become_of(translation, root)
+    translation.plain_of(root)
 }
 
 /// Translation of what the user wrote into plain words. Mistakes in it are found whether or not it is needed.
@@ -55,16 +56,23 @@ pub(super) fn mention(translation: &mut Translation<'_>, id: AstId) -> AstId {
 
 /// A point: where a body's name stands, its centre of mass is meant.
 pub(super) fn translated_place(translation: &mut Translation<'_>, id: AstId) -> AstId {
+    if let Some(link) = translation.link_named(id) {
+        return place_of_link(translation, link);
+    }
     match translation.body_named(id) {
         Some(body) => translation.bodies[body].center,
         None => plain_expression(translation, id),
     }
 }
 
-/// A point in the plane.
-pub(super) fn plane_point(translation: &mut Translation<'_>, id: AstId, what: &str) -> AstId {
+/// A point with as many components as the scene has dimensions.
+pub(super) fn scene_point(translation: &mut Translation<'_>, id: AstId, what: &str) -> AstId {
     let value = translated_place(translation, id);
-    translation.obligations.push(Obligation::PlaneVector { what: what.to_owned(), value });
+    let what = what.to_owned();
+    translation.obligations.push(match translation.space {
+        Some(_) => Obligation::SpaceVector { what, value },
+        None => Obligation::PlaneVector { what, value },
+    });
     value
 }
 
@@ -75,6 +83,11 @@ pub(super) fn turning(translation: &mut Translation<'_>, id: AstId) -> AstId {
     }
     if is_ground(translation, id) {
         return translation.terms().number(0);
+    }
+    if translation.link_named(id).is_some() {
+        let origin = translation.expressions.origin(id);
+        translation.report.error(origin, messages::ANGLE_OF_LINK).help(messages::ANGLE_OF_LINK_HELP);
+        return translation.terms().invalid();
     }
     let angle = plain_expression(translation, id);
     match is_point(translation, id) {
@@ -104,14 +117,10 @@ pub(super) fn is_at_rest(translation: &Translation<'_>, id: AstId) -> bool {
     while let Some(id) = pending.pop() {
         match translation.expressions.get(id) {
             Expression::Name(name) if !translation.names.is_fixed(name) => return false,
-            other => pending.extend(operands(other)),
+            other => pending.extend(other.operands()),
         }
     }
     true
-}
-
-fn become_of(translation: &Translation<'_>, id: AstId) -> AstId {
-    translation.translated.get(&id).copied().unwrap_or(id)
 }
 
 /// The parts of an expression that are translated before it: not the names of bodies where these belong.
@@ -122,7 +131,7 @@ fn parts_of(translation: &Translation<'_>, id: AstId) -> Vec<AstId> {
             arguments.iter().copied().filter(|argument| !is_object(argument)).collect()
         }
         Expression::Component(of, _) if is_object(of) => Vec::new(),
-        other => operands(other),
+        other => other.operands(),
     }
 }
 
@@ -177,12 +186,12 @@ pub(super) fn report_early(translation: &mut Translation<'_>, name: &str) -> boo
 /// Copy of the expression with its parts translated.
 fn rebuilt(translation: &mut Translation<'_>, id: AstId) -> AstId {
     let expression = translation.expressions.get(id).clone();
-    let parts = operands(&expression);
-    let plain = parts.iter().map(|&part| become_of(translation, part)).collect::<Vec<_>>();
+    let parts = expression.operands();
+    let plain = parts.iter().map(|&part| translation.plain_of(part)).collect::<Vec<_>>();
     if plain == parts {
         return id;
     }
-    let expression = with_operands(expression, &plain);
+    let expression = expression.with_operands(&plain);
     translation.terms().add_node(expression)
 }
 
@@ -196,6 +205,7 @@ fn object_named(translation: &Translation<'_>, id: AstId) -> Option<(String, Obj
 fn part_of(translation: &mut Translation<'_>, name: &str, object: &Object, part: &Name) -> AstId {
     let found = match object {
         Object::Body(body) => part_of_body(translation, *body, &part.text),
+        Object::Link { index, .. } => part_of_link(translation, *index, &part.text),
         Object::Line(line) => part_of_line(translation, *line, &part.text),
         Object::Connector(connector) => match part.text.as_str() {
             "length" => Some(connector.length),
@@ -245,6 +255,9 @@ fn part_of_line(translation: &mut Translation<'_>, line: usize, part: &str) -> O
 }
 
 fn plain_call(translation: &mut Translation<'_>, function: &Name, arguments: &[AstId], id: AstId) -> AstId {
+    if let (IN_AXES, &[vector, link]) = (function.text.as_str(), arguments) {
+        return components_in(translation, vector, link);
+    }
     if let Some((_, plain)) = OF_POINTS.iter().find(|(name, _)| *name == function.text) {
         if let [point] = arguments
             && is_at_rest(translation, *point)
@@ -253,9 +266,19 @@ fn plain_call(translation: &mut Translation<'_>, function: &Name, arguments: &[A
             translation.report.error(translation.origin, message).help(messages::POINT_AT_REST_HELP);
             return translation.terms().invalid();
         }
+        if let [point] = arguments
+            && let Some((link, own)) = point_on_link(translation, *point)
+        {
+            let (pose, own) = rate_of_link_point(translation, &function.text, link, own);
+            return pose.vector_in_world(&mut translation.terms(), own);
+        }
         let arguments =
             arguments.iter().map(|&point| translated_place(translation, point)).collect::<Vec<_>>();
         return translation.terms().call(plain, &arguments);
+    }
+    if let Some(link) = arguments.first().and_then(|&first| translation.link_named(first)) {
+        let places = arguments[1..].iter().map(|&id| translated_place(translation, id)).collect::<Vec<_>>();
+        return call_of_link(translation, link, function, &places);
     }
     let row = OF_BODIES.iter().chain(&OF_LINES).find(|(name, _)| *name == function.text);
     let Some((_, wanted)) = row else { return rebuilt(translation, id) };
@@ -280,6 +303,17 @@ fn plain_call(translation: &mut Translation<'_>, function: &Name, arguments: &[A
     }
 }
 
+/// `v in link`
+fn components_in(translation: &mut Translation<'_>, vector: AstId, axes: AstId) -> AstId {
+    let Some(link) = translation.link_named(axes) else {
+        let origin = translation.expressions.origin(axes);
+        translation.report.error(origin, messages::NO_AXES).help(messages::NO_AXES_HELP);
+        return translation.terms().invalid();
+    };
+    let plain = translated_place(translation, vector);
+    in_axes(translation, vector, plain, link)
+}
+
 fn wrong_count(translation: &mut Translation<'_>, function: &Name, wanted: &[&str], count: usize) -> AstId {
     let message = messages::wrong_arguments(&function.text, count);
     translation.report.error(translation.origin, message).help(messages::usage(&function.text, wanted));
@@ -299,7 +333,7 @@ fn not_an_object(
         _ => None,
     };
     let was_reported =
-        matches!(translation.expressions.get(become_of(translation, first)), Expression::Invalid);
+        matches!(translation.expressions.get(translation.plain_of(first)), Expression::Invalid);
     if !was_reported {
         let accept = |object: &Object| matches!(object, Object::Line(_)) == is_of_lines;
         let nearest = name.as_ref().and_then(|name| translation.names.nearest(name, accept));
@@ -312,33 +346,5 @@ fn not_an_object(
 
 fn is_of_scene(function: &str) -> bool {
     let rows = OF_BODIES.iter().chain(&OF_LINES).map(|(name, _)| *name);
-    rows.chain(OF_POINTS.iter().map(|(name, _)| *name)).any(|name| name == function)
-}
-
-fn operands(expression: &Expression) -> Vec<AstId> {
-    match expression {
-        Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
-        Expression::Tuple(parts) | Expression::Call(_, parts) => parts.clone(),
-        Expression::Negate(of) | Expression::Component(of, _) => vec![*of],
-        Expression::Binary(_, _, a, b) => vec![*a, *b],
-        Expression::If { condition, then, otherwise } => {
-            vec![condition.left, condition.right, *then, *otherwise]
-        }
-    }
-}
-
-/// The expression with other operands, in the order of [`operands`].
-fn with_operands(expression: Expression, parts: &[AstId]) -> Expression {
-    match expression {
-        Expression::Tuple(_) => Expression::Tuple(parts.to_vec()),
-        Expression::Call(function, _) => Expression::Call(function, parts.to_vec()),
-        Expression::Negate(_) => Expression::Negate(parts[0]),
-        Expression::Component(_, name) => Expression::Component(parts[0], name),
-        Expression::Binary(operator, span, ..) => Expression::Binary(operator, span, parts[0], parts[1]),
-        Expression::If { mut condition, .. } => {
-            (condition.left, condition.right) = (parts[0], parts[1]);
-            Expression::If { condition, then: parts[2], otherwise: parts[3] }
-        }
-        leaf => leaf,
-    }
+    rows.chain(OF_POINTS.iter().map(|(name, _)| *name)).chain([IN_AXES]).any(|name| name == function)
 }

@@ -3,11 +3,12 @@
 //! A constraint is written so that its gradient is the direction in which its force acts on what is named first: the force is
 //! λ times the direction.
 
-use super::expressions::{is_at_rest, mention, plane_point};
+use super::expressions::{is_at_rest, mention, scene_point};
 use super::lines::{carrier, track};
 use super::messages;
 use super::object::{Body, Joint, Line, Object};
 use super::plain::{Drawn, DrawnKind, JointForm, LoadOrigin};
+use super::space::point_on_link;
 use super::terms::Pair;
 use super::translation::Translation;
 use crate::syntax::ast::{self, AstId, JointKind, Name, StatementKind};
@@ -43,32 +44,47 @@ fn hold_pin(
 ) -> Option<Joint> {
     let bodies = [first, second].map(|point| translation.body_of(point));
     let name = joint_name(translation, statement, "pin");
-    let points = [first, second].map(|point| plane_point(translation, point, messages::PINNED_POINT));
+    let links = [first, second].map(|point| link_of_point(translation, point));
+    let points = [first, second].map(|point| scene_point(translation, point, messages::PINNED_POINT));
     translation.mentioned.extend(points);
-    if let [Some(body), Some(other)] = bodies
-        && body == other
-    {
-        let name = translation.bodies[body].name.text.clone();
+    let same = [bodies, links].into_iter().any(|[first, second]| first.is_some() && first == second);
+    if same {
+        let name = name_of_owner(translation, bodies[0], links[0]);
         let error = translation
             .report
             .error(translation.expressions.origin(second), messages::pinned_to_itself(&name));
         error.help(messages::PINNED_TO_ITSELF_HELP);
         return None;
     }
+    let dimension = translation.dimension();
     let mut terms = translation.terms();
-    let (p, q) = (terms.pair(points[0]), terms.pair(points[1]));
-    let gap = terms.minus_pair(p, q);
-    let names = [("x", gap[0]), ("y", gap[1])]
-        .map(|(axis, gap)| add_constraint(translation, &format!("{name}_{axis}"), gap));
+    let gap = terms.difference(dimension, points);
+    let gaps = ["x", "y", "z"].into_iter().zip(gap);
+    let names = gaps.map(|(axis, gap)| add_constraint(translation, &format!("{name}_{axis}"), gap));
+    let names = names.collect::<Vec<_>>();
     let mut terms = translation.terms();
-    let force = names.each_ref().map(|name| terms.name(&name.text));
-    let force = terms.tuple(force);
+    let force = names.iter().map(|name| terms.name(&name.text)).collect::<Vec<_>>();
+    let force = terms.vector(&force);
+    if dimension == 3 {
+        return Some(Joint { force, parts: Vec::new() });
+    }
     let is_anchored = [first, second].into_iter().any(|point| is_at_rest(translation, point));
     let form = if is_anchored { JointForm::Anchor } else { JointForm::Pin };
     draw_joint(translation, &name, form, points[0]);
-    let needs = names.each_ref().map(|name| name.text.as_str());
+    let needs = names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>();
     draw_forces(translation, &name, &needs, &[(bodies[0], points[0]), (bodies[1], points[1])], force);
     Some(Joint { force, parts: Vec::new() })
+}
+
+fn link_of_point(translation: &mut Translation<'_>, point: AstId) -> Option<usize> {
+    point_on_link(translation, point).map(|(link, _)| link)
+}
+
+/// The name of the body, in the plane or in space, to which a point belongs.
+fn name_of_owner(translation: &Translation<'_>, body: Option<usize>, link: Option<usize>) -> String {
+    let link = link.zip(translation.space.as_ref()).map(|(link, space)| space.name_of(link));
+    let body = body.map(|body| translation.bodies[body].name.text.as_str());
+    body.or(link).unwrap_or_default().to_owned()
 }
 
 fn hold_slide(
@@ -79,7 +95,7 @@ fn hold_slide(
 ) -> Option<Joint> {
     let body = translation.body_of(point);
     let name = joint_name(translation, statement, "slide");
-    let at = plane_point(translation, point, messages::SLIDING_POINT);
+    let at = scene_point(translation, point, messages::SLIDING_POINT);
     translation.mentioned.push(at);
     let Line { body: carrier, through, angle } = track_of(translation, body, line)?;
     let mut terms = translation.terms();

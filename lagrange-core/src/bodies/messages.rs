@@ -1,5 +1,7 @@
 //! Diagnostics for statements about bodies.
 
+pub(super) mod mobilizers;
+
 use super::object::Object;
 use crate::solids::SOLIDS;
 use crate::syntax::ast::ConnectorKind;
@@ -148,6 +150,19 @@ pub(super) const NO_ANGLE: &str = "this is a point, but an angle is needed";
 pub(super) const NO_ANGLE_HELP: &str =
     "write the name of a body, which stands for its angle, `ground`, or an expression of angles";
 
+pub(super) const ANGLE_OF_LINK: &str = "a body in space has no single angle";
+pub(super) const ANGLE_OF_LINK_HELP: &str = "springs and dampers of joints act on coordinates: write `potential = spring_energy(k, q);`, or `damping: c;` in the joint";
+pub(super) const NO_AXES: &str = "these are the axes of no body or frame in space";
+pub(super) const NO_AXES_HELP: &str =
+    "write `v in name`, with the name of a body or frame of a scene in space";
+
+pub(super) fn only_in_the_plane(statement: &str) -> String {
+    format!("`{statement}` belongs to scenes in the plane, and this one is in space")
+}
+
+pub(super) const NOT_IN_SPACE_HELP: &str =
+    "scenes in space have bodies, frames, joints with coordinates, pins, springs, dampers and loads";
+
 pub(super) const IDLE_GRAVITY: &str = "`gravity` acts on bodies, and there are none";
 pub(super) const IDLE_GRAVITY_HELP: &str =
     "declare one, `body name { … }`, or write its potential energy, `potential = m * g * y;`";
@@ -166,6 +181,12 @@ pub(super) fn value_help(name: &str, object: &Object) -> String {
         Object::Body(_) => format!(
             "points of it are `{name}.center` and `{name}.point(X, Y)`; other parts are `{name}.angle`, `{name}.mass` and `{name}.inertia`"
         ),
+        Object::Link { is_frame: false, .. } => {
+            format!(
+                "points of it are `{name}.center` and `{name}.point(X, Y, Z)`; another part is `{name}.mass`"
+            )
+        }
+        Object::Link { .. } => format!("points of it are `{name}.origin` and `{name}.point(X, Y, Z)`"),
         Object::Line(_) => {
             format!(
                 "parts of it are `{name}.distance(P)`, `{name}.along(P)`, `{name}.tangent` and `{name}.normal`"

@@ -1,4 +1,4 @@
-//! Plane rigid bodies in the statements of the plain language.
+//! Rigid bodies in the statements of the plain language: here those in the plane, in [`space`] the others.
 //!
 //! A body is its kinetic energy ½ m |ċ|² + ½ J φ̇² and its potential energy −m g·c; springs, dampers and joints are
 //! energies, Rayleigh functions and constraints of points that bodies carry. [`plain()`] writes all of that down as
@@ -28,12 +28,15 @@ mod kinematics;
 mod lines;
 mod mass_geometry;
 mod messages;
+mod mobilizers;
 mod names;
 mod object;
 mod plain;
+mod space;
 mod statements;
 mod terms;
 mod translation;
+mod unneeded;
 
 #[cfg(test)]
 mod tests;

@@ -4,7 +4,7 @@ use super::messages;
 use super::object::Object;
 use crate::collections::{HashMap, OrderedMap};
 use crate::diagnostics::{Report, nearest};
-use crate::syntax::ast::{Declaration, Expression, Name, SceneStatement, StatementKind};
+use crate::syntax::ast::{AstId, Declaration, Expression, Name, SceneStatement, StatementKind};
 
 /// The names of a declaration.
 pub(super) struct SceneNames {
@@ -12,8 +12,10 @@ pub(super) struct SceneNames {
     objects: OrderedMap<String, Object>,
     /// Objects that are declared anywhere.
     all_objects: OrderedMap<String, Name>,
-    /// Parameters and constants.
-    fixed: HashMap<String, ()>,
+    /// Parameters and constants, those with their values.
+    fixed: HashMap<String, Option<AstId>>,
+    /// Bodies and frames that joints place.
+    placed_by_joints: HashMap<String, ()>,
     /// Names declared anywhere but on lines.
     declared: HashMap<String, ()>,
     /// Names that plain statements must not take.
@@ -25,13 +27,15 @@ pub(super) struct SceneNames {
 impl SceneNames {
     pub(super) fn new(declaration: &Declaration) -> SceneNames {
         let mut all_objects = OrderedMap::default();
-        let (mut taken, mut fixed, mut declared) =
-            (HashMap::default(), HashMap::default(), HashMap::default());
+        let mut placed_by_joints = HashMap::default();
+        let (mut taken, mut declared) = (HashMap::default(), HashMap::default());
+        let mut fixed: Vec<(String, Option<AstId>)> = Vec::new();
         for statement in &declaration.statements {
-            let is_object = matches!(statement.kind, StatementKind::Scene(_));
+            let is_object = declares_object(&statement.kind);
             let is_line = matches!(statement.kind, StatementKind::Scene(SceneStatement::Line(_)));
-            let is_fixed =
-                matches!(statement.kind, StatementKind::Parameters(_) | StatementKind::Constants(_));
+            if let StatementKind::Scene(SceneStatement::Mobilizer(joint)) = &statement.kind {
+                placed_by_joints.insert(joint.outboard.text.clone(), ());
+            }
             for name in statement.kind.declared_names() {
                 // A name that stands for something else already is not one that is used too early.
                 if is_object && !taken.contains(&name.text) {
@@ -40,10 +44,8 @@ impl SceneNames {
                 if !is_line {
                     declared.insert(name.text.clone(), ());
                 }
-                if is_fixed {
-                    fixed.insert(name.text.clone(), ());
-                }
             }
+            fixed.extend(fixed_numbers(&statement.kind));
             for name in [statement.kind.declared_names(), statement.kind.member_names()].concat() {
                 taken.insert(name.text.clone(), ());
             }
@@ -53,8 +55,9 @@ impl SceneNames {
                 taken.insert(name.clone(), ());
             }
         }
-        let objects = OrderedMap::default();
-        SceneNames { objects, all_objects, fixed, declared, taken, nameless: HashMap::default() }
+        let (objects, fixed) = (OrderedMap::default(), fixed.into_iter().collect());
+        let nameless = HashMap::default();
+        SceneNames { objects, all_objects, fixed, placed_by_joints, declared, taken, nameless }
     }
 
     pub(super) fn declare(&mut self, name: &str, object: Object) {
@@ -79,6 +82,16 @@ impl SceneNames {
     /// Whether a name stands for a number that does not change during the motion.
     pub(super) fn is_fixed(&self, name: &str) -> bool {
         name == "pi" || self.fixed.contains(&name.to_owned())
+    }
+
+    /// The value of a constant.
+    pub(super) fn constant(&self, name: &str) -> Option<AstId> {
+        self.fixed.get(&name.to_owned()).copied().flatten()
+    }
+
+    /// Whether a joint anywhere places the body or frame of this name.
+    pub(super) fn is_placed_by_joint(&self, name: &str) -> bool {
+        self.placed_by_joints.contains(&name.to_owned())
     }
 
     /// The name of an object like this one.
@@ -107,11 +120,27 @@ impl SceneNames {
     }
 }
 
+/// Parameters, and constants with their values.
+fn fixed_numbers(kind: &StatementKind) -> Vec<(String, Option<AstId>)> {
+    let (list, is_constant) = match kind {
+        StatementKind::Parameters(list) => (list, false),
+        StatementKind::Constants(list) => (list, true),
+        _ => return Vec::new(),
+    };
+    let value = |value: Option<AstId>| value.filter(|_| is_constant);
+    list.iter().map(|row| (row.name.text.clone(), value(row.value))).collect()
+}
+
+/// True if what a statement declares is an object of the scene; coordinates of joints are none.
+fn declares_object(kind: &StatementKind) -> bool {
+    matches!(kind, StatementKind::Scene(scene) if !matches!(scene, SceneStatement::Mobilizer(_)))
+}
+
 /// Reports objects of the scene that share their name with something else.
 pub(super) fn report_repeated(declaration: &Declaration, report: &mut Report) {
     let mut first: OrderedMap<String, (&Name, bool)> = OrderedMap::default();
     for statement in &declaration.statements {
-        let is_object = matches!(statement.kind, StatementKind::Scene(_));
+        let is_object = declares_object(&statement.kind);
         for name in statement.kind.declared_names() {
             match first.get(&name.text) {
                 // Two plain names are reported where names are resolved.

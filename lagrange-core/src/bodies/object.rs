@@ -1,7 +1,7 @@
 //! Meanings of the names in a scene.
 
 use super::terms::Pair;
-use crate::syntax::ast::{AstId, ConnectorKind, Name};
+use crate::syntax::ast::{self, AstId, ConnectorKind, Name};
 use crate::syntax::foreign::Owner;
 
 /// A rigid body whose statement has been read.
@@ -17,6 +17,30 @@ pub(super) struct Body {
     pub(super) angle: AstId,
     /// The radius on which it rolls, if its shape is round.
     pub(super) radius: Option<AstId>,
+}
+
+/// A body or frame that waits for the joint that places it.
+#[derive(Clone, Debug)]
+pub(super) enum WaitingBody {
+    Body(Box<ast::Body>),
+    Frame(Name),
+}
+
+impl WaitingBody {
+    pub(super) fn name(&self) -> &Name {
+        match self {
+            WaitingBody::Body(body) => &body.name,
+            WaitingBody::Frame(name) => name,
+        }
+    }
+
+    /// What it is, in the user's words.
+    pub(super) fn kind(&self) -> &'static str {
+        match self {
+            WaitingBody::Body(_) => "body",
+            WaitingBody::Frame(_) => "frame",
+        }
+    }
 }
 
 /// A line.
@@ -50,6 +74,11 @@ pub(super) struct Joint {
 #[derive(Clone, Debug)]
 pub(super) enum Object {
     Body(usize),
+    /// A body or frame in space.
+    Link {
+        index: usize,
+        is_frame: bool,
+    },
     Line(usize),
     Connector(Connector),
     Joint(Joint),
@@ -59,7 +88,7 @@ impl Object {
     /// Kind of object, for those who look for parts of it under other names.
     pub(super) fn owner(&self) -> Option<Owner> {
         match self {
-            Object::Body(_) => Some(Owner::Body),
+            Object::Body(_) | Object::Link { .. } => Some(Owner::Body),
             Object::Line(_) => None,
             Object::Connector(_) => Some(Owner::Connector),
             Object::Joint(_) => Some(Owner::Joint),
@@ -69,7 +98,8 @@ impl Object {
     /// Description in the user's words, with its article.
     pub(super) fn describe(&self) -> &'static str {
         match self {
-            Object::Body(_) => "a body",
+            Object::Body(_) | Object::Link { is_frame: false, .. } => "a body",
+            Object::Link { .. } => "a frame",
             Object::Line(_) => "a line",
             Object::Connector(connector) => match connector.kind {
                 ConnectorKind::Spring => "a spring",

@@ -190,6 +190,20 @@ pub enum Obligation {
         /// It.
         value: AstId,
     },
+    /// A vector of three components.
+    SpaceVector {
+        /// Description in words.
+        what: String,
+        /// It.
+        value: AstId,
+    },
+    /// A tensor of inertia must be that of some distribution of mass.
+    Tensor {
+        /// The body.
+        body: Name,
+        /// xx, yy, zz, xy, xz, yz about its centre of mass.
+        tensor: [AstId; 6],
+    },
     /// A property of a rigid body, which does not change during the motion.
     Fixed {
         /// Description in words.

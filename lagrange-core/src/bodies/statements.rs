@@ -7,10 +7,18 @@ use super::gravity::{report_idle_gravity, translate_gravity};
 use super::joints::translate_joint;
 use super::lines::translate_line;
 use super::messages;
-use super::object::Body;
+use super::mobilizers::{report_waiting, translate_plane_mobilizer};
+use super::object::{Body, WaitingBody};
 use super::plain::{Drawn, DrawnKind, LoadOrigin, Plain};
+use super::space::{
+    point_on_link, report_unplaced, translate_frame, translate_spatial_body, translate_spatial_force,
+    translate_spatial_gravity, translate_spatial_mobilizer, translate_spatial_torque,
+};
 use super::translation::Translation;
-use crate::syntax::ast::{AstId, Declaration, Expression, SceneStatement, Statement, StatementKind};
+use super::unneeded::leave_out_unneeded;
+use crate::syntax::ast::{
+    self, AstId, ConnectorKind, Declaration, Expression, JointKind, SceneStatement, Statement, StatementKind,
+};
 
 /// Translates all statements.
 pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Declaration) -> Plain {
@@ -19,7 +27,18 @@ pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Decla
         translate_statement(&mut translation, statement);
     }
     report_idle_gravity(&mut translation);
+    report_waiting(&mut translation);
+    report_unplaced(&mut translation);
     translation.drawing.append(&mut translation.loads);
+    let kinematic = translation.space.take().map(|space| space.kinematic);
+    let mut plain = plain_of(translation, declaration);
+    if let Some(kinematic) = kinematic {
+        leave_out_unneeded(&mut plain, &kinematic);
+    }
+    plain
+}
+
+fn plain_of(translation: Translation<'_>, declaration: Declaration) -> Plain {
     Plain {
         declaration: Declaration {
             statements: translation.statements,
@@ -37,31 +56,89 @@ pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Decla
 
 pub(super) fn translate_statement(translation: &mut Translation<'_>, statement: Statement) {
     match statement.kind {
+        StatementKind::Scene(SceneStatement::Mobilizer(ref joint)) => {
+            let joint = joint.clone();
+            match translation.space {
+                Some(_) => translate_spatial_mobilizer(translation, &joint, statement),
+                None => translate_plane_mobilizer(translation, &joint, statement),
+            }
+        }
         StatementKind::Scene(scene) => translate_scene(translation, scene),
         StatementKind::ForceAt { force, point } => translate_force(translation, force, point, statement),
         StatementKind::Torque { moment, angle } => translate_torque(translation, moment, angle, statement),
         mut kind => {
-            if let StatementKind::Let(name, value) = &kind
-                && let Some(body) = translation.body_of(*value)
-            {
-                translation.points.insert(name.text.clone(), body);
-            }
+            let bound = match &kind {
+                StatementKind::Let(name, value) => Some((name.text.clone(), *value)),
+                _ => None,
+            };
             for expression in kind.expressions_mut() {
                 *expression = plain_expression(translation, *expression);
+            }
+            if let Some((name, value)) = bound {
+                note_point(translation, name, value);
             }
             translation.statements.push(Statement { kind, ..statement });
         }
     }
 }
 
+/// Remembers of what a named point is one.
+fn note_point(translation: &mut Translation<'_>, name: String, value: AstId) {
+    if let Some(body) = translation.body_of(value) {
+        translation.points.insert(name, body);
+    } else if let Some(point) = point_on_link(translation, value)
+        && let Some(space) = &mut translation.space
+    {
+        space.points.insert(name, point);
+    }
+}
+
 pub(super) fn translate_scene(translation: &mut Translation<'_>, statement: SceneStatement) {
     report_beside_lagrangian(translation, &statement);
+    let is_spatial = translation.space.is_some();
+    if let Some(word) = word_of_the_plane(&statement).filter(|_| is_spatial) {
+        let error = translation.report.error(translation.origin, messages::only_in_the_plane(word));
+        error.help(messages::NOT_IN_SPACE_HELP);
+        return;
+    }
     match statement {
+        SceneStatement::Gravity(value) if is_spatial => translate_spatial_gravity(translation, value),
         SceneStatement::Gravity(value) => translate_gravity(translation, value),
-        SceneStatement::Body(body) => translate_body(translation, &body),
+        SceneStatement::Body(body) if is_spatial => translate_spatial_body(translation, &body),
+        SceneStatement::Body(body) => translate_or_keep(translation, body),
+        SceneStatement::Frame(name) if is_spatial => translate_frame(translation, &name),
+        SceneStatement::Frame(name) => translation.waiting.push(WaitingBody::Frame(name)),
         SceneStatement::Line(line) => translate_line(translation, line),
         SceneStatement::Connector(connector) => translate_connector(translation, &connector),
         SceneStatement::Joint(joint) => translate_joint(translation, &joint),
+        // It is a statement with documentation of its own.
+        SceneStatement::Mobilizer(_) => {}
+    }
+}
+
+/// A body in the plane, which waits if a joint is to place it.
+fn translate_or_keep(translation: &mut Translation<'_>, body: Box<ast::Body>) {
+    let is_placed = body.center.is_some() || body.origin.is_some();
+    match !is_placed && translation.names.is_placed_by_joint(&body.name.text) {
+        true => translation.waiting.push(WaitingBody::Body(body)),
+        false => translate_body(translation, &body),
+    }
+}
+
+/// The word of a statement that has no meaning in space.
+fn word_of_the_plane(statement: &SceneStatement) -> Option<&'static str> {
+    match statement {
+        SceneStatement::Line(_) => Some("line"),
+        SceneStatement::Joint(joint) => match joint.kind {
+            JointKind::Pin { .. } => None,
+            JointKind::Slide { .. } => Some("slide"),
+            JointKind::Roll { .. } => Some("roll"),
+        },
+        SceneStatement::Connector(connector) => match connector.kind {
+            ConnectorKind::Spring | ConnectorKind::Damper => None,
+            ConnectorKind::TorsionSpring | ConnectorKind::TorsionDamper => Some(connector.kind.name()),
+        },
+        _ => None,
     }
 }
 
@@ -83,6 +160,9 @@ pub(super) fn translate_force(
     point: AstId,
     statement: Statement,
 ) {
+    if translation.space.is_some() {
+        return translate_spatial_force(translation, force, point, statement);
+    }
     let body = translation.body_of(point);
     let (force, point) = (plain_expression(translation, force), translated_place(translation, point));
     if is_in_plane(translation, force) && !translation.bodies.is_empty() {
@@ -104,6 +184,9 @@ pub(super) fn translate_torque(
     angle: AstId,
     statement: Statement,
 ) {
+    if let Some(link) = translation.link_named(angle) {
+        return translate_spatial_torque(translation, moment, link, statement);
+    }
     let body = translation.body_named(angle);
     let written = angle;
     let (moment, angle) = (plain_expression(translation, moment), turning(translation, angle));

@@ -76,16 +76,56 @@ impl<'e> TermWriter<'e> {
         self.add_node(Expression::Tuple(pair.to_vec()))
     }
 
-    /// The components of a vector.
+    /// A vector of these components; all those of one vector in their order are that vector.
+    pub(super) fn vector(&mut self, components: &[AstId]) -> AstId {
+        match self.whole(components) {
+            Some(vector) => vector,
+            None => self.add_node(Expression::Tuple(components.to_vec())),
+        }
+    }
+
+    /// The vector in space that has these components.
+    fn whole(&self, components: &[AstId]) -> Option<AstId> {
+        let of = |id: AstId, axis: &str| match self.expressions.get(id) {
+            Expression::Component(vector, name) if name.text == axis => Some(*vector),
+            _ => None,
+        };
+        let &[x, y, z] = components else { return None };
+        let vector = of(x, "x")?;
+        (of(y, "y") == Some(vector) && of(z, "z") == Some(vector)).then_some(vector)
+    }
+
+    /// The components of a vector in the plane.
     pub(super) fn pair(&mut self, vector: AstId) -> Pair {
-        match self.expressions.get(vector) {
-            Expression::Tuple(components) if components.len() == 2 => [components[0], components[1]],
-            Expression::Invalid => [vector, vector],
-            _ => ["x", "y"].map(|axis| {
+        self.components(vector, ["x", "y"])
+    }
+
+    /// The components of a vector in space.
+    pub(super) fn triple(&mut self, vector: AstId) -> [AstId; 3] {
+        self.components(vector, ["x", "y", "z"])
+    }
+
+    /// The components of the difference of two vectors.
+    pub(super) fn difference(&mut self, dimension: usize, [a, b]: [AstId; 2]) -> Vec<AstId> {
+        let (a, b) = match dimension {
+            3 => (self.triple(a).to_vec(), self.triple(b).to_vec()),
+            _ => (self.pair(a).to_vec(), self.pair(b).to_vec()),
+        };
+        a.into_iter().zip(b).map(|(a, b)| self.minus(a, b)).collect()
+    }
+
+    fn components<const N: usize>(&mut self, vector: AstId, axes: [&str; N]) -> [AstId; N] {
+        let written = match self.expressions.get(vector) {
+            Expression::Tuple(components) => components.clone().try_into().ok(),
+            Expression::Invalid => Some([vector; N]),
+            _ => None,
+        };
+        written.unwrap_or_else(|| {
+            axes.map(|axis| {
                 let axis = Name { text: axis.to_owned(), span: self.expressions.origin(vector).start };
                 self.add_node(Expression::Component(vector, axis))
-            }),
-        }
+            })
+        })
     }
 
     pub(super) fn plus(&mut self, a: AstId, b: AstId) -> AstId {
@@ -251,6 +291,10 @@ impl<'e> TermWriter<'e> {
 
     pub(super) fn is_zero(&self, id: AstId) -> bool {
         self.as_number(id).is_some_and(Number::is_zero)
+    }
+
+    pub(super) fn is_number(&self, id: AstId) -> bool {
+        self.as_number(id).is_some()
     }
 
     fn as_number(&self, id: AstId) -> Option<&Number> {

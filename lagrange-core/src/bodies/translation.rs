@@ -2,8 +2,9 @@
 
 use super::messages;
 use super::names::SceneNames;
-use super::object::{Body, Line, Object};
+use super::object::{Body, Line, Object, WaitingBody};
 use super::plain::{Drawn, Motion, Obligation};
+use super::space::{Space, is_spatial};
 use super::terms::{Pair, TermWriter};
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
@@ -16,6 +17,10 @@ pub(super) struct Translation<'a> {
     pub(super) names: SceneNames,
     pub(super) bodies: Vec<Body>,
     pub(super) lines: Vec<Line>,
+    /// What the scene holds beside that if it is in space.
+    pub(super) space: Option<Space>,
+    /// Bodies and frames in the plane that a joint is still to place.
+    pub(super) waiting: Vec<WaitingBody>,
     /// Plain statements so far.
     pub(super) statements: Vec<Statement>,
     /// The statement that is being translated.
@@ -46,9 +51,11 @@ impl<'a> Translation<'a> {
         Translation {
             report,
             names: SceneNames::new(declaration),
+            space: is_spatial(declaration).then(Space::default),
             expressions: std::mem::take(&mut declaration.expressions),
             bodies: Vec::new(),
             lines: Vec::new(),
+            waiting: Vec::new(),
             statements: Vec::new(),
             origin: declaration.name.span.into(),
             gravity: None,
@@ -75,6 +82,11 @@ impl<'a> Translation<'a> {
         let origin = self.expressions.origin(what);
         let error = self.report.error(origin, messages::does_not_turn(&name, purpose));
         error.help(messages::DOES_NOT_TURN_HELP);
+    }
+
+    /// Number of components of vectors in the scene.
+    pub(super) fn dimension(&self) -> usize {
+        if self.space.is_some() { 3 } else { 2 }
     }
 
     /// Writes expressions for the current statement.
@@ -118,6 +130,20 @@ impl<'a> Translation<'a> {
         let Expression::Name(name) = self.expressions.get(id) else { return None };
         match self.names.find(name)? {
             Object::Body(body) => Some(*body),
+            _ => None,
+        }
+    }
+
+    /// The translation of an expression whose parts have been translated.
+    pub(super) fn plain_of(&self, id: AstId) -> AstId {
+        self.translated.get(&id).copied().unwrap_or(id)
+    }
+
+    /// The body or frame in space that an expression names.
+    pub(super) fn link_named(&self, id: AstId) -> Option<usize> {
+        let Expression::Name(name) = self.expressions.get(id) else { return None };
+        match self.names.find(name)? {
+            Object::Link { index, .. } => Some(*index),
             _ => None,
         }
     }

@@ -134,7 +134,7 @@ fn corner_coordinates(
     let corners = arguments.iter().map(|&argument| {
         let corner = evaluator.vector(argument, &what)?;
         if corner.len() != 2 {
-            let message = words::plane_vector_needed(&what, &Operand::Vector(corner).kind());
+            let message = words::vector_needed(&what, 2, &Operand::Vector(corner).kind());
             evaluator.report.error(evaluator.origin(argument), message).help(words::PLANE_VECTOR_HELP);
             return None;
         }

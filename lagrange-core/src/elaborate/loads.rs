@@ -9,7 +9,8 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages;
 use super::operand::Operand;
-use crate::expr::Dependencies;
+use crate::calculus::{Degree, Degrees};
+use crate::expr::{Dependencies, ExprId};
 use crate::model::Load;
 use crate::syntax::ast::{AstId, Name};
 
@@ -44,6 +45,40 @@ pub(super) fn add_force_at(elaborator: &mut Elaborator<'_>, force: AstId, point:
         let pairs = velocity.components().iter().zip(components);
         elaborator.loads.extend(pairs.map(|(&velocity, force)| Load { velocity, force }));
     }
+}
+
+/// A force along velocities: it does work at the rate F·u.
+pub(super) fn add_force_along(elaborator: &mut Elaborator<'_>, force: AstId, velocity: AstId) {
+    let values = [force, velocity].map(|syntax| value_of(&mut elaborator.evaluator, syntax));
+    let [Some(forces), Some(velocities)] = values else { return };
+    if !forces.same_kind(&velocities) {
+        let message = messages::kinds_differ("pair", &forces.kind(), &velocities.kind());
+        let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(velocity), message);
+        error.help(messages::KINDS_HELP);
+        return;
+    }
+    for (&force_value, &along) in forces.components().iter().zip(velocities.components()) {
+        let is_sound = elaborator.forbid_accelerations(force, force_value, "a force").is_some();
+        if is_sound && is_affine_in_velocities(elaborator, velocity, along) {
+            elaborator.loads.push(Load { velocity: along, force: force_value });
+        }
+    }
+}
+
+/// Reports what is no sum of velocities.
+fn is_affine_in_velocities(elaborator: &mut Elaborator<'_>, syntax: AstId, value: ExprId) -> bool {
+    let what = "the velocity of a force";
+    let known = elaborator.forbid_accelerations(syntax, value, what);
+    let mut degrees = Degrees::default();
+    degrees.classify(&elaborator.evaluator.graph, &[value]);
+    let degree = degrees.of(&elaborator.evaluator.graph, value);
+    if known.is_some() && degree == Degree::Nonlinear {
+        let origin = elaborator.evaluator.origin(syntax);
+        let error = elaborator.evaluator.report.error(origin, messages::NO_VELOCITY);
+        error.help(messages::NO_VELOCITY_HELP);
+    }
+    // What does not move does no work.
+    known.is_some() && degree == Degree::Affine
 }
 
 pub(super) fn add_torque(elaborator: &mut Elaborator<'_>, moment: AstId, angle: AstId, keyword: Span) {

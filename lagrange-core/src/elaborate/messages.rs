@@ -102,6 +102,8 @@ pub(super) fn must_not_depend(place: &str, kind: Dependencies, name: &str) -> St
     format!("{place} must not depend on {culprit}")
 }
 
+pub(super) const NO_VELOCITY: &str = "this is no velocity: it is not a sum of rates";
+pub(super) const NO_VELOCITY_HELP: &str = "a force works along a velocity such as `dot(x)` or `dot(x) - r * dot(phi)`; at a point, write `force F at P;`";
 pub(super) const PLACE_HELP: &str = "places and angles are functions of the coordinates and of time";
 pub(super) const POTENTIAL_HELP: &str =
     "put terms with velocities into `kinetic`, `lagrangian` or `dissipation`";

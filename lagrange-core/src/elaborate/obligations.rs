@@ -26,7 +26,9 @@ pub(super) fn check_obligations(elaborator: &mut Elaborator, obligations: &[Obli
             }
             Obligation::Fixed { what, value } => fixed(elaborator, what, *value),
             Obligation::Uniform { gravity } => uniform(elaborator, *gravity),
-            Obligation::PlaneVector { what, value } => plane_vector(elaborator, what, *value),
+            Obligation::PlaneVector { what, value } => vector_of(elaborator, what, *value, 2),
+            Obligation::SpaceVector { what, value } => vector_of(elaborator, what, *value, 3),
+            Obligation::Tensor { body, tensor } => tensor_is_physical(elaborator, body, tensor),
             Obligation::Moves { body, center, angle } => moves(elaborator, body, [*center, *angle]),
         }
     }
@@ -106,13 +108,47 @@ fn same_inertia(elaborator: &mut Elaborator, body: &Name, inertias: [AstId; 2], 
     warning.related(shape, words::SHAPE_IS_HERE).help(words::OTHER_INERTIA_HELP);
 }
 
-fn plane_vector(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
+fn vector_of(elaborator: &mut Elaborator, what: &str, syntax: AstId, dimension: usize) {
     let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
-    if !matches!(&value, Operand::Vector(components) if components.len() == 2) {
+    if !matches!(&value, Operand::Vector(components) if components.len() == dimension) {
         let origin = elaborator.evaluator.origin(syntax);
-        let message = words::plane_vector_needed(what, &value.kind());
-        elaborator.evaluator.report.error(origin, message).help(words::PLANE_VECTOR_HELP);
+        let message = words::vector_needed(what, dimension, &value.kind());
+        elaborator.evaluator.report.error(origin, message).help(words::vector_help(dimension));
     }
+}
+
+/// Moments and products of inertia are those of a body if no principal moment exceeds the sum of the others, which also makes them
+/// positive: then the second moments ½ (tr J) 1 − J of the mass have no negative eigenvalue.
+fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId; 6]) {
+    let components = tensor.map(|syntax| scalar(elaborator, syntax));
+    let (graph, defaults) = (&elaborator.evaluator.graph, Defaults::of(elaborator));
+    let mut numbers = [0.0; 6];
+    let mut is_constant = true;
+    for (number, component) in numbers.iter_mut().zip(components) {
+        let Some(component) = component else { return };
+        let Some(value) = defaults.evaluate(graph, component).filter(|value| value.is_finite()) else {
+            return;
+        };
+        (*number, is_constant) = (value, is_constant && graph.dependencies(component) == Dependencies::NONE);
+    }
+    if !is_physical(numbers) {
+        let wrong =
+            Wrong { text: String::new(), origin: elaborator.evaluator.origin(tensor[0]), is_constant };
+        wrong.report(elaborator, words::tensor_impossible(&body.text, is_constant)).help(words::TENSOR_HELP);
+    }
+}
+
+/// Whether the second moments of the mass are positive semidefinite, but for rounding: by the signs of the principal minors.
+fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
+    let half = 0.5 * (xx + yy + zz);
+    let [a, b, c] = [half - xx, half - yy, half - zz];
+    let (size, slack) = (half.abs(), ROUNDING * half.abs());
+    let pairs = [a * b - xy * xy, a * c - xz * xz, b * c - yz * yz];
+    let volume = a * pairs[2] - xy * (xy * c + yz * xz) - xz * (xy * yz + b * xz);
+    half >= 0.0
+        && [a, b, c].iter().all(|&moment| moment >= -slack)
+        && pairs.iter().all(|&minor| minor >= -slack * size)
+        && volume >= -slack * size * size
 }
 
 /// A body that stands still whatever happens has no place among coordinates.

@@ -7,7 +7,7 @@ use super::definitions::{
 use super::elaborator::Elaborator;
 use super::events::add_event;
 use super::expression::value_of;
-use super::loads::{add_force_at, add_force_on, add_torque};
+use super::loads::{add_force_along, add_force_at, add_force_on, add_torque};
 use super::messages;
 use super::reactions::add_friction;
 use super::reductions::add_reduction;
@@ -55,6 +55,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         }
         StatementKind::ForceOn(coordinate, value) => add_force_on(elaborator, coordinate, *value),
         StatementKind::ForceAt { force, point } => add_force_at(elaborator, *force, *point),
+        StatementKind::ForceAlong { force, velocity } => add_force_along(elaborator, *force, *velocity),
         StatementKind::Torque { moment, angle } => add_torque(elaborator, *moment, *angle, keyword),
         StatementKind::Constraint(name, value) => add_constraint(elaborator, name, *value),
         StatementKind::Stabilise(rate) => set_stabilisation(elaborator, *rate, keyword),

@@ -7,6 +7,7 @@ pub mod bodies;
 mod events;
 mod expressions;
 mod keywords;
+pub mod mobilizers;
 pub mod statements;
 
 use proc_macro2::{Span, TokenStream};
@@ -14,8 +15,9 @@ use proc_macro2::{Span, TokenStream};
 use crate::collections::HashMap;
 pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
 pub use events::{Action, Assignment, Direction, Event, Friction};
-pub use expressions::{AstId, BinaryOperator, Condition, Expression, Expressions};
+pub use expressions::{AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES};
 pub use keywords::{Keyword, Soft};
+pub use mobilizers::{Mobilizer, MobilizerKind};
 pub use statements::{
     Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Statement, StatementKind,
 };

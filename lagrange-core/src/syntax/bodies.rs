@@ -1,8 +1,8 @@
-//! Statements that declare plane rigid bodies.
+//! Statements that declare rigid bodies.
 
-use proc_macro2::Delimiter;
+use proc_macro2::{Delimiter, Group, TokenTree};
 
-use super::ast::{Body, Name, Part, Shape};
+use super::ast::{AstId, Body, Name, Part, Shape};
 use super::blocks::{BlockLabels, at_label};
 use super::cursor::{Cursor, group_origin};
 use super::messages;
@@ -12,9 +12,12 @@ use super::parser::{Parsed, Parser};
 use super::recovery::Turn;
 
 /// Labels in the description of a body.
-const BODY: &[&str] = &["mass", "inertia", "center", "origin", "centroid", "angle", "shape", "compound"];
+const BODY: &[&str] =
+    &["mass", "inertia", "center", "origin", "centroid", "angle", "angles", "sequence", "shape", "compound"];
+/// Number of components of a tensor of inertia.
+const TENSOR: usize = 6;
 /// Labels of a part of a compound, behind what it is.
-const PART: &[&str] = &["mass", "at", "angle"];
+const PART: &[&str] = &["mass", "at", "angle", "turned"];
 
 impl Parser<'_> {
     /// `name { mass: e; … }`.
@@ -41,6 +44,14 @@ impl Parser<'_> {
             body.shape = Some(self.shape(cursor)?);
             return Ok(());
         }
+        if label == "sequence" {
+            body.sequence = Some(self.sequence(cursor)?);
+            return Ok(());
+        }
+        if label == "inertia" && at_tensor(cursor) {
+            body.tensor = Some(self.tensor(cursor)?);
+            return Ok(());
+        }
         let value = Some(self.line_value(cursor));
         match label {
             "mass" => body.mass = value,
@@ -48,9 +59,39 @@ impl Parser<'_> {
             "center" => body.center = value,
             "origin" => body.origin = value,
             "centroid" => body.centroid = value,
+            "angles" => body.angles = value,
             _ => body.angle = value,
         }
         Ok(())
+    }
+
+    /// `zxz`: axes of three rotations, one after the other.
+    fn sequence(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
+        let letters = self.name(cursor)?;
+        let axes = letters.text.as_bytes();
+        let is_sequence = axes.len() == 3
+            && axes.iter().all(|axis| b"xyz".contains(axis))
+            && axes.windows(2).all(|pair| pair[0] != pair[1]);
+        match is_sequence {
+            true => Ok(letters),
+            false => {
+                let message = scenes::no_sequence(&letters.text);
+                Err(self.fail_with_help(letters.span, message, scenes::SEQUENCE_HELP))
+            }
+        }
+    }
+
+    /// `(xx, yy, zz, xy, xz, yz)`.
+    fn tensor(&mut self, cursor: &mut Cursor) -> Parsed<[AstId; TENSOR]> {
+        let here = cursor.here();
+        let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
+            let message = messages::expected("`(`", cursor.peek());
+            return Err(self.fail_with_help(here, message, scenes::TENSOR_HELP));
+        };
+        let components = self.arguments(&group, Vec::new())?;
+        let count = components.len();
+        let tensor = components.try_into();
+        tensor.map_err(|_| self.fail_with_help(here, scenes::tensor_count(count), scenes::TENSOR_HELP))
     }
 
     /// Completes a body: what could not be read may be what is missing, so that nothing more is to be said about it.
@@ -58,9 +99,11 @@ impl Parser<'_> {
         let origin = body.name.span.into();
         if body.parts.is_empty() {
             self.missing(&mut body.mass, origin);
+        }
+        if body.parts.is_empty() && body.tensor.is_none() {
             self.missing(&mut body.inertia, origin);
         }
-        if body.origin.is_none() {
+        if body.origin.is_none() && body.angles.is_none() {
             self.missing(&mut body.center, origin);
         }
     }
@@ -107,7 +150,7 @@ impl Parser<'_> {
         let is_hole = cursor.eat_word("hole").is_some();
         let shape = self.shape(cursor)?;
         let origin = shape.origin;
-        let mut part = Part { is_hole, shape, mass: None, at: None, angle: None, origin };
+        let mut part = Part { is_hole, shape, mass: None, at: None, angle: None, turned: None, origin };
         let mut labels = BlockLabels::new("a part", PART);
         self.turns(cursor, |parser, cursor| {
             if !parser.comma(cursor) || cursor.at(';') || cursor.at_end() {
@@ -142,10 +185,21 @@ impl Parser<'_> {
         match label {
             "mass" => part.mass = value,
             "at" => part.at = value,
+            "turned" => part.turned = value,
             _ => part.angle = value,
         }
         Ok(())
     }
+}
+
+/// True before parentheses that hold more components than a vector.
+fn at_tensor(cursor: &Cursor) -> bool {
+    let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
+    let commas = |group: &Group| {
+        let tokens = group.stream().into_iter().collect::<Vec<_>>();
+        tokens.split(is_comma).filter(|component| !component.is_empty()).count()
+    };
+    cursor.group(Delimiter::Parenthesis).is_some_and(|group| commas(group) > 3)
 }
 
 fn empty_body(name: Name) -> Body {
@@ -153,10 +207,13 @@ fn empty_body(name: Name) -> Body {
         name,
         mass: None,
         inertia: None,
+        tensor: None,
         center: None,
         origin: None,
         centroid: None,
         angle: None,
+        angles: None,
+        sequence: None,
         shape: None,
         parts: Vec::new(),
     }

@@ -258,6 +258,11 @@ impl Cursor {
             Soft::Braces if name.is_some() => as_group(self.peek_past(2), Delimiter::Brace).is_some(),
             Soft::Braces => as_group(self.peek_past(1), Delimiter::Brace).is_some_and(is_labelled),
             Soft::Joint => name.is_some_and(|name| !keywords::is_connective(&name)),
+            Soft::Alone => name.is_some() && is_punct(self.peek_past(2), ';'),
+            Soft::Coordinates => {
+                let is_list = as_group(self.peek_past(1), Delimiter::Parenthesis).is_some();
+                (name.is_some() || is_list) && self.equals_past(2)
+            }
         }
     }
 

@@ -64,8 +64,10 @@ const STATEMENTS: &[(&[&str], &str)] = &[
     (&["dashpot"], "damper"),
     (&["torsional_spring", "rotational_spring", "spiral_spring"], "torsion_spring"),
     (&["torsional_damper", "rotational_damper"], "torsion_damper"),
-    (&["joint", "hinge", "revolute", "pivot", "connect"], "pin"),
-    (&["slider", "prismatic"], "slide"),
+    (&["joint", "pivot", "connect"], "pin"),
+    (&["hinge", "continuous"], "revolute"),
+    (&["slider", "translational"], "prismatic"),
+    (&["fixed"], "weld"),
     (&["rolling"], "roll"),
 ];
 

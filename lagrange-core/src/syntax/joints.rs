@@ -55,7 +55,7 @@ impl Parser<'_> {
     }
 
     /// The word between what is joined.
-    fn joining(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
+    pub(super) fn joining(&mut self, word: &str, help: &str, cursor: &mut Cursor) -> Parsed<()> {
         match cursor.eat_word(word) {
             Some(_) => Ok(()),
             None => Err(self.misplaced(&format!("`{word}`"), help, cursor)),
@@ -72,14 +72,14 @@ impl Parser<'_> {
     }
 
     /// The name of a body or a line.
-    fn mentioned(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
+    pub(super) fn mentioned(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
         match cursor.ident() {
             Some(_) if !cursor.at_statement() => self.name(cursor),
             _ => Err(self.misplaced("a name", help, cursor)),
         }
     }
 
-    fn misplaced(&mut self, wanted: &str, help: &str, cursor: &Cursor) -> Reported {
+    pub(super) fn misplaced(&mut self, wanted: &str, help: &str, cursor: &Cursor) -> Reported {
         self.fail_with_help(cursor.here(), messages::expected(wanted, cursor.peek()), help)
     }
 }

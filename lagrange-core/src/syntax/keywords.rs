@@ -1,23 +1,29 @@
 //! The words of the language, and which of them a declaration cannot use as names of its own.
 
-use super::ast::{Keyword, Soft, bodies, statements};
+use super::ast::{Keyword, Soft, bodies, mobilizers, statements};
 use crate::functions;
 
+/// Tables of words that begin a statement.
+const TABLES: [&[Keyword]; 3] = [&statements::KEYWORDS, &bodies::KEYWORDS, &mobilizers::KEYWORDS];
+/// Number of words that begin a statement.
+const STATEMENT_COUNT: usize = TABLES[0].len() + TABLES[1].len() + TABLES[2].len();
+
 /// Words that begin a statement.
-pub(super) const STATEMENTS: [&str; statements::KEYWORDS.len() + bodies::KEYWORDS.len()] = {
-    let plain = statements::KEYWORDS.len();
-    let mut words = [""; statements::KEYWORDS.len() + bodies::KEYWORDS.len()];
-    let mut index = 0;
+pub(super) const STATEMENTS: [&str; STATEMENT_COUNT] = {
+    let mut words = [""; STATEMENT_COUNT];
+    let (mut table, mut row, mut index) = (0, 0, 0);
     while index < words.len() {
-        let row = if index < plain { &statements::KEYWORDS[index] } else { &bodies::KEYWORDS[index - plain] };
-        words[index] = row.word;
-        index += 1;
+        if row == TABLES[table].len() {
+            (table, row) = (table + 1, 0);
+        }
+        words[index] = TABLES[table][row].word;
+        (row, index) = (row + 1, index + 1);
     }
     words
 };
 
 /// Words that can follow a name within a statement.
-const CONNECTIVES: &[&str] = &["at", "on", "to", "as"];
+const CONNECTIVES: &[&str] = &["at", "on", "to", "as", "in", "along"];
 
 /// Functions of the language that are no elementary functions, with their number of arguments.
 pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 10] = [
@@ -44,7 +50,7 @@ const RUST: &[&str] = &[
 
 /// The statement that a word begins, be it before certain tokens only.
 pub(super) fn statement(word: &str) -> Option<&'static Keyword> {
-    statements::KEYWORDS.iter().chain(&bodies::KEYWORDS).find(|keyword| keyword.word == word)
+    TABLES.iter().copied().flatten().find(|keyword| keyword.word == word)
 }
 
 /// True if a word begins a statement wherever it stands.

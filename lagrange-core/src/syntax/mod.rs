@@ -35,6 +35,7 @@ mod joints;
 mod keywords;
 mod literals;
 mod messages;
+mod mobilizers;
 mod names;
 mod parser;
 pub mod print;

@@ -81,6 +81,10 @@ impl Printer<'_> {
                 self.labelled("force ", *force);
                 self.between(" at ", *point, ";");
             }
+            StatementKind::ForceAlong { force, velocity } => {
+                self.labelled("force ", *force);
+                self.between(" along ", *velocity, ";");
+            }
             StatementKind::Torque { moment, angle } => {
                 self.labelled("torque ", *moment);
                 self.between(" on ", *angle, ";");

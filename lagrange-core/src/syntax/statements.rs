@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use super::ast::{Action, AstId, ConnectorKind, SceneStatement, Statement, StatementKind};
+use super::ast::{Action, AstId, ConnectorKind, MobilizerKind, SceneStatement, Statement, StatementKind};
 use super::cursor::Cursor;
 use super::header::header_ahead;
 use super::messages;
@@ -100,11 +100,15 @@ impl Parser<'_> {
         }
     }
 
-    /// A statement about plane rigid bodies, if the word begins one.
+    /// A statement about rigid bodies, if the word begins one.
     fn scene_statement(&mut self, keyword: &Ident, cursor: &mut Cursor) -> Option<Parsed<SceneStatement>> {
         let text = keyword.to_string();
         if let Some(kind) = ConnectorKind::named(&text) {
             return Some(self.connector(kind, cursor).map(SceneStatement::Connector));
+        }
+        if let Some(kind) = MobilizerKind::named(&text) {
+            let joint = self.mobilizer(kind, cursor);
+            return Some(joint.map(|joint| SceneStatement::Mobilizer(Box::new(joint))));
         }
         Some(match text.as_str() {
             "gravity" => self.assigned(form("gravity"), cursor).map(SceneStatement::Gravity),
@@ -113,6 +117,7 @@ impl Parser<'_> {
             "pin" => self.pin(cursor).map(SceneStatement::Joint),
             "slide" => self.slide(cursor).map(SceneStatement::Joint),
             "roll" => self.roll(cursor).map(SceneStatement::Joint),
+            "frame" => self.declared_name(cursor).map(SceneStatement::Frame),
             _ => return None,
         })
     }
@@ -138,7 +143,7 @@ impl Parser<'_> {
         Ok(StatementKind::Constraint(name, value))
     }
 
-    /// `x = e` or `e at e`.
+    /// `x = e`, `e at e` or `e along e`.
     fn force(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         if cursor.ident().is_some() && at_equals_past(1, cursor) {
             let name = self.name(cursor)?;
@@ -172,8 +177,8 @@ fn ends_in_braces(kind: &StatementKind) -> bool {
         StatementKind::Emit(_) | StatementKind::Reduce(_) => true,
         StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),
         StatementKind::Scene(statement) => {
-            use SceneStatement::{Body, Connector, Line};
-            matches!(statement, Body(_) | Line(_) | Connector(_))
+            use SceneStatement::{Body, Connector, Line, Mobilizer};
+            matches!(statement, Body(_) | Line(_) | Connector(_) | Mobilizer(_))
         }
         _ => false,
     }

@@ -9,9 +9,23 @@ pub(in crate::elaborate) fn too_few_arguments(name: &str, least: usize, found: u
     format!("`{name}` takes at least {least} arguments, but {given}")
 }
 
-pub(in crate::elaborate) fn plane_vector_needed(what: &str, found: &str) -> String {
-    format!("{what} must be a vector of 2 components, but this is {found}")
+pub(in crate::elaborate) fn vector_needed(what: &str, dimension: usize, found: &str) -> String {
+    format!("{what} must be a vector of {dimension} components, but this is {found}")
 }
+
+pub(in crate::elaborate) fn vector_help(dimension: usize) -> &'static str {
+    match dimension {
+        2 => PLANE_VECTOR_HELP,
+        _ => "write its three components: `(x, y, z)`",
+    }
+}
+
+pub(in crate::elaborate) fn tensor_impossible(body: &str, is_certain: bool) -> String {
+    let when = if is_certain { "" } else { " with the defaults of its parameters" };
+    format!("no body has the moments and products of inertia of `{body}`{when}")
+}
+
+pub(in crate::elaborate) const TENSOR_HELP: &str = "about the centre of mass no principal moment exceeds the sum of the other two; products are the entries of the matrix, xy = -∫ x y dm";
 
 pub(in crate::elaborate) fn no_such_solid(usage: &str) -> String {
     format!("there is no `{usage}` of this size")

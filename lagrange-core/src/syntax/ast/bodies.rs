@@ -1,14 +1,17 @@
-//! Plane rigid bodies and what connects them, as written.
+//! Rigid bodies and what connects them, as written.
 
 use super::keywords::{Keyword, Soft};
+use super::mobilizers::Mobilizer;
 use super::{AstId, Name, Reach};
 use crate::diagnostics::Origin;
 
-/// A statement about plane rigid bodies.
+/// A statement about rigid bodies.
 ///
 /// ```text
 /// scene     = "gravity" "=" sum ";"
 ///           | "body" NAME "{" { body-line } "}" [ ";" ]
+///           | "frame" NAME ";"
+///           | mobilizer
 ///           | "line" NAME "{" { "on" ":" NAME ";" | ( "through" | "angle" ) ":" sum ";" } "}" [ ";" ]
 ///           | ( "spring" | "torsion_spring" ) [ NAME ]
 ///                 "{" { ( "from" | "to" | "stiffness" | "rest" ) ":" sum ";" } "}" [ ";" ]
@@ -17,9 +20,11 @@ use crate::diagnostics::Origin;
 ///           | "pin" [ NAME "=" ] sum "to" sum ";"
 ///           | "slide" [ NAME "=" ] sum "on" NAME ";"
 ///           | "roll" [ NAME "=" ] NAME "on" NAME [ "," "radius" ":" sum ] ";"
-/// body-line = ( "mass" | "inertia" | "center" | "origin" | "centroid" | "angle" ) ":" sum ";"
+/// body-line = ( "mass" | "inertia" | "center" | "origin" | "centroid" | "angle" | "angles" ) ":" sum ";"
+///           | "inertia" ":" "(" sum "," sum "," sum "," sum "," sum "," sum ")" ";"
+///           | "sequence" ":" NAME ";"
 ///           | "shape" ":" solid ";"
-///           | "compound" "{" { [ "hole" ] solid { "," ( "mass" | "at" | "angle" ) ":" sum } ";" } "}" [ ";" ]
+///           | "compound" "{" { [ "hole" ] solid { "," ( "mass" | "at" | "angle" | "turned" ) ":" sum } ";" } "}" [ ";" ]
 /// solid     = NAME "(" [ sum { "," sum } ] ")"
 /// ```
 #[derive(Clone, Debug)]
@@ -28,18 +33,23 @@ pub enum SceneStatement {
     Gravity(AstId),
     /// `body name { … }`
     Body(Box<Body>),
+    /// `frame name;`
+    Frame(Name),
     /// `line name { … }`
     Line(Line),
     /// `spring name { … }` and its kin
     Connector(Connector),
     /// `pin`, `slide` and `roll`
     Joint(Joint),
+    /// `revolute q = a to b { … }` and its kin
+    Mobilizer(Box<Mobilizer>),
 }
 
-/// Words that begin statements about plane rigid bodies.
-pub const KEYWORDS: [Keyword; 10] = [
+/// Words that begin statements about rigid bodies, but for those of [`Mobilizer`].
+pub const KEYWORDS: [Keyword; 11] = [
     Keyword::new("gravity", "write `gravity = (0, -g);`"),
     Keyword::new("body", "write `body name { mass: m; inertia: disk(m, r); center: (x, y); angle: phi; }`"),
+    Keyword::new("frame", "write `frame name;`, and a joint that places it").before(Soft::Alone),
     Keyword::new("line", "write `line name { through: (x, y); angle: e; }`").before(Soft::Braces),
     Keyword::new("spring", "write `spring { from: p; to: q; stiffness: k; rest: l; }`, with a name behind `spring` if it needs one")
         .before(Soft::Braces),
@@ -62,9 +72,11 @@ impl SceneStatement {
         match self {
             SceneStatement::Gravity(_) => (Vec::new(), Reach::Expressions),
             SceneStatement::Body(body) => (vec![&body.name], Reach::Both),
+            SceneStatement::Frame(name) => (vec![name], Reach::Expressions),
             SceneStatement::Line(line) => (vec![&line.name], Reach::Expressions),
             SceneStatement::Connector(connector) => (connector.name.iter().collect(), Reach::Expressions),
             SceneStatement::Joint(joint) => (joint.name.iter().collect(), Reach::Expressions),
+            SceneStatement::Mobilizer(joint) => (joint.coordinates.iter().collect(), Reach::Both),
         }
     }
 
@@ -73,6 +85,7 @@ impl SceneStatement {
         match self {
             SceneStatement::Gravity(value) => vec![value],
             SceneStatement::Body(body) => body.expressions_mut(),
+            SceneStatement::Frame(_) => Vec::new(),
             SceneStatement::Line(Line { through, angle, .. }) => {
                 [through, angle].into_iter().flatten().collect()
             }
@@ -81,6 +94,7 @@ impl SceneStatement {
                 [from, to, stiffness, rest, damping].into_iter().flatten().collect()
             }
             SceneStatement::Joint(joint) => joint.kind.expressions_mut(),
+            SceneStatement::Mobilizer(joint) => joint.expressions_mut(),
         }
     }
 }
@@ -92,8 +106,10 @@ pub struct Body {
     pub name: Name,
     /// `mass: m;`
     pub mass: Option<AstId>,
-    /// `inertia: j;`, about the centre of mass.
+    /// `inertia: j;`, about the centre of mass; of a body in space a vector of principal moments.
     pub inertia: Option<AstId>,
+    /// `inertia: (xx, yy, zz, xy, xz, yz);`, the tensor about the centre of mass in the body's own axes.
+    pub tensor: Option<[AstId; 6]>,
     /// `center: (x, y);`, where the centre of mass is.
     pub center: Option<AstId>,
     /// `origin: (x, y);`, where the origin of the body's own coordinates is.
@@ -102,6 +118,10 @@ pub struct Body {
     pub centroid: Option<AstId>,
     /// `angle: e;`, by which the body's own axes are turned.
     pub angle: Option<AstId>,
+    /// `angles: (e, e, e);`, one after the other about the axes of `sequence`.
+    pub angles: Option<AstId>,
+    /// `sequence: zxz;`
+    pub sequence: Option<Name>,
     /// `shape: solid(e);`
     pub shape: Option<Shape>,
     /// `compound { … }`; empty if there is none.
@@ -110,8 +130,9 @@ pub struct Body {
 
 impl Body {
     fn expressions_mut(&mut self) -> Vec<&mut AstId> {
-        let Body { mass, inertia, center, origin, centroid, angle, shape, parts, .. } = self;
-        let properties = [mass, inertia, center, origin, centroid, angle].into_iter().flatten();
+        let Body { mass, inertia, tensor, center, origin, centroid, angle, angles, shape, parts, .. } = self;
+        let properties = [mass, inertia, center, origin, centroid, angle, angles].into_iter().flatten();
+        let properties = properties.chain(tensor.iter_mut().flatten());
         let dimensions = shape.iter_mut().flat_map(|shape| &mut shape.dimensions);
         properties.chain(dimensions).chain(parts.iter_mut().flat_map(Part::expressions_mut)).collect()
     }
@@ -141,13 +162,16 @@ pub struct Part {
     pub at: Option<AstId>,
     /// Angle by which its own axes are turned in those of the body.
     pub angle: Option<AstId>,
+    /// `turned: (roll, pitch, yaw)`, the orientation of its own axes in a body in space.
+    pub turned: Option<AstId>,
     /// Place of all of it.
     pub origin: Origin,
 }
 
 impl Part {
     fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
-        let properties = [&mut self.mass, &mut self.at, &mut self.angle].into_iter().flatten();
+        let properties =
+            [&mut self.mass, &mut self.at, &mut self.angle, &mut self.turned].into_iter().flatten();
         self.shape.dimensions.iter_mut().chain(properties)
     }
 }

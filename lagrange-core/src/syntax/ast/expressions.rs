@@ -37,6 +37,9 @@ pub struct Condition {
     pub right: AstId,
 }
 
+/// The function that `v in body` is: components of a vector in the axes of a body. It is a keyword, so that no call has this name.
+pub const IN_AXES: &str = "in";
+
 /// An expression.
 #[derive(Clone, Debug)]
 pub enum Expression {
@@ -65,6 +68,37 @@ pub enum Expression {
     },
     /// Placeholder for what was reported already.
     Invalid,
+}
+
+impl Expression {
+    /// The expressions that it is made of, in source order.
+    pub fn operands(&self) -> Vec<AstId> {
+        match self {
+            Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
+            Expression::Tuple(parts) | Expression::Call(_, parts) => parts.clone(),
+            Expression::Negate(of) | Expression::Component(of, _) => vec![*of],
+            Expression::Binary(_, _, a, b) => vec![*a, *b],
+            Expression::If { condition, then, otherwise } => {
+                vec![condition.left, condition.right, *then, *otherwise]
+            }
+        }
+    }
+
+    /// The expression with other operands, in the order of [`operands`](Expression::operands).
+    pub fn with_operands(self, parts: &[AstId]) -> Expression {
+        match self {
+            Expression::Tuple(_) => Expression::Tuple(parts.to_vec()),
+            Expression::Call(function, _) => Expression::Call(function, parts.to_vec()),
+            Expression::Negate(_) => Expression::Negate(parts[0]),
+            Expression::Component(_, name) => Expression::Component(parts[0], name),
+            Expression::Binary(operator, span, ..) => Expression::Binary(operator, span, parts[0], parts[1]),
+            Expression::If { mut condition, .. } => {
+                (condition.left, condition.right) = (parts[0], parts[1]);
+                Expression::If { condition, then: parts[2], otherwise: parts[3] }
+            }
+            leaf => leaf,
+        }
+    }
 }
 
 /// The arena of expressions of one declaration.

@@ -20,6 +20,10 @@ pub enum Soft {
     Braces,
     /// A name.
     Joint,
+    /// A name and a semicolon.
+    Alone,
+    /// A name or names in parentheses, and `=`.
+    Coordinates,
 }
 
 impl Keyword {

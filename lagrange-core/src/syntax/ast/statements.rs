@@ -30,7 +30,7 @@ pub struct Statement {
 ///           | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
 ///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
 ///           | "force" NAME "=" sum ";"
-///           | "force" sum "at" sum ";"
+///           | "force" sum ( "at" | "along" ) sum ";"
 ///           | "torque" sum "on" sum ";"
 ///           | ( "constraint" | "output" ) NAME "=" sum ";"
 ///           | "stabilise" "=" sum ";"
@@ -78,6 +78,13 @@ pub enum StatementKind {
         /// The point it acts on, a vector of as many components.
         point: AstId,
     },
+    /// `force f along u;`
+    ForceAlong {
+        /// A scalar or a vector.
+        force: AstId,
+        /// Velocities along which it does work, as many as it has components.
+        velocity: AstId,
+    },
     /// `torque m on angle;`
     Torque {
         /// The moment.
@@ -99,7 +106,7 @@ pub enum StatementKind {
     Emit(Vec<EmitItem>),
     /// `reduce Name { freeze x = e; small theta; }`
     Reduce(Reduction),
-    /// Of plane rigid bodies.
+    /// Of rigid bodies.
     Scene(SceneStatement),
 }
 
@@ -119,7 +126,7 @@ pub const KEYWORDS: [Keyword; 18] = [
     Keyword::new("dissipation", "write `dissipation = e;`, the Rayleigh function"),
     Keyword::new(
         "force",
-        "write `force x = e;` for a coordinate or `force (fx, fy) at (px, py);` for a point",
+        "write `force x = e;` for a coordinate, `force (fx, fy) at (px, py);` for a point or `force f along u;` for a velocity",
     ),
     Keyword::new("torque", "write `torque m on angle;`"),
     Keyword::new("constraint", "write `constraint name = e;`, with what is to be zero behind the name"),
@@ -156,6 +163,7 @@ impl StatementKind {
             | StatementKind::Dissipation(_)
             | StatementKind::ForceOn(..)
             | StatementKind::ForceAt { .. }
+            | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Stabilise(_)
             | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
@@ -179,6 +187,7 @@ impl StatementKind {
             | StatementKind::Stabilise(value)
             | StatementKind::Output(_, value) => vec![value],
             StatementKind::ForceAt { force, point } => vec![force, point],
+            StatementKind::ForceAlong { force, velocity } => vec![force, velocity],
             StatementKind::Torque { moment, angle } => vec![moment, angle],
             StatementKind::Event(event) => event.expressions_mut(),
             StatementKind::Friction(friction) => friction.expressions_mut(),

@@ -1,10 +1,15 @@
-//! Diagnostics for statements about plane rigid bodies, with what helps against mistakes in them.
+//! Diagnostics for statements about rigid bodies, with what helps against mistakes in them.
 
 use super::forms::form;
 use super::quoted;
+use crate::syntax::ast::MobilizerKind;
 
 pub(in crate::syntax) const COMPOUND_HELP: &str =
     "write `compound { disk(r), mass: m; hole disk(s), mass: n, at: (a, b); }`";
+pub(in crate::syntax) const TENSOR_HELP: &str =
+    "write `inertia: (xx, yy, zz, xy, xz, yz);`, or `inertia: (xx, yy, zz);` with the principal moments";
+pub(in crate::syntax) const SEQUENCE_HELP: &str =
+    "write three of the letters x, y and z, such as `sequence: zxz;`, no letter twice in a row";
 pub(in crate::syntax) const SOLID_HELP: &str =
     "write the name of a solid with its dimensions, such as `disk(r)` or `rectangle(a, b)`";
 pub(in crate::syntax) const EMPTY_COMPOUND: &str = "this body has no parts";
@@ -32,4 +37,33 @@ pub(in crate::syntax) fn labelled(label: &str) -> String {
         "radius" => form("roll").to_owned(),
         label => format!("write `{label}: …;`"),
     }
+}
+
+/// The form of a statement that declares a joint with coordinates.
+pub(in crate::syntax) fn mobilizer_help(kind: MobilizerKind) -> String {
+    let labels = match kind {
+        MobilizerKind::Screw => "{ at: p; axis: u; pitch: e; }",
+        MobilizerKind::Universal | MobilizerKind::Planar | MobilizerKind::Weld => "{ at: p; }",
+        _ => "{ at: p; axis: u; }",
+    };
+    match kind {
+        MobilizerKind::Weld => format!("write `weld ground to stand {labels}`"),
+        kind => format!("write `{} {} = ground to link {labels}`", kind.name(), kind.written_coordinates()),
+    }
+}
+
+/// Message for a joint with too many or too few coordinates.
+pub(in crate::syntax) fn coordinate_count(kind: &str, needed: usize, found: usize) -> String {
+    let plural = if needed == 1 { "" } else { "s" };
+    format!("a {kind} joint has {needed} coordinate{plural}, not {found}")
+}
+
+/// Message for letters that are no order of rotations.
+pub(in crate::syntax) fn no_sequence(letters: &str) -> String {
+    format!("{} is no order of rotations", quoted(letters))
+}
+
+/// Message for a tensor with the wrong number of components.
+pub(in crate::syntax) fn tensor_count(count: usize) -> String {
+    format!("a tensor of inertia has 6 components, not {count}")
 }

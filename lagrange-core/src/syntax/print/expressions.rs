@@ -5,7 +5,7 @@
 use super::Printer;
 use super::numbers::{Form, numeral};
 use crate::expr::Relation;
-use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Expressions};
+use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES};
 
 /// Piece to be written.
 enum PrintedPiece {
@@ -110,6 +110,11 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
                 PrintedPiece::Expression(*right, least_right),
             ]
         }
+        Expression::Call(function, arguments) if function.text == IN_AXES && arguments.len() == 2 => vec![
+            PrintedPiece::Expression(arguments[0], PrintedBinding::Operand),
+            text(" in "),
+            PrintedPiece::Expression(arguments[1], PrintedBinding::Operand),
+        ],
         Expression::Call(function, arguments) => {
             std::iter::once(text(function.text.as_str())).chain(bracketed_list(arguments)).collect()
         }

@@ -1,16 +1,20 @@
-//! Statements about plane rigid bodies as text.
+//! Statements about rigid bodies as text.
 
 use super::Printer;
-use crate::syntax::ast::{AstId, Body, Connector, Joint, JointKind, Line, Name, Part, SceneStatement, Shape};
+use crate::syntax::ast::{
+    AstId, Body, Connector, Joint, JointKind, Line, Mobilizer, Name, Part, SceneStatement, Shape,
+};
 
 impl Printer<'_> {
     pub(super) fn scene(&mut self, statement: &SceneStatement) {
         match statement {
             SceneStatement::Gravity(value) => self.between("gravity = ", *value, ";"),
             SceneStatement::Body(body) => self.body(body),
+            SceneStatement::Frame(name) => self.text(&format!("frame {};", name.text)),
             SceneStatement::Line(line) => self.line(line),
             SceneStatement::Connector(connector) => self.connector(connector),
             SceneStatement::Joint(joint) => self.joint(joint),
+            SceneStatement::Mobilizer(joint) => self.mobilizer(joint),
         }
     }
 
@@ -27,14 +31,22 @@ impl Printer<'_> {
 
     fn body(&mut self, body: &Body) {
         self.text(&format!("body {} {{", body.name.text));
+        self.given([("mass", body.mass), ("inertia", body.inertia)]);
+        if let Some(tensor) = &body.tensor {
+            self.text(" inertia: (");
+            self.list(tensor, |printer, component| printer.expression(*component));
+            self.text(");");
+        }
         self.given([
-            ("mass", body.mass),
-            ("inertia", body.inertia),
             ("center", body.center),
             ("origin", body.origin),
             ("centroid", body.centroid),
             ("angle", body.angle),
+            ("angles", body.angles),
         ]);
+        if let Some(sequence) = &body.sequence {
+            self.text(&format!(" sequence: {};", sequence.text));
+        }
         if let Some(shape) = &body.shape {
             self.text(" shape: ");
             self.shape(shape);
@@ -58,7 +70,8 @@ impl Printer<'_> {
     fn part(&mut self, part: &Part) {
         self.text(if part.is_hole { " hole " } else { " " });
         self.shape(&part.shape);
-        for (label, value) in [("mass", part.mass), ("at", part.at), ("angle", part.angle)] {
+        let given = [("mass", part.mass), ("at", part.at), ("angle", part.angle), ("turned", part.turned)];
+        for (label, value) in given {
             if let Some(value) = value {
                 self.text(&format!(", {label}: "));
                 self.expression(value);
@@ -113,5 +126,28 @@ impl Printer<'_> {
             }
         }
         self.text(";");
+    }
+
+    fn mobilizer(&mut self, joint: &Mobilizer) {
+        self.text(joint.kind.name());
+        self.text(" ");
+        match joint.coordinates.as_slice() {
+            [] => {}
+            [only] => self.text(&format!("{} = ", only.text)),
+            several => {
+                self.text("(");
+                self.list(several, |printer, name| printer.text(&name.text));
+                self.text(") = ");
+            }
+        }
+        self.text(&format!("{} to {} {{", joint.inboard.text, joint.outboard.text));
+        self.given([
+            ("at", joint.at),
+            ("turned", joint.turned),
+            ("axis", joint.axis),
+            ("pitch", joint.pitch),
+            ("damping", joint.damping),
+        ]);
+        self.text(" }");
     }
 }

@@ -1,0 +1,41 @@
+//! Diagnostics for joints with coordinates of their own, in the plane and in space.
+
+pub(in crate::bodies) const CLOSE_LOOP_HELP: &str =
+    "joints form trees: close a loop by `pin P to Q;` between points of two bodies, or by a `constraint`";
+pub(in crate::bodies) const AXIS_ZERO: &str = "this axis has no direction";
+pub(in crate::bodies) const GROUND_IS_AT_REST: &str = "the ground is at rest, so that no joint can place it";
+pub(in crate::bodies) const LEADS_OUT_HELP: &str =
+    "vectors of three components make a scene one in space, such as `gravity = (0, 0, -g);`";
+pub(in crate::bodies) const PLACE_FIRST_HELP: &str = "write the joint that places it before this statement";
+pub(in crate::bodies) const PLACED_HERE: &str = "it is placed here";
+pub(in crate::bodies) const AXIS_IN_THE_PLANE: &str = "in the plane bodies turn about its normal";
+pub(in crate::bodies) const AXIS_IN_THE_PLANE_HELP: &str =
+    "write a vector that is not zero, such as `axis: (1, 0);`";
+
+pub(in crate::bodies) fn at_of(joint: &str) -> String {
+    format!("the place of this {joint} joint")
+}
+
+pub(in crate::bodies) fn turned_of(joint: &str) -> String {
+    format!("the orientation of this {joint} joint")
+}
+
+pub(in crate::bodies) fn axis_of(joint: &str) -> String {
+    format!("the axis of this {joint} joint")
+}
+
+pub(in crate::bodies) fn unplaced(what: &str, name: &str) -> String {
+    format!("{what} `{name}` has no place")
+}
+
+pub(in crate::bodies) fn unplaced_yet(name: &str) -> String {
+    format!("`{name}` has no place yet")
+}
+
+pub(in crate::bodies) fn placed_twice(name: &str) -> String {
+    format!("`{name}` has its place already")
+}
+
+pub(in crate::bodies) fn joined_to_itself(name: &str) -> String {
+    format!("this joint connects `{name}` with itself")
+}

@@ -1,0 +1,220 @@
+//! Bodies and frames in space: declared first, then placed by a joint or by hand, which is when their energies are written.
+
+use super::compound::compound_properties;
+use super::inertia::{mass_properties, triple_of};
+use super::links::{Link, MassProperties};
+use super::messages as words;
+use super::poses::{JointAxis, Pose, named_vector, turned};
+use super::vectors::{half_square, inner, minus, plus};
+use crate::bodies::expressions::plain_expression;
+use crate::bodies::messages::{self, mobilizers as joints};
+use crate::bodies::object::Object;
+use crate::bodies::plain::Obligation;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{self, AstId, Name, StatementKind};
+
+/// `frame name;`
+pub(in crate::bodies) fn translate_frame(translation: &mut Translation<'_>, name: &Name) {
+    declare(translation, name, None);
+}
+
+pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_>, statement: &ast::Body) {
+    let name = &statement.name;
+    if let Some(angle) = statement.angle {
+        let origin = translation.expressions.origin(angle);
+        translation.report.error(origin, words::one_angle(&name.text)).help(words::ANGLES_HELP);
+    }
+    let inertia = match statement.parts.is_empty() {
+        true => Some(mass_properties(translation, statement)),
+        false => compound_properties(translation, statement),
+    };
+    let inertia = inertia.unwrap_or_else(|| {
+        let invalid = translation.terms().invalid();
+        MassProperties { mass: invalid, centroid: [invalid; 3], tensor: Some([invalid; 6]) }
+    });
+    let link = declare(translation, name, Some(inertia));
+    let is_by_hand = statement.center.is_some() || statement.origin.is_some() || statement.angles.is_some();
+    if is_by_hand {
+        let (pose, center) = pose_by_hand(translation, statement, inertia);
+        settle(translation, link, pose, center);
+    } else if !translation.names.is_placed_by_joint(&name.text) {
+        let message = joints::unplaced("body", &name.text);
+        translation.report.error(name.span, message).help(words::JOINT_PLACES_HELP);
+        let pose = Pose::invalid(&mut translation.terms());
+        settle(translation, link, pose, None);
+    }
+}
+
+fn declare(translation: &mut Translation<'_>, name: &Name, inertia: Option<MassProperties>) -> usize {
+    let is_frame = inertia.is_none();
+    let Some(space) = &mut translation.space else { return 0 };
+    let index = space.links.len();
+    space.links.push(Link { name: name.clone(), inertia, placed: None });
+    translation.names.declare(&name.text, Object::Link { index, is_frame });
+    index
+}
+
+/// Where the user says that a body is; the velocity of its centre of mass, if that is the rate of what was written.
+fn pose_by_hand(
+    translation: &mut Translation<'_>,
+    statement: &ast::Body,
+    inertia: MassProperties,
+) -> (Pose, Option<AstId>) {
+    let name = &statement.name.text;
+    let oriented = oriented(translation, statement);
+    let (place, is_center) = match (statement.center, statement.origin) {
+        (Some(center), None) => (triple_of(translation, center, &messages::center_of(name)), true),
+        (None, Some(origin)) => (triple_of(translation, origin, &messages::origin_of(name)), false),
+        (given, _) => {
+            let message = messages::one_place(name, given.is_some());
+            translation.report.error(statement.name.span, message).help(words::CENTER_HELP);
+            ([translation.terms().invalid(); 3], true)
+        }
+    };
+    let mut terms = translation.terms();
+    let arm = oriented.to_world(&mut terms, inertia.centroid);
+    let (center, origin) = match is_center {
+        true => (place, minus(&mut terms, place, arm)),
+        false => (plus(&mut terms, place, arm), place),
+    };
+    let center = named_vector(translation, &format!("{name}_center"), center);
+    let origin = named_vector(translation, &format!("{name}_origin"), origin);
+    let mut terms = translation.terms();
+    let rate = origin.map(|component| terms.rate(component));
+    let velocity = oriented.to_own(&mut terms, rate);
+    let center = terms.vector(&center);
+    let center_velocity = terms.call("dot", &[center]);
+    translation.note_place(center, &messages::place_of(name));
+    (Pose { velocity, origin, ..oriented }, Some(center_velocity))
+}
+
+/// The axes that `angles` and `sequence` give, at the origin.
+fn oriented(translation: &mut Translation<'_>, statement: &ast::Body) -> Pose {
+    let name = &statement.name;
+    let mut pose = Pose::at_rest(&mut translation.terms());
+    let (angles, sequence) = match (statement.angles, &statement.sequence) {
+        (Some(angles), Some(sequence)) => (angles, sequence),
+        (None, None) => return pose,
+        (Some(_), None) => {
+            let error = translation.report.error(name.span, words::angles_without_sequence(&name.text));
+            error.help(words::ANGLES_HELP);
+            return pose;
+        }
+        (None, Some(sequence)) => {
+            let error = translation.report.error(sequence.span, words::sequence_without_angles(&name.text));
+            error.help(words::ANGLES_HELP);
+            return pose;
+        }
+    };
+    let angles = triple_of(translation, angles, &words::angles_of(&name.text));
+    for (step, (letter, angle)) in sequence.text.bytes().zip(angles).enumerate() {
+        let axis = JointAxis::positive(usize::from(letter.saturating_sub(b'x')).min(2));
+        let wish = if step == 2 { name.text.clone() } else { format!("{}_turn", name.text) };
+        pose = turned(translation, &wish, pose, axis, angle);
+    }
+    pose
+}
+
+/// Gives a link its place, and with it its energies.
+pub(super) fn settle(
+    translation: &mut Translation<'_>,
+    link: usize,
+    pose: Pose,
+    center_velocity: Option<AstId>,
+) {
+    let origin = translation.origin;
+    let Some(space) = &mut translation.space else { return };
+    space.links[link].placed = Some((pose, origin));
+    let Link { name, inertia, .. } = space.links[link].clone();
+    let Some(inertia) = inertia else { return };
+    push_kinetic_energy(translation, &name, inertia, &pose, center_velocity);
+    weigh(translation, link);
+}
+
+/// ½ m v_S² + ½ ω·J ω
+fn push_kinetic_energy(
+    translation: &mut Translation<'_>,
+    name: &Name,
+    inertia: MassProperties,
+    pose: &Pose,
+    center_velocity: Option<AstId>,
+) {
+    let velocity = center_velocity.or_else(|| {
+        let velocity = pose.velocity_of(&mut translation.terms(), inertia.centroid);
+        let velocity = named_vector(translation, &format!("{}_center_v", name.text), velocity);
+        let mut terms = translation.terms();
+        let moves = !velocity.iter().all(|&component| terms.is_zero(component));
+        moves.then(|| terms.vector(&velocity))
+    });
+    if let Some(velocity) = velocity {
+        let moving = translation.terms().call("kinetic_energy", &[inertia.mass, velocity]);
+        translation.push(StatementKind::Kinetic(moving));
+    }
+    let mut terms = translation.terms();
+    if pose.spin.iter().all(|&component| terms.is_zero(component)) {
+        return;
+    }
+    match inertia.tensor {
+        Some(tensor) => {
+            let turning = half_square(&mut terms, tensor, pose.spin);
+            if !terms.is_zero(turning) {
+                translation.push(StatementKind::Kinetic(turning));
+            }
+        }
+        None => {
+            let error = translation.report.error(name.span, words::no_tensor(&name.text));
+            error.help(words::TENSOR_NEEDED_HELP);
+        }
+    }
+}
+
+/// `gravity = (gx, gy, gz);`
+pub(in crate::bodies) fn translate_spatial_gravity(translation: &mut Translation<'_>, value: AstId) {
+    let gravity = triple_of(translation, value, words::GRAVITY);
+    let (origin, plain) = (translation.origin, plain_expression(translation, value));
+    let Some(space) = &mut translation.space else { return };
+    if let Some((_, first)) = space.gravity {
+        let error = translation.report.error(origin, messages::GRAVITY_TWICE);
+        error.related(first, messages::FIRST_DECLARED).help(messages::GRAVITY_TWICE_HELP);
+        return;
+    }
+    space.gravity = Some((gravity, origin));
+    let count = space.links.len();
+    translation.obligations.push(Obligation::Uniform { gravity: plain });
+    for link in 0..count {
+        weigh(translation, link);
+    }
+}
+
+/// The potential −m g·r_S of a body that has its place, if there is gravity.
+fn weigh(translation: &mut Translation<'_>, link: usize) {
+    let Some(space) = &translation.space else { return };
+    let Some((gravity, _)) = space.gravity else { return };
+    let Link { inertia: Some(inertia), placed: Some((pose, _)), .. } = space.links[link] else { return };
+    let mut terms = translation.terms();
+    let center = pose.place_of(&mut terms, inertia.centroid);
+    let work = inner(&mut terms, gravity, center);
+    let weighed = terms.times(inertia.mass, work);
+    let potential = terms.negative(weighed);
+    if !terms.is_zero(potential) {
+        translation.push(StatementKind::Potential(potential));
+    }
+}
+
+/// Reports gravity without bodies and links that no joint has placed.
+pub(in crate::bodies) fn report_unplaced(translation: &mut Translation<'_>) {
+    let Some(space) = &translation.space else { return };
+    let has_bodies = space.links.iter().any(|link| link.inertia.is_some());
+    let idle = space.gravity.filter(|_| !has_bodies).map(|(_, origin)| origin);
+    let unplaced = space.links.iter().filter(|link| link.placed.is_none()).cloned().collect::<Vec<_>>();
+    if let Some(origin) = idle.filter(|_| !translation.report.has_errors()) {
+        translation.report.error(origin, messages::IDLE_GRAVITY).help(messages::IDLE_GRAVITY_HELP);
+    }
+    for link in unplaced {
+        let what = link.describe().trim_start_matches("a ");
+        if !translation.report.has_errors() {
+            let message = joints::unplaced(what, &link.name.text);
+            translation.report.error(link.name.span, message).help(words::JOINT_PLACES_HELP);
+        }
+    }
+}

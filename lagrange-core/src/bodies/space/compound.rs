@@ -1,0 +1,104 @@
+//! Bodies in space that are made of parts, holes among them.
+//!
+//! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Rᵢ Jᵢ Rᵢᵀ + mᵢ (dᵢ² 1 − dᵢ dᵢᵀ)) with dᵢ = rᵢ − r_S (Steiner, Huygens), holes with the lower sign.
+
+use super::inertia::{fixed_triple, oblige, shape_of, tensor_of_solid};
+use super::links::MassProperties;
+use super::messages as words;
+use super::numbers::orientation;
+use super::poses::named_vector;
+use super::vectors::{
+    Tensor, Triple, apply, minus, plus, scale, tensor_of_point, tensor_sum, turned_tensor, zero_triple,
+};
+use crate::bodies::compound::{mass_of_part, report_beside_compound};
+use crate::bodies::messages;
+use crate::bodies::plain::Obligation;
+use crate::bodies::terms::TermWriter;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{self, AstId, Part};
+
+/// A part with what is known of it in the axes of the body.
+struct SpatialPart {
+    is_hole: bool,
+    mass: AstId,
+    centroid: Triple,
+    /// About its own centre of mass.
+    tensor: Tensor,
+}
+
+/// The common mass, centre of mass and tensor; `None` after a mistake.
+pub(super) fn compound_properties(
+    translation: &mut Translation<'_>,
+    statement: &ast::Body,
+) -> Option<MassProperties> {
+    report_beside_compound(translation, statement);
+    let parts = statement.parts.iter().map(|part| spatial_part(translation, part)).collect::<Vec<_>>();
+    let parts = parts.into_iter().collect::<Option<Vec<_>>>()?;
+    let name = &statement.name.text;
+    let mut terms = translation.terms();
+    let mut mass = terms.number(0);
+    let mut moment = zero_triple(&mut terms);
+    for part in &parts {
+        let signed = signed_mass(&mut terms, part);
+        mass = terms.plus(mass, signed);
+        let share = scale(&mut terms, signed, part.centroid);
+        moment = plus(&mut terms, moment, share);
+    }
+    let mass = translation.bind(&format!("{name}_mass"), mass);
+    translation.obligations.push(Obligation::PositiveMass { body: statement.name.clone(), mass });
+    let mut terms = translation.terms();
+    let centroid = moment.map(|component| terms.divide(component, mass));
+    let centroid = named_vector(translation, &format!("{name}_centroid"), centroid);
+    let mut tensor = [translation.terms().number(0); 6];
+    for part in &parts {
+        let mut terms = translation.terms();
+        let signed = signed_mass(&mut terms, part);
+        let arm = minus(&mut terms, part.centroid, centroid);
+        let moved = tensor_of_point(&mut terms, signed, arm);
+        let own = match part.is_hole {
+            true => part.tensor.map(|component| terms.negative(component)),
+            false => part.tensor,
+        };
+        let share = tensor_sum(&mut terms, own, moved);
+        tensor = tensor_sum(&mut terms, tensor, share);
+    }
+    let tensor = named_tensor(translation, name, tensor);
+    oblige(translation, &statement.name, tensor);
+    Some(MassProperties { mass, centroid, tensor: Some(tensor) })
+}
+
+fn signed_mass(terms: &mut TermWriter<'_>, part: &SpatialPart) -> AstId {
+    if part.is_hole { terms.negative(part.mass) } else { part.mass }
+}
+
+fn named_tensor(translation: &mut Translation<'_>, name: &str, tensor: Tensor) -> Tensor {
+    let [xx, yy, zz, xy, xz, yz] = tensor;
+    let moments = named_vector(translation, &format!("{name}_moments"), [xx, yy, zz]);
+    let products = named_vector(translation, &format!("{name}_products"), [xy, xz, yz]);
+    [moments[0], moments[1], moments[2], products[0], products[1], products[2]]
+}
+
+fn spatial_part(translation: &mut Translation<'_>, part: &Part) -> Option<SpatialPart> {
+    let shape = shape_of(translation, &part.shape);
+    let mass = mass_of_part(translation, part);
+    let at = match part.at {
+        Some(at) => fixed_triple(translation, at, messages::PLACE_OF_PART),
+        None => zero_triple(&mut translation.terms()),
+    };
+    if let Some(angle) = part.angle {
+        let origin = translation.expressions.origin(angle);
+        translation.report.error(origin, words::PART_ANGLE).help(words::PART_ANGLE_HELP);
+    }
+    let rotation =
+        part.turned.and_then(|turned| orientation(translation, turned, words::ORIENTATION_OF_PART));
+    let ((solid, dimensions), mass) = (shape?, mass?);
+    let own = tensor_of_solid(translation, solid, &dimensions, mass);
+    let mut terms = translation.terms();
+    let center = (solid.centroid)(&mut terms, &dimensions);
+    let (arm, tensor) = match rotation {
+        Some(rotation) => (apply(&mut terms, rotation, center), turned_tensor(&mut terms, rotation, own)),
+        None => (center, own),
+    };
+    let centroid = plus(&mut terms, at, arm);
+    Some(SpatialPart { is_hole: part.is_hole, mass, centroid, tensor })
+}

@@ -1,0 +1,231 @@
+//! Bodies and frames of a scene in space in expressions: their parts, points, vectors, rates and momenta.
+//!
+//! Vectors are in world axes; `v in name` are the components in the axes of a body or frame, which are found without a way around the world
+//! where v belongs to that body itself.
+
+use super::links::{Link, MassProperties, has_place};
+use super::messages as words;
+use super::poses::Pose;
+use super::vectors::{Triple, apply, cross, matrix_of, minus, plus, zero_triple};
+use crate::bodies::messages;
+use crate::bodies::terms::TermWriter;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{AstId, Expression, Name};
+
+/// `arm.center`, `arm.origin`, `arm.mass`.
+pub(in crate::bodies) fn part_of_link(
+    translation: &mut Translation<'_>,
+    link: usize,
+    part: &str,
+) -> Option<AstId> {
+    let (inertia, pose) = link_in_place(translation, link);
+    let point = match part {
+        "center" => inertia?.centroid,
+        "origin" => zero_triple(&mut translation.terms()),
+        "mass" => return inertia.map(|inertia| inertia.mass),
+        _ => return None,
+    };
+    Some(world_place(translation, &pose, point))
+}
+
+/// The place that the name of a link stands for: the centre of mass of a body, the origin of a frame.
+pub(in crate::bodies) fn place_of_link(translation: &mut Translation<'_>, link: usize) -> AstId {
+    let (inertia, pose) = link_in_place(translation, link);
+    let point = centroid_or_origin(translation, inertia);
+    world_place(translation, &pose, point)
+}
+
+fn centroid_or_origin(translation: &mut Translation<'_>, inertia: Option<MassProperties>) -> Triple {
+    inertia.map_or_else(|| zero_triple(&mut translation.terms()), |inertia| inertia.centroid)
+}
+
+fn world_place(translation: &mut Translation<'_>, pose: &Pose, point: Triple) -> AstId {
+    let mut terms = translation.terms();
+    let place = pose.place_of(&mut terms, point);
+    terms.vector(&place)
+}
+
+/// What is known of a link; without a place, which is reported, everything about it is invalid.
+fn link_in_place(translation: &mut Translation<'_>, link: usize) -> (Option<MassProperties>, Pose) {
+    let pose = has_place(translation, link, translation.origin);
+    let pose = pose.unwrap_or_else(|| Pose::invalid(&mut translation.terms()));
+    let links = translation.space.as_ref().map(|space| &space.links[link]);
+    (links.and_then(|link| link.inertia), pose)
+}
+
+/// A function of a link: `arm.point(X, Y, Z)`.
+pub(in crate::bodies) fn call_of_link(
+    translation: &mut Translation<'_>,
+    link: usize,
+    function: &Name,
+    arguments: &[AstId],
+) -> AstId {
+    let (inertia, pose) = link_in_place(translation, link);
+    let mut terms = translation.terms();
+    let vector = match (function.text.as_str(), arguments) {
+        ("point", &[x, y, z]) => pose.place_of(&mut terms, [x, y, z]),
+        ("vector", &[x, y, z]) => pose.to_world(&mut terms, [x, y, z]),
+        ("angular_velocity", []) => pose.to_world(&mut terms, pose.spin),
+        ("angular_acceleration", []) => {
+            let rate = pose.spin.map(|component| terms.rate(component));
+            pose.to_world(&mut terms, rate)
+        }
+        ("linear_momentum", []) => match inertia {
+            Some(inertia) => linear_momentum(&mut terms, inertia, &pose),
+            None => return no_mass(translation, link),
+        },
+        ("angular_momentum", [] | [_]) => {
+            let about = arguments.first().map(|&about| terms.triple(about));
+            match inertia {
+                Some(inertia) => angular_momentum(&mut terms, inertia, &pose, about),
+                None => return no_mass(translation, link),
+            }
+        }
+        ("point" | "vector" | "angular_velocity" | "angular_acceleration", _)
+        | ("linear_momentum" | "angular_momentum", _) => {
+            let message = messages::wrong_arguments(&function.text, arguments.len());
+            let error = translation.report.error(translation.origin, message);
+            error.help(words::usage(&function.text));
+            return translation.terms().invalid();
+        }
+        _ => {
+            let message = words::no_function(&function.text);
+            translation.report.error(function.span, message).help(words::FUNCTIONS_HELP);
+            return translation.terms().invalid();
+        }
+    };
+    translation.terms().vector(&vector)
+}
+
+fn no_mass(translation: &mut Translation<'_>, link: usize) -> AstId {
+    let name = translation.space.as_ref().map_or("", |space| space.links[link].name.text.as_str()).to_owned();
+    let error = translation.report.error(translation.origin, words::mass_of_frame(&name));
+    error.help(words::FRAME_HELP);
+    translation.terms().invalid()
+}
+
+/// The link and the own coordinates of an expression that is a point of one, as it was written.
+pub(in crate::bodies) fn point_on_link(
+    translation: &mut Translation<'_>,
+    id: AstId,
+) -> Option<(usize, Triple)> {
+    match translation.expressions.get(id).clone() {
+        Expression::Name(name) => {
+            let space = translation.space.as_ref()?;
+            if let Some(point) = space.points.get(&name) {
+                return Some(*point);
+            }
+            let link = translation.link_named(id)?;
+            let inertia = translation.space.as_ref()?.links[link].inertia;
+            Some((link, centroid_or_origin(translation, inertia)))
+        }
+        Expression::Component(of, part) => {
+            let link = translation.link_named(of)?;
+            let Link { inertia, .. } = translation.space.as_ref()?.links[link];
+            match part.text.as_str() {
+                "center" => Some((link, inertia?.centroid)),
+                "origin" => Some((link, zero_triple(&mut translation.terms()))),
+                _ => None,
+            }
+        }
+        Expression::Call(function, arguments) if function.text == "point" => match arguments[..] {
+            [body, x, y, z] => {
+                let own = [x, y, z].map(|component| translation.plain_of(component));
+                Some((translation.link_named(body)?, own))
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The velocity or acceleration of a point that is fixed in a link, in the link's own axes; `ddot` is the acceleration.
+///
+/// With v the velocity of the point in own axes, the acceleration is v̇ + ω × v.
+pub(in crate::bodies) fn rate_of_link_point(
+    translation: &mut Translation<'_>,
+    function: &str,
+    link: usize,
+    point: Triple,
+) -> (Pose, Triple) {
+    let (_, pose) = link_in_place(translation, link);
+    let mut terms = translation.terms();
+    let velocity = pose.velocity_of(&mut terms, point);
+    if function == "velocity" {
+        return (pose, velocity);
+    }
+    let rate = velocity.map(|component| terms.rate(component));
+    let turning = cross(&mut terms, pose.spin, velocity);
+    (pose, plus(&mut terms, rate, turning))
+}
+
+/// `v in link`: own components of a vector.
+pub(in crate::bodies) fn in_axes(
+    translation: &mut Translation<'_>,
+    vector: AstId,
+    plain: AstId,
+    link: usize,
+) -> AstId {
+    let own = own_components(translation, vector, link);
+    let (_, pose) = link_in_place(translation, link);
+    let mut terms = translation.terms();
+    let own = own.unwrap_or_else(|| {
+        let world = terms.triple(plain);
+        pose.to_own(&mut terms, world)
+    });
+    terms.vector(&own)
+}
+
+/// The own components of what belongs to the link itself.
+fn own_components(translation: &mut Translation<'_>, vector: AstId, link: usize) -> Option<Triple> {
+    let Expression::Call(function, arguments) = translation.expressions.get(vector).clone() else {
+        return None;
+    };
+    let first = *arguments.first()?;
+    if let "velocity" | "acceleration" = function.text.as_str() {
+        let (of, point) = point_on_link(translation, first)?;
+        return (of == link).then(|| rate_of_link_point(translation, &function.text, link, point).1);
+    }
+    if translation.link_named(first) != Some(link) {
+        return None;
+    }
+    let (inertia, pose) = link_in_place(translation, link);
+    let mut terms = translation.terms();
+    match (function.text.as_str(), &arguments[1..]) {
+        ("angular_velocity", []) => Some(pose.spin),
+        ("angular_acceleration", []) => Some(pose.spin.map(|component| terms.rate(component))),
+        ("vector", &[x, y, z]) => Some([x, y, z].map(|component| translation.plain_of(component))),
+        ("linear_momentum", []) => {
+            let velocity = pose.velocity_of(&mut terms, inertia?.centroid);
+            Some(velocity.map(|component| terms.times(inertia.map_or(component, |i| i.mass), component)))
+        }
+        _ => None,
+    }
+}
+
+/// m v_S
+fn linear_momentum(terms: &mut TermWriter<'_>, inertia: MassProperties, pose: &Pose) -> Triple {
+    let velocity = pose.velocity_of(terms, inertia.centroid);
+    let velocity = pose.to_world(terms, velocity);
+    velocity.map(|component| terms.times(inertia.mass, component))
+}
+
+/// m (r_S − r_P) × v_S + R J ω
+fn angular_momentum(
+    terms: &mut TermWriter<'_>,
+    inertia: MassProperties,
+    pose: &Pose,
+    about: Option<Triple>,
+) -> Triple {
+    let own = match inertia.tensor {
+        Some(tensor) => apply(terms, matrix_of(tensor), pose.spin),
+        None => zero_triple(terms),
+    };
+    let spin = pose.to_world(terms, own);
+    let momentum = linear_momentum(terms, inertia, pose);
+    let center = pose.place_of(terms, inertia.centroid);
+    let about = about.unwrap_or_else(|| zero_triple(terms));
+    let arm = minus(terms, center, about);
+    let moment = cross(terms, arm, momentum);
+    plus(terms, moment, spin)
+}

@@ -1,0 +1,113 @@
+//! Mass of bodies in space and its distribution.
+
+use super::links::MassProperties;
+use super::messages as words;
+use super::poses::named_vector;
+use super::solids::{self, SolidInSpace};
+use super::vectors::{Tensor, Triple, scale, zero_triple};
+use crate::bodies::expressions::mention;
+use crate::bodies::mass_geometry::property;
+use crate::bodies::messages;
+use crate::bodies::plain::Obligation;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{self, AstId, Shape};
+use crate::syntax::foreign;
+
+/// What a body is made of, as stated; of parts see [`super::compound`].
+pub(super) fn mass_properties(translation: &mut Translation<'_>, statement: &ast::Body) -> MassProperties {
+    let name = &statement.name;
+    let mass = crate::bodies::body::mass_of(translation, statement);
+    let shape = statement.shape.as_ref().and_then(|shape| shape_of(translation, shape));
+    let centroid = match (statement.centroid, &shape) {
+        (Some(centroid), _) => fixed_triple(translation, centroid, &messages::centroid_of(&name.text)),
+        (None, Some((solid, dimensions))) => {
+            let centroid = (solid.centroid)(&mut translation.terms(), dimensions);
+            named_vector(translation, &format!("{}_centroid", name.text), centroid)
+        }
+        (None, None) => zero_triple(&mut translation.terms()),
+    };
+    let stated = stated_tensor(translation, statement);
+    let tensor = stated.or_else(|| {
+        let (solid, dimensions) = shape.as_ref()?;
+        if let Some(centroid) = statement.centroid {
+            let origin = translation.expressions.origin(centroid);
+            let error = translation.report.error(origin, words::unknown_tensor(&name.text));
+            error.help(words::SHAPE_CENTROID_HELP);
+        }
+        Some(tensor_of_solid(translation, solid, dimensions, mass))
+    });
+    if let Some(tensor) = tensor {
+        oblige(translation, name, tensor);
+    }
+    MassProperties { mass, centroid, tensor }
+}
+
+/// Moments and products of inertia, or principal moments, as the body states them.
+fn stated_tensor(translation: &mut Translation<'_>, statement: &ast::Body) -> Option<Tensor> {
+    let what = words::tensor_of(&statement.name.text);
+    if let Some(tensor) = statement.tensor {
+        return Some(tensor.map(|component| property(translation, component, &what)));
+    }
+    let moments = fixed_triple(translation, statement.inertia?, &what);
+    let zero = translation.terms().number(0);
+    Some([moments[0], moments[1], moments[2], zero, zero, zero])
+}
+
+/// A tensor must be that of some distribution of mass.
+pub(super) fn oblige(translation: &mut Translation<'_>, body: &ast::Name, tensor: Tensor) {
+    translation.obligations.push(Obligation::Tensor { body: body.clone(), tensor });
+}
+
+/// A known solid with its dimensions; anything else is reported.
+pub(super) fn shape_of(
+    translation: &mut Translation<'_>,
+    shape: &Shape,
+) -> Option<(&'static SolidInSpace, Vec<AstId>)> {
+    let name = &shape.solid.text;
+    let what = messages::dimension_of(name);
+    let dimensions = shape.dimensions.iter().map(|&id| property(translation, id, &what)).collect::<Vec<_>>();
+    let Some(solid) = solids::by_name(name) else {
+        let known = foreign::solid(name).filter(|known| solids::by_name(known).is_some());
+        let help = match known.or_else(|| solids::nearest(name)) {
+            Some(known) => messages::did_you_mean(known),
+            None => words::solids_are(),
+        };
+        translation.report.error(shape.solid.span, messages::unknown_solid(name)).help(help);
+        return None;
+    };
+    if solid.dimensions.len() != dimensions.len() {
+        let message = messages::wrong_dimensions(name, dimensions.len());
+        translation.report.error(shape.origin, message).help(messages::shape_usage(&solid.usage()));
+        return None;
+    }
+    Some((solid, dimensions))
+}
+
+/// The principal moments of a solid as a tensor about its centre of mass.
+pub(super) fn tensor_of_solid(
+    translation: &mut Translation<'_>,
+    solid: &SolidInSpace,
+    dimensions: &[AstId],
+    mass: AstId,
+) -> Tensor {
+    let mut terms = translation.terms();
+    let moments = (solid.moments)(&mut terms, dimensions);
+    let [x, y, z] = scale(&mut terms, mass, moments);
+    let zero = terms.number(0);
+    [x, y, z, zero, zero, zero]
+}
+
+/// The components of a vector that does not change during the motion.
+pub(super) fn fixed_triple(translation: &mut Translation<'_>, id: AstId, what: &str) -> Triple {
+    let components = triple_of(translation, id, what);
+    let value = mention(translation, id);
+    translation.obligations.push(Obligation::Fixed { what: what.to_owned(), value });
+    components
+}
+
+/// The components of what the user wrote as a vector in space.
+pub(super) fn triple_of(translation: &mut Translation<'_>, id: AstId, what: &str) -> Triple {
+    let value = mention(translation, id);
+    translation.obligations.push(Obligation::SpaceVector { what: what.to_owned(), value });
+    translation.terms().triple(value)
+}

@@ -1,0 +1,46 @@
+//! What moves in a scene in space: bodies and frames, and where joints put them.
+
+use super::poses::Pose;
+use super::vectors::{Tensor, Triple};
+use crate::bodies::messages::mobilizers as joints;
+use crate::bodies::translation::Translation;
+use crate::diagnostics::Origin;
+use crate::syntax::ast::{AstId, Name};
+
+/// A body or frame.
+#[derive(Clone, Debug)]
+pub(in crate::bodies) struct Link {
+    pub(super) name: Name,
+    /// Mass and its distribution; a frame has none.
+    pub(super) inertia: Option<MassProperties>,
+    /// Where it is, and the statement that says so; unknown until a joint places it.
+    pub(super) placed: Option<(Pose, Origin)>,
+}
+
+/// Mass of a rigid body and its distribution in the body's own axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MassProperties {
+    pub(super) mass: AstId,
+    /// The centre of mass.
+    pub(super) centroid: Triple,
+    /// The tensor of inertia about the centre of mass; `None` of a body that never turns.
+    pub(super) tensor: Option<Tensor>,
+}
+
+/// The pose of a link that has its place; one that has none yet is reported.
+pub(super) fn has_place(translation: &mut Translation<'_>, link: usize, origin: Origin) -> Option<Pose> {
+    let Link { name, placed, .. } = &translation.space.as_ref()?.links[link];
+    let (name, placed) = (name.text.clone(), *placed);
+    if placed.is_none() {
+        let error = translation.report.error(origin, joints::unplaced_yet(&name));
+        error.help(joints::PLACE_FIRST_HELP);
+    }
+    placed.map(|(pose, _)| pose)
+}
+
+impl Link {
+    /// In the user's words, with its article.
+    pub(in crate::bodies) fn describe(&self) -> &'static str {
+        if self.inertia.is_some() { "a body" } else { "a frame" }
+    }
+}

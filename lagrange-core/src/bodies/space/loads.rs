@@ -1,0 +1,78 @@
+//! Forces at points of bodies and torques on bodies in space.
+//!
+//! They do work along velocities that are known in the axes of the body: F·v_P and M·ω, so that nothing is differentiated.
+
+use super::expressions::{point_on_link, rate_of_link_point};
+use super::messages as words;
+use crate::bodies::expressions::{mention, plain_expression};
+use crate::bodies::plain::Obligation;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{AstId, Expression, Statement, StatementKind};
+
+/// `force F at P;` with P a point of a body; any other point stays as it is.
+pub(in crate::bodies) fn translate_spatial_force(
+    translation: &mut Translation<'_>,
+    force: AstId,
+    point: AstId,
+    statement: Statement,
+) {
+    let place = plain_expression(translation, point);
+    let Some((link, own)) = point_on_link(translation, point) else {
+        let (force, point) = (plain_expression(translation, force), place);
+        translation.statements.push(Statement { kind: StatementKind::ForceAt { force, point }, ..statement });
+        return;
+    };
+    let (pose, velocity) = rate_of_link_point(translation, "velocity", link, own);
+    let components = own_load(translation, force, link, words::FORCE);
+    let components = components.unwrap_or_else(|world| pose.to_own(&mut translation.terms(), world));
+    push_load(translation, components, velocity, statement);
+}
+
+/// `torque M on body;` with a vector, in world axes or as `body.vector(…)`.
+pub(in crate::bodies) fn translate_spatial_torque(
+    translation: &mut Translation<'_>,
+    moment: AstId,
+    link: usize,
+    statement: Statement,
+) {
+    let origin = [translation.terms().number(0); 3];
+    let (pose, _) = rate_of_link_point(translation, "velocity", link, origin);
+    let components = own_load(translation, moment, link, words::TORQUE);
+    let components = components.unwrap_or_else(|world| pose.to_own(&mut translation.terms(), world));
+    push_load(translation, components, pose.spin, statement);
+}
+
+/// The own components of a load if it was written as a vector of the body, else the components in the world.
+fn own_load(
+    translation: &mut Translation<'_>,
+    load: AstId,
+    link: usize,
+    what: &str,
+) -> Result<[AstId; 3], [AstId; 3]> {
+    let own = match translation.expressions.get(load).clone() {
+        Expression::Call(function, arguments) if function.text == "vector" => match arguments[..] {
+            [body, x, y, z] if translation.link_named(body) == Some(link) => Some([x, y, z]),
+            _ => None,
+        },
+        _ => None,
+    };
+    let value = mention(translation, load);
+    translation.obligations.push(Obligation::SpaceVector { what: what.to_owned(), value });
+    match own {
+        Some(own) => Ok(own.map(|component| plain_expression(translation, component))),
+        None => Err(translation.terms().triple(value)),
+    }
+}
+
+fn push_load(
+    translation: &mut Translation<'_>,
+    force: [AstId; 3],
+    velocity: [AstId; 3],
+    statement: Statement,
+) {
+    let mut terms = translation.terms();
+    let (force, velocity) = (terms.vector(&force), terms.vector(&velocity));
+    translation
+        .statements
+        .push(Statement { kind: StatementKind::ForceAlong { force, velocity }, ..statement });
+}

@@ -1,0 +1,165 @@
+//! Orientations and directions; those that are made of numbers are computed while statements are translated.
+//!
+//! Quarter turns must stay exact: an entry of 6e-17 where a rotation has a zero makes a dense matrix of it, and robot descriptions round
+//! π/2 to as many digits as their tool prints. Entries within [`SNAPPED`] of 0, 1 and −1 are these numbers.
+
+use super::inertia::fixed_triple;
+use super::vectors::{Matrix, Triple, matrix_product, unit};
+use crate::bodies::terms::TermWriter;
+use crate::bodies::translation::Translation;
+use crate::number::Number;
+use crate::syntax::ast::{AstId, BinaryOperator, Expression};
+
+/// Distance from 0, 1 or −1 within which an entry of a rotation is that number.
+const SNAPPED: f64 = 1e-9;
+
+/// Rz(yaw) Ry(pitch) Rx(roll) of three angles that do not change; exact where they are quarter turns in numbers.
+pub(super) fn orientation(translation: &mut Translation<'_>, angles: AstId, what: &str) -> Option<Matrix> {
+    let angles = fixed_triple(translation, angles, what);
+    if let Some(angles) = triple_of_numbers(translation, angles) {
+        return Some(written(&mut translation.terms(), roll_pitch_yaw(angles)));
+    }
+    let mut terms = translation.terms();
+    let mut rotation = [0, 1, 2].map(|axis| unit(&mut terms, axis));
+    for (axis, angle) in [(2, angles[2]), (1, angles[1]), (0, angles[0])] {
+        let [cosine, sine] = terms.direction(angle);
+        let mut turn = [0, 1, 2].map(|axis| unit(&mut terms, axis));
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        (turn[next][next], turn[last][last], turn[last][next]) = (cosine, cosine, sine);
+        turn[next][last] = terms.negative(sine);
+        rotation = matrix_product(&mut terms, rotation, turn);
+    }
+    Some(rotation)
+}
+
+/// The value of an expression that is made of numbers, π and constants.
+pub(super) fn value_of_numbers(translation: &Translation<'_>, root: AstId) -> Option<f64> {
+    let mut values: Vec<f64> = Vec::new();
+    let mut pending = vec![(root, false)];
+    while let Some((id, are_parts_known)) = pending.pop() {
+        match translation.expressions.get(id) {
+            Expression::Number(number) => values.push(number.to_f64()),
+            Expression::Name(name) if name == "pi" => values.push(std::f64::consts::PI),
+            Expression::Name(name) => pending.push((translation.names.constant(name)?, false)),
+            Expression::Negate(_) if are_parts_known => {
+                let value = values.pop()?;
+                values.push(-value);
+            }
+            Expression::Binary(operator, ..) if are_parts_known => {
+                let (right, left) = (values.pop()?, values.pop()?);
+                values.push(applied(*operator, left, right));
+            }
+            Expression::Negate(of) => pending.extend([(id, true), (*of, false)]),
+            Expression::Binary(_, _, left, right) => {
+                pending.extend([(id, true), (*right, false), (*left, false)]);
+            }
+            _ => return None,
+        }
+    }
+    values.pop().filter(|value| value.is_finite())
+}
+
+fn applied(operator: BinaryOperator, left: f64, right: f64) -> f64 {
+    match operator {
+        BinaryOperator::Add => left + right,
+        BinaryOperator::Subtract => left - right,
+        BinaryOperator::Multiply => left * right,
+        BinaryOperator::Divide => left / right,
+        BinaryOperator::Power => left.powf(right),
+    }
+}
+
+/// The components of a vector that is made of numbers.
+pub(super) fn triple_of_numbers(translation: &Translation<'_>, vector: Triple) -> Option<[f64; 3]> {
+    let [x, y, z] = vector.map(|component| value_of_numbers(translation, component));
+    Some([x?, y?, z?])
+}
+
+/// Rz(yaw) Ry(pitch) Rx(roll), which is how URDF and textbooks on aircraft write an orientation.
+pub(super) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> [[f64; 3]; 3] {
+    let ((sr, cr), (sp, cp), (sy, cy)) = (roll.sin_cos(), pitch.sin_cos(), yaw.sin_cos());
+    [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
+}
+
+/// A rotation, in rows, that takes the z-axis to a direction.
+pub(super) fn frame_along(direction: [f64; 3]) -> [[f64; 3]; 3] {
+    let z = normalised(direction);
+    // The coordinate axis that is farthest from the direction.
+    let farthest = (0..3).min_by(|&a, &b| z[a].abs().total_cmp(&z[b].abs())).unwrap_or(0);
+    let helper = [0, 1, 2].map(|axis| f64::from(u8::from(axis == farthest)));
+    let x = normalised(cross(helper, z));
+    let y = cross(z, x);
+    [0, 1, 2].map(|row| [x[row], y[row], z[row]])
+}
+
+fn normalised(vector: [f64; 3]) -> [f64; 3] {
+    let length = vector.iter().map(|component| component * component).sum::<f64>().sqrt();
+    vector.map(|component| component / length)
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|axis| {
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        a[next] * b[last] - a[last] * b[next]
+    })
+}
+
+/// A matrix of numbers as syntax.
+pub(super) fn written(terms: &mut TermWriter<'_>, matrix: [[f64; 3]; 3]) -> Matrix {
+    matrix.map(|row| row.map(|entry| written_entry(terms, entry)))
+}
+
+/// The shortest decimal that is read as this entry of a rotation.
+fn written_entry(terms: &mut TermWriter<'_>, entry: f64) -> AstId {
+    let nearest = entry.round();
+    let entry = if (entry - nearest).abs() < SNAPPED { nearest } else { entry };
+    let magnitude = Number::parse_decimal(&format!("{}", entry.abs())).unwrap_or(Number::ZERO);
+    let magnitude = terms.number(magnitude);
+    if entry < 0.0 { terms.negative(magnitude) } else { magnitude }
+}
+
+/// The coordinate axis, and its sign, that a direction is along.
+pub(super) fn coordinate_axis(direction: [f64; 3]) -> Option<(usize, bool)> {
+    let direction = normalised(direction);
+    let axis = (0..3).find(|&axis| (direction[axis].abs() - 1.0).abs() < SNAPPED)?;
+    Some((axis, direction[axis] < 0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{coordinate_axis, frame_along, roll_pitch_yaw};
+
+    #[test]
+    fn orientations_turn_about_x_then_y_then_z() {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        // z goes to −y by the roll, and on to x by the yaw.
+        let rotation = roll_pitch_yaw([quarter, 0.0, quarter]);
+        let column = [rotation[0][2], rotation[1][2], rotation[2][2]];
+        for (entry, wanted) in column.into_iter().zip([1.0, 0.0, 0.0]) {
+            assert!((entry - wanted).abs() < 1e-15, "{column:?}");
+        }
+    }
+
+    #[test]
+    fn frames_along_a_direction_are_right_handed() {
+        for direction in [[0.0, 0.0, 2.0], [1.0, 0.0, 0.0], [1.0, -2.0, 3.0], [-1.0, -1.0, 1e-12]] {
+            let rows = frame_along(direction);
+            let column = |axis: usize| [rows[0][axis], rows[1][axis], rows[2][axis]];
+            let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let length = dot(direction, direction).sqrt();
+            assert!((dot(column(2), direction) / length - 1.0).abs() < 1e-15);
+            let volume = dot(super::cross(column(0), column(1)), column(2));
+            assert!((volume - 1.0).abs() < 1e-15, "{direction:?}");
+        }
+    }
+
+    #[test]
+    fn directions_along_axes_are_recognised() {
+        assert_eq!(coordinate_axis([0.0, -3.0, 0.0]), Some((1, true)));
+        assert_eq!(coordinate_axis([0.0, 1.0, 1.0]), None);
+    }
+}

@@ -1,0 +1,111 @@
+//! Statements that declare joints with coordinates of their own.
+
+use proc_macro2::Delimiter;
+
+use super::ast::{Mobilizer, MobilizerKind, Name};
+use super::blocks::BlockLabels;
+use super::cursor::Cursor;
+use super::messages;
+use super::messages::scenes;
+use super::parser::{Parsed, Parser};
+
+/// Labels in the description of a joint.
+fn labels(kind: MobilizerKind) -> &'static [&'static str] {
+    match kind {
+        MobilizerKind::Revolute | MobilizerKind::Prismatic => &["at", "turned", "axis", "damping"],
+        MobilizerKind::Screw => &["at", "turned", "axis", "pitch", "damping"],
+        MobilizerKind::Cylindrical => &["at", "turned", "axis"],
+        MobilizerKind::Universal | MobilizerKind::Planar | MobilizerKind::Weld => &["at", "turned"],
+    }
+}
+
+impl Parser<'_> {
+    /// `q = a to b { at: e; … }`, `(a, b) = c to d;`; of a weld `a to b`.
+    pub(super) fn mobilizer(&mut self, kind: MobilizerKind, cursor: &mut Cursor) -> Parsed<Mobilizer> {
+        let help = scenes::mobilizer_help(kind);
+        let coordinates = match kind {
+            MobilizerKind::Weld => Vec::new(),
+            _ => self.made_coordinates(kind, &help, cursor)?,
+        };
+        let inboard = self.mentioned(&help, cursor)?;
+        self.joining("to", &help, cursor)?;
+        let outboard = self.mentioned(&help, cursor)?;
+        let mut joint = Mobilizer {
+            kind,
+            coordinates,
+            inboard,
+            outboard,
+            at: None,
+            turned: None,
+            axis: None,
+            pitch: None,
+            damping: None,
+        };
+        match cursor.eat_group(Delimiter::Brace) {
+            Some(group) => {
+                let mut known = BlockLabels::new("a joint", labels(kind));
+                let complete = self
+                    .lines(&group, |parser, cursor| parser.mobilizer_line(&mut joint, &mut known, cursor));
+                if !complete && kind == MobilizerKind::Screw {
+                    self.missing(&mut joint.pitch, joint.outboard.span.into());
+                }
+            }
+            None if !cursor.at_statement_end() => return Err(self.misplaced("`{` or `;`", &help, cursor)),
+            None => {}
+        }
+        Ok(joint)
+    }
+
+    fn mobilizer_line(
+        &mut self,
+        joint: &mut Mobilizer,
+        labels: &mut BlockLabels,
+        cursor: &mut Cursor,
+    ) -> Parsed<()> {
+        let label = self.label_of(labels, cursor)?;
+        self.colon(label, cursor)?;
+        let value = Some(self.line_value(cursor));
+        match label {
+            "at" => joint.at = value,
+            "turned" => joint.turned = value,
+            "axis" => joint.axis = value,
+            "pitch" => joint.pitch = value,
+            _ => joint.damping = value,
+        }
+        Ok(())
+    }
+
+    /// The coordinates that a joint makes, with the `=` behind them.
+    fn made_coordinates(
+        &mut self,
+        kind: MobilizerKind,
+        help: &str,
+        cursor: &mut Cursor,
+    ) -> Parsed<Vec<Name>> {
+        let here = cursor.here();
+        let names = match cursor.eat_group(Delimiter::Parenthesis) {
+            None => vec![self.declared_name(cursor)?],
+            Some(group) => self.inside(&group, |parser, cursor| {
+                let mut names = Vec::new();
+                parser.each(cursor, |parser, cursor| {
+                    match parser.declared_name(cursor) {
+                        Ok(name) => names.push(name),
+                        Err(_) => cursor.skip_to(|cursor| cursor.at(',')),
+                    }
+                    cursor.eat(',');
+                });
+                Ok(names)
+            })?,
+        };
+        if names.len() != kind.coordinate_count() {
+            let message = scenes::coordinate_count(kind.name(), kind.coordinate_count(), names.len());
+            return Err(self.fail_with_help(here, message, help));
+        }
+        self.equals(help, cursor)?;
+        if cursor.at_statement_end() {
+            let message = messages::expected("a name", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, help));
+        }
+        Ok(names)
+    }
+}
