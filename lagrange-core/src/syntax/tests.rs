@@ -107,6 +107,9 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::Dissipation(value) => format!("dissipation {}", show(value)),
         StatementKind::ForceOn(name, value) => format!("force {} {}", name.text, show(value)),
         StatementKind::ForceAt { force, point } => format!("force {} at {}", show(force), show(point)),
+        StatementKind::ForceAlong { force, velocity } => {
+            format!("force {} along {}", show(force), show(velocity))
+        }
         StatementKind::Torque { moment, angle } => format!("torque {} on {}", show(moment), show(angle)),
         StatementKind::Constraint(name, value) => format!("constraint {} {}", name.text, show(value)),
         StatementKind::Stabilise(rate) => format!("stabilise {}", show(rate)),

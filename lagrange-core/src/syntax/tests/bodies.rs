@@ -1,5 +1,7 @@
 use super::{errors, read, read_wrong, shown, statements};
-use crate::syntax::ast::{AstId, Body, Declaration, JointKind, Name, Part, SceneStatement, Shape};
+use crate::syntax::ast::{
+    AstId, Body, Declaration, JointKind, Mobilizer, Name, Part, SceneStatement, Shape,
+};
 
 /// A statement about bodies as nested lists, its kind first.
 pub(super) fn scene(declaration: &Declaration, statement: &SceneStatement) -> String {
@@ -15,6 +17,8 @@ pub(super) fn scene(declaration: &Declaration, statement: &SceneStatement) -> St
     match statement {
         SceneStatement::Gravity(value) => format!("gravity {}", show(value)),
         SceneStatement::Body(body) => self::body(declaration, body),
+        SceneStatement::Frame(name) => format!("frame {}", name.text),
+        SceneStatement::Mobilizer(joint) => mobilizer(declaration, joint),
         SceneStatement::Line(line) => {
             let on = line.on.as_ref().map_or(String::new(), |on| format!(" (on {})", on.text));
             let rest = labelled("through", &line.through) + &labelled("angle", &line.angle);
@@ -43,6 +47,20 @@ pub(super) fn scene(declaration: &Declaration, statement: &SceneStatement) -> St
     }
 }
 
+fn mobilizer(declaration: &Declaration, joint: &Mobilizer) -> String {
+    let labelled = |label: &str, value: &Option<AstId>| match value {
+        Some(value) => format!(" ({label} {})", shown(&declaration.expressions, *value)),
+        None => String::new(),
+    };
+    let names = joint.coordinates.iter().map(|name| format!(" {}", name.text)).collect::<String>();
+    let mut text = format!("{}{names}: {} to {}", joint.kind.name(), joint.inboard.text, joint.outboard.text);
+    text += &labelled("at", &joint.at);
+    text += &labelled("turned", &joint.turned);
+    text += &labelled("axis", &joint.axis);
+    text += &labelled("pitch", &joint.pitch);
+    text + &labelled("damping", &joint.damping)
+}
+
 fn body(declaration: &Declaration, body: &Body) -> String {
     let show = |id: &AstId| shown(&declaration.expressions, *id);
     let labelled = |label: &str, value: &Option<AstId>| match value {
@@ -55,6 +73,7 @@ fn body(declaration: &Declaration, body: &Body) -> String {
     };
     let part = |part: &Part| {
         let rest = labelled("mass", &part.mass) + &labelled("at", &part.at) + &labelled("angle", &part.angle);
+        let rest = rest + &labelled("turned", &part.turned);
         format!(" ({}{}{rest})", if part.is_hole { "hole " } else { "" }, shape(&part.shape))
     };
     let mut text = format!("body {}", body.name.text);
@@ -64,8 +83,57 @@ fn body(declaration: &Declaration, body: &Body) -> String {
     text += &labelled("origin", &body.origin);
     text += &labelled("centroid", &body.centroid);
     text += &labelled("angle", &body.angle);
+    text += &labelled("angles", &body.angles);
+    text.extend(body.sequence.as_ref().map(|sequence| format!(" (sequence {})", sequence.text)));
+    text.extend(body.tensor.as_ref().map(|tensor| {
+        let components = tensor.iter().map(|id| format!(" {}", show(id))).collect::<String>();
+        format!(" (tensor{components})")
+    }));
     text.extend(body.shape.as_ref().map(|found| format!(" (shape {})", shape(found))));
     text + &body.parts.iter().map(part).collect::<String>()
+}
+
+#[test]
+fn bodies_and_joints_in_space_have_their_form() {
+    let text = "
+        gravity = (0, 0, -g);
+        body link { mass: m; centroid: (a, 0, b); inertia: (1, 2, 3, xy, 0, -1/2); }
+        frame hand;
+        body top { mass: m; inertia: (1, 2, 2); center: (0, 0, l); angles: (psi, theta, phi); sequence: zxz; }
+        body box { compound { cuboid(a, b, c), mass: m, at: (0, 0, 1), turned: (0, pi/2, 0); } }
+        revolute q = ground to link { at: (0, 0, h); turned: (-pi/2, 0, 0); axis: (0, 1, 0); damping: c; }
+        prismatic s = link to hand;
+        screw alpha = hand to nut { pitch: p; };
+        cylindrical (phi, z) = nut to rod { axis: (1, 0, 0); }
+        universal (a, b) = rod to fork { at: (0, 0, 1); }
+        planar (x, y, psi) = ground to puck;
+        weld fork to tool { at: (l, 0, 0); }
+        force f along dot(q);
+        output w = velocity(link.point(1, 2, 3)) in link;
+        let revolute = 1;
+        let weld = revolute + 1;
+    ";
+    let expected = [
+        "gravity (vector 0 0 (- g))",
+        "body link (mass m) (centroid (vector a 0 b)) (tensor 1 2 3 xy 0 (- (/ 1 2)))",
+        "frame hand",
+        "body top (mass m) (inertia (vector 1 2 2)) (center (vector 0 0 l)) (angles (vector psi theta phi)) \
+         (sequence zxz)",
+        "body box ((cuboid a b c) (mass m) (at (vector 0 0 1)) (turned (vector 0 (/ pi 2) 0)))",
+        "revolute q: ground to link (at (vector 0 0 h)) (turned (vector (/ (- pi) 2) 0 0)) (axis (vector 0 1 0)) \
+         (damping c)",
+        "prismatic s: link to hand",
+        "screw alpha: hand to nut (pitch p)",
+        "cylindrical phi z: nut to rod (axis (vector 1 0 0))",
+        "universal a b: rod to fork (at (vector 0 0 1))",
+        "planar x y psi: ground to puck",
+        "weld: fork to tool (at (vector l 0 0))",
+        "force f along (dot q)",
+        "output w (in (velocity (point link 1 2 3)) link)",
+        "let revolute 1",
+        "let weld (+ revolute 1)",
+    ];
+    assert_eq!(statements(&read(text)), expected);
 }
 
 #[test]
