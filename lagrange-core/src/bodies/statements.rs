@@ -147,6 +147,7 @@ pub(super) fn with_plain_expressions(
         Kind::Potential(value) => Kind::Potential(plain(value)),
         Kind::Lagrangian(value) => Kind::Lagrangian(plain(value)),
         Kind::Dissipation(value) => Kind::Dissipation(plain(value)),
+        Kind::Gibbs { function, stated } => Kind::Gibbs { function: plain(function), stated: plain(stated) },
         Kind::ForceOn(name, value) => Kind::ForceOn(name, plain(value)),
         Kind::Constraint(name, value) => Kind::Constraint(name, plain(value)),
         Kind::Stabilise(value) => Kind::Stabilise(plain(value)),

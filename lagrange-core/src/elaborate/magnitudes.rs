@@ -102,6 +102,7 @@ fn computed(kind: &StatementKind) -> Vec<AstId> {
         | StatementKind::Constraint(_, value)
         | StatementKind::Output(_, value) => vec![*value],
         StatementKind::ForceAt { force, point } => vec![*force, *point],
+        StatementKind::Gibbs { function, stated } => vec![*function, *stated],
         StatementKind::Torque { moment, angle } => vec![*moment, *angle],
         StatementKind::Event(event) => match &event.action {
             Action::Impact(restitution) => vec![event.value, *restitution],

@@ -14,6 +14,7 @@ mod evaluator;
 mod events;
 mod expression;
 mod function_names;
+mod gibbs;
 mod inertia;
 mod loads;
 mod magnitudes;
@@ -48,6 +49,7 @@ use definitions::{
 use elaborator::Elaborator;
 use events::add_event;
 use expression::value_of;
+use gibbs::add_gibbs;
 use loads::{add_force_at, add_force_on, add_torque};
 use obligations::check_obligations;
 use reactions::add_friction;
@@ -117,6 +119,7 @@ fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Statement) {
             let term = elaborator.term(*value, keyword, "the Lagrangian");
             elaborator.lagrangian.extend(term);
         }
+        StatementKind::Gibbs { function, stated } => add_gibbs(elaborator, *function, *stated, keyword),
         StatementKind::Dissipation(value) => {
             let term = elaborator.term(*value, keyword, "the dissipation function");
             elaborator.dissipation.extend(term);

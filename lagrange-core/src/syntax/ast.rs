@@ -214,6 +214,13 @@ pub enum StatementKind {
     Potential(AstId),
     /// `lagrangian = e;`
     Lagrangian(AstId),
+    /// `gibbs = e, for: e;`
+    Gibbs {
+        /// The Gibbs function, at most quadratic in the accelerations.
+        function: AstId,
+        /// Part of the Lagrangian whose equations of motion it states.
+        stated: AstId,
+    },
     /// `dissipation = e;`
     Dissipation(AstId),
     /// `force x = e;`

@@ -12,6 +12,7 @@ pub(super) const STATEMENTS: &[&str] = &[
     "kinetic",
     "potential",
     "lagrangian",
+    "gibbs",
     "dissipation",
     "force",
     "torque",

@@ -144,6 +144,8 @@ pub(super) const COORDINATE_WITH_VALUE_HELP: &str =
     "initial values belong to the state from which a simulation starts";
 pub(super) const FORCE_HELP: &str =
     "write `force x = e;` for a coordinate or `force (fx, fy) at (px, py);` for a point";
+pub(super) const GIBBS_HELP: &str =
+    "write `gibbs = S, for: F;`, F being the part of the Lagrangian whose equations of motion are ∂S/∂a";
 pub(super) const TORQUE_HELP: &str = "write `torque m on angle;`";
 pub(super) const EMIT_HELP: &str = "write `emit { product, no product }`";
 

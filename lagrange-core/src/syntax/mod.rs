@@ -11,6 +11,7 @@
 //!             | "coord" NAME { "," NAME } ";"
 //!             | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
 //!             | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
+//!             | "gibbs" "=" sum "," "for" ":" sum ";"
 //!             | "force" NAME "=" sum ";"
 //!             | "force" sum "at" sum ";"
 //!             | "torque" sum "on" sum ";"

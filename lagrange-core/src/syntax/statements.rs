@@ -80,6 +80,7 @@ impl Parser<'_> {
             "kinetic" => Ok(StatementKind::Kinetic(self.assigned(help, cursor)?)),
             "potential" => Ok(StatementKind::Potential(self.assigned(help, cursor)?)),
             "lagrangian" => Ok(StatementKind::Lagrangian(self.assigned(help, cursor)?)),
+            "gibbs" => self.gibbs(cursor),
             "dissipation" => Ok(StatementKind::Dissipation(self.assigned(help, cursor)?)),
             "force" => self.force(cursor),
             "torque" => self.torque(cursor),
@@ -115,6 +116,21 @@ impl Parser<'_> {
             "roll" => self.roll(cursor).map(SceneStatement::Joint),
             _ => return None,
         })
+    }
+
+    /// `= e, for: e`.
+    fn gibbs(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        self.equals(messages::GIBBS_HELP, cursor)?;
+        let function = self.expression(cursor)?;
+        if cursor.eat(',').is_none() && !cursor.at_statement_end() {
+            return Err(self.no_operator(cursor, "`,`"));
+        }
+        self.connective("for", messages::GIBBS_HELP, cursor)?;
+        if cursor.eat(':').is_none() {
+            let message = messages::expected("`:`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, messages::GIBBS_HELP));
+        }
+        Ok(StatementKind::Gibbs { function, stated: self.value(cursor) })
     }
 
     /// `name = e`, where e stays zero.

@@ -13,6 +13,7 @@ pub(in crate::syntax) fn form(keyword: &str) -> &'static str {
         "kinetic" => "write `kinetic = e;`",
         "potential" => "write `potential = e;`",
         "lagrangian" => "write `lagrangian = e;`",
+        "gibbs" => super::GIBBS_HELP,
         "dissipation" => "write `dissipation = e;`, the Rayleigh function",
         "force" => super::FORCE_HELP,
         "torque" => super::TORQUE_HELP,
