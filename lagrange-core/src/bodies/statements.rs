@@ -11,8 +11,9 @@ use super::mobilizers::{report_waiting, translate_plane_mobilizer};
 use super::object::{Body, WaitingBody};
 use super::plain::{Drawn, DrawnKind, LoadOrigin, Plain};
 use super::space::{
-    point_on_link, report_unplaced, translate_frame, translate_spatial_body, translate_spatial_force,
-    translate_spatial_gravity, translate_spatial_mobilizer, translate_spatial_torque,
+    point_on_link, push_gibbs_function, report_unplaced, translate_frame, translate_spatial_body,
+    translate_spatial_force, translate_spatial_gravity, translate_spatial_mobilizer,
+    translate_spatial_torque,
 };
 use super::translation::Translation;
 use super::unneeded::leave_out_unneeded;
@@ -29,6 +30,7 @@ pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Decla
     report_idle_gravity(&mut translation);
     report_waiting(&mut translation);
     report_unplaced(&mut translation);
+    push_gibbs_function(&mut translation);
     translation.drawing.append(&mut translation.loads);
     let kinematic = translation.space.take().map(|space| space.kinematic);
     let mut plain = plain_of(translation, declaration);

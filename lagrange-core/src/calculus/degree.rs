@@ -19,6 +19,8 @@ pub enum Degree {
 #[derive(Debug)]
 pub struct Degrees {
     kinds: Dependencies,
+    /// Kinds of symbols that the coefficients of affine expressions do not mention.
+    excluded: Dependencies,
     known: HashMap<ExprId, Degree>,
 }
 
@@ -32,7 +34,12 @@ impl Default for Degrees {
 impl Degrees {
     /// Degrees in the symbols of these kinds.
     pub fn in_terms_of(kinds: Dependencies) -> Degrees {
-        Degrees { kinds, known: HashMap::default() }
+        Degrees { kinds, excluded: Dependencies::NONE, known: HashMap::default() }
+    }
+
+    /// The same, but expressions with coefficients that mention one of the kinds `excluded` do not count as affine.
+    pub fn with_coefficients_free_of(self, excluded: Dependencies) -> Degrees {
+        Degrees { excluded, ..self }
     }
 
     /// Finds the degree of everything `roots` are made of.
@@ -62,16 +69,28 @@ impl Degrees {
             Node::Product(factors) => {
                 let mut moving = factors.iter().filter(|(base, _)| of(base) != Degree::Free);
                 match (moving.next(), moving.next()) {
-                    (Some((base, exponent)), None) if *exponent == Number::ONE => of(base),
+                    (Some((base, exponent)), None) if *exponent == Number::ONE => {
+                        let mut fixed = factors.iter().filter(|(other, _)| other != base);
+                        match fixed.all(|(other, _)| self.may_be_coefficient(graph, *other)) {
+                            true => of(base),
+                            false => Degree::Nonlinear,
+                        }
+                    }
                     _ => Degree::Nonlinear,
                 }
             }
             Node::Choose { left, right, then, otherwise, .. } => match of(left).max(of(right)) {
-                Degree::Free => of(then).max(of(otherwise)),
+                Degree::Free if [left, right].iter().all(|side| self.may_be_coefficient(graph, **side)) => {
+                    of(then).max(of(otherwise))
+                }
                 _ => Degree::Nonlinear,
             },
             _ => Degree::Nonlinear,
         }
+    }
+
+    fn may_be_coefficient(&self, graph: &Graph, id: ExprId) -> bool {
+        !graph.dependencies(id).intersects(self.excluded)
     }
 }
 
@@ -96,6 +115,37 @@ pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
                 }
                 base.checked_mul(i64::from(exponent.to_i32()?))?.checked_add(degree)
             }),
+            _ => None,
+        };
+        known.insert(id, degree);
+    }
+    known.get(&root).copied().flatten()
+}
+
+/// The degree of an expression as a polynomial in symbols of these kinds; `None` if it is none, or not plainly one.
+pub fn polynomial_degree(graph: &Graph, root: ExprId, kinds: Dependencies) -> Option<i64> {
+    let is_free = |id: ExprId| !graph.dependencies(id).intersects(kinds);
+    let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();
+    for id in graph.reachable_until(&[root], is_free) {
+        let of = |id: &ExprId| known.get(id).copied().flatten();
+        let degree = match graph.node(id) {
+            _ if is_free(id) => Some(0),
+            Node::Symbol(_) => Some(1),
+            Node::Sum { terms, .. } => {
+                terms.iter().try_fold(0, |degree, (term, _)| Some(of(term)?.max(degree)))
+            }
+            Node::Product(factors) => factors.iter().try_fold(0, |degree, (base, exponent)| {
+                let base = of(base)?;
+                if base == 0 {
+                    return Some(degree);
+                }
+                let exponent = exponent.to_i32().filter(|exponent| *exponent > 0)?;
+                base.checked_mul(i64::from(exponent))?.checked_add(degree)
+            }),
+            Node::Choose { left, right, then, otherwise, .. } => {
+                let is_decided = of(left)? == 0 && of(right)? == 0;
+                is_decided.then_some(of(then)?.max(of(otherwise)?))
+            }
             _ => None,
         };
         known.insert(id, degree);

@@ -12,7 +12,7 @@ mod substitute;
 mod transplant;
 
 pub use adjoint::{adjoint, gradient};
-pub use degree::{Degree, Degrees, homogeneity};
+pub use degree::{Degree, Degrees, homogeneity, polynomial_degree};
 pub use evaluate::{evaluate, node_value};
 pub use expansion::{Expansion, Series};
 pub use jacobian::jacobian;

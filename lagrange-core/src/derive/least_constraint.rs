@@ -27,11 +27,13 @@
 //! ẇ u = 60 is the linear part at φ̇, Coriolis' force, and −½ u² = −25/2 at the node ẇ comes down to ṙ as −25/2 · 2 r = −50, the
 //! centrifugal force.
 
+use super::curvature::Curvature;
+use super::gibbs_appell::{GibbsForm, remainder};
 use super::quadratic_form::QuadraticForm;
-use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates, gradient, partials, second_partials};
+use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates, gradient};
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::model::Model;
+use crate::model::{GibbsFunction, Model};
 use crate::number::Number;
 
 /// The Lagrangian sorted into terms that are treated alike.
@@ -45,14 +47,25 @@ pub(super) struct SplitLagrangian {
     pub(super) rest: ExprId,
     /// Whether those are more than linear in the velocities.
     pub(super) has_other_inertia: bool,
-    /// The second derivatives with respect to affine nodes, the squares included.
+    /// What is stated by a Gibbs function, which the terms above leave out.
+    gibbs: Option<GibbsForm>,
+    /// The second derivatives with respect to affine nodes, the squares and those of the Gibbs function included.
     quadratic: QuadraticForm,
 }
 
 impl SplitLagrangian {
     pub(super) fn new(model: &mut Model) -> SplitLagrangian {
-        let lagrangian = model.lagrangian;
-        Splitter::new(model).split(lagrangian)
+        let Some(GibbsFunction { function, stated }) = model.gibbs else {
+            let lagrangian = model.lagrangian;
+            return Splitter::new(model, lagrangian).split(lagrangian);
+        };
+        let gibbs = GibbsForm::new(&mut model.graph, function);
+        let lagrangian = remainder(&mut model.graph, model.lagrangian, stated);
+        let mut split = Splitter::new(model, lagrangian).split(lagrangian);
+        split.quadratic.add(&gibbs.quadratic);
+        split.has_other_inertia = true;
+        split.gibbs = Some(gibbs);
+        split
     }
 }
 
@@ -111,6 +124,9 @@ pub(super) fn loads_beside_squares(
     let one = model.graph.number(1);
     form.add_linear(&model.graph, power, one);
     add_rest(model, &mut form, &mut rates, split.rest);
+    if let Some(gibbs) = &split.gibbs {
+        gibbs.add_linear(&mut model.graph, &mut form, accelerations);
+    }
     if terms == Terms::All {
         add_loads(model, &mut form);
     }
@@ -170,11 +186,11 @@ fn half() -> Number {
 
 /// What affine nodes of the Lagrangian are rates of. Besides what the user wrote as `dot(…)`, multiples and
 /// sums of rates are rates.
-fn known_positions(model: &mut Model, degrees: &Degrees) -> HashMap<ExprId, ExprId> {
+fn known_positions(model: &mut Model, lagrangian: ExprId, degrees: &Degrees) -> HashMap<ExprId, ExprId> {
     let coordinates = model.coordinates.iter().map(|c| (c.velocity, c.position));
     let mut positions = model.rates.iter().copied().chain(coordinates).collect::<HashMap<_, _>>();
     let graph = &mut model.graph;
-    for id in graph.reachable(&[model.lagrangian]) {
+    for id in graph.reachable(&[lagrangian]) {
         if degrees.of(graph, id) == Degree::Affine && !positions.contains(&id) {
             let position = position_of_combination(graph, &positions, id);
             position.map(|position| positions.insert(id, position));
@@ -211,32 +227,27 @@ fn position_of_combination(
 struct Splitter<'a> {
     graph: &'a mut Graph,
     positions: HashMap<ExprId, ExprId>,
-    degrees: Degrees,
+    curvature: Curvature,
     /// Weights with which nodes enter the Lagrangian additively.
     weights: OrderedMap<ExprId, Vec<ExprId>>,
-    /// Weights with which nodes enter through another nonlinear node.
-    adjoints: OrderedMap<ExprId, Vec<ExprId>>,
     squares: Vec<(ExprId, ExprId)>,
     free: Vec<ExprId>,
     rest: Vec<ExprId>,
-    quadratic: QuadraticForm,
 }
 
 impl<'a> Splitter<'a> {
-    fn new(model: &'a mut Model) -> Splitter<'a> {
+    fn new(model: &'a mut Model, lagrangian: ExprId) -> Splitter<'a> {
         let mut degrees = Degrees::default();
-        degrees.classify(&model.graph, &[model.lagrangian]);
-        let positions = known_positions(model, &degrees);
+        degrees.classify(&model.graph, &[lagrangian]);
+        let positions = known_positions(model, lagrangian, &degrees);
         Splitter {
             graph: &mut model.graph,
             positions,
-            degrees,
+            curvature: Curvature::new(degrees),
             weights: OrderedMap::default(),
-            adjoints: OrderedMap::default(),
             squares: Vec::new(),
             free: Vec::new(),
             rest: Vec::new(),
-            quadratic: QuadraticForm::default(),
         }
     }
 
@@ -244,7 +255,7 @@ impl<'a> Splitter<'a> {
         let one = self.graph.number(1);
         self.enter(lagrangian, one);
         for id in self.graph.reachable(&[lagrangian]).into_iter().rev() {
-            if self.degrees.of(self.graph, id) == Degree::Nonlinear {
+            if self.curvature.degrees.of(self.graph, id) == Degree::Nonlinear {
                 self.visit(id);
             }
         }
@@ -258,13 +269,14 @@ impl<'a> Splitter<'a> {
             potential,
             rest,
             has_other_inertia: degrees.of(self.graph, rest) == Degree::Nonlinear,
-            quadratic: self.quadratic,
+            gibbs: None,
+            quadratic: self.curvature.quadratic,
         }
     }
 
     /// Records that the Lagrangian holds `weight · id` as a term.
     fn enter(&mut self, id: ExprId, weight: ExprId) {
-        match self.degrees.of(self.graph, id) {
+        match self.curvature.degrees.of(self.graph, id) {
             Degree::Free => self.free.push(self.graph.multiply(weight, id)),
             Degree::Affine => self.rest.push(self.graph.multiply(weight, id)),
             Degree::Nonlinear => self.weights.get_or_insert_with(id, Vec::new).push(weight),
@@ -272,15 +284,15 @@ impl<'a> Splitter<'a> {
     }
 
     fn visit(&mut self, id: ExprId) {
-        let additive = self.take(id, |splitter| &mut splitter.weights);
-        let indirect = self.take(id, |splitter| &mut splitter.adjoints);
-        let Some(weight) = additive else { return self.curve(id, indirect) };
+        let additive = self.take_weight(id);
+        let indirect = self.curvature.take_adjoint(self.graph, id);
+        let Some(weight) = additive else { return self.curvature.sweep(self.graph, id, indirect) };
         if let Some(parts) = self.linear_parts(id) {
             for (part, slope) in parts {
                 let weight = self.graph.multiply(weight, slope);
                 self.enter(part, weight);
             }
-            return self.curve(id, indirect);
+            return self.curvature.sweep(self.graph, id, indirect);
         }
         match self.weighted_square(id) {
             Some((slope, u)) => {
@@ -291,15 +303,11 @@ impl<'a> Splitter<'a> {
             None => self.rest.push(self.graph.multiply(weight, id)),
         }
         let total = self.graph.total([Some(weight), indirect].into_iter().flatten());
-        self.curve(id, Some(total));
+        self.curvature.sweep(self.graph, id, Some(total));
     }
 
-    fn take(
-        &mut self,
-        id: ExprId,
-        map: impl Fn(&mut Self) -> &mut OrderedMap<ExprId, Vec<ExprId>>,
-    ) -> Option<ExprId> {
-        let terms = std::mem::take(map(self).get_mut(&id)?);
+    fn take_weight(&mut self, id: ExprId) -> Option<ExprId> {
+        let terms = std::mem::take(self.weights.get_mut(&id)?);
         Some(self.graph.total(terms))
     }
 
@@ -318,7 +326,8 @@ impl<'a> Splitter<'a> {
     /// `(slope, base, exponent)` for a product of the velocity-free `slope` and one moving factor.
     fn only_moving_factor(&mut self, id: ExprId) -> Option<(ExprId, ExprId, Number)> {
         let Node::Product(factors) = self.graph.node(id).clone() else { return None };
-        let is_free = |(base, _): &(ExprId, Number)| self.degrees.of(self.graph, *base) == Degree::Free;
+        let is_free =
+            |(base, _): &(ExprId, Number)| self.curvature.degrees.of(self.graph, *base) == Degree::Free;
         let (free, moving): (Vec<_>, Vec<_>) = factors.iter().cloned().partition(is_free);
         match moving.as_slice() {
             [(base, exponent)] => Some((self.graph.product(free), *base, exponent.clone())),
@@ -330,30 +339,6 @@ impl<'a> Splitter<'a> {
     fn weighted_square(&mut self, id: ExprId) -> Option<(ExprId, ExprId)> {
         let (slope, u, exponent) = self.only_moving_factor(id)?;
         (self.positions.contains(&u) && exponent == Number::TWO).then_some((slope, u))
-    }
-
-    /// One step of the second-order reverse sweep: second derivatives of the node itself, and those that
-    /// have arrived at it, go to its operands.
-    fn curve(&mut self, id: ExprId, adjoint: Option<ExprId>) {
-        let mut parts = partials(self.graph, id);
-        parts.retain(|(part, _)| self.degrees.of(self.graph, *part) != Degree::Free);
-        if self.quadratic.contains(id) {
-            self.quadratic.push(self.graph, id, &parts);
-        }
-        let Some(adjoint) = adjoint else { return };
-        for (part, slope) in parts {
-            if self.degrees.of(self.graph, part) == Degree::Nonlinear {
-                let value = self.graph.multiply(adjoint, slope);
-                self.adjoints.get_or_insert_with(part, Vec::new).push(value);
-            }
-        }
-        for (i, j, second) in second_partials(self.graph, id) {
-            let moving = |id| self.degrees.of(self.graph, id) != Degree::Free;
-            if moving(i) && moving(j) {
-                let value = self.graph.multiply(adjoint, second);
-                self.quadratic.add_pair(self.graph, i, j, value);
-            }
-        }
     }
 }
 

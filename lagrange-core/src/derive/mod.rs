@@ -12,6 +12,9 @@
 //! ṗ. Everything else contributes second derivatives by a second-order reverse sweep and d/dt ∂L/∂v − ∂L/∂q by reverse mode. No Jacobian
 //! appears. `quadratic_form` holds what comes together at each pair of nodes and sums it when it is needed.
 //!
+//! A Gibbs function (`gibbs_appell`) says the same of part of the Lagrangian by second derivatives and slopes in the accelerations, at the
+//! velocities that are their principal parts, so that forms and sweeps need not know where coefficients come from.
+//!
 //! `sweep` orders the velocity nodes so that one body is finished before the body that carries it. All multiples of one velocity are
 //! substituted together, so that its square shares factors with the coefficients beside it. What stands in no square or product, such as
 //! the rate of the potential, is pushed down first, so that no velocity waits for it.
@@ -69,8 +72,10 @@
 mod algebra;
 mod constraints;
 mod cost;
+mod curvature;
 mod elimination;
 mod equations;
+mod gibbs_appell;
 mod indefinite;
 mod inverse_dynamics;
 mod jacobian;

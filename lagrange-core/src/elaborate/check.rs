@@ -4,6 +4,7 @@ use super::constraints::{check_constraint_count, check_reduced_constraints, is_c
 use super::damping::with_limits;
 use super::elaborator::{Elaborator, SourceTerm};
 use super::events::{check_event_count, check_reduced_events};
+use super::gibbs::total_gibbs;
 use super::magnitudes::check_magnitudes;
 use super::messages::{self, scene};
 use super::reductions::check_reductions;
@@ -233,6 +234,7 @@ fn report_input_in_kinetic(elaborator: &mut Elaborator<'_>) {
 fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: ExprId) -> Model {
     let dissipation = total(&mut elaborator, |elaborator| &elaborator.dissipation);
     let dissipation = with_limits(&mut elaborator, dissipation);
+    let gibbs = total_gibbs(&mut elaborator);
     let products = elaborator.products();
     let mut labels = elaborator.labels;
     // Rates of what has a name occur in the equations whether or not the user wrote them.
@@ -254,6 +256,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
         coordinates: elaborator.coordinates.into_iter().map(|(coordinate, _)| coordinate).collect(),
         energies,
         lagrangian,
+        gibbs,
         dissipation,
         loads: elaborator.loads,
         constraints: elaborator.constraints.into_iter().map(|(constraint, _)| constraint).collect(),

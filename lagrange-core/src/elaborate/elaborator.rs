@@ -14,8 +14,8 @@ use crate::calculus::evaluate;
 use crate::diagnostics::Report;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{
-    Action, Availability, Constraint, Coordinate, Event, Load, Output, Parameter, Product, Reaction,
-    Reduction, Scene,
+    Action, Availability, Constraint, Coordinate, Event, GibbsFunction, Load, Output, Parameter, Product,
+    Reaction, Reduction, Scene,
 };
 use crate::syntax::ast::{self, AstId, Declaration, Name};
 
@@ -51,6 +51,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) kinetic: Vec<SourceTerm>,
     pub(super) potential: Vec<SourceTerm>,
     pub(super) lagrangian: Vec<SourceTerm>,
+    pub(super) gibbs: Vec<GibbsFunction>,
     pub(super) dissipation: Vec<SourceTerm>,
     pub(super) loads: Vec<Load>,
     /// Names of the constraints of joints.
@@ -89,6 +90,7 @@ impl<'a> Elaborator<'a> {
             kinetic: Vec::new(),
             potential: Vec::new(),
             lagrangian: Vec::new(),
+            gibbs: Vec::new(),
             dissipation: Vec::new(),
             loads: Vec::new(),
             joints,

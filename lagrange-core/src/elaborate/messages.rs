@@ -154,6 +154,11 @@ pub(super) const MOMENTA_JUMP: &str =
 
 pub(super) const MOMENTA_JUMP_HELP: &str = "write an even power, such as `1/2*m*norm(v)^2`, or a `force`, `dissipation` or `friction` for what acts against a motion";
 
+pub(super) const GIBBS_WITHOUT_ACCELERATIONS: &str = "a Gibbs function without accelerations";
+pub(super) const GIBBS_OF_HIGH_DEGREE: &str =
+    "a Gibbs function is a polynomial of degree two in the accelerations, which this is not";
+pub(super) const GIBBS_HELP: &str = "sum up ½ m |a|² of all masses m, with accelerations such as `ddot(x)`";
+
 pub(super) fn not_a_coordinate(name: &str) -> String {
     format!("`{name}` is not a coordinate")
 }

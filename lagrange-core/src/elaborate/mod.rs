@@ -14,6 +14,7 @@ mod evaluator;
 mod events;
 mod expression;
 mod function_names;
+mod gibbs;
 mod inertia;
 mod loads;
 mod magnitudes;

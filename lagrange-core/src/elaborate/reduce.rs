@@ -94,6 +94,8 @@ impl<'a> Reducer<'a> {
             coordinates,
             energies,
             lagrangian,
+            // It would have to be expanded, too; energies say the same.
+            gibbs: None,
             dissipation,
             loads,
             // These are refused beside a reduction.

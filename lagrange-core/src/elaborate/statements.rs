@@ -7,6 +7,7 @@ use super::definitions::{
 use super::elaborator::Elaborator;
 use super::events::add_event;
 use super::expression::value_of;
+use super::gibbs::add_gibbs;
 use super::loads::{add_force_along, add_force_at, add_force_on, add_torque};
 use super::messages;
 use super::reactions::add_friction;
@@ -49,6 +50,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
             let term = elaborator.term(*value, keyword, "the Lagrangian");
             elaborator.lagrangian.extend(term);
         }
+        StatementKind::Gibbs { function, stated } => add_gibbs(elaborator, *function, *stated, keyword),
         StatementKind::Dissipation(value) => {
             let term = elaborator.term(*value, keyword, "the dissipation function");
             elaborator.dissipation.extend(term);

@@ -26,6 +26,8 @@ pub struct Model {
     pub energies: Energies,
     /// L = T − V, or as declared.
     pub lagrangian: ExprId,
+    /// Gibbs function that states the equations of motion of part of the Lagrangian.
+    pub gibbs: Option<GibbsFunction>,
     /// The Rayleigh function, whose gradient with respect to v is subtracted from the forces.
     pub dissipation: ExprId,
     /// Applied forces and torques.
@@ -123,6 +125,15 @@ pub enum Energies {
     },
     /// L as declared
     Lagrangian,
+}
+
+/// A function S of the accelerations a, whose slopes are inertial forces: ∂S/∂a = d/dt ∂F/∂v − ∂F/∂q for part F of the Lagrangian.
+#[derive(Clone, Copy, Debug)]
+pub struct GibbsFunction {
+    /// S, at most quadratic in the accelerations.
+    pub function: ExprId,
+    /// F
+    pub stated: ExprId,
 }
 
 /// A force along a velocity: it does work at the rate `force · velocity`.

@@ -75,6 +75,10 @@ impl Printer<'_> {
             StatementKind::Kinetic(value) => self.between("kinetic = ", *value, ";"),
             StatementKind::Potential(value) => self.between("potential = ", *value, ";"),
             StatementKind::Lagrangian(value) => self.between("lagrangian = ", *value, ";"),
+            StatementKind::Gibbs { function, stated } => {
+                self.labelled("gibbs = ", *function);
+                self.between(", for: ", *stated, ";");
+            }
             StatementKind::Dissipation(value) => self.between("dissipation = ", *value, ";"),
             StatementKind::ForceOn(name, value) => self.named("force ", name, *value),
             StatementKind::ForceAt { force, point } => {

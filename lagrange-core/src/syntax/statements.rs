@@ -80,6 +80,7 @@ impl Parser<'_> {
             "kinetic" => Ok(StatementKind::Kinetic(self.assigned(help, cursor)?)),
             "potential" => Ok(StatementKind::Potential(self.assigned(help, cursor)?)),
             "lagrangian" => Ok(StatementKind::Lagrangian(self.assigned(help, cursor)?)),
+            "gibbs" => self.gibbs(cursor),
             "dissipation" => Ok(StatementKind::Dissipation(self.assigned(help, cursor)?)),
             "force" => self.force(cursor),
             "torque" => self.torque(cursor),
@@ -120,6 +121,21 @@ impl Parser<'_> {
             "frame" => self.declared_name(cursor).map(SceneStatement::Frame),
             _ => return None,
         })
+    }
+
+    /// `= e, for: e`.
+    fn gibbs(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        self.equals(form("gibbs"), cursor)?;
+        let function = self.expression(cursor)?;
+        if cursor.eat(',').is_none() && !cursor.at_statement_end() {
+            return Err(self.no_operator(cursor, "`,`"));
+        }
+        self.connective("for", form("gibbs"), cursor)?;
+        if cursor.eat(':').is_none() {
+            let message = messages::expected("`:`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, form("gibbs")));
+        }
+        Ok(StatementKind::Gibbs { function, stated: self.value(cursor) })
     }
 
     /// `name = e`, where e stays zero.

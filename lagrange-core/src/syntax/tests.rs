@@ -104,6 +104,7 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::Kinetic(value) => format!("kinetic {}", show(value)),
         StatementKind::Potential(value) => format!("potential {}", show(value)),
         StatementKind::Lagrangian(value) => format!("lagrangian {}", show(value)),
+        StatementKind::Gibbs { function, stated } => format!("gibbs {} for {}", show(function), show(stated)),
         StatementKind::Dissipation(value) => format!("dissipation {}", show(value)),
         StatementKind::ForceOn(name, value) => format!("force {} {}", name.text, show(value)),
         StatementKind::ForceAt { force, point } => format!("force {} at {}", show(force), show(point)),

@@ -4,6 +4,7 @@ mod dampers;
 mod declarations;
 mod expressions;
 mod formulas;
+mod gibbs;
 mod growth;
 mod machines;
 mod magnitudes;

@@ -2,9 +2,9 @@
 
 use super::compound::compound_properties;
 use super::inertia::{mass_properties, triple_of};
-use super::links::{Link, MassProperties};
+use super::links::{Energies, Link, MassProperties, Path};
 use super::messages as words;
-use super::poses::{JointAxis, Pose, named_vector, turned};
+use super::poses::{FrameStep, JointAxis, Pose, behind, named_vector};
 use super::vectors::{half_square, inner, minus, plus};
 use crate::bodies::expressions::plain_expression;
 use crate::bodies::messages::{self, mobilizers as joints};
@@ -36,12 +36,12 @@ pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_
     let is_by_hand = statement.center.is_some() || statement.origin.is_some() || statement.angles.is_some();
     if is_by_hand {
         let (pose, center) = pose_by_hand(translation, statement, inertia);
-        settle(translation, link, pose, center);
+        settle(translation, link, (pose, None), center);
     } else if !translation.names.is_placed_by_joint(&name.text) {
         let message = joints::unplaced("body", &name.text);
         translation.report.error(name.span, message).help(words::JOINT_PLACES_HELP);
         let pose = Pose::invalid(&mut translation.terms());
-        settle(translation, link, pose, None);
+        settle(translation, link, (pose, None), None);
     }
 }
 
@@ -49,7 +49,13 @@ fn declare(translation: &mut Translation<'_>, name: &Name, inertia: Option<MassP
     let is_frame = inertia.is_none();
     let Some(space) = &mut translation.space else { return 0 };
     let index = space.links.len();
-    space.links.push(Link { name: name.clone(), inertia, placed: None });
+    space.links.push(Link {
+        name: name.clone(),
+        inertia,
+        placed: None,
+        path: None,
+        energies: Energies::default(),
+    });
     translation.names.declare(&name.text, Object::Link { index, is_frame });
     index
 }
@@ -110,7 +116,7 @@ fn oriented(translation: &mut Translation<'_>, statement: &ast::Body) -> Pose {
     for (step, (letter, angle)) in sequence.text.bytes().zip(angles).enumerate() {
         let axis = JointAxis::positive(usize::from(letter.saturating_sub(b'x')).min(2));
         let wish = if step == 2 { name.text.clone() } else { format!("{}_turn", name.text) };
-        pose = turned(translation, &wish, pose, axis, angle);
+        pose = behind(translation, &wish, pose, FrameStep::Turn(axis, angle));
     }
     pose
 }
@@ -119,26 +125,32 @@ fn oriented(translation: &mut Translation<'_>, statement: &ast::Body) -> Pose {
 pub(super) fn settle(
     translation: &mut Translation<'_>,
     link: usize,
-    pose: Pose,
+    (pose, path): (Pose, Option<Path>),
     center_velocity: Option<AstId>,
 ) {
     let origin = translation.origin;
     let Some(space) = &mut translation.space else { return };
     space.links[link].placed = Some((pose, origin));
+    space.links[link].path = path;
+    space.order.push(link);
     let Link { name, inertia, .. } = space.links[link].clone();
     let Some(inertia) = inertia else { return };
-    push_kinetic_energy(translation, &name, inertia, &pose, center_velocity);
+    let of_translation = push_translation(translation, &name, inertia, &pose, center_velocity);
+    let of_rotation = push_rotation(translation, &name, inertia, &pose);
+    if let Some(space) = &mut translation.space {
+        space.links[link].energies = Energies { of_translation, of_rotation, potential: None };
+    }
     weigh(translation, link);
 }
 
-/// ½ m v_S² + ½ ω·J ω
-fn push_kinetic_energy(
+/// ½ m v_S², under a name.
+fn push_translation(
     translation: &mut Translation<'_>,
     name: &Name,
     inertia: MassProperties,
     pose: &Pose,
     center_velocity: Option<AstId>,
-) {
+) -> Option<AstId> {
     let velocity = center_velocity.or_else(|| {
         let velocity = pose.velocity_of(&mut translation.terms(), inertia.centroid);
         let velocity = named_vector(translation, &format!("{}_center_v", name.text), velocity);
@@ -146,26 +158,35 @@ fn push_kinetic_energy(
         let moves = !velocity.iter().all(|&component| terms.is_zero(component));
         moves.then(|| terms.vector(&velocity))
     });
-    if let Some(velocity) = velocity {
-        let moving = translation.terms().call("kinetic_energy", &[inertia.mass, velocity]);
-        translation.push(StatementKind::Kinetic(moving));
-    }
+    let energy = translation.terms().call("kinetic_energy", &[inertia.mass, velocity?]);
+    let energy = translation.bind(&format!("{}_T_translation", name.text), energy);
+    translation.push(StatementKind::Kinetic(energy));
+    Some(energy)
+}
+
+/// ½ ω·J ω, under a name.
+fn push_rotation(
+    translation: &mut Translation<'_>,
+    name: &Name,
+    inertia: MassProperties,
+    pose: &Pose,
+) -> Option<AstId> {
     let mut terms = translation.terms();
     if pose.spin.iter().all(|&component| terms.is_zero(component)) {
-        return;
+        return None;
     }
-    match inertia.tensor {
-        Some(tensor) => {
-            let turning = half_square(&mut terms, tensor, pose.spin);
-            if !terms.is_zero(turning) {
-                translation.push(StatementKind::Kinetic(turning));
-            }
-        }
-        None => {
-            let error = translation.report.error(name.span, words::no_tensor(&name.text));
-            error.help(words::TENSOR_NEEDED_HELP);
-        }
+    let Some(tensor) = inertia.tensor else {
+        let error = translation.report.error(name.span, words::no_tensor(&name.text));
+        error.help(words::TENSOR_NEEDED_HELP);
+        return None;
+    };
+    let energy = half_square(&mut terms, tensor, pose.spin);
+    if terms.is_zero(energy) {
+        return None;
     }
+    let energy = translation.bind(&format!("{}_T_rotation", name.text), energy);
+    translation.push(StatementKind::Kinetic(energy));
+    Some(energy)
 }
 
 /// `gravity = (gx, gy, gz);`
@@ -190,14 +211,21 @@ pub(in crate::bodies) fn translate_spatial_gravity(translation: &mut Translation
 fn weigh(translation: &mut Translation<'_>, link: usize) {
     let Some(space) = &translation.space else { return };
     let Some((gravity, _)) = space.gravity else { return };
-    let Link { inertia: Some(inertia), placed: Some((pose, _)), .. } = space.links[link] else { return };
+    let Link { name, inertia: Some(inertia), placed: Some((pose, _)), .. } = space.links[link].clone() else {
+        return;
+    };
     let mut terms = translation.terms();
     let center = pose.place_of(&mut terms, inertia.centroid);
     let work = inner(&mut terms, gravity, center);
     let weighed = terms.times(inertia.mass, work);
     let potential = terms.negative(weighed);
-    if !terms.is_zero(potential) {
-        translation.push(StatementKind::Potential(potential));
+    if terms.is_zero(potential) {
+        return;
+    }
+    let potential = translation.bind(&format!("{}_V", name.text), potential);
+    translation.push(StatementKind::Potential(potential));
+    if let Some(space) = &mut translation.space {
+        space.links[link].energies.potential = Some(potential);
     }
 }
 

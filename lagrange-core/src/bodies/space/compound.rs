@@ -5,7 +5,7 @@
 use super::inertia::{fixed_triple, oblige, shape_of, tensor_of_solid};
 use super::links::MassProperties;
 use super::messages as words;
-use super::numbers::orientation;
+use super::orientations::orientation;
 use super::poses::named_vector;
 use super::vectors::{
     Tensor, Triple, apply, minus, plus, scale, tensor_of_point, tensor_sum, turned_tensor, zero_triple,
@@ -89,8 +89,7 @@ fn spatial_part(translation: &mut Translation<'_>, part: &Part) -> Option<Spatia
         let origin = translation.expressions.origin(angle);
         translation.report.error(origin, words::PART_ANGLE).help(words::PART_ANGLE_HELP);
     }
-    let rotation =
-        part.turned.and_then(|turned| orientation(translation, turned, words::ORIENTATION_OF_PART));
+    let rotation = part.turned.map(|turned| orientation(translation, turned, words::ORIENTATION_OF_PART));
     let ((solid, dimensions), mass) = (shape?, mass?);
     let own = tensor_of_solid(translation, solid, &dimensions, mass);
     let mut terms = translation.terms();

@@ -1,6 +1,6 @@
 //! What moves in a scene in space: bodies and frames, and where joints put them.
 
-use super::poses::Pose;
+use super::poses::{FrameStep, Pose};
 use super::vectors::{Tensor, Triple};
 use crate::bodies::messages::mobilizers as joints;
 use crate::bodies::translation::Translation;
@@ -15,6 +15,30 @@ pub(in crate::bodies) struct Link {
     pub(super) inertia: Option<MassProperties>,
     /// Where it is, and the statement that says so; unknown until a joint places it.
     pub(super) placed: Option<(Pose, Origin)>,
+    /// How a joint places it.
+    pub(super) path: Option<Path>,
+    /// Names of its energies.
+    pub(super) energies: Energies,
+}
+
+/// The way from what carries a joint to what it places.
+#[derive(Clone, Debug)]
+pub(super) struct Path {
+    /// The link that carries the joint; `None` for the ground.
+    pub(super) carrier: Option<usize>,
+    /// Steps in their order, each with the frame behind it.
+    pub(super) steps: Vec<(FrameStep, Pose)>,
+}
+
+/// Energies of a body, as names.
+#[derive(Clone, Copy, Default, Debug)]
+pub(super) struct Energies {
+    /// ½ m v²
+    pub(super) of_translation: Option<AstId>,
+    /// ½ ω·J ω
+    pub(super) of_rotation: Option<AstId>,
+    /// −m g·r
+    pub(super) potential: Option<AstId>,
 }
 
 /// Mass of a rigid body and its distribution in the body's own axes.

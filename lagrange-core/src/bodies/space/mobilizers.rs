@@ -5,10 +5,11 @@
 
 use super::bodies::settle;
 use super::inertia::fixed_triple;
-use super::links::has_place;
+use super::links::{Path, has_place};
 use super::messages as words;
-use super::numbers::{coordinate_axis, frame_along, orientation, triple_of_numbers, written};
-use super::poses::{JointAxis, Pose, named_vector, reoriented, shifted, slid, turned};
+use super::numbers::{coordinate_axis, frame_along, triple_of_numbers, written};
+use super::orientations::orientation;
+use super::poses::{FrameStep, JointAxis, Pose, behind, named_vector};
 use super::vectors::{Matrix, Triple, transposed};
 use crate::bodies::expressions::{mention, report_early};
 use crate::bodies::mass_geometry::property;
@@ -28,13 +29,36 @@ pub(in crate::bodies) fn translate_spatial_mobilizer(
     let coordinates = coordinates_of(translation, joint, statement);
     let carrier = carrier_of(translation, joint);
     let placed = placed_of(translation, joint);
-    let frame = carrier.map(|pose| joint_frame(translation, joint, pose));
-    let pose = frame.and_then(|frame| moved(translation, joint, frame, &coordinates));
+    let steps = steps_of(translation, joint, &coordinates);
+    let way =
+        carrier.zip(steps).map(|((carrier, pose), steps)| walk(translation, joint, carrier, pose, steps));
     dampen(translation, joint, &coordinates);
     if let Some(link) = placed {
-        let pose = pose.unwrap_or_else(|| Pose::invalid(&mut translation.terms()));
-        settle(translation, link, pose, None);
+        let (pose, path) = match way {
+            Some((pose, path)) => (pose, Some(path)),
+            None => (Pose::invalid(&mut translation.terms()), None),
+        };
+        settle(translation, link, (pose, path), None);
     }
+}
+
+/// The frames behind the steps of a joint, one after another.
+fn walk(
+    translation: &mut Translation<'_>,
+    joint: &Mobilizer,
+    carrier: Option<usize>,
+    mut pose: Pose,
+    steps: Vec<FrameStep>,
+) -> (Pose, Path) {
+    let name = &joint.outboard.text;
+    let last = steps.len().saturating_sub(1);
+    let mut path = Path { carrier, steps: Vec::with_capacity(steps.len()) };
+    for (index, step) in steps.into_iter().enumerate() {
+        let wish = if index == last { name.clone() } else { format!("{name}_joint") };
+        pose = behind(translation, &wish, pose, step);
+        path.steps.push((step, pose));
+    }
+    (pose, path)
 }
 
 /// Declares the coordinates; their expressions.
@@ -61,14 +85,15 @@ pub(in crate::bodies) fn dampen(translation: &mut Translation<'_>, joint: &Mobil
     translation.push(StatementKind::Dissipation(dissipation));
 }
 
-/// The pose of what carries a joint.
-fn carrier_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<Pose> {
+/// What carries a joint, unless that is the ground, and its pose.
+fn carrier_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<(Option<usize>, Pose)> {
     let name = &joint.inboard;
     if is_ground(translation, name) {
-        return Some(Pose::at_rest(&mut translation.terms()));
+        return Some((None, Pose::at_rest(&mut translation.terms())));
     }
     let link = link_of(translation, name)?;
-    has_place(translation, link, name.span.into())
+    let pose = has_place(translation, link, name.span.into())?;
+    Some((Some(link), pose))
 }
 
 fn is_ground(translation: &Translation<'_>, name: &Name) -> bool {
@@ -116,83 +141,74 @@ fn placed_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<usi
     Some(link)
 }
 
-/// The frame of a joint in its carrier.
-fn joint_frame(translation: &mut Translation<'_>, joint: &Mobilizer, carrier: Pose) -> Pose {
-    let kind = joint.kind.name();
-    let name = frame_name(joint);
-    let pose = match joint.at {
-        Some(at) => {
-            let at = fixed_triple(translation, at, &joints::at_of(kind));
-            shifted(translation, &name, carrier, at)
-        }
-        None => carrier,
-    };
-    let rotation = joint.turned.and_then(|turned| orientation(translation, turned, &joints::turned_of(kind)));
-    match rotation {
-        Some(rotation) => reoriented(translation, &name, pose, rotation),
-        None => pose,
-    }
-}
-
-fn frame_name(joint: &Mobilizer) -> String {
-    match joint.kind {
-        MobilizerKind::Weld => joint.outboard.text.clone(),
-        _ => format!("{}_joint", joint.outboard.text),
-    }
-}
-
-/// The frame behind the motions of a joint.
-fn moved(
+/// The steps from the carrier of a joint to what it places; `None` after a mistake.
+fn steps_of(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
-    frame: Pose,
     coordinates: &[AstId],
-) -> Option<Pose> {
-    let name = joint.outboard.text.clone();
-    let steps =
-        |translation: &mut Translation<'_>, pose: Pose, axis: JointAxis| match (joint.kind, coordinates) {
-            (MobilizerKind::Revolute, &[angle]) => Some(turned(translation, &name, pose, axis, angle)),
-            (MobilizerKind::Prismatic, &[distance]) => Some(slid(translation, &name, pose, axis, distance)),
-            (MobilizerKind::Cylindrical, &[angle, distance]) => {
-                let turned = turned(translation, &frame_name(joint), pose, axis, angle);
-                Some(slid(translation, &name, turned, axis, distance))
-            }
-            (MobilizerKind::Screw, &[angle]) => {
-                let distance = advance(translation, joint, angle)?;
-                let turned = turned(translation, &frame_name(joint), pose, axis, angle);
-                Some(slid(translation, &name, turned, axis, distance))
-            }
-            _ => None,
-        };
-    match (joint.kind, coordinates) {
-        (MobilizerKind::Weld, _) => Some(frame),
-        (MobilizerKind::Universal, &[first, second]) => {
-            let (x, y) = (JointAxis::positive(0), JointAxis::positive(1));
-            let fork = turned(translation, &frame_name(joint), frame, x, first);
-            Some(turned(translation, &name, fork, y, second))
-        }
-        (MobilizerKind::Planar, &[x, y, angle]) => {
-            let along = |axis: usize| JointAxis::positive(axis);
-            let moved = slid(translation, &frame_name(joint), frame, along(0), x);
-            let moved = slid(translation, &frame_name(joint), moved, along(1), y);
-            Some(turned(translation, &name, moved, along(Z), angle))
-        }
-        _ => along_axis(translation, joint, frame, steps),
+) -> Option<Vec<FrameStep>> {
+    let kind = joint.kind.name();
+    let mut steps = Vec::new();
+    if let Some(at) = joint.at {
+        steps.push(FrameStep::Shift(fixed_triple(translation, at, &joints::at_of(kind))));
     }
+    if let Some(turned) = joint.turned {
+        steps.push(FrameStep::Reorientation(orientation(translation, turned, &joints::turned_of(kind))));
+    }
+    steps.extend(motions_of(translation, joint, coordinates)?);
+    Some(steps)
 }
 
-/// Motion about or along the axis of a joint.
+/// The motions of a joint in its frame.
+fn motions_of(
+    translation: &mut Translation<'_>,
+    joint: &Mobilizer,
+    coordinates: &[AstId],
+) -> Option<Vec<FrameStep>> {
+    use FrameStep::{Slide, Turn};
+    let along = |axis: usize| JointAxis::positive(axis);
+    let motions = match (joint.kind, coordinates) {
+        (MobilizerKind::Universal, &[first, second]) => vec![Turn(along(0), first), Turn(along(1), second)],
+        (MobilizerKind::Planar, &[x, y, angle]) => {
+            vec![Slide(along(0), x), Slide(along(1), y), Turn(along(Z), angle)]
+        }
+        (MobilizerKind::Weld, _) => Vec::new(),
+        _ => return along_axis(translation, joint, coordinates),
+    };
+    Some(motions)
+}
+
+/// Motions about and along the axis of a joint.
 fn along_axis(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
-    frame: Pose,
-    steps: impl Fn(&mut Translation<'_>, Pose, JointAxis) -> Option<Pose>,
-) -> Option<Pose> {
-    let Some(axis) = joint.axis else { return steps(translation, frame, JointAxis::positive(Z)) };
+    coordinates: &[AstId],
+) -> Option<Vec<FrameStep>> {
+    use FrameStep::{Slide, Turn};
+    let (axis, aligned) = axis_of(translation, joint)?;
+    let mut motions = match (joint.kind, coordinates) {
+        (MobilizerKind::Revolute, &[angle]) => vec![Turn(axis, angle)],
+        (MobilizerKind::Prismatic, &[distance]) => vec![Slide(axis, distance)],
+        (MobilizerKind::Cylindrical, &[angle, distance]) => vec![Turn(axis, angle), Slide(axis, distance)],
+        (MobilizerKind::Screw, &[angle]) => {
+            let distance = advance(translation, joint, angle)?;
+            vec![Turn(axis, angle), Slide(axis, distance)]
+        }
+        _ => return None,
+    };
+    if let Some(aligned) = aligned {
+        motions.insert(0, FrameStep::Reorientation(aligned));
+        motions.push(FrameStep::Reorientation(transposed(aligned)));
+    }
+    Some(motions)
+}
+
+/// The axis of a joint in its frame or, if it is oblique and made of numbers, z in one that is turned to it.
+fn axis_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<(JointAxis, Option<Matrix>)> {
+    let Some(axis) = joint.axis else { return Some((JointAxis::positive(Z), None)) };
     let direction = fixed_triple(translation, axis, &joints::axis_of(joint.kind.name()));
     let Some(numbers) = triple_of_numbers(translation, direction) else {
-        let axis = normalised(translation, joint, direction);
-        return steps(translation, frame, axis);
+        return Some((normalised(translation, joint, direction), None));
     };
     if numbers == [0.0; 3] {
         let origin = translation.expressions.origin(axis);
@@ -200,24 +216,10 @@ fn along_axis(
         return None;
     }
     if let Some((axis, is_negative)) = coordinate_axis(numbers) {
-        return steps(translation, frame, JointAxis::Coordinate { axis, is_negative });
+        return Some((JointAxis::Coordinate { axis, is_negative }, None));
     }
     let aligned = written(&mut translation.terms(), frame_along(numbers));
-    turned_there_and_back(translation, joint, frame, aligned, steps)
-}
-
-/// The motion in a frame whose z-axis is the axis, and back.
-fn turned_there_and_back(
-    translation: &mut Translation<'_>,
-    joint: &Mobilizer,
-    frame: Pose,
-    aligned: Matrix,
-    steps: impl Fn(&mut Translation<'_>, Pose, JointAxis) -> Option<Pose>,
-) -> Option<Pose> {
-    let name = frame_name(joint);
-    let there = reoriented(translation, &name, frame, aligned);
-    let moved = steps(translation, there, JointAxis::positive(Z))?;
-    Some(reoriented(translation, &joint.outboard.text, moved, transposed(aligned)))
+    Some((JointAxis::positive(Z), Some(aligned)))
 }
 
 /// A direction with parameters, of length one under names of its own.

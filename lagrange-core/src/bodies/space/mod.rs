@@ -7,15 +7,19 @@
 //!
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, ch. 4 and 5; Roberson, Schwertassek, *Dynamics of Multibody Systems*, ch. 5.
 
+mod accelerations;
+mod base_parameters;
 mod bodies;
 mod compound;
 mod expressions;
+mod gibbs;
 mod inertia;
 mod links;
 mod loads;
 mod messages;
 mod mobilizers;
 mod numbers;
+mod orientations;
 mod poses;
 mod solids;
 mod vectors;
@@ -26,6 +30,7 @@ pub(super) use bodies::{
 pub(super) use expressions::{
     call_of_link, in_axes, part_of_link, place_of_link, point_on_link, rate_of_link_point,
 };
+pub(super) use gibbs::push_gibbs_function;
 pub(super) use loads::{translate_spatial_force, translate_spatial_torque};
 pub(super) use mobilizers::translate_spatial_mobilizer;
 pub(super) use mobilizers::{coordinates_of, dampen};
@@ -35,6 +40,7 @@ use crate::diagnostics::Origin;
 use crate::syntax::ast::{
     AstId, Declaration, Expression, Expressions, MobilizerKind, SceneStatement, StatementKind,
 };
+use accelerations::Relative;
 use links::Link;
 use vectors::Triple;
 
@@ -42,7 +48,11 @@ use vectors::Triple;
 #[derive(Default)]
 pub(super) struct Space {
     pub(super) links: Vec<Link>,
+    /// Those that have their place, carriers first.
+    order: Vec<usize>,
     gravity: Option<(Triple, Origin)>,
+    /// Relative accelerations by angular velocity and angular acceleration of their frame.
+    relatives: HashMap<[Triple; 2], Relative>,
     /// Names of `let`s that say where frames are and how they move: those that nothing needs are left out in the end.
     pub(super) kinematic: HashMap<String, ()>,
     /// Names of `let`s that are points of links, with the link and their own coordinates.

@@ -1,10 +1,9 @@
-//! Orientations and directions; those that are made of numbers are computed while statements are translated.
+//! Orientations and directions that are made of numbers, computed while statements are translated.
 //!
 //! Quarter turns must stay exact: an entry of 6e-17 where a rotation has a zero makes a dense matrix of it, and robot descriptions round
 //! π/2 to as many digits as their tool prints. Entries within [`SNAPPED`] of 0, 1 and −1 are these numbers.
 
-use super::inertia::fixed_triple;
-use super::vectors::{Matrix, Triple, matrix_product, unit};
+use super::vectors::{Matrix, Triple};
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::number::Number;
@@ -12,25 +11,6 @@ use crate::syntax::ast::{AstId, BinaryOperator, Expression};
 
 /// Distance from 0, 1 or −1 within which an entry of a rotation is that number.
 const SNAPPED: f64 = 1e-9;
-
-/// Rz(yaw) Ry(pitch) Rx(roll) of three angles that do not change; exact where they are quarter turns in numbers.
-pub(super) fn orientation(translation: &mut Translation<'_>, angles: AstId, what: &str) -> Option<Matrix> {
-    let angles = fixed_triple(translation, angles, what);
-    if let Some(angles) = triple_of_numbers(translation, angles) {
-        return Some(written(&mut translation.terms(), roll_pitch_yaw(angles)));
-    }
-    let mut terms = translation.terms();
-    let mut rotation = [0, 1, 2].map(|axis| unit(&mut terms, axis));
-    for (axis, angle) in [(2, angles[2]), (1, angles[1]), (0, angles[0])] {
-        let [cosine, sine] = terms.direction(angle);
-        let mut turn = [0, 1, 2].map(|axis| unit(&mut terms, axis));
-        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-        (turn[next][next], turn[last][last], turn[last][next]) = (cosine, cosine, sine);
-        turn[next][last] = terms.negative(sine);
-        rotation = matrix_product(&mut terms, rotation, turn);
-    }
-    Some(rotation)
-}
 
 /// The value of an expression that is made of numbers, π and constants.
 pub(super) fn value_of_numbers(translation: &Translation<'_>, root: AstId) -> Option<f64> {
@@ -75,6 +55,12 @@ pub(super) fn triple_of_numbers(translation: &Translation<'_>, vector: Triple) -
     Some([x?, y?, z?])
 }
 
+/// The entries of a matrix that is made of numbers.
+pub(super) fn matrix_of_numbers(translation: &Translation<'_>, matrix: Matrix) -> Option<[[f64; 3]; 3]> {
+    let [x, y, z] = matrix.map(|row| triple_of_numbers(translation, row));
+    Some([x?, y?, z?])
+}
+
 /// Rz(yaw) Ry(pitch) Rx(roll), which is how URDF and textbooks on aircraft write an orientation.
 pub(super) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> [[f64; 3]; 3] {
     let ((sr, cr), (sp, cp), (sy, cy)) = (roll.sin_cos(), pitch.sin_cos(), yaw.sin_cos());
@@ -108,15 +94,14 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     })
 }
 
-/// A matrix of numbers as syntax.
-pub(super) fn written(terms: &mut TermWriter<'_>, matrix: [[f64; 3]; 3]) -> Matrix {
-    matrix.map(|row| row.map(|entry| written_entry(terms, entry)))
+/// A rotation of numbers as syntax, exact where it is a quarter turn.
+pub(super) fn written(terms: &mut TermWriter<'_>, rotation: [[f64; 3]; 3]) -> Matrix {
+    let snapped = |entry: f64| if (entry - entry.round()).abs() < SNAPPED { entry.round() } else { entry };
+    rotation.map(|row| row.map(|entry| written_number(terms, snapped(entry))))
 }
 
-/// The shortest decimal that is read as this entry of a rotation.
-fn written_entry(terms: &mut TermWriter<'_>, entry: f64) -> AstId {
-    let nearest = entry.round();
-    let entry = if (entry - nearest).abs() < SNAPPED { nearest } else { entry };
+/// The shortest decimal that is read as this number.
+pub(super) fn written_number(terms: &mut TermWriter<'_>, entry: f64) -> AstId {
     let magnitude = Number::parse_decimal(&format!("{}", entry.abs())).unwrap_or(Number::ZERO);
     let magnitude = terms.number(magnitude);
     if entry < 0.0 { terms.negative(magnitude) } else { magnitude }

@@ -76,18 +76,33 @@ impl Pose {
     }
 }
 
-/// The frame that is fixed in another one at a point.
-pub(super) fn shifted(translation: &mut Translation<'_>, name: &str, pose: Pose, by: Triple) -> Pose {
-    let mut terms = translation.terms();
-    let moved =
-        Pose { velocity: pose.velocity_of(&mut terms, by), origin: pose.place_of(&mut terms, by), ..pose };
-    named(translation, name, moved)
+/// From one frame to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum FrameStep {
+    /// To an origin that is fixed in the frame.
+    Shift(Triple),
+    /// To axes that are fixed in the frame, the columns of a matrix.
+    Reorientation(Matrix),
+    /// By a turn about an axis, which may change.
+    Turn(JointAxis, AstId),
+    /// By a move along an axis, which may change.
+    Slide(JointAxis, AstId),
 }
 
-/// The frame that is fixed in another one, turned by a matrix whose columns are its axes.
-pub(super) fn reoriented(translation: &mut Translation<'_>, name: &str, pose: Pose, by: Matrix) -> Pose {
-    let turned = in_axes(&mut translation.terms(), pose, transposed(by));
-    named(translation, name, turned)
+/// The frame behind a step, its vectors under names.
+pub(super) fn behind(translation: &mut Translation<'_>, name: &str, pose: Pose, step: FrameStep) -> Pose {
+    let mut terms = translation.terms();
+    let next = match step {
+        FrameStep::Shift(by) => shifted(&mut terms, pose, by),
+        FrameStep::Reorientation(by) => in_axes(&mut terms, pose, transposed(by)),
+        FrameStep::Turn(about, angle) => turned(&mut terms, pose, about, angle),
+        FrameStep::Slide(along, distance) => slid(&mut terms, pose, along, distance),
+    };
+    named(translation, name, next)
+}
+
+fn shifted(terms: &mut TermWriter<'_>, pose: Pose, by: Triple) -> Pose {
+    Pose { velocity: pose.velocity_of(terms, by), origin: pose.place_of(terms, by), ..pose }
 }
 
 /// The same point in a frame with these axes.
@@ -115,7 +130,7 @@ impl JointAxis {
     }
 
     /// A length or a rate along the axis as a vector.
-    fn times(self, terms: &mut TermWriter<'_>, value: AstId) -> Triple {
+    pub(super) fn times(self, terms: &mut TermWriter<'_>, value: AstId) -> Triple {
         match self {
             JointAxis::Coordinate { axis, is_negative } => {
                 let direction = unit(terms, axis);
@@ -127,29 +142,20 @@ impl JointAxis {
     }
 }
 
-/// The frame turned about an axis by an angle, which may change.
-pub(super) fn turned(
-    translation: &mut Translation<'_>,
-    name: &str,
-    pose: Pose,
-    about: JointAxis,
-    angle: AstId,
-) -> Pose {
-    let mut terms = translation.terms();
+fn turned(terms: &mut TermWriter<'_>, pose: Pose, about: JointAxis, angle: AstId) -> Pose {
     let direction = terms.direction(angle);
     let turned = match about {
         JointAxis::Coordinate { axis, is_negative } => {
-            turned_about_coordinate(&mut terms, pose, axis, is_negative, direction)
+            turned_about_coordinate(terms, pose, axis, is_negative, direction)
         }
         JointAxis::Direction(axis) => {
-            let columns = transposed(rotation_about(&mut terms, axis, direction));
-            in_axes(&mut terms, pose, columns)
+            let columns = transposed(rotation_about(terms, axis, direction));
+            in_axes(terms, pose, columns)
         }
     };
     let rate = terms.rate(angle);
-    let rate = about.times(&mut terms, rate);
-    let spin = plus(&mut terms, turned.spin, rate);
-    named(translation, name, Pose { spin, ..turned })
+    let rate = about.times(terms, rate);
+    Pose { spin: plus(terms, turned.spin, rate), ..turned }
 }
 
 fn turned_about_coordinate(
@@ -169,7 +175,7 @@ fn turned_about_coordinate(
 }
 
 /// c 1 + s n× + (1 − c) n nᵀ (Rodrigues).
-fn rotation_about(terms: &mut TermWriter<'_>, axis: Triple, [cosine, sine]: [AstId; 2]) -> Matrix {
+pub(super) fn rotation_about(terms: &mut TermWriter<'_>, axis: Triple, [cosine, sine]: [AstId; 2]) -> Matrix {
     let one = terms.number(1);
     let rest = terms.minus(one, cosine);
     let units = [0, 1, 2].map(|column| unit(terms, column));
@@ -183,26 +189,16 @@ fn rotation_about(terms: &mut TermWriter<'_>, axis: Triple, [cosine, sine]: [Ast
     transposed(columns)
 }
 
-/// The frame moved along an axis by a distance, which may change.
-pub(super) fn slid(
-    translation: &mut Translation<'_>,
-    name: &str,
-    pose: Pose,
-    along: JointAxis,
-    distance: AstId,
-) -> Pose {
-    let mut terms = translation.terms();
-    let by = along.times(&mut terms, distance);
+fn slid(terms: &mut TermWriter<'_>, pose: Pose, along: JointAxis, distance: AstId) -> Pose {
+    let by = along.times(terms, distance);
     let rate = terms.rate(distance);
-    let rate = along.times(&mut terms, rate);
-    let carried = pose.velocity_of(&mut terms, by);
-    let velocity = plus(&mut terms, carried, rate);
-    let moved = Pose { velocity, origin: pose.place_of(&mut terms, by), ..pose };
-    named(translation, name, moved)
+    let rate = along.times(terms, rate);
+    let carried = pose.velocity_of(terms, by);
+    Pose { velocity: plus(terms, carried, rate), origin: pose.place_of(terms, by), ..pose }
 }
 
 /// Components of a vector in a frame that is turned about an axis.
-fn turned_components(
+pub(super) fn turned_components(
     terms: &mut TermWriter<'_>,
     vector: Triple,
     axis: usize,

@@ -29,6 +29,7 @@ pub struct Statement {
 ///           | "coord" NAME { "," NAME } ";"
 ///           | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
 ///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
+///           | "gibbs" "=" sum "," "for" ":" sum ";"
 ///           | "force" NAME "=" sum ";"
 ///           | "force" sum ( "at" | "along" ) sum ";"
 ///           | "torque" sum "on" sum ";"
@@ -67,6 +68,13 @@ pub enum StatementKind {
     Potential(AstId),
     /// `lagrangian = e;`
     Lagrangian(AstId),
+    /// `gibbs = e, for: e;`
+    Gibbs {
+        /// The Gibbs function, at most quadratic in the accelerations.
+        function: AstId,
+        /// Part of the Lagrangian whose equations of motion it states.
+        stated: AstId,
+    },
     /// `dissipation = e;`
     Dissipation(AstId),
     /// `force x = e;`
@@ -111,7 +119,7 @@ pub enum StatementKind {
 }
 
 /// Words that begin statements, but for those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 18] = [
+pub const KEYWORDS: [Keyword; 19] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`"),
@@ -123,6 +131,10 @@ pub const KEYWORDS: [Keyword; 18] = [
     Keyword::new("kinetic", "write `kinetic = e;`"),
     Keyword::new("potential", "write `potential = e;`"),
     Keyword::new("lagrangian", "write `lagrangian = e;`"),
+    Keyword::new(
+        "gibbs",
+        "write `gibbs = S, for: F;`, F being the part of the Lagrangian whose equations of motion are ∂S/∂a",
+    ),
     Keyword::new("dissipation", "write `dissipation = e;`, the Rayleigh function"),
     Keyword::new(
         "force",
@@ -160,6 +172,7 @@ impl StatementKind {
             StatementKind::Kinetic(_)
             | StatementKind::Potential(_)
             | StatementKind::Lagrangian(_)
+            | StatementKind::Gibbs { .. }
             | StatementKind::Dissipation(_)
             | StatementKind::ForceOn(..)
             | StatementKind::ForceAt { .. }
@@ -186,6 +199,7 @@ impl StatementKind {
             | StatementKind::Constraint(_, value)
             | StatementKind::Stabilise(value)
             | StatementKind::Output(_, value) => vec![value],
+            StatementKind::Gibbs { function, stated } => vec![function, stated],
             StatementKind::ForceAt { force, point } => vec![force, point],
             StatementKind::ForceAlong { force, velocity } => vec![force, velocity],
             StatementKind::Torque { moment, angle } => vec![moment, angle],

@@ -26,6 +26,7 @@ let (p, q, r) = (a, b, c);
 kinetic = 1/2 * m * dot(x)^2;
 potential = -m * g * l * cos(theta);
 lagrangian = x;
+gibbs = 1/2 * m * ddot(x)^2, for: a - b;
 dissipation = 0.1 * x;
 force x = -k * x;
 force (u, w) at (p, q);

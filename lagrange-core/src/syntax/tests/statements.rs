@@ -13,6 +13,7 @@ fn every_statement_has_its_form() {
         kinetic = dot(x)^2;
         potential = x;
         lagrangian = x;
+        gibbs = 1/2 * m * ddot(x)^2, for: a - b;
         dissipation = x;
         force x = u;
         force (u, w) at (p, q);
@@ -41,6 +42,7 @@ fn every_statement_has_its_form() {
         "kinetic (^ (dot x) 2)",
         "potential x",
         "lagrangian x",
+        "gibbs (* (* (/ 1 2) m) (^ (ddot x) 2)) for (- a b)",
         "dissipation x",
         "force x u",
         "force (vector u w) at (vector p q)",

@@ -1,0 +1,185 @@
+//! Accelerations of frames in their own axes, joint by joint.
+//!
+//! With A a = α × a + ω × (ω × a), the relative acceleration of a point that is fixed in a frame at a, and S(θ) the turn of a joint:
+//!
+//! | step | angular acceleration | acceleration of the origin |
+//! |---|---|---|
+//! | origin at p | α | a + A p |
+//! | axes R | Rᵀ α | Rᵀ a |
+//! | turn by θ about e | Sᵀ α + θ̈ e + θ̇ ω × e | Sᵀ a |
+//! | move by s along e | α | a + s A e + 2 ṡ ω × e + s̈ e |
+//!
+//! The ground accelerates by −g, which is what weight does to all that it carries.
+//!
+//! Source: Luh, Walker, Paul, "On-line computational scheme for mechanical manipulators", ASME J. Dyn. Syst. Meas. Control 102 (1980);
+//! Featherstone, *Rigid Body Dynamics Algorithms*, §5.3.
+
+use super::poses::{FrameStep, JointAxis, Pose, named_vector, rotation_about, turned_components};
+use super::vectors::{Matrix, Triple, apply, cross, inner, minus, plus, transposed, zero_triple};
+use crate::bodies::terms::TermWriter;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::AstId;
+
+/// How the motion of a frame changes, in its own axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Acceleration {
+    /// Angular acceleration.
+    pub(super) spin: Triple,
+    /// Acceleration of the origin, less that of free fall.
+    pub(super) origin: Triple,
+}
+
+/// That of a frame whose motion is written in the rates of what the user wrote: ω̇, and Rᵀ (r̈ − g).
+pub(super) fn acceleration_by_hand(
+    translation: &mut Translation<'_>,
+    name: &str,
+    pose: &Pose,
+    gravity: Triple,
+) -> Acceleration {
+    let mut terms = translation.terms();
+    let spin = pose.spin.map(|component| terms.rate(component));
+    let velocity = pose.origin.map(|component| terms.rate(component));
+    let acceleration = velocity.map(|component| terms.rate(component));
+    let felt = minus(&mut terms, acceleration, gravity);
+    let origin = pose.to_own(&mut terms, felt);
+    named(translation, name, Acceleration { spin, origin })
+}
+
+/// The acceleration behind a step, from the frame before it and the pose behind it.
+pub(super) fn acceleration_behind(
+    translation: &mut Translation<'_>,
+    name: &str,
+    (before, acceleration): (&Pose, Acceleration),
+    (step, pose): (FrameStep, &Pose),
+) -> Acceleration {
+    let mut terms = translation.terms();
+    let next = match step {
+        FrameStep::Shift(by) => {
+            let relative = relative(translation, name, [before.spin, acceleration.spin]);
+            let mut terms = translation.terms();
+            let carried = apply(&mut terms, relative.matrix, by);
+            Acceleration { origin: plus(&mut terms, acceleration.origin, carried), ..acceleration }
+        }
+        FrameStep::Reorientation(by) => {
+            let columns = transposed(by);
+            Acceleration {
+                spin: columns.map(|axis| inner(&mut terms, axis, acceleration.spin)),
+                origin: columns.map(|axis| inner(&mut terms, axis, acceleration.origin)),
+            }
+        }
+        FrameStep::Turn(about, angle) => turned(&mut terms, acceleration, pose.spin, about, angle),
+        FrameStep::Slide(along, distance) => slid(translation, name, (before, acceleration), along, distance),
+    };
+    named(translation, name, next)
+}
+
+fn turned(
+    terms: &mut TermWriter<'_>,
+    acceleration: Acceleration,
+    spin: Triple,
+    about: JointAxis,
+    angle: AstId,
+) -> Acceleration {
+    let [cosine, sine] = terms.direction(angle);
+    let seen = |terms: &mut TermWriter<'_>, vector: Triple| match about {
+        JointAxis::Coordinate { axis, is_negative } => {
+            let sine = if is_negative { terms.negative(sine) } else { sine };
+            turned_components(terms, vector, axis, [cosine, sine])
+        }
+        JointAxis::Direction(axis) => {
+            let rotation = rotation_about(terms, axis, [cosine, sine]);
+            apply(terms, transposed(rotation), vector)
+        }
+    };
+    let (carried, origin) = (seen(terms, acceleration.spin), seen(terms, acceleration.origin));
+    let rate = terms.rate(angle);
+    let second = terms.rate(rate);
+    let (rate, second) = (about.times(terms, rate), about.times(terms, second));
+    // ω behind the turn holds θ̇ e, which has no part in ω × e.
+    let convected = cross(terms, spin, rate);
+    let own = plus(terms, second, convected);
+    Acceleration { spin: plus(terms, carried, own), origin }
+}
+
+fn slid(
+    translation: &mut Translation<'_>,
+    name: &str,
+    (before, acceleration): (&Pose, Acceleration),
+    along: JointAxis,
+    distance: AstId,
+) -> Acceleration {
+    let relative = relative(translation, name, [before.spin, acceleration.spin]);
+    let mut terms = translation.terms();
+    let by = along.times(&mut terms, distance);
+    let carried = apply(&mut terms, relative.matrix, by);
+    let rate = terms.rate(distance);
+    let second = terms.rate(rate);
+    let second = along.times(&mut terms, second);
+    let two = terms.number(2);
+    let doubled = terms.times(two, rate);
+    let doubled = along.times(&mut terms, doubled);
+    let coriolis = cross(&mut terms, before.spin, doubled);
+    let own = plus(&mut terms, second, coriolis);
+    let sum = plus(&mut terms, acceleration.origin, carried);
+    Acceleration { origin: plus(&mut terms, sum, own), ..acceleration }
+}
+
+/// What relative accelerations within a frame are made of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Relative {
+    /// ω_x², ω_y², ω_z²
+    pub(super) squares: Triple,
+    /// ω_y ω_z, ω_z ω_x, ω_x ω_y
+    pub(super) mixed: Triple,
+    /// A in rows: −(ω_y² + ω_z²), … on its diagonal, ω_x ω_y ∓ α_z, … beside it.
+    pub(super) matrix: Matrix,
+}
+
+/// Relative accelerations in a frame, under names that are made once.
+pub(super) fn relative(
+    translation: &mut Translation<'_>,
+    name: &str,
+    [spin, change]: [Triple; 2],
+) -> Relative {
+    let known = translation.space.as_ref().and_then(|space| space.relatives.get(&[spin, change]).copied());
+    if let Some(known) = known {
+        return known;
+    }
+    let mut terms = translation.terms();
+    let squares = spin.map(|component| match terms.is_zero(component) {
+        true => component,
+        false => terms.square(component),
+    });
+    let mixed = [0, 1, 2].map(|axis| terms.times(spin[(axis + 1) % 3], spin[(axis + 2) % 3]));
+    let squares = named_vector(translation, &format!("{name}_w_squares"), squares);
+    let mixed = named_vector(translation, &format!("{name}_w_products"), mixed);
+    let mut terms = translation.terms();
+    let rows = [0, 1, 2].map(|row| {
+        let (next, last) = ((row + 1) % 3, (row + 2) % 3);
+        let mut entries = [squares[0]; 3];
+        let sum = terms.plus(squares[next], squares[last]);
+        entries[row] = terms.negative(sum);
+        entries[next] = terms.minus(mixed[last], change[last]);
+        entries[last] = terms.plus(mixed[next], change[next]);
+        entries
+    });
+    let matrix = [("x", rows[0]), ("y", rows[1]), ("z", rows[2])]
+        .map(|(axis, row)| named_vector(translation, &format!("{name}_relative_{axis}"), row));
+    let relative = Relative { squares, mixed, matrix };
+    if let Some(space) = &mut translation.space {
+        space.relatives.insert([spin, change], relative);
+    }
+    relative
+}
+
+/// That of the ground: free fall upwards.
+pub(super) fn acceleration_of_ground(terms: &mut TermWriter<'_>, gravity: Triple) -> Acceleration {
+    Acceleration { spin: zero_triple(terms), origin: gravity.map(|component| terms.negative(component)) }
+}
+
+fn named(translation: &mut Translation<'_>, name: &str, acceleration: Acceleration) -> Acceleration {
+    Acceleration {
+        spin: named_vector(translation, &format!("{name}_alpha"), acceleration.spin),
+        origin: named_vector(translation, &format!("{name}_a"), acceleration.origin),
+    }
+}

@@ -1,0 +1,42 @@
+//! Gibbs functions: equations of motion of part of the Lagrangian, stated in accelerations.
+
+use proc_macro2::Span;
+
+use super::elaborator::Elaborator;
+use super::expression::value_of;
+use super::messages;
+use crate::calculus::polynomial_degree;
+use crate::expr::{Dependencies, ExprId};
+use crate::model::GibbsFunction;
+use crate::syntax::ast::AstId;
+
+pub(super) fn add_gibbs(elaborator: &mut Elaborator<'_>, function: AstId, stated: AstId, keyword: Span) {
+    let value = gibbs_value(elaborator, function);
+    let stated = elaborator.term(stated, keyword, "the part of the Lagrangian that a Gibbs function states");
+    if let (Some(function), Some(stated)) = (value, stated) {
+        elaborator.gibbs.push(GibbsFunction { function, stated: stated.value });
+    }
+}
+
+/// A scalar that is quadratic in the accelerations, or at least linear.
+fn gibbs_value(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
+    let what = "a Gibbs function";
+    value_of(&mut elaborator.evaluator, syntax)?;
+    let value = elaborator.evaluator.scalar(syntax, what)?;
+    let forces = &[Dependencies::MULTIPLIER, Dependencies::REACTION];
+    elaborator.forbid(forces, (syntax, value), what, messages::GIBBS_HELP)?;
+    match polynomial_degree(&elaborator.evaluator.graph, value, Dependencies::ACCELERATION) {
+        Some(1 | 2) => Some(value),
+        Some(0) => elaborator.refuse(syntax, messages::GIBBS_WITHOUT_ACCELERATIONS, messages::GIBBS_HELP),
+        _ => elaborator.refuse(syntax, messages::GIBBS_OF_HIGH_DEGREE, messages::GIBBS_HELP),
+    }
+}
+
+/// The sum of all Gibbs functions, which states the sum of what each states.
+pub(super) fn total_gibbs(elaborator: &mut Elaborator<'_>) -> Option<GibbsFunction> {
+    let graph = &mut elaborator.evaluator.graph;
+    let functions = elaborator.gibbs.iter().map(|gibbs| gibbs.function).collect::<Vec<_>>();
+    let stated = elaborator.gibbs.iter().map(|gibbs| gibbs.stated).collect::<Vec<_>>();
+    let is_any = !functions.is_empty();
+    is_any.then(|| GibbsFunction { function: graph.total(functions), stated: graph.total(stated) })
+}
