@@ -166,6 +166,9 @@ impl Parser<'_> {
             return Ok(StatementKind::ForceOn(name, self.assigned(form("force"), cursor)?));
         }
         let force = self.loading("force", cursor)?;
+        if cursor.eat_word("along").is_some() {
+            return Ok(StatementKind::ForceAlong { force, velocity: self.value(cursor) });
+        }
         self.connective("at", form("force"), cursor)?;
         Ok(StatementKind::ForceAt { force, point: self.value(cursor) })
     }

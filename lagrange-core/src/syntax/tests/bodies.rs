@@ -98,7 +98,7 @@ fn bodies_and_joints_in_space_have_their_form() {
         body link { mass: m; centroid: (a, 0, b); inertia: (1, 2, 3, xy, 0, -1/2); }
         frame hand;
         body top { mass: m; inertia: (1, 2, 2); center: (0, 0, l); angles: (psi, theta, phi); sequence: zxz; }
-        body box { compound { cuboid(a, b, c), mass: m, at: (0, 0, 1), turned: (0, pi/2, 0); } }
+        body case { compound { cuboid(a, b, c), mass: m, at: (0, 0, 1), turned: (0, pi/2, 0); } }
         revolute q = ground to link { at: (0, 0, h); turned: (-pi/2, 0, 0); axis: (0, 1, 0); damping: c; }
         prismatic s = link to hand;
         screw alpha = hand to nut { pitch: p; };
@@ -113,11 +113,11 @@ fn bodies_and_joints_in_space_have_their_form() {
     ";
     let expected = [
         "gravity (vector 0 0 (- g))",
-        "body link (mass m) (centroid (vector a 0 b)) (tensor 1 2 3 xy 0 (- (/ 1 2)))",
+        "body link (mass m) (centroid (vector a 0 b)) (tensor 1 2 3 xy 0 (/ (- 1) 2))",
         "frame hand",
         "body top (mass m) (inertia (vector 1 2 2)) (center (vector 0 0 l)) (angles (vector psi theta phi)) \
          (sequence zxz)",
-        "body box ((cuboid a b c) (mass m) (at (vector 0 0 1)) (turned (vector 0 (/ pi 2) 0)))",
+        "body case ((cuboid a b c) (mass m) (at (vector 0 0 1)) (turned (vector 0 (/ pi 2) 0)))",
         "revolute q: ground to link (at (vector 0 0 h)) (turned (vector (/ (- pi) 2) 0 0)) (axis (vector 0 1 0)) \
          (damping c)",
         "prismatic s: link to hand",
@@ -315,7 +315,7 @@ coord z;";
 error at 4:5: `mas` says nothing about a body
   help: did you mean `mass`?
 error at 5:5: `colour` says nothing about a body
-  help: what can be said of a body: `mass`, `inertia`, `center`, `origin`, `centroid`, `angle`, `shape`, `compound`
+  help: what can be said of a body: `mass`, `inertia`, `center`, `origin`, `centroid`, `angle`, `angles`, `sequence`, `shape`, `compound`
 error at 6:16: expected an operator or `;`, found `3`
   help: write `*` between the factors of a product
 error at 7:18: missing `;` behind this
