@@ -284,6 +284,14 @@ impl<'e> TermWriter<'e> {
         }
     }
 
+    /// The second rate of a scalar.
+    pub(super) fn second_rate(&mut self, of: AstId) -> AstId {
+        match self.as_number(of) {
+            Some(_) => self.number(0),
+            None => self.call("ddot", &[of]),
+        }
+    }
+
     /// The components of the rate of a vector.
     pub(super) fn rate_pair(&mut self, of: Pair) -> Pair {
         of.map(|component| self.rate(component))

@@ -38,8 +38,7 @@ pub(super) fn acceleration_by_hand(
 ) -> Acceleration {
     let mut terms = translation.terms();
     let spin = pose.spin.map(|component| terms.rate(component));
-    let velocity = pose.origin.map(|component| terms.rate(component));
-    let acceleration = velocity.map(|component| terms.rate(component));
+    let acceleration = pose.origin.map(|component| terms.second_rate(component));
     let felt = minus(&mut terms, acceleration, gravity);
     let origin = pose.to_own(&mut terms, felt);
     named(translation, name, Acceleration { spin, origin })
@@ -92,8 +91,7 @@ fn turned(
         }
     };
     let (carried, origin) = (seen(terms, acceleration.spin), seen(terms, acceleration.origin));
-    let rate = terms.rate(angle);
-    let second = terms.rate(rate);
+    let (rate, second) = (terms.rate(angle), terms.second_rate(angle));
     let (rate, second) = (about.times(terms, rate), about.times(terms, second));
     // ω behind the turn holds θ̇ e, which has no part in ω × e.
     let convected = cross(terms, spin, rate);
@@ -112,8 +110,7 @@ fn slid(
     let mut terms = translation.terms();
     let by = along.times(&mut terms, distance);
     let carried = apply(&mut terms, relative.matrix, by);
-    let rate = terms.rate(distance);
-    let second = terms.rate(rate);
+    let (rate, second) = (terms.rate(distance), terms.second_rate(distance));
     let second = along.times(&mut terms, second);
     let two = terms.number(2);
     let doubled = terms.times(two, rate);
