@@ -1,6 +1,6 @@
 //! Sums, products and powers. Chains of `+` and `-` and of `*` and `/` become one n-ary node each.
 
-use super::evaluator::{Evaluator, Link};
+use super::evaluator::{ChainLink, Evaluator};
 use super::messages;
 use super::operand::{Operand, rebuild};
 use crate::diagnostics::Origin;
@@ -35,7 +35,7 @@ pub(super) fn evaluate_sum(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<O
     sound.then(|| rebuild(&first, sums))
 }
 
-fn first_value(evaluator: &Evaluator<'_>, links: &[Link]) -> Option<Operand> {
+fn first_value(evaluator: &Evaluator<'_>, links: &[ChainLink]) -> Option<Operand> {
     links.iter().find_map(|link| evaluator.value(link.operand))
 }
 
@@ -43,7 +43,7 @@ pub(super) fn evaluate_product(evaluator: &mut Evaluator<'_>, id: AstId) -> Opti
     let mut factors = Vec::new();
     let mut vector: Option<Operand> = None;
     let mut sound = true;
-    for Link { operand, inverted } in evaluator.chain(id) {
+    for ChainLink { operand, inverted } in evaluator.chain(id) {
         match (evaluator.value(operand), inverted) {
             (None, _) => sound = false,
             (Some(Operand::Scalar(divisor)), true) if evaluator.graph.is_zero(divisor) => {

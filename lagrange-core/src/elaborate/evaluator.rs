@@ -35,7 +35,7 @@ pub(super) struct Evaluator<'a> {
 }
 
 /// A leaf of a chain, negated in a sum or divided by in a product.
-pub(super) struct Link {
+pub(super) struct ChainLink {
     pub(super) operand: AstId,
     pub(super) inverted: bool,
 }
@@ -113,26 +113,26 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The leaves of a chain of sums or of products, in source order.
-    pub(super) fn chain(&self, root: AstId) -> Vec<Link> {
+    pub(super) fn chain(&self, root: AstId) -> Vec<ChainLink> {
         let additive = match self.syntax(root) {
             Expression::Binary(operator, ..) => is_additive(*operator),
             _ => true,
         };
         let mut leaves = Vec::new();
-        let mut pending = vec![Link { operand: root, inverted: false }];
-        while let Some(Link { operand, inverted }) = pending.pop() {
+        let mut pending = vec![ChainLink { operand: root, inverted: false }];
+        while let Some(ChainLink { operand, inverted }) = pending.pop() {
             match self.syntax(operand) {
                 Expression::Negate(inner) if additive => {
-                    pending.push(Link { operand: *inner, inverted: !inverted });
+                    pending.push(ChainLink { operand: *inner, inverted: !inverted });
                 }
                 Expression::Binary(operator, _, left, right)
                     if *operator != BinaryOperator::Power && is_additive(*operator) == additive =>
                 {
                     let flips = matches!(operator, BinaryOperator::Subtract | BinaryOperator::Divide);
-                    pending.push(Link { operand: *right, inverted: inverted != flips });
-                    pending.push(Link { operand: *left, inverted });
+                    pending.push(ChainLink { operand: *right, inverted: inverted != flips });
+                    pending.push(ChainLink { operand: *left, inverted });
                 }
-                _ => leaves.push(Link { operand, inverted }),
+                _ => leaves.push(ChainLink { operand, inverted }),
             }
         }
         leaves

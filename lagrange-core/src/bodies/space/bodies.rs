@@ -2,7 +2,7 @@
 
 use super::compound::compound_properties;
 use super::inertia::{mass_properties, triple_of};
-use super::links::{Energies, Link, MassProperties, Path};
+use super::links::{Link, MassProperties, NamedEnergies, Path};
 use super::messages as words;
 use super::poses::{FrameStep, JointAxis, Pose, behind, named_vector};
 use super::vectors::{half_square, inner, minus, plus};
@@ -54,7 +54,7 @@ fn declare(translation: &mut Translation<'_>, name: &Name, inertia: Option<MassP
         inertia,
         placed: None,
         path: None,
-        energies: Energies::default(),
+        energies: NamedEnergies::default(),
     });
     translation.names.declare(&name.text, Object::Link { index, is_frame });
     index
@@ -138,7 +138,7 @@ pub(super) fn settle(
     let of_translation = push_translation(translation, &name, inertia, &pose, center_velocity);
     let of_rotation = push_rotation(translation, &name, inertia, &pose);
     if let Some(space) = &mut translation.space {
-        space.links[link].energies = Energies { of_translation, of_rotation, potential: None };
+        space.links[link].energies = NamedEnergies { of_translation, of_rotation, potential: None };
     }
     weigh(translation, link);
 }

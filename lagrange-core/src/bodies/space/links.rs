@@ -18,7 +18,7 @@ pub(in crate::bodies) struct Link {
     /// How a joint places it.
     pub(super) path: Option<Path>,
     /// Names of its energies.
-    pub(super) energies: Energies,
+    pub(super) energies: NamedEnergies,
 }
 
 /// The way from what carries a joint to what it places.
@@ -30,9 +30,9 @@ pub(super) struct Path {
     pub(super) steps: Vec<(FrameStep, Pose)>,
 }
 
-/// Energies of a body, as names.
+/// NamedEnergies of a body, as names.
 #[derive(Clone, Copy, Default, Debug)]
-pub(super) struct Energies {
+pub(super) struct NamedEnergies {
     /// ½ m v²
     pub(super) of_translation: Option<AstId>,
     /// ½ ω·J ω

@@ -4,7 +4,7 @@
 
 use super::expressions::{point_on_link, rate_of_link_point};
 use super::messages as words;
-use crate::bodies::expressions::{mention, plain_expression};
+use crate::bodies::expressions::{mention, plain_expression, translated_place};
 use crate::bodies::plain::Obligation;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, Statement, StatementKind};
@@ -16,7 +16,7 @@ pub(in crate::bodies) fn translate_spatial_force(
     point: AstId,
     statement: Statement,
 ) {
-    let place = plain_expression(translation, point);
+    let place = translated_place(translation, point);
     let Some((link, own)) = point_on_link(translation, point) else {
         let (force, point) = (plain_expression(translation, force), place);
         translation.statements.push(Statement { kind: StatementKind::ForceAt { force, point }, ..statement });
