@@ -12,6 +12,7 @@ use super::inverse_dynamics::residual;
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::quadratic_form::QuadraticForm;
 use super::strategies::Strategy;
+use super::sweep::Rotations;
 use crate::calculus::{AccelerationTerms, jacobian, substitute_all};
 use crate::expr::{ExprId, Graph};
 use crate::model::Model;
@@ -54,7 +55,12 @@ impl Derivatives {
         let (is_small, mut eliminations) = (count <= LARGEST_TRIAL, Vec::new());
         // Where the factorised matrix is the best strategy for the accelerations, recursion is no better for their slopes.
         if is_small && strategy != Strategy::MassMatrix && !is_only_explicit {
-            eliminations.extend(eliminate_recursive(&mut model.graph, forms.form, &velocities));
+            eliminations.extend(eliminate_recursive(
+                &mut model.graph,
+                forms.form,
+                &velocities,
+                Rotations::Last,
+            ));
         }
         if (is_small || is_factorised) && !is_only_explicit {
             eliminations.extend(eliminate_dense(&mut model.graph, forms.pushed, &velocities));

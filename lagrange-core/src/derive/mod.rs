@@ -17,7 +17,8 @@
 //!
 //! `sweep` orders the velocity nodes so that one body is finished before the body that carries it. All multiples of one velocity are
 //! substituted together, so that its square shares factors with the coefficients beside it. What stands in no square or product, such as
-//! the rate of the potential, is pushed down first, so that no velocity waits for it.
+//! the rate of the potential, is pushed down first, so that no velocity waits for it. Components in the axes of a body that a joint turns are
+//! substituted in pairs (`plane_rotation`).
 //!
 //! # The strategies
 //!
@@ -28,7 +29,8 @@
 //! - *Mass matrix* (`elimination`): every node is pushed down to the generalised velocities. The coefficients are then the mass matrix,
 //!   and eliminating all velocities is a left-looking LDLᵀ factorisation.
 //! - *Articulated body* (`elimination`): a velocity is eliminated the moment that no unprocessed node depends on it. On chains and trees
-//!   the fill-in stays within a body and the cost is linear.
+//!   the fill-in stays within a body and the cost is linear. Where joints turn axes, velocities are eliminated before these are turned, or
+//!   in the order of the sweep, and the cheaper is kept.
 //! - *Sum of squares* (`sum_of_squares`): body by body, too, but the form stays a sum of squares. What is left of an elimination is a sum
 //!   of squares again, by Lagrange's identity, and depends on the rest only by way of minors t₁ y₂ − t₂ y₁ of the direction t in which the
 //!   unknown moves two variables. So a single number stands for the subtree behind a massless rod, accelerations are substituted back in
@@ -81,6 +83,7 @@ mod inverse_dynamics;
 mod jacobian;
 mod least_constraint;
 mod messages;
+mod plane_rotation;
 mod quadratic_form;
 mod responses;
 mod strategies;

@@ -21,6 +21,7 @@
 
 use std::collections::BTreeSet;
 
+use super::plane_rotation::{PendingRotations, TurnedPair, turned_pairs};
 use crate::calculus::{Degree, Degrees, partials};
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Graph};
@@ -51,6 +52,19 @@ pub(super) enum Multiples {
     Merged,
 }
 
+/// Treatment of pairs of variables that are others turned by an angle, `plane_rotation` says how.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Rotations {
+    /// All pairs that turn by the same angle are substituted together when it is their turn. The inertia of composite bodies keeps its
+    /// shape, which is cheapest where all velocities are eliminated at the end.
+    InTurn,
+    /// They are substituted together when nothing else is left, so that what a joint alone moves is eliminated in the axes of its body,
+    /// before these are turned.
+    Last,
+    /// They are sums like any other.
+    Split,
+}
+
 /// Substitution to make in the form.
 #[derive(Debug)]
 pub(super) enum Step {
@@ -58,6 +72,8 @@ pub(super) enum Step {
     Replace(ExprId, Vec<(ExprId, ExprId)>),
     /// Substitute `slope · target` for each of the variables.
     Collapse(ExprId, Vec<(ExprId, ExprId)>),
+    /// Substitute for pairs of variables what they are turned from, all by the same angle.
+    Turn(Vec<TurnedPair>),
 }
 
 /// Variables in the order in which they may be processed.
@@ -69,6 +85,7 @@ pub(super) struct Sweep {
     /// Ready generalised velocities.
     leaves: BTreeSet<ExprId>,
     velocities: HashMap<ExprId, ()>,
+    rotations: PendingRotations,
 }
 
 impl Sweep {
@@ -79,6 +96,7 @@ impl Sweep {
         [heads, first]: [&[ExprId]; 2],
         velocities: &[ExprId],
         multiples: Multiples,
+        rotations: Rotations,
     ) -> Sweep {
         let all = [heads, first].concat();
         let velocities = velocities.iter().map(|&v| (v, ())).collect::<HashMap<_, _>>();
@@ -87,11 +105,15 @@ impl Sweep {
             inner: BTreeSet::new(),
             leaves: BTreeSet::new(),
             velocities,
+            rotations: PendingRotations::default(),
         };
         sweep.count_users();
         if multiples == Multiples::Merged {
             sweep.skip_multiples_of_multiples(graph, &all);
             sweep.count_users();
+        }
+        if rotations != Rotations::Split {
+            sweep.join_rotations(graph, &all, rotations == Rotations::Last);
         }
         sweep.rank([heads, first]);
         for id in sweep.ids() {
@@ -132,6 +154,19 @@ impl Sweep {
                 self.set_parts(part, Vec::new());
             }
         }
+    }
+
+    /// Finds pairs that are turned; heads have coefficients of their own.
+    fn join_rotations(&mut self, graph: &Graph, heads: &[ExprId], are_last: bool) {
+        let is_head = heads.iter().map(|&head| (head, ())).collect::<HashMap<_, _>>();
+        let users = |id: ExprId| self.variables.get(&id).map_or(0, |variable| variable.users);
+        let pairs = turned_pairs(
+            graph,
+            &self.ids(),
+            |id| self.parts(id).to_vec(),
+            |id| users(id) == 1 && !is_head.contains(&id),
+        );
+        self.rotations = PendingRotations::new(pairs, are_last);
     }
 
     fn set_parts(&mut self, id: ExprId, parts: Vec<(ExprId, ExprId)>) {
@@ -186,6 +221,10 @@ impl Sweep {
             self.leaves.insert(id);
             return;
         }
+        if self.rotations.contains(id) {
+            self.rotations.make_ready(id, self.rank_of(id));
+            return;
+        }
         match *self.parts(id) {
             // Skipped by what was made of it.
             [] => {}
@@ -215,6 +254,10 @@ impl Sweep {
 
     /// The next substitution.
     pub(super) fn next_step(&mut self) -> Option<Step> {
+        let highest = self.inner.last().map(|(rank, _)| *rank);
+        if let Some(pairs) = self.rotations.take_next(highest) {
+            return Some(self.turn(pairs));
+        }
         let (_, id) = self.inner.pop_last()?;
         if let [(target, _)] = *self.parts(id) {
             return Some(self.collapse(target));
@@ -226,6 +269,21 @@ impl Sweep {
             self.ready_if_unused(part);
         }
         Some(Step::Replace(id, parts))
+    }
+
+    fn turn(&mut self, pairs: Vec<TurnedPair>) -> Step {
+        for (part, _) in pairs.iter().flat_map(|pair| &pair.parts) {
+            // One multiple of it by the cosine and one by the sine.
+            self.variables.get_mut(part).into_iter().for_each(|variable| variable.users -= 2);
+            self.collapse_if_complete(*part);
+            self.ready_if_unused(*part);
+        }
+        Step::Turn(pairs)
+    }
+
+    /// Whether pairs are turned.
+    pub(super) fn has_rotations(&self) -> bool {
+        !self.rotations.is_empty()
     }
 
     fn collapse(&mut self, target: ExprId) -> Step {

@@ -6,7 +6,7 @@ use super::record::{Elimination, Move, is_multiplier, ratio};
 use crate::collections::HashMap;
 use crate::derive::cost::cost;
 use crate::derive::quadratic_form::QuadraticForm;
-use crate::derive::sweep::{Multiples, Sweep};
+use crate::derive::sweep::{Multiples, Rotations, Sweep};
 use crate::expr::{ExprId, Function, Graph};
 use crate::functions;
 
@@ -87,12 +87,13 @@ pub(in crate::derive) fn eliminate_recursive(
     graph: &mut Graph,
     mut form: QuadraticForm,
     unknowns: &[ExprId],
+    rotations: Rotations,
 ) -> Option<Elimination> {
     let (multipliers, velocities) = separated(graph, unknowns);
     // What stands in no product couples nothing, and no velocity need wait for it: first of all the potential, which is often
     // made of all bodies.
     let (heads, first): (Vec<_>, Vec<_>) = form.variables().into_iter().partition(|&id| form.is_coupled(id));
-    let mut sweep = Sweep::new(graph, [&heads, &first], &velocities, Multiples::Merged);
+    let mut sweep = Sweep::new(graph, [&heads, &first], &velocities, Multiples::Merged, rotations);
     let mut waiting = Waiting { partners: Queue::new(&form, &multipliers), ..Waiting::default() };
     let mut elimination = Elimination::default();
     loop {

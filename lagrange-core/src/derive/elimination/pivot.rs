@@ -1,6 +1,7 @@
 //! One step of elimination: an unknown, or two, taken out of a quadratic form.
 
 use crate::collections::HashMap;
+use crate::derive::plane_rotation::turned_back;
 use crate::derive::quadratic_form::QuadraticForm;
 use crate::derive::sweep::Step;
 use crate::expr::{ExprId, Graph};
@@ -61,6 +62,18 @@ impl Rest {
                 for &(id, slope) in multiples {
                     let value = self.take(graph, id);
                     self.add(*target, graph.multiply(slope, value));
+                }
+            }
+            Step::Turn(pairs) => {
+                for pair in pairs {
+                    let values = pair.turned.each_ref().map(|(id, sign)| {
+                        let value = self.take(graph, *id);
+                        graph.scale(sign.clone(), value)
+                    });
+                    let values = turned_back(graph, [pair.cosine, pair.sine], values);
+                    for ((part, sign), value) in pair.parts.iter().zip(values) {
+                        self.add(*part, graph.scale(sign.clone(), value));
+                    }
                 }
             }
         }

@@ -4,8 +4,9 @@ use super::order::{eliminate_dense, eliminate_recursive};
 use super::pivot::Eliminated;
 use super::record::Elimination;
 use crate::collections::HashMap;
+use crate::derive::cost::cost;
 use crate::derive::quadratic_form::QuadraticForm;
-use crate::derive::sweep::{Multiples, Sweep};
+use crate::derive::sweep::{Multiples, Rotations, Sweep};
 use crate::expr::{ExprId, Graph};
 
 /// Pushes everything down to the generalised velocities.
@@ -14,7 +15,8 @@ pub(in crate::derive) fn push_down(
     mut form: QuadraticForm,
     velocities: &[ExprId],
 ) -> QuadraticForm {
-    let mut sweep = Sweep::new(graph, [&form.variables(), &[]], velocities, Multiples::Kept);
+    let mut sweep =
+        Sweep::new(graph, [&form.variables(), &[]], velocities, Multiples::Kept, Rotations::InTurn);
     while let Some(step) = sweep.next_step() {
         form.apply(graph, &step);
     }
@@ -44,13 +46,23 @@ pub(in crate::derive) fn solve_dense(
     Some(solution(eliminate_dense(graph, form, unknowns)?, graph, unknowns))
 }
 
-/// Solves a form body by body; `None` if a pivot is missing.
+/// Solves a form body by body; `None` if a pivot is missing. Where bodies are turned by joints, velocities are eliminated in the axes of
+/// their bodies, or later, when rotations and what carries the body have been substituted as far as that goes, whichever counts cheaper: on
+/// parallel axes the latter.
 pub(in crate::derive) fn solve_recursive(
     graph: &mut Graph,
     form: QuadraticForm,
     unknowns: &[ExprId],
 ) -> Option<Solution> {
-    Some(solution(eliminate_recursive(graph, form, unknowns)?, graph, unknowns))
+    let turned_last = eliminate_recursive(graph, form.clone(), unknowns, Rotations::Last)?;
+    if !turned_last.sweep.as_ref().is_some_and(Sweep::has_rotations) {
+        return Some(solution(turned_last, graph, unknowns));
+    }
+    let split = eliminate_recursive(graph, form, unknowns, Rotations::Split);
+    let solutions =
+        [Some(turned_last), split].map(|elimination| Some(solution(elimination?, graph, unknowns)));
+    let solutions = solutions.into_iter().flatten().map(|solution| (cost(graph, &solution.values), solution));
+    solutions.min_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, solution)| solution)
 }
 
 fn solution(elimination: Elimination, graph: &mut Graph, unknowns: &[ExprId]) -> Solution {

@@ -73,7 +73,7 @@ use super::algebra::{Algebra, LinearForm, Sums};
 use super::elimination::solution::Solution;
 use super::least_constraint::SplitLagrangian;
 use super::quadratic_form::QuadraticForm;
-use super::sweep::{Multiples, Sweep};
+use super::sweep::{Multiples, Rotations, Sweep};
 use crate::collections::OrderedMap;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
@@ -105,7 +105,7 @@ pub(super) fn solve_sum_of_squares(
     sums: Sums,
 ) -> Result<Solution, Obstacle> {
     let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables()).collect::<Vec<_>>();
-    let mut sweep = Sweep::new(graph, [&heads, &[]], velocities, Multiples::Merged);
+    let mut sweep = Sweep::new(graph, [&heads, &[]], velocities, Multiples::Merged, Rotations::Split);
     let mut elimination = SquareElimination::new(graph, &sweep, split, loads, sums);
     let mut order = leaves(&mut sweep);
     order.sort_by_cached_key(|&velocity| elimination.moved_by(velocity));

@@ -1,15 +1,19 @@
 //! The worked order of the module's documentation.
 
-use super::{Multiples, Step, Sweep};
+use super::{Multiples, Rotations, Step, Sweep};
+use crate::derive::plane_rotation::TurnedPair;
 use crate::formula::text::text;
 use crate::pipeline::parse;
 
 /// The substitutions and the generalised velocities that become free between them, as text.
-fn order(declaration: &str) -> Vec<String> {
+fn order(declaration: &str, rotations: Rotations) -> Vec<String> {
     let mut model = parse(declaration).unwrap_or_else(|report| panic!("{report}")).model;
-    let heads = model.rates.iter().map(|(velocity, _)| *velocity).collect::<Vec<_>>();
+    let heads = match model.outputs.first() {
+        Some(output) => output.components.clone(),
+        None => model.rates.iter().map(|(velocity, _)| *velocity).collect::<Vec<_>>(),
+    };
     let velocities = model.velocities();
-    let mut sweep = Sweep::new(&mut model.graph, [&heads, &[]], &velocities, Multiples::Merged);
+    let mut sweep = Sweep::new(&mut model.graph, [&heads, &[]], &velocities, Multiples::Merged, rotations);
     let name = |id| {
         let label = model.labels.iter().find(|(labelled, _)| *labelled == id);
         label.map_or_else(|| text(&model.graph, id), |(_, name)| name.clone())
@@ -27,6 +31,12 @@ fn order(declaration: &str) -> Vec<String> {
                 Step::Collapse(target, multiples) => {
                     format!("{} by {}", names(&mut multiples.iter().map(|(id, _)| *id)), name(target))
                 }
+                Step::Turn(pairs) => {
+                    let [wholes, parts] =
+                        [|pair: &TurnedPair| pair.turned.clone(), |pair: &TurnedPair| pair.parts.clone()]
+                            .map(|of| names(&mut pairs.iter().flat_map(of).map(|(id, _)| id)));
+                    format!("{wholes} turned to {parts}")
+                }
             });
         } else {
             return order;
@@ -42,6 +52,7 @@ fn the_outer_body_is_finished_before_the_one_that_carries_it() {
         let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));
         kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
         potential = m1 * g * y1 + m2 * g * y2;",
+        Rotations::Last,
     );
     let expected = [
         "y2_dot by y1_dot, l2*sin(theta2)*dot(theta2)",
@@ -52,4 +63,32 @@ fn the_outer_body_is_finished_before_the_one_that_carries_it() {
         "dot(theta1) is free",
     ];
     assert_eq!(found, expected);
+}
+
+#[test]
+fn axes_are_turned_when_what_a_joint_moves_is_eliminated() {
+    let text = "coord x, y, a;
+        let along = cos(a) * dot(x) + sin(a) * dot(y);
+        let across = cos(a) * dot(y) - sin(a) * dot(x);
+        let end = across + 3 * dot(a);
+        kinetic = 1/2 * (along^2 + end^2); output heads = (along, end);";
+    let found = [Rotations::Last, Rotations::Split].map(|rotations| order(text, rotations));
+    let turned = [
+        "end by dot(a), across",
+        "dot(a) is free",
+        "along, across turned to dot(x), dot(y)",
+        "dot(x) is free",
+        "dot(y) is free",
+    ];
+    let split = [
+        "end by dot(a), across",
+        "dot(a) is free",
+        "across by cos(a)*dot(y), sin(a)*dot(x)",
+        "along by cos(a)*dot(x), sin(a)*dot(y)",
+        "cos(a)*dot(y), sin(a)*dot(y) by dot(y)",
+        "dot(y) is free",
+        "sin(a)*dot(x), cos(a)*dot(x) by dot(x)",
+        "dot(x) is free",
+    ];
+    assert_eq!(found, [turned.map(str::to_owned).to_vec(), split.map(str::to_owned).to_vec()]);
 }
