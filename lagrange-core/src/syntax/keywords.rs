@@ -1,7 +1,7 @@
 //! The words of the language, and which of them a declaration cannot use as names of its own.
 
 use super::ast::{Keyword, Soft, bodies, statements};
-use crate::functions;
+use crate::elementary;
 
 /// Words that begin a statement.
 pub(super) const STATEMENTS: [&str; statements::KEYWORDS.len() + bodies::KEYWORDS.len()] = {
@@ -69,7 +69,7 @@ pub fn is_rust_keyword(word: &str) -> bool {
 
 /// Whether a name is that of a function of the language.
 pub(super) fn is_function(name: &str) -> bool {
-    functions::by_name(name).is_some() || STRUCTURAL_FUNCTIONS.iter().any(|(known, _)| *known == name)
+    elementary::by_name(name).is_some() || STRUCTURAL_FUNCTIONS.iter().any(|(known, _)| *known == name)
 }
 
 /// What a name stands for in every system, if it does: time and the number π.
