@@ -57,17 +57,17 @@ pub(super) fn soft_statement(word: &str) -> Option<Soft> {
     statement(word)?.soft
 }
 
-/// Whether a word can follow a name within a statement.
+/// True if a word can follow a name within a statement.
 pub(super) fn is_connective(word: &str) -> bool {
     CONNECTIVES.contains(&word)
 }
 
-/// Whether a word is a keyword of Rust.
+/// True if a word is a keyword of Rust.
 pub fn is_rust_keyword(word: &str) -> bool {
     RUST.contains(&word)
 }
 
-/// Whether a name is that of a function of the language.
+/// True if a name is that of a function of the language.
 pub(super) fn is_function(name: &str) -> bool {
     elementary::by_name(name).is_some() || STRUCTURAL_FUNCTIONS.iter().any(|(known, _)| *known == name)
 }

@@ -278,6 +278,6 @@ pub struct Definition {
 pub struct EmitItem {
     /// The product.
     pub product: Name,
-    /// Whether it is wanted.
+    /// True if it is wanted.
     pub wanted: bool,
 }
