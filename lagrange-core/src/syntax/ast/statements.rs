@@ -222,7 +222,8 @@ impl StatementKind {
 
     /// True if it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
-        !self.names_within(&[Reach::Members, Reach::Both, Reach::Types]).is_empty()
+        // Even if the names could not be read.
+        self.names().1 != Reach::Expressions
     }
 
     fn names_within(&self, reaches: &[Reach]) -> Vec<&Name> {
