@@ -4,17 +4,20 @@ use super::ast::{Keyword, Soft, bodies, statements};
 use crate::elementary;
 
 /// Words that begin a statement.
-pub(super) const STATEMENTS: [&str; statements::KEYWORDS.len() + bodies::KEYWORDS.len()] = {
-    let plain = statements::KEYWORDS.len();
-    let mut words = [""; statements::KEYWORDS.len() + bodies::KEYWORDS.len()];
-    let mut index = 0;
-    while index < words.len() {
-        let row = if index < plain { &statements::KEYWORDS[index] } else { &bodies::KEYWORDS[index - plain] };
-        words[index] = row.word;
-        index += 1;
+pub(super) const STATEMENTS: [&str; COUNT] = words_from(0, [""; COUNT]);
+
+const COUNT: usize = statements::KEYWORDS.len() + bodies::KEYWORDS.len();
+
+/// These words, with those of the keywords from `index` on in their places.
+const fn words_from(index: usize, mut words: [&'static str; COUNT]) -> [&'static str; COUNT] {
+    const PLAIN: usize = statements::KEYWORDS.len();
+    if index == COUNT {
+        return words;
     }
-    words
-};
+    let keyword = if index < PLAIN { &statements::KEYWORDS[index] } else { &bodies::KEYWORDS[index - PLAIN] };
+    words[index] = keyword.word;
+    words_from(index + 1, words)
+}
 
 /// Words that can follow a name within a statement.
 const CONNECTIVES: &[&str] = &["at", "on", "to", "as"];
