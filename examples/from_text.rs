@@ -40,7 +40,7 @@ compiled_with_text! {
 }
 
 fn main() -> ExitCode {
-    let result = env::args().nth(1).map_or_else(both_roads, |path| of_file(&path));
+    let result = env::args().nth(1).map_or_else(both_ways, |path| of_file(&path));
     if let Err(error) = &result {
         // Mistakes of a declaration are written for people: every one with its line, its column and help.
         eprintln!("{error}");
@@ -62,7 +62,7 @@ fn describe(text: &str) -> Result<Derived, Box<dyn Error>> {
 }
 
 /// Compares the interpreter with the compiled type.
-fn both_roads() -> Result<(), Box<dyn Error>> {
+fn both_ways() -> Result<(), Box<dyn Error>> {
     let interpreted = NumericSystem::new(&describe(TEXT)?);
     let compiled = SpringPendulum::default();
     for (q, v) in [([1.2, 0.3], [0.0, 0.0]), ([0.9, -1.1], [0.7, 2.5]), ([1.5, 3.0], [-2.0, 1.0])] {

@@ -4,8 +4,7 @@
 
 mod quarter_turns;
 
-pub use crate::elementary::{Parity, Partial, ROWS, Row, by_name, row};
-
+use crate::elementary::{Parity, Partial, Row, row};
 use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
 use quarter_turns::without_quarter_turns;

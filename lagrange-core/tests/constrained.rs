@@ -39,7 +39,7 @@ fn assert_near(found: &[f64], expected: &[f64], what: &str) {
 }
 
 #[test]
-fn accelerations_and_multipliers_agree_with_the_references_on_every_road() {
+fn accelerations_and_multipliers_agree_with_the_references_by_every_strategy() {
     for name in NAMES {
         let (text, reference) = read(name);
         for choice in CHOICES {

@@ -24,7 +24,7 @@ const CHOICES: [StrategyChoice; 6] = [
 ];
 
 #[test]
-fn every_road_agrees_with_the_references() {
+fn every_strategy_agrees_with_the_references() {
     let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"));
     let mut failures = Vec::new();
     for name in names(directory) {

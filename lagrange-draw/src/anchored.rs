@@ -11,7 +11,7 @@ use crate::geometry::{add, length, subtract, unit};
 use crate::picture::Point;
 use crate::snapshot::Snapshot;
 use crate::stretch::coordinates;
-use lagrange_runtime::scene::{Cause, Connector};
+use lagrange_runtime::scene::{Connector, LoadOrigin};
 
 /// The angles of short walls at the ends of connectors, by name and number of the end. The connector is on the left of its wall.
 pub(super) type Anchored = BTreeMap<(String, usize), f64>;
@@ -51,7 +51,7 @@ fn is_on_body(name: &str, end: usize, film: &[Snapshot], elsewhere: &Snapshot) -
     film.iter().chain([elsewhere]).all(|snapshot| {
         let at = ends_of(name, snapshot).map(|ends| ends[end]);
         let mut loads =
-            snapshot.loads.iter().filter(|load| load.cause == Cause::Connector && load.name == name);
+            snapshot.loads.iter().filter(|load| load.cause == LoadOrigin::Connector && load.name == name);
         loads.any(|load| Some(load.at) == at)
     })
 }
@@ -88,7 +88,7 @@ mod tests {
     use crate::load::{Load, Value};
     use crate::picture::Point;
     use crate::snapshot::{Line, Snapshot};
-    use lagrange_runtime::scene::{Cause, Connector, Joint};
+    use lagrange_runtime::scene::{Connector, Joint, LoadOrigin};
 
     /// A spring that pulls on a body at its second end.
     fn spring(from: Point, to: Point) -> Snapshot {
@@ -96,7 +96,7 @@ mod tests {
         let value = Value::Force([0.0, 1.0]);
         Snapshot {
             connectors: vec![(name.clone(), Connector::Spring, [from, to])],
-            loads: vec![Load { name, cause: Cause::Connector, body, at: to, value }],
+            loads: vec![Load { name, cause: LoadOrigin::Connector, body, at: to, value }],
             ..Snapshot::default()
         }
     }

@@ -18,22 +18,15 @@ use crate::stretch::stretches;
 use crate::text::{formula, plain};
 use lagrange_runtime::scalar::Scalar;
 use lagrange_runtime::scene::Scene;
-use lagrange_runtime::system::split;
+use lagrange_runtime::system::{OdeSystem, split};
 
 /// A time and a state.
-type Instant<M> =
-    (<M as lagrange_runtime::system::OdeSystem>::Scalar, <M as lagrange_runtime::system::OdeSystem>::State);
+type Instant<M> = (<M as OdeSystem>::Scalar, <M as OdeSystem>::State);
 /// The same with the system as it is then, if it is another one than that which is drawn: with other inputs.
 pub(super) type Shot<M> = (Instant<M>, Option<M>);
 type Sketched<'a, M> = Rc<dyn Fn(&mut Sketch, &Moment<'_, M>) + 'a>;
-type Point2<'a, M> = Rc<
-    dyn Fn(
-            &M,
-            <M as lagrange_runtime::system::OdeSystem>::Scalar,
-            &<M as lagrange_runtime::system::OdeSystem>::State,
-        ) -> [<M as lagrange_runtime::system::OdeSystem>::Scalar; 2]
-        + 'a,
->;
+type Point2<'a, M> =
+    Rc<dyn Fn(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State) -> [<M as OdeSystem>::Scalar; 2] + 'a>;
 
 /// Pictures of a system of plane rigid bodies, as it declares itself.
 ///

@@ -1,13 +1,13 @@
 //! Forces and moments of a scene.
 
 use crate::picture::Point;
-use lagrange_runtime::scene::Cause;
+use lagrange_runtime::scene::LoadOrigin;
 
 /// A force or a moment.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Load {
     pub(super) name: String,
-    pub(super) cause: Cause,
+    pub(super) cause: LoadOrigin,
     pub(super) body: Option<String>,
     pub(super) at: Point,
     pub(super) value: Value,

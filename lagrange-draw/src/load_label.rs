@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use crate::load::{Load, Value};
 use crate::snapshot::Snapshot;
 use crate::text::{formula, symbol};
-use lagrange_runtime::scene::{Cause, Joint};
+use lagrange_runtime::scene::{Joint, LoadOrigin};
 
 /// The label of a force or moment.
 pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
@@ -17,11 +17,11 @@ pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
         Value::Moment(_) => "M",
     };
     match (load.cause, &load.body) {
-        (Cause::Gravity, Some(body)) => symbol("G", body, snapshot.bodies.len() > 1),
+        (LoadOrigin::Gravity, Some(body)) => symbol("G", body, snapshot.bodies.len() > 1),
         // Declared loads have no names of their own.
-        (Cause::Applied, _) if ["force", "torque"].contains(&&*load.name) => letter.into(),
-        (Cause::Connector, _) => symbol(letter, &load.name, true),
-        (Cause::Joint, _) => of_joint(load, snapshot).unwrap_or_else(|| formula(&load.name)),
+        (LoadOrigin::Applied, _) if ["force", "torque"].contains(&&*load.name) => letter.into(),
+        (LoadOrigin::Connector, _) => symbol(letter, &load.name, true),
+        (LoadOrigin::Joint, _) => of_joint(load, snapshot).unwrap_or_else(|| formula(&load.name)),
         _ => formula(&load.name),
     }
 }
@@ -35,7 +35,7 @@ fn of_joint(load: &Load, snapshot: &Snapshot) -> Option<String> {
         (_, Some(".friction")) => "H",
         _ => "F",
     };
-    let joints = snapshot.loads.iter().filter(|load| load.cause == Cause::Joint).map(joint_of);
+    let joints = snapshot.loads.iter().filter(|load| load.cause == LoadOrigin::Joint).map(joint_of);
     Some(symbol(letter, name, joints.collect::<BTreeSet<&str>>().len() > 1))
 }
 
@@ -50,9 +50,9 @@ mod tests {
     use super::load_label;
     use crate::load::{Load, Value};
     use crate::snapshot::Snapshot;
-    use lagrange_runtime::scene::{Cause, Joint};
+    use lagrange_runtime::scene::{Joint, LoadOrigin};
 
-    fn force(name: &str, cause: Cause) -> Load {
+    fn force(name: &str, cause: LoadOrigin) -> Load {
         let body = Some("rod".to_string());
         Load { name: name.to_string(), cause, body, at: [0.0, 0.0], value: Value::Force([1.0, 0.0]) }
     }
@@ -61,21 +61,25 @@ mod tests {
     fn forces_have_the_symbols_of_textbooks() {
         let joint = |name: &str, kind| (name.to_string(), kind, [0.0, 0.0]);
         let wheel = Snapshot { joints: vec![joint("contact", Joint::Roll)], ..Snapshot::default() };
-        let loads = vec![force("contact.normal", Cause::Joint), force("contact.friction", Cause::Joint)];
+        let loads =
+            vec![force("contact.normal", LoadOrigin::Joint), force("contact.friction", LoadOrigin::Joint)];
         let wheel = Snapshot { loads, ..wheel };
         assert_eq!(wheel.loads.iter().map(|load| load_label(load, &wheel)).collect::<Vec<_>>(), ["N", "H"]);
 
         let mut rod = Snapshot { joints: vec![joint("hinge", Joint::Pin)], ..Snapshot::default() };
-        rod.loads =
-            vec![force("hinge", Cause::Joint), force("k1", Cause::Connector), force("force", Cause::Applied)];
+        rod.loads = vec![
+            force("hinge", LoadOrigin::Joint),
+            force("k1", LoadOrigin::Connector),
+            force("force", LoadOrigin::Applied),
+        ];
         assert_eq!(
             rod.loads.iter().map(|load| load_label(load, &rod)).collect::<Vec<_>>(),
             ["F", "F_{k1}", "F"]
         );
         rod.joints.push(joint("foot", Joint::Slide));
-        rod.loads.push(force("foot", Cause::Joint));
+        rod.loads.push(force("foot", LoadOrigin::Joint));
         assert_eq!(load_label(&rod.loads[0], &rod), "F_{hinge}", "there are several joints now");
         assert_eq!(load_label(&rod.loads[3], &rod), "N_{foot}");
-        assert_eq!(load_label(&force("S", Cause::Joint), &rod), "S", "nothing is known of it");
+        assert_eq!(load_label(&force("S", LoadOrigin::Joint), &rod), "S", "nothing is known of it");
     }
 }

@@ -76,7 +76,7 @@ mod tests {
     use super::Remainder;
     use crate::load::{Load, Value};
     use lagrange_runtime::body::Motion;
-    use lagrange_runtime::scene::Cause;
+    use lagrange_runtime::scene::LoadOrigin;
 
     const EPSILON: f64 = f64::EPSILON;
 
@@ -94,7 +94,7 @@ mod tests {
     };
 
     fn load(at: [f64; 2], value: Value) -> Load {
-        Load { name: "F".to_string(), cause: Cause::Applied, body: Some("rod".to_string()), at, value }
+        Load { name: "F".to_string(), cause: LoadOrigin::Applied, body: Some("rod".to_string()), at, value }
     }
 
     fn weight() -> Load {

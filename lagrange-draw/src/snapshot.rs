@@ -6,7 +6,7 @@ use crate::outline::Piece;
 use crate::picture::Point;
 use crate::remainder::Remainder;
 use lagrange_runtime::body::Motion;
-use lagrange_runtime::scene::{Cause, Connector, Item, Joint, Scene};
+use lagrange_runtime::scene::{Connector, Item, Joint, LoadOrigin, Scene};
 
 /// A scene at one moment.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -75,7 +75,7 @@ impl Snapshot {
         }
     }
 
-    fn load(&mut self, name: &str, cause: Cause, body: Option<&str>, at: Point, value: Value) {
+    fn load(&mut self, name: &str, cause: LoadOrigin, body: Option<&str>, at: Point, value: Value) {
         let body = body.map(ToOwned::to_owned);
         self.loads.push(Load { name: name.to_owned(), cause, body, at, value });
     }

@@ -12,7 +12,7 @@ use crate::remainder::{REMAINDER, Remainder};
 use crate::snapshot::{Body, Snapshot};
 use crate::stretch::{self, Stretches};
 use crate::text::{formula, symbol};
-use lagrange_runtime::scene::{Cause, Connector, Joint};
+use lagrange_runtime::scene::{Connector, Joint, LoadOrigin};
 
 /// What is drawn beside the scene itself.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -200,7 +200,7 @@ fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
 fn pushes(load: &Load, force: Point, center: Option<Point>) -> bool {
     const NARROW: f64 = 0.5;
     let inwards = center.map_or([0.0, 0.0], |center| subtract(center, load.at));
-    load.cause == Cause::Joint && dot(force, inwards) > NARROW * length(force) * length(inwards)
+    load.cause == LoadOrigin::Joint && dot(force, inwards) > NARROW * length(force) * length(inwards)
 }
 
 /// The path of a point so far, and where it is now.

@@ -73,7 +73,7 @@ pub enum Item<'a, S> {
         /// Its name.
         name: &'a str,
         /// Where it comes from.
-        cause: Cause,
+        cause: LoadOrigin,
         /// The body it acts on, if that is known.
         body: Option<&'a str>,
         /// The point it acts on.
@@ -86,7 +86,7 @@ pub enum Item<'a, S> {
         /// Its name.
         name: &'a str,
         /// Where it comes from.
-        cause: Cause,
+        cause: LoadOrigin,
         /// The body it acts on, if that is known.
         body: Option<&'a str>,
         /// Where to draw it.
@@ -175,7 +175,7 @@ pub enum Joint {
 
 /// Where a force or moment comes from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Cause {
+pub enum LoadOrigin {
     /// It is declared.
     Applied,
     /// The weight of a body, at its centre of mass.

@@ -216,7 +216,7 @@ fn joint_forces_act_on_both_bodies_with_opposite_signs() {
     linkage.project(0.3, &mut q, &mut v).expect("a state that satisfies the constraints");
     let mut forces = Vec::new();
     linkage.items(0.3, &q, &v, &mut |item| {
-        if let Item::Force { cause: lagrange::scene::Cause::Joint, body, at, force, .. } = item {
+        if let Item::Force { cause: lagrange::scene::LoadOrigin::Joint, body, at, force, .. } = item {
             forces.push((body.map(str::to_owned), at, force));
         }
     });

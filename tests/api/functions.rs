@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use lagrange_core::functions::{ROWS, Row};
+use lagrange_core::elementary::{ROWS, Row};
 
 const CALLABLE: &str = include_str!("../../src/private.rs");
 const LANGUAGE: &str = include_str!("../../src/language.md");

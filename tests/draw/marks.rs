@@ -179,7 +179,7 @@ fn the_normal_force_on_a_free_body_ends_at_its_contact() {
             motion: Motion { acceleration: [0.0, 5.0], ..still([0.0, 1.0], 0.0) },
             parts: &[part(Outline::Disk(1.0))],
         });
-        let (cause, body) = (lagrange::scene::Cause::Joint, Some("disk"));
+        let (cause, body) = (lagrange::scene::LoadOrigin::Joint, Some("disk"));
         visit(Item::Force { name: "N", cause, body, at: [0.0, 0.0], force: [0.0, 5.0] });
     });
     let lowest = |d: &String| numbers(d).chunks(2).map(|point| point[1]).fold(0.0, f64::max);

@@ -2,7 +2,7 @@
 
 use lagrange::body::Motion;
 use lagrange::draw::{DrawError, Drawing, Picture};
-use lagrange::scene::{Cause, Connector, Item, Joint, Outline};
+use lagrange::scene::{Connector, Item, Joint, LoadOrigin, Outline};
 
 use crate::scenes::{Items, LADDER, Puppet, SLOPE, part, still};
 
@@ -16,7 +16,7 @@ const BROKEN: Puppet = Puppet(|s, visit| {
     visit(Item::Body { name: "plate", motion, parts: &[part(Outline::Rectangle(1.0, 1.0))] });
     visit(Item::Force {
         name: "N",
-        cause: Cause::Joint,
+        cause: LoadOrigin::Joint,
         body: Some("plate"),
         at: [0.0, 0.0],
         force: [1.0 / s, 0.0],
@@ -51,7 +51,7 @@ fn every_kind_of_item_is_checked() {
         }),
         ("pin", |x, visit| visit(Item::Joint { name: "pin", kind: Joint::Pin, at: [x, 0.0] })),
         ("moment", |x, visit| {
-            let cause = Cause::Applied;
+            let cause = LoadOrigin::Applied;
             visit(Item::Moment { name: "moment", cause, body: None, at: [0.0, 0.0], moment: x });
         }),
         ("triangle", |x, visit| {

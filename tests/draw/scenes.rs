@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 use lagrange::body::Motion;
 use lagrange::draw::Drawing;
-use lagrange::scene::{Cause, Connector, Item, Joint, Outline, Part, Scene};
+use lagrange::scene::{Connector, Item, Joint, LoadOrigin, Outline, Part, Scene};
 use lagrange::system::{MechanicalSystem, OdeSystem, Unnamed};
 
 /// A scene that shows its items as a function of a single coordinate.
@@ -121,14 +121,14 @@ pub(crate) const SLOPE: Puppet = Puppet(|s, visit| {
         visit(Item::Force { name, cause, body: Some(body), at, force });
     };
     let weight = [0.0, -9.81];
-    load("weight", Cause::Gravity, "cylinder", cylinder.center, weight);
-    load("weight", Cause::Gravity, "cuboid", cuboid.center, weight);
-    load("N", Cause::Joint, "cylinder", at(s, 0.0), at(0.0, 9.81 * alpha.cos()));
-    load("H", Cause::Joint, "cylinder", at(s, 0.0), at(-9.81 * alpha.sin() / 3.0, 0.0));
-    load("N", Cause::Joint, "cuboid", at(s + 2.5, 0.0), at(0.0, 9.81 * alpha.cos()));
+    load("weight", LoadOrigin::Gravity, "cylinder", cylinder.center, weight);
+    load("weight", LoadOrigin::Gravity, "cuboid", cuboid.center, weight);
+    load("N", LoadOrigin::Joint, "cylinder", at(s, 0.0), at(0.0, 9.81 * alpha.cos()));
+    load("H", LoadOrigin::Joint, "cylinder", at(s, 0.0), at(-9.81 * alpha.sin() / 3.0, 0.0));
+    load("N", LoadOrigin::Joint, "cuboid", at(s + 2.5, 0.0), at(0.0, 9.81 * alpha.cos()));
     visit(Item::Moment {
         name: "M",
-        cause: Cause::Applied,
+        cause: LoadOrigin::Applied,
         body: Some("cylinder"),
         at: cylinder.center,
         moment: -1.0,

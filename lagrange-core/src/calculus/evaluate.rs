@@ -1,8 +1,8 @@
 //! Reference evaluation in double precision: slow, obvious, for checking everything else.
 
 use crate::collections::HashMap;
+use crate::elementary::row;
 use crate::expr::{ExprId, Graph, Node};
-use crate::functions::row;
 use crate::number::Number;
 use crate::symbol::Role;
 

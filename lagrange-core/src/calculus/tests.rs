@@ -2,8 +2,9 @@ use super::{
     AccelerationTerms, Degree, Degrees, Rates, evaluate, gradient, homogeneity, partial, partials,
     second_partials,
 };
+use crate::elementary::ROWS;
 use crate::expr::{ExprId, Function, Graph, Relation};
-use crate::functions::{ROWS, apply};
+use crate::functions::apply;
 use crate::number::Number;
 use crate::symbol::Role;
 

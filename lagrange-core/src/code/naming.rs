@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span};
 
 use super::names::Names;
-use crate::functions::row;
+use crate::elementary::row;
 use crate::number::Number;
 use crate::program::{Op, Program, ValueId, ValueTable, Variability};
 use crate::symbol::{Role, Symbols};

@@ -9,8 +9,8 @@ use super::literal::Constant;
 use super::pairs::{batch, pair, part};
 use super::parts::assemble;
 use super::writer::{BodyWriter, Written};
+use crate::elementary::row;
 use crate::expr::Relation;
-use crate::functions::row;
 use crate::program::{Op, Program, ValueId, ValueTable};
 use crate::symbol::Role;
 

@@ -11,7 +11,7 @@ use super::names::Names;
 use super::naming::VariableNames;
 use super::parts::LetStatement;
 use super::sine_cosine::{SinesAndCosines, sines_and_cosines};
-use crate::functions::row;
+use crate::elementary::row;
 use crate::program::{Op, Program, ValueId, ValueTable};
 use crate::symbol::Symbols;
 

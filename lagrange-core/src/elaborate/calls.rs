@@ -9,6 +9,7 @@ use super::operand::{Operand, cross, half_square, inner, norm};
 use super::scope::NameKind;
 use crate::calculus::evaluate;
 use crate::diagnostics::nearest;
+use crate::elementary;
 use crate::expr::{Dependencies, ExprId};
 use crate::functions;
 use crate::syntax::ast::{AstId, Expression, Name};
@@ -165,6 +166,6 @@ fn evaluate_elementary(
     Some(Operand::Scalar(match name {
         "gravitational_energy" => evaluator.graph.product(scalars.into_iter().map(|s| (s, 1.into()))),
         "pow" | "powi" | "powf" => power(evaluator, scalars[0], scalars[1], evaluator.origin(call))?,
-        _ => functions::apply(&mut evaluator.graph, functions::by_name(name)?.function, &scalars),
+        _ => functions::apply(&mut evaluator.graph, elementary::by_name(name)?.function, &scalars),
     }))
 }

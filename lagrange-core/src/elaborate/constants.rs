@@ -2,8 +2,8 @@
 
 use crate::calculus::node_value;
 use crate::collections::HashMap;
+use crate::elementary;
 use crate::expr::{ExprId, Graph, Node};
-use crate::functions;
 
 /// Values of expressions without symbols.
 #[derive(Default)]
@@ -39,5 +39,5 @@ impl Constants {
 
 /// Whether this is a function with arguments for which it is not defined.
 fn has_poles(node: &Node) -> bool {
-    matches!(node, Node::Call(function, _) if !functions::row(*function).is_total())
+    matches!(node, Node::Call(function, _) if !elementary::row(*function).is_total())
 }

@@ -1,6 +1,6 @@
 //! Names and arguments of the functions of the language.
 
-use crate::functions;
+use crate::elementary;
 use crate::solids::{self, Dimensions, SOLIDS, Solid};
 use crate::syntax::STRUCTURAL_FUNCTIONS;
 
@@ -10,7 +10,7 @@ pub(super) fn is_function(name: &str) -> bool {
 }
 
 pub(super) fn arity(name: &str) -> Option<usize> {
-    let elementary = functions::by_name(name).map(|row| row.arity);
+    let elementary = elementary::by_name(name).map(|row| row.arity);
     elementary
         .or_else(|| STRUCTURAL_FUNCTIONS.iter().find(|(known, _)| *known == name).map(|(_, arity)| *arity))
 }
@@ -34,7 +34,7 @@ pub(super) fn usage(name: &str, arity: usize) -> String {
 }
 
 pub(super) fn function_names() -> impl Iterator<Item = &'static str> {
-    let elementary = functions::ROWS.iter().map(|row| row.name);
+    let elementary = elementary::ROWS.iter().map(|row| row.name);
     elementary.chain(STRUCTURAL_FUNCTIONS.iter().map(|(name, _)| *name)).chain(mass_function_names())
 }
 

@@ -6,8 +6,8 @@
 use super::evaluator::Evaluator;
 use super::messages;
 use super::operand::Operand;
+use crate::elementary;
 use crate::expr::{Dependencies, ExprId, Node};
-use crate::functions;
 use crate::number::Number;
 use crate::syntax::ast::{AstId, Expression};
 
@@ -47,7 +47,7 @@ fn is_real(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
     if !is_real {
         let help = match evaluator.syntax(id) {
             Expression::Call(function, _) => {
-                functions::by_name(&function.text).map(|row| messages::defined_where(row.name, row.domain))
+                elementary::by_name(&function.text).map(|row| messages::defined_where(row.name, row.domain))
             }
             _ => None,
         };

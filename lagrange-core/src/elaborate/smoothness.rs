@@ -8,8 +8,8 @@
 use super::elaborator::Elaborator;
 use super::messages;
 use crate::collections::HashMap;
+use crate::elementary;
 use crate::expr::{Dependencies, ExprId, Function, Graph, Node};
-use crate::functions;
 use crate::number::Number;
 use crate::simplify::multiply_out;
 
@@ -133,7 +133,7 @@ fn local(graph: &mut Graph, id: ExprId, factor: ExprId, known: &HashMap<ExprId, 
                 switch(graph, id).is_some_and(|argument| moving_factors(graph, argument).contains(&factor));
             let all_vanish = arguments.iter().all(|argument| of(argument).vanishes);
             let is_step = matches!(function, Function::Sign | Function::MagnitudeSlope);
-            let is_zero_at_zero = functions::row(function).at_zero == Some(0)
+            let is_zero_at_zero = elementary::row(function).at_zero == Some(0)
                 || matches!(function, Function::Min | Function::Max | Function::Hypot);
             // What has a power that is not known before run time is taken to be smooth.
             let is_power = function == Function::Power && of(&arguments[0]).vanishes;

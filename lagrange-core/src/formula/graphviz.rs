@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use crate::collections::HashMap;
+use crate::elementary::row;
 use crate::expr::{ExprId, Graph, Node};
-use crate::functions::row;
 use crate::number::Number;
 use crate::symbol::{Role, Symbol};
 

@@ -1,8 +1,8 @@
 //! Names for the shared parts of expressions that are too long to be written out.
 
 use crate::collections::{HashMap, OrderedMap};
+use crate::elementary::row;
 use crate::expr::{ExprId, Graph, Node};
-use crate::functions::row;
 use crate::number::Number;
 use crate::symbol::Role;
 

@@ -2,8 +2,9 @@ mod double_pendulum;
 mod large;
 mod writers;
 
+use crate::elementary::by_name;
 use crate::expr::{ExprId, Graph, Relation};
-use crate::functions::{apply, by_name};
+use crate::functions::apply;
 use crate::number::Number;
 use crate::symbol::Role;
 

@@ -6,8 +6,8 @@
 use super::layout::{Piece, Strength, View, WrittenTerm, sum, write as write_pieces};
 use super::naming::define;
 use super::numerals::numeral;
+use crate::elementary::row;
 use crate::expr::{ExprId, Graph, Node};
-use crate::functions::row;
 use crate::number::Number;
 use crate::symbol::{Role, Symbol};
 

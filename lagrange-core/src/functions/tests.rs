@@ -1,5 +1,6 @@
-use super::{ROWS, apply, row, sine_of_pi_times};
+use super::{apply, row, sine_of_pi_times};
 use crate::calculus::evaluate;
+use crate::elementary::ROWS;
 use crate::expr::{Function, Graph, Node};
 use crate::number::Number;
 use crate::symbol::Role;

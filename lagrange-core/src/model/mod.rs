@@ -154,7 +154,7 @@ pub struct Constraint {
     pub value: ExprId,
     /// Function of the velocities that must be zero: the rate of `value` or, if that holds velocities, `value` itself.
     pub velocity: ExprId,
-    /// Whether `value` is a function of t and q.
+    /// True if `value` is a function of t and q.
     pub is_holonomic: bool,
     /// The symbol of its multiplier.
     pub multiplier: ExprId,
@@ -167,11 +167,11 @@ pub struct Output {
     pub name: String,
     /// One expression for a scalar, two or three for a vector.
     pub components: Vec<ExprId>,
-    /// Whether it needs the accelerations.
+    /// True if it needs the accelerations.
     pub uses_accelerations: bool,
-    /// Whether it needs the multipliers.
+    /// True if it needs the multipliers.
     pub uses_multipliers: bool,
-    /// Whether it needs the forces of contacts or of friction.
+    /// True if it needs the forces of contacts or of friction.
     pub uses_reactions: bool,
 }
 
@@ -251,7 +251,7 @@ pub enum ReactionKind {
 }
 
 impl ReactionKind {
-    /// Whether it has a mode, which events switch.
+    /// True if it has a mode, which events switch.
     pub fn has_mode(self) -> bool {
         !matches!(self, ReactionKind::Smooth { .. })
     }

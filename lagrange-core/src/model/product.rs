@@ -314,12 +314,12 @@ impl Product {
         self.row().name
     }
 
-    /// Whether only systems with constraints have it.
+    /// True if only systems with constraints have it.
     pub fn is_of_constraints(self) -> bool {
         self.row().when == Availability::Constraints
     }
 
-    /// Whether only systems with rigid bodies have it. No method has its name.
+    /// True if only systems with rigid bodies have it. No method has its name.
     pub fn is_of_bodies(self) -> bool {
         self.row().when == Availability::Bodies
     }

@@ -62,11 +62,11 @@ impl DrawnItem {
 pub struct OutlinedPart {
     /// A variant of `lagrange::scene::Outline`.
     pub outline: &'static str,
-    /// Whether the dimensions are corners, of which each takes two places.
+    /// True if the dimensions are corners, of which each takes two places.
     pub has_corners: bool,
     /// The dimensions, then the origin of its coordinates, then the angle of its axes.
     pub values: Vec<ExprId>,
-    /// Whether it is cut out.
+    /// True if it is cut out.
     pub is_hole: bool,
 }
 

@@ -70,7 +70,7 @@ fn equations_read_like_those_of_a_textbook() {
 }
 
 #[test]
-fn the_documentation_says_which_road_was_taken_and_which_was_closed() {
+fn the_documentation_says_which_strategy_was_taken_and_which_was_closed() {
     let coupled = |inertia: &str| {
         let text =
             format!("coord x, y; let a = x + sin(y); kinetic = 1/2*dot(x)^2 + {inertia}; potential = x*y;");

@@ -8,8 +8,8 @@
 use super::interpret::integer_power;
 use super::ir::{Float, Op, Program, Value, ValueId, ValueTable};
 use crate::collections::OrderedMap;
+use crate::elementary::row;
 use crate::expr::Function;
-use crate::functions::row;
 use crate::number::Number;
 
 /// A program under construction.

@@ -4,7 +4,7 @@
 //! so both give the same bits.
 
 use super::ir::{Op, Program, ValueId, ValueTable};
-use crate::functions::row;
+use crate::elementary::row;
 use crate::symbol::Role;
 
 /// The outputs where symbols have the values that `value_of` gives.

@@ -3,8 +3,8 @@
 use std::fmt::{Display, Formatter, Result};
 
 use super::ir::{Op, Program, ValueId};
+use crate::elementary::row;
 use crate::expr::Relation;
-use crate::functions::row;
 use crate::symbol::{Role, Symbols};
 
 /// A program with the names of its symbols; displays as lines such as `v7 = v3 * v5    # forcing_0`.

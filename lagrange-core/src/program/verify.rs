@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::ir::{Op, Program, ValueId};
 use crate::collections::HashMap;
-use crate::functions::row;
+use crate::elementary::row;
 
 /// A program that is none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -47,7 +47,7 @@ pub struct Declaration {
     pub expressions: Expressions,
     /// Words in places that could not be read: names that may have been declared there.
     pub unreadable_words: HashMap<String, ()>,
-    /// Whether something was declared without a name, so that any unknown name may be meant for it.
+    /// True if something was declared without a name, so that any unknown name may be meant for it.
     pub lacks_names: bool,
 }
 

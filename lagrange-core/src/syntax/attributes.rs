@@ -17,7 +17,7 @@ use crate::diagnostics::{Origin, nearest};
 pub(super) struct Attributes {
     pub(super) kept: TokenStream,
     pub(super) derives: Vec<Name>,
-    /// Whether `#[scalar(…)]` asks for `f32`, and where it stands.
+    /// What `#[scalar(…)]` asks for, true for `f32`, and where it stands.
     pub(super) scalar: Option<(bool, Origin)>,
     /// What `#[accuracy(…)]` asks for, and where it stands.
     pub(super) accuracy: Option<(Accuracy, Origin)>,

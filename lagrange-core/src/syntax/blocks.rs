@@ -178,14 +178,14 @@ impl Parser<'_> {
     }
 }
 
-/// Whether a word and a colon follow, not the two colons of a path.
+/// True if a word and a colon follow, not the two colons of a path.
 pub(super) fn at_label(cursor: &Cursor) -> bool {
     let is_colon =
         |ahead| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
     cursor.ident().is_some() && is_colon(1) && !is_colon(2)
 }
 
-/// Whether a comma stands where a line ends.
+/// True if a comma stands where a line ends.
 fn at_comma_line(cursor: &Cursor) -> bool {
     let is_sign = |ahead: usize, signs: &str| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if signs.contains(punct.as_char()));
     let begins_line = matches!(cursor.peek_past(1), Some(TokenTree::Ident(_))) && is_sign(2, ":=");

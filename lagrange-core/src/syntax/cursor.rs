@@ -56,7 +56,7 @@ impl Cursor {
         self.tokens.get(self.next.checked_sub(1)?)
     }
 
-    /// Whether no token is left.
+    /// True if no token is left.
     pub(super) fn at_end(&self) -> bool {
         self.next == self.tokens.len()
     }
@@ -99,12 +99,12 @@ impl Cursor {
         self.tokens.get(position..self.next).unwrap_or_default()
     }
 
-    /// Whether the next token is this punctuation character.
+    /// True if the next token is this punctuation character.
     pub(super) fn at(&self, punctuation: char) -> bool {
         is_punct(self.peek(), punctuation)
     }
 
-    /// Whether the next tokens are these two characters without a space between them.
+    /// True if the next tokens are these two characters without a space between them.
     pub(super) fn at_pair(&self, first: char, second: char) -> bool {
         is_joint(self.peek(), first) && is_punct(self.peek_past(1), second)
     }
@@ -179,7 +179,7 @@ impl Cursor {
         found.then(|| self.skip_one().end)
     }
 
-    /// Whether behind the next `count` tokens stands an `=` that is not the beginning of `==` or `=>`.
+    /// True if an `=` stands behind the next `count` tokens that is not the beginning of `==` or `=>`.
     pub(super) fn equals_past(&self, count: usize) -> bool {
         let follower = self.peek_past(count + 1);
         let joint = is_joint(self.peek_past(count), '=');
@@ -195,7 +195,7 @@ impl Cursor {
         }
     }
 
-    /// Whether the next token is the same word as the last one that was taken.
+    /// True if the next token is the same word as the last one that was taken.
     pub(super) fn at_same_word(&self) -> bool {
         let last = self.previous().map(ToString::to_string);
         self.ident().is_some_and(|word| last.as_deref() == Some(word.to_string().as_str()))
@@ -208,7 +208,7 @@ impl Cursor {
         Some(ident)
     }
 
-    /// Whether the next token is this word.
+    /// True if the next token is this word.
     pub(super) fn at_word(&self, word: &str) -> bool {
         self.ident().is_some_and(|ident| ident == word)
     }
@@ -247,7 +247,7 @@ impl Cursor {
         self.ident().map(Ident::to_string).filter(begins)
     }
 
-    /// Whether the next token is followed by what makes it begin a statement.
+    /// True if the next token is followed by what makes it begin a statement.
     fn at_soft_statement(&self, form: Soft) -> bool {
         let name = match self.peek_past(1) {
             Some(TokenTree::Ident(name)) => Some(name.to_string()),
@@ -266,7 +266,7 @@ impl Cursor {
         }
     }
 
-    /// Whether a statement begins here, judged by its keyword and the token behind that.
+    /// True if a statement begins here, judged by its keyword and the token behind that.
     pub(super) fn at_statement(&self) -> bool {
         let follows = match self.peek_past(1) {
             Some(TokenTree::Ident(_) | TokenTree::Group(_)) => true,
@@ -275,7 +275,7 @@ impl Cursor {
         follows && self.statement_keyword().is_some()
     }
 
-    /// Whether a statement ends here, be it that the semicolon behind it was forgotten.
+    /// True if a statement ends here, be it that the semicolon behind it was forgotten.
     pub(super) fn at_statement_end(&self) -> bool {
         self.at(';') || self.at_end() || self.statement_keyword().is_some()
     }
@@ -338,7 +338,7 @@ pub(super) fn as_group(token: Option<&TokenTree>, delimiter: Delimiter) -> Optio
     }
 }
 
-/// Whether a group begins with a word and a colon, as no block of an `if` does.
+/// True if a group begins with a word and a colon, as no block of an `if` does.
 fn is_labelled(group: &Group) -> bool {
     let mut tokens = group.stream().into_iter();
     matches!(tokens.next(), Some(TokenTree::Ident(_))) && is_punct(tokens.next().as_ref(), ':')

@@ -17,7 +17,7 @@ use super::recovery::Turn;
 pub(super) struct List {
     /// How it is written.
     pub(super) help: &'static str,
-    /// Whether values stand behind the names.
+    /// True if values stand behind the names.
     pub(super) has_values: bool,
 }
 
@@ -235,30 +235,30 @@ impl Parser<'_> {
     }
 }
 
-/// Whether an item ends here, be it that the semicolon behind it was forgotten.
+/// True if an item ends here, be it that the semicolon behind it was forgotten.
 fn at_item_end(cursor: &Cursor) -> bool {
     cursor.at(',') || cursor.at_statement_end()
 }
 
 impl List {
-    /// Whether the next item follows without a comma: another name behind one, or a name with its `=`.
+    /// True if the next item follows without a comma: another name behind one, or a name with its `=`.
     fn at_next_item(self, cursor: &Cursor) -> bool {
         let are_names = cursor.ident().is_some() && matches!(cursor.previous(), Some(TokenTree::Ident(_)));
         if self.has_values { are_names || is_definition(cursor) } else { are_names && !is_definition(cursor) }
     }
 }
 
-/// Whether a name and its `=` follow.
+/// True if a name and its `=` follow.
 fn is_definition(cursor: &Cursor) -> bool {
     cursor.ident().is_some() && cursor.equals_past(1)
 }
 
-/// Whether no item follows a comma. A keyword before `=` is an item with a wrong name.
+/// True if no item follows a comma. A keyword before `=` is an item with a wrong name.
 fn at_list_end(cursor: &Cursor) -> bool {
     cursor.at(';') || cursor.at_end() || (cursor.at_statement() && !cursor.equals_past(1))
 }
 
-/// Whether Rust accepts the word as the name of a field, whatever the language makes of it.
+/// True if Rust accepts the word as the name of a field, whatever the language makes of it.
 fn can_be_field(word: &str) -> bool {
     word != "_" && !word.starts_with("r#") && !is_rust_keyword(word)
 }

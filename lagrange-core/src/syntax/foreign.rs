@@ -281,7 +281,7 @@ pub fn name(word: &str) -> Option<&'static str> {
     NAMES.iter().find(|(words, _)| words.contains(&word)).map(|(_, meant)| *meant)
 }
 
-/// Whether a name is that of a library in which functions are found elsewhere.
+/// True if a name is that of a library in which functions are found elsewhere.
 pub fn is_library(word: &str) -> bool {
     LIBRARIES.contains(&word)
 }
@@ -314,7 +314,7 @@ pub fn part((kind, object): (Owner, &str), word: &str) -> Option<String> {
     Some(filled(template, &[object.to_owned(), word.to_owned()]))
 }
 
-/// Whether a word is a unit of measurement; `Some(true)` for degrees.
+/// `None` if a word is no unit of measurement, `Some(true)` if it is one of degrees.
 pub(super) fn unit(word: &str) -> Option<bool> {
     UNITS.contains(&word).then(|| DEGREES.contains(&word))
 }

@@ -125,14 +125,14 @@ fn find<'a>(values: &'a [Labelled], label: &str) -> Option<&'a Labelled> {
     values.iter().find(|(known, ..)| *known == label)
 }
 
-/// Whether a label follows with an equals sign, which begins no statement behind a comma.
+/// True if a label follows with an equals sign, which begins no statement behind a comma.
 fn is_behind_comma(cursor: &Cursor) -> bool {
     let is_comma = matches!(cursor.previous(), Some(TokenTree::Punct(punct)) if punct.as_char() == ',');
     let is_label = LABELS.iter().any(|label| cursor.at_word(label));
     is_comma && is_label && cursor.equals_past(1)
 }
 
-/// Whether a word and a colon follow, not the two colons of a path.
+/// True if a word and a colon follow, not the two colons of a path.
 fn is_labelled(cursor: &Cursor) -> bool {
     let is_colon = matches!(cursor.peek_past(1), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
     let is_path = matches!(cursor.peek_past(2), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');

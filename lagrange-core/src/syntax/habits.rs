@@ -122,7 +122,7 @@ impl Ahead<'_> {
         found
     }
 
-    /// Whether this character comes next.
+    /// True if this character comes next.
     fn is(&mut self, character: char) -> bool {
         let found = matches!(self.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == character);
         self.count += usize::from(found);
@@ -141,7 +141,7 @@ impl Ahead<'_> {
         Some(self.passed(number))
     }
 
-    /// Whether `^2` comes next.
+    /// True if `^2` comes next.
     fn square(&mut self) -> bool {
         let before = self.count;
         let found = self.is('^') && self.number().as_deref() == Some("2");

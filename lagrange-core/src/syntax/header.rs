@@ -23,7 +23,7 @@ pub(super) fn default_header() -> Declaration {
     declaration(Attributes::default(), (quote!(pub), Span::call_site()), name, ScalarType::F64)
 }
 
-/// Whether a struct follows, perhaps behind attributes and a visibility.
+/// True if a struct follows, perhaps behind attributes and a visibility.
 pub(super) fn header_ahead(cursor: &Cursor) -> bool {
     let decides = |token: &TokenTree| match token {
         TokenTree::Ident(word) if word == "struct" => Some(true),

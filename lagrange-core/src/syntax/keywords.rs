@@ -1,26 +1,32 @@
 //! The words of the language, and which of them a declaration cannot use as names of its own.
 
 use super::ast::{Keyword, Soft, bodies, mobilizers, statements};
-use crate::functions;
+use crate::elementary;
 
 /// Tables of words that begin a statement.
 const TABLES: [&[Keyword]; 3] = [&statements::KEYWORDS, &bodies::KEYWORDS, &mobilizers::KEYWORDS];
+
 /// Number of words that begin a statement.
-const STATEMENT_COUNT: usize = TABLES[0].len() + TABLES[1].len() + TABLES[2].len();
+const COUNT: usize = TABLES[0].len() + TABLES[1].len() + TABLES[2].len();
 
 /// Words that begin a statement.
-pub(super) const STATEMENTS: [&str; STATEMENT_COUNT] = {
-    let mut words = [""; STATEMENT_COUNT];
-    let (mut table, mut row, mut index) = (0, 0, 0);
-    while index < words.len() {
-        if row == TABLES[table].len() {
-            (table, row) = (table + 1, 0);
-        }
-        words[index] = TABLES[table][row].word;
-        (row, index) = (row + 1, index + 1);
+pub(super) const STATEMENTS: [&str; COUNT] = words_from((0, 0), 0, [""; COUNT]);
+
+/// These words, with those of the keywords from a row of a table on in their places.
+const fn words_from(
+    (table, row): (usize, usize),
+    index: usize,
+    mut words: [&'static str; COUNT],
+) -> [&'static str; COUNT] {
+    if index == COUNT {
+        return words;
     }
-    words
-};
+    if row == TABLES[table].len() {
+        return words_from((table + 1, 0), index, words);
+    }
+    words[index] = TABLES[table][row].word;
+    words_from((table, row + 1), index + 1, words)
+}
 
 /// Words that can follow a name within a statement.
 const CONNECTIVES: &[&str] = &["at", "on", "to", "as", "in", "along"];
@@ -63,19 +69,19 @@ pub(super) fn soft_statement(word: &str) -> Option<Soft> {
     statement(word)?.soft
 }
 
-/// Whether a word can follow a name within a statement.
+/// True if a word can follow a name within a statement.
 pub(super) fn is_connective(word: &str) -> bool {
     CONNECTIVES.contains(&word)
 }
 
-/// Whether a word is a keyword of Rust.
+/// True if a word is a keyword of Rust.
 pub fn is_rust_keyword(word: &str) -> bool {
     RUST.contains(&word)
 }
 
-/// Whether a name is that of a function of the language.
+/// True if a name is that of a function of the language.
 pub(super) fn is_function(name: &str) -> bool {
-    functions::by_name(name).is_some() || STRUCTURAL_FUNCTIONS.iter().any(|(known, _)| *known == name)
+    elementary::by_name(name).is_some() || STRUCTURAL_FUNCTIONS.iter().any(|(known, _)| *known == name)
 }
 
 /// What a name stands for in every system, if it does: time and the number π.

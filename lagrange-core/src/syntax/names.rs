@@ -139,7 +139,7 @@ fn objection(name: &str) -> Option<String> {
     }
 }
 
-/// Whether an `=` follows before the statement ends.
+/// True if an `=` follows before the statement ends.
 fn value_follows(cursor: &Cursor) -> bool {
     let sign = |token: &TokenTree| match token {
         TokenTree::Punct(punct) if "=;,".contains(punct.as_char()) => Some(punct.as_char()),
@@ -148,7 +148,7 @@ fn value_follows(cursor: &Cursor) -> bool {
     cursor.rest().iter().find_map(sign) == Some('=')
 }
 
-/// Whether what stands behind a word is such that the word is a name that is declared.
+/// True if what stands behind a word is such that the word is a name that is declared.
 fn can_follow_name(cursor: &Cursor) -> bool {
     let is_annotated = || match cursor.peek_past(1) {
         Some(TokenTree::Group(_)) => at_equals_past(2, cursor),
@@ -159,14 +159,14 @@ fn can_follow_name(cursor: &Cursor) -> bool {
     at_equals_past(1, cursor) || is_annotated()
 }
 
-/// Whether behind the next `count` tokens stands an `=` or what is like it elsewhere.
+/// True if an `=`, or what is like it elsewhere, stands behind the next `count` tokens.
 pub(super) fn at_equals_past(count: usize, cursor: &Cursor) -> bool {
     let is = |ahead: usize, characters: &str| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if characters.contains(punct.as_char()));
     let is_assignment = is(count, ":+") && is(count + 1, "=");
     cursor.equals_past(count) || is_assignment || is(count, "=") && is(count + 1, "=")
 }
 
-/// Whether an equality or an inequality follows.
+/// True if an equality or an inequality follows.
 pub(super) fn at_relation(cursor: &Cursor) -> bool {
     cursor.at('=') || cursor.at('<') || cursor.at('>') || cursor.at_pair('!', '=')
 }

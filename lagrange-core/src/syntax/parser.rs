@@ -15,13 +15,13 @@ const DEEPEST_NESTING: u32 = 64;
 pub(super) struct Parser<'r> {
     pub(super) report: &'r mut Report,
     pub(super) expressions: Expressions,
-    /// Whether tokens of the current statement were skipped, so that nothing is said about its end.
+    /// True if tokens of the current statement were skipped, so that nothing is said about its end.
     pub(super) skipped: bool,
     /// Words in what was left out of the syntax tree.
     pub(super) unreadable_words: HashMap<String, ()>,
     /// Names that were declared where the text could be read.
     pub(super) declared_names: HashMap<String, Declared>,
-    /// Whether something is declared without the name that it should have.
+    /// True if something is declared without the name that it should have.
     pub(super) lacks_names: bool,
     /// Messages that are given only once in a statement.
     said: HashMap<String, ()>,
@@ -88,7 +88,7 @@ impl<'r> Parser<'r> {
         Reported
     }
 
-    /// Whether [`Parser::fail_once`] said this of the statement.
+    /// True if [`Parser::fail_once`] said this of the statement.
     pub(super) fn has_said(&self, message: &str) -> bool {
         self.said.contains(&message.to_owned())
     }

@@ -13,7 +13,7 @@ use super::names::at_equals_past;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use crate::diagnostics::nearest;
 
-/// Whether reading goes on behind a turn of [`Parser::turns`].
+/// How reading goes on behind a turn of [`Parser::turns`].
 pub(super) enum Turn {
     Next,
     Last,

@@ -190,7 +190,7 @@ impl Parser<'_> {
     }
 }
 
-/// Whether a statement needs no semicolon.
+/// True if a statement needs no semicolon.
 fn ends_in_braces(kind: &StatementKind) -> bool {
     match kind {
         StatementKind::Emit(_) | StatementKind::Reduce(_) => true,

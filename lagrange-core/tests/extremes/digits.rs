@@ -203,7 +203,7 @@ pub(crate) fn approximate(value: &Real) -> f64 {
 
 #[test]
 fn elementary_functions_agree_with_those_of_the_platform() {
-    use lagrange_core::functions::ROWS;
+    use lagrange_core::elementary::ROWS;
     let mut arithmetic = Arithmetic::new(512);
     for row in &ROWS {
         for arguments in [[0.4, 0.7], [0.9, -2.0], [-0.6, 0.3], [-0.2, -1.5], [1e-9, 40.0], [0.0, 2.0]] {

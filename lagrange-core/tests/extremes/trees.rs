@@ -78,7 +78,7 @@ fn state(n: usize, random: &mut Random) -> Sample {
 }
 
 #[test]
-fn all_roads_through_random_trees_lead_to_the_reference() {
+fn all_strategies_agree_with_the_reference_on_random_trees() {
     let mut random = Random::new(SEED);
     let mut kinds = KINDS.into_iter().cycle();
     println!("\nbodies, errors by the mass matrix, body by body, and by squares");

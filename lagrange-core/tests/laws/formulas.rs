@@ -1,8 +1,9 @@
 //! Random expressions in the symbols of one declaration, and their values.
 
 use lagrange_core::calculus::evaluate;
+use lagrange_core::elementary::ROWS;
 use lagrange_core::expr::{ExprId, Graph, Relation};
-use lagrange_core::functions::{ROWS, apply};
+use lagrange_core::functions::apply;
 use lagrange_core::number::Number;
 use lagrange_core::symbol::Role;
 use proptest::prelude::{Strategy, any, prop};

@@ -126,7 +126,7 @@ const MECHANISMS: [fn(usize) -> Mechanism; 3] =
     [Mechanism::chain, Mechanism::random_tree, Mechanism::four_bars];
 
 #[test]
-fn pinned_bodies_grow_in_proportion_on_every_road() {
+fn pinned_bodies_grow_in_proportion_by_every_strategy() {
     for mechanism in MECHANISMS {
         let declaration = |n| mechanism(n).declaration("standard", |i| i);
         assert_linear(&PINNED, declaration);

@@ -203,7 +203,7 @@ proptest! {
     }
 
     #[test]
-    fn both_roads_lead_to_the_same_accelerations(machine in machines()) {
+    fn articulated_bodies_lead_to_the_same_accelerations(machine in machines()) {
         let strategies = [Strategy::MassMatrix, Strategy::ArticulatedBody].map(StrategyChoice::Always);
         let [dense, recursive] = strategies.map(|strategy| Laboratory::new(&machine, strategy).acceleration());
         prop_assert!(agree(&dense, &recursive, ROUNDED, 0.0), "{dense:?} or {recursive:?}");

@@ -258,8 +258,10 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         let system = self.current.system();
         let restarted = self.stepper.restart(system, time, &other);
         restarted.map_err(|cause| failed(explained(cause, system, (time, &other), self.end)))?;
-        self.events.restart(system, time, &other);
-        sink.replace(system, (time, &other), is_silent);
+        // The stepper may have brought the state nearer to the constraints.
+        let admitted = *self.stepper.state();
+        self.events.restart(system, time, &admitted);
+        sink.replace(system, (time, &admitted), is_silent);
         Ok(Turn::GoesOn)
     }
 }

@@ -8,7 +8,9 @@ use crate::integrate::{
     GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4, Stepper, Verner98,
 };
 use crate::run::{integrate, integrate_with_events};
-use crate::system::{Action, Direction, OdeSystem, StepFailure, Violated, Violation};
+use crate::system::{
+    Action, DeclaredEvent, Direction, OdeSystem, Reacted, Response, StepFailure, Violated, Violation,
+};
 
 const PENDULUM: System<Pendulum, 2, 1> = System(Pendulum);
 const SKATE: System<Skate, 3, 1> = System(Skate);
@@ -300,4 +302,43 @@ fn events_happen_on_the_constraints() {
     for state in states {
         assert!(PENDULUM.residual(0.0, &state) < 1e-14, "{state:?}");
     }
+}
+
+/// Time beside a distance from a constraint that each correction halves; it is 1 after the event.
+struct Halving;
+
+impl OdeSystem for Halving {
+    type Scalar = f64;
+    type State = [f64; 2];
+
+    const IS_CONSTRAINED: bool = true;
+    const EVENTS: &'static [DeclaredEvent] = &[DeclaredEvent::new("push", Direction::Rising)];
+
+    fn rhs(&self, _t: f64, _y: &[f64; 2]) -> [f64; 2] {
+        [1.0, 0.0]
+    }
+
+    fn correct(&self, _t: f64, [_, distance]: &mut [f64; 2]) -> Result<(), StepFailure<f64>> {
+        *distance /= 2.0;
+        Ok(())
+    }
+
+    fn event_values(&self, _t: f64, [time, _]: &[f64; 2], values: &mut [f64]) {
+        values[0] = *time - 0.5;
+    }
+
+    fn react(&self, _event: usize, _t: f64, [time, _]: &[f64; 2]) -> Reacted<Self> {
+        Ok(Response::new(Action::Replace([*time, 1.0])))
+    }
+}
+
+#[test]
+fn what_is_seen_after_an_event_is_what_the_motion_goes_on_from() {
+    let mut seen = Vec::new();
+    let method = RungeKutta4 { step: 0.25 };
+    integrate(&Halving, 0.0, [0.0, 0.0], 1.0, &method, |_, [_, distance]| seen.push(*distance))
+        .expect("ends");
+    let replaced = seen.iter().position(|distance| *distance > 0.0).expect("an event");
+    assert!(seen.len() > replaced + 2, "{seen:?}");
+    assert!(seen[replaced..].windows(2).all(|pair| pair[1] == pair[0] / 2.0), "{seen:?}");
 }

@@ -1,7 +1,8 @@
 use super::{Expansion, Series};
 use crate::calculus::{AccelerationTerms, Rates, evaluate};
+use crate::elementary::ROWS;
 use crate::expr::{ExprId, Function, Graph, Relation};
-use crate::functions::{ROWS, apply};
+use crate::functions::apply;
 use crate::number::Number;
 use crate::symbol::Role;
 

@@ -7,8 +7,9 @@ use syn::{BinOp, Block, Expr, ExprIf, Lit, Local, Pat, PatSlice, PatTuple, Stmt,
 
 use crate::code::{Names, Scalar, body};
 use crate::collections::HashMap;
+use crate::elementary::ROWS;
 use crate::expr::{Function, Graph};
-use crate::functions::{ROWS, apply};
+use crate::functions::apply;
 use crate::program::tests::random::{at, build, same_bits, steps};
 use crate::program::tests::{letters, lowered};
 use crate::program::{Program, integer_power, optimise, run};

@@ -184,7 +184,7 @@ impl<'a> Values<'a> {
 /// Members that forces and moments have in common.
 fn acts(krate: &TokenStream, name: &str, from: LoadOrigin, body: Option<&str>) -> TokenStream {
     let (cause, body) = (cause(from), option(body));
-    quote!(name: #name, cause: #krate::scene::Cause::#cause, body: #body,)
+    quote!(name: #name, cause: #krate::scene::LoadOrigin::#cause, body: #body,)
 }
 
 fn option(name: Option<&str>) -> TokenStream {

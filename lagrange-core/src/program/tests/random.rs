@@ -6,8 +6,9 @@ use proptest::prelude::{
 
 use super::{letters, lowered};
 use crate::calculus::evaluate;
+use crate::elementary::ROWS;
 use crate::expr::{ExprId, Graph, Node, Relation};
-use crate::functions::{ROWS, apply};
+use crate::functions::apply;
 use crate::number::Number;
 use crate::program::{optimise, passes, run, schedule, verify};
 use crate::symbol::Role;

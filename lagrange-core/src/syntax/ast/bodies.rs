@@ -152,7 +152,7 @@ pub struct Shape {
 /// One line of a compound: `disk(r), mass: m, at: (X, Y), angle: e;`, with `hole` in front if it is missing.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// Whether it is cut out of the others.
+    /// True if it is cut out of the others.
     pub is_hole: bool,
     /// Shape of the part.
     pub shape: Shape,

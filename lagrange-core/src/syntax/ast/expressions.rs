@@ -120,7 +120,7 @@ impl Expressions {
         self.written = self.nodes.len();
     }
 
-    /// Whether the user wrote an expression as it stands.
+    /// True if the user wrote an expression as it stands.
     pub fn is_written(&self, id: AstId) -> bool {
         (id.0 as usize) < self.written
     }

@@ -245,7 +245,8 @@ impl StatementKind {
 
     /// True if it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
-        !self.names_within(&[Reach::Members, Reach::Both, Reach::Types]).is_empty()
+        // Even if the names could not be read.
+        self.names().1 != Reach::Expressions
     }
 
     fn names_within(&self, reaches: &[Reach]) -> Vec<&Name> {
@@ -301,6 +302,6 @@ pub struct Definition {
 pub struct EmitItem {
     /// The product.
     pub product: Name,
-    /// Whether it is wanted.
+    /// True if it is wanted.
     pub wanted: bool,
 }

@@ -100,7 +100,7 @@ impl Parser<'_> {
     }
 }
 
-/// Whether the right operand of a waiting operator ends before this operator.
+/// True if the right operand of a waiting operator ends before this operator.
 fn ends_before(waiting: &WaitingOperator, next: BinaryOperator) -> bool {
     let waiting = match waiting {
         WaitingOperator::Negate(_) => Binding::Sign,

@@ -87,7 +87,7 @@ impl Parser<'_> {
         Ok(name)
     }
 
-    /// Whether a name has a meaning, whatever could not be read.
+    /// True if a name has a meaning, whatever could not be read.
     fn is_known(&self, name: &str) -> bool {
         let is_built_in = keywords::is_function(name) || keywords::built_in(name).is_some();
         is_built_in || self.declared_names.contains(&name.to_owned())
@@ -200,7 +200,7 @@ enum Elements {
     Vector(Vec<AstId>),
 }
 
-/// Whether a group is parentheses, or the invisible brackets around a fragment of a `macro_rules!` macro.
+/// True if a group is parentheses, or the invisible brackets around a fragment of a `macro_rules!` macro.
 fn is_transparent(group: &Group) -> bool {
     matches!(group.delimiter(), Delimiter::Parenthesis | Delimiter::None)
 }

@@ -60,7 +60,7 @@ fn bracketed(argument: &str) -> String {
     if is_word || is_enclosed { argument.to_owned() } else { format!("({argument})") }
 }
 
-/// Whether the first bracket of a text is closed by its last character, and nothing but a word stands before it.
+/// True if the first bracket of a text is closed by its last character, and nothing but a word stands before it.
 fn closes_at_its_end(text: &str) -> bool {
     let Some(open) = text.find('(') else { return false };
     let is_call = text[..open].chars().all(|c| c.is_alphanumeric() || c == '_' || c == '.');

@@ -118,7 +118,7 @@ pub(super) fn derivative<'a>(function: &str, arguments: &'a [String]) -> Option<
     DERIVATIVES.contains(&function).then_some(Rate { of, order })
 }
 
-/// Whether a name is a word for a rate of something that is not named.
+/// True if a name is a word for a rate of something that is not named.
 pub fn is_word_for_rate(name: &str) -> bool {
     WORDS.contains(&name)
 }

@@ -158,7 +158,7 @@ fn choice(
     pieces
 }
 
-/// Whether an expression is a single name or number.
+/// True if an expression is a single name or number.
 fn is_word(expressions: &Expressions, id: AstId) -> bool {
     match expressions.get(id) {
         Expression::Name(_) => true,

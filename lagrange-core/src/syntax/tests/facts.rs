@@ -1,5 +1,5 @@
 use super::systems::systems;
-use super::{parse_text, read};
+use super::{errors, parse_text, read};
 use crate::collections::HashMap;
 use crate::diagnostics::Report;
 use crate::syntax::ast::{AstId, Declaration, Expression};
@@ -28,6 +28,12 @@ fn documentation_is_advised_where_it_is_kept() {
         let is_advised = messages::ATTRIBUTE_ON_STATEMENT_HELP.contains(&format!("`{word}`"));
         assert_eq!(is_advised, !report.has_errors(), "{word}: {report}");
     }
+}
+
+#[test]
+fn documentation_of_names_that_cannot_be_read_is_no_second_mistake() {
+    assert_eq!(errors("/// Text.\nparam 1;").len(), 1);
+    assert_eq!(errors("/// Text.\ncoord;").len(), 1);
 }
 
 /// Operands of an expression.

@@ -156,7 +156,7 @@ fn a_statement_has_a_place_only_among_statements() {
     }
 }
 
-/// Whether a word has a meaning of the user's in most places.
+/// True if a word has a meaning of the user's in most places.
 fn is_soft(keyword: &str) -> bool {
     soft_statement(keyword).is_some()
 }

@@ -969,21 +969,21 @@ const _: () = {
             });
             visit(::lagrange::scene::Item::Force {
                 name: "gravity",
-                cause: ::lagrange::scene::Cause::Gravity,
+                cause: ::lagrange::scene::LoadOrigin::Gravity,
                 body: ::core::option::Option::Some("rod"),
                 at: [x, y],
                 force: [0.0, -0.9 * m * g],
             });
             visit(::lagrange::scene::Item::Force {
                 name: "hinge",
-                cause: ::lagrange::scene::Cause::Joint,
+                cause: ::lagrange::scene::LoadOrigin::Joint,
                 body: ::core::option::Option::Some("rod"),
                 at: [pos_5, pos_6],
                 force: [hinge_x, hinge_y],
             });
             visit(::lagrange::scene::Item::Force {
                 name: "spring_1",
-                cause: ::lagrange::scene::Cause::Connector,
+                cause: ::lagrange::scene::LoadOrigin::Connector,
                 body: ::core::option::Option::Some("rod"),
                 at: [pos_1, pos_3],
                 force: [
@@ -993,7 +993,7 @@ const _: () = {
             });
             visit(::lagrange::scene::Item::Force {
                 name: "force",
-                cause: ::lagrange::scene::Cause::Applied,
+                cause: ::lagrange::scene::LoadOrigin::Applied,
                 body: ::core::option::Option::Some("rod"),
                 at: [x, y],
                 force: [u, 0.0],

@@ -4,7 +4,7 @@
 
 use lagrange::Scalar;
 use lagrange::integrate::{RungeKutta4, integrate};
-use lagrange::scene::{Cause, Item, Scene};
+use lagrange::scene::{Item, LoadOrigin, Scene};
 
 lagrange::system! {
     /// A point mass on a massless rod.
@@ -91,7 +91,7 @@ pub fn grip(beam: &Beam, angle: f32) -> f32 {
     let (sin, cos) = Scalar::sin_cos(angle);
     let mut grip = 0.0;
     beam.items(0.0, &[0.5 * beam.l * cos, 0.5 * beam.l * sin, angle], &[0.0; 3], &mut |item| {
-        if let Item::Force { cause: Cause::Joint, force: [x, y], .. } = item {
+        if let Item::Force { cause: LoadOrigin::Joint, force: [x, y], .. } = item {
             grip = Scalar::hypot(x, y);
         }
     });
