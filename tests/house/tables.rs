@@ -62,7 +62,7 @@ const CORE: &[Layer] = &[
     },
     Layer {
         modules: &["bodies", "program"],
-        purpose: "plane rigid bodies, springs and joints to plain statements, syntax to syntax; straight-line \
+        purpose: "rigid bodies, springs and joints, in the plane and in space, to plain statements, syntax to syntax; straight-line \
                   programs: lowering, passes, verifier, interpreter, operation counts",
     },
     Layer {
