@@ -45,7 +45,7 @@ pub struct Equations {
     /// What belongs to contacts and friction, whose forces the accelerations above leave out.
     pub reactions: ReactionEquations,
     /// By how much rounding grows through pivots of the mass matrix that may vanish although it is regular, squared; `None` where none
-    /// may, and of systems with constraints, contacts or friction, which say so elsewhere.
+    /// may, as of kinetic energies declared as such, and of systems with constraints, contacts or friction, which say so elsewhere.
     pub pivot_growth: Option<ExprId>,
     /// How they are computed.
     pub strategy: Strategy,
@@ -81,7 +81,9 @@ impl Equations {
         let (mut solution, strategy, costs) =
             Candidates { model, split: &split, form, pushed }.solve(choice)?;
         let is_free = model.constraints.is_empty() && model.reactions.is_empty();
-        let pivot_growth = is_free.then(|| pivot_growth(&mut model.graph, &mass_matrix, &solution)).flatten();
+        let may_be_indefinite = is_free && matches!(model.energies, Energies::Lagrangian);
+        let pivot_growth =
+            may_be_indefinite.then(|| pivot_growth(&mut model.graph, &mass_matrix, &solution)).flatten();
         let multipliers = solution.values.split_off(velocities.len());
         let (reactions, constraints) = match kept_elimination(model, &forms, &mut solution)? {
             Some(steps) => {

@@ -2,7 +2,8 @@
 //!
 //! No pivot of a positive definite matrix vanishes, in whatever order it is factorised, and a kinetic energy has no other. A
 //! Lagrangian may: of ½ sin x ẋ² + ẋ ẏ the matrix [sin x, 1; 1, 0] is regular everywhere, and its first pivot is zero at x = 0. What
-//! has a coupled diagonal entry without a sure sign gets a test at run time, and a second way to its accelerations.
+//! has a coupled diagonal entry without a sure sign gets a test at run time, and a second way to its accelerations. That is asked of what is
+//! declared as a Lagrangian only: in the axes of bodies the signs of kinetic energies hide in sums of products.
 //! Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite systems).
 
 use super::elimination::solution::Solution;

@@ -40,6 +40,21 @@ fn a_zero_pivot_of_a_regular_matrix_is_no_singularity() {
     }
 }
 
+/// In body axes squares stand in sums with products, where no sign shows.
+#[test]
+fn kinetic_energies_need_no_second_way() {
+    for (declared, needs_second_way) in [("kinetic", false), ("lagrangian", true)] {
+        let text = format!(
+            "coord a, b, c; let (w1, w2, w3) = (cos(b)*dot(a), dot(b), sin(b)*dot(a));
+             let (u1, u2, u3) = (w1 + dot(c), cos(c)*w2 + sin(c)*w3, cos(c)*w3 - sin(c)*w2);
+             {declared} = (u1 + 0.2*u2)^2 + (u1 + 0.3*u3)*u1 + 3*(u2 + 0.1*u3)^2 + 2*u3^2;"
+        );
+        let derived = parse(&text).and_then(|parsed| parsed.derive(StrategyChoice::Cheapest));
+        let equations = derived.unwrap_or_else(|report| panic!("{report}")).equations;
+        assert_eq!(equations.pivot_growth.is_some(), needs_second_way, "{text}");
+    }
+}
+
 #[test]
 fn what_is_not_determined_is_not_a_number() {
     for text in [
