@@ -9,7 +9,8 @@ use crate::number::Number;
 /// `constant + Σ coefficient · part`, without zero coefficients; parts are no sums.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct Angle {
-    parts: BTreeMap<ExprId, Number>,
+    /// In ascending order. Angles of long chains have many parts, and a vector of them is added up in one pass.
+    parts: Vec<(ExprId, Number)>,
     constant: Number,
 }
 
@@ -20,50 +21,48 @@ pub(super) struct Wave {
     pub(super) angle: Angle,
 }
 
-/// Angles that have been written, so that each is written in one way.
+/// Angles that have been read and written: each is opened once and written in one way.
 #[derive(Default, Debug)]
 pub struct Angles {
+    read: HashMap<ExprId, Angle>,
     written: HashMap<Angle, ExprId>,
 }
 
 impl Default for Angle {
     fn default() -> Angle {
-        Angle { parts: BTreeMap::new(), constant: Number::ZERO }
+        Angle { parts: Vec::new(), constant: Number::ZERO }
     }
 }
 
 impl Angle {
     pub(super) fn plus(&self, other: &Angle) -> Angle {
-        let mut sum = self.clone();
-        sum.add(other, &Number::ONE);
-        sum
+        self.plus_scaled(other, &Number::ONE)
     }
 
     pub(super) fn minus(&self, other: &Angle) -> Angle {
-        let mut difference = self.clone();
-        difference.add(other, &Number::MINUS_ONE);
-        difference
+        self.plus_scaled(other, &Number::MINUS_ONE)
     }
 
     pub(super) fn scaled(&self, scale: &Number) -> Angle {
-        let mut scaled = Angle::default();
-        scaled.add(self, scale);
-        scaled
+        Angle::default().plus_scaled(self, scale)
     }
 
-    fn add(&mut self, other: &Angle, scale: &Number) {
-        for (part, coefficient) in &other.parts {
-            self.add_part(*part, &(coefficient * scale));
+    /// `self + scale · other` for a scale that is not zero.
+    fn plus_scaled(&self, other: &Angle, scale: &Number) -> Angle {
+        let mut parts = Vec::with_capacity(self.parts.len() + other.parts.len());
+        let mut added = other.parts.iter().peekable();
+        for (part, coefficient) in &self.parts {
+            while let Some((before, c)) = added.next_if(|(other, _)| other < part) {
+                parts.push((*before, c * scale));
+            }
+            let same = added.next_if(|(other, _)| other == part);
+            let total = same.map_or_else(|| coefficient.clone(), |(_, c)| coefficient + &(c * scale));
+            if !total.is_zero() {
+                parts.push((*part, total));
+            }
         }
-        self.constant = &self.constant + &(&other.constant * scale);
-    }
-
-    fn add_part(&mut self, part: ExprId, coefficient: &Number) {
-        let total = self.parts.entry(part).or_insert(Number::ZERO);
-        *total = &*total + coefficient;
-        if total.is_zero() {
-            self.parts.remove(&part);
-        }
+        parts.extend(added.map(|(part, c)| (*part, c * scale)));
+        Angle { parts, constant: &self.constant + &(&other.constant * scale) }
     }
 
     fn is_zero(&self) -> bool {
@@ -72,7 +71,7 @@ impl Angle {
 
     /// Whether the first coefficient is negative.
     fn is_reversed(&self) -> bool {
-        self.parts.values().next().unwrap_or(&self.constant).is_negative()
+        self.parts.first().map_or(&self.constant, |(_, coefficient)| coefficient).is_negative()
     }
 }
 
@@ -105,29 +104,37 @@ impl Wave {
 impl Angles {
     /// The linear combination that an expression is.
     pub(super) fn read(&mut self, graph: &Graph, id: ExprId) -> Angle {
-        let mut angle = Angle::default();
-        // Parents are larger than children: what several sums share is opened once, with all its coefficients added up.
-        let mut pending = BTreeMap::from([(id, Number::ONE)]);
-        while let Some((id, scale)) = pending.pop_last() {
-            match graph.node(id) {
-                Node::Number(value) => angle.constant = &angle.constant + &(value * &scale),
-                Node::Sum { constant, terms } => {
-                    angle.constant = &angle.constant + &(constant * &scale);
-                    for (term, c) in terms {
-                        let total = pending.entry(*term).or_insert(Number::ZERO);
-                        *total = &*total + &(c * &scale);
-                    }
-                }
-                _ => angle.add_part(id, &scale),
-            }
-        }
+        let angle = self.read.get_or_insert_with(id, || opened(graph, id)).clone();
         self.written.get_or_insert_with(angle.clone(), || id);
         angle
     }
 
     /// An expression for a linear combination.
     pub(super) fn write(&mut self, graph: &mut Graph, angle: &Angle) -> ExprId {
-        let sum = || graph.sum(angle.constant.clone(), angle.parts.iter().map(|(id, c)| (*id, c.clone())));
+        let sum = || graph.sum(angle.constant.clone(), angle.parts.iter().cloned());
         *self.written.get_or_insert_with(angle.clone(), sum)
     }
+}
+
+/// The linear combination of what is no sum that an expression is.
+fn opened(graph: &Graph, id: ExprId) -> Angle {
+    let mut angle = Angle::default();
+    // Parents are larger than children: what several sums share is opened once, with all its coefficients added up.
+    let mut pending = BTreeMap::from([(id, Number::ONE)]);
+    while let Some((id, scale)) = pending.pop_last() {
+        match graph.node(id) {
+            Node::Number(value) => angle.constant = &angle.constant + &(value * &scale),
+            Node::Sum { constant, terms } => {
+                angle.constant = &angle.constant + &(constant * &scale);
+                for (term, c) in terms {
+                    let total = pending.entry(*term).or_insert(Number::ZERO);
+                    *total = &*total + &(c * &scale);
+                }
+            }
+            _ if !scale.is_zero() => angle.parts.push((id, scale)),
+            _ => {}
+        }
+    }
+    angle.parts.reverse();
+    angle
 }

@@ -32,7 +32,6 @@ mod polynomial;
 mod present;
 mod rules;
 mod sign;
-mod size;
 mod vanishing;
 mod waves;
 
