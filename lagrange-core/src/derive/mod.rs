@@ -19,7 +19,7 @@
 //! # The strategies
 //!
 //! Each of three (`strategies`) is written down and the one that counts cheapest is kept, except that large full matrices are not
-//! factorised on trial; the documentation of the emitted type names it with the counted costs. `cost` counts operations and the longest
+//! factorised on trial, and not even written down unless somebody asks for them (`forms`); the documentation of the emitted type names it with the counted costs. `cost` counts operations and the longest
 //! chain of them that wait for each other.
 //!
 //! - *Mass matrix* (`elimination`): every node is pushed down to the generalised velocities. The coefficients are then the mass matrix,
@@ -69,8 +69,10 @@
 mod algebra;
 mod constraints;
 mod cost;
+mod coupling;
 mod elimination;
 mod equations;
+mod forms;
 mod indefinite;
 mod inverse_dynamics;
 mod jacobian;
@@ -94,6 +96,7 @@ use undetermined::undetermined;
 
 pub use algebra::Sums;
 pub use constraints::ConstraintEquations;
+pub use coupling::most_coupled;
 pub use equations::Equations;
 pub use responses::{Affine, ReactionEquations};
 pub use strategies::{SingularMassMatrix, Strategy, StrategyChoice};

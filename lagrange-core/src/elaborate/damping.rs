@@ -115,7 +115,8 @@ fn components(graph: &mut Graph, sum: ExprId) -> Option<Vec<(Number, ExprId)>> {
         if !is_square || graph.dependencies(term).is_constant_in_motion() {
             return None;
         }
-        let root = factors.iter().map(|(base, exponent)| (*base, exponent * &Number::HALF)).collect::<Vec<_>>();
+        let root =
+            factors.iter().map(|(base, exponent)| (*base, exponent * &Number::HALF)).collect::<Vec<_>>();
         found.push((coefficient, graph.product(root)));
     }
     Some(found)

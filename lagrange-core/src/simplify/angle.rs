@@ -1,6 +1,7 @@
 //! Angles as linear combinations, for adding and comparing them.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
@@ -18,14 +19,14 @@ pub(super) struct Angle {
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Wave {
     pub(super) is_sine: bool,
-    pub(super) angle: Angle,
+    pub(super) angle: Rc<Angle>,
 }
 
 /// Angles that have been read and written: each is opened once and written in one way.
 #[derive(Default, Debug)]
 pub struct Angles {
-    read: HashMap<ExprId, Angle>,
-    written: HashMap<Angle, ExprId>,
+    read: HashMap<ExprId, Rc<Angle>>,
+    written: HashMap<Rc<Angle>, ExprId>,
 }
 
 impl Default for Angle {
@@ -78,16 +79,16 @@ impl Angle {
 impl Wave {
     /// cos 0
     pub(super) fn one() -> Wave {
-        Wave { is_sine: false, angle: Angle::default() }
+        Wave { is_sine: false, angle: Rc::default() }
     }
 
     /// sin or cos of any angle, with the coefficient it then has.
     pub(super) fn signed(is_sine: bool, angle: Angle, coefficient: Number) -> (Wave, Number) {
         if !angle.is_reversed() {
-            return (Wave { is_sine, angle }, coefficient);
+            return (Wave { is_sine, angle: Rc::new(angle) }, coefficient);
         }
         let coefficient = if is_sine { -&coefficient } else { coefficient };
-        (Wave { is_sine, angle: angle.scaled(&Number::MINUS_ONE) }, coefficient)
+        (Wave { is_sine, angle: Rc::new(angle.scaled(&Number::MINUS_ONE)) }, coefficient)
     }
 
     /// Whether this is cos 0.
@@ -103,14 +104,18 @@ impl Wave {
 
 impl Angles {
     /// The linear combination that an expression is.
-    pub(super) fn read(&mut self, graph: &Graph, id: ExprId) -> Angle {
-        let angle = self.read.get_or_insert_with(id, || opened(graph, id)).clone();
+    pub(super) fn read(&mut self, graph: &Graph, id: ExprId) -> Rc<Angle> {
+        if let Some(known) = self.read.get(&id) {
+            return known.clone();
+        }
+        let angle = Rc::new(opened(graph, id));
+        self.read.insert(id, angle.clone());
         self.written.get_or_insert_with(angle.clone(), || id);
         angle
     }
 
     /// An expression for a linear combination.
-    pub(super) fn write(&mut self, graph: &mut Graph, angle: &Angle) -> ExprId {
+    pub(super) fn write(&mut self, graph: &mut Graph, angle: &Rc<Angle>) -> ExprId {
         let sum = || graph.sum(angle.constant.clone(), angle.parts.iter().cloned());
         *self.written.get_or_insert_with(angle.clone(), sum)
     }

@@ -59,6 +59,10 @@ pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Numb
         }
     }
     for (cofactor, group) in groups.iter() {
+        if group.terms.len() < 2 {
+            left.extend(group.terms.iter().cloned());
+            continue;
+        }
         let gathered = gather(&group.products);
         // As many waves as terms would trade shared sines for others.
         if gathered.len() < group.terms.len() {
