@@ -19,8 +19,8 @@
 //! # The strategies
 //!
 //! Each of three (`strategies`) is written down and the one that counts cheapest is kept, except that large full matrices are not
-//! factorised on trial, and not even written down unless somebody asks for them (`forms`); the documentation of the emitted type names it with the counted costs. `cost` counts operations and the longest
-//! chain of them that wait for each other.
+//! factorised on trial, and not even written down unless somebody asks for them (`forms`); the documentation of the emitted type names
+//! it with the counted costs. `cost` counts operations and the longest chain of them that wait for each other.
 //!
 //! - *Mass matrix* (`elimination`): every node is pushed down to the generalised velocities. The coefficients are then the mass matrix,
 //!   and eliminating all velocities is a left-looking LDLᵀ factorisation.
