@@ -31,9 +31,9 @@
 //!   unknown moves two variables. So a single number stands for the subtree behind a massless rod, accelerations are substituted back in
 //!   the frame of the rod, and gravity is an offset that every point shares. Nothing is subtracted that was not subtracted in the
 //!   declaration. Where two of several squares may both lose the unknown in some configuration, a choice takes the place of their
-//!   rotation. Sums are simplified in two ways, each tried: `simplify::collect` as they stand, `simplify::contract` with products of sines
-//!   and cosines written in sums and differences of angles (`algebra`). This strategy needs a kinetic energy made of squares of rates;
-//!   velocities are eliminated outermost first, by the number of inertias that they move.
+//!   rotation. Products of sines and cosines are written in sums and differences of angles where that leaves fewer terms (`algebra`). This
+//!   strategy needs a kinetic energy made of squares of rates; velocities are eliminated outermost first, by the number of inertias that
+//!   they move.
 //!
 //! # Constraints, contacts and friction
 //!
@@ -94,7 +94,6 @@ use crate::model::Model;
 use crate::syntax::ast::{Declaration, StatementKind};
 use undetermined::undetermined;
 
-pub use algebra::Sums;
 pub use constraints::ConstraintEquations;
 pub use coupling::most_coupled;
 pub use equations::Equations;

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::algebra::Sums;
 use super::cost::cost;
 use super::coupling::most_coupled;
 use super::elimination::contracted::{MOST_CONTRACTED, solve_contracted};
@@ -49,8 +48,6 @@ pub enum StrategyChoice {
     Cheapest,
     /// A given one; the mass matrix instead of a sum of squares where the kinetic energy is none.
     Always(Strategy),
-    /// A sum of squares, if the kinetic energy is one, with sums simplified in this way.
-    SumOfSquares(Sums),
 }
 
 /// The mass matrix is singular whatever the values of the parameters.
@@ -90,9 +87,7 @@ pub(super) struct Candidates<'a> {
 impl Candidates<'_> {
     pub(super) fn solve(mut self, choice: StrategyChoice) -> Result<Solved, SingularMassMatrix> {
         let choice = match choice {
-            StrategyChoice::Always(Strategy::SumOfSquares) | StrategyChoice::SumOfSquares(_)
-                if !self.has_squares_only() =>
-            {
+            StrategyChoice::Always(Strategy::SumOfSquares) if !self.has_squares_only() => {
                 StrategyChoice::Always(Strategy::MassMatrix)
             }
             StrategyChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
@@ -106,13 +101,11 @@ impl Candidates<'_> {
         for (n, strategy) in Strategy::ALL.into_iter().enumerate().rev() {
             let solution = match choice {
                 StrategyChoice::Always(only) if only != strategy => None,
-                StrategyChoice::SumOfSquares(_) if strategy != Strategy::SumOfSquares => None,
                 StrategyChoice::Cheapest
                     if strategy == Strategy::MassMatrix && best.is_some() && self.is_large() =>
                 {
                     None
                 }
-                StrategyChoice::SumOfSquares(sums) => self.squares(&[sums])?,
                 _ => self.take(strategy)?,
             };
             let Some(solution) = solution else { continue };
@@ -163,10 +156,7 @@ impl Candidates<'_> {
                 Ok(solve_recursive(&mut self.model.graph, self.forms.form.clone(), &unknowns))
             }
             Strategy::SumOfSquares if !self.has_squares_only() => Ok(None),
-            Strategy::SumOfSquares if self.model.accuracy == Accuracy::Strict => {
-                self.squares(&[Sums::Contracted])
-            }
-            Strategy::SumOfSquares => self.squares(&[Sums::Contracted, Sums::Collected]),
+            Strategy::SumOfSquares => self.squares(),
         }
     }
 
@@ -183,25 +173,14 @@ impl Candidates<'_> {
         contracted.or_else(|| solve_dense(graph, pushed.clone(), unknowns))
     }
 
-    /// The cheapest solution by way of squares, with sums simplified in each of these ways; the first of equals.
-    fn squares(&mut self, ways: &[Sums]) -> Result<Option<Solution>, SingularMassMatrix> {
+    /// The solution by way of squares, if no obstacle is in the way.
+    fn squares(&mut self) -> Result<Option<Solution>, SingularMassMatrix> {
         let velocities = self.model.velocities();
-        let dropped = AccelerationTerms::Dropped;
-        let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
-        let mut best: Option<(f64, Solution)> = None;
-        for &sums in ways {
-            let graph = &mut self.model.graph;
-            match solve_sum_of_squares(graph, self.split, loads.clone(), &velocities, sums) {
-                Ok(solution) => {
-                    let cost = cost(graph, &solution.values);
-                    if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-                        best = Some((cost, solution));
-                    }
-                }
-                Err(Obstacle::NothingMoves) => return Err(SingularMassMatrix),
-                Err(Obstacle::Pivot | Obstacle::Size) => {}
-            }
+        let loads = loads_beside_squares(self.model, self.split, AccelerationTerms::Dropped, Terms::All);
+        match solve_sum_of_squares(&mut self.model.graph, self.split, loads, &velocities) {
+            Ok(solution) => Ok(Some(solution)),
+            Err(Obstacle::NothingMoves) => Err(SingularMassMatrix),
+            Err(Obstacle::Pivot | Obstacle::Size) => Ok(None),
         }
-        Ok(best.map(|(_, solution)| solution))
     }
 }
