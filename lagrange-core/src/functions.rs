@@ -180,7 +180,7 @@ impl FunctionValue<'_> {
 }
 
 fn half_of(x: Number) -> Number {
-    x * Number::ratio(1, 2).unwrap_or(Number::ZERO)
+    x * Number::HALF
 }
 
 #[cfg(test)]

@@ -41,6 +41,8 @@ impl Number {
     pub const ONE: Number = Number(Repr::Word(Ratio::new_raw(1, 1)));
     /// Minus one.
     pub const MINUS_ONE: Number = Number(Repr::Word(Ratio::new_raw(-1, 1)));
+    /// One half.
+    pub const HALF: Number = Number(Repr::Word(Ratio::new_raw(1, 2)));
     /// Two.
     pub const TWO: Number = Number(Repr::Word(Ratio::new_raw(2, 1)));
 
@@ -136,7 +138,7 @@ impl Number {
     pub fn is_even(&self) -> bool {
         match self.to_integer() {
             Some(integer) => integer % 2 == 0,
-            None => self.is_integer() && (self * &Number(Repr::Word(Ratio::new_raw(1, 2)))).is_integer(),
+            None => self.is_integer() && (self * &Number::HALF).is_integer(),
         }
     }
 

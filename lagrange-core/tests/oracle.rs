@@ -6,7 +6,7 @@ mod reference;
 
 use std::path::Path;
 
-use lagrange_core::derive::{Strategy, StrategyChoice, Sums};
+use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::expr::ExprId;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, parse};
@@ -14,12 +14,10 @@ use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 
 use reference::{Reference, Subject, names};
 
-const CHOICES: [StrategyChoice; 6] = [
+const CHOICES: [StrategyChoice; 4] = [
     StrategyChoice::Always(Strategy::MassMatrix),
     StrategyChoice::Always(Strategy::ArticulatedBody),
     StrategyChoice::Always(Strategy::SumOfSquares),
-    StrategyChoice::SumOfSquares(Sums::Collected),
-    StrategyChoice::SumOfSquares(Sums::Contracted),
     StrategyChoice::Cheapest,
 ];
 

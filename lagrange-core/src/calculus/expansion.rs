@@ -260,7 +260,7 @@ impl Expansion {
                 let curvature = self.value(graph, curvature)?;
                 let product = graph.multiply(a.parts[1], b.parts[1]);
                 let term = graph.multiply(curvature, product);
-                second.push(if i == j { graph.scale(half(), term) } else { term });
+                second.push(if i == j { graph.scale(Number::HALF, term) } else { term });
             }
         }
         let parts = [self.known_value(id)?, graph.total(first), graph.total(second)];
@@ -285,7 +285,7 @@ fn power(graph: &mut Graph, base: Series, exponent: &Number) -> Option<Series> {
     let lowered = |by: i64| exponent + &Number::from(-by);
     let (slope, curvature) = (graph.power(a, lowered(1)), graph.power(a, lowered(2)));
     let slope = graph.scale(exponent.clone(), slope);
-    let curvature = graph.scale(&(exponent * &lowered(1)) * &half(), curvature);
+    let curvature = graph.scale(&(exponent * &lowered(1)) * &Number::HALF, curvature);
     let square = graph.square(first);
     let (straight, bent) = (graph.multiply(slope, second), graph.multiply(curvature, square));
     let parts = [graph.power(a, exponent.clone()), graph.multiply(slope, first), graph.add(straight, bent)];
@@ -355,10 +355,6 @@ fn is_defined(graph: &Graph, value: ExprId) -> bool {
     is_written_out
         || graph.dependencies(value) != Dependencies::NONE
         || evaluate(graph, &[value], |_| f64::NAN)[0].is_finite()
-}
-
-fn half() -> Number {
-    Number::ratio(1, 2).unwrap_or(Number::ONE)
 }
 
 #[cfg(test)]

@@ -15,28 +15,18 @@ const MOST_OPENED: usize = 16;
 /// Depth to which factors are counted. Counting decides between two ways of writing one sum and must not walk a whole graph.
 const DEEPEST_COUNTED: usize = 4;
 
-/// Simplification of sums.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Sums {
-    /// Equal products meet, and squares of sine and cosine.
-    Collected,
-    /// Besides, products of sines and cosines are written in sums and differences of angles where that
-    /// leaves fewer terms to cancel each other.
-    Contracted,
-}
-
-/// The graph, with sums simplified in one way.
+/// The graph, with sums simplified: equal products meet, and squares of sine and cosine; products of sines and cosines are written in
+/// sums and differences of angles where that leaves fewer terms to cancel each other.
 pub(super) struct Algebra<'g> {
     pub(super) graph: &'g mut Graph,
-    sums: Sums,
     angles: Angles,
     /// Pivots whose vanishing conditions decide, as [`super::sum_of_squares`] puts them in.
     pub(super) guards: Vec<ExprId>,
 }
 
 impl<'g> Algebra<'g> {
-    pub(super) fn new(graph: &'g mut Graph, sums: Sums) -> Algebra<'g> {
-        Algebra { graph, sums, angles: Angles::default(), guards: Vec::new() }
+    pub(super) fn new(graph: &'g mut Graph) -> Algebra<'g> {
+        Algebra { graph, angles: Angles::default(), guards: Vec::new() }
     }
 
     /// `Σ coefficient · term`
@@ -50,9 +40,6 @@ impl<'g> Algebra<'g> {
 
     pub(super) fn simplified(&mut self, terms: Vec<(ExprId, Number)>) -> ExprId {
         let collected = simplify::collect(self.graph, terms);
-        if self.sums == Sums::Collected {
-            return collected;
-        }
         let terms = self.terms_of(collected);
         if terms.len() < 2 {
             return collected;

@@ -1,38 +1,24 @@
 //! What is derived from a model.
 
-use super::constraints::{ConstraintEquations, join_multipliers};
-use super::cost::cost;
-use super::elimination::contracted::contracted;
+use super::constraints::ConstraintEquations;
 use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
-use super::elimination::solution::{Solution, push_down, solve_dense};
+use super::elimination::solution::Solution;
+use super::forms::{Forms, Rows};
 use super::indefinite::pivot_growth;
 use super::inverse_dynamics::residual;
-use super::jacobian::{Derivatives, Forms};
-use super::least_constraint::{SplitLagrangian, Terms, least_constraint_form};
-use super::quadratic_form::QuadraticForm;
+use super::jacobian::Derivatives;
+use super::least_constraint::{SplitLagrangian, Terms};
 use super::responses::{ReactionEquations, reaction_forces};
-use super::strategies::{Candidates, SingularMassMatrix, Strategy, StrategyChoice};
-use super::structure::Structure;
+use super::strategies::{Candidates, SingularMassMatrix, Strategy, StrategyChoice, has_large_mass_matrix};
+use super::structure::{MassStructure, Structure};
 use super::switches::Switch;
 use crate::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
-use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::model::{Constraint, Energies, Model, Product};
 use crate::number::Number;
-use crate::simplify::{self, Angles, vanishing};
+use crate::simplify::{self, Angles};
 use crate::syntax::ast::Accuracy;
-
-/// Number of unknowns up to which coefficients are multiplied out on trial. What a coordinate does to itself cancels, but the number of
-/// coefficients grows as its square, and with it what they share when they stay closed.
-const MOST_MULTIPLIED_OUT: usize = 4;
-/// Number of expressions up to which they are: the trial multiplies out everything and factorises two matrices.
-const LARGEST_MULTIPLIED_OUT: usize = 300;
-/// Monomials up to which a coefficient is multiplied out; a longer one hardly costs less than the closed one.
-const MULTIPLYING_BUDGET: usize = 60;
-
-/// A matrix in rows.
-type Rows = Vec<Vec<ExprId>>;
 
 /// The equations of motion and what else a model was asked for. Products that are not wanted are not
 /// among `products`; the two sides of M q̈ = f come with the accelerations.
@@ -53,7 +39,7 @@ pub struct Equations {
     pub is_sum_of_squares: bool,
     /// The counted cost of each strategy, as far as it was tried, in the order of [`Strategy::ALL`].
     pub costs: [Option<f64>; 3],
-    /// M, in rows.
+    /// M in rows; none if it is large and was not asked for.
     pub mass_matrix: Rows,
     /// f in M q̈ = f
     pub forcing: Vec<ExprId>,
@@ -74,28 +60,31 @@ impl Equations {
     pub fn derive(model: &mut Model, choice: StrategyChoice) -> Result<Equations, SingularMassMatrix> {
         let split = SplitLagrangian::new(model);
         let velocities = model.velocities();
-        let forms = forms(model, &split);
-        let mass_matrix = forms.pushed.matrix(&mut model.graph, &Number::ONE, &velocities, &velocities);
-        let forcing = forcing(&mut model.graph, &forms.pushed, &velocities);
-        let (form, pushed) = (forms.form.clone(), forms.pushed.clone());
+        let mut forms = Forms::new(model, &split);
+        if wants_mass_matrix(model, choice) || !has_large_mass_matrix(model) {
+            forms.push_down(model);
+        }
         let (mut solution, strategy, costs) =
-            Candidates { model, split: &split, form, pushed }.solve(choice)?;
+            Candidates { model, split: &split, forms: &mut forms }.solve(choice)?;
         let is_free = model.constraints.is_empty() && model.reactions.is_empty();
         let may_be_indefinite = is_free && matches!(model.energies, Energies::Lagrangian);
-        let pivot_growth =
-            may_be_indefinite.then(|| pivot_growth(&mut model.graph, &mass_matrix, &solution)).flatten();
+        let pivot_growth = may_be_indefinite
+            .then(|| pivot_growth(&mut model.graph, forms.mass_matrix(), &solution))
+            .flatten();
         let multipliers = solution.values.split_off(velocities.len());
-        let (reactions, constraints) = match kept_elimination(model, &forms, &mut solution)? {
+        let (reactions, constraints) = match kept_elimination(model, &mut forms, &mut solution)? {
             Some(steps) => {
                 let reactions = ReactionEquations::new(model, &steps, &multipliers);
                 let found = (multipliers, solution.condition);
-                (reactions, ConstraintEquations::new(model, &forms.pushed, &steps, found))
+                let pushed = forms.pushed(model);
+                (reactions, ConstraintEquations::new(model, pushed, &steps, found))
             }
             None => Default::default(),
         };
-        let structure = Structure::find(model, &mass_matrix);
-        let labels = labels(model, &mass_matrix, &solution);
-        let mut products = jacobians(model, &split, forms, (&solution.values, strategy));
+        let mass = mass_structure(model, &split, &mut forms);
+        let structure = Structure::find(model, mass);
+        let labels = labels(model, forms.mass_matrix(), &solution);
+        let mut products = jacobians(model, &split, &mut forms, (&solution.values, strategy));
         let rates = model.products.contains(&Product::MomentumRates).then(|| free_momentum_rates(model));
         let rates = rates.unwrap_or_default();
         let touching = reaction_forces(model, &reactions);
@@ -117,6 +106,7 @@ impl Equations {
             };
             products.push((product, found));
         }
+        let (mass_matrix, forcing) = forms.into_sides(model, &split);
         let mut equations = Equations {
             accelerations: solution.values,
             pivot_growth,
@@ -150,6 +140,7 @@ impl Equations {
             Energies::Lagrangian => None,
         };
         match product {
+            Product::MassMatrix if self.mass_matrix.is_empty() => None,
             Product::MassMatrix => Some(self.mass_matrix.concat()),
             Product::Forcing => Some(self.forcing.clone()),
             Product::KineticEnergy => of_energies(|kinetic, _| kinetic),
@@ -215,25 +206,34 @@ impl Equations {
     }
 }
 
-/// The quadratic form with its multipliers, and what it becomes over velocities alone, simplified as the level of accuracy asks.
-fn forms(model: &mut Model, split: &SplitLagrangian) -> Forms {
-    let (velocities, unknowns) = (model.velocities(), model.unknowns());
-    let mut form = least_constraint_form(model, split, AccelerationTerms::Dropped, Terms::All);
-    join_multipliers(model, &mut form);
-    let mut pushed = push_down(&mut model.graph, form.clone(), &velocities);
-    separate_uncoupled(&mut model.graph, &mut pushed, &velocities);
-    let pushed = match model.accuracy {
-        Accuracy::Strict => contracted(&mut model.graph, pushed, &unknowns),
-        _ => cheaper_coefficients(&mut model.graph, pushed, &unknowns),
-    };
-    Forms { form, pushed }
+/// Whether the mass matrix or something that is made of it will be needed, whatever strategy is taken. Constraints, contacts and
+/// friction have rows of their own in it, and `strict` looks for what cancels there.
+fn wants_mass_matrix(model: &Model, choice: StrategyChoice) -> bool {
+    const MADE_OF_IT: [Product; 4] =
+        [Product::MassMatrix, Product::Jacobian, Product::ParameterJacobian, Product::Latex];
+    let is_free = model.constraints.is_empty() && model.reactions.is_empty();
+    let is_asked_for = MADE_OF_IT.iter().any(|product| model.products.contains(product));
+    let is_factorised = choice == StrategyChoice::Always(Strategy::MassMatrix);
+    is_asked_for || !is_free || is_factorised || model.accuracy == Accuracy::Strict
+}
+
+/// The shape of the mass matrix, which is written down for that only where nothing else shows it.
+fn mass_structure(model: &mut Model, split: &SplitLagrangian, forms: &mut Forms) -> MassStructure {
+    if !forms.is_pushed() && !split.has_other_inertia {
+        let residual = residual(model, split, AccelerationTerms::Kept, Terms::All);
+        if let Some(found) = MassStructure::seen_at_points(&model.graph, &residual) {
+            return found;
+        }
+    }
+    forms.push_down(model);
+    MassStructure::of_matrix(&model.graph, forms.mass_matrix())
 }
 
 /// The elimination that constraints, contacts and friction have other right-hand sides for: that of the strategy taken or, if it has
 /// none, that of the mass matrix.
 fn kept_elimination(
     model: &mut Model,
-    forms: &Forms,
+    forms: &mut Forms,
     solution: &mut Solution,
 ) -> Result<Option<Elimination>, SingularMassMatrix> {
     if model.constraints.is_empty() && model.reactions.is_empty() {
@@ -241,7 +241,10 @@ fn kept_elimination(
     }
     let unknowns = model.unknowns();
     let own = solution.elimination.take();
-    let steps = own.or_else(|| eliminate_dense(&mut model.graph, forms.pushed.clone(), &unknowns));
+    let steps = own.or_else(|| {
+        let pushed = forms.pushed(model).clone();
+        eliminate_dense(&mut model.graph, pushed, &unknowns)
+    });
     steps.map(Some).ok_or(SingularMassMatrix)
 }
 
@@ -249,7 +252,7 @@ fn kept_elimination(
 fn jacobians(
     model: &mut Model,
     split: &SplitLagrangian,
-    forms: Forms,
+    forms: &mut Forms,
     solution: (&[ExprId], Strategy),
 ) -> Vec<(Product, Vec<ExprId>)> {
     let [by_state, by_parameters] =
@@ -265,66 +268,6 @@ fn jacobians(
         [(by_state, Product::Jacobian, state), (by_parameters, Product::ParameterJacobian, constants)];
     let wanted = wanted.into_iter().filter(|(is_wanted, ..)| *is_wanted);
     wanted.map(|(_, product, arguments)| (product, derivatives.by(model, &arguments).concat())).collect()
-}
-
-/// Removes couplings that vanish without showing it, as between polar coordinates that were written down by
-/// way of Cartesian ones: r sin θ cos θ − r cos θ sin θ.
-fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities: &[ExprId]) {
-    let places = velocities.iter().enumerate().map(|(n, &v)| (v, n)).collect::<HashMap<_, _>>();
-    let above_diagonal = |(n, &i): (usize, &ExprId)| {
-        let near = pushed.near(i).filter_map(|j| Some((*places.get(&j)?, j)));
-        let mut near = near.filter(|(place, _)| *place > n).collect::<Vec<_>>();
-        near.sort_unstable();
-        near.into_iter().map(move |(_, j)| (i, j))
-    };
-    let pairs = velocities.iter().enumerate().flat_map(above_diagonal).collect::<Vec<_>>();
-    let couplings = pairs.iter().map(|&(i, j)| pushed.coefficient(graph, i, j)).collect::<Vec<_>>();
-    let vanishing = vanishing(graph, &couplings);
-    let uncoupled = pairs.iter().zip(vanishing).filter(|(_, vanishes)| *vanishes);
-    uncoupled.for_each(|(&(i, j), _)| pushed.separate(i, j));
-}
-
-/// The form as it is or, for a small system, with its coefficients multiplied out, whichever leads to the
-/// accelerations at less cost. What a coordinate does to itself often cancels when multiplied out, but sharing
-/// beats that from a few coordinates on.
-fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, unknowns: &[ExprId]) -> QuadraticForm {
-    let Some(expanded) = multiplied_out(graph, &pushed, unknowns) else { return pushed };
-    let costs = [&pushed, &expanded].map(|form| {
-        let solution = solve_dense(graph, form.clone(), unknowns)?;
-        Some(cost(graph, &solution.values))
-    });
-    match costs {
-        // Equal costs leave the form as it was declared.
-        [Some(as_it_is), Some(multiplied_out)] if multiplied_out < as_it_is => expanded,
-        _ => pushed,
-    }
-}
-
-fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, unknowns: &[ExprId]) -> Option<QuadraticForm> {
-    if unknowns.len() > MOST_MULTIPLIED_OUT {
-        return None;
-    }
-    let pairs = unknowns.iter().enumerate().flat_map(|(n, &i)| unknowns[n..].iter().map(move |&j| (i, j)));
-    let pairs = pairs.collect::<Vec<_>>();
-    let mut coefficients = pairs.iter().map(|&(i, j)| pushed.coefficient(graph, i, j)).collect::<Vec<_>>();
-    coefficients.extend(unknowns.iter().map(|&id| pushed.linear(graph, id)).collect::<Vec<_>>());
-    if graph.reachable(&coefficients).len() > LARGEST_MULTIPLIED_OUT {
-        return None;
-    }
-    let expanded = simplify::multiply_out(graph, &coefficients, MULTIPLYING_BUDGET);
-    let (quadratic, linear) = expanded.split_at(pairs.len());
-    let mut form = QuadraticForm::default();
-    pairs.iter().zip(quadratic).for_each(|(&(i, j), &value)| form.add_pair(graph, i, j, value));
-    unknowns.iter().zip(linear).for_each(|(&id, &value)| form.add_linear(graph, id, value));
-    Some(form)
-}
-
-fn forcing(graph: &mut Graph, pushed: &QuadraticForm, velocities: &[ExprId]) -> Vec<ExprId> {
-    let opposite = |&v: &ExprId| {
-        let value = pushed.linear(graph, v);
-        graph.negate(value)
-    };
-    velocities.iter().map(opposite).collect()
 }
 
 /// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act.

@@ -8,9 +8,9 @@
 use super::cost::cost;
 use super::elimination::order::{eliminate_dense, eliminate_recursive};
 use super::elimination::record::Elimination;
+use super::forms::Forms;
 use super::inverse_dynamics::residual;
 use super::least_constraint::{SplitLagrangian, Terms};
-use super::quadratic_form::QuadraticForm;
 use super::strategies::Strategy;
 use super::sweep::Rotations;
 use crate::calculus::{AccelerationTerms, jacobian, substitute_all};
@@ -21,13 +21,6 @@ use crate::syntax::ast::Accuracy;
 /// Above this many coordinates only one way is tried, the one that is known to be cheaper there: a factorised full
 /// matrix of n rows takes n³ operations, and differentiating it n⁴.
 const LARGEST_TRIAL: usize = 20;
-
-/// The forms that the accelerations follow from.
-pub(super) struct Forms {
-    pub(super) form: QuadraticForm,
-    /// The form over the generalised velocities.
-    pub(super) pushed: QuadraticForm,
-}
 
 /// Functions that the derivatives are found from.
 pub(super) struct Derivatives {
@@ -45,25 +38,26 @@ impl Derivatives {
     pub(super) fn new(
         model: &mut Model,
         split: &SplitLagrangian,
-        forms: Forms,
+        forms: &mut Forms,
         (accelerations, strategy): (&[ExprId], Strategy),
     ) -> Derivatives {
         let velocities = model.velocities();
         let count = velocities.len();
         let is_only_explicit = model.accuracy == Accuracy::Strict || !model.constraints.is_empty();
-        let is_factorised = strategy == Strategy::MassMatrix && forms.pushed.is_mostly_full(count);
+        let is_factorised = strategy == Strategy::MassMatrix && forms.pushed(model).is_mostly_full(count);
         let (is_small, mut eliminations) = (count <= LARGEST_TRIAL, Vec::new());
         // Where the factorised matrix is the best strategy for the accelerations, recursion is no better for their slopes.
         if is_small && strategy != Strategy::MassMatrix && !is_only_explicit {
             eliminations.extend(eliminate_recursive(
                 &mut model.graph,
-                forms.form,
+                forms.form.clone(),
                 &velocities,
                 Rotations::Last,
             ));
         }
         if (is_small || is_factorised) && !is_only_explicit {
-            eliminations.extend(eliminate_dense(&mut model.graph, forms.pushed, &velocities));
+            let pushed = forms.pushed(model).clone();
+            eliminations.extend(eliminate_dense(&mut model.graph, pushed, &velocities));
         }
         // A large full matrix is the one case in which the explicit way is known to lose.
         let is_explicit = is_small || !is_factorised || eliminations.is_empty();

@@ -149,7 +149,7 @@ fn add_convection(
     form.add_linear(graph, u, convective);
     if graph.dependencies(weight_rate).intersects(Dependencies::VELOCITY) {
         let square = graph.square(u);
-        let half = graph.scale(-&half(), square);
+        let half = graph.scale(-&Number::HALF, square);
         form.add_linear(graph, weight_rate, half);
     }
 }
@@ -178,10 +178,6 @@ fn add_loads(model: &mut Model, form: &mut QuadraticForm) {
     for (&velocity, resistance) in velocities.iter().zip(&resistances) {
         form.add_linear(graph, velocity, *resistance);
     }
-}
-
-fn half() -> Number {
-    Number::ratio(1, 2).unwrap_or(Number::ONE)
 }
 
 /// What affine nodes of the Lagrangian are rates of. Besides what the user wrote as `dot(…)`, multiples and

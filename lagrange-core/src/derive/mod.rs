@@ -23,8 +23,8 @@
 //! # The strategies
 //!
 //! Each of three (`strategies`) is written down and the one that counts cheapest is kept, except that large full matrices are not
-//! factorised on trial; the documentation of the emitted type names it with the counted costs. `cost` counts operations and the longest
-//! chain of them that wait for each other.
+//! factorised on trial, and not even written down unless somebody asks for them (`forms`); the documentation of the emitted type names
+//! it with the counted costs. `cost` counts operations and the longest chain of them that wait for each other.
 //!
 //! - *Mass matrix* (`elimination`): every node is pushed down to the generalised velocities. The coefficients are then the mass matrix,
 //!   and eliminating all velocities is a left-looking LDLᵀ factorisation.
@@ -36,9 +36,9 @@
 //!   unknown moves two variables. So a single number stands for the subtree behind a massless rod, accelerations are substituted back in
 //!   the frame of the rod, and gravity is an offset that every point shares. Nothing is subtracted that was not subtracted in the
 //!   declaration. Where two of several squares may both lose the unknown in some configuration, a choice takes the place of their
-//!   rotation. Sums are simplified in two ways, each tried: `simplify::collect` as they stand, `simplify::contract` with products of sines
-//!   and cosines written in sums and differences of angles (`algebra`). This strategy needs a kinetic energy made of squares of rates;
-//!   velocities are eliminated outermost first, by the number of inertias that they move.
+//!   rotation. Products of sines and cosines are written in sums and differences of angles where that leaves fewer terms (`algebra`). This
+//!   strategy needs a kinetic energy made of squares of rates; velocities are eliminated outermost first, by the number of inertias that
+//!   they move.
 //!
 //! # Constraints, contacts and friction
 //!
@@ -74,9 +74,11 @@
 mod algebra;
 mod constraints;
 mod cost;
+mod coupling;
 mod curvature;
 mod elimination;
 mod equations;
+mod forms;
 mod gibbs_appell;
 mod indefinite;
 mod inverse_dynamics;
@@ -100,8 +102,8 @@ use crate::model::Model;
 use crate::syntax::ast::{Declaration, StatementKind};
 use undetermined::undetermined;
 
-pub use algebra::Sums;
 pub use constraints::ConstraintEquations;
+pub use coupling::most_coupled;
 pub use equations::Equations;
 pub use responses::{Affine, ReactionEquations};
 pub use strategies::{SingularMassMatrix, Strategy, StrategyChoice};

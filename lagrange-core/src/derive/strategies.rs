@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use super::algebra::Sums;
 use super::cost::cost;
+use super::coupling::most_coupled;
 use super::elimination::contracted::{MOST_CONTRACTED, solve_contracted};
 use super::elimination::solution::{Solution, solve_dense, solve_recursive};
+use super::forms::Forms;
 use super::least_constraint::{SplitLagrangian, Terms, loads_beside_squares};
 use super::messages;
-use super::quadratic_form::QuadraticForm;
 use super::sum_of_squares::{Obstacle, solve_sum_of_squares};
 use crate::calculus::AccelerationTerms;
 use crate::expr::ExprId;
@@ -18,6 +18,11 @@ use crate::syntax::ast::Accuracy;
 /// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
 /// the factorisation down would be all that the trial finds.
 const LARGEST_TRIAL: usize = 40;
+
+/// Whether the mass matrix is too large to be factorised on trial, and full as far as it is.
+pub(super) fn has_large_mass_matrix(model: &Model) -> bool {
+    most_coupled(model, LARGEST_TRIAL + 1) > LARGEST_TRIAL
+}
 
 /// Strategy by which the accelerations are computed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -43,8 +48,6 @@ pub enum StrategyChoice {
     Cheapest,
     /// A given one; the mass matrix instead of a sum of squares where the kinetic energy is none.
     Always(Strategy),
-    /// A sum of squares, if the kinetic energy is one, with sums simplified in this way.
-    SumOfSquares(Sums),
 }
 
 /// The mass matrix is singular whatever the values of the parameters.
@@ -74,21 +77,17 @@ impl SingularMassMatrix {
 /// A solution, the strategy that found it, and the counted cost of each strategy that was tried.
 pub(super) type Solved = (Solution, Strategy, [Option<f64>; 3]);
 
-/// Forms that the strategies start from.
+/// What the strategies start from.
 pub(super) struct Candidates<'a> {
     pub(super) model: &'a mut Model,
     pub(super) split: &'a SplitLagrangian,
-    pub(super) form: QuadraticForm,
-    /// The form over the generalised velocities.
-    pub(super) pushed: QuadraticForm,
+    pub(super) forms: &'a mut Forms,
 }
 
 impl Candidates<'_> {
     pub(super) fn solve(mut self, choice: StrategyChoice) -> Result<Solved, SingularMassMatrix> {
         let choice = match choice {
-            StrategyChoice::Always(Strategy::SumOfSquares) | StrategyChoice::SumOfSquares(_)
-                if !self.has_squares_only() =>
-            {
+            StrategyChoice::Always(Strategy::SumOfSquares) if !self.has_squares_only() => {
                 StrategyChoice::Always(Strategy::MassMatrix)
             }
             StrategyChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
@@ -102,13 +101,11 @@ impl Candidates<'_> {
         for (n, strategy) in Strategy::ALL.into_iter().enumerate().rev() {
             let solution = match choice {
                 StrategyChoice::Always(only) if only != strategy => None,
-                StrategyChoice::SumOfSquares(_) if strategy != Strategy::SumOfSquares => None,
                 StrategyChoice::Cheapest
                     if strategy == Strategy::MassMatrix && best.is_some() && self.is_large() =>
                 {
                     None
                 }
-                StrategyChoice::SumOfSquares(sums) => self.squares(&[sums])?,
                 _ => self.take(strategy)?,
             };
             let Some(solution) = solution else { continue };
@@ -127,7 +124,8 @@ impl Candidates<'_> {
     /// this adds up less before it subtracts.
     fn most_accurate(&mut self) -> Result<Solved, SingularMassMatrix> {
         let velocities = self.model.velocities();
-        let is_coupled = velocities.iter().any(|&velocity| self.pushed.degree(velocity) > 0);
+        let pushed = self.forms.pushed(self.model);
+        let is_coupled = velocities.iter().any(|&velocity| pushed.degree(velocity) > 0);
         let is_contracted = velocities.len() <= MOST_CONTRACTED;
         let strategies = match (is_coupled, is_contracted) {
             (false, _) => [Strategy::MassMatrix, Strategy::ArticulatedBody, Strategy::SumOfSquares],
@@ -142,9 +140,11 @@ impl Candidates<'_> {
         Err(SingularMassMatrix)
     }
 
-    fn is_large(&self) -> bool {
+    /// Whether the mass matrix is large and full. One that nobody has asked for so far is.
+    fn is_large(&mut self) -> bool {
         let count = self.model.coordinates.len();
-        count > LARGEST_TRIAL && self.pushed.is_mostly_full(count)
+        count > LARGEST_TRIAL
+            && (!self.forms.is_pushed() || self.forms.pushed(self.model).is_mostly_full(count))
     }
 
     /// The solution by one strategy, if it finds any.
@@ -153,13 +153,10 @@ impl Candidates<'_> {
         match strategy {
             Strategy::MassMatrix => Ok(self.factorised(&unknowns)),
             Strategy::ArticulatedBody => {
-                Ok(solve_recursive(&mut self.model.graph, self.form.clone(), &unknowns))
+                Ok(solve_recursive(&mut self.model.graph, self.forms.form.clone(), &unknowns))
             }
             Strategy::SumOfSquares if !self.has_squares_only() => Ok(None),
-            Strategy::SumOfSquares if self.model.accuracy == Accuracy::Strict => {
-                self.squares(&[Sums::Contracted])
-            }
-            Strategy::SumOfSquares => self.squares(&[Sums::Contracted, Sums::Collected]),
+            Strategy::SumOfSquares => self.squares(),
         }
     }
 
@@ -169,31 +166,21 @@ impl Candidates<'_> {
     }
 
     fn factorised(&mut self, unknowns: &[ExprId]) -> Option<Solution> {
-        let graph = &mut self.model.graph;
         let is_strict = self.model.accuracy == Accuracy::Strict && self.model.constraints.is_empty();
-        let contracted = is_strict.then(|| solve_contracted(graph, &self.pushed, unknowns)).flatten();
-        contracted.or_else(|| solve_dense(graph, self.pushed.clone(), unknowns))
+        let pushed = self.forms.pushed(self.model);
+        let graph = &mut self.model.graph;
+        let contracted = is_strict.then(|| solve_contracted(graph, pushed, unknowns)).flatten();
+        contracted.or_else(|| solve_dense(graph, pushed.clone(), unknowns))
     }
 
-    /// The cheapest solution by way of squares, with sums simplified in each of these ways; the first of equals.
-    fn squares(&mut self, ways: &[Sums]) -> Result<Option<Solution>, SingularMassMatrix> {
+    /// The solution by way of squares, if no obstacle is in the way.
+    fn squares(&mut self) -> Result<Option<Solution>, SingularMassMatrix> {
         let velocities = self.model.velocities();
-        let dropped = AccelerationTerms::Dropped;
-        let loads = loads_beside_squares(self.model, self.split, dropped, Terms::All);
-        let mut best: Option<(f64, Solution)> = None;
-        for &sums in ways {
-            let graph = &mut self.model.graph;
-            match solve_sum_of_squares(graph, self.split, loads.clone(), &velocities, sums) {
-                Ok(solution) => {
-                    let cost = cost(graph, &solution.values);
-                    if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-                        best = Some((cost, solution));
-                    }
-                }
-                Err(Obstacle::NothingMoves) => return Err(SingularMassMatrix),
-                Err(Obstacle::Pivot | Obstacle::Size) => {}
-            }
+        let loads = loads_beside_squares(self.model, self.split, AccelerationTerms::Dropped, Terms::All);
+        match solve_sum_of_squares(&mut self.model.graph, self.split, loads, &velocities) {
+            Ok(solution) => Ok(Some(solution)),
+            Err(Obstacle::NothingMoves) => Err(SingularMassMatrix),
+            Err(Obstacle::Pivot | Obstacle::Size) => Ok(None),
         }
-        Ok(best.map(|(_, solution)| solution))
     }
 }

@@ -1,11 +1,12 @@
 //! Structure of a system as its equations show it: the shape of the mass matrix, cyclic coordinates,
 //! conserved quantities.
 
-use crate::calculus::{adjoint, gradient};
+use crate::calculus::{adjoint, evaluate, gradient};
 use crate::collections::HashMap;
-use crate::expr::{Dependencies, ExprId};
+use crate::expr::{Dependencies, ExprId, Graph};
 use crate::model::{Action, Model};
-use crate::simplify::vanishing;
+use crate::simplify::{ROUNDING, somewhere, vanishing};
+use crate::symbol::Role;
 
 /// The shape of the mass matrix.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -19,6 +20,44 @@ pub struct MassStructure {
 }
 
 impl MassStructure {
+    /// Structure of a matrix that is written down in rows.
+    pub(super) fn of_matrix(graph: &Graph, matrix: &[Vec<ExprId>]) -> MassStructure {
+        let mut dependencies = Dependencies::NONE;
+        for entry in matrix.iter().flatten() {
+            dependencies = dependencies | graph.dependencies(*entry);
+        }
+        MassStructure {
+            is_constant: dependencies.is_constant_in_motion(),
+            depends_on_velocities: dependencies.intersects(Dependencies::VELOCITY),
+            blocks: blocks(graph, matrix),
+        }
+    }
+
+    /// Structure of the matrix M, free of velocities, in the residual M a − f, if numbers show that it couples all coordinates and
+    /// depends on them. `None` leaves it open: what does not change from one point to another may be constant or not.
+    pub(super) fn seen_at_points(graph: &Graph, residual: &[ExprId]) -> Option<MassStructure> {
+        let everything = vec![true; residual.len()];
+        // Not the same shift for all: many systems look the same from every side.
+        let [here, there] = [1.0, 1.25].map(|stretch| Inertia::at(graph, residual, &everything, stretch));
+        let mut reached = vec![false; residual.len()];
+        *reached.first_mut()? = true;
+        // What the coordinates reached so far are coupled with, until that is all or no more.
+        while reached != everything {
+            let inertia = Inertia::at(graph, residual, &reached, 1.0);
+            let before = reached.clone();
+            reached
+                .iter_mut()
+                .zip(&inertia.forces)
+                .for_each(|(known, force)| *known |= inertia.shows(*force));
+            if reached == before {
+                return None;
+            }
+        }
+        let is_moving = here.forces.iter().zip(&there.forces).any(|(a, b)| here.shows(a - b));
+        let blocks = vec![(0..residual.len()).collect()];
+        is_moving.then_some(MassStructure { is_constant: false, depends_on_velocities: false, blocks })
+    }
+
     /// Whether no two coordinates are coupled.
     pub fn is_diagonal(&self) -> bool {
         self.blocks.iter().all(|block| block.len() == 1)
@@ -46,28 +85,45 @@ pub struct Structure {
 }
 
 impl Structure {
-    pub(super) fn find(model: &mut Model, mass_matrix: &[Vec<ExprId>]) -> Structure {
+    pub(super) fn find(model: &mut Model, mass: MassStructure) -> Structure {
         let cyclic = cyclic_coordinates(model);
         let conserved = conserved_quantities(model, &cyclic);
-        Structure { mass: mass_structure(model, mass_matrix), cyclic, conserved }
+        Structure { mass, cyclic, conserved }
     }
 }
 
-fn mass_structure(model: &Model, matrix: &[Vec<ExprId>]) -> MassStructure {
-    let mut dependencies = Dependencies::NONE;
-    for entry in matrix.iter().flatten() {
-        dependencies = dependencies | model.graph.dependencies(*entry);
+/// M a in numbers.
+struct Inertia {
+    forces: Vec<f64>,
+    /// Magnitude of what rounding may leave of a zero.
+    rounding: f64,
+}
+
+impl Inertia {
+    /// M a for some accelerations of the coordinates that `moves` marks, where every coordinate is `stretch` times one of a fixed point.
+    fn at(graph: &Graph, residual: &[ExprId], moves: &[bool], stretch: f64) -> Inertia {
+        let [moving, resting] = [1.0, 0.0].map(|scale| {
+            evaluate(graph, residual, |role| match role {
+                Role::Acceleration(i) if moves[i as usize] => scale * somewhere(role),
+                Role::Acceleration(_) => 0.0,
+                Role::Coordinate(_) => stretch * somewhere(role),
+                role => somewhere(role),
+            })
+        });
+        let largest = moving.iter().chain(&resting).fold(0.0, |a: f64, b| a.max(b.abs()));
+        let forces = moving.iter().zip(&resting).map(|(moving, resting)| moving - resting).collect();
+        Inertia { forces, rounding: ROUNDING * largest }
     }
-    MassStructure {
-        is_constant: dependencies.is_constant_in_motion(),
-        depends_on_velocities: dependencies.intersects(Dependencies::VELOCITY),
-        blocks: blocks(model, matrix),
+
+    /// Whether a force is more than rounding.
+    fn shows(&self, force: f64) -> bool {
+        force.abs() > self.rounding
     }
 }
 
 /// Connected components of the coupling, each in ascending order.
-fn blocks(model: &Model, matrix: &[Vec<ExprId>]) -> Vec<Vec<usize>> {
-    let is_coupled = |entry: &ExprId| !model.graph.is_zero(*entry);
+fn blocks(graph: &Graph, matrix: &[Vec<ExprId>]) -> Vec<Vec<usize>> {
+    let is_coupled = |entry: &ExprId| !graph.is_zero(*entry);
     let near = matrix.iter().map(|row| (0..row.len()).filter(|&j| is_coupled(&row[j])).collect::<Vec<_>>());
     let near = near.collect::<Vec<_>>();
     let mut block_of = vec![None; matrix.len()];

@@ -79,8 +79,7 @@ fn limited_square(graph: &mut Graph, length: &LengthRate) -> ExprId {
 fn length_rate(graph: &mut Graph, rate: ExprId, position: ExprId) -> Option<LengthRate> {
     let (scale, root) = graph.split_coefficient(position);
     let Node::Product(factors) = graph.node(root).clone() else { return None };
-    let is_root =
-        |(_, exponent): &(ExprId, Number)| Number::ratio(1, 2).is_some_and(|half| *exponent == half);
+    let is_root = |(_, exponent): &(ExprId, Number)| *exponent == Number::HALF;
     let (square, _) = factors.iter().find(|factor| is_root(factor))?.clone();
     let mut beside = factors.to_vec();
     beside.retain(|(base, _)| *base != square);
@@ -99,7 +98,7 @@ fn length_rate(graph: &mut Graph, rate: ExprId, position: ExprId) -> Option<Leng
     beside.push((graph.number(scale), Number::ONE));
     let squares = beside.into_iter().map(|(base, exponent)| (base, &exponent * &Number::TWO));
     let factor = graph.product(squares.collect::<Vec<_>>());
-    let root = graph.power(square, Number::ratio(1, 2)?);
+    let root = graph.power(square, Number::HALF);
     Some(LengthRate { square, along: graph.multiply(rate, root), speed: graph.multiply(factor, speed) })
 }
 
@@ -109,7 +108,6 @@ fn components(graph: &mut Graph, sum: ExprId) -> Option<Vec<(Number, ExprId)>> {
     if !constant.is_zero() {
         return None;
     }
-    let half = Number::ratio(1, 2)?;
     let mut found = Vec::with_capacity(terms.len());
     for (term, coefficient) in terms {
         let Node::Product(factors) = graph.node(term).clone() else { return None };
@@ -117,7 +115,8 @@ fn components(graph: &mut Graph, sum: ExprId) -> Option<Vec<(Number, ExprId)>> {
         if !is_square || graph.dependencies(term).is_constant_in_motion() {
             return None;
         }
-        let root = factors.iter().map(|(base, exponent)| (*base, exponent * &half)).collect::<Vec<_>>();
+        let root =
+            factors.iter().map(|(base, exponent)| (*base, exponent * &Number::HALF)).collect::<Vec<_>>();
         found.push((coefficient, graph.product(root)));
     }
     Some(found)

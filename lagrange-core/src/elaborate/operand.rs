@@ -87,7 +87,7 @@ pub(super) fn cross(graph: &mut Graph, a: &[ExprId], b: &[ExprId]) -> Operand {
 pub(super) fn half_square(graph: &mut Graph, weight: ExprId, a: &[ExprId]) -> ExprId {
     let square = norm_squared(graph, a);
     let product = graph.multiply(weight, square);
-    graph.scale(Number::ratio(1, 2).unwrap_or(Number::ONE), product)
+    graph.scale(Number::HALF, product)
 }
 
 /// An operand of the kind of `like` with these components.

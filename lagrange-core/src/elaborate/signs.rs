@@ -34,6 +34,7 @@ fn falls_with(weights: &HashMap<ExprId, Option<f64>>, velocity: ExprId) -> bool 
 /// Factor of the square of each velocity in a sum; `None` where the velocity stands in other terms, too.
 fn weights(graph: &Graph, values: &[ExprId]) -> HashMap<ExprId, Option<f64>> {
     let mut weights: HashMap<ExprId, Option<f64>> = HashMap::default();
+    let mut others = Vec::new();
     let mut pending = values.iter().map(|&value| (1.0, value)).collect::<Vec<_>>();
     while let Some((scale, id)) = pending.pop() {
         if let Node::Sum { terms, .. } = graph.node(id) {
@@ -42,11 +43,12 @@ fn weights(graph: &Graph, values: &[ExprId]) -> HashMap<ExprId, Option<f64>> {
             let entry = weights.get_or_insert_with(velocity, || Some(0.0));
             *entry = entry.map(|sum| sum + scale * weight);
         } else {
-            for part in graph.reachable_until(&[id], |id| !is_moving(graph, id)) {
-                if is_moving(graph, part) && matches!(graph.node(part), Node::Symbol(_)) {
-                    weights.insert(part, None);
-                }
-            }
+            others.push(id);
+        }
+    }
+    for part in graph.reachable_until(&others, |id| !is_moving(graph, id)) {
+        if is_moving(graph, part) && matches!(graph.node(part), Node::Symbol(_)) {
+            weights.insert(part, None);
         }
     }
     weights

@@ -76,6 +76,8 @@ impl BitOr for Dependencies {
 pub(super) struct Facts {
     pub(super) dependencies: Dependencies,
     pub(super) nonnegative: bool,
+    /// Names, numbers and function signs of the written-out expression. It saturates: the text of a graph can be exponentially long.
+    pub(super) written_size: u64,
     /// Every x for which the slope s of |x| is a factor with an odd exponent, be it in |x| = s x, or x = s |x| beside other terms
     /// with s.
     pub(super) slopes: Box<[ExprId]>,
@@ -88,7 +90,12 @@ impl Facts {
             _ => Dependencies::NONE,
         };
         node.for_each_child(|child| dependencies = dependencies | graph.dependencies(child));
-        Facts { dependencies, nonnegative: is_nonnegative(graph, node), slopes: slopes(graph, node).into() }
+        Facts {
+            dependencies,
+            nonnegative: is_nonnegative(graph, node),
+            written_size: written_size(graph, node),
+            slopes: slopes(graph, node).into(),
+        }
     }
 }
 
@@ -108,6 +115,19 @@ fn is_nonnegative(graph: &Graph, node: &Node) -> bool {
         Node::Call(function, _) => row(*function).is_nonnegative,
         Node::Choose { then, otherwise, .. } => known(then) && known(otherwise),
     }
+}
+
+fn written_size(graph: &Graph, node: &Node) -> u64 {
+    let shown = |weights: &[(ExprId, Number)], shows: fn(&Number) -> bool| {
+        weights.iter().filter(|(_, weight)| shows(weight)).count() as u64
+    };
+    let mut size = match node {
+        Node::Sum { constant, terms } => u64::from(!constant.is_zero()) + shown(terms, |c| !c.abs().is_one()),
+        Node::Product(factors) => shown(factors, |exponent| !exponent.is_one()),
+        _ => 1,
+    };
+    node.for_each_child(|child| size = size.saturating_add(graph.written_size(child)));
+    size
 }
 
 fn slopes(graph: &Graph, node: &Node) -> Vec<ExprId> {

@@ -164,6 +164,11 @@ impl Graph {
         self.facts[id.index()].nonnegative
     }
 
+    /// Number of names, numbers and function signs that the expression takes when it is written out; it saturates.
+    pub fn written_size(&self, id: ExprId) -> u64 {
+        self.facts[id.index()].written_size
+    }
+
     /// The number, if the expression is one.
     pub fn as_number(&self, id: ExprId) -> Option<&Number> {
         match self.node(id) {

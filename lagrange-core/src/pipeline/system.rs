@@ -85,7 +85,7 @@ impl Derived {
     }
 
     /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
-    /// short.
+    /// short; nothing if M is large and was not asked for.
     pub fn equations_latex(&mut self) -> String {
         emit::equations_latex(&mut self.model, &self.equations)
     }

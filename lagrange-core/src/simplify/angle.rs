@@ -1,6 +1,7 @@
 //! Angles as linear combinations, for adding and comparing them.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
@@ -9,7 +10,8 @@ use crate::number::Number;
 /// `constant + Σ coefficient · part`, without zero coefficients; parts are no sums.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct Angle {
-    parts: BTreeMap<ExprId, Number>,
+    /// In ascending order. Angles of long chains have many parts, and a vector of them is added up in one pass.
+    parts: Vec<(ExprId, Number)>,
     constant: Number,
 }
 
@@ -17,53 +19,51 @@ pub(super) struct Angle {
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Wave {
     pub(super) is_sine: bool,
-    pub(super) angle: Angle,
+    pub(super) angle: Rc<Angle>,
 }
 
-/// Angles that have been written, so that each is written in one way.
+/// Angles that have been read and written: each is opened once and written in one way.
 #[derive(Default, Debug)]
 pub struct Angles {
-    written: HashMap<Angle, ExprId>,
+    read: HashMap<ExprId, Rc<Angle>>,
+    written: HashMap<Rc<Angle>, ExprId>,
 }
 
 impl Default for Angle {
     fn default() -> Angle {
-        Angle { parts: BTreeMap::new(), constant: Number::ZERO }
+        Angle { parts: Vec::new(), constant: Number::ZERO }
     }
 }
 
 impl Angle {
     pub(super) fn plus(&self, other: &Angle) -> Angle {
-        let mut sum = self.clone();
-        sum.add(other, &Number::ONE);
-        sum
+        self.plus_scaled(other, &Number::ONE)
     }
 
     pub(super) fn minus(&self, other: &Angle) -> Angle {
-        let mut difference = self.clone();
-        difference.add(other, &Number::MINUS_ONE);
-        difference
+        self.plus_scaled(other, &Number::MINUS_ONE)
     }
 
     pub(super) fn scaled(&self, scale: &Number) -> Angle {
-        let mut scaled = Angle::default();
-        scaled.add(self, scale);
-        scaled
+        Angle::default().plus_scaled(self, scale)
     }
 
-    fn add(&mut self, other: &Angle, scale: &Number) {
-        for (part, coefficient) in &other.parts {
-            self.add_part(*part, &(coefficient * scale));
+    /// `self + scale · other` for a scale that is not zero.
+    fn plus_scaled(&self, other: &Angle, scale: &Number) -> Angle {
+        let mut parts = Vec::with_capacity(self.parts.len() + other.parts.len());
+        let mut added = other.parts.iter().peekable();
+        for (part, coefficient) in &self.parts {
+            while let Some((before, c)) = added.next_if(|(other, _)| other < part) {
+                parts.push((*before, c * scale));
+            }
+            let same = added.next_if(|(other, _)| other == part);
+            let total = same.map_or_else(|| coefficient.clone(), |(_, c)| coefficient + &(c * scale));
+            if !total.is_zero() {
+                parts.push((*part, total));
+            }
         }
-        self.constant = &self.constant + &(&other.constant * scale);
-    }
-
-    fn add_part(&mut self, part: ExprId, coefficient: &Number) {
-        let total = self.parts.entry(part).or_insert(Number::ZERO);
-        *total = &*total + coefficient;
-        if total.is_zero() {
-            self.parts.remove(&part);
-        }
+        parts.extend(added.map(|(part, c)| (*part, c * scale)));
+        Angle { parts, constant: &self.constant + &(&other.constant * scale) }
     }
 
     fn is_zero(&self) -> bool {
@@ -72,23 +72,23 @@ impl Angle {
 
     /// Whether the first coefficient is negative.
     fn is_reversed(&self) -> bool {
-        self.parts.values().next().unwrap_or(&self.constant).is_negative()
+        self.parts.first().map_or(&self.constant, |(_, coefficient)| coefficient).is_negative()
     }
 }
 
 impl Wave {
     /// cos 0
     pub(super) fn one() -> Wave {
-        Wave { is_sine: false, angle: Angle::default() }
+        Wave { is_sine: false, angle: Rc::default() }
     }
 
     /// sin or cos of any angle, with the coefficient it then has.
     pub(super) fn signed(is_sine: bool, angle: Angle, coefficient: Number) -> (Wave, Number) {
         if !angle.is_reversed() {
-            return (Wave { is_sine, angle }, coefficient);
+            return (Wave { is_sine, angle: Rc::new(angle) }, coefficient);
         }
         let coefficient = if is_sine { -&coefficient } else { coefficient };
-        (Wave { is_sine, angle: angle.scaled(&Number::MINUS_ONE) }, coefficient)
+        (Wave { is_sine, angle: Rc::new(angle.scaled(&Number::MINUS_ONE)) }, coefficient)
     }
 
     /// Whether this is cos 0.
@@ -104,30 +104,42 @@ impl Wave {
 
 impl Angles {
     /// The linear combination that an expression is.
-    pub(super) fn read(&mut self, graph: &Graph, id: ExprId) -> Angle {
-        let mut angle = Angle::default();
-        // Parents are larger than children: what several sums share is opened once, with all its coefficients added up.
-        let mut pending = BTreeMap::from([(id, Number::ONE)]);
-        while let Some((id, scale)) = pending.pop_last() {
-            match graph.node(id) {
-                Node::Number(value) => angle.constant = &angle.constant + &(value * &scale),
-                Node::Sum { constant, terms } => {
-                    angle.constant = &angle.constant + &(constant * &scale);
-                    for (term, c) in terms {
-                        let total = pending.entry(*term).or_insert(Number::ZERO);
-                        *total = &*total + &(c * &scale);
-                    }
-                }
-                _ => angle.add_part(id, &scale),
-            }
+    pub(super) fn read(&mut self, graph: &Graph, id: ExprId) -> Rc<Angle> {
+        if let Some(known) = self.read.get(&id) {
+            return known.clone();
         }
+        let angle = Rc::new(opened(graph, id));
+        self.read.insert(id, angle.clone());
         self.written.get_or_insert_with(angle.clone(), || id);
         angle
     }
 
     /// An expression for a linear combination.
-    pub(super) fn write(&mut self, graph: &mut Graph, angle: &Angle) -> ExprId {
-        let sum = || graph.sum(angle.constant.clone(), angle.parts.iter().map(|(id, c)| (*id, c.clone())));
+    pub(super) fn write(&mut self, graph: &mut Graph, angle: &Rc<Angle>) -> ExprId {
+        let sum = || graph.sum(angle.constant.clone(), angle.parts.iter().cloned());
         *self.written.get_or_insert_with(angle.clone(), sum)
     }
+}
+
+/// The linear combination of what is no sum that an expression is.
+fn opened(graph: &Graph, id: ExprId) -> Angle {
+    let mut angle = Angle::default();
+    // Parents are larger than children: what several sums share is opened once, with all its coefficients added up.
+    let mut pending = BTreeMap::from([(id, Number::ONE)]);
+    while let Some((id, scale)) = pending.pop_last() {
+        match graph.node(id) {
+            Node::Number(value) => angle.constant = &angle.constant + &(value * &scale),
+            Node::Sum { constant, terms } => {
+                angle.constant = &angle.constant + &(constant * &scale);
+                for (term, c) in terms {
+                    let total = pending.entry(*term).or_insert(Number::ZERO);
+                    *total = &*total + &(c * &scale);
+                }
+            }
+            _ if !scale.is_zero() => angle.parts.push((id, scale)),
+            _ => {}
+        }
+    }
+    angle.parts.reverse();
+    angle
 }

@@ -1,7 +1,6 @@
 //! Quotients without the factors that numerator and denominator have in common.
 
 use super::monomial::{MOST_FACTORS, Monomial};
-use super::size::Sizes;
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
@@ -27,8 +26,7 @@ pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Ex
     let product = graph.multiply(rest, factor);
     let cancelled = graph.scale(scale.reciprocal().unwrap_or(Number::ONE), product);
     // Cancelling opens sums that were shared; only what ends up shorter is worth that.
-    let mut sizes = Sizes::default();
-    if sizes.of(graph, cancelled) < sizes.of(graph, plain) { cancelled } else { plain }
+    if graph.written_size(cancelled) < graph.written_size(plain) { cancelled } else { plain }
 }
 
 /// Parts of one numerator, of which those that occur often are looked into once.

@@ -59,6 +59,10 @@ pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Numb
         }
     }
     for (cofactor, group) in groups.iter() {
+        if group.terms.len() < 2 {
+            left.extend(group.terms.iter().cloned());
+            continue;
+        }
         let gathered = gather(&group.products);
         // As many waves as terms would trade shared sines for others.
         if gathered.len() < group.terms.len() {
@@ -145,7 +149,7 @@ fn waves_of(product: &WaveProduct) -> Vec<(Wave, Number)> {
 
 /// sin a sin b = ½ cos(a − b) − ½ cos(a + b) and the like.
 fn times(a: &Wave, b: &Wave, coefficient: &Number) -> [(Wave, Number); 2] {
-    let half = &Number::ratio(1, 2).unwrap_or(Number::ONE) * coefficient;
+    let half = &Number::HALF * coefficient;
     let (sum, difference) = (a.angle.plus(&b.angle), a.angle.minus(&b.angle));
     let is_sine = a.is_sine != b.is_sine;
     let sum_sign = if a.is_sine && b.is_sine { -&half } else { half.clone() };
@@ -200,9 +204,8 @@ fn sum_to_product(
     if x.is_sine != y.is_sine {
         return None;
     }
-    let half = Number::ratio(1, 2)?;
-    let mean = x.angle.plus(&y.angle).scaled(&half);
-    let spread = x.angle.minus(&y.angle).scaled(&half);
+    let mean = x.angle.plus(&y.angle).scaled(&Number::HALF);
+    let spread = x.angle.minus(&y.angle).scaled(&Number::HALF);
     let twice = &Number::TWO * coefficient;
     let (mean_is_sine, spread_is_sine, sign) = match (x.is_sine, is_difference) {
         (false, false) => (false, false, twice),

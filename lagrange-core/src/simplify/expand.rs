@@ -12,7 +12,6 @@ use super::monomial::Term;
 use super::pairs::join;
 use super::polynomial::Polynomial;
 use super::rules::{RULES, Rule, squares};
-use super::size::Sizes;
 use super::waves;
 use crate::calculus::substitute;
 use crate::collections::HashMap;
@@ -40,7 +39,6 @@ pub(super) struct Expander {
     effort: Effort,
     expanded: HashMap<ExprId, Rc<Polynomial>>,
     readable: HashMap<ExprId, ExprId>,
-    sizes: Sizes,
 }
 
 impl Expander {
@@ -50,7 +48,6 @@ impl Expander {
             effort: Effort::new(budget),
             expanded: HashMap::default(),
             readable: HashMap::default(),
-            sizes: Sizes::default(),
         }
     }
 
@@ -99,7 +96,7 @@ impl Expander {
             Purpose::Reading => {
                 let as_it_is = self.with_readable_parts(graph, id);
                 let grouped = self.grouped(graph, id).unwrap_or(as_it_is);
-                let is_short = self.sizes.of(graph, grouped) <= self.sizes.of(graph, as_it_is);
+                let is_short = graph.written_size(grouped) <= graph.written_size(as_it_is);
                 if is_short { grouped } else { as_it_is }
             }
         };

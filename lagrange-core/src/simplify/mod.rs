@@ -32,7 +32,6 @@ mod polynomial;
 mod present;
 mod rules;
 mod sign;
-mod size;
 mod vanishing;
 mod waves;
 
@@ -45,7 +44,7 @@ pub use open::{count_opened, factors_to_open, is_no_difference, open};
 pub use present::{multiply_out, present, present_all, proves_zero};
 pub use rules::{RULES, Rule, RuleArguments};
 pub use sign::never_vanishes;
-pub use vanishing::vanishing;
+pub use vanishing::{ROUNDING, somewhere, vanishing};
 
 #[cfg(test)]
 mod tests;

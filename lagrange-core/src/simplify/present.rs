@@ -1,7 +1,6 @@
 //! Formulas for readers, and the question whether anything is left of one.
 
 use super::expand::{Expander, Purpose};
-use super::size::Sizes;
 use crate::calculus::evaluate;
 use crate::expr::{ExprId, Graph};
 use crate::symbol::Role;
@@ -27,12 +26,11 @@ pub fn present_all(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<Ex
     let mut is_final = vec![false; exprs.len()];
     while is_final.contains(&false) {
         let mut expander = Expander::new(Purpose::Reading, budget);
-        let mut sizes = Sizes::default();
         for (expr, is_final) in current.iter_mut().zip(&mut is_final).filter(|(_, is_final)| !**is_final) {
             let expanded = expander.expand_all(graph, *expr);
             let next = expanded.map_or(*expr, |()| expander.readable(graph, *expr));
             // Only ever shorter: so this ends, and presenting a result again changes nothing.
-            *is_final = sizes.of(graph, next) >= sizes.of(graph, *expr);
+            *is_final = graph.written_size(next) >= graph.written_size(*expr);
             *expr = if *is_final { *expr } else { next };
         }
     }

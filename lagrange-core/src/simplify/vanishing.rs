@@ -11,7 +11,7 @@ const PROOF_BUDGET: usize = 200;
 /// Number of expressions up to which a value is expanded at all. A zero that is missed costs operations or a line of documentation.
 const LARGEST_EXPANDED: usize = 400;
 /// Fraction of the largest number on the way to a zero that rounding may leave of it: far more than it ever does.
-const ROUNDING: f64 = 1e-8;
+pub const ROUNDING: f64 = 1e-8;
 
 /// Marks the values that are zero everywhere, as far as that can be proved quickly.
 pub fn vanishing(graph: &mut Graph, values: &[ExprId]) -> Vec<bool> {
@@ -38,7 +38,7 @@ fn differ_from_zero(graph: &Graph, values: &[ExprId]) -> Vec<bool> {
 }
 
 /// A number between 1/2 and 3/2 for each symbol: multiples of the golden ratio are spread evenly.
-fn somewhere(role: Role) -> f64 {
+pub fn somewhere(role: Role) -> f64 {
     const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
     let (kind, index) = match role {
         Role::Parameter(i) => (0, i),

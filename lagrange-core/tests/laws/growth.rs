@@ -40,6 +40,11 @@ fn chain(n: usize, relative: bool) -> String {
     pendulums(n, relative, |i| i - 1)
 }
 
+/// The same system without the product that has n² entries.
+fn without_mass_matrix(text: &str) -> String {
+    format!("{text} emit {{ no mass_matrix }}")
+}
+
 /// A tree in which the parent of each body is drawn from all before it, by a linear congruential generator (Knuth,
 /// *The Art of Computer Programming*, vol. 2, §3.3.4, table 1, line 26).
 fn tree(n: usize, relative: bool) -> String {
@@ -109,6 +114,33 @@ fn chains_in_absolute_angles_grow_in_proportion() {
 #[test]
 fn chains_in_relative_angles_grow_in_proportion() {
     assert_linear(&CHAINS, |n| chain(n, true));
+}
+
+#[test]
+fn chains_whose_mass_matrix_nobody_wants_never_write_it_down() {
+    for relative in [false, true] {
+        assert_linear(&CHAINS[1..], |n| without_mass_matrix(&chain(n, relative)));
+        let with = derived(&chain(50, relative), StrategyChoice::Cheapest);
+        let without = derived(&without_mass_matrix(&chain(50, relative)), StrategyChoice::Cheapest);
+        assert!(without.equations.mass_matrix.is_empty() && !with.equations.mass_matrix.is_empty());
+        assert_eq!(without.equations.structure, with.equations.structure);
+        assert_eq!(without.equations.costs, with.equations.costs);
+        assert_eq!(without.equations.forcing.len(), 50);
+    }
+}
+
+#[test]
+fn the_structure_of_a_mass_matrix_that_nobody_wants_is_found_in_it_where_points_do_not_show_it() {
+    let apart = pendulums(100, true, |i| if i == 51 { 0 } else { i - 1 });
+    let mass = derived(&without_mass_matrix(&apart), StrategyChoice::Cheapest).equations.structure.mass;
+    assert_eq!(mass.blocks, [(0..50).collect::<Vec<_>>(), (50..100).collect()]);
+    let on_a_line = (1..=50).map(|i| {
+        let p = i - 1;
+        format!("param m{i}; coord q{i}; let x{i} = x{p} + q{i}; kinetic = 1/2*m{i}*dot(x{i})^2;")
+    });
+    let on_a_line = format!("let x0 = 0; {}", on_a_line.collect::<String>());
+    let mass = derived(&without_mass_matrix(&on_a_line), StrategyChoice::Cheapest).equations.structure.mass;
+    assert!(mass.is_constant && mass.blocks.len() == 1);
 }
 
 #[test]

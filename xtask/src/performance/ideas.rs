@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use lagrange_core::code::{Names, Scalar, body};
-use lagrange_core::derive::{Strategy, StrategyChoice, Sums};
+use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, Pass, Program, lower, passes};
 use lagrange_core::symbol::Role;
@@ -43,18 +43,6 @@ pub(super) fn ideas() -> Vec<Idea> {
             "eliminated body by body, no squares kept",
             Standard,
             Always(Strategy::ArticulatedBody),
-            Change::Nothing,
-        ),
-        idea(
-            "squares kept, angles never added",
-            Standard,
-            StrategyChoice::SumOfSquares(Sums::Collected),
-            Change::Nothing,
-        ),
-        idea(
-            "squares kept, angles always added",
-            Standard,
-            StrategyChoice::SumOfSquares(Sums::Contracted),
             Change::Nothing,
         ),
         idea("a division for each quotient", Standard, Cheapest, Change::With(divide_each)),

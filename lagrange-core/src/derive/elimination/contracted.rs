@@ -1,13 +1,14 @@
 //! Factorisation of a mass matrix whose entries, pivots and right-hand sides have as little to cancel as is found.
 //!
-//! It is for kinetic energies that are no sum of squares of velocities, under the level of accuracy `strict`. Eliminating
+//! It is for kinetic energies that are no sum of squares of velocities, under the level of accuracy `strict`: without it the
+//! accelerations of a written-out double pendulum have relative errors up to 1e-4 in `tests/extremes`, with it 1e-16. Eliminating
 //! x with the pivot D leaves W − a b / D of an entry W. If W D − a b has fewer terms when multiplied out, it
 //! is divided by D instead: of a double pendulum m₂ l₂² remains in the denominator and m₁ l₁² + m₂ l₁² sin²(θ₁ − θ₂) of
 //! the entry, where (m₁ + m₂) l₁² − m₂ l₁² cos²(θ₁ − θ₂) would lose digits. These are the Schur complements of Golub and
 //! Van Loan, *Matrix Computations*, 4th ed., §3.2.
 
 use super::solution::Solution;
-use crate::derive::algebra::{Algebra, Sums};
+use crate::derive::algebra::Algebra;
 use crate::derive::quadratic_form::QuadraticForm;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
@@ -20,7 +21,8 @@ const LARGEST_OPENED: usize = 300;
 /// Number of sums opened one after the other in one expression. Each makes it shorter, so this bounds the time and nothing else.
 const MOST_ROUNDS: usize = 8;
 
-/// The form over the generalised velocities with its coefficients contracted.
+/// The form over the generalised velocities with its coefficients contracted: with those that stand there one acceleration of a spherical
+/// pendulum loses half of its digits near the pole.
 pub(in crate::derive) fn contracted(
     graph: &mut Graph,
     pushed: QuadraticForm,
@@ -29,7 +31,7 @@ pub(in crate::derive) fn contracted(
     if velocities.len() > MOST_CONTRACTED {
         return pushed;
     }
-    let mut algebra = Algebra::new(graph, Sums::Contracted);
+    let mut algebra = Algebra::new(graph);
     let mut form = QuadraticForm::default();
     for (n, &i) in velocities.iter().enumerate() {
         for &j in &velocities[n..] {
@@ -93,7 +95,7 @@ impl<'g> LinearSystem<'g> {
             let entries = velocities.iter().map(|&other| form.coefficient(graph, velocity, other)).collect();
             rows.push(Equation { entries, linear: form.linear(graph, velocity), is_done: false });
         }
-        LinearSystem { algebra: Algebra::new(graph, Sums::Contracted), rows }
+        LinearSystem { algebra: Algebra::new(graph), rows }
     }
 
     /// The accelerations that have not been eliminated.

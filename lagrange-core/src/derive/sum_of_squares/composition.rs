@@ -121,14 +121,17 @@ impl Composition {
 
     /// Every variable that `x` is a part of, itself included, parts before wholes.
     pub(super) fn made_of(&self, x: ExprId) -> Vec<ExprId> {
-        let mut found = BTreeSet::new();
+        let mut seen: HashMap<ExprId, ()> = HashMap::default();
+        let mut found = Vec::new();
         let mut pending = vec![x];
         while let Some(id) = pending.pop() {
-            if found.insert(id) {
+            if seen.insert(id, ()).is_none() {
+                found.push(id);
                 pending.extend(self.users.get(&id).into_iter().flatten());
             }
         }
-        found.into_iter().collect()
+        found.sort_unstable();
+        found
     }
 
     fn expand_one(

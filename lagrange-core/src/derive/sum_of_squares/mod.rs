@@ -69,7 +69,7 @@ mod square;
 
 use std::collections::BTreeSet;
 
-use super::algebra::{Algebra, LinearForm, Sums};
+use super::algebra::{Algebra, LinearForm};
 use super::elimination::solution::Solution;
 use super::least_constraint::SplitLagrangian;
 use super::quadratic_form::QuadraticForm;
@@ -102,11 +102,10 @@ pub(super) fn solve_sum_of_squares(
     split: &SplitLagrangian,
     loads: QuadraticForm,
     velocities: &[ExprId],
-    sums: Sums,
 ) -> Result<Solution, Obstacle> {
     let heads = split.squares.iter().map(|&(_, u)| u).chain(loads.variables()).collect::<Vec<_>>();
     let mut sweep = Sweep::new(graph, [&heads, &[]], velocities, Multiples::Merged, Rotations::Split);
-    let mut elimination = SquareElimination::new(graph, &sweep, split, loads, sums);
+    let mut elimination = SquareElimination::new(graph, &sweep, split, loads);
     let mut order = leaves(&mut sweep);
     order.sort_by_cached_key(|&velocity| elimination.moved_by(velocity));
     for velocity in order {
@@ -172,7 +171,6 @@ impl<'g> SquareElimination<'g> {
         sweep: &Sweep,
         split: &SplitLagrangian,
         loads: QuadraticForm,
-        sums: Sums,
     ) -> SquareElimination<'g> {
         let mut weights: OrderedMap<ExprId, Vec<(ExprId, Number)>> = OrderedMap::default();
         for &(weight, u) in &split.squares {
@@ -181,7 +179,7 @@ impl<'g> SquareElimination<'g> {
         let loads = push_loads(graph, sweep, &weights, loads);
         let heads = weights.iter().map(|(u, _)| *u).chain(loads.variables());
         let composition = Composition::new(sweep, heads);
-        let algebra = Algebra::new(graph, sums);
+        let algebra = Algebra::new(graph);
         let mut elimination =
             SquareElimination { algebra, composition, squares: Vec::new(), loads, steps: Vec::new() };
         weights.iter().for_each(|(u, weights)| elimination.add_square_of(*u, weights));

@@ -7,7 +7,7 @@ use super::frame::frame;
 use super::rotation::{Pull, eliminate};
 use super::square::{Carried, Carriers, Square};
 use crate::calculus::evaluate;
-use crate::derive::algebra::{Algebra, LinearForm, Sums};
+use crate::derive::algebra::{Algebra, LinearForm};
 use crate::expr::{ExprId, Function, Graph};
 use crate::functions::apply;
 use crate::symbol::Role;
@@ -182,31 +182,29 @@ proptest! {
             let angle = coefficients.next(&mut graph);
             setting = setting.with_rod(&mut graph, angle);
         }
-        for sums in [Sums::Collected, Sums::Contracted] {
-            let mut algebra = Algebra::new(&mut graph, sums);
-            let (carriers, carried, pull, left) = setting.eliminated(&mut algebra);
-            let factors = pull.factors(&mut algebra, &carriers);
-            let frame = frame(&carriers, &mut algebra, &carried, pull.pivot);
-            let in_frame = frame.map(|frame| frame.factors(&mut algebra));
-            prop_assert!(in_frame.is_some() == (is_rod && shape.0 == 2 && !shape.2) || shape.0 == 1);
-            let mut differences = [0.0; 3];
-            let (mut largest, mut free) = (0.0_f64, [0.0; 3]);
-            for ((remaining, difference), free) in places.iter().zip(&mut differences).zip(&mut free) {
-                let place = Place { graph: &graph, coefficients: &coefficients, remaining };
-                let (minimum, x) = place.minimum(&setting);
-                *difference = minimum - left.iter().map(|square| place.square(square)).sum::<f64>();
-                largest = largest.max(minimum.abs());
-                *free = x + place.form(&factors);
-                let other = in_frame.as_ref().map_or(place.form(&factors), |factors| place.form(factors));
-                prop_assert!((other - place.form(&factors)).abs() < 1e-9 * (1.0 + x.abs()));
-            }
-            prop_assert!(differ_by_a_constant(differences, largest), "{differences:?} of {largest}");
-            prop_assert!(differ_by_a_constant(free, 0.0), "{free:?}");
-            let load = [pull.drifting, pull.applied].map(|load| {
-                Place { graph: &graph, coefficients: &coefficients, remaining: &places[0] }.value(load)
-            });
-            let pivot = Place { graph: &graph, coefficients: &coefficients, remaining: &places[0] }.value(pull.pivot);
-            prop_assert!((free[0] + (load[0] + load[1]) / pivot).abs() < 1e-8 * (1.0 + free[0].abs()));
+        let mut algebra = Algebra::new(&mut graph);
+        let (carriers, carried, pull, left) = setting.eliminated(&mut algebra);
+        let factors = pull.factors(&mut algebra, &carriers);
+        let frame = frame(&carriers, &mut algebra, &carried, pull.pivot);
+        let in_frame = frame.map(|frame| frame.factors(&mut algebra));
+        prop_assert!(in_frame.is_some() == (is_rod && shape.0 == 2 && !shape.2) || shape.0 == 1);
+        let mut differences = [0.0; 3];
+        let (mut largest, mut free) = (0.0_f64, [0.0; 3]);
+        for ((remaining, difference), free) in places.iter().zip(&mut differences).zip(&mut free) {
+            let place = Place { graph: &graph, coefficients: &coefficients, remaining };
+            let (minimum, x) = place.minimum(&setting);
+            *difference = minimum - left.iter().map(|square| place.square(square)).sum::<f64>();
+            largest = largest.max(minimum.abs());
+            *free = x + place.form(&factors);
+            let other = in_frame.as_ref().map_or(place.form(&factors), |factors| place.form(factors));
+            prop_assert!((other - place.form(&factors)).abs() < 1e-9 * (1.0 + x.abs()));
         }
+        prop_assert!(differ_by_a_constant(differences, largest), "{differences:?} of {largest}");
+        prop_assert!(differ_by_a_constant(free, 0.0), "{free:?}");
+        let load = [pull.drifting, pull.applied].map(|load| {
+            Place { graph: &graph, coefficients: &coefficients, remaining: &places[0] }.value(load)
+        });
+        let pivot = Place { graph: &graph, coefficients: &coefficients, remaining: &places[0] }.value(pull.pivot);
+        prop_assert!((free[0] + (load[0] + load[1]) / pivot).abs() < 1e-8 * (1.0 + free[0].abs()));
     }
 }

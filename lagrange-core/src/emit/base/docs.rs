@@ -62,8 +62,11 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
 }
 
 /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
-/// short.
+/// short; nothing if M is large and was not asked for.
 pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
+    if equations.mass_matrix.is_empty() {
+        return String::new();
+    }
     let right = right_sides(model, equations);
     let right = readable(&mut model.graph, &right);
     let sides = sides(model, equations, &right);

@@ -4,12 +4,9 @@
 //! The rates were measured with `tools/compile_time.py --large`; `docs/performance.md` shows from what.
 
 use super::messages;
-use crate::calculus::{Degree, Degrees};
-use crate::collections::HashMap;
+use crate::derive::most_coupled;
 use crate::diagnostics::Report;
-use crate::expr::Node;
 use crate::model::{Model, Product};
-use crate::number::Number;
 use crate::program::OperationCounts;
 use crate::syntax::ast::Declaration;
 
@@ -69,27 +66,9 @@ pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &
     Some(())
 }
 
-/// A lower bound of the entries of the mass matrix: the square of the largest number of velocities that one square of the Lagrangian
-/// is made of, among those that a look of bounded length finds.
+/// A lower bound of the entries of the mass matrix.
 fn coupled_by_one_square(model: &Model) -> usize {
-    let graph = &model.graph;
-    let mut degrees = Degrees::default();
-    degrees.classify(graph, &[model.lagrangian]);
-    let is_velocity = model.velocities().into_iter().map(|v| (v, ())).collect::<HashMap<_, _>>();
-    let (mut most, mut looked_at) = (0, 0);
-    for id in graph.reachable(&[model.lagrangian]).into_iter().rev() {
-        let Node::Product(factors) = graph.node(id) else { continue };
-        let squares = factors.iter().filter(|(_, exponent)| *exponent == Number::TWO).map(|(base, _)| *base);
-        for base in squares.filter(|base| degrees.of(graph, *base) == Degree::Affine) {
-            let parts = graph.reachable_until(&[base], |part| is_velocity.contains(&part));
-            most = most.max(parts.iter().filter(|part| is_velocity.contains(part)).count());
-            looked_at += parts.len();
-        }
-        if looked_at > LARGEST || Size(most * most).is_hopeless() {
-            break;
-        }
-    }
-    most * most
+    most_coupled(model, LARGEST.isqrt() + 1).pow(2)
 }
 
 /// Reports a system that is too large to be compiled.

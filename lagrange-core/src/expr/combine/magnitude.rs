@@ -109,7 +109,7 @@ impl Graph {
         let (base, exponent) = factors.swap_remove(factors.iter().position(is_even_power)?);
         let Node::Call(_, sides) = self.node(base).clone() else { return None };
         let squares = [self.square(sides[0]), self.square(sides[1])];
-        Some(vec![(self.total(squares), exponent * Number::ratio(1, 2)?)])
+        Some(vec![(self.total(squares), exponent * Number::HALF)])
     }
 
     /// Whether a power of this with an odd exponent is a factor.

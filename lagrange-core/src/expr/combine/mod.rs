@@ -26,6 +26,11 @@ impl Graph {
         for (term, coefficient) in terms {
             self.push_term(&mut constant, &mut collected, term, &coefficient);
         }
+        self.sum_of(constant, collected)
+    }
+
+    /// The sum of terms that are no numbers. It is compiled once, whatever the iterator they came from.
+    fn sum_of(&mut self, mut constant: Number, mut collected: Vec<Weighted>) -> ExprId {
         merge(&mut collected, |_, a, b| Some(a + b));
         while let Some(position) = self.cancelling_sum(&constant, &collected) {
             let (nested, coefficient) = collected.swap_remove(position);
@@ -111,6 +116,11 @@ impl Graph {
         for (base, exponent) in factors {
             self.push_factor(&mut coefficient, &mut collected, base, exponent);
         }
+        self.product_of(coefficient, collected)
+    }
+
+    /// The product of factors that are no numbers. It is compiled once, whatever the iterator they came from.
+    fn product_of(&mut self, mut coefficient: Number, mut collected: Vec<Weighted>) -> ExprId {
         if coefficient.is_zero() {
             return self.number(Number::ZERO);
         }

@@ -1,0 +1,33 @@
+//! A look at how many velocities a system couples, before anything is derived from it.
+
+use crate::calculus::{Degree, Degrees};
+use crate::collections::HashMap;
+use crate::expr::Node;
+use crate::model::Model;
+use crate::number::Number;
+
+/// Expressions looked at before the search ends.
+const LONGEST_LOOK: usize = 200_000;
+
+/// Largest number of velocities found that one square of the Lagrangian is made of, all of which the mass matrix couples with each
+/// other. The search ends at `enough` of them, and when it takes long.
+pub fn most_coupled(model: &Model, enough: usize) -> usize {
+    let graph = &model.graph;
+    let mut degrees = Degrees::default();
+    degrees.classify(graph, &[model.lagrangian]);
+    let is_velocity = model.velocities().into_iter().map(|v| (v, ())).collect::<HashMap<_, _>>();
+    let (mut most, mut looked_at) = (0, 0);
+    for id in graph.reachable(&[model.lagrangian]).into_iter().rev() {
+        let Node::Product(factors) = graph.node(id) else { continue };
+        let squares = factors.iter().filter(|(_, exponent)| *exponent == Number::TWO).map(|(base, _)| *base);
+        for base in squares.filter(|base| degrees.of(graph, *base) == Degree::Affine) {
+            let parts = graph.reachable_until(&[base], |part| is_velocity.contains(&part));
+            most = most.max(parts.iter().filter(|part| is_velocity.contains(part)).count());
+            looked_at += parts.len();
+        }
+        if looked_at > LONGEST_LOOK || most >= enough {
+            break;
+        }
+    }
+    most
+}
