@@ -100,7 +100,10 @@ fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
 fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
     let given = match statement {
         SceneStatement::Gravity(value) => vec![Some(*value)],
-        SceneStatement::Body(body) => vec![body.inertia, body.center, body.origin, body.centroid],
+        SceneStatement::Body(body) => {
+            let places = body.parts.iter().flat_map(|part| [part.at, part.turned]);
+            places.chain([body.inertia, body.center, body.origin, body.centroid]).collect()
+        }
         SceneStatement::Mobilizer(joint) => vec![joint.at, joint.turned, joint.axis],
         _ => Vec::new(),
     };
