@@ -4,7 +4,9 @@ use super::kinematics::{of_body, of_line};
 use super::messages;
 use super::object::{Body, Joint, Line, Object};
 use super::plain::Obligation;
-use super::space::{call_of_link, in_axes, part_of_link, place_of_link, point_on_link, rate_of_link_point};
+use super::space::{
+    call_of_link, in_axes, is_no_vector, part_of_link, place_of_link, point_on_link, rate_of_link_point,
+};
 use super::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, IN_AXES, Name};
 use crate::syntax::foreign;
@@ -69,11 +71,15 @@ pub(super) fn translated_place(translation: &mut Translation<'_>, id: AstId) -> 
 pub(super) fn scene_point(translation: &mut Translation<'_>, id: AstId, what: &str) -> AstId {
     let value = translated_place(translation, id);
     let what = what.to_owned();
-    translation.obligations.push(match translation.space {
-        Some(_) => Obligation::SpaceVector { what, value },
-        None => Obligation::PlaneVector { what, value },
+    let is_in_space = translation.space.is_some();
+    translation.obligations.push(match is_in_space {
+        true => Obligation::SpaceVector { what, value },
+        false => Obligation::PlaneVector { what, value },
     });
-    value
+    match is_in_space && is_no_vector(translation, value) {
+        true => translation.terms().invalid(),
+        false => value,
+    }
 }
 
 /// An angle: that of a body, zero for the ground, or any expression but a point.

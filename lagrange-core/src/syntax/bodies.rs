@@ -106,6 +106,9 @@ impl Parser<'_> {
         if body.origin.is_none() && body.angles.is_none() {
             self.missing(&mut body.center, origin);
         }
+        if body.angles.is_some() && body.sequence.is_none() {
+            body.sequence = Some(Name { text: "zxz".to_owned(), ..body.name.clone() });
+        }
     }
 
     /// `solid(e, e)`.

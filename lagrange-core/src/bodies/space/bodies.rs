@@ -11,7 +11,7 @@ use crate::bodies::messages::{self, mobilizers as joints};
 use crate::bodies::object::Object;
 use crate::bodies::plain::Obligation;
 use crate::bodies::translation::Translation;
-use crate::syntax::ast::{self, AstId, Name, StatementKind};
+use crate::syntax::ast::{self, AstId, Expression, Name, StatementKind};
 
 /// `frame name;`
 pub(in crate::bodies) fn translate_frame(translation: &mut Translation<'_>, name: &Name) {
@@ -20,6 +20,7 @@ pub(in crate::bodies) fn translate_frame(translation: &mut Translation<'_>, name
 
 pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_>, statement: &ast::Body) {
     let name = &statement.name;
+    let is_wrong = statement.angle.is_some();
     if let Some(angle) = statement.angle {
         let origin = translation.expressions.origin(angle);
         translation.report.error(origin, words::one_angle(&name.text)).help(words::ANGLES_HELP);
@@ -33,16 +34,22 @@ pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_
         MassProperties { mass: invalid, centroid: [invalid; 3], tensor: Some([invalid; 6]) }
     });
     let link = declare(translation, name, Some(inertia));
-    let is_by_hand = statement.center.is_some() || statement.origin.is_some() || statement.angles.is_some();
-    if is_by_hand {
+    if !is_wrong && is_placed_by_hand(translation, statement) {
         let (pose, center) = pose_by_hand(translation, statement, inertia);
         settle(translation, link, (pose, None), center);
-    } else if !translation.names.is_placed_by_joint(&name.text) {
-        let message = joints::unplaced("body", &name.text);
-        translation.report.error(name.span, message).help(words::JOINT_PLACES_HELP);
+    } else if is_wrong || !translation.names.is_placed_by_joint(&name.text) {
         let pose = Pose::invalid(&mut translation.terms());
         settle(translation, link, (pose, None), None);
+        translation.space.iter_mut().for_each(|space| space.unplaced.push(name.clone()));
     }
+}
+
+/// True if the user says where the body is; a place that could not be read does not count if a joint places the body.
+fn is_placed_by_hand(translation: &Translation<'_>, statement: &ast::Body) -> bool {
+    let is_read = |place: AstId| !matches!(translation.expressions.get(place), Expression::Invalid);
+    let is_jointed = translation.names.is_placed_by_joint(&statement.name.text);
+    let places = [statement.center, statement.origin, statement.angles];
+    places.into_iter().flatten().any(|place| !is_jointed || is_read(place))
 }
 
 fn declare(translation: &mut Translation<'_>, name: &Name, inertia: Option<MassProperties>) -> usize {
@@ -101,8 +108,9 @@ fn oriented(translation: &mut Translation<'_>, statement: &ast::Body) -> Pose {
     let (angles, sequence) = match (statement.angles, &statement.sequence) {
         (Some(angles), Some(sequence)) => (angles, sequence),
         (None, None) => return pose,
-        (Some(_), None) => {
-            let error = translation.report.error(name.span, words::angles_without_sequence(&name.text));
+        (Some(angles), None) => {
+            let origin = translation.expressions.origin(angles);
+            let error = translation.report.error(origin, words::angles_without_sequence(&name.text));
             error.help(words::ANGLES_HELP);
             return pose;
         }
@@ -234,15 +242,17 @@ pub(in crate::bodies) fn report_unplaced(translation: &mut Translation<'_>) {
     let Some(space) = &translation.space else { return };
     let has_bodies = space.links.iter().any(|link| link.inertia.is_some());
     let idle = space.gravity.filter(|_| !has_bodies).map(|(_, origin)| origin);
-    let unplaced = space.links.iter().filter(|link| link.placed.is_none()).cloned().collect::<Vec<_>>();
+    let bodies = space.unplaced.iter().map(|name| ("body", name.clone()));
+    let waiting = space.links.iter().filter(|link| link.placed.is_none());
+    let waiting = waiting.map(|link| (link.describe().trim_start_matches("a "), link.name.clone()));
+    let unplaced = bodies.chain(waiting).collect::<Vec<_>>();
     if let Some(origin) = idle.filter(|_| !translation.report.has_errors()) {
         translation.report.error(origin, messages::IDLE_GRAVITY).help(messages::IDLE_GRAVITY_HELP);
     }
-    for link in unplaced {
-        let what = link.describe().trim_start_matches("a ");
-        if !translation.report.has_errors() {
-            let message = joints::unplaced(what, &link.name.text);
-            translation.report.error(link.name.span, message).help(words::JOINT_PLACES_HELP);
-        }
+    // After a mistake it may be the joint that could not be read.
+    let are_certain = !translation.report.has_errors();
+    for (what, name) in unplaced.into_iter().filter(|_| are_certain) {
+        let message = joints::unplaced(what, &name.text);
+        translation.report.error(name.span, message).help(words::JOINT_PLACES_HELP);
     }
 }

@@ -47,11 +47,21 @@ pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) 
     for link in order {
         let Some(found) = accelerations_of(translation, link, &accelerations, gravity) else { return };
         accelerations[link] = found.last().map(|(_, acceleration)| *acceleration);
+        let is_at_rest = link_at(translation, link)
+            .and_then(|link| link.placed)
+            .is_some_and(|(pose, _)| pose.is_at_rest(&translation.terms()));
+        if is_at_rest {
+            // Welded to the ground: it has no equations.
+            continue;
+        }
         for (frame, parameters) in found.into_iter().zip(&parameters[link]) {
             functions
                 .extend(parameters.map(|parameters| gibbs_of_frame(translation, link, frame, parameters)));
         }
         stated.push(lagrangian_of_link(translation, link));
+    }
+    if functions.is_empty() {
+        return;
     }
     let mut terms = translation.terms();
     let (function, stated) = (sum_of(&mut terms, &functions), sum_of(&mut terms, &stated));

@@ -2,6 +2,7 @@
 
 use super::links::MassProperties;
 use super::messages as words;
+use super::numbers::is_no_vector;
 use super::poses::named_vector;
 use super::solids::{self, SolidInSpace};
 use super::vectors::{Tensor, Triple, scale, zero_triple};
@@ -28,7 +29,10 @@ pub(super) fn mass_properties(translation: &mut Translation<'_>, statement: &ast
     };
     let stated = stated_tensor(translation, statement);
     let tensor = stated.or_else(|| {
-        let (solid, dimensions) = shape.as_ref()?;
+        let Some((solid, dimensions)) = &shape else {
+            // An unknown shape is reported.
+            return statement.shape.as_ref().map(|_| [translation.terms().invalid(); 6]);
+        };
         if let Some(centroid) = statement.centroid {
             let origin = translation.expressions.origin(centroid);
             let error = translation.report.error(origin, words::unknown_tensor(&name.text));
@@ -109,5 +113,13 @@ pub(super) fn fixed_triple(translation: &mut Translation<'_>, id: AstId, what: &
 pub(super) fn triple_of(translation: &mut Translation<'_>, id: AstId, what: &str) -> Triple {
     let value = mention(translation, id);
     translation.obligations.push(Obligation::SpaceVector { what: what.to_owned(), value });
-    translation.terms().triple(value)
+    components_of(translation, value)
+}
+
+/// The components of what must be a vector in space; none of what cannot be one, which is reported as a whole.
+pub(super) fn components_of(translation: &mut Translation<'_>, value: AstId) -> Triple {
+    match is_no_vector(translation, value) {
+        true => [translation.terms().invalid(); 3],
+        false => translation.terms().triple(value),
+    }
 }

@@ -58,6 +58,9 @@ pub(super) fn has_place(translation: &mut Translation<'_>, link: usize, origin: 
     if placed.is_none() {
         let error = translation.report.error(origin, joints::unplaced_yet(&name));
         error.help(joints::PLACE_FIRST_HELP);
+        // Once is enough.
+        let pose = Pose::invalid(&mut translation.terms());
+        translation.space.iter_mut().for_each(|space| space.links[link].placed = Some((pose, origin)));
     }
     placed.map(|(pose, _)| pose)
 }

@@ -3,6 +3,7 @@
 //! They do work along velocities that are known in the axes of the body: F·v_P and M·ω, so that nothing is differentiated.
 
 use super::expressions::{point_on_link, rate_of_link_point};
+use super::inertia::components_of;
 use super::messages as words;
 use crate::bodies::expressions::{mention, plain_expression, translated_place};
 use crate::bodies::plain::Obligation;
@@ -60,7 +61,7 @@ fn own_load(
     translation.obligations.push(Obligation::SpaceVector { what: what.to_owned(), value });
     match own {
         Some(own) => Ok(own.map(|component| plain_expression(translation, component))),
-        None => Err(translation.terms().triple(value)),
+        None => Err(components_of(translation, value)),
     }
 }
 

@@ -91,6 +91,10 @@ fn carrier_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<(O
     if is_ground(translation, name) {
         return Some((None, Pose::at_rest(&mut translation.terms())));
     }
+    if name.text == joint.outboard.text {
+        // That is reported of what it places.
+        return None;
+    }
     let link = link_of(translation, name)?;
     let pose = has_place(translation, link, name.span.into())?;
     Some((Some(link), pose))
@@ -133,7 +137,10 @@ fn placed_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<usi
         return None;
     }
     let before = translation.space.as_ref()?.links[link].placed;
-    if let Some((_, first)) = before {
+    if let Some((pose, first)) = before {
+        if pose.is_invalid(translation) {
+            return None;
+        }
         let error = translation.report.error(name.span, joints::placed_twice(&name.text));
         error.related(first, joints::PLACED_HERE).help(joints::CLOSE_LOOP_HELP);
         return None;

@@ -34,11 +34,12 @@ pub(super) use gibbs::push_gibbs_function;
 pub(super) use loads::{translate_spatial_force, translate_spatial_torque};
 pub(super) use mobilizers::translate_spatial_mobilizer;
 pub(super) use mobilizers::{coordinates_of, dampen};
+pub(super) use numbers::is_no_vector;
 
 use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::syntax::ast::{
-    AstId, Declaration, Expression, Expressions, MobilizerKind, SceneStatement, StatementKind,
+    AstId, Declaration, Expression, Expressions, MobilizerKind, Name, SceneStatement, StatementKind,
 };
 use accelerations::Relative;
 use links::Link;
@@ -48,6 +49,8 @@ use vectors::Triple;
 #[derive(Default)]
 pub(super) struct Space {
     pub(super) links: Vec<Link>,
+    /// Bodies that nothing places.
+    unplaced: Vec<Name>,
     /// Those that have their place, carriers first.
     order: Vec<usize>,
     gravity: Option<(Triple, Origin)>,
@@ -97,7 +100,10 @@ fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
 fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
     let given = match statement {
         SceneStatement::Gravity(value) => vec![Some(*value)],
-        SceneStatement::Body(body) => vec![body.inertia, body.center, body.origin, body.centroid],
+        SceneStatement::Body(body) => {
+            let places = body.parts.iter().flat_map(|part| [part.at, part.turned]);
+            places.chain([body.inertia, body.center, body.origin, body.centroid]).collect()
+        }
         SceneStatement::Mobilizer(joint) => vec![joint.at, joint.turned, joint.axis],
         _ => Vec::new(),
     };

@@ -39,6 +39,18 @@ pub(super) fn value_of_numbers(translation: &Translation<'_>, root: AstId) -> Op
     values.pop().filter(|value| value.is_finite())
 }
 
+/// True of an expression that shows by its form that it is no vector in space.
+pub(in crate::bodies) fn is_no_vector(translation: &Translation<'_>, id: AstId) -> bool {
+    match translation.expressions.get(id) {
+        Expression::Tuple(components) => components.len() != 3,
+        Expression::Name(name) => match translation.names.constant(name) {
+            Some(value) => is_no_vector(translation, value),
+            None => translation.names.is_fixed(name),
+        },
+        _ => value_of_numbers(translation, id).is_some(),
+    }
+}
+
 fn applied(operator: BinaryOperator, left: f64, right: f64) -> f64 {
     match operator {
         BinaryOperator::Add => left + right,

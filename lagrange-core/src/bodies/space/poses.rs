@@ -47,6 +47,16 @@ impl Pose {
         Pose { spin: triple, velocity: triple, axes: [triple; 3], origin: triple }
     }
 
+    /// True after a mistake.
+    pub(super) fn is_invalid(&self, translation: &Translation<'_>) -> bool {
+        matches!(translation.expressions.get(self.origin[0]), Expression::Invalid)
+    }
+
+    /// True if the frame does not move.
+    pub(super) fn is_at_rest(&self, terms: &TermWriter<'_>) -> bool {
+        self.spin.iter().chain(&self.velocity).all(|&component| terms.is_zero(component))
+    }
+
     /// The place in the world of a point that is fixed in the frame.
     pub(super) fn place_of(&self, terms: &mut TermWriter<'_>, point: Triple) -> Triple {
         let arm = combined(terms, point, self.axes);

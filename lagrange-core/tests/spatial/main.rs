@@ -1,0 +1,8 @@
+//! Bodies in space against independent answers: other people's algorithms for models of robots, Newton–Euler in the world with many
+//! digits for random trees, and motions that are known in closed form.
+
+mod cases;
+mod closed_forms;
+mod comparison;
+mod models;
+mod trees;

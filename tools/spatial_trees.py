@@ -1,0 +1,598 @@
+"""Random trees of bodies in space with their accelerations, in twenty digits, for `lagrange-core/tests/spatial/trees.txt`.
+
+    pip install mpmath
+    python3 tools/spatial_trees.py          writes all (two minutes)
+    python3 tools/spatial_trees.py 17 64    prints these trees only
+
+Each tree is built twice from the same random choices: as statements of the language, and as poses, masses and loads for
+`tools/newton_euler.py`, which computes with forty digits and knows nothing of the language. Numbers in statements have few digits and
+states are fractions of 64, so that both mean the same numbers. The seed of a tree is its number.
+
+The lines of the file are those that `lagrange-core/tests/spatial/cases.rs` describes.
+"""
+
+import random
+import sys
+from pathlib import Path
+
+from mpmath import mp, mpf, nstr, pi
+
+import newton_euler as ne
+from newton_euler import Series
+from spatial_bodies import matter
+
+COUNT = 200
+MOST_BODIES = 8
+MOST_COORDINATES = 9
+DIGITS = 20
+# Trees whose matrices are worse than this at one of their states have nearly no inertia somewhere.
+WORST_CONDITION = 1e6
+SHORTEST = 0.05  # of a spring, in states that are kept
+TARGET = Path(__file__).resolve().parent.parent / "lagrange-core" / "tests" / "spatial" / "trees.txt"
+AXES = dict(zip("xyz", ne.IDENTITY))
+
+
+class Unsuitable(Exception):
+    """A tree that says nothing."""
+
+
+class Tree:
+    """Statements, and what they mean."""
+
+    def __init__(self, seed):
+        self.rng = random.Random(seed)
+        self.statements, self.names = [], []
+        self.frames = {}  # name: (carrier, function of coordinates and time)
+        self.bodies, self.loads, self.potentials, self.pins, self.outputs = [], [], [], [], []
+        self.parameters = 0
+        self.gravity = [mpf(0)] * 3
+        self.build()
+
+    # Words and numbers.
+
+    def say(self, statement):
+        self.statements.append(statement)
+
+    def chance(self, probability):
+        return self.rng.random() < probability
+
+    def decimal(self, low, high):
+        """A number of few digits as text."""
+        digits = self.rng.choice((1, 2))
+        return f"{self.rng.uniform(low, high):.{digits}f}"
+
+    def number(self, low, high):
+        """A number, or a parameter with one for its default: text and value."""
+        text = self.decimal(low, high)
+        if self.chance(0.1):
+            self.parameters += 1
+            name = f"p{self.parameters}"
+            self.say(f"param {name} = {text};")
+            return name, mpf(text)
+        return text, mpf(text)
+
+    def vector(self, low=-1.0, high=1.0, sparse=0.2):
+        """Text and value; some components are zero."""
+        parts = [("0", mpf(0)) if self.chance(sparse) else self.number(low, high) for _ in range(3)]
+        return f"({', '.join(text for text, _ in parts)})", [value for _, value in parts]
+
+    def angle(self):
+        """An angle that does not change, often a quarter turn."""
+        if self.chance(0.6):
+            text, quarters = self.rng.choice((("0", 0), ("pi/2", 1), ("-pi/2", -1), ("pi", 2), ("-pi", -2)))
+            return text, quarters * pi / 2
+        return self.number(-3, 3)
+
+    def coordinate(self, stem):
+        name = f"{stem}{len(self.names) + 1}"
+        self.names.append(name)
+        return name, len(self.names) - 1
+
+    # Frames.
+
+    def build(self):
+        if self.chance(0.8):
+            text, self.gravity = self.rng.choice(
+                [("(0, 0, -9.81)", [0, 0, mpf("-9.81")]), ("(1.5, -0.25, -9.5)", [mpf("1.5"), mpf("-0.25"), mpf("-9.5")])]
+            )
+            self.say(f"gravity = {text};")
+        links = ["ground"]
+        for index in range(self.rng.randint(1, self.rng.randint(1, MOST_BODIES))):
+            if len(self.names) >= MOST_COORDINATES - 2:
+                break
+            name = f"b{index + 1}"
+            if self.chance(0.12):
+                self.place_by_hand(name)
+            else:
+                carrier = self.rng.choice(links[-2:] if self.chance(0.7) else links)
+                if self.chance(0.2):
+                    carrier = self.frame_on(carrier, f"f{index + 1}")
+                self.say_body(name, "")
+                self.join(carrier, name, self.rng.choice(KINDS))
+            links.append(name)
+        if not self.names:
+            raise Unsuitable
+        self.act(links[1:])
+        self.observe(links[1:])
+
+    def frame_on(self, carrier, name):
+        """A link without mass between two joints."""
+        self.say(f"frame {name};")
+        kind = self.rng.choice(("weld", "weld", "revolute", "prismatic"))
+        self.join(carrier, name, kind)
+        return name
+
+    def say_body(self, name, place):
+        text, mass, centroid, tensor = matter(self)
+        self.say(f"body {name} {{ {text}{place} }}")
+        self.bodies.append(ne.Body(name, mass, centroid, tensor))
+
+    def join(self, carrier, name, kind):
+        lines, fixed = self.joint_frame()
+        coordinates, motion, more = getattr(self, kind)()
+        lines += more
+        tail = f" {{ {' '.join(lines)} }}" if lines else ";"
+        made = ", ".join(coordinates)
+        made = f"({made}) = " if len(coordinates) > 1 else f"{made} = " * len(coordinates)
+        self.say(f"{kind} {made}{carrier} to {name}{tail}")
+        self.frames[name] = (carrier, lambda q, t: ne.product(fixed, motion(q)))
+
+    def joint_frame(self):
+        lines, fixed = [], ne.translation(0, 0, 0)
+        if self.chance(0.8):
+            text, at = self.vector()
+            lines.append(f"at: {text};")
+            fixed = ne.translation(*at)
+        if self.chance(0.5):
+            angles = [self.angle() for _ in range(3)]
+            lines.append(f"turned: ({', '.join(text for text, _ in angles)});")
+            rotation = ne.roll_pitch_yaw(*(value for _, value in angles))
+            fixed = ne.product(fixed, ne.homogeneous(rotation, [0, 0, 0]))
+        return lines, fixed
+
+    def axis(self):
+        """The line that says it, and the direction."""
+        if self.chance(0.3):
+            return [], AXES["z"]
+        if self.chance(0.6):
+            place, sign = self.rng.randrange(3), self.rng.choice((1, -1, 2))
+            components = [sign * int(k == place) for k in range(3)]
+            return [f"axis: ({', '.join(map(str, components))});"], ne.direction([mpf(c) for c in components])
+        text, value = self.vector()
+        if ne.dot(value, value) < 0.01:
+            return [], AXES["z"]
+        return [f"axis: {text};"], ne.direction(value)
+
+    def damping(self, coordinate):
+        if not self.chance(0.2):
+            return []
+        text, value = self.number(0.1, 0.9)
+        self.loads.append(lambda k: [-value * k.v[i] if i == coordinate else mpf(0) for i in range(k.size)])
+        return [f"damping: {text};"]
+
+    # Joints: names of coordinates, the motion, lines of the statement.
+
+    def revolute(self):
+        name, q = self.coordinate("q")
+        lines, axis = self.axis()
+        return [name], lambda x: ne.turned(axis, x[q]), lines + self.damping(q)
+
+    def prismatic(self):
+        name, s = self.coordinate("s")
+        lines, axis = self.axis()
+        return [name], lambda x: ne.translation(*(x[s] * c for c in axis)), lines + self.damping(s)
+
+    def screw(self):
+        name, q = self.coordinate("q")
+        lines, axis = self.axis()
+        text, pitch = self.number(0.1, 0.9)
+
+        def motion(x):
+            advance = x[q] * (pitch / (2 * pi))
+            return ne.product(ne.turned(axis, x[q]), ne.translation(*(advance * c for c in axis)))
+
+        return [name], motion, [*lines, f"pitch: {text};", *self.damping(q)]
+
+    def cylindrical(self):
+        (turn, q), (move, s) = self.coordinate("q"), self.coordinate("s")
+        lines, axis = self.axis()
+
+        def motion(x):
+            return ne.product(ne.turned(axis, x[q]), ne.translation(*(x[s] * c for c in axis)))
+
+        return [turn, move], motion, lines
+
+    def universal(self):
+        (first, a), (second, b) = self.coordinate("q"), self.coordinate("q")
+        motion = lambda x: ne.product(ne.turned(AXES["x"], x[a]), ne.turned(AXES["y"], x[b]))
+        return [first, second], motion, []
+
+    def planar(self):
+        (first, x), (second, y), (turn, phi) = (self.coordinate(stem) for stem in "xyq")
+        motion = lambda q: ne.product(ne.translation(q[x], q[y], 0), ne.turned(AXES["z"], q[phi]))
+        return [first, second, turn], motion, []
+
+    def weld(self):
+        return [], lambda _: ne.translation(0, 0, 0), []
+
+    # Bodies whose pose is written down.
+
+    def place_by_hand(self, name):
+        place = [self.length() for _ in range(3)]
+        word = self.rng.choice(("origin", "center"))
+        lines = f" {word}: ({', '.join(text for text, _ in place)});"
+        rotation = lambda q, t: ne.IDENTITY
+        if self.chance(0.85):
+            letters = self.sequence()
+            angles = [self.turn() for _ in range(3)]
+            lines += f" angles: ({', '.join(text for text, _ in angles)}); sequence: {letters};"
+
+            def rotation(q, t):
+                total = ne.IDENTITY
+                for letter, (_, angle) in zip(letters, angles):
+                    total = ne.product(total, ne.rotation(AXES[letter], angle(q, t)))
+                return total
+
+        self.say_body(name, lines)
+        centroid = self.bodies[-1].centroid if word == "center" else [mpf(0)] * 3
+
+        def pose(q, t):
+            turned = rotation(q, t)
+            arm = ne.product(turned, [[-c] for c in centroid])
+            return ne.homogeneous(turned, [p(q, t) + a for (_, p), (a,) in zip(place, arm)])
+
+        self.frames[name] = ("ground", pose)
+
+    def sequence(self):
+        letters = self.rng.choice("xyz")
+        while len(letters) < 3:
+            letters += self.rng.choice([letter for letter in "xyz" if letter != letters[-1]])
+        return letters
+
+    def length(self):
+        """A coordinate of a place, as a function of coordinates and time."""
+        return self.moving("x")
+
+    def turn(self):
+        return self.moving("a")
+
+    def moving(self, stem):
+        choice = self.rng.random()
+        if choice < 0.6 and len(self.names) < MOST_COORDINATES:
+            name, q = self.coordinate(stem)
+            self.say(f"coord {name};")
+            return self.rng.choice((
+                (name, lambda x, t: x[q]),
+                (name, lambda x, t: x[q]),
+                (f"-{name}/2 + t/5", lambda x, t: t / 5 - x[q] / 2),
+                (f"{name} + sin({name})/3", lambda x, t: x[q] + x[q].sin() / 3),
+            ))
+        if choice < 0.8:
+            text = self.decimal(-1, 1)
+            return text, lambda x, t: Series(text)
+        return self.rng.choice((
+            ("sin(2*t)/5", lambda x, t: (2 * t).sin() / 5),
+            ("t^2/4 - t", lambda x, t: t * t / 4 - t),
+        ))
+
+    # What acts on bodies.
+
+    def act(self, links):
+        for _ in range(self.rng.choice((0, 1, 1, 2, 3))):
+            getattr(self, self.rng.choice(LOADS))(links)
+        if len(self.names) >= 5 and self.chance(0.35):
+            self.pin(links)
+
+    def point(self, links):
+        """A point of a body: text, body, own coordinates."""
+        name = self.rng.choice(links)
+        centroid = next(body.centroid for body in self.bodies if body.frame == name)
+        choice = self.rng.random()
+        if choice < 0.1:
+            return name, name, centroid
+        if choice < 0.2:
+            return f"{name}.center", name, centroid
+        if choice < 0.3:
+            return f"{name}.origin", name, [mpf(0)] * 3
+        text, own = self.vector()
+        text = f"{name}.point{text}"
+        if choice > 0.85:
+            self.parameters += 1
+            self.say(f"let tip{self.parameters} = {text};")
+            text = f"tip{self.parameters}"
+        return text, name, own
+
+    def end(self, links):
+        """A point of a body or of the ground: text; at a state its place, its velocity, columns of its Jacobian and γ."""
+        if self.chance(0.3):
+            text, place = self.vector(-2, 2, 0)
+            zero = [mpf(0)] * 3
+            return text, lambda k: (place, zero, [zero] * k.size, zero)
+        text, name, own = self.point(links)
+        drift = lambda k: k.acceleration(name, own, [mpf(0)] * k.size)
+        return text, lambda k: (k.place(name, own), k.velocity(name, own), k.jacobian(name, own), drift(k))
+
+    def load(self, links):
+        """A vector that may belong to a body: text, components in the world at a state."""
+        choice = self.rng.random()
+        text, value = self.vector(-3, 3)
+        if choice < 0.4:
+            return text, lambda k: value
+        if choice < 0.8:
+            name = self.rng.choice(links)
+            return f"{name}.vector{text}", lambda k: k.in_world(name, value)
+        x = self.rng.randrange(len(self.names))
+        return f"({self.names[x]}^2, 0.5, t)", lambda k: [k.q[x] ** 2, mpf("0.5"), k.t]
+
+    def force(self, links):
+        (text, load), (place, name, own) = self.load(links), self.point(links)
+        self.say(f"force {text} at {place};")
+        self.loads.append(lambda k: [ne.dot(column, load(k)) for column in k.jacobian(name, own)])
+
+    def drag(self, links):
+        place, name, own = self.point(links)
+        text, c = self.number(0.1, 0.9)
+        self.say(f"force -{text}*velocity({place}) at {place};")
+
+        def load(k):
+            drag = ne.times(-c, k.velocity(name, own))
+            return [ne.dot(column, drag) for column in k.jacobian(name, own)]
+
+        self.loads.append(load)
+
+    def torque(self, links):
+        (text, load), name = self.load(links), self.rng.choice(links)
+        self.say(f"torque {text} on {name};")
+        self.loads.append(lambda k: [ne.dot(column, load(k)) for column in k.spin_jacobian(name)])
+
+    def drive(self, _):
+        x, value = self.rng.randrange(len(self.names)), self.decimal(-2, 2)
+        self.parameters += 1
+        name = f"u{self.parameters}"
+        self.say(f"input {name} = {value}; force {self.names[x]} = {name} - dot({self.names[x]})/4;")
+        self.loads.append(lambda k: [(mpf(value) - k.v[x] / 4) * int(i == x) for i in range(k.size)])
+
+    def spring(self, links):
+        ends = self.between(links)
+        text, stiffness = self.number(0.5, 4)
+        lines, rest = f"stiffness: {text};", mpf(0)
+        if self.chance(0.7):
+            text, rest = self.number(0.2, 1)
+            lines += f" rest: {text};"
+        self.say(f"spring {{ {ends.text} {lines} }}")
+        self.loads.append(lambda k: ends.pulled(k, lambda length, _: stiffness * (length - rest)))
+        self.potentials.append(lambda k: stiffness * (ends.length(k)[0] - rest) ** 2 / 2)
+
+    def damper(self, links):
+        ends = self.between(links)
+        text, damping = self.number(0.1, 0.9)
+        self.say(f"damper {{ {ends.text} damping: {text}; }}")
+        self.loads.append(lambda k: ends.pulled(k, lambda _, rate: damping * rate))
+
+    def between(self, links):
+        (start, here), (end, there) = self.end(links), self.end(links)
+        if "(" == start[0] == end[0]:
+            raise Unsuitable
+        return Ends(f"from: {start}; to: {end};", here, there)
+
+    def pin(self, links):
+        start, name, own = self.point(links)
+        others = [link for link in links if link != name]
+        if not others:
+            return
+        end, there = self.end(others)
+        self.parameters += 1
+        self.say(f"pin h{self.parameters} = {start} to {end};")
+        self.pins.append((name, own, there))
+        first = 3 * len(self.pins) - 3
+        self.observed(f"h{self.parameters}.force", lambda k, a, multipliers: multipliers[first : first + 3])
+
+    # What is seen of them.
+
+    def observed(self, text, value):
+        name = f"o{len(self.outputs) + 1}"
+        self.say(f"output {name} = {text};")
+        self.outputs.append((name, value))
+
+    def observe(self, links):
+        for _ in range(self.rng.choice((0, 1, 2, 3))):
+            getattr(self, self.rng.choice(OUTPUTS))(links)
+
+    def axes(self, links):
+        """`in name`, or nothing: text, components of a vector there."""
+        if self.chance(0.5):
+            return "", lambda k, vector: vector
+        name = self.rng.choice([*self.frames])
+        return f" in {name}", lambda k, vector: k.in_axes(name, vector)
+
+    def see_point(self, links):
+        text, name, own = self.point(links)
+        if "." not in text:
+            return
+        self.observed(text, lambda k, a, _: k.place(name, own))
+
+    def see_velocity(self, links):
+        (text, name, own), (axes, seen) = self.point(links), self.axes(links)
+        self.observed(f"velocity({text}){axes}", lambda k, a, _: seen(k, k.velocity(name, own)))
+
+    def see_acceleration(self, links):
+        (text, name, own), (axes, seen) = self.point(links), self.axes(links)
+        self.observed(f"acceleration({text}){axes}", lambda k, a, _: seen(k, k.acceleration(name, own, a)))
+
+    def see_spin(self, links):
+        name, (axes, seen) = self.rng.choice([*self.frames]), self.axes(links)
+        self.observed(f"angular_velocity({name}){axes}", lambda k, a, _: seen(k, k.spin(name)))
+
+    def see_angular_acceleration(self, links):
+        name, (axes, seen) = self.rng.choice([*self.frames]), self.axes(links)
+        value = lambda k, a, _: seen(k, k.angular_acceleration(name, a))
+        self.observed(f"angular_acceleration({name}){axes}", value)
+
+    def see_vector(self, links):
+        name, (axes, seen), (text, own) = self.rng.choice([*self.frames]), self.axes(links), self.vector()
+        self.observed(f"{name}.vector{text}{axes}", lambda k, a, _: seen(k, k.in_world(name, own)))
+
+    def see_momentum(self, links):
+        body, (axes, seen) = self.rng.choice(self.bodies), self.axes(links)
+        self.observed(f"linear_momentum({body.frame}){axes}", lambda k, a, _: seen(k, body.linear_momentum(k)))
+
+    def see_angular_momentum(self, links):
+        body, (axes, seen) = self.rng.choice(self.bodies), self.axes(links)
+        text, about = ("", [mpf(0)] * 3) if self.chance(0.4) else self.vector()
+        if text:
+            text = f", {text}"
+        value = lambda k, a, _: seen(k, body.angular_momentum(k, about))
+        self.observed(f"angular_momentum({body.frame}{text}){axes}", value)
+
+    # What follows.
+
+    def poses(self, q, t):
+        placed = {"ground": ne.translation(0, 0, 0)}
+        for name, (carrier, motion) in self.frames.items():
+            placed[name] = ne.product(placed[carrier], motion(q, t))
+        del placed["ground"]
+        return placed
+
+    def text(self):
+        """Something must say that this is in space."""
+        text = "\n".join(self.statements)
+        is_said = any(word in text for word in ("gravity", "at:", "centroid", "turned", "angles"))
+        return text if is_said else f"gravity = (0, 0, 0);\n{text}"
+
+
+class Ends:
+    """Two ends of a spring or damper."""
+
+    def __init__(self, text, here, there):
+        self.text, self.here, self.there = text, here, there
+
+    def length(self, k):
+        """Length, its rate, direction from one end to the other."""
+        (p, p_rate, *_), (q, q_rate, *_) = self.here(k), self.there(k)
+        d = ne.minus(q, p)
+        length = ne.sqrt(ne.dot(d, d))
+        if length < SHORTEST:
+            raise Unsuitable
+        along = ne.times(1 / length, d)
+        return length, ne.dot(along, ne.minus(q_rate, p_rate)), along
+
+    def pulled(self, k, tension):
+        length, rate, along = self.length(k)
+        pull = ne.times(tension(length, rate), along)
+        pairs = zip(self.here(k)[2], self.there(k)[2])
+        return [ne.dot(ne.minus(here, there), pull) for here, there in pairs]
+
+
+KINDS = [
+    "revolute", "revolute", "revolute", "revolute", "prismatic", "prismatic", "screw", "cylindrical", "universal",
+    "planar", "weld",
+]
+LOADS = ["force", "force", "drag", "torque", "torque", "drive", "spring", "spring", "damper"]
+OUTPUTS = [name for name in vars(Tree) if name.startswith("see_")]
+
+
+def mechanics(tree, t, q, v, wanted):
+    """What is expected at a state, as lines."""
+    k = ne.Kinematics(tree.poses, t, q, v)
+    mass_matrix, bias = ne.undivided(k, tree.bodies)
+    loads = [mpf(0)] * k.size
+    for body in tree.bodies:
+        weight = ne.times(body.mass, tree.gravity)
+        loads = [q + ne.dot(column, weight) for q, column in zip(loads, k.jacobian(body.frame, body.centroid))]
+    for load in tree.loads:
+        loads = ne.plus(loads, load(k))
+    constraints, drifts = constrained(tree, k)
+    right = ne.minus(loads, bias)
+    try:
+        accelerations, multipliers, condition = ne.solved(mass_matrix, right, constraints, drifts)
+        # Pins may hold what has no inertia, which the language refuses.
+        _, _, unconstrained = ne.solved(mass_matrix, right, [], [])
+    except ZeroDivisionError as singular:
+        raise Unsuitable from singular
+    if max(condition, unconstrained) > WORST_CONDITION:
+        raise Unsuitable
+    torques = [ne.dot(row, wanted) - rest for row, rest in zip(mass_matrix, right)]
+    kinetic = sum(body.kinetic_energy(k) for body in tree.bodies)
+    weights = (-body.mass * ne.dot(tree.gravity, k.place(body.frame, body.centroid)) for body in tree.bodies)
+    potential = sum(weights) + sum((energy(k) for energy in tree.potentials), mpf(0))
+    lines = [("condition", [condition], 3), ("accelerations", accelerations, DIGITS)]
+    if multipliers:
+        lines.append(("multipliers", multipliers, DIGITS))
+    lines += [("inverse_dynamics", torques, DIGITS), ("kinetic", [kinetic], DIGITS), ("potential", [potential], DIGITS)]
+    for name, value in tree.outputs:
+        lines.append((f"output {name}", value(k, accelerations, multipliers), DIGITS))
+    return lines
+
+
+def constrained(tree, k):
+    """Rows of the Jacobian of the pins and what holds no accelerations."""
+    rows, drifts = [], []
+    zero = [mpf(0)] * k.size
+    for name, own, there in tree.pins:
+        columns = [ne.minus(a, b) for a, b in zip(k.jacobian(name, own), there(k)[2])]
+        rows += [[column[axis] for column in columns] for axis in range(3)]
+        drift = ne.minus(k.acceleration(name, own, zero), there(k)[3])
+        drifts += drift
+    return rows, drifts
+
+
+def states(tree):
+    """Random ones and exact zeros: t, q, v."""
+    fraction = lambda reach: mpf(tree.rng.randint(-64 * reach, 64 * reach)) / 64
+    vector = lambda reach: [fraction(reach) for _ in tree.names]
+    zero = [mpf(0)] * len(tree.names)
+    yield fraction(1), vector(2), vector(2)
+    yield mpf(0), zero, zero
+    yield tree.rng.choice(((mpf(0), zero, vector(2)), (fraction(1), vector(2), zero)))
+
+
+def written(number, digits):
+    if abs(number) < mpf("1e-30"):
+        return "0"
+    text = nstr(number, digits, min_fixed=-4, max_fixed=24, strip_zeros=True)
+    return text[:-2] if text.endswith(".0") else text
+
+
+def described(seed):
+    """The lines of a tree."""
+    tree = Tree(seed)
+    lines = [f"> {line}" for line in tree.text().splitlines()]
+    for index, (t, q, v) in enumerate(states(tree)):
+        wanted = [mpf(tree.rng.randint(-192, 192)) / 64 for _ in q]
+        try:
+            values = mechanics(tree, t, q, v, wanted)
+        except Unsuitable:
+            if index == 0:
+                raise
+            continue
+        given = [("state", [t]), ("q", q), ("v", v), ("wanted", wanted)]
+        values = [(word, numbers, DIGITS) for word, numbers in given] + values
+        lines += [f"{word} {' '.join(written(x, digits) for x in numbers)}" for word, numbers, digits in values]
+    return lines
+
+
+def trees():
+    """Numbers of trees that say something, with their lines."""
+    seed = 0
+    while True:
+        seed += 1
+        try:
+            yield seed, described(seed)
+        except Unsuitable:
+            continue
+
+
+def main():
+    mp.dps = 40
+    if sys.argv[1:]:
+        for seed in map(int, sys.argv[1:]):
+            print("\n".join([f"system tree {seed}", *described(seed)]))
+        return
+    with TARGET.open("w") as file:
+        file.write("# Written by tools/spatial_trees.py.\n")
+        for _, (seed, lines) in zip(range(COUNT), trees()):
+            file.write("\n".join(["", f"system tree {seed}", *lines, ""]))
+
+
+if __name__ == "__main__":
+    main()
