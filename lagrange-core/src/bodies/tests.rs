@@ -1,5 +1,7 @@
 //! Scenes of bodies mean the same as the same systems written by hand.
 
+mod joints;
+
 use crate::derive::StrategyChoice;
 use crate::expr::Node;
 use crate::pipeline::{Derived, NumericSystem, parse};
