@@ -31,6 +31,11 @@ impl Rates {
         Rates { accelerations, known: HashMap::default() }
     }
 
+    /// Takes the rate of an expression from elsewhere, where it is found in a shorter form.
+    pub fn learn(&mut self, id: ExprId, rate: ExprId) {
+        self.known.insert(id, rate);
+    }
+
     /// d/dt of an expression.
     pub fn of(&mut self, graph: &mut Graph, root: ExprId) -> ExprId {
         let mut pending = vec![root];

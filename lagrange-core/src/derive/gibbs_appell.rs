@@ -85,7 +85,7 @@ impl GibbsForm {
 }
 
 /// Affine nodes that nonlinear ones, or nothing, are made of.
-fn affine_operands(graph: &mut Graph, degrees: &Degrees, function: ExprId) -> Vec<ExprId> {
+pub(super) fn affine_operands(graph: &mut Graph, degrees: &Degrees, function: ExprId) -> Vec<ExprId> {
     let is_affine = |graph: &Graph, id| degrees.of(graph, id) == Degree::Affine;
     let mut found = Vec::new();
     for id in graph.reachable_until(&[function], |id| degrees.of(graph, id) != Degree::Nonlinear) {

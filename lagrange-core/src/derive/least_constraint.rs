@@ -30,6 +30,7 @@
 use super::curvature::Curvature;
 use super::gibbs_appell::{GibbsForm, remainder};
 use super::quadratic_form::QuadraticForm;
+use super::quasi_velocities::QuasiVelocities;
 use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates, gradient};
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{Dependencies, ExprId, Graph, Node};
@@ -47,6 +48,8 @@ pub(super) struct SplitLagrangian {
     pub(super) rest: ExprId,
     /// Whether those are more than linear in the velocities.
     pub(super) has_other_inertia: bool,
+    /// What is known of those if they are terms in components that joints turn.
+    quasi_velocities: Option<QuasiVelocities>,
     /// What is stated by a Gibbs function, which the terms above leave out.
     gibbs: Option<GibbsForm>,
     /// The second derivatives with respect to affine nodes, the squares and those of the Gibbs function included.
@@ -123,7 +126,10 @@ pub(super) fn loads_beside_squares(
     let power = slopes.of(&mut model.graph, split.potential);
     let one = model.graph.number(1);
     form.add_linear(&model.graph, power, one);
-    add_rest(model, &mut form, &mut rates, split.rest);
+    match &split.quasi_velocities {
+        Some(quasi_velocities) => quasi_velocities.add_terms(model, &mut form, accelerations),
+        None => add_rest(model, &mut form, &mut rates, split.rest),
+    }
     if let Some(gibbs) = &split.gibbs {
         gibbs.add_linear(&mut model.graph, &mut form, accelerations);
     }
@@ -266,6 +272,7 @@ impl<'a> Splitter<'a> {
             rest,
             has_other_inertia: degrees.of(self.graph, rest) == Degree::Nonlinear,
             gibbs: None,
+            quasi_velocities: QuasiVelocities::find(self.graph, rest, self.positions),
             quadratic: self.curvature.quadratic,
         }
     }

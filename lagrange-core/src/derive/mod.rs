@@ -12,6 +12,8 @@
 //! ṗ. Everything else contributes second derivatives by a second-order reverse sweep and d/dt ∂L/∂v − ∂L/∂q by reverse mode. No Jacobian
 //! appears. `quadratic_form` holds what comes together at each pair of nodes and sums it when it is needed.
 //!
+//! Where such terms hold components that joints turn, brackets at the turned pairs take the place of those rates (`quasi_velocities`).
+//!
 //! A Gibbs function (`gibbs_appell`) says the same of part of the Lagrangian by second derivatives and slopes in the accelerations, at the
 //! velocities that are their principal parts, so that forms and sweeps need not know where coefficients come from.
 //!
@@ -87,6 +89,7 @@ mod least_constraint;
 mod messages;
 mod plane_rotation;
 mod quadratic_form;
+mod quasi_velocities;
 mod responses;
 mod strategies;
 mod structure;

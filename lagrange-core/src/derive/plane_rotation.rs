@@ -31,6 +31,16 @@ pub(super) struct TurnedPair {
     pub(super) parts: [(ExprId, Number); 2],
 }
 
+impl TurnedPair {
+    /// The angle.
+    pub(super) fn angle(&self, graph: &Graph) -> ExprId {
+        match graph.node(self.cosine) {
+            Node::Call(_, arguments) => arguments[0],
+            _ => self.cosine,
+        }
+    }
+}
+
 /// A variable c x₁ + s x₂ but for signs.
 #[derive(Clone, Copy, Debug)]
 struct Component {

@@ -86,16 +86,20 @@ impl Pair {
         let by_energies = self.system("", StrategyChoice::Always(Strategy::MassMatrix));
         for strategy in [Strategy::MassMatrix, Strategy::ArticulatedBody] {
             let by_gibbs = self.system(self.gibbs, StrategyChoice::Always(strategy));
-            let both = [&by_energies, &by_gibbs];
-            assert_near("acceleration", both.map(|system| system.acceleration(0.3, q, v)));
-            assert_near("multipliers", both.map(|system| system.multipliers(0.3, q, v)));
-            let inverse = both.map(|system| system.inverse_dynamics(0.3, q, v, a).expect("by default"));
-            assert_near("inverse_dynamics", inverse);
-            for product in Product::ALL.into_iter().filter(|product| *product != Product::InverseDynamics) {
-                if let [Some(expected), Some(found)] = both.map(|system| system.product(product, 0.3, q, v)) {
-                    assert_near(product.name(), [expected, found]);
-                }
-            }
+            assert_equal([&by_energies, &by_gibbs], [q, v, a]);
+        }
+    }
+}
+
+/// Compares everything that follows from two declarations.
+pub(crate) fn assert_equal(both: [&NumericSystem; 2], [q, v, a]: [&[f64]; 3]) {
+    assert_near("acceleration", both.map(|system| system.acceleration(0.3, q, v)));
+    assert_near("multipliers", both.map(|system| system.multipliers(0.3, q, v)));
+    let inverse = both.map(|system| system.inverse_dynamics(0.3, q, v, a).expect("by default"));
+    assert_near("inverse_dynamics", inverse);
+    for product in Product::ALL.into_iter().filter(|product| *product != Product::InverseDynamics) {
+        if let [Some(expected), Some(found)] = both.map(|system| system.product(product, 0.3, q, v)) {
+            assert_near(product.name(), [expected, found]);
         }
     }
 }
@@ -109,7 +113,7 @@ fn assert_near(what: &str, [expected, found]: [Vec<f64>; 2]) {
 }
 
 /// Numbers, every third of them exactly zero.
-fn numbers(count: usize) -> impl Values<Value = Vec<f64>> {
+pub(crate) fn numbers(count: usize) -> impl Values<Value = Vec<f64>> {
     prop::collection::vec(prop_oneof![1 => Just(0.0), 2 => -2.0..2.0], count)
 }
 

@@ -14,6 +14,7 @@ mod pivots;
 mod polynomials;
 mod printing;
 mod products;
+mod quasi_velocities;
 mod reductions;
 mod scenes;
 mod trees;
