@@ -22,13 +22,13 @@ class Loads:
             self.pin(links)
 
     def point(self, links):
-        """A point of a body: text, body, own coordinates."""
+        """A point of a body or frame: text, body, own coordinates. The name of a frame stands for its origin."""
         name = self.rng.choice(links)
-        centroid = next(body.centroid for body in self.bodies if body.frame == name)
+        centroid = next((body.centroid for body in self.bodies if body.frame == name), None)
         choice = self.rng.random()
         if choice < 0.1:
-            return name, name, centroid
-        if choice < 0.2:
+            return name, name, centroid or [mpf(0)] * 3
+        if centroid and choice < 0.2:
             return f"{name}.center", name, centroid
         if choice < 0.3:
             return f"{name}.origin", name, [mpf(0)] * 3

@@ -108,8 +108,8 @@ class Tree(Loads, Outputs):
             links.append(name)
         if not self.names:
             raise Unsuitable
-        self.act(links[1:])
-        self.observe(links[1:])
+        self.act([*self.frames])
+        self.observe([*self.frames])
 
     def frame_on(self, carrier, name):
         """A link without mass between two joints."""
