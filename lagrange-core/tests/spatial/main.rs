@@ -1,8 +1,10 @@
 //! Bodies in space against independent answers: other people's algorithms for models of robots, Newton–Euler in the world with many
 //! digits for random trees, and motions that are known in closed form.
 
+mod additions;
 mod cases;
 mod closed_forms;
 mod comparison;
 mod models;
+mod motion;
 mod trees;
