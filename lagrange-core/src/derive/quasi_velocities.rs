@@ -201,6 +201,7 @@ fn pairs_among(
     known_rates: &HashMap<ExprId, ExprId>,
 ) -> Vec<TurnedPair> {
     let mut parts: HashMap<ExprId, Vec<(ExprId, ExprId)>> = HashMap::default();
+    // The terms are users, too.
     let mut users: HashMap<ExprId, usize> = nodes.iter().map(|&node| (node, 1)).collect();
     let is_end = |id: ExprId| known_rates.contains(&id) || degrees.of(graph, id) == Degree::Free;
     let found = graph.reachable_until(nodes, is_end);
@@ -218,7 +219,7 @@ fn pairs_among(
         graph,
         &affine,
         |id| parts.get(&id).cloned().unwrap_or_default(),
-        |id| users.get(&id) == Some(&1) && !nodes.contains(&id),
+        |id| users.get(&id) == Some(&1),
     );
     // Those that are made of others come behind them.
     pairs.sort_by_key(|pair| pair.turned[0].0);
