@@ -197,8 +197,13 @@ fn parameters(translation: &mut Translation<'_>, order: &[usize]) -> Vec<Vec<Opt
             Some(inertia) => numeric_parameters(translation, inertia),
             None => Some(InertialParameters::NONE),
         };
-        let gives = path.carrier.is_none_or(|carrier| is_carried(translation, carrier));
-        let steps = numeric_steps(translation, &path).filter(|_| gives);
+        // A frame without inertia would get some only to carry it.
+        let gives = path.carrier.is_none_or(|carrier| {
+            is_carried(translation, carrier)
+                && (has_inertia(translation, carrier) || !received[carrier].is_nothing())
+        });
+        let steps = numeric_steps(translation, &path);
+        let steps = steps.filter(|steps| gives && motions(steps) <= 1 || motions(steps) == 0);
         let mut kept = vec![None; path.steps.len().max(1)];
         match (own, inertia, steps) {
             (Some(own), _, Some(steps)) => {
@@ -229,6 +234,14 @@ fn parameters(translation: &mut Translation<'_>, order: &[usize]) -> Vec<Vec<Opt
 /// True of links that joints carry: only their equations are in the Gibbs function.
 fn is_carried(translation: &Translation<'_>, link: usize) -> bool {
     translation.space.as_ref().is_some_and(|space| space.links[link].path.is_some())
+}
+
+fn has_inertia(translation: &Translation<'_>, link: usize) -> bool {
+    translation.space.as_ref().is_some_and(|space| space.links[link].inertia.is_some())
+}
+
+fn motions(steps: &[NumericStep]) -> usize {
+    steps.iter().filter(|step| matches!(step, NumericStep::Turn(_) | NumericStep::Slide)).count()
 }
 
 /// What stays in the frame behind each step, and what goes to the carrier.
