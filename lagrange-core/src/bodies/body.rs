@@ -38,7 +38,7 @@ pub(super) fn translate_body(translation: &mut Translation<'_>, statement: &ast:
         mass,
         inertia,
     });
-    let kind = DrawnKind::Body { body: index, outlines };
+    let kind = DrawnKind::Body { body: translation.motions.len() - 1, outlines };
     translation.drawing.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
     translation.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, angle, radius });
     translation.names.declare(&name.text, Object::Body(index));

@@ -57,8 +57,10 @@ pub(super) fn report_beside_compound(translation: &mut Translation<'_>, statemen
             translation.report.error(translation.expressions.origin(id), messages::beside_compound(label));
         error.help(messages::BESIDE_COMPOUND_HELP);
     }
-    if let Some(shape) = &statement.shape {
-        let error = translation.report.error(shape.origin, messages::beside_compound("shape"));
+    let tensor = statement.tensor.map(|tensor| ("inertia", translation.expressions.origin(tensor[0])));
+    let shape = statement.shape.as_ref().map(|shape| ("shape", shape.origin));
+    for (label, origin) in tensor.into_iter().chain(shape) {
+        let error = translation.report.error(origin, messages::beside_compound(label));
         error.help(messages::BESIDE_COMPOUND_HELP);
     }
 }
@@ -70,6 +72,13 @@ fn compound_part(translation: &mut Translation<'_>, body: &str, part: &Part) -> 
         Some(at) => fixed_vector(translation, at, messages::PLACE_OF_PART),
         None => translation.terms().zero_pair(),
     };
+    if let Some(turned) = part.turned {
+        let origin = translation.expressions.origin(turned);
+        translation
+            .report
+            .error(origin, messages::TURNED_IN_THE_PLANE)
+            .help(messages::TURNED_IN_THE_PLANE_HELP);
+    }
     let angle = match part.angle {
         Some(angle) => property(translation, angle, messages::ANGLE_OF_PART),
         None => translation.terms().number(0),

@@ -1,7 +1,7 @@
 //! Bodies, lines, springs and joints in expressions.
 
 use super::kinematics::{of_body, of_line};
-use super::messages;
+use super::messages::{self, mobilizers};
 use super::object::{Body, Joint, Line, Object};
 use super::plain::Obligation;
 use super::space::{
@@ -117,18 +117,6 @@ fn is_point(translation: &Translation<'_>, id: AstId) -> bool {
     matches!(translation.expressions.get(id), Expression::Tuple(_)) || translation.body_of(id).is_some()
 }
 
-/// Whether an expression, as the user wrote it, is made of parameters and numbers only.
-pub(super) fn is_at_rest(translation: &Translation<'_>, id: AstId) -> bool {
-    let mut pending = vec![id];
-    while let Some(id) = pending.pop() {
-        match translation.expressions.get(id) {
-            Expression::Name(name) if !translation.names.is_fixed(name) => return false,
-            other => pending.extend(other.operands()),
-        }
-    }
-    true
-}
-
 /// The parts of an expression that are translated before it: not the names of bodies where these belong.
 fn parts_of(translation: &Translation<'_>, id: AstId) -> Vec<AstId> {
     let is_object = |id: &AstId| matches!(translation.expressions.get(*id), Expression::Name(name) if translation.names.find(name).is_some());
@@ -178,13 +166,15 @@ pub(super) fn report_early(translation: &mut Translation<'_>, name: &str) -> boo
         return false;
     };
     let declared = declared.span;
+    let is_waiting = translation.waiting.iter().any(|body| body.name().text == name);
     if translation.early.insert(name.to_owned(), ()).is_some() {
         return true;
     }
-    let error = translation
-        .report
-        .error(translation.origin, messages::used_too_early(name))
-        .help(messages::ORDER_HELP);
+    let (message, help) = match is_waiting {
+        true => (mobilizers::unplaced_yet(name), mobilizers::PLACE_FIRST_HELP),
+        false => (messages::used_too_early(name), messages::ORDER_HELP),
+    };
+    let error = translation.report.error(translation.origin, message).help(help);
     error.related(declared.into(), messages::DECLARED_HERE);
     true
 }
@@ -266,7 +256,7 @@ fn plain_call(translation: &mut Translation<'_>, function: &Name, arguments: &[A
     }
     if let Some((_, plain)) = OF_POINTS.iter().find(|(name, _)| *name == function.text) {
         if let [point] = arguments
-            && is_at_rest(translation, *point)
+            && translation.is_at_rest(*point)
         {
             let message = messages::point_at_rest(&function.text);
             translation.report.error(translation.origin, message).help(messages::POINT_AT_REST_HELP);
@@ -276,7 +266,7 @@ fn plain_call(translation: &mut Translation<'_>, function: &Name, arguments: &[A
             && let Some((link, own)) = point_on_link(translation, *point)
         {
             let (pose, own) = rate_of_link_point(translation, &function.text, link, own);
-            return pose.vector_in_world(&mut translation.terms(), own);
+            return pose.world_vector(&mut translation.terms(), own);
         }
         let arguments =
             arguments.iter().map(|&point| translated_place(translation, point)).collect::<Vec<_>>();

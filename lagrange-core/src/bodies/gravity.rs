@@ -27,7 +27,7 @@ pub(super) fn translate_gravity(translation: &mut Translation<'_>, value: AstId)
 
 /// Only bodies have weight: hand-written energies do not fall.
 pub(super) fn report_idle_gravity(translation: &mut Translation<'_>) {
-    let Some((_, origin)) = translation.gravity.filter(|_| translation.bodies.is_empty()) else { return };
+    let Some((_, origin)) = translation.gravity.filter(|_| translation.motions.is_empty()) else { return };
     if !translation.report.has_errors() {
         translation.report.error(origin, messages::IDLE_GRAVITY).help(messages::IDLE_GRAVITY_HELP);
     }
@@ -38,6 +38,10 @@ pub(super) fn weigh(translation: &mut Translation<'_>, index: usize) {
     let Some((gravity, _)) = translation.gravity else { return };
     let Body { name, mass, center, .. } = translation.bodies[index].clone();
     let mut terms = translation.terms();
+    if terms.is_zero(mass) {
+        // A frame.
+        return;
+    }
     let center_pair = terms.pair(center);
     let weighed = [0, 1].map(|axis| {
         let weight = terms.times(mass, gravity[axis]);

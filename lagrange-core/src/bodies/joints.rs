@@ -3,7 +3,7 @@
 //! A constraint is written so that its gradient is the direction in which its force acts on what is named first: the force is
 //! λ times the direction.
 
-use super::expressions::{is_at_rest, mention, scene_point};
+use super::expressions::{mention, scene_point};
 use super::lines::{carrier, track};
 use super::messages;
 use super::object::{Body, Joint, Line, Object};
@@ -68,7 +68,7 @@ fn hold_pin(
     if dimension == 3 {
         return Some(Joint { force, parts: Vec::new() });
     }
-    let is_anchored = [first, second].into_iter().any(|point| is_at_rest(translation, point));
+    let is_anchored = [first, second].into_iter().any(|point| translation.is_at_rest(point));
     let form = if is_anchored { JointForm::Anchor } else { JointForm::Pin };
     draw_joint(translation, &name, form, points[0]);
     let needs = names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>();

@@ -163,6 +163,18 @@ pub(super) fn only_in_the_plane(statement: &str) -> String {
 pub(super) const NOT_IN_SPACE_HELP: &str =
     "scenes in space have bodies, frames, joints with coordinates, pins, springs, dampers and loads";
 
+pub(super) const TURNED_IN_THE_PLANE: &str = "a part of a compound in the plane is turned by one angle";
+pub(super) const TURNED_IN_THE_PLANE_HELP: &str = "write `angle: e`";
+
+pub(super) fn angle_beside_joint(name: &str) -> String {
+    format!("the angle of `{name}` is made by the joint that places it")
+}
+
+pub(super) const ANGLE_BESIDE_JOINT_HELP: &str =
+    "leave it out, or say in the joint how its frame is turned, `turned: e;`";
+pub(super) const SEQUENCE_IN_THE_PLANE: &str = "in the plane there is no sequence of rotations";
+pub(super) const SEQUENCE_IN_THE_PLANE_HELP: &str = "write `angle: e;`";
+
 pub(super) const IDLE_GRAVITY: &str = "`gravity` acts on bodies, and there are none";
 pub(super) const IDLE_GRAVITY_HELP: &str =
     "declare one, `body name { … }`, or write its potential energy, `potential = m * g * y;`";

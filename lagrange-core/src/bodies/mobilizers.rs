@@ -183,6 +183,9 @@ pub(super) fn report_waiting(translation: &mut Translation<'_>) {
     for waiting in &translation.waiting {
         let (what, name) = (waiting.kind(), waiting.name());
         let error = translation.report.error(name.span, words::unplaced(what, &name.text));
-        error.help(messages::ONE_PLACE_HELP);
+        error.help(match waiting {
+            WaitingBody::Body(_) => messages::ONE_PLACE_HELP,
+            WaitingBody::Frame(_) => words::FRAME_PLACE_HELP,
+        });
     }
 }

@@ -21,6 +21,7 @@
 mod body;
 mod compound;
 mod connectors;
+mod constants;
 mod expressions;
 mod gravity;
 mod joints;

@@ -1,10 +1,11 @@
 //! Names of a declaration: those of the scene with their objects, and names of plain statements that nobody else uses.
 
+use super::constants::constants_of;
 use super::messages;
 use super::object::Object;
 use crate::collections::{HashMap, OrderedMap};
 use crate::diagnostics::{Report, nearest};
-use crate::syntax::ast::{AstId, Declaration, Expression, Name, SceneStatement, StatementKind};
+use crate::syntax::ast::{Declaration, Expression, Name, SceneStatement, StatementKind};
 
 /// The names of a declaration.
 pub(super) struct SceneNames {
@@ -12,8 +13,12 @@ pub(super) struct SceneNames {
     objects: OrderedMap<String, Object>,
     /// Objects that are declared anywhere.
     all_objects: OrderedMap<String, Name>,
-    /// Parameters and constants, those with their values.
-    fixed: HashMap<String, Option<AstId>>,
+    /// Parameters and constants.
+    fixed: HashMap<String, ()>,
+    /// Parameters.
+    parameters: HashMap<String, ()>,
+    /// Constants that are numbers.
+    constants: HashMap<String, f64>,
     /// Bodies and frames that joints place.
     placed_by_joints: HashMap<String, ()>,
     /// Names declared anywhere but on lines.
@@ -29,7 +34,7 @@ impl SceneNames {
         let mut all_objects = OrderedMap::default();
         let mut placed_by_joints = HashMap::default();
         let (mut taken, mut declared) = (HashMap::default(), HashMap::default());
-        let mut fixed: Vec<(String, Option<AstId>)> = Vec::new();
+        let (mut fixed, mut parameters) = (HashMap::default(), HashMap::default());
         for statement in &declaration.statements {
             let is_object = declares_object(&statement.kind);
             let is_line = matches!(statement.kind, StatementKind::Scene(SceneStatement::Line(_)));
@@ -45,7 +50,12 @@ impl SceneNames {
                     declared.insert(name.text.clone(), ());
                 }
             }
-            fixed.extend(fixed_numbers(&statement.kind));
+            for name in fixed_names(&statement.kind) {
+                fixed.insert(name.clone(), ());
+                if matches!(statement.kind, StatementKind::Parameters(_)) {
+                    parameters.insert(name, ());
+                }
+            }
             for name in [statement.kind.declared_names(), statement.kind.member_names()].concat() {
                 taken.insert(name.text.clone(), ());
             }
@@ -55,9 +65,19 @@ impl SceneNames {
                 taken.insert(name.clone(), ());
             }
         }
-        let (objects, fixed) = (OrderedMap::default(), fixed.into_iter().collect());
+        let (objects, constants) = (OrderedMap::default(), constants_of(declaration));
         let nameless = HashMap::default();
-        SceneNames { objects, all_objects, fixed, placed_by_joints, declared, taken, nameless }
+        SceneNames {
+            objects,
+            all_objects,
+            fixed,
+            parameters,
+            constants,
+            placed_by_joints,
+            declared,
+            taken,
+            nameless,
+        }
     }
 
     pub(super) fn declare(&mut self, name: &str, object: Object) {
@@ -84,9 +104,14 @@ impl SceneNames {
         name == "pi" || self.fixed.contains(&name.to_owned())
     }
 
-    /// The value of a constant.
-    pub(super) fn constant(&self, name: &str) -> Option<AstId> {
-        self.fixed.get(&name.to_owned()).copied().flatten()
+    /// Values of the constants that are numbers.
+    pub(super) fn constants(&self) -> &HashMap<String, f64> {
+        &self.constants
+    }
+
+    /// True of the name of a parameter, or of a constant that is a number.
+    pub(super) fn is_scalar(&self, name: &str) -> bool {
+        self.parameters.contains(&name.to_owned()) || self.constants.contains(&name.to_owned())
     }
 
     /// Whether a joint anywhere places the body or frame of this name.
@@ -120,15 +145,14 @@ impl SceneNames {
     }
 }
 
-/// Parameters, and constants with their values.
-fn fixed_numbers(kind: &StatementKind) -> Vec<(String, Option<AstId>)> {
-    let (list, is_constant) = match kind {
-        StatementKind::Parameters(list) => (list, false),
-        StatementKind::Constants(list) => (list, true),
-        _ => return Vec::new(),
-    };
-    let value = |value: Option<AstId>| value.filter(|_| is_constant);
-    list.iter().map(|row| (row.name.text.clone(), value(row.value))).collect()
+/// Names of parameters and constants.
+fn fixed_names(kind: &StatementKind) -> Vec<String> {
+    match kind {
+        StatementKind::Parameters(list) | StatementKind::Constants(list) => {
+            list.iter().map(|row| row.name.text.clone()).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// True if what a statement declares is an object of the scene; coordinates of joints are none.

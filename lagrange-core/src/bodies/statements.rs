@@ -124,11 +124,25 @@ pub(super) fn translate_scene(translation: &mut Translation<'_>, statement: Scen
 
 /// A body in the plane, which waits if a joint is to place it.
 fn translate_or_keep(translation: &mut Translation<'_>, body: Box<ast::Body>) {
-    let is_placed = body.center.is_some() || body.origin.is_some();
-    match !is_placed && translation.names.is_placed_by_joint(&body.name.text) {
-        true => translation.waiting.push(WaitingBody::Body(body)),
-        false => translate_body(translation, &body),
+    if let Some(sequence) = &body.sequence {
+        let error = translation.report.error(sequence.span, messages::SEQUENCE_IN_THE_PLANE);
+        error.help(messages::SEQUENCE_IN_THE_PLANE_HELP);
     }
+    let is_given = |place: Option<AstId>| {
+        // What could not be read may be missing because a joint is to say it.
+        place.is_some_and(|id| !matches!(translation.expressions.get(id), Expression::Invalid))
+    };
+    let is_placed = is_given(body.center) || is_given(body.origin);
+    if is_placed || !translation.names.is_placed_by_joint(&body.name.text) {
+        return translate_body(translation, &body);
+    }
+    if let Some(angle) = body.angle {
+        let origin = translation.expressions.origin(angle);
+        let error = translation.report.error(origin, messages::angle_beside_joint(&body.name.text));
+        error.help(messages::ANGLE_BESIDE_JOINT_HELP);
+    }
+    let body = ast::Body { center: None, origin: None, ..*body };
+    translation.waiting.push(WaitingBody::Body(Box::new(body)));
 }
 
 /// The word of a statement that has no meaning in space.

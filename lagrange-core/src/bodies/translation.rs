@@ -8,7 +8,9 @@ use super::space::{Space, is_spatial};
 use super::terms::{Pair, TermWriter};
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
-use crate::syntax::ast::{AstId, Declaration, Expression, Expressions, Name, Statement, StatementKind};
+use crate::syntax::ast::{
+    Accuracy, AstId, Declaration, Expression, Expressions, Name, Statement, StatementKind,
+};
 
 /// A translation in progress.
 pub(super) struct Translation<'a> {
@@ -40,6 +42,8 @@ pub(super) struct Translation<'a> {
     pub(super) joints: Vec<Name>,
     /// Names of `let`s that are places, with what they are places of.
     pub(super) places: Vec<(String, String)>,
+    /// The level of accuracy of the emitted code.
+    pub(super) accuracy: Accuracy,
     /// Place of the Lagrangian, if the declaration gives one.
     pub(super) lagrangian: Option<Origin>,
     /// Expressions that the user wrote in statements about bodies.
@@ -68,6 +72,7 @@ impl<'a> Translation<'a> {
             obligations: Vec::new(),
             joints: Vec::new(),
             places: Vec::new(),
+            accuracy: declaration.accuracy,
             lagrangian: lagrangian(declaration),
             mentioned: Vec::new(),
         }
@@ -132,6 +137,18 @@ impl<'a> Translation<'a> {
             Object::Body(body) => Some(*body),
             _ => None,
         }
+    }
+
+    /// True of an expression, as the user wrote it, that is made of parameters and numbers only.
+    pub(super) fn is_at_rest(&self, id: AstId) -> bool {
+        let mut pending = vec![id];
+        while let Some(id) = pending.pop() {
+            match self.expressions.get(id) {
+                Expression::Name(name) if !self.names.is_fixed(name) => return false,
+                other => pending.extend(other.operands()),
+            }
+        }
+        true
     }
 
     /// The translation of an expression whose parts have been translated.

@@ -39,3 +39,5 @@ pub(in crate::bodies) fn placed_twice(name: &str) -> String {
 pub(in crate::bodies) fn joined_to_itself(name: &str) -> String {
     format!("this joint connects `{name}` with itself")
 }
+
+pub(in crate::bodies) const FRAME_PLACE_HELP: &str = "a joint places it: `weld arm to name { at: (x, y); }`";

@@ -40,7 +40,7 @@ pub(super) fn acceleration_by_hand(
     let spin = pose.spin.map(|component| terms.rate(component));
     let acceleration = pose.origin.map(|component| terms.second_rate(component));
     let felt = minus(&mut terms, acceleration, gravity);
-    let origin = pose.to_own(&mut terms, felt);
+    let origin = pose.in_own_axes(&mut terms, felt);
     named(translation, name, Acceleration { spin, origin })
 }
 

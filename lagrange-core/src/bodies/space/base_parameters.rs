@@ -56,6 +56,12 @@ impl InertialParameters {
         self.mass == 0.0 && entries.copied().all(|entry| entry == 0.0)
     }
 
+    /// False if numbers are too large for what is computed of them.
+    pub(super) fn is_finite(&self) -> bool {
+        let entries = self.moment.iter().chain(self.tensor.iter().flatten());
+        self.mass.is_finite() && entries.copied().all(f64::is_finite)
+    }
+
     pub(super) fn plus(self, other: InertialParameters) -> InertialParameters {
         InertialParameters {
             mass: self.mass + other.mass,

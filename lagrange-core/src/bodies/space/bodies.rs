@@ -85,7 +85,7 @@ fn pose_by_hand(
         }
     };
     let mut terms = translation.terms();
-    let arm = oriented.to_world(&mut terms, inertia.centroid);
+    let arm = oriented.in_world(&mut terms, inertia.centroid);
     let (center, origin) = match is_center {
         true => (place, minus(&mut terms, place, arm)),
         false => (plus(&mut terms, place, arm), place),
@@ -94,7 +94,7 @@ fn pose_by_hand(
     let origin = named_vector(translation, &format!("{name}_origin"), origin);
     let mut terms = translation.terms();
     let rate = origin.map(|component| terms.rate(component));
-    let velocity = oriented.to_own(&mut terms, rate);
+    let velocity = oriented.in_own_axes(&mut terms, rate);
     let center = terms.vector(&center);
     let center_velocity = terms.call("dot", &[center]);
     translation.note_place(center, &messages::place_of(name));

@@ -64,11 +64,11 @@ pub(in crate::bodies) fn call_of_link(
     let mut terms = translation.terms();
     let vector = match (function.text.as_str(), arguments) {
         ("point", &[x, y, z]) => pose.place_of(&mut terms, [x, y, z]),
-        ("vector", &[x, y, z]) => pose.to_world(&mut terms, [x, y, z]),
-        ("angular_velocity", []) => pose.to_world(&mut terms, pose.spin),
+        ("vector", &[x, y, z]) => pose.in_world(&mut terms, [x, y, z]),
+        ("angular_velocity", []) => pose.in_world(&mut terms, pose.spin),
         ("angular_acceleration", []) => {
             let rate = pose.spin.map(|component| terms.rate(component));
-            pose.to_world(&mut terms, rate)
+            pose.in_world(&mut terms, rate)
         }
         ("linear_momentum", []) => match inertia {
             Some(inertia) => linear_momentum(&mut terms, inertia, &pose),
@@ -130,8 +130,10 @@ pub(in crate::bodies) fn point_on_link(
         }
         Expression::Call(function, arguments) if function.text == "point" => match arguments[..] {
             [body, x, y, z] => {
+                // What moves in a body is a point of it only in passing.
+                let is_fixed = [x, y, z].into_iter().all(|component| translation.is_at_rest(component));
                 let own = [x, y, z].map(|component| translation.plain_of(component));
-                Some((translation.link_named(body)?, own))
+                Some((translation.link_named(body).filter(|_| is_fixed)?, own))
             }
             _ => None,
         },
@@ -139,7 +141,7 @@ pub(in crate::bodies) fn point_on_link(
     }
 }
 
-/// The velocity or acceleration of a point that is fixed in a link, in the link's own axes; `ddot` is the acceleration.
+/// The velocity or acceleration of a point that is fixed in a link, in the link's own axes.
 ///
 /// With v the velocity of the point in own axes, the acceleration is v̇ + ω × v.
 pub(in crate::bodies) fn rate_of_link_point(
@@ -171,7 +173,7 @@ pub(in crate::bodies) fn in_axes(
     let mut terms = translation.terms();
     let own = own.unwrap_or_else(|| {
         let world = terms.triple(plain);
-        pose.to_own(&mut terms, world)
+        pose.in_own_axes(&mut terms, world)
     });
     terms.vector(&own)
 }
@@ -206,7 +208,7 @@ fn own_components(translation: &mut Translation<'_>, vector: AstId, link: usize)
 /// m v_S
 fn linear_momentum(terms: &mut TermWriter<'_>, inertia: MassProperties, pose: &Pose) -> Triple {
     let velocity = pose.velocity_of(terms, inertia.centroid);
-    let velocity = pose.to_world(terms, velocity);
+    let velocity = pose.in_world(terms, velocity);
     velocity.map(|component| terms.times(inertia.mass, component))
 }
 
@@ -221,7 +223,7 @@ fn angular_momentum(
         Some(tensor) => apply(terms, matrix_of(tensor), pose.spin),
         None => zero_triple(terms),
     };
-    let spin = pose.to_world(terms, own);
+    let spin = pose.in_world(terms, own);
     let momentum = linear_momentum(terms, inertia, pose);
     let center = pose.place_of(terms, inertia.centroid);
     let about = about.unwrap_or_else(|| zero_triple(terms));

@@ -19,7 +19,7 @@ use super::vectors::{
 };
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
-use crate::syntax::ast::{AstId, StatementKind};
+use crate::syntax::ast::{Accuracy, AstId, StatementKind};
 
 /// Inertial parameters as syntax.
 #[derive(Clone, Copy)]
@@ -29,9 +29,11 @@ struct WrittenParameters {
     tensor: Tensor,
 }
 
-/// Writes the Gibbs function of all bodies that have their places by joints; a Lagrangian of the user's says it all by itself.
+/// Writes the Gibbs function of all bodies that have their places by joints. A Lagrangian of the user's says it all by itself, and at the
+/// level `strict` energies do: regrouped parameters are differences.
 pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) {
-    if translation.lagrangian.is_some() || translation.report.has_errors() {
+    let is_strict = translation.accuracy == Accuracy::Strict;
+    if is_strict || translation.lagrangian.is_some() || translation.report.has_errors() {
         return;
     }
     let Some(space) = &translation.space else { return };
@@ -205,6 +207,7 @@ fn parameters(translation: &mut Translation<'_>, order: &[usize]) -> Vec<Vec<Opt
         let steps = numeric_steps(translation, &path);
         let steps = steps.filter(|steps| gives && motions(steps) <= 1 || motions(steps) == 0);
         let mut kept = vec![None; path.steps.len().max(1)];
+        let own = own.filter(|own| own.plus(received[link]).is_finite());
         match (own, inertia, steps) {
             (Some(own), _, Some(steps)) => {
                 let (rest, hidden) = split(own.plus(received[link]), &steps);

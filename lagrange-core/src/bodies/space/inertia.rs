@@ -33,11 +33,6 @@ pub(super) fn mass_properties(translation: &mut Translation<'_>, statement: &ast
             // An unknown shape is reported.
             return statement.shape.as_ref().map(|_| [translation.terms().invalid(); 6]);
         };
-        if let Some(centroid) = statement.centroid {
-            let origin = translation.expressions.origin(centroid);
-            let error = translation.report.error(origin, words::unknown_tensor(&name.text));
-            error.help(words::SHAPE_CENTROID_HELP);
-        }
         Some(tensor_of_solid(translation, solid, dimensions, mass))
     });
     if let Some(tensor) = tensor {

@@ -83,7 +83,7 @@ fn motion(
         centroid,
         axes: pose.axes,
         center: [center, velocity, acceleration],
-        turning: [pose.spin, change].map(|own| pose.to_world(&mut terms, own)),
+        turning: [pose.spin, change].map(|own| pose.in_world(&mut terms, own)),
     }
 }
 
@@ -94,7 +94,7 @@ fn rates_of_point(terms: &mut TermWriter<'_>, pose: &Pose, point: Triple) -> [Tr
     let rate = velocity.map(|component| terms.rate(component));
     let turning = cross(terms, pose.spin, velocity);
     let acceleration = plus(terms, rate, turning);
-    [velocity, acceleration].map(|own| pose.to_world(terms, own))
+    [velocity, acceleration].map(|own| pose.in_world(terms, own))
 }
 
 /// Angular velocity and velocity of a place that moves with a link, by all joints on the way to it.
@@ -135,7 +135,7 @@ fn with_step(
         FrameStep::Shift(_) | FrameStep::Reorientation(_) => [spin, velocity],
         FrameStep::Turn(about, angle) => {
             let axis = about.times(terms, one);
-            let axis = before.to_world(terms, axis);
+            let axis = before.in_world(terms, axis);
             let arm = minus(terms, place, before.origin);
             let moved = cross(terms, axis, arm);
             let (turned, moved) = (weighed(terms, angle, axis), weighed(terms, angle, moved));
@@ -143,7 +143,7 @@ fn with_step(
         }
         FrameStep::Slide(along, distance) => {
             let axis = along.times(terms, one);
-            let axis = before.to_world(terms, axis);
+            let axis = before.in_world(terms, axis);
             let moved = weighed(terms, distance, axis);
             [spin, plus(terms, velocity, moved)]
         }
@@ -157,7 +157,7 @@ fn twist_by_hand(
     pose: &Pose,
     place: Triple,
 ) -> [Triple; 2] {
-    let turning = pose.to_world(terms, pose.spin);
+    let turning = pose.in_world(terms, pose.spin);
     let rate = pose.origin.map(|component| terms.rate(component));
     let arm = match place == pose.origin {
         true => zero_triple(terms),

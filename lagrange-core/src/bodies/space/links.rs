@@ -30,7 +30,7 @@ pub(super) struct Path {
     pub(super) steps: Vec<(FrameStep, Pose)>,
 }
 
-/// NamedEnergies of a body, as names.
+/// Energies of a body, by their names.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct NamedEnergies {
     /// ½ m v²

@@ -25,7 +25,7 @@ pub(in crate::bodies) fn translate_spatial_force(
     };
     let (pose, velocity) = rate_of_link_point(translation, "velocity", link, own);
     let components = own_load(translation, force, link, words::FORCE);
-    let components = components.unwrap_or_else(|world| pose.to_own(&mut translation.terms(), world));
+    let components = components.unwrap_or_else(|world| pose.in_own_axes(&mut translation.terms(), world));
     push_load(translation, components, velocity, statement);
 }
 
@@ -39,7 +39,7 @@ pub(in crate::bodies) fn translate_spatial_torque(
     let origin = [translation.terms().number(0); 3];
     let (pose, _) = rate_of_link_point(translation, "velocity", link, origin);
     let components = own_load(translation, moment, link, words::TORQUE);
-    let components = components.unwrap_or_else(|world| pose.to_own(&mut translation.terms(), world));
+    let components = components.unwrap_or_else(|world| pose.in_own_axes(&mut translation.terms(), world));
     push_load(translation, components, pose.spin, statement);
 }
 

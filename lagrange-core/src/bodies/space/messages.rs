@@ -11,7 +11,6 @@ pub(super) const ANGLES_HELP: &str =
 pub(super) const CENTER_HELP: &str =
     "write `origin: (x, y, z);` or `center: (x, y, z);`, or let a joint place the body";
 pub(super) const TENSOR_NEEDED_HELP: &str = "give it a tensor about its centre of mass, `inertia: (xx, yy, zz, xy, xz, yz);`, principal moments, `inertia: (xx, yy, zz);`, or a shape, `shape: cuboid(a, b, c);`";
-pub(super) const SHAPE_CENTROID_HELP: &str = "that of the shape is about its own centre of mass; state the one about the centroid, `inertia: (xx, yy, zz, xy, xz, yz);`, or leave `centroid` out";
 
 pub(super) const PITCH: &str = "the pitch of a screw";
 
@@ -49,10 +48,6 @@ pub(super) const GRAVITY: &str = "gravity";
 
 pub(super) fn tensor_of(name: &str) -> String {
     format!("the tensor of inertia of `{name}`")
-}
-
-pub(super) fn unknown_tensor(name: &str) -> String {
-    format!("the tensor of inertia of `{name}` about this centroid is not known")
 }
 
 pub(super) fn usage(function: &str) -> String {

@@ -92,7 +92,10 @@ pub(super) fn is_spatial(declaration: &Declaration) -> bool {
 fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
     use MobilizerKind::{Cylindrical, Screw, Universal};
     match statement {
-        SceneStatement::Body(body) => body.tensor.is_some() || body.angles.is_some(),
+        SceneStatement::Body(body) => {
+            let shapes = body.shape.iter().chain(body.parts.iter().map(|part| &part.shape));
+            body.tensor.is_some() || body.angles.is_some() || shapes.into_iter().any(solids::is_only_in_space)
+        }
         SceneStatement::Mobilizer(joint) => matches!(joint.kind, Cylindrical | Screw | Universal),
         _ => false,
     }

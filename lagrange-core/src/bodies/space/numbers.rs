@@ -1,63 +1,29 @@
 //! Orientations and directions that are made of numbers, computed while statements are translated.
 //!
 //! Quarter turns must stay exact: an entry of 6e-17 where a rotation has a zero makes a dense matrix of it, and robot descriptions round
-//! π/2 to as many digits as their tool prints. Entries within [`SNAPPED`] of 0, 1 and −1 are these numbers.
+//! π/2 to as many digits as their tool prints. Rows and columns whose entries are all within [`SNAPPED`] of 0, 1 and −1 are these numbers.
 
 use super::vectors::{Matrix, Triple};
+use crate::bodies::constants::number;
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::number::Number;
-use crate::syntax::ast::{AstId, BinaryOperator, Expression};
+use crate::syntax::ast::{AstId, Expression};
 
 /// Distance from 0, 1 or −1 within which an entry of a rotation is that number.
 const SNAPPED: f64 = 1e-9;
 
 /// The value of an expression that is made of numbers, π and constants.
 pub(super) fn value_of_numbers(translation: &Translation<'_>, root: AstId) -> Option<f64> {
-    let mut values: Vec<f64> = Vec::new();
-    let mut pending = vec![(root, false)];
-    while let Some((id, are_parts_known)) = pending.pop() {
-        match translation.expressions.get(id) {
-            Expression::Number(number) => values.push(number.to_f64()),
-            Expression::Name(name) if name == "pi" => values.push(std::f64::consts::PI),
-            Expression::Name(name) => pending.push((translation.names.constant(name)?, false)),
-            Expression::Negate(_) if are_parts_known => {
-                let value = values.pop()?;
-                values.push(-value);
-            }
-            Expression::Binary(operator, ..) if are_parts_known => {
-                let (right, left) = (values.pop()?, values.pop()?);
-                values.push(applied(*operator, left, right));
-            }
-            Expression::Negate(of) => pending.extend([(id, true), (*of, false)]),
-            Expression::Binary(_, _, left, right) => {
-                pending.extend([(id, true), (*right, false), (*left, false)]);
-            }
-            _ => return None,
-        }
-    }
-    values.pop().filter(|value| value.is_finite())
+    number(&translation.expressions, translation.names.constants(), root)
 }
 
 /// True of an expression that shows by its form that it is no vector in space.
 pub(in crate::bodies) fn is_no_vector(translation: &Translation<'_>, id: AstId) -> bool {
     match translation.expressions.get(id) {
         Expression::Tuple(components) => components.len() != 3,
-        Expression::Name(name) => match translation.names.constant(name) {
-            Some(value) => is_no_vector(translation, value),
-            None => translation.names.is_fixed(name),
-        },
+        Expression::Name(name) => translation.names.is_scalar(name),
         _ => value_of_numbers(translation, id).is_some(),
-    }
-}
-
-fn applied(operator: BinaryOperator, left: f64, right: f64) -> f64 {
-    match operator {
-        BinaryOperator::Add => left + right,
-        BinaryOperator::Subtract => left - right,
-        BinaryOperator::Multiply => left * right,
-        BinaryOperator::Divide => left / right,
-        BinaryOperator::Power => left.powf(right),
     }
 }
 
@@ -108,8 +74,13 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 
 /// A rotation of numbers as syntax, exact where it is a quarter turn.
 pub(super) fn written(terms: &mut TermWriter<'_>, rotation: [[f64; 3]; 3]) -> Matrix {
-    let snapped = |entry: f64| if (entry - entry.round()).abs() < SNAPPED { entry.round() } else { entry };
-    rotation.map(|row| row.map(|entry| written_number(terms, snapped(entry))))
+    let is_whole = |entry: &f64| (entry - entry.round()).abs() < SNAPPED;
+    // A row with one entry near 1 whose others do not vanish is a small turn: cosines alone must not be rounded.
+    let is_axis = |row: &[f64; 3]| row.iter().all(is_whole);
+    let rows = rotation.map(|row| if is_axis(&row) { row.map(f64::round) } else { row });
+    let columns = [0, 1, 2].map(|column| rows.map(|row| row[column]));
+    let columns = columns.map(|column| if is_axis(&column) { column.map(f64::round) } else { column });
+    [0, 1, 2].map(|row| [0, 1, 2].map(|column| written_number(terms, columns[column][row])))
 }
 
 /// The shortest decimal that is read as this number.
@@ -122,7 +93,8 @@ pub(super) fn written_number(terms: &mut TermWriter<'_>, entry: f64) -> AstId {
 /// The coordinate axis, and its sign, that a direction is along.
 pub(super) fn coordinate_axis(direction: [f64; 3]) -> Option<(usize, bool)> {
     let direction = normalised(direction);
-    let axis = (0..3).find(|&axis| (direction[axis].abs() - 1.0).abs() < SNAPPED)?;
+    let is_along = |axis: usize| (0..3).all(|other| other == axis || direction[other].abs() < SNAPPED);
+    let axis = (0..3).find(|&axis| is_along(axis))?;
     Some((axis, direction[axis] < 0.0))
 }
 
@@ -158,5 +130,6 @@ mod tests {
     fn directions_along_axes_are_recognised() {
         assert_eq!(coordinate_axis([0.0, -3.0, 0.0]), Some((1, true)));
         assert_eq!(coordinate_axis([0.0, 1.0, 1.0]), None);
+        assert_eq!(coordinate_axis([3e-5, 0.0, 1.0]), None);
     }
 }

@@ -70,18 +70,18 @@ impl Pose {
     }
 
     /// A vector of own components in the world.
-    pub(super) fn to_world(&self, terms: &mut TermWriter<'_>, own: Triple) -> Triple {
+    pub(super) fn in_world(&self, terms: &mut TermWriter<'_>, own: Triple) -> Triple {
         combined(terms, own, self.axes)
     }
 
     /// The same under one expression.
-    pub(in crate::bodies) fn vector_in_world(&self, terms: &mut TermWriter<'_>, own: Triple) -> AstId {
-        let world = self.to_world(terms, own);
+    pub(in crate::bodies) fn world_vector(&self, terms: &mut TermWriter<'_>, own: Triple) -> AstId {
+        let world = self.in_world(terms, own);
         terms.vector(&world)
     }
 
     /// A vector of the world in own components.
-    pub(super) fn to_own(&self, terms: &mut TermWriter<'_>, vector: Triple) -> Triple {
+    pub(super) fn in_own_axes(&self, terms: &mut TermWriter<'_>, vector: Triple) -> Triple {
         self.axes.map(|axis| inner(terms, axis, vector))
     }
 }

@@ -8,7 +8,8 @@
 use super::vectors::{Triple, zero_triple};
 use crate::bodies::terms::TermWriter;
 use crate::diagnostics;
-use crate::syntax::ast::AstId;
+use crate::solids as plane;
+use crate::syntax::ast::{AstId, Shape};
 
 /// A solid with its principal moments of inertia.
 pub(super) struct SolidInSpace {
@@ -30,6 +31,13 @@ impl SolidInSpace {
 /// The solid of a name.
 pub(super) fn by_name(name: &str) -> Option<&'static SolidInSpace> {
     SOLIDS_IN_SPACE.iter().find(|solid| solid.name == name)
+}
+
+/// True of a shape that has as many dimensions as a solid in space, but not as one in the plane.
+pub(super) fn is_only_in_space(shape: &Shape) -> bool {
+    let (name, count) = (shape.solid.text.as_str(), shape.dimensions.len());
+    let is_in_space = by_name(name).is_some_and(|solid| solid.dimensions.len() == count);
+    is_in_space && !plane::by_name(name).is_some_and(|solid| solid.dimensions.accept(count))
 }
 
 /// The name of a solid that was probably meant.

@@ -9,7 +9,7 @@ mod operands;
 use proc_macro2::Span;
 
 use crate::diagnostics::Origin;
-use crate::syntax::ast::{AstId, BinaryOperator, Expression};
+use crate::syntax::ast::{AstId, BinaryOperator, Expression, IN_AXES, Name};
 use crate::syntax::cursor::Cursor;
 use crate::syntax::messages;
 use crate::syntax::parser::{Parsed, Parser, Reported};
@@ -41,7 +41,21 @@ enum Binding {
 impl Parser<'_> {
     /// Reads an expression and stops at the first token that cannot continue it.
     pub(super) fn expression(&mut self, cursor: &mut Cursor) -> Parsed<AstId> {
-        Ok(self.operators(cursor)?.id)
+        let whole = self.operators(cursor)?;
+        match cursor.ident() {
+            Some(word) if word == IN_AXES => Ok(self.in_axes(whole, cursor)?.id),
+            _ => Ok(whole.id),
+        }
+    }
+
+    /// `in body` behind a whole expression.
+    fn in_axes(&mut self, vector: ReadOperand, cursor: &mut Cursor) -> Parsed<ReadOperand> {
+        let word = Name { text: IN_AXES.to_owned(), span: cursor.skip_one().start };
+        let body = self.name(cursor)?;
+        let origin = vector.origin.to(body.span.into());
+        let place = Origin::from(body.span);
+        let body = self.add(Expression::Name(body.text), place);
+        Ok(self.add(Expression::Call(word, vec![vector.id, body.id]), origin))
     }
 
     fn operators(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {

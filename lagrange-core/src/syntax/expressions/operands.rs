@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use super::ReadOperand;
 use crate::diagnostics::Origin;
-use crate::syntax::ast::{AstId, Expression, IN_AXES, Name};
+use crate::syntax::ast::{AstId, Expression, Name};
 use crate::syntax::cursor::{Cursor, group_origin};
 use crate::syntax::keywords;
 use crate::syntax::messages;
@@ -17,24 +17,13 @@ impl Parser<'_> {
     pub(in crate::syntax) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut operand = self.atom(cursor)?;
         self.turns(cursor, |parser, cursor| {
-            operand = match (cursor.eat('.'), cursor.ident()) {
-                (Some(_), _) => parser.behind_dot(operand, cursor)?,
-                (None, Some(word)) if word == IN_AXES => parser.in_axes(operand, cursor)?,
-                _ => return Ok(Turn::Last),
-            };
+            if cursor.eat('.').is_none() {
+                return Ok(Turn::Last);
+            }
+            operand = parser.behind_dot(operand, cursor)?;
             Ok(Turn::Next)
         })?;
         Ok(operand)
-    }
-
-    /// `in body` behind a vector.
-    fn in_axes(&mut self, vector: ReadOperand, cursor: &mut Cursor) -> Parsed<ReadOperand> {
-        let word = Name { text: IN_AXES.to_owned(), span: cursor.skip_one().start };
-        let body = self.name(cursor)?;
-        let origin = vector.origin.to(body.span.into());
-        let place = Origin::from(body.span);
-        let body = self.add(Expression::Name(body.text), place);
-        Ok(self.add(Expression::Call(word, vec![vector.id, body.id]), origin))
     }
 
     fn atom(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {

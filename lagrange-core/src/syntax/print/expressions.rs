@@ -73,6 +73,7 @@ fn binding(expressions: &Expressions, id: AstId) -> PrintedBinding {
         Expression::Negate(_) => PrintedBinding::Sign,
         Expression::Binary(operator, ..) => own_binding(*operator),
         Expression::If { .. } => PrintedBinding::Choice,
+        Expression::Call(function, _) if function.text == IN_AXES => PrintedBinding::Choice,
         Expression::Name(_) | Expression::Tuple(_) | Expression::Call(..) => PrintedBinding::Operand,
         Expression::Component(..) | Expression::Invalid => PrintedBinding::Operand,
     }
@@ -111,7 +112,7 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
             ]
         }
         Expression::Call(function, arguments) if function.text == IN_AXES && arguments.len() == 2 => vec![
-            PrintedPiece::Expression(arguments[0], PrintedBinding::Operand),
+            PrintedPiece::Expression(arguments[0], PrintedBinding::Sum),
             text(" in "),
             PrintedPiece::Expression(arguments[1], PrintedBinding::Operand),
         ],
