@@ -1,6 +1,7 @@
 //! Scenes of bodies mean the same as the same systems written by hand.
 
 mod joints;
+mod space;
 
 use crate::derive::StrategyChoice;
 use crate::expr::Node;
