@@ -199,13 +199,13 @@ fn parameters(translation: &mut Translation<'_>, order: &[usize]) -> Vec<Vec<Opt
             Some(inertia) => numeric_parameters(translation, inertia),
             None => Some(InertialParameters::NONE),
         };
-        // A frame without inertia would get some only to carry it.
-        let gives = path.carrier.is_none_or(|carrier| {
-            is_carried(translation, carrier)
-                && (has_inertia(translation, carrier) || !received[carrier].is_nothing())
+        let steps = numeric_steps(translation, &path).filter(|steps| match (path.carrier, motions(steps)) {
+            (Some(carrier), _) if !is_carried(translation, carrier) => false,
+            (_, 0) | (None, 1) => true,
+            // A frame without inertia would get some only to carry it.
+            (Some(carrier), 1) => has_inertia(translation, carrier) || !received[carrier].is_nothing(),
+            _ => false,
         });
-        let steps = numeric_steps(translation, &path);
-        let steps = steps.filter(|steps| gives && motions(steps) <= 1 || motions(steps) == 0);
         let mut kept = vec![None; path.steps.len().max(1)];
         let own = own.filter(|own| own.plus(received[link]).is_finite());
         match (own, inertia, steps) {

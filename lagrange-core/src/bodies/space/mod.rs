@@ -71,8 +71,8 @@ impl Space {
     }
 }
 
-/// Whether the bodies of a declaration move in space: a vector in what is said of them has three components, or a joint leads out of the
-/// plane.
+/// True if the bodies of a declaration move in space: vectors in what is said of them have three components, or something leads out of
+/// the plane.
 pub(super) fn is_spatial(declaration: &Declaration) -> bool {
     let mut lets = HashMap::default();
     for statement in &declaration.statements {
@@ -82,11 +82,20 @@ pub(super) fn is_spatial(declaration: &Declaration) -> bool {
             _ => {}
         }
     }
-    let vectors = declaration.statements.iter().filter_map(|statement| match &statement.kind {
-        StatementKind::Scene(scene) => Some(vectors_of(scene)),
-        _ => None,
-    });
-    vectors.flatten().any(|vector| has_three_components(&declaration.expressions, &lets, vector))
+    // Of a scene that is at odds with itself, what most vectors say is meant.
+    let mut votes = 0;
+    for statement in &declaration.statements {
+        let StatementKind::Scene(scene) = &statement.kind else { continue };
+        let weight = if matches!(scene, SceneStatement::Gravity(_)) { 2 } else { 1 };
+        for vector in vectors_of(scene) {
+            match component_count(&declaration.expressions, &lets, vector) {
+                Some(3) => votes += weight,
+                Some(2) => votes -= weight,
+                _ => {}
+            }
+        }
+    }
+    votes > 0
 }
 
 fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
@@ -115,13 +124,14 @@ fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
     given.into_iter().flatten().collect()
 }
 
-fn has_three_components(expressions: &Expressions, lets: &HashMap<String, AstId>, root: AstId) -> bool {
+/// Number of components of a vector, where its form shows it.
+fn component_count(expressions: &Expressions, lets: &HashMap<String, AstId>, root: AstId) -> Option<usize> {
     let mut pending = vec![root];
     // A name that stands for itself is a mistake that is reported elsewhere.
     let mut followed: HashMap<String, ()> = HashMap::default();
     while let Some(id) = pending.pop() {
         match expressions.get(id) {
-            Expression::Tuple(components) => return components.len() == 3,
+            Expression::Tuple(components) => return Some(components.len()),
             Expression::Name(name) if followed.insert(name.clone(), ()).is_none() => {
                 pending.extend(lets.get(name));
             }
@@ -130,5 +140,5 @@ fn has_three_components(expressions: &Expressions, lets: &HashMap<String, AstId>
             _ => {}
         }
     }
-    false
+    None
 }
