@@ -35,7 +35,7 @@
 //! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
-//! | [`mod@body`], [`mod@inertia`] | motion of plane rigid bodies; moments of inertia |
+//! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
 //! | [`mod@scene`], `draw` (feature) | what there is to draw of a system; pictures and films of it |
 //! | [`mod@constraint`] | residuals of constraints, and projection onto them |
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |

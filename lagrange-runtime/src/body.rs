@@ -1,13 +1,15 @@
-//! The motion of plane rigid bodies: velocities and accelerations of their points, instantaneous centres, angular momentum.
+//! The motion of rigid bodies: velocities and accelerations of their points, instantaneous centres, angular momentum.
 //!
-//! A body's own coordinates X, Y turn with it by its angle φ, counterclockwise. With ω = φ̇ and e_z × (x, y) = (−y, x), a point Q
-//! of the body at ρ from another point P of it has
+//! [`Motion`] is that of a body in the plane, [`SpatialMotion`] that of one in space.
+//!
+//! The own coordinates X, Y of a body in the plane turn with it by its angle φ, counterclockwise. With ω = φ̇ and
+//! e_z × (x, y) = (−y, x), a point Q of the body at ρ from another point P of it has
 //!
 //! ```text
 //! v_Q = v_P + ω e_z × ρ,    a_Q = a_P + ω̇ e_z × ρ − ω² ρ.
 //! ```
 //!
-//! [`Motion`] is arithmetic on one moment of a motion: it knows of no forces and integrates nothing. Types declared with
+//! Both are arithmetic on one moment of a motion: they know of no forces and integrate nothing. Types declared with
 //! `emit { motion }` return one for each body.
 //!
 //! ```
@@ -32,7 +34,11 @@
 //!
 //! Source: Meriam, Kraige, *Engineering Mechanics: Dynamics*, ch. 5 (kinematics) and ch. 6 (the axiom of angular momentum).
 
+mod spatial;
+
 use crate::Scalar;
+
+pub use spatial::SpatialMotion;
 
 /// How a plane rigid body moves at one moment.
 ///

@@ -93,7 +93,7 @@ const RUNTIME: &[Layer] = &[
     },
     Layer {
         modules: &["body", "inertia", "linalg"],
-        purpose: "how a plane rigid body moves; how its mass is distributed; small matrices and vectors",
+        purpose: "how a rigid body moves; how its mass is distributed; small matrices and vectors",
     },
     Layer {
         modules: &["system"],

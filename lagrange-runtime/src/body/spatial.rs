@@ -1,0 +1,167 @@
+//! The motion of rigid bodies in space.
+//!
+//! With the rotation R from the body's own axes to the world, ω and α = ω̇ in world axes and ρ = R (own − centroid), the point Q of a body
+//! with the centre of mass S has
+//!
+//! ```text
+//! r_Q = r_S + ρ,    v_Q = v_S + ω × ρ,    a_Q = a_S + α × ρ + ω × (ω × ρ).
+//! ```
+//!
+//! Source: Featherstone, *Rigid Body Dynamics Algorithms*, ch. 2; Goldstein, Poole, Safko, *Classical Mechanics*, §4.9, 5.1 and 5.3.
+
+use crate::Scalar;
+
+/// A vector in space.
+type Vector<S> = [S; 3];
+
+/// How a rigid body in space moves at one moment.
+///
+/// Positions are in m, masses in kg, times in s, angles in rad, if the numbers of the declaration are. Own coordinates are those of the
+/// frame that the declaration states centroid and inertia in. All other vectors are in the axes of the world.
+///
+/// ```
+/// use lagrange::body::SpatialMotion;
+///
+/// // A top spins about its own z-axis, which lies along the x-axis of the world.
+/// let top = SpatialMotion {
+///     mass: 2.0,
+///     inertia: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]],
+///     centroid: [0.0, 0.0, 0.5],
+///     center: [0.5, 0.0, 0.0],
+///     rotation: [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]],
+///     velocity: [0.0; 3],
+///     angular_velocity: [4.0, 0.0, 0.0],
+///     acceleration: [0.0; 3],
+///     angular_acceleration: [0.0; 3],
+/// };
+/// assert_eq!(top.point([0.0; 3]), [0.0; 3]);
+/// assert_eq!(top.angular_momentum(), [12.0, 0.0, 0.0]);
+/// assert_eq!(top.kinetic_energy(), 24.0);
+/// assert_eq!(top.velocity_of([0.0, 1.0, 0.5]), [0.0, 0.0, 4.0]);
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SpatialMotion<S> {
+    /// The mass.
+    pub mass: S,
+    /// The tensor of inertia about the centre of mass in the body's own axes, in rows; zero for a body that never turns and states none.
+    pub inertia: [Vector<S>; 3],
+    /// The centre of mass in own coordinates.
+    pub centroid: Vector<S>,
+    /// The position of the centre of mass.
+    pub center: Vector<S>,
+    /// The rotation R from own axes to those of the world, in rows: its columns are the body's axes.
+    pub rotation: [Vector<S>; 3],
+    /// The velocity of the centre of mass.
+    pub velocity: Vector<S>,
+    /// The angular velocity ω.
+    pub angular_velocity: Vector<S>,
+    /// The acceleration of the centre of mass.
+    pub acceleration: Vector<S>,
+    /// The angular acceleration ω̇.
+    pub angular_acceleration: Vector<S>,
+}
+
+/// Places and directions.
+impl<S: Scalar> SpatialMotion<S> {
+    /// R a, a direction given in own axes as it lies in the world.
+    #[must_use]
+    pub fn vector(&self, own: Vector<S>) -> Vector<S> {
+        self.rotation.map(|row| inner(row, own))
+    }
+
+    /// Rᵀ v, the components in own axes of a vector of the world: what undoes [`vector`](SpatialMotion::vector).
+    #[must_use]
+    pub fn to_body(&self, vector: Vector<S>) -> Vector<S> {
+        let [x, y, z] = self.rotation;
+        let [along_x, along_y] = [scaled(vector[0], x), scaled(vector[1], y)];
+        sum(sum(along_x, along_y), scaled(vector[2], z))
+    }
+
+    /// The place of the point of these own coordinates.
+    #[must_use]
+    pub fn point(&self, own: Vector<S>) -> Vector<S> {
+        sum(self.center, self.arm(own))
+    }
+
+    /// ρ from the centre of mass to a point.
+    fn arm(&self, own: Vector<S>) -> Vector<S> {
+        self.vector(difference(own, self.centroid))
+    }
+}
+
+/// Velocities and accelerations of points.
+impl<S: Scalar> SpatialMotion<S> {
+    /// The velocity v_S + ω × ρ of the point of these own coordinates.
+    #[must_use]
+    pub fn velocity_of(&self, own: Vector<S>) -> Vector<S> {
+        sum(self.velocity, cross(self.angular_velocity, self.arm(own)))
+    }
+
+    /// The acceleration a_S + α × ρ + ω × (ω × ρ) of the point of these own coordinates.
+    #[must_use]
+    pub fn acceleration_of(&self, own: Vector<S>) -> Vector<S> {
+        let (arm, spin) = (self.arm(own), self.angular_velocity);
+        let tangential = cross(self.angular_acceleration, arm);
+        let centripetal = cross(spin, cross(spin, arm));
+        sum(self.acceleration, sum(tangential, centripetal))
+    }
+}
+
+/// Momentum and energy.
+impl<S: Scalar> SpatialMotion<S> {
+    /// m v_S.
+    #[must_use]
+    pub fn linear_momentum(&self) -> Vector<S> {
+        scaled(self.mass, self.velocity)
+    }
+
+    /// The angular momentum m r_S × v_S + R J Rᵀ ω about the origin of the world.
+    #[must_use]
+    pub fn angular_momentum(&self) -> Vector<S> {
+        self.angular_momentum_about([S::ZERO; 3])
+    }
+
+    /// The angular momentum m (r_S − r_P) × v_S + R J Rᵀ ω about a place P at rest.
+    #[must_use]
+    pub fn angular_momentum_about(&self, place: Vector<S>) -> Vector<S> {
+        let orbital = cross(difference(self.center, place), self.linear_momentum());
+        sum(orbital, self.vector(self.own_spin()[1]))
+    }
+
+    /// ½ m v_S² + ½ ω·J ω.
+    #[must_use]
+    pub fn kinetic_energy(&self) -> S {
+        let [own, momentum] = self.own_spin();
+        let twice = self.mass * inner(self.velocity, self.velocity) + inner(own, momentum);
+        S::from_f64(0.5) * twice
+    }
+
+    /// ω and J ω in own axes.
+    fn own_spin(&self) -> [Vector<S>; 2] {
+        let own = self.to_body(self.angular_velocity);
+        [own, self.inertia.map(|row| inner(row, own))]
+    }
+}
+
+fn sum<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+fn difference<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn scaled<S: Scalar>(factor: S, a: Vector<S>) -> Vector<S> {
+    a.map(|component| factor * component)
+}
+
+fn inner<S: Scalar>(a: Vector<S>, b: Vector<S>) -> S {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[cfg(test)]
+mod tests;
