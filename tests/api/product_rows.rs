@@ -10,7 +10,7 @@ fn member(product: Product) -> Option<&'static str> {
     match product {
         Product::Latex => Some("EQUATIONS_LATEX"),
         Product::Statements => Some("STATEMENTS"),
-        Product::Motion | Product::Drawing => None,
+        Product::Motion | Product::Frames | Product::FrameJacobians | Product::Drawing => None,
         product => Some(product.name()),
     }
 }

@@ -8,8 +8,8 @@
 //! Hand-written energies mix with those of bodies, and what a scene costs is what the same system costs by hand, to which `tests/bodies`
 //! holds it. Mistakes point at what the user wrote. A constraint of a joint that proves to be zero is left out.
 //!
-//! Beside the statements come expressions for motions and drawings ([`Plain`]); `elaborate::scene` evaluates them only if `emit` asks for
-//! them, and they are emitted as values of `lagrange::body` and `lagrange::scene`, which every build has; pictures are behind the feature
+//! Beside the statements come expressions for motions, frames and drawings ([`Plain`]); `elaborate::scene` evaluates them only if `emit` asks
+//! for them, and they are emitted as values of `lagrange::body` and `lagrange::scene`, which every build has; pictures are behind the feature
 //! `draw`. What is handed out to be drawn is all that acts of what is declared with bodies: `tests/laws/scenes.rs` and
 //! `tests/api/axiom.rs` hold it to F = m a and to the axiom of angular momentum. On a free body the drawing adds the resultant of what has
 //! no name, m a − Σ F, from the motion. Torques on angles find their bodies by proof (`elaborate::torques`); joints without multipliers
@@ -47,7 +47,10 @@ use names::report_repeated;
 use statements::translate;
 use translation::Translation;
 
-pub use plain::{Drawn, DrawnKind, JointForm, LoadOrigin, Motion, Obligation, Outline, Plain};
+pub use plain::{
+    Drawn, DrawnKind, FramePose, FrameTwist, JointForm, LoadOrigin, Motion, Obligation, Outline, Plain,
+    SpatialKinematics, SpatialMotion,
+};
 
 /// Puts plain statements in the place of those about bodies. Mistakes are reported.
 pub fn plain(mut declaration: Declaration, report: &mut Report) -> Plain {

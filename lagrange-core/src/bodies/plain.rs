@@ -12,6 +12,8 @@ pub struct Plain {
     pub declaration: Declaration,
     /// Motions of bodies, in the order of their declaration.
     pub motions: Vec<Motion>,
+    /// What is asked for of bodies and frames in space.
+    pub in_space: SpatialKinematics,
     /// Items to draw.
     pub drawing: Vec<Drawn>,
     /// Conditions on numbers, checked where these are known.
@@ -51,6 +53,75 @@ pub struct Motion {
     pub mass: AstId,
     /// Its moment of inertia about the centre of mass.
     pub inertia: AstId,
+}
+
+/// Bodies and frames in space, in the order of their declaration. All expressions are scalars.
+#[derive(Clone, Default, Debug)]
+pub struct SpatialKinematics {
+    /// Motions of bodies.
+    pub motions: Vec<SpatialMotion>,
+    /// Where bodies and frames are.
+    pub frames: Vec<FramePose>,
+    /// How their frames move.
+    pub twists: Vec<FrameTwist>,
+}
+
+/// Motion of a body in space. Rates may hold `ddot`.
+#[derive(Clone, Debug)]
+pub struct SpatialMotion {
+    /// The name of the body.
+    pub body: Name,
+    /// Its mass.
+    pub mass: AstId,
+    /// xx, yy, zz, xy, xz, yz of its tensor of inertia about the centre of mass, in its own axes.
+    pub tensor: [AstId; 6],
+    /// The centre of mass in own coordinates.
+    pub centroid: [AstId; 3],
+    /// Its axes in the world.
+    pub axes: [[AstId; 3]; 3],
+    /// The position of the centre of mass, its velocity and its acceleration, in the world.
+    pub center: [[AstId; 3]; 3],
+    /// Angular velocity and angular acceleration, in the world.
+    pub turning: [[AstId; 3]; 2],
+}
+
+/// Where a body or frame is.
+#[derive(Clone, Debug)]
+pub struct FramePose {
+    /// Its name.
+    pub name: Name,
+    /// Its axes in the world.
+    pub axes: [[AstId; 3]; 3],
+    /// Its origin in the world.
+    pub origin: [AstId; 3],
+}
+
+/// How the frame of a body moves, in the axes of the world.
+#[derive(Clone, Debug)]
+pub struct FrameTwist {
+    /// Its name.
+    pub name: Name,
+    /// The angular velocity.
+    pub spin: [AstId; 3],
+    /// The velocity of its origin.
+    pub velocity: [AstId; 3],
+}
+
+impl SpatialKinematics {
+    /// All expressions.
+    pub(super) fn expressions(&self) -> Vec<AstId> {
+        let mut all = Vec::new();
+        for motion in &self.motions {
+            all.push(motion.mass);
+            all.extend(motion.tensor.iter().chain(&motion.centroid));
+            all.extend(motion.axes.iter().chain(&motion.center).chain(&motion.turning).flatten());
+        }
+        for frame in &self.frames {
+            all.extend(frame.axes.iter().flatten().chain(&frame.origin));
+        }
+        all.extend(self.twists.iter().flat_map(|twist| twist.spin.iter().chain(&twist.velocity)));
+        all
+    }
 }
 
 /// Item to be drawn.

@@ -9,10 +9,10 @@ use super::lines::translate_line;
 use super::messages;
 use super::mobilizers::{report_waiting, translate_plane_mobilizer};
 use super::object::{Body, WaitingBody};
-use super::plain::{Drawn, DrawnKind, LoadOrigin, Plain};
+use super::plain::{Drawn, DrawnKind, LoadOrigin, Plain, SpatialKinematics};
 use super::space::{
-    point_on_link, push_gibbs_function, report_unplaced, translate_frame, translate_spatial_body,
-    translate_spatial_force, translate_spatial_gravity, translate_spatial_mobilizer,
+    Asked, kinematics_asked_for, point_on_link, push_gibbs_function, report_unplaced, translate_frame,
+    translate_spatial_body, translate_spatial_force, translate_spatial_gravity, translate_spatial_mobilizer,
     translate_spatial_torque,
 };
 use super::translation::Translation;
@@ -23,6 +23,7 @@ use crate::syntax::ast::{
 
 /// Translates all statements.
 pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Declaration) -> Plain {
+    let asked = Asked::of(&declaration);
     for statement in std::mem::take(&mut declaration.statements) {
         translation.origin = statement.origin;
         translate_statement(&mut translation, statement);
@@ -32,15 +33,17 @@ pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Decla
     report_unplaced(&mut translation);
     push_gibbs_function(&mut translation);
     translation.drawing.append(&mut translation.loads);
+    let in_space = kinematics_asked_for(&mut translation, asked);
     let kinematic = translation.space.take().map(|space| space.kinematic);
-    let mut plain = plain_of(translation, declaration);
+    declaration.is_in_space = kinematic.is_some();
+    let mut plain = plain_of(translation, declaration, in_space);
     if let Some(kinematic) = kinematic {
         leave_out_unneeded(&mut plain, &kinematic);
     }
     plain
 }
 
-fn plain_of(translation: Translation<'_>, declaration: Declaration) -> Plain {
+fn plain_of(translation: Translation<'_>, declaration: Declaration, in_space: SpatialKinematics) -> Plain {
     Plain {
         declaration: Declaration {
             statements: translation.statements,
@@ -48,6 +51,7 @@ fn plain_of(translation: Translation<'_>, declaration: Declaration) -> Plain {
             ..declaration
         },
         motions: translation.motions,
+        in_space,
         drawing: translation.drawing,
         obligations: translation.obligations,
         joints: translation.joints,

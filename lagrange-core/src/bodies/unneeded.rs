@@ -12,6 +12,7 @@ pub(super) fn leave_out_unneeded(plain: &mut Plain, kinematic: &HashMap<String, 
     let expressions = &plain.declaration.expressions;
     let mut needed = Needed { expressions, names: HashMap::default(), seen: HashMap::default() };
     plain.mentioned.iter().for_each(|&id| needed.add(id));
+    plain.in_space.expressions().into_iter().for_each(|id| needed.add(id));
     plain.obligations.iter().flat_map(obliged).for_each(|id| needed.add(id));
     let mut kept = Vec::with_capacity(plain.declaration.statements.len());
     for statement in plain.declaration.statements.iter().rev() {

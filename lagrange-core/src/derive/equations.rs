@@ -5,6 +5,7 @@ use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
 use super::elimination::solution::Solution;
 use super::forms::{Forms, Rows};
+use super::frame_jacobians::frame_jacobians;
 use super::indefinite::pivot_growth;
 use super::inverse_dynamics::residual;
 use super::jacobian::Derivatives;
@@ -47,6 +48,8 @@ pub struct Equations {
     pub free_momentum_rates: Option<Vec<ExprId>>,
     /// What was asked for beside the two sides of M q̈ = f and what the model itself holds, matrices row by row.
     products: Vec<(Product, Vec<ExprId>)>,
+    /// Jacobians of frames in the order of `Scene::twists`, each in six rows.
+    pub frame_jacobians: Vec<Vec<ExprId>>,
     /// What was found out about the system.
     pub structure: Structure,
     /// Surfaces on which what determines the motion is not smooth.
@@ -119,6 +122,7 @@ impl Equations {
             constraints,
             reactions,
             products,
+            frame_jacobians: frame_jacobians(model),
             structure,
             switches: Vec::new(),
             labels,

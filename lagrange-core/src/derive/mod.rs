@@ -79,6 +79,7 @@ mod curvature;
 mod elimination;
 mod equations;
 mod forms;
+mod frame_jacobians;
 mod gibbs_appell;
 mod indefinite;
 mod inverse_dynamics;

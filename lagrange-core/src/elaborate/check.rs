@@ -9,7 +9,7 @@ use super::magnitudes::check_magnitudes;
 use super::messages::{self, scene};
 use super::reductions::check_reductions;
 use super::scalar_range::largest;
-use super::scene::check_motion_names;
+use super::scene::check_names_of_bodies;
 use super::signs::check_signs;
 use super::smoothness::{check_smoothness, without_kinks};
 use super::stabilisation::check_stabilisation;
@@ -50,7 +50,7 @@ fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_magnitudes(elaborator);
     check_products(elaborator);
     check_output_names(elaborator);
-    check_motion_names(elaborator);
+    check_names_of_bodies(elaborator);
     check_constraint_count(elaborator);
     check_reduced_constraints(elaborator);
     check_stabilisation(elaborator);
@@ -118,7 +118,7 @@ fn check_products(elaborator: &mut Elaborator<'_>) {
         let is_unclear = product.is_of_bodies() && !elaborator.declaration.unreadable_words.is_empty();
         if wanted && elaborator.is_undefined(product) && !is_unclear {
             let (message, help) = match product {
-                _ if product.is_of_bodies() => (scene::needs_bodies(product.name()), scene::BODY_HELP),
+                _ if product.is_of_bodies() => without_bodies(elaborator, product),
                 _ if product.is_of_constraints() => {
                     (messages::needs_constraints(product.name()), messages::CONSTRAINT_HELP)
                 }
@@ -129,6 +129,20 @@ fn check_products(elaborator: &mut Elaborator<'_>) {
     }
     check_needed_products(elaborator);
     check_derivatives(elaborator);
+}
+
+/// What is wrong with a product of bodies that do not exist, or exist in the plane instead of space or the other way round.
+fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'static str) {
+    let staged = &elaborator.staged;
+    match product {
+        Product::Drawing if staged.is_in_space => {
+            (scene::only_in_the_plane(product.name()), scene::IN_SPACE_HELP)
+        }
+        Product::Frames | Product::FrameJacobians if !staged.bodies.is_empty() => {
+            (scene::only_in_space(product.name()), scene::IN_THE_PLANE_HELP)
+        }
+        _ => (scene::needs_bodies(product.name()), scene::BODY_HELP),
+    }
 }
 
 /// Some methods are called by others.

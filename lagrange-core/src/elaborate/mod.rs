@@ -27,6 +27,7 @@ mod reduce;
 mod reductions;
 mod scalar_range;
 mod scene;
+mod scene_in_space;
 mod scope;
 mod signs;
 mod smoothness;

@@ -7,18 +7,19 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages::{self, scene};
 use super::operand::Operand;
+use super::scene_in_space::add_scene_in_space;
 use super::staged::Staged;
 use super::torques::torque_item;
 use crate::bodies::{Drawn, DrawnKind, Motion, Outline, Plain};
 use crate::expr::ExprId;
 use crate::model::{BodyMotion, DrawnItem, OutlinedPart, Product};
 use crate::solids;
-use crate::syntax::ast::{AstId, Name};
+use crate::syntax::ast::{AstId, Declaration, Name};
 
 /// Takes what is known of bodies into the model, as far as it is asked for.
 pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
-    let bodies = plain.motions.iter().map(|motion| motion.body.clone()).collect();
-    elaborator.staged = Staged { bodies, is_visible: !plain.drawing.is_empty() };
+    elaborator.staged = staged(plain);
+    add_scene_in_space(elaborator, &plain.in_space);
     let products = elaborator.products();
     let [moves, is_drawn] = [Product::Motion, Product::Drawing].map(|product| products.contains(&product));
     if moves || is_drawn {
@@ -28,6 +29,20 @@ pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
     // Where the motion of a body is unknown, that was reported.
     if is_drawn && elaborator.scene.motions.len() == plain.motions.len() {
         add_drawing(elaborator, &plain.drawing);
+    }
+}
+
+fn staged(plain: &Plain) -> Staged {
+    let Declaration { bodies, is_in_space, .. } = &plain.declaration;
+    let named = |is_frame: bool| {
+        let bodies = bodies.iter().filter(|body| body.is_frame == is_frame);
+        bodies.map(|body| body.name.clone()).collect()
+    };
+    Staged {
+        bodies: named(false),
+        frames: named(true),
+        is_in_space: *is_in_space,
+        is_visible: !plain.drawing.is_empty(),
     }
 }
 
@@ -111,22 +126,32 @@ fn outlined_part(elaborator: &mut Elaborator<'_>, outline: &Outline) -> Option<O
 }
 
 /// No two methods have the same name.
-pub(super) fn check_motion_names(elaborator: &mut Elaborator<'_>) {
-    if !elaborator.products().contains(&Product::Motion) {
-        return;
-    }
-    let has_redundant_motion = !elaborator.constraints.is_empty();
-    let method = |body: &Name| format!("{}_motion", body.text);
-    for name in elaborator.declaration.outputs() {
-        if elaborator.staged.bodies.iter().any(|body| method(body) == name.text) {
-            let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
-            error.help(messages::OTHER_NAME_HELP);
+pub(super) fn check_names_of_bodies(elaborator: &mut Elaborator<'_>) {
+    let products = elaborator.products();
+    let is_constrained = !elaborator.constraints.is_empty();
+    let others = [
+        (is_constrained, "redundant_motion"),
+        (products.contains(&Product::ParameterJacobian), Product::ParameterJacobian.name()),
+    ];
+    let others = others.into_iter().filter_map(|(exists, name)| exists.then_some(name)).collect::<Vec<_>>();
+    for (product, suffix) in
+        products.into_iter().filter_map(|product| Some((product, product.method_suffix()?)))
+    {
+        let bodies = elaborator.staged.with_method(product).into_iter().cloned().collect::<Vec<Name>>();
+        let is_taken = |body: &Name, name: &str| name.strip_suffix(suffix) == Some(body.text.as_str());
+        let report = &mut *elaborator.evaluator.report;
+        for name in elaborator.declaration.outputs() {
+            if bodies.iter().any(|body| is_taken(body, &name.text)) {
+                let error = report.error(name.span, messages::reserved_output(&name.text));
+                error.help(messages::OTHER_NAME_HELP);
+            }
         }
-    }
-    let taken = elaborator.staged.bodies.iter().find(|body| has_redundant_motion && body.text == "redundant");
-    if let Some(body) = taken {
-        let error = elaborator.evaluator.report.error(body.span, scene::reserved_body(&body.text));
-        error.help(messages::OTHER_NAME_HELP);
+        for &other in &others {
+            for body in bodies.iter().filter(|body| is_taken(body, other)) {
+                let error = report.error(body.span, scene::reserved_body(&body.text, other));
+                error.help(messages::OTHER_NAME_HELP);
+            }
+        }
     }
 }
 

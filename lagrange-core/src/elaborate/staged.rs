@@ -8,17 +8,30 @@ use crate::syntax::ast::Name;
 pub(super) struct Staged {
     /// Their names.
     pub(super) bodies: Vec<Name>,
+    /// Names of frames.
+    pub(super) frames: Vec<Name>,
+    /// Whether they move in space.
+    pub(super) is_in_space: bool,
     /// Whether anything could be drawn.
     pub(super) is_visible: bool,
 }
 
 impl Staged {
-    /// Whether there is too little for a product.
+    /// Whether there is too little for a product, or it is of scenes of the other kind.
     pub(super) fn lacks(&self, product: Product) -> bool {
+        let is_empty = self.bodies.is_empty() && self.frames.is_empty();
         match product {
             Product::Motion => self.bodies.is_empty(),
-            Product::Drawing | Product::Statements => self.bodies.is_empty() && !self.is_visible,
+            Product::Drawing => self.is_in_space || self.bodies.is_empty() && !self.is_visible,
+            Product::Frames | Product::FrameJacobians => !self.is_in_space || is_empty,
+            Product::Statements => is_empty && !self.is_visible,
             _ => false,
         }
+    }
+
+    /// Bodies and frames with a method that a product has for each of them.
+    pub(super) fn with_method(&self, product: Product) -> Vec<&Name> {
+        let frames = if product == Product::Motion { &[] } else { &self.frames[..] };
+        self.bodies.iter().chain(frames).collect()
     }
 }

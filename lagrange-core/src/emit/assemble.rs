@@ -13,6 +13,7 @@ use super::features::constants::{equations_latex, parameter_names, statements_co
 use super::features::constrained::write_constrained;
 use super::features::contacts::{default_modes, write_touching};
 use super::features::events::write_events;
+use super::features::frames::write_frames;
 use super::features::indefinite::write_indefinite;
 use super::features::product::{Plan, plan};
 use super::features::scene::write_scene;
@@ -62,6 +63,7 @@ fn assembled(
     write_products(&mut writer);
     write_outputs(&mut writer);
     write_scene(&mut writer);
+    write_frames(&mut writer);
     if !writer.is_hopeless() {
         describe(&mut writer, statements, counts);
     }

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::base::members::Members;
 use super::base::method::{ArgumentNames, Arguments, Method, Returns};
-use super::base::shape::{Shape, identifier, local, motion_name};
+use super::base::shape::{Shape, identifier, local, method_of, motion_name};
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
 use super::features::product::signature;
 use super::features::reduced::{placeholder_conversions, reduced_attributes};
@@ -56,6 +56,10 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
             methods.push(placeholder(local(product.name()), arguments, returns));
         }
     }
+    let frames = skeleton_of_frames(&shape).into_iter();
+    let frames = frames.filter(|frame| methods.iter().all(|method| method.name != frame.name));
+    let frames = frames.collect::<Vec<_>>();
+    methods.extend(frames);
     let motions = shape.bodies.iter().map(|body| motion_name(body)).collect::<Vec<_>>();
     for &(name, count) in &shape.outputs {
         let returns = if count == 1 { Returns::Scalar } else { Returns::Vector(count) };
@@ -113,6 +117,14 @@ fn skeleton_of_motions(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream 
     let docs = quote!(#[doc = #NOT_DERIVED]);
     let nothing = quote!(::core::unreachable!());
     shape.bodies.iter().map(|body| motion_method(shape, names, body, &docs, &nothing)).collect()
+}
+
+fn skeleton_of_frames(shape: &Shape<'_>) -> Vec<Method> {
+    let jacobian = Returns::Matrix(6, shape.coordinates.len());
+    let frames = shape.frames.iter().map(|name| (method_of(name, Product::Frames), Returns::Frame));
+    let jacobians = shape.frames_with_jacobian.iter();
+    let jacobians = jacobians.map(|name| (method_of(name, Product::FrameJacobians), jacobian));
+    frames.chain(jacobians).map(|(name, returns)| placeholder(name, Arguments::Positions, returns)).collect()
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {

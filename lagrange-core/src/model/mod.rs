@@ -9,7 +9,7 @@ use crate::expr::{ExprId, Graph};
 use crate::syntax::ast::{Accuracy, Direction, Name};
 
 pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
-pub use scene::{BodyMotion, DrawnItem, OutlinedPart, Scene};
+pub use scene::{BodyMotion, DrawnItem, LinkPose, LinkTwist, OutlinedPart, Scene, SpatialBodyMotion};
 
 /// Meaning of a declaration, as expressions of one graph.
 #[derive(Clone, Debug)]

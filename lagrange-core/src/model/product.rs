@@ -24,6 +24,8 @@ pub enum Product {
     ParameterJacobian,
     Latex,
     Motion,
+    Frames,
+    FrameJacobians,
     Drawing,
     Statements,
 }
@@ -109,7 +111,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 19] = [
+const ROWS: [ProductRow; 21] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -283,6 +285,13 @@ const ROWS: [ProductRow; 19] = [
     },
     ProductRow { product: Product::Latex, name: "latex", when: Availability::Demand, method: None },
     ProductRow { product: Product::Motion, name: "motion", when: Availability::Bodies, method: None },
+    ProductRow { product: Product::Frames, name: "frames", when: Availability::Bodies, method: None },
+    ProductRow {
+        product: Product::FrameJacobians,
+        name: "frame_jacobians",
+        when: Availability::Bodies,
+        method: None,
+    },
     ProductRow { product: Product::Drawing, name: "drawing", when: Availability::Bodies, method: None },
     ProductRow { product: Product::Statements, name: "statements", when: Availability::Bodies, method: None },
 ];
@@ -322,6 +331,16 @@ impl Product {
     /// True if only systems with rigid bodies have it. No method has its name.
     pub fn is_of_bodies(self) -> bool {
         self.row().when == Availability::Bodies
+    }
+
+    /// End of the name of the method that it has for each body, which begins with that of the body.
+    pub fn method_suffix(self) -> Option<&'static str> {
+        match self {
+            Product::Motion => Some("_motion"),
+            Product::Frames => Some("_frame"),
+            Product::FrameJacobians => Some("_jacobian"),
+            _ => None,
+        }
     }
 }
 

@@ -9,6 +9,12 @@ use crate::syntax::ast::Name;
 pub struct Scene {
     /// Motions of bodies, in the order of their declaration.
     pub motions: Vec<BodyMotion>,
+    /// Motions of bodies in space.
+    pub spatial_motions: Vec<SpatialBodyMotion>,
+    /// Where bodies and frames in space are.
+    pub frames: Vec<LinkPose>,
+    /// How their frames move.
+    pub twists: Vec<LinkTwist>,
     /// Items to draw, in the order in which they are handed out.
     pub drawing: Vec<DrawnItem>,
 }
@@ -36,6 +42,44 @@ impl BodyMotion {
     pub(crate) fn spin(&self) -> ExprId {
         self.values[9]
     }
+}
+
+/// Motion of a body in space.
+#[derive(Clone, Debug)]
+pub struct SpatialBodyMotion {
+    /// The name of the body.
+    pub body: Name,
+    /// Mass, tensor of inertia in rows, centroid in own coordinates, then in the world centre, rotation in rows, velocity, angular
+    /// velocity, acceleration, angular acceleration.
+    pub values: [ExprId; SpatialBodyMotion::VALUES],
+}
+
+impl SpatialBodyMotion {
+    /// Number of values that tell how a body moves.
+    pub const VALUES: usize = 37;
+}
+
+/// Where a body or frame in space is.
+#[derive(Clone, Debug)]
+pub struct LinkPose {
+    /// Its name.
+    pub name: Name,
+    /// Rotation from its axes to those of the world, in rows, and its origin in the world.
+    pub values: [ExprId; LinkPose::VALUES],
+}
+
+impl LinkPose {
+    /// Number of values that tell where a frame is.
+    pub const VALUES: usize = 12;
+}
+
+/// How the frame of a body moves, in the axes of the world.
+#[derive(Clone, Debug)]
+pub struct LinkTwist {
+    /// Its name.
+    pub name: Name,
+    /// Angular velocity, then the velocity of its origin; affine in the velocities.
+    pub values: [ExprId; 6],
 }
 
 /// Item to be drawn.
@@ -74,6 +118,9 @@ impl Scene {
     /// Places that hold expressions.
     pub(crate) fn places(&mut self) -> Vec<&mut ExprId> {
         let mut places = self.motions.iter_mut().flat_map(|motion| &mut motion.values).collect::<Vec<_>>();
+        places.extend(self.spatial_motions.iter_mut().flat_map(|motion| &mut motion.values));
+        places.extend(self.frames.iter_mut().flat_map(|frame| &mut frame.values));
+        places.extend(self.twists.iter_mut().flat_map(|twist| &mut twist.values));
         for item in &mut self.drawing {
             places.extend(&mut item.values);
             places.extend(item.parts.iter_mut().flat_map(|part| &mut part.values));

@@ -1,4 +1,5 @@
 mod attributes;
+mod frames;
 mod numbers;
 mod scenes;
 mod unresolved;

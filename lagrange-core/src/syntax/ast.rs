@@ -41,8 +41,10 @@ pub struct Declaration {
     pub accuracy: Accuracy,
     /// Statements in source order, without those that could not be read.
     pub statements: Vec<Statement>,
-    /// Rigid bodies in source order; known also where plain statements have taken the place of theirs.
+    /// Rigid bodies and frames in source order; known also where plain statements have taken the place of theirs.
     pub bodies: Vec<DeclaredBody>,
+    /// Whether these move in space; known where plain statements have taken the place of theirs.
+    pub is_in_space: bool,
     /// The expressions that statements refer to.
     pub expressions: Expressions,
     /// Words in places that could not be read: names that may have been declared there.
@@ -80,6 +82,16 @@ impl Declaration {
         coordinates.flatten().collect()
     }
 
+    /// Whether a product that is emitted on demand is asked for: the last word counts.
+    pub fn asks_for(&self, product: &str) -> bool {
+        let items = self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Emit(items) => Some(items),
+            _ => None,
+        });
+        let mut asked = items.flatten().filter(|item| item.product.text == product);
+        asked.next_back().is_some_and(|item| item.wanted)
+    }
+
     /// The names of outputs in their order.
     pub fn outputs(&self) -> impl Iterator<Item = &Name> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
@@ -114,11 +126,13 @@ impl Declaration {
     }
 }
 
-/// A rigid body by its name.
+/// A rigid body or a frame by its name.
 #[derive(Clone, Debug)]
 pub struct DeclaredBody {
     /// Its name.
     pub name: Name,
+    /// Whether it is a frame, which has no mass.
+    pub is_frame: bool,
     /// Its documentation, as attributes.
     pub docs: TokenStream,
 }

@@ -52,6 +52,7 @@ fn declaration(
         statements: Vec::new(),
         expressions: Expressions::default(),
         bodies: Vec::new(),
+        is_in_space: false,
         unreadable_words: HashMap::default(),
         lacks_names: false,
     }

@@ -88,11 +88,13 @@ fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cu
     let mut expressions = std::mem::take(&mut parser.expressions);
     expressions.end_of_text();
     let unreadable_words = std::mem::take(&mut parser.unreadable_words);
-    let bodies = statements.iter().filter_map(|statement| match &statement.kind {
-        StatementKind::Scene(SceneStatement::Body(body)) => {
-            Some(DeclaredBody { name: body.name.clone(), docs: statement.docs.clone() })
-        }
-        _ => None,
+    let bodies = statements.iter().filter_map(|statement| {
+        let (name, is_frame) = match &statement.kind {
+            StatementKind::Scene(SceneStatement::Body(body)) => (&body.name, false),
+            StatementKind::Scene(SceneStatement::Frame(name)) => (name, true),
+            _ => return None,
+        };
+        Some(DeclaredBody { name: name.clone(), is_frame, docs: statement.docs.clone() })
     });
     let bodies = bodies.collect();
     Declaration {

@@ -14,6 +14,7 @@ mod compound;
 mod expressions;
 mod gibbs;
 mod inertia;
+mod kinematics;
 mod links;
 mod loads;
 mod messages;
@@ -31,6 +32,7 @@ pub(super) use expressions::{
     call_of_link, in_axes, part_of_link, place_of_link, point_on_link, rate_of_link_point,
 };
 pub(super) use gibbs::push_gibbs_function;
+pub(super) use kinematics::{Asked, kinematics_asked_for};
 pub(super) use loads::{translate_spatial_force, translate_spatial_torque};
 pub(super) use mobilizers::translate_spatial_mobilizer;
 pub(super) use mobilizers::{coordinates_of, dampen};

@@ -6,6 +6,20 @@ pub(in crate::elaborate) fn needs_bodies(name: &str) -> String {
 
 pub(in crate::elaborate) const BODY_HELP: &str = "declare one: `body name { … }`";
 
+pub(in crate::elaborate) fn only_in_the_plane(product: &str) -> String {
+    format!("`{product}` is for bodies in the plane: there are no pictures of bodies in space")
+}
+
+pub(in crate::elaborate) const IN_SPACE_HELP: &str =
+    "`emit { motion, frames }` says where bodies in space are and how they move";
+
+pub(in crate::elaborate) fn only_in_space(product: &str) -> String {
+    format!("`{product}` is for bodies and frames in space, but these move in the plane")
+}
+
+pub(in crate::elaborate) const IN_THE_PLANE_HELP: &str =
+    "`emit { motion }` says where bodies in the plane are and how they move";
+
 pub(in crate::elaborate) fn not_in_the_plane(body: &str) -> String {
     format!("the places of `{body}` need two components, its mass, moment of inertia and angle one")
 }
@@ -13,6 +27,13 @@ pub(in crate::elaborate) fn not_in_the_plane(body: &str) -> String {
 pub(in crate::elaborate) const PLANE_HELP: &str =
     "write places as `(x, y)`, and mass, moment of inertia and angle as numbers";
 
-pub(in crate::elaborate) fn reserved_body(name: &str) -> String {
-    format!("a body cannot be called `{name}` here, since the system has a method `{name}_motion` already")
+pub(in crate::elaborate) fn place_with_velocities(name: &str) -> String {
+    format!("the frame of `{name}` must not depend on velocities")
+}
+
+pub(in crate::elaborate) const PLACE_WITH_VELOCITIES_HELP: &str =
+    "state its place and its angles without velocities, or emit neither `frames` nor `frame_jacobians`";
+
+pub(in crate::elaborate) fn reserved_body(name: &str, method: &str) -> String {
+    format!("a body cannot be called `{name}` here, since the system has a method `{method}` already")
 }

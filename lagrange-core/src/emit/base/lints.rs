@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::shape::{Shape, motion_name};
+use super::shape::Shape;
 
 /// Lets rounded constants look like those of the standard library.
 pub(in crate::emit) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {
@@ -25,8 +25,9 @@ pub(in crate::emit) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> 
     let touching = shape.touching.iter().map(|(name, _)| name);
     let outputs = shape.outputs.iter().map(|(name, _)| name);
     let names = shape.fields.iter().chain(&shape.coordinates).chain(touching).chain(outputs);
-    let methods = shape.bodies.iter().map(|body| motion_name(body).to_string());
-    let names = names.map(|name| name.text.clone()).chain(methods);
+    // In names of their methods an underscore follows.
+    let bodies = shape.bodies.iter().chain(&shape.frames).chain(&shape.frames_with_jacobian);
+    let names = names.map(|name| name.text.clone()).chain(bodies.map(|name| format!("{}_", name.text)));
     let is_snake_case = |name: &str| !name.contains(char::is_uppercase) && !name.contains("__");
     let exception =
         quote!(#[allow(non_snake_case, reason = "symbols keep the letters they have in formulas")]);

@@ -32,6 +32,8 @@ pub(in crate::emit) enum Returns {
     Vector(usize),
     /// With this many rows and columns.
     Matrix(usize, usize),
+    /// A rotation in rows and a place.
+    Frame,
 }
 
 /// The names of the arguments, chosen so that they hide no name of the user.
@@ -141,6 +143,7 @@ impl Returns {
             Returns::Scalar => 1,
             Returns::Vector(n) => n,
             Returns::Matrix(rows, columns) => rows * columns,
+            Returns::Frame => 12,
         }
     }
 
@@ -155,6 +158,7 @@ impl Returns {
                 let (rows, columns) = (length(rows), length(columns));
                 quote!([[#scalar; #columns]; #rows])
             }
+            Returns::Frame => quote!(([[#scalar; 3]; 3], [#scalar; 3])),
         }
     }
 
@@ -167,6 +171,11 @@ impl Returns {
                 let rows = (0..rows).map(|i| &results[i * columns..][..columns]);
                 let rows = rows.map(|row| quote!([#(#row),*]));
                 quote!([#(#rows),*])
+            }
+            Returns::Frame => {
+                let (rotation, origin) = results.split_at(9);
+                let rotation = Returns::Matrix(3, 3).collect(rotation);
+                quote!((#rotation, [#(#origin),*]))
             }
         }
     }

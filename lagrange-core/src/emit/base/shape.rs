@@ -21,6 +21,10 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) coordinates: Vec<&'a Name>,
     /// Rigid bodies with a method that says how they move.
     pub(in crate::emit) bodies: Vec<&'a Name>,
+    /// Bodies and frames with a method that says where they are.
+    pub(in crate::emit) frames: Vec<&'a Name>,
+    /// Bodies and frames with a method for their Jacobian.
+    pub(in crate::emit) frames_with_jacobian: Vec<&'a Name>,
     pub(in crate::emit) constraints: Vec<&'a Name>,
     pub(in crate::emit) events: Vec<&'a Event>,
     /// Whether constraints are stabilised instead of projected onto.
@@ -54,6 +58,8 @@ impl<'a> Shape<'a> {
             fields: Vec::new(),
             coordinates: Vec::new(),
             bodies: Vec::new(),
+            frames: Vec::new(),
+            frames_with_jacobian: Vec::new(),
             constraints: Vec::new(),
             events: Vec::new(),
             is_stabilised: false,
@@ -82,11 +88,23 @@ impl<'a> Shape<'a> {
             }
         }
         shape.fields.extend(inputs);
-        if shape.asks_for(Product::Motion) {
-            shape.bodies.extend(declaration.bodies.iter().map(|body| &body.name));
-        }
+        shape.add_bodies();
         shape.drop_repeated_names();
         shape
+    }
+
+    fn add_bodies(&mut self) {
+        let bodies = &self.declaration.bodies;
+        if self.asks_for(Product::Motion) {
+            let bodies = bodies.iter().filter(|body| !body.is_frame);
+            self.bodies.extend(bodies.map(|body| &body.name));
+        }
+        if self.declaration.is_in_space && self.asks_for(Product::Frames) {
+            self.frames.extend(bodies.iter().map(|body| &body.name));
+        }
+        if self.declaration.is_in_space && self.asks_for(Product::FrameJacobians) {
+            self.frames_with_jacobian.extend(bodies.iter().map(|body| &body.name));
+        }
     }
 
     fn add_event(&mut self, event: &'a Event) {
@@ -121,12 +139,7 @@ impl<'a> Shape<'a> {
 
     /// Whether a product that is emitted on demand is asked for.
     pub(in crate::emit) fn asks_for(&self, product: Product) -> bool {
-        let items = self.declaration.statements.iter().filter_map(|statement| match &statement.kind {
-            StatementKind::Emit(items) => Some(items),
-            _ => None,
-        });
-        let mut asked = items.flatten().filter(|item| item.product.text == product.name());
-        asked.next_back().is_some_and(|item| item.wanted)
+        self.declaration.asks_for(product.name())
     }
 
     /// Names declared twice are reported elsewhere; two fields of one name would be reported again.
@@ -137,7 +150,10 @@ impl<'a> Shape<'a> {
         self.coordinates.retain(|name| first(name));
         self.touching.retain(|(name, _)| first(name));
         self.outputs.retain(|(name, _)| first(name));
-        self.bodies.retain(|name| first(name));
+        for list in [&mut self.bodies, &mut self.frames, &mut self.frames_with_jacobian] {
+            let mut seen = seen.clone();
+            list.retain(|name| seen.insert(name.text.clone(), ()).is_none());
+        }
     }
 
     /// Kind of a field, in words.
@@ -172,9 +188,13 @@ impl<'a> Shape<'a> {
 
     /// The user's documentation of a body, or a line that stands for it.
     pub(in crate::emit) fn body_docs(&self, name: &Name, line: &str) -> TokenStream {
-        let bodies = self.declaration.bodies.iter();
-        let documented = bodies.filter(|body| !body.docs.is_empty()).find(|body| body.name.text == name.text);
-        documented.map_or_else(|| doc(line), |body| body.docs.clone())
+        self.user_docs(name).map_or_else(|| doc(line), Clone::clone)
+    }
+
+    /// The user's documentation of a body or frame, if there is any.
+    pub(in crate::emit) fn user_docs(&self, name: &Name) -> Option<&'a TokenStream> {
+        let mut documented = self.declaration.bodies.iter().filter(|body| !body.docs.is_empty());
+        documented.find(|body| body.name.text == name.text).map(|body| &body.docs)
     }
 
     /// The struct's name.
@@ -334,5 +354,11 @@ pub(in crate::emit) fn length(length: usize) -> Literal {
 
 /// The name of the method that says how a body moves.
 pub(in crate::emit) fn motion_name(body: &Name) -> Ident {
-    Ident::new(&format!("{}_motion", body.text), body.span)
+    method_of(body, Product::Motion)
+}
+
+/// The name of a method that a product has for each body or frame.
+pub(in crate::emit) fn method_of(body: &Name, product: Product) -> Ident {
+    let suffix = product.method_suffix().unwrap_or_default();
+    Ident::new(&format!("{}{suffix}", body.text), body.span)
 }

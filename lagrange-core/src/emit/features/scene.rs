@@ -231,6 +231,7 @@ pub(in crate::emit) fn motion_method(
 ) -> TokenStream {
     let (krate, scalar, n) = (shape.krate, shape.scalar(), length(shape.coordinates.len()));
     let (name, ArgumentNames { time, positions, velocities, .. }) = (motion_name(body), names);
+    let motion = local(if shape.declaration.is_in_space { "SpatialMotion" } else { "Motion" });
     quote! {
         #docs
         #[must_use]
@@ -240,7 +241,7 @@ pub(in crate::emit) fn motion_method(
             #time: #scalar,
             #positions: &[#scalar; #n],
             #velocities: &[#scalar; #n],
-        ) -> #krate::body::Motion<#scalar> {
+        ) -> #krate::body::#motion<#scalar> {
             #content
         }
     }

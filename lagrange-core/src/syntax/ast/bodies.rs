@@ -72,7 +72,7 @@ impl SceneStatement {
         match self {
             SceneStatement::Gravity(_) => (Vec::new(), Reach::Expressions),
             SceneStatement::Body(body) => (vec![&body.name], Reach::Both),
-            SceneStatement::Frame(name) => (vec![name], Reach::Expressions),
+            SceneStatement::Frame(name) => (vec![name], Reach::Both),
             SceneStatement::Line(line) => (vec![&line.name], Reach::Expressions),
             SceneStatement::Connector(connector) => (connector.name.iter().collect(), Reach::Expressions),
             SceneStatement::Joint(joint) => (joint.name.iter().collect(), Reach::Expressions),

@@ -1,0 +1,169 @@
+//! Where bodies and frames are and how they move, in the axes of the world: what is handed out of a scene in space.
+//!
+//! Motions are those of the recursion in own axes, turned into the world. Twists are written joint by joint from the way to a frame:
+//! a turn by θ about the axis e through the point o adds θ̇ e to ω and θ̇ e × (r − o) to the velocity of the origin r, a move by s along e
+//! adds ṡ e to the velocity. What stands beside the rates is so the geometric Jacobian, without a way around the recursion.
+//!
+//! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*, §3.1.
+
+use super::links::{Link, MassProperties, Path};
+use super::poses::{FrameStep, Pose};
+use super::vectors::{Triple, cross, minus, plus, scale, zero_triple};
+use crate::bodies::plain::{FramePose, FrameTwist, SpatialKinematics, SpatialMotion};
+use crate::bodies::terms::TermWriter;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{AstId, Declaration};
+
+/// What a declaration asks for.
+#[derive(Clone, Copy)]
+pub(in crate::bodies) struct Asked {
+    motions: bool,
+    frames: bool,
+    twists: bool,
+}
+
+impl Asked {
+    pub(in crate::bodies) fn of(declaration: &Declaration) -> Asked {
+        let [motions, frames, twists] =
+            ["motion", "frames", "frame_jacobians"].map(|product| declaration.asks_for(product));
+        Asked { motions, frames, twists }
+    }
+}
+
+/// What is asked for; nothing after a mistake, or in the plane.
+pub(in crate::bodies) fn kinematics_asked_for(
+    translation: &mut Translation<'_>,
+    asked: Asked,
+) -> SpatialKinematics {
+    let mut found = SpatialKinematics::default();
+    let Some(space) = translation.space.as_ref().filter(|_| !translation.report.has_errors()) else {
+        return found;
+    };
+    for link in space.links.clone() {
+        let Some((pose, _)) = link.placed else { continue };
+        translation.origin = link.name.span.into();
+        let (name, Pose { axes, origin, .. }) = (link.name.clone(), pose);
+        if asked.motions
+            && let Some(inertia) = link.inertia
+        {
+            found.motions.push(motion(translation, &link, pose, inertia));
+        }
+        if asked.frames {
+            found.frames.push(FramePose { name: name.clone(), axes, origin });
+        }
+        if asked.twists {
+            let [spin, velocity] = twist(translation, &link, origin);
+            found.twists.push(FrameTwist { name, spin, velocity });
+        }
+    }
+    found
+}
+
+fn motion(
+    translation: &mut Translation<'_>,
+    link: &Link,
+    pose: Pose,
+    MassProperties { mass, centroid, tensor }: MassProperties,
+) -> SpatialMotion {
+    let mut terms = translation.terms();
+    let tensor = tensor.unwrap_or_else(|| [terms.number(0); 6]);
+    let center = pose.place_of(&mut terms, centroid);
+    let [velocity, acceleration] = match link.path {
+        Some(_) => rates_of_point(&mut terms, &pose, centroid),
+        None => [
+            center.map(|component| terms.rate(component)),
+            center.map(|component| terms.second_rate(component)),
+        ],
+    };
+    let change = pose.spin.map(|component| terms.rate(component));
+    SpatialMotion {
+        body: link.name.clone(),
+        mass,
+        tensor,
+        centroid,
+        axes: pose.axes,
+        center: [center, velocity, acceleration],
+        turning: [pose.spin, change].map(|own| pose.to_world(&mut terms, own)),
+    }
+}
+
+/// Velocity and acceleration of a point that is fixed in a frame, in the world. With v its velocity in own axes, its acceleration in these
+/// is v̇ + ω × v.
+fn rates_of_point(terms: &mut TermWriter<'_>, pose: &Pose, point: Triple) -> [Triple; 2] {
+    let velocity = pose.velocity_of(terms, point);
+    let rate = velocity.map(|component| terms.rate(component));
+    let turning = cross(terms, pose.spin, velocity);
+    let acceleration = plus(terms, rate, turning);
+    [velocity, acceleration].map(|own| pose.to_world(terms, own))
+}
+
+/// Angular velocity and velocity of a place that moves with a link, by all joints on the way to it.
+fn twist(translation: &mut Translation<'_>, link: &Link, place: Triple) -> [Triple; 2] {
+    let mut twist = [zero_triple(&mut translation.terms()); 2];
+    let mut next = Some(link.clone());
+    while let Some(Link { placed: Some((pose, _)), path, .. }) = next {
+        let Some(Path { carrier, steps }) = path else {
+            return twist_by_hand(&mut translation.terms(), twist, &pose, place);
+        };
+        let carrier =
+            carrier.and_then(|link| translation.space.as_ref().map(|space| space.links[link].clone()));
+        let mut terms = translation.terms();
+        let placed = carrier.as_ref().and_then(|carrier| carrier.placed);
+        let mut before = placed.map_or_else(|| Pose::at_rest(&mut terms), |(pose, _)| pose);
+        for (step, behind) in steps {
+            twist = with_step(&mut terms, twist, (&before, step), place);
+            before = behind;
+        }
+        next = carrier;
+    }
+    twist
+}
+
+/// What a step adds to angular velocity and velocity of a place.
+fn with_step(
+    terms: &mut TermWriter<'_>,
+    [spin, velocity]: [Triple; 2],
+    (before, step): (&Pose, FrameStep),
+    place: Triple,
+) -> [Triple; 2] {
+    let one = terms.number(1);
+    let weighed = |terms: &mut TermWriter<'_>, of: AstId, direction: Triple| {
+        let rate = terms.rate(of);
+        scale(terms, rate, direction)
+    };
+    match step {
+        FrameStep::Shift(_) | FrameStep::Reorientation(_) => [spin, velocity],
+        FrameStep::Turn(about, angle) => {
+            let axis = about.times(terms, one);
+            let axis = before.to_world(terms, axis);
+            let arm = minus(terms, place, before.origin);
+            let moved = cross(terms, axis, arm);
+            let (turned, moved) = (weighed(terms, angle, axis), weighed(terms, angle, moved));
+            [plus(terms, spin, turned), plus(terms, velocity, moved)]
+        }
+        FrameStep::Slide(along, distance) => {
+            let axis = along.times(terms, one);
+            let axis = before.to_world(terms, axis);
+            let moved = weighed(terms, distance, axis);
+            [spin, plus(terms, velocity, moved)]
+        }
+    }
+}
+
+/// What the link adds that begins the way, whose motion is written in the rates of what the user wrote: ω and ṙ_O + ω × (r − r_O).
+fn twist_by_hand(
+    terms: &mut TermWriter<'_>,
+    [spin, velocity]: [Triple; 2],
+    pose: &Pose,
+    place: Triple,
+) -> [Triple; 2] {
+    let turning = pose.to_world(terms, pose.spin);
+    let rate = pose.origin.map(|component| terms.rate(component));
+    let arm = match place == pose.origin {
+        true => zero_triple(terms),
+        false => minus(terms, place, pose.origin),
+    };
+    let moved = cross(terms, turning, arm);
+    let velocity = plus(terms, velocity, moved);
+    [plus(terms, spin, turning), plus(terms, velocity, rate)]
+}

@@ -1,0 +1,90 @@
+//! Bodies and frames in space to what a model holds of them.
+
+use super::elaborator::{Elaborator, UNKNOWNS};
+use super::expression::value_of;
+use super::messages::scene;
+use crate::bodies::{FramePose, FrameTwist, SpatialKinematics, SpatialMotion};
+use crate::expr::{Dependencies, ExprId};
+use crate::model::{LinkPose, LinkTwist, Product, SpatialBodyMotion};
+use crate::syntax::ast::{AstId, Name};
+
+/// Takes what was asked for into the model.
+pub(super) fn add_scene_in_space(elaborator: &mut Elaborator<'_>, kinematics: &SpatialKinematics) {
+    let SpatialKinematics { motions, frames, twists } = kinematics;
+    for motion in motions {
+        let found = spatial_motion(elaborator, motion);
+        elaborator.scene.spatial_motions.extend(found);
+    }
+    for frame in frames {
+        let found = frame_pose(elaborator, frame);
+        elaborator.scene.frames.extend(found);
+    }
+    for twist in twists {
+        let found = link_twist(elaborator, twist);
+        elaborator.scene.twists.extend(found);
+    }
+}
+
+fn spatial_motion(elaborator: &mut Elaborator<'_>, motion: &SpatialMotion) -> Option<SpatialBodyMotion> {
+    let [xx, yy, zz, xy, xz, yz] = motion.tensor;
+    let inertia = [xx, xy, xz, xy, yy, yz, xz, yz, zz];
+    let [center, velocity, acceleration] = motion.center;
+    let [spin, change] = motion.turning;
+    let mut syntax = vec![motion.mass];
+    syntax.extend(inertia);
+    for vectors in
+        [&[motion.centroid, center][..], &rows(motion.axes), &[velocity, spin, acceleration, change]]
+    {
+        syntax.extend(vectors.iter().flatten());
+    }
+    let values = scalars(elaborator, &syntax)?;
+    Some(SpatialBodyMotion { body: motion.body.clone(), values })
+}
+
+fn frame_pose(elaborator: &mut Elaborator<'_>, frame: &FramePose) -> Option<LinkPose> {
+    let mut syntax = rows(frame.axes).concat();
+    syntax.extend(frame.origin);
+    let values = scalars(elaborator, &syntax)?;
+    let is_place = !depends(elaborator, &values, &[&[Dependencies::VELOCITY], UNKNOWNS].concat());
+    if !is_place {
+        report_place(elaborator, &frame.name);
+    }
+    is_place.then(|| LinkPose { name: frame.name.clone(), values })
+}
+
+/// Where the place of a frame holds velocities, its twist holds accelerations.
+fn link_twist(elaborator: &mut Elaborator<'_>, twist: &FrameTwist) -> Option<LinkTwist> {
+    let syntax = [&twist.spin[..], &twist.velocity].concat();
+    let values = scalars(elaborator, &syntax)?;
+    let is_affine = !depends(elaborator, &values, UNKNOWNS);
+    // With its place, that was reported.
+    if !is_affine && !elaborator.products().contains(&Product::Frames) {
+        report_place(elaborator, &twist.name);
+    }
+    is_affine.then(|| LinkTwist { name: twist.name.clone(), values })
+}
+
+/// A matrix in rows whose columns are these axes.
+fn rows(axes: [[AstId; 3]; 3]) -> [[AstId; 3]; 3] {
+    [0, 1, 2].map(|row| axes.map(|axis| axis[row]))
+}
+
+/// The values of scalars; where there are none, that was reported.
+fn scalars<const N: usize>(elaborator: &mut Elaborator<'_>, syntax: &[AstId]) -> Option<[ExprId; N]> {
+    let mut values = Vec::with_capacity(syntax.len());
+    for &id in syntax {
+        values.extend(value_of(&mut elaborator.evaluator, id)?.components());
+    }
+    values.try_into().ok()
+}
+
+fn depends(elaborator: &Elaborator<'_>, values: &[ExprId], kinds: &[Dependencies]) -> bool {
+    let graph = &elaborator.evaluator.graph;
+    values.iter().any(|&value| kinds.iter().any(|&kind| graph.dependencies(value).intersects(kind)))
+}
+
+/// Reports a frame whose place is no function of time and coordinates.
+fn report_place(elaborator: &mut Elaborator<'_>, name: &Name) {
+    let error = elaborator.evaluator.report.error(name.span, scene::place_with_velocities(&name.text));
+    error.help(scene::PLACE_WITH_VELOCITIES_HELP);
+}

@@ -1,0 +1,110 @@
+//! Methods of bodies and frames in space: how bodies move, where frames are, and their Jacobians.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::scene::motion_method;
+use super::sparse::{Sparse, lowered_sparse};
+use crate::emit::base::docs::with_counts;
+use crate::emit::base::method::{Arguments, Method, Returns};
+use crate::emit::base::shape::{Shape, doc, method_of};
+use crate::emit::base::writer::MethodWriter;
+use crate::expr::ExprId;
+use crate::model::{LinkPose, Product, SpatialBodyMotion};
+use crate::syntax::ast::Name;
+
+/// A method for each body or frame and each product that is asked for.
+pub(in crate::emit) fn write_frames(writer: &mut MethodWriter<'_>) {
+    let scene = writer.model.scene.clone();
+    scene.spatial_motions.iter().for_each(|motion| write_motion(writer, motion));
+    scene.frames.iter().for_each(|frame| write_frame(writer, frame));
+    let jacobians = &writer.equations.frame_jacobians;
+    for (twist, jacobian) in scene.twists.iter().zip(jacobians) {
+        write_jacobian(writer, &twist.name, jacobian);
+    }
+}
+
+fn write_motion(writer: &mut MethodWriter<'_>, motion: &SpatialBodyMotion) {
+    let krate = writer.shape.krate;
+    let (body, counts) =
+        writer.lowered(&motion.values, Arguments::State, |values| spatial_motion(krate, values));
+    let line = format!("How the body `{}` moves.", motion.body.text);
+    let docs = with_counts(writer.shape.body_docs(&motion.body, &line), counts);
+    let names = &writer.members.names;
+    writer.members.motions.extend(motion_method(writer.shape, names, &motion.body, &docs, &body));
+}
+
+/// The values in the order in which the model holds them.
+fn spatial_motion(krate: &TokenStream, values: &[TokenStream]) -> TokenStream {
+    let (mass, rest) = values.split_at(1);
+    let (inertia, rest) = rest.split_at(9);
+    let (places, rest) = rest.split_at(6);
+    let (rotation, rates) = rest.split_at(9);
+    let [inertia, rotation] = [inertia, rotation].map(|matrix| Returns::Matrix(3, 3).collect(matrix));
+    let [centroid, center] = [0, 1].map(|i| vector(places, i));
+    let [velocity, spin, acceleration, change] = [0, 1, 2, 3].map(|i| vector(rates, i));
+    quote! {
+        #krate::body::SpatialMotion {
+            mass: #(#mass)*,
+            inertia: #inertia,
+            centroid: #centroid,
+            center: #center,
+            rotation: #rotation,
+            velocity: #velocity,
+            angular_velocity: #spin,
+            acceleration: #acceleration,
+            angular_acceleration: #change,
+        }
+    }
+}
+
+/// One of several vectors in space.
+fn vector(values: &[TokenStream], index: usize) -> TokenStream {
+    Returns::Vector(3).collect(&values[3 * index..][..3])
+}
+
+fn write_frame(writer: &mut MethodWriter<'_>, LinkPose { name, values }: &LinkPose) {
+    let lines = [
+        format!(
+            "Where the frame of `{}` is in the world: its rotation, in rows, whose columns are the axes of the frame,",
+            name.text
+        ),
+        "and its origin.".to_owned(),
+    ];
+    push(writer, (name, Product::Frames), &lines, Returns::Frame, values);
+}
+
+fn write_jacobian(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId]) {
+    let lines = [
+        format!("Jacobian of the frame of `{}` by the generalised velocities, in the axes of the world: rows 0 to 2", name.text),
+        "are those of its angular velocity, rows 3 to 5 those of the velocity of its origin. What time alone adds to".to_owned(),
+        "these is left out.".to_owned(),
+    ];
+    let returns = Returns::Matrix(6, writer.shape.coordinates.len());
+    push(writer, (name, Product::FrameJacobians), &lines, returns, values);
+}
+
+/// Lowers and keeps a method of time and positions.
+fn push(
+    writer: &mut MethodWriter<'_>,
+    (name, product): (&Name, Product),
+    lines: &[String],
+    returns: Returns,
+    values: &[ExprId],
+) {
+    let arguments = Arguments::Positions;
+    let (body, counts) = match Sparse::of(&writer.model.graph, returns, values) {
+        Some(sparse) => lowered_sparse(writer, &sparse, arguments),
+        None => writer.lowered(values, arguments, |results| returns.collect(results)),
+    };
+    let own = lines.iter().map(|line| doc(line)).collect::<TokenStream>();
+    let docs = with_counts(described(writer.shape, name, own), counts);
+    writer.members.methods.push(Method { name: method_of(name, product), docs, arguments, returns, body });
+}
+
+/// Documentation with the user's behind it.
+fn described(shape: &Shape<'_>, name: &Name, own: TokenStream) -> TokenStream {
+    let Some(users) = shape.user_docs(name) else { return own };
+    let blank = doc("");
+    quote!(#own #blank #users)
+}
