@@ -12,6 +12,7 @@ mod declarations;
 mod events;
 mod failures;
 mod fixed_steps;
+mod frames;
 mod functions;
 mod hints;
 mod hybrid;

@@ -35,3 +35,19 @@ lagrange::system! {
     body crate_ { mass: 1; center: (x, 0); }
     emit { motion, drawing }
 }
+
+lagrange::system! {
+    /// A link in space with a tool, in any number type.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Arm<S>;
+
+    param l = 1.0;
+    gravity = (0, 0, -9.81);
+    /// The link.
+    body link { mass: 2; inertia: (0.1, 0.1, 0.01); centroid: (0, 0, l / 2); }
+    /// Where the tool is.
+    frame Tool;
+    revolute q = ground to link { axis: (1, 0, 0); }
+    weld link to Tool { at: (0, 0, l); }
+    emit { motion, frames, frame_jacobians, statements }
+}
