@@ -1,7 +1,7 @@
 //! Rigid bodies and what connects them, as written.
 
 use super::keywords::{Keyword, Soft};
-use super::mobilizers::Mobilizer;
+use super::mobilizers::{Mobilizer, MobilizerKind};
 use super::{AstId, Name, Reach};
 use crate::diagnostics::Origin;
 
@@ -76,6 +76,9 @@ impl SceneStatement {
             SceneStatement::Line(line) => (vec![&line.name], Reach::Expressions),
             SceneStatement::Connector(connector) => (connector.name.iter().collect(), Reach::Expressions),
             SceneStatement::Joint(joint) => (joint.name.iter().collect(), Reach::Expressions),
+            SceneStatement::Mobilizer(joint) if joint.kind == MobilizerKind::Weld => {
+                (Vec::new(), Reach::Expressions)
+            }
             SceneStatement::Mobilizer(joint) => (joint.coordinates.iter().collect(), Reach::Both),
         }
     }
