@@ -14,7 +14,7 @@ use crate::bodies::{Drawn, DrawnKind, Motion, Outline, Plain};
 use crate::expr::ExprId;
 use crate::model::{BodyMotion, DrawnItem, OutlinedPart, Product};
 use crate::solids;
-use crate::syntax::ast::{AstId, Declaration, Name};
+use crate::syntax::ast::{AstId, Declaration};
 
 /// Takes what is known of bodies into the model, as far as it is asked for.
 pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
@@ -128,27 +128,23 @@ fn outlined_part(elaborator: &mut Elaborator<'_>, outline: &Outline) -> Option<O
 /// No two methods have the same name.
 pub(super) fn check_names_of_bodies(elaborator: &mut Elaborator<'_>) {
     let products = elaborator.products();
-    let is_constrained = !elaborator.constraints.is_empty();
     let others = [
-        (is_constrained, "redundant_motion"),
+        (!elaborator.constraints.is_empty(), "redundant_motion"),
         (products.contains(&Product::ParameterJacobian), Product::ParameterJacobian.name()),
     ];
     let others = others.into_iter().filter_map(|(exists, name)| exists.then_some(name)).collect::<Vec<_>>();
-    for (product, suffix) in
-        products.into_iter().filter_map(|product| Some((product, product.method_suffix()?)))
-    {
-        let bodies = elaborator.staged.with_method(product).into_iter().cloned().collect::<Vec<Name>>();
-        let is_taken = |body: &Name, name: &str| name.strip_suffix(suffix) == Some(body.text.as_str());
+    for product in products {
+        let Some(suffix) = product.method_suffix() else { continue };
         let report = &mut *elaborator.evaluator.report;
-        for name in elaborator.declaration.outputs() {
-            if bodies.iter().any(|body| is_taken(body, &name.text)) {
-                let error = report.error(name.span, messages::reserved_output(&name.text));
+        for body in elaborator.staged.with_method(product) {
+            let method = format!("{}{suffix}", body.text);
+            if others.contains(&method.as_str()) {
+                let what = if elaborator.staged.is_frame(&body.text) { "a frame" } else { "a body" };
+                let error = report.error(body.span, scene::reserved_body(what, &body.text, &method));
                 error.help(messages::OTHER_NAME_HELP);
             }
-        }
-        for &other in &others {
-            for body in bodies.iter().filter(|body| is_taken(body, other)) {
-                let error = report.error(body.span, scene::reserved_body(&body.text, other));
+            for name in elaborator.declaration.outputs().filter(|name| name.text == method) {
+                let error = report.error(name.span, messages::reserved_output(&name.text));
                 error.help(messages::OTHER_NAME_HELP);
             }
         }

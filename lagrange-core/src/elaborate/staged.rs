@@ -29,6 +29,11 @@ impl Staged {
         }
     }
 
+    /// Whether a name is that of a frame.
+    pub(super) fn is_frame(&self, name: &str) -> bool {
+        self.frames.iter().any(|frame| frame.text == name)
+    }
+
     /// Bodies and frames with a method that a product has for each of them.
     pub(super) fn with_method(&self, product: Product) -> Vec<&Name> {
         let frames = if product == Product::Motion { &[] } else { &self.frames[..] };

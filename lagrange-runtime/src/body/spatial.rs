@@ -71,7 +71,7 @@ impl<S: Scalar> SpatialMotion<S> {
 
     /// Rᵀ v, the components in own axes of a vector of the world: what undoes [`vector`](SpatialMotion::vector).
     #[must_use]
-    pub fn to_body(&self, vector: Vector<S>) -> Vector<S> {
+    pub fn to_body(self, vector: Vector<S>) -> Vector<S> {
         let [x, y, z] = self.rotation;
         let [along_x, along_y] = [scaled(vector[0], x), scaled(vector[1], y)];
         sum(sum(along_x, along_y), scaled(vector[2], z))

@@ -7,12 +7,12 @@
 //! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*, §3.1.
 
 use super::links::{Link, MassProperties, Path};
-use super::poses::{FrameStep, Pose};
+use super::poses::{FrameStep, JointAxis, Pose};
 use super::vectors::{Triple, cross, minus, plus, scale, zero_triple};
 use crate::bodies::plain::{FramePose, FrameTwist, SpatialKinematics, SpatialMotion};
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
-use crate::syntax::ast::{AstId, Declaration};
+use crate::syntax::ast::Declaration;
 
 /// What a declaration asks for.
 #[derive(Clone, Copy)]
@@ -126,28 +126,27 @@ fn with_step(
     (before, step): (&Pose, FrameStep),
     place: Triple,
 ) -> [Triple; 2] {
-    let one = terms.number(1);
-    let weighed = |terms: &mut TermWriter<'_>, of: AstId, direction: Triple| {
-        let rate = terms.rate(of);
-        scale(terms, rate, direction)
-    };
     match step {
         FrameStep::Shift(_) | FrameStep::Reorientation(_) => [spin, velocity],
         FrameStep::Turn(about, angle) => {
-            let axis = about.times(terms, one);
-            let axis = before.in_world(terms, axis);
+            let (axis, rate) = (axis_in_world(terms, before, about), terms.rate(angle));
             let arm = minus(terms, place, before.origin);
             let moved = cross(terms, axis, arm);
-            let (turned, moved) = (weighed(terms, angle, axis), weighed(terms, angle, moved));
+            let [turned, moved] = [axis, moved].map(|direction| scale(terms, rate, direction));
             [plus(terms, spin, turned), plus(terms, velocity, moved)]
         }
         FrameStep::Slide(along, distance) => {
-            let axis = along.times(terms, one);
-            let axis = before.in_world(terms, axis);
-            let moved = weighed(terms, distance, axis);
+            let (axis, rate) = (axis_in_world(terms, before, along), terms.rate(distance));
+            let moved = scale(terms, rate, axis);
             [spin, plus(terms, velocity, moved)]
         }
     }
+}
+
+fn axis_in_world(terms: &mut TermWriter<'_>, frame: &Pose, axis: JointAxis) -> Triple {
+    let one = terms.number(1);
+    let own = axis.times(terms, one);
+    frame.in_world(terms, own)
 }
 
 /// What the link adds that begins the way, whose motion is written in the rates of what the user wrote: ω and ṙ_O + ω × (r − r_O).

@@ -34,6 +34,6 @@ pub(in crate::elaborate) fn place_with_velocities(name: &str) -> String {
 pub(in crate::elaborate) const PLACE_WITH_VELOCITIES_HELP: &str =
     "state its place and its angles without velocities, or emit neither `frames` nor `frame_jacobians`";
 
-pub(in crate::elaborate) fn reserved_body(name: &str, method: &str) -> String {
-    format!("a body cannot be called `{name}` here, since the system has a method `{method}` already")
+pub(in crate::elaborate) fn reserved_body(what: &str, name: &str, method: &str) -> String {
+    format!("{what} cannot be called `{name}` here, since the system has a method `{method}` already")
 }

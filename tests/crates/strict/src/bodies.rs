@@ -38,7 +38,7 @@ lagrange::system! {
 
 lagrange::system! {
     /// A link in space with a tool, in any number type.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Arm<S>;
 
     param l = 1.0;
