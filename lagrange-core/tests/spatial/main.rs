@@ -7,4 +7,5 @@ mod closed_forms;
 mod comparison;
 mod models;
 mod motion;
+mod operations;
 mod trees;

@@ -1,0 +1,48 @@
+//! What equations of robots cost, in operations; `-- operations --nocapture` prints it.
+
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::expr::ExprId;
+use lagrange_core::model::Product;
+use lagrange_core::pipeline::parse;
+use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
+use lagrange_core::syntax::ast::Accuracy;
+
+use crate::cases::read;
+
+/// Model, and the most that its accelerations, inverse dynamics and mass matrix may cost: what they cost and 2 %.
+const MOST: [(&str, [usize; 3]); 4] = [
+    ("ur5", [515, 297, 157]),
+    ("panda", [1160, 617, 344]),
+    ("universal_5", [1181, 475, 591]),
+    ("universal_10", [2793, 1031, 2513]),
+];
+
+#[test]
+fn robots_cost_no_more_operations_than_they_did() {
+    println!("| model | accelerations | inverse dynamics | mass matrix |\n|---|---|---|---|");
+    for (model, most) in MOST {
+        let costs = costs(model);
+        println!("| {model} | {} | {} | {} |", costs[0], costs[1], costs[2]);
+        assert!(costs.iter().zip(most).all(|(cost, most)| *cost <= most), "{model}: {costs:?}");
+    }
+}
+
+fn costs(model: &str) -> [usize; 3] {
+    let system = parse(&read(&format!("models/{model}.lag"))).unwrap_or_else(|report| panic!("{report}"));
+    let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
+    let count = |roots: &[ExprId]| {
+        let program = lower(&derived.model.graph, roots, &Labels::default());
+        let OperationCounts {
+            additions,
+            multiplications,
+            divisions,
+            square_roots,
+            functions,
+            sin_cos,
+            selections,
+        } = OperationCounts::of(&optimise(&program, Accuracy::Standard));
+        additions + multiplications + divisions + square_roots + functions + sin_cos + selections
+    };
+    let product = |product| count(&derived.equations.product(product, &derived.model).unwrap_or_default());
+    [count(&derived.equations.accelerations), product(Product::InverseDynamics), product(Product::MassMatrix)]
+}
