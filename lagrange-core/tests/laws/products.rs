@@ -18,18 +18,27 @@ const SYSTEM: &str = "
     dissipation = 1/2*c*dot(x)^2; force x = u;
 ";
 
+/// A bob on a boom in space, with a force whose point needs the names of all axes: statements that only products need give names to
+/// parts of the equations, too.
+const IN_SPACE: &str = "
+    param m = 2, l = 1; gravity = (0, 0, -9.81);
+    body bob { mass: m; inertia: (1, 1, 2); centroid: (0, 0, -l); }
+    revolute q = ground to bob { axis: (1, 0, 0); }
+    force (1, 2, 3) at bob.point(1, 2, 3);
+";
+
 /// A derivation with some products.
 struct Emission {
     expressions: usize,
     methods: BTreeMap<String, String>,
 }
 
-fn emission(wanted: &[Product]) -> Emission {
+fn emission(declared: &str, wanted: &[Product]) -> Emission {
     let choices = Product::ALL.map(|product| match wanted.contains(&product) {
         true => product.name().to_owned(),
         false => format!("no {}", product.name()),
     });
-    let text = format!("struct S; {SYSTEM} emit {{ {} }}", choices.join(", "));
+    let text = format!("struct S; {declared} emit {{ {} }}", choices.join(", "));
     let system = parse(&text).unwrap_or_else(|report| panic!("{report}"));
     let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
     let expressions = derived.model.graph.len();
@@ -63,15 +72,26 @@ fn methods(file: &syn::File) -> BTreeMap<String, String> {
 
 #[test]
 fn a_product_adds_its_method_and_nothing_to_the_others() {
-    let bare = emission(&[]);
-    assert_eq!(bare.methods.keys().collect::<Vec<_>>(), ["acceleration", "rhs"]);
+    for declared in [SYSTEM, IN_SPACE] {
+        let bare = emission(declared, &[]);
+        assert_eq!(bare.methods.keys().collect::<Vec<_>>(), ["acceleration", "rhs"]);
+    }
     for product in Product::ALL.into_iter().filter(|product| !product.is_of_constraints()) {
-        let needed = needed_by(product);
-        let (without, mut with) = (emission(needed), emission(&[needed, &[product]].concat()));
+        let (declared, needed) = (system_with(product), needed_by(product));
+        let without = emission(declared, needed);
+        let mut with = emission(declared, &[needed, &[product]].concat());
         for name in added_by(product) {
             assert!(with.methods.remove(name).is_some(), "{name}");
         }
         assert_eq!(with.methods, without.methods, "with {product:?}");
+    }
+}
+
+/// A system that can have a product.
+fn system_with(product: Product) -> &'static str {
+    match product {
+        Product::Frames | Product::FrameJacobians => IN_SPACE,
+        _ => SYSTEM,
     }
 }
 
@@ -81,6 +101,8 @@ fn added_by(product: Product) -> Vec<&'static str> {
         Product::Latex => vec!["EQUATIONS_LATEX"],
         Product::ParameterJacobian => vec![product.name(), "PARAMETERS"],
         Product::Motion => vec!["bob_motion"],
+        Product::Frames => vec!["bob_frame"],
+        Product::FrameJacobians => vec!["bob_jacobian"],
         // That is a trait.
         Product::Drawing => Vec::new(),
         Product::Statements => vec!["STATEMENTS"],
@@ -100,6 +122,6 @@ fn needed_by(product: Product) -> &'static [Product] {
 fn what_is_not_asked_for_is_not_derived() {
     // The other products are made of what leads to the accelerations.
     let [bare, with] =
-        [vec![], vec![Product::InverseDynamics]].map(|products| emission(&products).expressions);
+        [vec![], vec![Product::InverseDynamics]].map(|products| emission(SYSTEM, &products).expressions);
     assert!(with > bare, "{with} expressions with inverse dynamics, {bare} without");
 }
