@@ -35,36 +35,46 @@ pub(super) fn compound_properties(
     let parts = statement.parts.iter().map(|part| spatial_part(translation, part)).collect::<Vec<_>>();
     let parts = parts.into_iter().collect::<Option<Vec<_>>>()?;
     let name = &statement.name.text;
-    let mut terms = translation.terms();
-    let mut mass = terms.number(0);
-    let mut moment = zero_triple(&mut terms);
-    for part in &parts {
-        let signed = signed_mass(&mut terms, part);
-        mass = terms.plus(mass, signed);
-        let share = scale(&mut terms, signed, part.centroid);
-        moment = plus(&mut terms, moment, share);
-    }
+    let (mass, moment) = common_mass(&mut translation.terms(), &parts);
     let mass = translation.bind(&format!("{name}_mass"), mass);
     translation.obligations.push(Obligation::PositiveMass { body: statement.name.clone(), mass });
     let mut terms = translation.terms();
     let centroid = moment.map(|component| terms.divide(component, mass));
     let centroid = named_vector(translation, &format!("{name}_centroid"), centroid);
-    let mut tensor = [translation.terms().number(0); 6];
-    for part in &parts {
-        let mut terms = translation.terms();
-        let signed = signed_mass(&mut terms, part);
-        let arm = minus(&mut terms, part.centroid, centroid);
-        let moved = tensor_of_point(&mut terms, signed, arm);
+    let tensor = common_tensor(&mut translation.terms(), &parts, centroid);
+    let tensor = named_tensor(translation, name, tensor);
+    oblige(translation, &statement.name, tensor);
+    Some(MassProperties { mass, centroid, tensor: Some(tensor) })
+}
+
+/// Σ ±mᵢ and Σ ±mᵢ rᵢ
+fn common_mass(terms: &mut TermWriter<'_>, parts: &[SpatialPart]) -> (AstId, Triple) {
+    let mut mass = terms.number(0);
+    let mut moment = zero_triple(terms);
+    for part in parts {
+        let signed = signed_mass(terms, part);
+        mass = terms.plus(mass, signed);
+        let share = scale(terms, signed, part.centroid);
+        moment = plus(terms, moment, share);
+    }
+    (mass, moment)
+}
+
+/// Σ ±(Jᵢ + mᵢ (dᵢ² 1 − dᵢ dᵢᵀ))
+fn common_tensor(terms: &mut TermWriter<'_>, parts: &[SpatialPart], centroid: Triple) -> Tensor {
+    let mut tensor = [terms.number(0); 6];
+    for part in parts {
+        let signed = signed_mass(terms, part);
+        let arm = minus(terms, part.centroid, centroid);
+        let moved = tensor_of_point(terms, signed, arm);
         let own = match part.is_hole {
             true => part.tensor.map(|component| terms.negative(component)),
             false => part.tensor,
         };
-        let share = tensor_sum(&mut terms, own, moved);
-        tensor = tensor_sum(&mut terms, tensor, share);
+        let share = tensor_sum(terms, own, moved);
+        tensor = tensor_sum(terms, tensor, share);
     }
-    let tensor = named_tensor(translation, name, tensor);
-    oblige(translation, &statement.name, tensor);
-    Some(MassProperties { mass, centroid, tensor: Some(tensor) })
+    tensor
 }
 
 fn signed_mass(terms: &mut TermWriter<'_>, part: &SpatialPart) -> AstId {

@@ -53,6 +53,16 @@ fn link_in_place(translation: &mut Translation<'_>, link: usize) -> (Option<Mass
     (links.and_then(|link| link.inertia), pose)
 }
 
+/// Functions of links, with the numbers of arguments behind the link that they take.
+const OF_LINKS: [(&str, [usize; 2]); 6] = [
+    ("point", [3, 3]),
+    ("vector", [3, 3]),
+    ("angular_velocity", [0, 0]),
+    ("angular_acceleration", [0, 0]),
+    ("linear_momentum", [0, 0]),
+    ("angular_momentum", [0, 1]),
+];
+
 /// A function of a link: `arm.point(X, Y, Z)`.
 pub(in crate::bodies) fn call_of_link(
     translation: &mut Translation<'_>,
@@ -60,48 +70,53 @@ pub(in crate::bodies) fn call_of_link(
     function: &Name,
     arguments: &[AstId],
 ) -> AstId {
+    let Some((name, [least, most])) = OF_LINKS.iter().find(|(name, _)| *name == function.text) else {
+        let message = words::no_function(&function.text);
+        translation.report.error(function.span, message).help(words::FUNCTIONS_HELP);
+        return translation.terms().invalid();
+    };
+    if !(*least..=*most).contains(&arguments.len()) {
+        let message = messages::wrong_arguments(name, arguments.len());
+        translation.report.error(translation.origin, message).help(words::usage(name));
+        return translation.terms().invalid();
+    }
     let (inertia, pose) = link_in_place(translation, link);
+    if name.ends_with("momentum") {
+        return momentum_of_link(translation, link, (inertia, pose), (name, arguments));
+    }
     let mut terms = translation.terms();
-    let vector = match (function.text.as_str(), arguments) {
+    let vector = match (*name, arguments) {
         ("point", &[x, y, z]) => pose.place_of(&mut terms, [x, y, z]),
-        ("vector", &[x, y, z]) => pose.in_world(&mut terms, [x, y, z]),
-        ("angular_velocity", []) => pose.in_world(&mut terms, pose.spin),
-        ("angular_acceleration", []) => {
+        (_, &[x, y, z]) => pose.in_world(&mut terms, [x, y, z]),
+        ("angular_velocity", _) => pose.in_world(&mut terms, pose.spin),
+        _ => {
             let rate = pose.spin.map(|component| terms.rate(component));
             pose.in_world(&mut terms, rate)
         }
-        ("linear_momentum", []) => match inertia {
-            Some(inertia) => linear_momentum(&mut terms, inertia, &pose),
-            None => return no_mass(translation, link),
-        },
-        ("angular_momentum", [] | [_]) => {
-            let about = arguments.first().map(|&about| terms.triple(about));
-            match inertia {
-                Some(inertia) => angular_momentum(&mut terms, inertia, &pose, about),
-                None => return no_mass(translation, link),
-            }
-        }
-        ("point" | "vector" | "angular_velocity" | "angular_acceleration", _)
-        | ("linear_momentum" | "angular_momentum", _) => {
-            let message = messages::wrong_arguments(&function.text, arguments.len());
-            let error = translation.report.error(translation.origin, message);
-            error.help(words::usage(&function.text));
-            return translation.terms().invalid();
-        }
-        _ => {
-            let message = words::no_function(&function.text);
-            translation.report.error(function.span, message).help(words::FUNCTIONS_HELP);
-            return translation.terms().invalid();
-        }
     };
-    translation.terms().vector(&vector)
+    terms.vector(&vector)
 }
 
-fn no_mass(translation: &mut Translation<'_>, link: usize) -> AstId {
-    let name = translation.space.as_ref().map_or("", |space| space.links[link].name.text.as_str()).to_owned();
-    let error = translation.report.error(translation.origin, words::mass_of_frame(&name));
-    error.help(words::FRAME_HELP);
-    translation.terms().invalid()
+/// `linear_momentum(arm)`, or `angular_momentum(arm, P)` with or without the point.
+fn momentum_of_link(
+    translation: &mut Translation<'_>,
+    link: usize,
+    (inertia, pose): (Option<MassProperties>, Pose),
+    (function, arguments): (&str, &[AstId]),
+) -> AstId {
+    let Some(inertia) = inertia else {
+        let name = translation.space.as_ref().map_or("", |space| space.name_of(link)).to_owned();
+        let error = translation.report.error(translation.origin, words::mass_of_frame(&name));
+        error.help(words::FRAME_HELP);
+        return translation.terms().invalid();
+    };
+    let mut terms = translation.terms();
+    let about = arguments.first().map(|&about| terms.triple(about));
+    let momentum = match function {
+        "linear_momentum" => linear_momentum(&mut terms, inertia, &pose),
+        _ => angular_momentum(&mut terms, inertia, &pose, about),
+    };
+    terms.vector(&momentum)
 }
 
 /// The link and the own coordinates of an expression that is a point of one, as it was written.

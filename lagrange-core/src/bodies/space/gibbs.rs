@@ -43,7 +43,8 @@ pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) 
     }
     let gravity = space.gravity.map(|(gravity, _)| gravity);
     let gravity = gravity.unwrap_or_else(|| zero_triple(&mut translation.terms()));
-    let parameters = parameters(translation, &order);
+    // Of numbers that are too large energies may still tell.
+    let Some(parameters) = parameters(translation, &order) else { return };
     let mut accelerations = vec![None; parameters.len()];
     let (mut functions, mut stated) = (Vec::new(), Vec::new());
     for link in order {
@@ -188,8 +189,11 @@ fn rotational_parts(
 }
 
 /// What is left in each frame on the way to each link when base parameters have gone to its carrier; nothing for bodies placed by hand,
-/// whose energies say how they move.
-fn parameters(translation: &mut Translation<'_>, order: &[usize]) -> Vec<Vec<Option<WrittenParameters>>> {
+/// whose energies say how they move. `None` if what is computed of numbers is too large for one.
+fn parameters(
+    translation: &mut Translation<'_>,
+    order: &[usize],
+) -> Option<Vec<Vec<Option<WrittenParameters>>>> {
     let count = translation.space.as_ref().map_or(0, |space| space.links.len());
     let mut received = vec![InertialParameters::NONE; count];
     let mut found = vec![Vec::new(); count];
@@ -199,6 +203,10 @@ fn parameters(translation: &mut Translation<'_>, order: &[usize]) -> Vec<Vec<Opt
             Some(inertia) => numeric_parameters(translation, inertia),
             None => Some(InertialParameters::NONE),
         };
+        let own = own.map(|own| own.plus(received[link]));
+        if !own.unwrap_or(received[link]).is_finite() {
+            return None;
+        }
         let steps = numeric_steps(translation, &path).filter(|steps| match (path.carrier, motions(steps)) {
             (Some(carrier), _) if !is_carried(translation, carrier) => false,
             (_, 0) | (None, 1) => true,
@@ -207,10 +215,9 @@ fn parameters(translation: &mut Translation<'_>, order: &[usize]) -> Vec<Vec<Opt
             _ => false,
         });
         let mut kept = vec![None; path.steps.len().max(1)];
-        let own = own.filter(|own| own.plus(received[link]).is_finite());
         match (own, inertia, steps) {
             (Some(own), _, Some(steps)) => {
-                let (rest, hidden) = split(own.plus(received[link]), &steps);
+                let (rest, hidden) = split(own, &steps);
                 if let Some(carrier) = path.carrier {
                     received[carrier] = received[carrier].plus(hidden);
                 }
@@ -219,9 +226,8 @@ fn parameters(translation: &mut Translation<'_>, order: &[usize]) -> Vec<Vec<Opt
                 }
             }
             (Some(own), ..) => {
-                let all = own.plus(received[link]);
-                let place = kept.last_mut().filter(|_| !all.is_nothing());
-                place.into_iter().for_each(|place| *place = Some(written(translation, all)));
+                let place = kept.last_mut().filter(|_| !own.is_nothing());
+                place.into_iter().for_each(|place| *place = Some(written(translation, own)));
             }
             (None, Some(inertia), _) => {
                 let all = symbolic_parameters(translation, link, inertia, received[link]);
@@ -231,7 +237,7 @@ fn parameters(translation: &mut Translation<'_>, order: &[usize]) -> Vec<Vec<Opt
         }
         found[link] = kept;
     }
-    found
+    Some(found)
 }
 
 /// True of links that joints carry: only their equations are in the Gibbs function.
