@@ -1,4 +1,4 @@
-//! Rigid bodies in the statements of the plain language: here those in the plane, in [`space`] the others.
+//! Rigid bodies in the statements of the plain language: here those in the plane, in `space` the others.
 //!
 //! A body is its kinetic energy ½ m |ċ|² + ½ J φ̇² and its potential energy −m g·c; springs, dampers and joints are
 //! energies, Rayleigh functions and constraints of points that bodies carry. [`plain()`] writes all of that down as
