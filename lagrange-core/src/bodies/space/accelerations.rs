@@ -14,8 +14,9 @@
 //! Source: Luh, Walker, Paul, "On-line computational scheme for mechanical manipulators", ASME J. Dyn. Syst. Meas. Control 102 (1980);
 //! Featherstone, *Rigid Body Dynamics Algorithms*, §5.3.
 
-use super::poses::{FrameStep, JointAxis, Pose, named_vector, rotation_about, turned_components};
-use super::vectors::{Matrix, Triple, apply, cross, inner, minus, plus, transposed, zero_triple};
+use super::frames::{FrameStep, JointAxis, Pose, Relative};
+use super::poses::{named_vector, rotation_about, turned_components};
+use super::vectors::{Triple, apply, cross, inner, minus, plus, transposed, zero_triple};
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::AstId;
@@ -119,17 +120,6 @@ fn slid(
     let own = plus(&mut terms, second, coriolis);
     let sum = plus(&mut terms, acceleration.origin, carried);
     Acceleration { origin: plus(&mut terms, sum, own), ..acceleration }
-}
-
-/// What relative accelerations within a frame are made of.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Relative {
-    /// ω_x², ω_y², ω_z²
-    pub(super) squares: Triple,
-    /// ω_y ω_z, ω_z ω_x, ω_x ω_y
-    pub(super) mixed: Triple,
-    /// A in rows: −(ω_y² + ω_z²), … on its diagonal, ω_x ω_y ∓ α_z, … beside it.
-    pub(super) matrix: Matrix,
 }
 
 /// Relative accelerations in a frame, under names that are made once.

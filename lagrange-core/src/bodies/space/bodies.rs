@@ -1,10 +1,11 @@
 //! Bodies and frames in space: declared first, then placed by a joint or by hand, which is when their energies are written.
 
 use super::compound::compound_properties;
+use super::frames::{FrameStep, JointAxis, Pose};
 use super::inertia::{mass_properties, triple_of};
 use super::links::{Link, MassProperties, NamedEnergies, Path};
 use super::messages as words;
-use super::poses::{FrameStep, JointAxis, Pose, behind, named_vector};
+use super::poses::{behind, named_vector};
 use super::vectors::{half_square, inner, minus, plus};
 use crate::bodies::expressions::plain_expression;
 use crate::bodies::messages::{self, mobilizers as joints};

@@ -3,9 +3,10 @@
 //! Vectors are in world axes; `v in name` are the components in the axes of a body or frame, which are found without a way around the world
 //! where v belongs to that body itself.
 
-use super::links::{Link, MassProperties, has_place};
+use super::frames::Pose;
+use super::links::{Link, MassProperties};
 use super::messages as words;
-use super::poses::Pose;
+use super::poses::has_place;
 use super::vectors::{Triple, apply, cross, matrix_of, minus, plus, zero_triple};
 use crate::bodies::messages;
 use crate::bodies::terms::TermWriter;

@@ -8,12 +8,13 @@
 //! Source: Gibbs, "On the fundamental formulae of dynamics", Am. J. Math. 2 (1879); Lurie, *Analytical Mechanics*, §7.9.
 
 use super::accelerations::{
-    Acceleration, Relative, acceleration_behind, acceleration_by_hand, acceleration_of_ground, relative,
+    Acceleration, acceleration_behind, acceleration_by_hand, acceleration_of_ground, relative,
 };
 use super::base_parameters::{InertialParameters, NumericStep};
+use super::frames::{FrameStep, JointAxis, Pose, Relative};
 use super::links::{Link, MassProperties, Path};
 use super::numbers::{matrix_of_numbers, triple_of_numbers, value_of_numbers, written_number};
-use super::poses::{FrameStep, JointAxis, Pose, named_vector};
+use super::poses::named_vector;
 use super::vectors::{
     TENSOR_PLACES, Tensor, Triple, apply, inner, plus, scale, tensor_of_point, tensor_sum, zero_triple,
 };

@@ -6,8 +6,8 @@
 //!
 //! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*, §3.1.
 
+use super::frames::{FrameStep, JointAxis, Pose};
 use super::links::{Link, MassProperties, Path};
-use super::poses::{FrameStep, JointAxis, Pose};
 use super::vectors::{Triple, cross, minus, plus, scale, zero_triple};
 use crate::bodies::plain::{FramePose, FrameTwist, SpatialKinematics, SpatialMotion};
 use crate::bodies::terms::TermWriter;

@@ -1,9 +1,7 @@
 //! What moves in a scene in space: bodies and frames, and where joints put them.
 
-use super::poses::{FrameStep, Pose};
+use super::frames::{FrameStep, Pose};
 use super::vectors::{Tensor, Triple};
-use crate::bodies::messages::mobilizers as joints;
-use crate::bodies::translation::Translation;
 use crate::diagnostics::Origin;
 use crate::syntax::ast::{AstId, Name};
 
@@ -49,20 +47,6 @@ pub(super) struct MassProperties {
     pub(super) centroid: Triple,
     /// The tensor of inertia about the centre of mass; `None` of a body that never turns.
     pub(super) tensor: Option<Tensor>,
-}
-
-/// The pose of a link that has its place; one that has none yet is reported.
-pub(super) fn has_place(translation: &mut Translation<'_>, link: usize, origin: Origin) -> Option<Pose> {
-    let Link { name, placed, .. } = &translation.space.as_ref()?.links[link];
-    let (name, placed) = (name.text.clone(), *placed);
-    if placed.is_none() {
-        let error = translation.report.error(origin, joints::unplaced_yet(&name));
-        error.help(joints::PLACE_FIRST_HELP);
-        // Once is enough.
-        let pose = Pose::invalid(&mut translation.terms());
-        translation.space.iter_mut().for_each(|space| space.links[link].placed = Some((pose, origin)));
-    }
-    placed.map(|(pose, _)| pose)
 }
 
 impl Link {

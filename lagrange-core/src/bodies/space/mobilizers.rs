@@ -4,12 +4,13 @@
 //! of the coordinate axes is made one by turning the frame, and what follows the motion back.
 
 use super::bodies::settle;
+use super::frames::{FrameStep, JointAxis, Pose};
 use super::inertia::fixed_triple;
-use super::links::{Path, has_place};
+use super::links::Path;
 use super::messages as words;
 use super::numbers::{coordinate_axis, frame_along, triple_of_numbers, written};
 use super::orientations::orientation;
-use super::poses::{FrameStep, JointAxis, Pose, behind, named_vector};
+use super::poses::{behind, has_place, named_vector};
 use super::vectors::{Matrix, Triple, transposed};
 use crate::bodies::expressions::{mention, report_early};
 use crate::bodies::mass_geometry::property;
@@ -138,7 +139,7 @@ fn placed_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<usi
     }
     let before = translation.space.as_ref()?.links[link].placed;
     if let Some((pose, first)) = before {
-        if pose.is_invalid(translation) {
+        if pose.is_invalid(&translation.expressions) {
             return None;
         }
         let error = translation.report.error(name.span, joints::placed_twice(&name.text));

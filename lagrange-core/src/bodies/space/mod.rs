@@ -11,7 +11,9 @@ mod accelerations;
 mod base_parameters;
 mod bodies;
 mod compound;
+pub(super) mod dimension;
 mod expressions;
+mod frames;
 mod gibbs;
 mod inertia;
 mod kinematics;
@@ -22,6 +24,7 @@ mod mobilizers;
 mod numbers;
 mod orientations;
 mod poses;
+pub(super) mod scene;
 mod solids;
 mod vectors;
 
@@ -37,108 +40,3 @@ pub(super) use loads::{translate_spatial_force, translate_spatial_torque};
 pub(super) use mobilizers::translate_spatial_mobilizer;
 pub(super) use mobilizers::{coordinates_of, dampen};
 pub(super) use numbers::is_no_vector;
-
-use crate::collections::HashMap;
-use crate::diagnostics::Origin;
-use crate::syntax::ast::{
-    AstId, Declaration, Expression, Expressions, MobilizerKind, Name, SceneStatement, StatementKind,
-};
-use accelerations::Relative;
-use links::Link;
-use vectors::Triple;
-
-/// What is known of a scene in space.
-#[derive(Default)]
-pub(super) struct Space {
-    pub(super) links: Vec<Link>,
-    /// Bodies that nothing places.
-    unplaced: Vec<Name>,
-    /// Those that have their place, carriers first.
-    order: Vec<usize>,
-    gravity: Option<(Triple, Origin)>,
-    /// Relative accelerations by angular velocity and angular acceleration of their frame.
-    relatives: HashMap<[Triple; 2], Relative>,
-    /// Names of `let`s that say where frames are and how they move: those that nothing needs are left out in the end.
-    pub(super) kinematic: HashMap<String, ()>,
-    /// Names of `let`s that are points of links, with the link and their own coordinates.
-    pub(super) points: HashMap<String, (usize, Triple)>,
-}
-
-impl Space {
-    /// The name of a body or frame.
-    pub(super) fn name_of(&self, link: usize) -> &str {
-        &self.links[link].name.text
-    }
-}
-
-/// True if the bodies of a declaration move in space: vectors in what is said of them have three components, or something leads out of
-/// the plane.
-pub(super) fn is_spatial(declaration: &Declaration) -> bool {
-    let mut lets = HashMap::default();
-    for statement in &declaration.statements {
-        match &statement.kind {
-            StatementKind::Let(name, value) => drop(lets.insert(name.text.clone(), *value)),
-            StatementKind::Scene(scene) if leads_out_of_the_plane(scene) => return true,
-            _ => {}
-        }
-    }
-    // Of a scene that is at odds with itself, what most vectors say is meant.
-    let mut votes = 0;
-    for statement in &declaration.statements {
-        let StatementKind::Scene(scene) = &statement.kind else { continue };
-        let weight = if matches!(scene, SceneStatement::Gravity(_)) { 2 } else { 1 };
-        for vector in vectors_of(scene) {
-            match component_count(&declaration.expressions, &lets, vector) {
-                Some(3) => votes += weight,
-                Some(2) => votes -= weight,
-                _ => {}
-            }
-        }
-    }
-    votes > 0
-}
-
-fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
-    use MobilizerKind::{Cylindrical, Screw, Universal};
-    match statement {
-        SceneStatement::Body(body) => {
-            let shapes = body.shape.iter().chain(body.parts.iter().map(|part| &part.shape));
-            body.tensor.is_some() || body.angles.is_some() || shapes.into_iter().any(solids::is_only_in_space)
-        }
-        SceneStatement::Mobilizer(joint) => matches!(joint.kind, Cylindrical | Screw | Universal),
-        _ => false,
-    }
-}
-
-/// What is a vector in a statement about bodies.
-fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
-    let given = match statement {
-        SceneStatement::Gravity(value) => vec![Some(*value)],
-        SceneStatement::Body(body) => {
-            let places = body.parts.iter().flat_map(|part| [part.at, part.turned]);
-            places.chain([body.inertia, body.center, body.origin, body.centroid]).collect()
-        }
-        SceneStatement::Mobilizer(joint) => vec![joint.at, joint.turned, joint.axis],
-        _ => Vec::new(),
-    };
-    given.into_iter().flatten().collect()
-}
-
-/// Number of components of a vector, where its form shows it.
-fn component_count(expressions: &Expressions, lets: &HashMap<String, AstId>, root: AstId) -> Option<usize> {
-    let mut pending = vec![root];
-    // A name that stands for itself is a mistake that is reported elsewhere.
-    let mut followed: HashMap<String, ()> = HashMap::default();
-    while let Some(id) = pending.pop() {
-        match expressions.get(id) {
-            Expression::Tuple(components) => return Some(components.len()),
-            Expression::Name(name) if followed.insert(name.clone(), ()).is_none() => {
-                pending.extend(lets.get(name));
-            }
-            Expression::Negate(of) => pending.push(*of),
-            Expression::Binary(_, _, left, right) => pending.extend([*left, *right]),
-            _ => {}
-        }
-    }
-    None
-}

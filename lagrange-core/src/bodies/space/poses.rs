@@ -12,92 +12,14 @@
 //! A frame that turns with ω = (0, 0, 2) carries at p = (3, 0, 0) one that is turned by a quarter about z: v + ω × p = (0, 6, 0), whose
 //! components along x′ = y and y′ = −x are (6, 0, 0).
 
-use super::vectors::{Matrix, Triple, combined, cross, inner, plus, scale, transposed, unit, zero_triple};
+use super::frames::{FrameStep, JointAxis, Pose};
+use super::links::Link;
+use super::vectors::{Matrix, Triple, combined, cross, inner, plus, scale, transposed, unit};
+use crate::bodies::messages::mobilizers as joints;
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
+use crate::diagnostics::Origin;
 use crate::syntax::ast::{AstId, Expression};
-
-/// Where a frame is and how it moves.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::bodies) struct Pose {
-    /// Angular velocity in the frame's own axes.
-    pub(super) spin: Triple,
-    /// Velocity of its origin in its own axes.
-    pub(super) velocity: Triple,
-    /// Its axes in the world.
-    pub(super) axes: [Triple; 3],
-    /// Its origin in the world.
-    pub(super) origin: Triple,
-}
-
-impl Pose {
-    /// That of the world.
-    pub(super) fn at_rest(terms: &mut TermWriter<'_>) -> Pose {
-        Pose {
-            spin: zero_triple(terms),
-            velocity: zero_triple(terms),
-            axes: [0, 1, 2].map(|axis| unit(terms, axis)),
-            origin: zero_triple(terms),
-        }
-    }
-
-    /// Placeholder after a mistake.
-    pub(super) fn invalid(terms: &mut TermWriter<'_>) -> Pose {
-        let triple = [terms.invalid(); 3];
-        Pose { spin: triple, velocity: triple, axes: [triple; 3], origin: triple }
-    }
-
-    /// True after a mistake.
-    pub(super) fn is_invalid(&self, translation: &Translation<'_>) -> bool {
-        matches!(translation.expressions.get(self.origin[0]), Expression::Invalid)
-    }
-
-    /// True if the frame does not move.
-    pub(super) fn is_at_rest(&self, terms: &TermWriter<'_>) -> bool {
-        self.spin.iter().chain(&self.velocity).all(|&component| terms.is_zero(component))
-    }
-
-    /// The place in the world of a point that is fixed in the frame.
-    pub(super) fn place_of(&self, terms: &mut TermWriter<'_>, point: Triple) -> Triple {
-        let arm = combined(terms, point, self.axes);
-        plus(terms, self.origin, arm)
-    }
-
-    /// The velocity of a point that is fixed in the frame, in the frame's own axes.
-    pub(super) fn velocity_of(&self, terms: &mut TermWriter<'_>, point: Triple) -> Triple {
-        let turning = cross(terms, self.spin, point);
-        plus(terms, self.velocity, turning)
-    }
-
-    /// A vector of own components in the world.
-    pub(super) fn in_world(&self, terms: &mut TermWriter<'_>, own: Triple) -> Triple {
-        combined(terms, own, self.axes)
-    }
-
-    /// The same under one expression.
-    pub(in crate::bodies) fn world_vector(&self, terms: &mut TermWriter<'_>, own: Triple) -> AstId {
-        let world = self.in_world(terms, own);
-        terms.vector(&world)
-    }
-
-    /// A vector of the world in own components.
-    pub(super) fn in_own_axes(&self, terms: &mut TermWriter<'_>, vector: Triple) -> Triple {
-        self.axes.map(|axis| inner(terms, axis, vector))
-    }
-}
-
-/// From one frame to the next.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum FrameStep {
-    /// To an origin that is fixed in the frame.
-    Shift(Triple),
-    /// To axes that are fixed in the frame, the columns of a matrix.
-    Reorientation(Matrix),
-    /// By a turn about an axis, which may change.
-    Turn(JointAxis, AstId),
-    /// By a move along an axis, which may change.
-    Slide(JointAxis, AstId),
-}
 
 /// The frame behind a step, its vectors under names.
 pub(super) fn behind(translation: &mut Translation<'_>, name: &str, pose: Pose, step: FrameStep) -> Pose {
@@ -122,33 +44,6 @@ fn in_axes(terms: &mut TermWriter<'_>, pose: Pose, columns: [Triple; 3]) -> Pose
         velocity: columns.map(|axis| inner(terms, axis, pose.velocity)),
         axes: columns.map(|axis| combined(terms, axis, pose.axes)),
         origin: pose.origin,
-    }
-}
-
-/// An axis of a joint in its frame.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum JointAxis {
-    /// A coordinate axis, or the direction against it.
-    Coordinate { axis: usize, is_negative: bool },
-    /// A direction of length one.
-    Direction(Triple),
-}
-
-impl JointAxis {
-    pub(super) fn positive(axis: usize) -> JointAxis {
-        JointAxis::Coordinate { axis, is_negative: false }
-    }
-
-    /// A length or a rate along the axis as a vector.
-    pub(super) fn times(self, terms: &mut TermWriter<'_>, value: AstId) -> Triple {
-        match self {
-            JointAxis::Coordinate { axis, is_negative } => {
-                let direction = unit(terms, axis);
-                let value = if is_negative { terms.negative(value) } else { value };
-                scale(terms, value, direction)
-            }
-            JointAxis::Direction(direction) => scale(terms, value, direction),
-        }
     }
 }
 
@@ -269,4 +164,18 @@ pub(super) fn named_vector(translation: &mut Translation<'_>, wish: &str, vector
         true => vector[axis],
         false => components[axis],
     })
+}
+
+/// The pose of a link that has its place; one that has none yet is reported.
+pub(super) fn has_place(translation: &mut Translation<'_>, link: usize, origin: Origin) -> Option<Pose> {
+    let Link { name, placed, .. } = &translation.space.as_ref()?.links[link];
+    let (name, placed) = (name.text.clone(), *placed);
+    if placed.is_none() {
+        let error = translation.report.error(origin, joints::unplaced_yet(&name));
+        error.help(joints::PLACE_FIRST_HELP);
+        // Once is enough.
+        let pose = Pose::invalid(&mut translation.terms());
+        translation.space.iter_mut().for_each(|space| space.links[link].placed = Some((pose, origin)));
+    }
+    placed.map(|(pose, _)| pose)
 }

@@ -1,0 +1,125 @@
+//! Frames of a scene in space, as data: where they are, how they move, and the steps from one to the next.
+
+use super::vectors::{Matrix, Triple, combined, cross, inner, plus, scale, unit, zero_triple};
+use crate::bodies::terms::TermWriter;
+use crate::syntax::ast::{AstId, Expression, Expressions};
+
+/// Where a frame is and how it moves.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::bodies) struct Pose {
+    /// Angular velocity in the frame's own axes.
+    pub(super) spin: Triple,
+    /// Velocity of its origin in its own axes.
+    pub(super) velocity: Triple,
+    /// Its axes in the world.
+    pub(super) axes: [Triple; 3],
+    /// Its origin in the world.
+    pub(super) origin: Triple,
+}
+
+impl Pose {
+    /// That of the world.
+    pub(super) fn at_rest(terms: &mut TermWriter<'_>) -> Pose {
+        Pose {
+            spin: zero_triple(terms),
+            velocity: zero_triple(terms),
+            axes: [0, 1, 2].map(|axis| unit(terms, axis)),
+            origin: zero_triple(terms),
+        }
+    }
+
+    /// Placeholder after a mistake.
+    pub(super) fn invalid(terms: &mut TermWriter<'_>) -> Pose {
+        let triple = [terms.invalid(); 3];
+        Pose { spin: triple, velocity: triple, axes: [triple; 3], origin: triple }
+    }
+
+    /// True after a mistake.
+    pub(super) fn is_invalid(&self, expressions: &Expressions) -> bool {
+        matches!(expressions.get(self.origin[0]), Expression::Invalid)
+    }
+
+    /// True if the frame does not move.
+    pub(super) fn is_at_rest(&self, terms: &TermWriter<'_>) -> bool {
+        self.spin.iter().chain(&self.velocity).all(|&component| terms.is_zero(component))
+    }
+
+    /// The place in the world of a point that is fixed in the frame.
+    pub(super) fn place_of(&self, terms: &mut TermWriter<'_>, point: Triple) -> Triple {
+        let arm = combined(terms, point, self.axes);
+        plus(terms, self.origin, arm)
+    }
+
+    /// The velocity of a point that is fixed in the frame, in the frame's own axes.
+    pub(super) fn velocity_of(&self, terms: &mut TermWriter<'_>, point: Triple) -> Triple {
+        let turning = cross(terms, self.spin, point);
+        plus(terms, self.velocity, turning)
+    }
+
+    /// A vector of own components in the world.
+    pub(super) fn in_world(&self, terms: &mut TermWriter<'_>, own: Triple) -> Triple {
+        combined(terms, own, self.axes)
+    }
+
+    /// The same under one expression.
+    pub(in crate::bodies) fn world_vector(&self, terms: &mut TermWriter<'_>, own: Triple) -> AstId {
+        let world = self.in_world(terms, own);
+        terms.vector(&world)
+    }
+
+    /// A vector of the world in own components.
+    pub(super) fn in_own_axes(&self, terms: &mut TermWriter<'_>, vector: Triple) -> Triple {
+        self.axes.map(|axis| inner(terms, axis, vector))
+    }
+}
+
+/// From one frame to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum FrameStep {
+    /// To an origin that is fixed in the frame.
+    Shift(Triple),
+    /// To axes that are fixed in the frame, the columns of a matrix.
+    Reorientation(Matrix),
+    /// By a turn about an axis, which may change.
+    Turn(JointAxis, AstId),
+    /// By a move along an axis, which may change.
+    Slide(JointAxis, AstId),
+}
+
+/// An axis of a joint in its frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum JointAxis {
+    /// A coordinate axis, or the direction against it.
+    Coordinate { axis: usize, is_negative: bool },
+    /// A direction of length one.
+    Direction(Triple),
+}
+
+impl JointAxis {
+    pub(super) fn positive(axis: usize) -> JointAxis {
+        JointAxis::Coordinate { axis, is_negative: false }
+    }
+
+    /// A length or a rate along the axis as a vector.
+    pub(super) fn times(self, terms: &mut TermWriter<'_>, value: AstId) -> Triple {
+        match self {
+            JointAxis::Coordinate { axis, is_negative } => {
+                let direction = unit(terms, axis);
+                let value = if is_negative { terms.negative(value) } else { value };
+                scale(terms, value, direction)
+            }
+            JointAxis::Direction(direction) => scale(terms, value, direction),
+        }
+    }
+}
+
+/// What relative accelerations within a frame are made of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Relative {
+    /// ω_x², ω_y², ω_z²
+    pub(super) squares: Triple,
+    /// ω_y ω_z, ω_z ω_x, ω_x ω_y
+    pub(super) mixed: Triple,
+    /// A in rows: −(ω_y² + ω_z²), … on its diagonal, ω_x ω_y ∓ α_z, … beside it.
+    pub(super) matrix: Matrix,
+}

@@ -1,0 +1,32 @@
+//! Scenes in space, as they become known statement by statement.
+
+use super::frames::Relative;
+use super::links::Link;
+use super::vectors::Triple;
+use crate::collections::HashMap;
+use crate::diagnostics::Origin;
+use crate::syntax::ast::Name;
+
+/// What is known of a scene in space.
+#[derive(Default)]
+pub(in crate::bodies) struct Space {
+    pub(in crate::bodies) links: Vec<Link>,
+    /// Bodies that nothing places.
+    pub(super) unplaced: Vec<Name>,
+    /// Those that have their place, carriers first.
+    pub(super) order: Vec<usize>,
+    pub(super) gravity: Option<(Triple, Origin)>,
+    /// Relative accelerations by angular velocity and angular acceleration of their frame.
+    pub(super) relatives: HashMap<[Triple; 2], Relative>,
+    /// Names of `let`s that say where frames are and how they move: those that nothing needs are left out in the end.
+    pub(in crate::bodies) kinematic: HashMap<String, ()>,
+    /// Names of `let`s that are points of links, with the link and their own coordinates.
+    pub(in crate::bodies) points: HashMap<String, (usize, Triple)>,
+}
+
+impl Space {
+    /// The name of a body or frame.
+    pub(in crate::bodies) fn name_of(&self, link: usize) -> &str {
+        &self.links[link].name.text
+    }
+}
