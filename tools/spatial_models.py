@@ -3,8 +3,10 @@
     pip install pin example-robot-data
     python3 tools/spatial_models.py
 
-Arms and a quadruped come from their public descriptions, chains of universal joints are made here. The free base of the quadruped
-is three prismatic joints along x, y, z and three revolute ones about z, y, x, on frames. References are accelerations without torques
+Arms and a quadruped come from their public descriptions, chains of universal and of ball joints are made here. The base of the quadruped
+is free, and in a second model carried by three prismatic joints along x, y, z and three revolute ones about z, y, x, on frames. Pinocchio
+keeps the scalar part of a quaternion last and velocities of free bodies in their own axes; the files hold what the language says: scalar
+parts first, velocities of free bodies in the world, angular velocities in turned axes. References are accelerations without torques
 (articulated bodies, Pinocchio's `aba`), torques for accelerations (`rnea`) and the mass matrix (`crba`): Featherstone, *Rigid Body Dynamics
 Algorithms*, chapters 5 to 7. Declarations and references are made from the same model: descriptions print pi/2 with eleven digits, so
 that entries of rotations which are nearly 0, 1 or -1 are made exactly that first.
@@ -25,6 +27,7 @@ STATES = 8
 MATRIX_EVERY = 5  # states, so that the last one, where all is zero, has one
 NEGLIGIBLE = 1e-15  # of centres of mass in metres: sums of links that are symmetric leave such rests
 AXES = {"X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+FULL = {"Spherical": "ball", "FreeFlyer": "free"}
 BASE = [pin.JointModelPX, pin.JointModelPY, pin.JointModelPZ, pin.JointModelRZ, pin.JointModelRY, pin.JointModelRX]
 
 
@@ -47,6 +50,10 @@ def panda():
     return pin.buildReducedModel(model, fingers, pin.neutral(model))
 
 
+def go2_free():
+    return description("go2_description/urdf/go2.urdf", pin.JointModelFreeFlyer())
+
+
 def go2():
     base = pin.JointModelComposite()
     for joint in BASE:
@@ -66,6 +73,17 @@ def universal(count):
     return model
 
 
+def balls(count):
+    """The same rods on ball joints."""
+    model, carrier = pin.Model(), 0
+    inertia = pin.Inertia(1.0, np.array([0, 0, -0.5]), np.diag([1 / 12, 1 / 12, 0.005]))
+    for k in range(1, count + 1):
+        end = pin.SE3(np.eye(3), np.array([0, 0, -1.0 if k > 1 else 0.0]))
+        carrier = model.addJoint(carrier, pin.JointModelSpherical(), end, f"b{k}")
+        model.appendBodyToJoint(carrier, inertia, pin.SE3.Identity())
+    return model
+
+
 MODELS = {
     "ur5": ur5,
     "panda": panda,
@@ -73,6 +91,9 @@ MODELS = {
     "universal_2": lambda: universal(2),
     "universal_5": lambda: universal(5),
     "universal_10": lambda: universal(10),
+    "go2_free": go2_free,
+    "ball_2": lambda: balls(2),
+    "ball_5": lambda: balls(5),
 }
 
 
@@ -100,8 +121,10 @@ def cleaned(inertia):
 
 
 def motion(joint):
-    """`revolute` or `prismatic`, and the axis."""
+    """The word of the language for a joint, and the axis, if it has one."""
     name = joint.shortname().removeprefix("JointModel")
+    if name in FULL:
+        return FULL[name], None
     kind = {"R": "revolute", "P": "prismatic"}[name[0]]
     axis = AXES.get(name[1:])
     return kind, axis if axis else tuple(float(x) for x in joint.extract().axis)
@@ -121,6 +144,7 @@ def rebuilt(rows):
         ("revolute", AXES["X"]): pin.JointModelRX, ("revolute", AXES["Y"]): pin.JointModelRY,
         ("revolute", AXES["Z"]): pin.JointModelRZ, ("prismatic", AXES["X"]): pin.JointModelPX,
         ("prismatic", AXES["Y"]): pin.JointModelPY, ("prismatic", AXES["Z"]): pin.JointModelPZ,
+        ("ball", None): pin.JointModelSpherical, ("free", None): pin.JointModelFreeFlyer,
     }
     for index, (kind, axis, carrier, placement, inertia) in enumerate(rows):
         place = pin.SE3(snapped(placement.rotation), placement.translation)
@@ -157,12 +181,15 @@ def declaration(rows):
     for index, (kind, axis, carrier, placement, inertia) in enumerate(rows):
         name, on = names[index + 1], names[carrier + 1]
         lines.append(link(name, inertia))
+        if kind == "free":
+            lines.append(f"free {name};")
+            continue
         labels = []
         if np.any(placement.translation):
             labels.append(f"at: {vector(placement.translation)};")
         if np.any(snapped(placement.rotation) != np.eye(3)):
             labels.append(f"turned: {angles(placement.rotation)};")
-        if axis != AXES["Z"]:
+        if axis not in (None, AXES["Z"]):
             labels.append(f"axis: {vector(axis)};")
         tail = f" {{ {' '.join(labels)} }}" if labels else ";"
         lines.append(f"{kind} q{index + 1} = {on} to {name}{tail}")
@@ -187,30 +214,69 @@ def chain_declaration(count):
     return "\n".join(lines) + "\n"
 
 
-def states(size):
-    """Random ones, then those with exact zeros; numbers of few digits."""
+def states(model):
+    """Random ones, then those with exact zeros; numbers of few digits, but for quaternions."""
     rng = np.random.default_rng(16)
-    fraction = lambda reach: rng.integers(-64 * reach, 64 * reach, size, endpoint=True) / 64
-    zero = np.zeros(size)
-    yield from ((fraction(2), fraction(1)) for _ in range(STATES))
-    yield zero, fraction(1)
-    yield fraction(2), zero
-    yield zero, zero
+    fraction = lambda count, reach: rng.integers(-64 * reach, 64 * reach, count, endpoint=True) / 64
+    rest, zero = pin.neutral(model), np.zeros(model.nv)
+
+    def place():
+        q = fraction(model.nq, 2)
+        for first in quaternions(model):
+            q[first : first + 4] /= np.linalg.norm(q[first : first + 4])
+        return q
+
+    yield from ((place(), fraction(model.nv, 1)) for _ in range(STATES))
+    yield rest, fraction(model.nv, 1)
+    yield place(), zero
+    yield rest, zero
+
+
+def quaternions(model):
+    """Indices of the first components of quaternions in Pinocchio's positions."""
+    for joint in model.joints[1:]:
+        name = joint.shortname().removeprefix("JointModel")
+        if name in FULL:
+            yield joint.idx_q + (3 if name == "FreeFlyer" else 0)
+
+
+def positions(model, q):
+    """With scalar parts first."""
+    q = q.copy()
+    for first in quaternions(model):
+        q[first : first + 4] = np.roll(q[first : first + 4], 1)
+    return q
+
+
+def turning(model, q, v):
+    """T and b in Pinocchio's velocities T u and accelerations T u' + b of those here."""
+    matrix, drift = np.eye(model.nv), np.zeros(model.nv)
+    for joint in model.joints[1:]:
+        if joint.shortname().endswith("FreeFlyer"):
+            i, k = joint.idx_v, joint.idx_q + 3
+            rotation = pin.Quaternion(q[k + 3], *q[k : k + 3]).toRotationMatrix()
+            matrix[i : i + 3, i : i + 3] = rotation.T
+            drift[i : i + 3] = -np.cross(v[i + 3 : i + 6], rotation.T @ v[i : i + 3])
+    return matrix, drift
 
 
 def references(model):
     data, rng = model.createData(), np.random.default_rng(61)
-    for index, (q, v) in enumerate(states(model.nv)):
+    for index, (q, v) in enumerate(states(model)):
         wanted = rng.integers(-128, 128, model.nv, endpoint=True) / 64
+        own, drift = turning(model, q, v)
         mass_matrix = pin.crba(model, data, q)
         mass_matrix = np.triu(mass_matrix) + np.triu(mass_matrix, 1).T
+        mass_matrix = own.T @ mass_matrix @ own
+        accelerations = pin.aba(model, data, q, own @ v, np.zeros(model.nv))
+        forces = pin.rnea(model, data, q, own @ v, own @ wanted + drift)
         yield "state", [0]
-        yield "q", q
+        yield "q", positions(model, q)
         yield "v", v
         yield "wanted", wanted
         yield "condition", [float(f"{np.linalg.cond(mass_matrix, 1):.2e}")]
-        yield "accelerations", pin.aba(model, data, q, v, np.zeros(model.nv))
-        yield "inverse_dynamics", pin.rnea(model, data, q, v, wanted)
+        yield "accelerations", own.T @ (accelerations - drift)
+        yield "inverse_dynamics", own.T @ forces
         if index % MATRIX_EVERY == 0:
             yield "mass_matrix", mass_matrix.flatten()
 
@@ -219,8 +285,8 @@ def main():
     TARGET.mkdir(parents=True, exist_ok=True)
     for name, build in MODELS.items():
         rows = joints_of(build())
-        _, _, count = name.partition("_")
-        text = chain_declaration(int(count)) if count else declaration(rows)
+        chain, _, count = name.partition("_")
+        text = chain_declaration(int(count)) if chain == "universal" else declaration(rows)
         (TARGET / f"{name}.lag").write_text(text)
         lines = (f"{word} {' '.join(repr(float(x)) for x in numbers)}" for word, numbers in references(rebuilt(rows)))
         head = "# Written by tools/spatial_models.py."

@@ -15,11 +15,11 @@ pub enum Role {
     Input(u32),
     /// Time `t`.
     Time,
-    /// A generalised coordinate.
+    /// A position: a generalised coordinate, or a component of a unit quaternion.
     Coordinate(u32),
-    /// The rate of the coordinate with the same index.
+    /// A generalised velocity: the rate of a coordinate, or a component of an angular velocity.
     Velocity(u32),
-    /// The second rate of the coordinate with the same index.
+    /// The rate of the velocity with the same index.
     Acceleration(u32),
     /// The multiplier of the constraint with the same index.
     Multiplier(u32),
@@ -34,10 +34,43 @@ pub enum Role {
 /// A symbol: its name as the user wrote it, and its role.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Symbol {
-    /// The name; for a velocity or an acceleration that of its coordinate.
+    /// The name; for a rate that of what changes.
     pub name: String,
     /// The role.
     pub role: Role,
+    /// Number of dots over the name: how often what it names is differentiated with respect to time.
+    pub dots: u8,
+}
+
+impl Symbol {
+    /// As the language writes it.
+    pub fn text(&self) -> String {
+        match self.dots {
+            0 => self.name.clone(),
+            1 => format!("dot({})", self.name),
+            _ => format!("ddot({})", self.name),
+        }
+    }
+
+    /// As a variable or field is called.
+    pub fn identifier(&self) -> String {
+        match self.dots {
+            0 => self.name.clone(),
+            1 => format!("{}_dot", self.name),
+            _ => format!("{}_ddot", self.name),
+        }
+    }
+}
+
+impl Role {
+    /// Number of dots over the name of a coordinate that the symbol is a rate of.
+    fn dots(self) -> u8 {
+        match self {
+            Role::Velocity(_) => 1,
+            Role::Acceleration(_) => 2,
+            _ => 0,
+        }
+    }
 }
 
 /// The symbols of one system, one for each role, in the order in which they were added.
@@ -47,9 +80,14 @@ pub struct Symbols {
 }
 
 impl Symbols {
-    /// The symbol in `role`, added under `name` if it is new.
+    /// The symbol in `role`, added under `name` if it is new; velocities and accelerations as rates of what has that name.
     pub fn intern(&mut self, name: &str, role: Role) -> SymbolId {
-        let symbol = || Symbol { name: name.to_owned(), role };
+        self.intern_dotted(name, role, role.dots())
+    }
+
+    /// The symbol in `role`, added under `name` with so many dots if it is new.
+    pub fn intern_dotted(&mut self, name: &str, role: Role, dots: u8) -> SymbolId {
+        let symbol = || Symbol { name: name.to_owned(), role, dots };
         SymbolId(self.by_role.index_or_insert_with(role, symbol) as u32)
     }
 

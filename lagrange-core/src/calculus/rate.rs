@@ -17,7 +17,7 @@ pub enum AccelerationTerms {
 
 /// Total time derivatives of expressions, each computed once.
 ///
-/// Coordinates change with their velocities and time with rate one. Parameters do not change; neither do
+/// Coordinates change with their velocities, positions in general as the graph says, and time with rate one. Parameters do not change; neither do
 /// inputs, whose rates are unknown: a caller to whom that matters must look for them first.
 #[derive(Debug)]
 pub struct Rates {
@@ -75,7 +75,9 @@ impl Rates {
         match graph.node(id) {
             Node::Symbol(symbol) => {
                 let symbol = graph.symbols().get(*symbol).clone();
-                self.rate_of_symbol(graph, &symbol.name, symbol.role)
+                graph
+                    .rate_of_position(id)
+                    .unwrap_or_else(|| self.rate_of_symbol(graph, &symbol.name, symbol.role))
             }
             Node::Choose { relation, left, right, then, otherwise } => {
                 let (relation, left, right) = (*relation, *left, *right);

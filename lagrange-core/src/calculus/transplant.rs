@@ -5,8 +5,8 @@ use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph, Node};
 use crate::symbol::Role;
 
-/// A new graph with everything that `roots` are made of, and where each expression is there. Symbols keep their
-/// names and get the roles that `role` gives them, which must be as many as before.
+/// A new graph with everything that `roots` are made of, and where each expression is there. No rates of positions are set in it. Symbols
+/// keep their names and get the roles that `role` gives them, which must be as many as before.
 pub fn transplant(
     source: &Graph,
     roots: &[ExprId],
@@ -19,7 +19,7 @@ pub fn transplant(
         let new = match node {
             Node::Symbol(symbol) => {
                 let symbol = source.symbols().get(*symbol);
-                graph.symbol(&symbol.name, role(symbol.role))
+                graph.dotted_symbol(&symbol.name, role(symbol.role), symbol.dots)
             }
             _ => construct(&mut graph, node.clone(), id, |child| image.get(&child).copied().unwrap_or(child)),
         };

@@ -34,12 +34,10 @@ impl Names {
         if let Some(known) = self.roles.get(&role) {
             return known.clone();
         }
-        let symbol = symbols.find(role).map_or("value", |id| symbols.get(id).name.as_str());
-        let mut name = sanitise(&match role {
-            Role::Time => "t".to_owned(),
-            Role::Velocity(_) => format!("{symbol}_dot"),
-            Role::Acceleration(_) => format!("{symbol}_ddot"),
-            _ => symbol.to_owned(),
+        let symbol = symbols.find(role).map(|id| symbols.get(id).identifier());
+        let mut name = sanitise(&match (role, symbol) {
+            (Role::Time, _) => "t".to_owned(),
+            (_, symbol) => symbol.unwrap_or_else(|| "value".to_owned()),
         });
         while self.taken.contains(&name) {
             name.push('_');

@@ -56,7 +56,7 @@ impl ConstraintEquations {
 /// Displacement that brings the constraints back from the residuals that their multipliers' symbols stand for.
 fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
     let (unknowns, residuals) = (model.unknowns(), model.multipliers());
-    let count = model.coordinates.len();
+    let count = model.speeds.len();
     let graph = &mut model.graph;
     let mut linear = vec![graph.number(0); count];
     linear.extend(residuals.into_iter().map(|residual| graph.negate(residual)));
@@ -105,7 +105,7 @@ fn constraint_jacobian(model: &mut Model, pushed: &QuadraticForm) -> Vec<Vec<Exp
 
 /// Aᵀλ
 fn constraint_forces(model: &mut Model, jacobian: &[Vec<ExprId>], multipliers: &[ExprId]) -> Vec<ExprId> {
-    let (count, graph) = (model.coordinates.len(), &mut model.graph);
+    let (count, graph) = (model.speeds.len(), &mut model.graph);
     let mut columns = vec![Vec::new(); count];
     for (row, &multiplier) in jacobian.iter().zip(multipliers) {
         let entries = columns.iter_mut().zip(row).filter(|(_, slope)| !graph.is_zero(**slope));

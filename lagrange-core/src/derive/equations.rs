@@ -3,17 +3,19 @@
 use super::constraints::ConstraintEquations;
 use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
-use super::elimination::solution::Solution;
+use super::elimination::solution::{Solution, push_down};
 use super::forms::{Forms, Rows};
 use super::frame_jacobians::frame_jacobians;
 use super::indefinite::pivot_growth;
 use super::inverse_dynamics::residual;
 use super::jacobian::Derivatives;
 use super::least_constraint::{SplitLagrangian, Terms};
+use super::quadratic_form::QuadraticForm;
 use super::responses::{ReactionEquations, reaction_forces};
 use super::strategies::{Candidates, SingularMassMatrix, Strategy, StrategyChoice, has_large_mass_matrix};
 use super::structure::{MassStructure, Structure};
 use super::switches::Switch;
+use super::virtual_displacements::{add_slopes, add_turning};
 use crate::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::model::{Constraint, Energies, Model, Product};
@@ -166,9 +168,10 @@ impl Equations {
     pub fn is_separable(&self, model: &Model) -> bool {
         let depends = |&value: &ExprId| model.graph.dependencies(value).intersects(Dependencies::VELOCITY);
         let free = if model.constraints.is_empty() { &self.accelerations } else { &self.forcing };
+        let are_rates = model.orientations.is_empty();
         let is_held = model.constraints.iter().all(|constraint| constraint.is_holonomic);
         let is_free = model.reactions.is_empty();
-        self.structure.mass.is_constant && is_held && is_free && !free.iter().any(depends)
+        self.structure.mass.is_constant && are_rates && is_held && is_free && !free.iter().any(depends)
     }
 
     /// What determines how a motion goes on, whichever method integrates it.
@@ -274,16 +277,25 @@ fn jacobians(
     wanted.map(|(_, product, arguments)| (product, derivatives.by(model, &arguments).concat())).collect()
 }
 
-/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act.
+/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act. An angular momentum p in turning axes
+/// changes by −ω × p besides.
 fn free_momentum_rates(model: &mut Model) -> Vec<ExprId> {
     let (positions, velocities) = (model.positions(), model.velocities());
-    let graph = &mut model.graph;
     let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
-    let slopes = gradient(graph, model.lagrangian, &positions);
+    let slopes = gradient(&mut model.graph, model.lagrangian, &positions);
+    let mut form = QuadraticForm::default();
+    add_slopes(model, &mut form, &slopes);
+    if !model.orientations.is_empty() {
+        let momenta = gradient(&mut model.graph, model.lagrangian, &velocities);
+        add_turning(model, &mut form, &momenta);
+    }
+    let graph = &mut model.graph;
     let forces = adjoint(graph, &loads, &velocities);
     let resistances = gradient(graph, model.dissipation, &velocities);
-    let rates = slopes.into_iter().zip(forces).zip(resistances).map(|((slope, force), resistance)| {
-        let terms = [(slope, Number::ONE), (force, Number::ONE), (resistance, Number::MINUS_ONE)];
+    let form = push_down(graph, form, &velocities);
+    let rates = velocities.iter().zip(forces).zip(resistances).map(|((&velocity, force), resistance)| {
+        let slope = form.linear(graph, velocity);
+        let terms = [(slope, Number::MINUS_ONE), (force, Number::ONE), (resistance, Number::MINUS_ONE)];
         graph.sum(Number::ZERO, terms)
     });
     rates.collect()
@@ -333,8 +345,9 @@ fn weighted_by_degree(graph: &mut Graph, sum: ExprId) -> Option<Vec<(ExprId, Num
 
 /// Names of the user, then of matrix entries and of what the solution computes on the way.
 fn labels(model: &Model, mass_matrix: &[Vec<ExprId>], solution: &Solution) -> Vec<(ExprId, String)> {
-    let accelerations = solution.values.iter().zip(&model.coordinates);
-    let accelerations = accelerations.map(|(id, coordinate)| (*id, format!("{}_ddot", coordinate.name)));
+    let symbols = model.speeds.iter().map(|speed| model.graph.symbol_of(speed.acceleration));
+    let accelerations = solution.values.iter().zip(symbols);
+    let accelerations = accelerations.filter_map(|(id, symbol)| Some((*id, symbol?.identifier())));
     let derived = matrix_labels(&model.graph, mass_matrix).into_iter().chain(accelerations);
     let derived = derived.chain(solution.labels.iter().cloned());
     // A symbol or the sine of an angle says itself what it is, unless the user has named it.

@@ -175,10 +175,8 @@ fn second_derivatives(
 
 fn at_rest(graph: &mut Graph, values: &[ExprId]) -> Vec<ExprId> {
     let zero = graph.number(0);
-    let is_acceleration = |id: ExprId| {
-        matches!(graph.node(id), Node::Symbol(symbol)
-            if matches!(graph.symbols().get(*symbol).role, Role::Acceleration(_)))
-    };
+    let is_acceleration =
+        |id: ExprId| graph.symbol_of(id).is_some_and(|symbol| matches!(symbol.role, Role::Acceleration(_)));
     let symbols = graph.reachable(values).into_iter().filter(|&id| is_acceleration(id));
     let zeros = symbols.map(|symbol| (symbol, zero)).collect::<HashMap<_, _>>();
     substitute_all(graph, values, &zeros)

@@ -91,7 +91,7 @@ impl Derivatives {
         let velocities = model.velocities();
         let accelerations = elimination.values(&mut model.graph, &velocities);
         let slopes = jacobian(&mut model.graph, &self.residual, variables);
-        let symbols = model.coordinates.iter().map(|coordinate| coordinate.acceleration);
+        let symbols = model.speeds.iter().map(|speed| speed.acceleration);
         let values = symbols.zip(accelerations).collect();
         let slopes = substitute_all(&mut model.graph, &slopes.concat(), &values);
         let column = |graph: &mut Graph, j: usize| {

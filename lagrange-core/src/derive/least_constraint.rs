@@ -31,6 +31,7 @@ use super::curvature::Curvature;
 use super::gibbs_appell::{GibbsForm, remainder};
 use super::quadratic_form::QuadraticForm;
 use super::quasi_velocities::QuasiVelocities;
+use super::virtual_displacements::{add_slopes, add_turning};
 use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates, gradient};
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{Dependencies, ExprId, Graph, Node};
@@ -165,11 +166,12 @@ fn add_rest(model: &mut Model, form: &mut QuadraticForm, rates: &mut Rates, rest
     let graph = &mut model.graph;
     let momenta = gradient(graph, rest, &velocities);
     let forces = gradient(graph, rest, &positions);
-    for ((&velocity, momentum), force) in velocities.iter().zip(momenta).zip(forces) {
+    for (&velocity, &momentum) in velocities.iter().zip(&momenta) {
         let rate = rates.of(graph, momentum);
-        let value = graph.subtract(rate, force);
-        form.add_linear(graph, velocity, value);
+        form.add_linear(graph, velocity, rate);
     }
+    add_slopes(model, form, &forces);
+    add_turning(model, form, &momenta);
 }
 
 fn add_loads(model: &mut Model, form: &mut QuadraticForm) {
@@ -189,8 +191,9 @@ fn add_loads(model: &mut Model, form: &mut QuadraticForm) {
 /// What affine nodes of the Lagrangian are rates of. Besides what the user wrote as `dot(…)`, multiples and
 /// sums of rates are rates.
 fn known_positions(model: &mut Model, lagrangian: ExprId, degrees: &Degrees) -> HashMap<ExprId, ExprId> {
-    let coordinates = model.coordinates.iter().map(|c| (c.velocity, c.position));
-    let mut positions = model.rates.iter().copied().chain(coordinates).collect::<HashMap<_, _>>();
+    let rates =
+        model.speeds.iter().filter_map(|s| Some((s.velocity, model.coordinates[s.coordinate?].position)));
+    let mut positions = model.rates.iter().copied().chain(rates).collect::<HashMap<_, _>>();
     let graph = &mut model.graph;
     for id in graph.reachable(&[lagrangian]) {
         if degrees.of(graph, id) == Degree::Affine && !positions.contains(&id) {

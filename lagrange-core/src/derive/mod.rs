@@ -98,6 +98,7 @@ mod sum_of_squares;
 mod sweep;
 mod switches;
 mod undetermined;
+mod virtual_displacements;
 
 use proc_macro2::Span;
 
@@ -126,9 +127,14 @@ pub fn derive(
         Ok(equations) => return Some(equations),
         Err(error) => error,
     };
-    let coordinates = declaration.coordinates();
-    let moving = undetermined(model).into_iter().filter_map(|index| coordinates.get(index).copied());
-    let moving = moving.collect::<Vec<_>>();
+    let moving = undetermined(model);
+    let named = |index| {
+        let coordinate = model.name_of_freedom(index);
+        let angular = declaration.velocities().into_iter().map(|velocity| velocity.name);
+        let mut names = declaration.coordinates().into_iter().cloned().chain(angular);
+        names.find(|name| name.text == coordinate)
+    };
+    let moving = moving.into_iter().filter_map(named).collect::<Vec<_>>();
     let is_energy =
         |kind: &StatementKind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_));
     let energy = declaration.statements.iter().find(|statement| is_energy(&statement.kind));

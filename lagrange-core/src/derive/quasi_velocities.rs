@@ -22,6 +22,7 @@ use std::collections::BTreeMap;
 use super::gibbs_appell::affine_operands;
 use super::plane_rotation::{TurnedPair, turned_back, turned_pairs};
 use super::quadratic_form::QuadraticForm;
+use super::virtual_displacements::{add_slopes, add_turning};
 use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates, adjoint, partials};
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
@@ -63,15 +64,16 @@ impl QuasiVelocities {
         accelerations: AccelerationTerms,
     ) {
         let (positions, velocities) = (model.positions(), model.velocities());
-        let graph = &mut model.graph;
-        let one = graph.number(1);
+        let one = model.graph.number(1);
         let variables = [&self.nodes[..], &positions].concat();
-        let mut momenta = adjoint(graph, &[(self.terms, one)], &variables);
+        let mut momenta = adjoint(&mut model.graph, &[(self.terms, one)], &variables);
         let forces = momenta.split_off(self.nodes.len());
-        for (&velocity, force) in velocities.iter().zip(forces) {
-            let opposite = graph.negate(force);
-            form.add_linear(graph, velocity, opposite);
+        add_slopes(model, form, &forces);
+        if !model.orientations.is_empty() {
+            let momenta = adjoint(&mut model.graph, &[(self.terms, one)], &velocities);
+            add_turning(model, form, &momenta);
         }
+        let graph = &mut model.graph;
         let mut rates = Rates::new(accelerations);
         self.pairs.iter().for_each(|pair| learn_rates(graph, &mut rates, pair));
         let mut brackets = Brackets::new(self);

@@ -142,7 +142,7 @@ fn share(graph: &mut Graph, velocity: ExprId, width: ExprId) -> ExprId {
 /// Σ d_k r_k, with symbols for the reactions.
 pub(super) fn reaction_forces(model: &mut Model, equations: &ReactionEquations) -> Vec<ExprId> {
     let symbols = model.reactions.iter().map(|reaction| reaction.symbol).collect::<Vec<_>>();
-    let (count, graph) = (model.coordinates.len(), &mut model.graph);
+    let (count, graph) = (model.speeds.len(), &mut model.graph);
     let force = |i: usize| {
         let terms = equations
             .rows

@@ -142,7 +142,7 @@ impl Candidates<'_> {
 
     /// Whether the mass matrix is large and full. One that nobody has asked for so far is.
     fn is_large(&mut self) -> bool {
-        let count = self.model.coordinates.len();
+        let count = self.model.speeds.len();
         count > LARGEST_TRIAL
             && (!self.forms.is_pushed() || self.forms.pushed(self.model).is_mostly_full(count))
     }

@@ -165,8 +165,9 @@ fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
     let is_free = |i: usize| model.graph.is_zero(forces[i]) && model.graph.is_zero(resistances[i]);
     let mut conserved = cyclic
         .iter()
-        .filter(|&&i| is_free(i) && !constrained.contains(&velocities[i]))
-        .map(|&i| Conserved::Momentum(i))
+        .filter_map(|&i| Some((i, model.speeds.iter().position(|speed| speed.coordinate == Some(i))?)))
+        .filter(|&(_, v)| is_free(v) && !constrained.contains(&velocities[v]))
+        .map(|(i, _)| Conserved::Momentum(i))
         .collect::<Vec<_>>();
     let changing = Dependencies::TIME | Dependencies::INPUT;
     let is_steady = !model.graph.dependencies(model.lagrangian).intersects(changing);

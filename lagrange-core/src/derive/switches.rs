@@ -154,8 +154,9 @@ fn moving() -> Dependencies {
 fn statements(model: &mut Model) -> HashMap<ExprId, String> {
     let mut roots: Vec<(ExprId, String)> = Vec::new();
     for load in &model.loads {
-        let on = model.coordinates.iter().find(|coordinate| coordinate.velocity == load.velocity);
-        let statement = on.map_or("force".to_owned(), |coordinate| format!("force {}", coordinate.name));
+        let on = model.speeds.iter().position(|speed| speed.velocity == load.velocity);
+        let statement =
+            on.map_or("force".to_owned(), |index| format!("force {}", model.name_of_freedom(index)));
         roots.extend([(load.force, statement.clone()), (load.velocity, statement)]);
     }
     roots.push((model.dissipation, "dissipation".to_owned()));

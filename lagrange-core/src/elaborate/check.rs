@@ -74,7 +74,7 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
         return;
     }
     let has = |kind: fn(&StatementKind) -> bool| declaration.statements.iter().any(|s| kind(&s.kind));
-    if !has(|kind| matches!(kind, StatementKind::Coordinates(_))) {
+    if declaration.coordinates().is_empty() {
         report.error(declaration.name.span, messages::NO_COORDINATES).help(messages::COORDINATES_HELP);
     }
     if !has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_))) {
@@ -84,9 +84,13 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
 
 /// The state has a field for every coordinate and for every velocity.
 fn check_state_names(elaborator: &mut Elaborator<'_>) {
-    for (coordinate, declared) in &elaborator.coordinates {
-        let velocity = format!("{}_dot", coordinate.name);
-        let clash = elaborator.coordinates.iter().find(|(other, _)| other.name == velocity);
+    for (speed, declared) in &elaborator.speeds {
+        let Some((coordinate, _)) = speed.coordinate.and_then(|index| elaborator.coordinates.get(index))
+        else {
+            continue;
+        };
+        let is_named = speed.name != format!("{}_dot", coordinate.name);
+        let clash = elaborator.coordinates.iter().find(|(other, _)| !is_named && other.name == speed.name);
         if let Some((other, span)) = clash {
             let message = messages::velocity_field_collides(&other.name, &coordinate.name);
             let error = elaborator.evaluator.report.error(*span, message).help(messages::OTHER_NAME_HELP);
@@ -217,15 +221,16 @@ fn total(
 /// Every velocity must appear in the kinetic energy, and the momenta must not depend on inputs, whose
 /// rates would be needed.
 fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
-    let velocities = elaborator.coordinates.iter().map(|(c, _)| c.velocity).collect::<Vec<_>>();
+    let velocities = elaborator.speeds.iter().map(|(speed, _)| speed.velocity).collect::<Vec<_>>();
     let momenta = gradient(&mut elaborator.evaluator.graph, lagrangian, &velocities);
     check_smoothness(elaborator, lagrangian, &momenta);
     let mut needs_input_rate = false;
-    for ((coordinate, span), momentum) in elaborator.coordinates.iter().zip(momenta) {
+    for ((speed, span), momentum) in elaborator.speeds.iter().zip(momenta) {
         let dependencies = elaborator.evaluator.graph.dependencies(momentum);
         let is_determined = dependencies.intersects(Dependencies::VELOCITY);
-        if !is_determined && !is_constrained(elaborator, coordinate.velocity) {
-            let error = elaborator.evaluator.report.error(*span, messages::no_inertia(&coordinate.name));
+        if !is_determined && !is_constrained(elaborator, speed.velocity) {
+            let name = elaborator.name_of_freedom(speed);
+            let error = elaborator.evaluator.report.error(*span, messages::no_inertia(name));
             error.help(messages::NO_INERTIA_HELP);
         }
         needs_input_rate |= dependencies.intersects(Dependencies::INPUT);
@@ -268,6 +273,8 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
         parameters: elaborator.parameters,
         inputs: elaborator.inputs,
         coordinates: elaborator.coordinates.into_iter().map(|(coordinate, _)| coordinate).collect(),
+        speeds: elaborator.speeds.into_iter().map(|(speed, _)| speed).collect(),
+        orientations: elaborator.orientations,
         energies,
         lagrangian,
         gibbs,

@@ -114,7 +114,7 @@ pub(super) fn check_constraint_count(elaborator: &mut Elaborator<'_>) {
         // One constraint too many may be one that was reported.
         return;
     }
-    let (count, most) = (elaborator.constraints.len(), elaborator.coordinates.len());
+    let (count, most) = (elaborator.constraints.len(), elaborator.speeds.len());
     if let Some((_, span)) = elaborator.constraints.get(most).filter(|_| most > 0) {
         let error = elaborator.evaluator.report.error(*span, messages::too_many_constraints(count, most));
         error.help(messages::TOO_MANY_CONSTRAINTS_HELP);

@@ -1,4 +1,4 @@
-//! Names that statements define: parameters, inputs, constants, coordinates, abbreviations.
+//! Names that statements define: parameters, inputs, constants, abbreviations.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
@@ -8,7 +8,7 @@ use super::scalar_range::{holds, largest};
 use super::scope::NameKind;
 use crate::calculus::evaluate;
 use crate::expr::{Dependencies, ExprId};
-use crate::model::{Coordinate, Parameter};
+use crate::model::Parameter;
 use crate::symbol::Role;
 use crate::syntax::ast::{AstId, Definition, Name};
 
@@ -56,19 +56,6 @@ fn constant_scalar(elaborator: &mut Elaborator<'_>, syntax: AstId, what: &str) -
 pub(super) fn define_constant(elaborator: &mut Elaborator<'_>, definition: &Definition) {
     let value = definition.value.and_then(|value| constant_scalar(elaborator, value, "a constant"));
     elaborator.declare(&definition.name, NameKind::Constant, value.map(Operand::Scalar));
-}
-
-pub(super) fn define_coordinate(elaborator: &mut Elaborator<'_>, name: &Name) {
-    let index = elaborator.coordinates.len() as u32;
-    let graph = &mut elaborator.evaluator.graph;
-    let coordinate = Coordinate {
-        name: name.text.clone(),
-        position: graph.symbol(&name.text, Role::Coordinate(index)),
-        velocity: graph.symbol(&name.text, Role::Velocity(index)),
-        acceleration: graph.symbol(&name.text, Role::Acceleration(index)),
-    };
-    elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(coordinate.position)));
-    elaborator.coordinates.push((coordinate, name.span));
 }
 
 pub(super) fn define_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {

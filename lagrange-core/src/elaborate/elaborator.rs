@@ -14,8 +14,8 @@ use crate::calculus::evaluate;
 use crate::diagnostics::Report;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{
-    Action, Availability, Constraint, Coordinate, Event, GibbsFunction, Load, Output, Parameter, Product,
-    Reaction, Reduction, Scene,
+    Action, Availability, Constraint, Coordinate, Event, GibbsFunction, Load, Orientation, Output, Parameter,
+    Product, Reaction, Reduction, Scene, Speed,
 };
 use crate::syntax::ast::{self, AstId, Declaration, Name};
 
@@ -48,6 +48,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) parameters: Vec<Parameter>,
     pub(super) inputs: Vec<Parameter>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
+    pub(super) speeds: Vec<(Speed, Span)>,
+    pub(super) orientations: Vec<Orientation>,
     pub(super) kinetic: Vec<SourceTerm>,
     pub(super) potential: Vec<SourceTerm>,
     pub(super) lagrangian: Vec<SourceTerm>,
@@ -87,6 +89,8 @@ impl<'a> Elaborator<'a> {
             parameters: Vec::new(),
             inputs: Vec::new(),
             coordinates: Vec::new(),
+            speeds: Vec::new(),
+            orientations: Vec::new(),
             kinetic: Vec::new(),
             potential: Vec::new(),
             lagrangian: Vec::new(),
@@ -148,6 +152,20 @@ impl<'a> Elaborator<'a> {
         let value = self.evaluator.scalar(syntax, what)?;
         self.forbid_accelerations(syntax, value, what)?;
         Some(SourceTerm { value, syntax, keyword })
+    }
+
+    /// The coordinate that a velocity is the rate of, or else the velocity itself, by name.
+    pub(super) fn name_of_freedom<'s>(&'s self, speed: &'s Speed) -> &'s str {
+        let coordinate = speed.coordinate.and_then(|index| self.coordinates.get(index));
+        coordinate.map_or(&speed.name, |(coordinate, _)| &coordinate.name)
+    }
+
+    /// The velocity of a name, or of the coordinate of that name.
+    pub(super) fn speed_of(&self, name: &str) -> Option<usize> {
+        self.speeds.iter().position(|(speed, _)| {
+            self.name_of_freedom(speed) == name
+                || speed.name == name && self.evaluator.scope.find(name).is_some()
+        })
     }
 
     /// A value that does not change during the motion.

@@ -11,6 +11,7 @@ use super::scope::NameKind;
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{Action, Assignment};
+use crate::symbol::Symbol;
 use crate::syntax::ast::{self, AstId, Expression, Name, StatementKind};
 
 /// The most events that run-time code can watch.
@@ -74,12 +75,12 @@ fn check_assigned_once(
 ) {
     if let Some((_, first)) = assigned.iter().find(|(other, _)| *other == index) {
         let count = elaborator.declaration.coordinates().len();
-        let name =
-            |i: usize| elaborator.coordinates.get(i).map_or("", |(coordinate, _)| coordinate.name.as_str());
-        let target = match index.checked_sub(count) {
-            Some(velocity) => format!("dot({})", name(velocity)),
-            None => name(index).to_owned(),
+        let symbol = match index.checked_sub(count) {
+            Some(velocity) => elaborator.speeds.get(velocity).map(|(speed, _)| speed.velocity),
+            None => elaborator.coordinates.get(index).map(|(coordinate, _)| coordinate.position),
         };
+        let symbol = symbol.and_then(|symbol| elaborator.evaluator.graph.symbol_of(symbol));
+        let target = symbol.map(Symbol::text).unwrap_or_default();
         let error = elaborator.evaluator.report.error(origin, messages::assigned_twice(&target));
         error.related(*first, messages::ASSIGNED_HERE).help(messages::ASSIGNED_TWICE_HELP);
     }
@@ -108,11 +109,18 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
         return None;
     }
     let position = elaborator.coordinates.iter().position(|(known, _)| known.name == *text);
-    if position.is_none() {
+    let velocity = elaborator.speed_of(text).map(|index| count + index);
+    let found = match position {
+        // The rate of a component of a quaternion is none of the velocities.
+        Some(_) if is_velocity => velocity,
+        Some(index) => Some(index),
+        None => velocity.filter(|_| !is_velocity),
+    };
+    if found.is_none() {
         let name = Name { text: text.clone(), span: elaborator.evaluator.origin(coordinate).start };
         elaborator.report_no_coordinate(&name, messages::ASSIGNMENT_HELP);
     }
-    position.map(|index| if is_velocity { count + index } else { index })
+    found
 }
 
 /// Friction that sticks and slips is an event, too.

@@ -17,10 +17,9 @@ use crate::syntax::ast::{AstId, Name};
 pub(super) fn add_force_on(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let force = elaborator.term(syntax, name.span, "a force");
     elaborator.evaluator.scope.resolve(&name.text);
-    let known = elaborator.coordinates.iter().find(|(coordinate, _)| coordinate.name == name.text);
-    match known {
-        Some((coordinate, _)) => {
-            let velocity = coordinate.velocity;
+    match elaborator.speed_of(&name.text) {
+        Some(index) => {
+            let velocity = elaborator.speeds[index].0.velocity;
             elaborator.loads.extend(force.map(|force| Load { velocity, force: force.value }));
         }
         None => elaborator.report_no_coordinate(name, messages::FORCE_HELP),

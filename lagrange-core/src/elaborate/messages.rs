@@ -312,6 +312,12 @@ pub(super) const CONSTRAINT_IS_HERE: &str = "a constraint is here";
 
 // Reduced types.
 
+pub(super) fn reduced_quaternion(name: &str) -> String {
+    format!("`{name}` is a component of a unit quaternion, which has no meaning without the others")
+}
+pub(super) const REDUCED_QUATERNION_HELP: &str =
+    "write an orientation that is held or small with angles, as three revolute joints";
+
 pub(super) const REDUCTION_HELP: &str = "`freeze` and `small` take coordinates: `freeze x = 0; small theta;`";
 pub(super) const ALL_FROZEN: &str = "every coordinate is frozen, so that nothing is left to move";
 pub(super) const ALL_FROZEN_HELP: &str = "leave at least one coordinate free, or make it `small`";

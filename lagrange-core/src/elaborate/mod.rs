@@ -7,6 +7,7 @@ mod chains;
 mod check;
 mod constants;
 mod constraints;
+mod coordinates;
 mod damping;
 mod definitions;
 mod elaborator;

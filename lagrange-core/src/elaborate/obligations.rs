@@ -8,7 +8,7 @@ use crate::bodies::Obligation;
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
 use crate::diagnostics::{Diagnostic, Origin};
-use crate::expr::{Dependencies, ExprId, Graph, Node};
+use crate::expr::{Dependencies, ExprId, Graph};
 use crate::symbol::Role;
 use crate::syntax::ast::{AstId, Name};
 
@@ -219,10 +219,7 @@ fn differ(a: f64, b: f64) -> bool {
 
 /// The symbols of an expression, in the order in which the graph met them.
 fn symbols(graph: &Graph, value: ExprId) -> Vec<(String, Role)> {
-    let symbols = graph.reachable(&[value]).into_iter().filter_map(|id| match graph.node(id) {
-        Node::Symbol(symbol) => Some(graph.symbols().get(*symbol)),
-        _ => None,
-    });
+    let symbols = graph.reachable(&[value]).into_iter().filter_map(|id| graph.symbol_of(id));
     symbols.map(|symbol| (symbol.name.clone(), symbol.role)).collect()
 }
 
@@ -233,9 +230,9 @@ impl Defaults {
     fn of(elaborator: &Elaborator) -> Defaults {
         let graph = &elaborator.evaluator.graph;
         let values = elaborator.parameters.iter().filter_map(|parameter| {
-            let Node::Symbol(symbol) = graph.node(parameter.symbol) else { return None };
+            let symbol = graph.symbol_of(parameter.symbol)?;
             let value = evaluate(graph, &[parameter.default?], |_| f64::NAN)[0];
-            Some((graph.symbols().get(*symbol).role, value))
+            Some((symbol.role, value))
         });
         Defaults(values.collect())
     }

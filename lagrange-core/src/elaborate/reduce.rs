@@ -12,7 +12,9 @@ use super::messages;
 use crate::calculus::{Expansion, Series, gradient, transplant};
 use crate::diagnostics::Report;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::model::{Energies, Load, Model, Output, Pinned, Reduced, Reduction, Scene};
+use crate::model::{
+    Coordinate, Energies, Load, Model, Orientation, Output, Pinned, Reduced, Reduction, Scene,
+};
 use crate::symbol::Role;
 
 /// The order to which Lagrangians are expanded.
@@ -27,7 +29,7 @@ pub(super) fn reduce(model: &Model, reduction: &Reduction, report: &mut Report) 
             return None;
         }
     };
-    transplanted(&mut reduced);
+    transplanted(&mut reduced, &Renumbering::new(model, reduction));
     check_inertia(&mut reduced, report)?;
     Some(reduced)
 }
@@ -50,16 +52,17 @@ impl<'a> Reducer<'a> {
         let zero = graph.number(0);
         let mut frozen = Expansion::default();
         for pinned in &reduction.frozen {
-            let coordinate = &model.coordinates[pinned.coordinate];
-            frozen.hold(coordinate.position, pinned.value);
-            frozen.hold(coordinate.velocity, zero);
-            frozen.hold(coordinate.acceleration, zero);
+            frozen.hold(model.coordinates[pinned.coordinate].position, pinned.value);
+            for speed in model.speeds.iter().filter(|speed| speed.coordinate == Some(pinned.coordinate)) {
+                frozen.hold(speed.velocity, zero);
+                frozen.hold(speed.acceleration, zero);
+            }
         }
         let mut expanded = frozen.clone();
         for pinned in &reduction.small {
             let coordinate = &model.coordinates[pinned.coordinate];
             expanded.vary(&mut graph, coordinate.position, pinned.value);
-            expanded.vary(&mut graph, coordinate.velocity, zero);
+            expanded.vary(&mut graph, coordinate.rate, zero);
         }
         Reducer { graph, reduction, frozen, expanded }
     }
@@ -84,14 +87,17 @@ impl<'a> Reducer<'a> {
         }
         let (outputs, scene) = (self.outputs(model)?, self.scene(model)?);
         let (rates, labels) = (self.rates(model), self.labels(model));
-        let is_frozen = |i: &usize| self.reduction.frozen.iter().any(|pinned| pinned.coordinate == *i);
-        let coordinates = model.coordinates.iter().enumerate().filter(|(i, _)| !is_frozen(i));
+        let coordinates = model.coordinates.iter().enumerate().filter(|(i, _)| !self.is_frozen(*i));
         let coordinates = coordinates.map(|(_, coordinate)| coordinate.clone()).collect();
+        let speeds = model.speeds.iter().filter(|speed| !speed.coordinate.is_some_and(|i| self.is_frozen(i)));
+        let speeds = speeds.cloned().collect();
         Ok(Model {
             graph: self.graph,
             parameters: model.parameters.clone(),
             inputs: model.inputs.clone(),
             coordinates,
+            speeds,
+            orientations: model.orientations.clone(),
             energies,
             lagrangian,
             // It would have to be expanded, too; energies say the same.
@@ -112,6 +118,10 @@ impl<'a> Reducer<'a> {
             products: model.products.clone(),
             reduced: Vec::new(),
         })
+    }
+
+    fn is_frozen(&self, coordinate: usize) -> bool {
+        self.reduction.frozen.iter().any(|pinned| pinned.coordinate == coordinate)
     }
 
     fn of(&mut self, root: ExprId, part: &str) -> Result<Series, Undefined> {
@@ -192,25 +202,59 @@ impl<'a> Reducer<'a> {
     }
 }
 
-/// Moves a model to a graph of its own, in which its coordinates are numbered from zero.
-fn transplanted(reduced: &mut Reduced) {
+/// Places of coordinates and velocities without the frozen ones.
+struct Renumbering {
+    /// Indices of frozen coordinates, and of their velocities.
+    frozen: [Vec<usize>; 2],
+}
+
+impl Renumbering {
+    fn new(whole: &Model, reduction: &Reduction) -> Renumbering {
+        let coordinates = reduction.frozen.iter().map(|pinned| pinned.coordinate).collect::<Vec<_>>();
+        let is_frozen = |i: &usize| whole.speeds[*i].coordinate.is_some_and(|i| coordinates.contains(&i));
+        let velocities = (0..whole.speeds.len()).filter(is_frozen).collect();
+        Renumbering { frozen: [coordinates, velocities] }
+    }
+
+    fn coordinate(&self, index: usize) -> usize {
+        index - self.frozen[0].iter().filter(|&&frozen| frozen < index).count()
+    }
+
+    fn velocity(&self, index: usize) -> usize {
+        index - self.frozen[1].iter().filter(|&&frozen| frozen < index).count()
+    }
+
+    fn role(&self, role: Role) -> Role {
+        let velocity = |i: u32| self.velocity(i as usize) as u32;
+        match role {
+            Role::Coordinate(i) => Role::Coordinate(self.coordinate(i as usize) as u32),
+            Role::Velocity(i) => Role::Velocity(velocity(i)),
+            Role::Acceleration(i) => Role::Acceleration(velocity(i)),
+            other => other,
+        }
+    }
+}
+
+/// Moves a model to a graph of its own, in which its coordinates and velocities are numbered from zero.
+fn transplanted(reduced: &mut Reduced, numbers: &Renumbering) {
     let Reduced { reduction, model } = reduced;
-    let frozen = reduction.frozen.iter().map(|pinned| pinned.coordinate as u32).collect::<Vec<_>>();
-    let number = |i: u32| i - frozen.iter().filter(|&&frozen| frozen < i).count() as u32;
-    let role = |role: Role| match role {
-        Role::Coordinate(i) => Role::Coordinate(number(i)),
-        Role::Velocity(i) => Role::Velocity(number(i)),
-        Role::Acceleration(i) => Role::Acceleration(number(i)),
-        other => other,
-    };
     let source = std::mem::take(&mut model.graph);
     let mut places = places(model);
     let pinned = reduction.frozen.iter_mut().chain(&mut reduction.small);
     places.extend(pinned.map(|pinned| &mut pinned.value));
     let roots = places.iter().map(|place| **place).collect::<Vec<_>>();
-    let (graph, image) = transplant(&source, &roots, role);
+    let (graph, image) = transplant(&source, &roots, |role| numbers.role(role));
     places.into_iter().for_each(|place| *place = image.get(place).copied().unwrap_or(*place));
     model.graph = graph;
+    for Coordinate { position, rate, .. } in &model.coordinates {
+        model.graph.set_rate(*position, *rate);
+    }
+    for speed in &mut model.speeds {
+        speed.coordinate = speed.coordinate.map(|index| numbers.coordinate(index));
+    }
+    for Orientation { position, velocity } in &mut model.orientations {
+        (*position, *velocity) = (numbers.coordinate(*position), numbers.velocity(*velocity));
+    }
 }
 
 /// Places of a model that hold expressions.
@@ -223,9 +267,8 @@ fn places(model: &mut Model) -> Vec<&mut ExprId> {
         places.push(&mut parameter.symbol);
         places.extend(&mut parameter.default);
     }
-    for coordinate in &mut model.coordinates {
-        places.extend([&mut coordinate.position, &mut coordinate.velocity, &mut coordinate.acceleration]);
-    }
+    places.extend(model.coordinates.iter_mut().flat_map(|c| [&mut c.position, &mut c.rate]));
+    places.extend(model.speeds.iter_mut().flat_map(|s| [&mut s.velocity, &mut s.acceleration]));
     places.extend(model.loads.iter_mut().flat_map(|load| [&mut load.velocity, &mut load.force]));
     places.extend(model.outputs.iter_mut().flat_map(|output| &mut output.components));
     places.extend(model.scene.places());
@@ -240,9 +283,8 @@ fn check_inertia(reduced: &mut Reduced, report: &mut Report) -> Option<()> {
     let velocities = model.velocities();
     let momenta = gradient(&mut model.graph, model.lagrangian, &velocities);
     let is_light = |momentum: ExprId| !model.graph.dependencies(momentum).intersects(Dependencies::VELOCITY);
-    let lost = model.coordinates.iter().zip(momenta).find(|(_, momentum)| is_light(*momentum));
-    let Some((coordinate, _)) = lost else { return Some(()) };
-    let message = messages::inertia_lost(&coordinate.name);
+    let Some(lost) = momenta.into_iter().position(is_light) else { return Some(()) };
+    let message = messages::inertia_lost(model.name_of_freedom(lost));
     report.error(reduced.reduction.name.span, message).help(messages::INERTIA_LOST_HELP);
     None
 }

@@ -38,8 +38,15 @@ fn pinned_coordinate(elaborator: &mut Elaborator<'_>, item: &ReductionItem) -> O
         Some(syntax) => elaborator.constant_in_motion(syntax, messages::PINNED_VALUE),
         None => Some(elaborator.evaluator.graph.number(0)),
     };
-    if coordinate.is_none() {
-        elaborator.report_no_coordinate(name, messages::REDUCTION_HELP);
+    match coordinate {
+        None => elaborator.report_no_coordinate(name, messages::REDUCTION_HELP),
+        Some(index) if elaborator.speeds.iter().all(|(speed, _)| speed.coordinate != Some(index)) => {
+            let error =
+                elaborator.evaluator.report.error(name.span, messages::reduced_quaternion(&name.text));
+            error.help(messages::REDUCED_QUATERNION_HELP);
+            return None;
+        }
+        Some(_) => {}
     }
     Some(Pinned { coordinate: coordinate?, value: value?, span: name.span })
 }

@@ -15,6 +15,7 @@ pub(super) enum NameKind {
     Input,
     Constant,
     Coordinate,
+    Velocity,
     Abbreviation,
     Constraint,
     /// A constraint of a joint that the coordinates fulfil by themselves.
@@ -35,6 +36,7 @@ impl NameKind {
             NameKind::Input => "input",
             NameKind::Constant => "constant",
             NameKind::Coordinate => "coordinate",
+            NameKind::Velocity => "velocity",
             NameKind::Abbreviation => "`let`",
             NameKind::Constraint | NameKind::Implied => "constraint",
             NameKind::Event | NameKind::Contact => "event",

@@ -14,15 +14,15 @@ use crate::number::Number;
 pub(super) fn check_signs(elaborator: &mut Elaborator<'_>) {
     let values = elaborator.kinetic.iter().map(|term| term.value).collect::<Vec<_>>();
     let total = weights(&elaborator.evaluator.graph, &values);
-    for (coordinate, _) in &elaborator.coordinates {
-        if !falls_with(&total, coordinate.velocity) {
+    for (speed, _) in &elaborator.speeds {
+        if !falls_with(&total, speed.velocity) {
             continue;
         }
         let graph = &elaborator.evaluator.graph;
-        let falls = |value: ExprId| falls_with(&weights(graph, &[value]), coordinate.velocity);
+        let falls = |value: ExprId| falls_with(&weights(graph, &[value]), speed.velocity);
         let Some(term) = elaborator.kinetic.iter().find(|term| falls(term.value)) else { continue };
         let origin = elaborator.evaluator.origin(term.syntax);
-        let message = messages::negative_kinetic_energy(&coordinate.name);
+        let message = messages::negative_kinetic_energy(elaborator.name_of_freedom(speed));
         elaborator.evaluator.report.error(origin, message).help(messages::NEGATIVE_INERTIA_HELP);
     }
 }

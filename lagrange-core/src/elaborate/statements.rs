@@ -1,9 +1,8 @@
 //! Statements, one by one: what each says is handed to who understands it.
 
 use super::constraints::add_constraint;
-use super::definitions::{
-    define_abbreviation, define_abbreviations, define_constant, define_coordinate, define_parameter,
-};
+use super::coordinates::{define_coordinate, define_quaternion, name_velocity};
+use super::definitions::{define_abbreviation, define_abbreviations, define_constant, define_parameter};
 use super::elaborator::Elaborator;
 use super::events::add_event;
 use super::expression::value_of;
@@ -20,8 +19,16 @@ use crate::model::{Output, Product};
 use crate::syntax::ast::{AstId, EmitItem, Name, Statement, StatementKind};
 
 /// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 7] =
-    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
+const GENERATED_METHODS: [&str; 8] = [
+    "acceleration",
+    "rhs",
+    "position_rates",
+    "multipliers",
+    "constraints",
+    "EQUATIONS_LATEX",
+    "PARAMETERS",
+    "STATEMENTS",
+];
 
 pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Statement) {
     let keyword = statement.origin.start;
@@ -36,6 +43,8 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Coordinates(names) => {
             names.iter().for_each(|name| define_coordinate(elaborator, name));
         }
+        StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),
+        StatementKind::Velocity(name, value) => name_velocity(elaborator, name, *value),
         StatementKind::Let(name, value) => define_abbreviation(elaborator, name, *value),
         StatementKind::LetTuple(names, value) => define_abbreviations(elaborator, names, *value),
         StatementKind::Kinetic(value) => {

@@ -15,6 +15,7 @@ use super::features::contacts::{default_modes, write_touching};
 use super::features::events::write_events;
 use super::features::frames::write_frames;
 use super::features::indefinite::write_indefinite;
+use super::features::orientations::write_position_rates;
 use super::features::product::{Plan, plan};
 use super::features::scene::write_scene;
 use super::features::sparse::{Sparse, lowered_sparse};
@@ -58,6 +59,7 @@ fn assembled(
     let shape = derived_shape(declaration, krate, &model.graph, equations);
     let mut writer = MethodWriter::new(&shape, model, equations);
     let counts = write_acceleration(&mut writer);
+    write_position_rates(&mut writer);
     write_events(&mut writer);
     write_switches(&mut writer);
     write_products(&mut writer);
@@ -73,7 +75,7 @@ fn assembled(
 
 /// `acceleration` and what finds it; its operations where no contact or friction acts.
 fn write_acceleration(writer: &mut MethodWriter<'_>) -> OperationCounts {
-    let docs = ["Accelerations in the order of the coordinates."];
+    let docs = ["Accelerations in the order of the velocities."];
     match (writer.model.constraints.is_empty(), writer.model.reactions.is_empty()) {
         (true, true) => match writer.equations.pivot_growth {
             Some(growth) => write_indefinite(writer, &docs, growth),

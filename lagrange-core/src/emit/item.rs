@@ -150,18 +150,31 @@ fn inherent_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
 /// ẏ = [v, a]
 fn rhs(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
     let (scalar, n) = (shape.scalar(), shape.coordinates.len());
-    let (twice, variables) = (length(2 * n), state_variables(shape));
+    let (all, variables) = (shape.state_length(), state_variables(shape));
     let (positions, velocities) = variables.split_at(n);
     let ArgumentNames { time, state, accelerations, .. } = names;
-    let indices = (0..n).map(length);
+    let indices = (0..shape.velocities.len()).map(length);
+    let (rates, line) = match shape.velocities_are_rates() {
+        true => (quote!(#(#velocities,)*), "Rate of the state: velocities, then accelerations."),
+        false => {
+            let (rates, indices) = (local("rates"), (0..n).map(length));
+            (quote!(#(#rates[#indices],)*), "Rate of the state: rates of the positions, then accelerations.")
+        }
+    };
+    let found = (!shape.velocities_are_rates()).then(|| {
+        let rates = local("rates");
+        quote!(let #rates = self.position_rates(#time, &[#(#positions),*], &[#(#velocities),*]);)
+    });
+    let docs = doc(line);
     quote! {
-        /// Rate of the state: velocities, then accelerations.
+        #docs
         #[must_use]
         #[inline]
-        pub fn rhs(&self, #time: #scalar, #state: &[#scalar; #twice]) -> [#scalar; #twice] {
+        pub fn rhs(&self, #time: #scalar, #state: &[#scalar; #all]) -> [#scalar; #all] {
             let [#(#variables),*] = *#state;
             let #accelerations = self.acceleration(#time, &[#(#positions),*], &[#(#velocities),*]);
-            [#(#velocities,)* #(#accelerations[#indices]),*]
+            #found
+            [#rates #(#accelerations[#indices]),*]
         }
     }
 }

@@ -17,8 +17,9 @@ use crate::model::Product;
 use crate::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
 
 /// Members that do not come from products; an output of such a name is a mistake.
-const TAKEN: [&str; 8] = [
+const TAKEN: [&str; 9] = [
     "rhs",
+    "position_rates",
     "EQUATIONS_LATEX",
     "PARAMETERS",
     "STATEMENTS",
@@ -40,8 +41,12 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
 /// The same for one type alone.
 fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let shape = Shape::new(declaration, krate);
-    let n = shape.coordinates.len();
+    let n = shape.velocities.len();
     let mut methods = vec![placeholder(local("acceleration"), Arguments::State, Returns::Vector(n))];
+    if !shape.velocities_are_rates() {
+        let rates = Returns::Vector(shape.coordinates.len());
+        methods.push(placeholder(local("position_rates"), Arguments::State, rates));
+    }
     let m = shape.constraints.len();
     if m > 0 {
         methods.push(placeholder(local("multipliers"), Arguments::State, Returns::Vector(m)));
@@ -106,7 +111,7 @@ fn skeleton_of_events(shape: &Shape<'_>) -> Vec<Method> {
     let mut methods = vec![placeholder(local("event_functions"), Arguments::State, functions)];
     for (i, event) in shape.events.iter().enumerate() {
         if let Action::Assign(_) = event.action {
-            let state = Returns::Vector(2 * shape.coordinates.len());
+            let state = Returns::Vector(shape.coordinates.len() + shape.velocities.len());
             methods.push(placeholder(format_ident!("after_event_{i}"), Arguments::State, state));
         }
     }
@@ -120,7 +125,7 @@ fn skeleton_of_motions(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream 
 }
 
 fn skeleton_of_frames(shape: &Shape<'_>) -> Vec<Method> {
-    let jacobian = Returns::Matrix(6, shape.coordinates.len());
+    let jacobian = Returns::Matrix(6, shape.velocities.len());
     let frames = shape.frames.iter().map(|name| (method_of(name, Product::Frames), Returns::Frame));
     let jacobians = shape.frames_with_jacobian.iter();
     let jacobians = jacobians.map(|name| (method_of(name, Product::FrameJacobians), jacobian));

@@ -9,6 +9,7 @@ use super::base::shape::{Shape, identifier, length, local};
 use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
 use super::features::contacts::contact_impl;
 use super::features::events::event_members;
+use super::features::orientations::{orientation_members, position_rates};
 use super::features::scene::scene_impl;
 use super::features::switches::switched_impl;
 use crate::syntax::ast::Name;
@@ -17,8 +18,11 @@ use crate::syntax::ast::Name;
 pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (ode, mechanical) = (ode_impl(shape, members), mechanical_impl(shape, members));
     let energy = has(members, "energy").then(|| energy_impl(shape, members));
-    let canonical = has(members, "momentum_rates").then(|| canonical_impl(shape, members));
-    let separable = members.is_separable.then(|| match members.constrained.is_empty() {
+    // Momenta of angular velocities are conjugate to no coordinates.
+    let is_canonical = shape.velocities_are_rates() && has(members, "momentum_rates");
+    let canonical = is_canonical.then(|| canonical_impl(shape, members));
+    let is_separable = members.is_separable && shape.velocities_are_rates();
+    let separable = is_separable.then(|| match members.constrained.is_empty() {
         true => separable_impl(shape),
         false => leapfrog_impl(shape, members),
     });
@@ -35,7 +39,7 @@ fn has(members: &Members, name: &str) -> bool {
 
 fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, twice) = (shape.krate, length(2 * shape.coordinates.len()));
+    let (krate, twice) = (shape.krate, shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let jacobian = has(members, "jacobian").then(|| {
         quote! {
@@ -73,9 +77,9 @@ const LARGEST_MASS_MATRIX: usize = 64;
 
 /// The member of `OdeSystem` that says by name what is not finite.
 fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
-    let (krate, scalar, n) = (shape.krate, shape.scalar(), shape.coordinates.len());
+    let (krate, scalar) = (shape.krate, shape.scalar());
     let ArgumentNames { time, state, positions, velocities, .. } = &members.names;
-    let (twice, rates) = (length(2 * n), local("rates"));
+    let (twice, rates) = (shape.state_length(), local("rates"));
     let named = |name: &&Name| {
         let (text, field) = (&name.text, identifier(name));
         quote!((#text, self.#field))
@@ -83,7 +87,7 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (inputs, parameters): (Vec<_>, Vec<_>) = shape.fields.iter().partition(|name| shape.is_input(name));
     let (inputs, parameters) = (inputs.iter().map(named), parameters.iter().map(named));
     // Under constraints a singular mass matrix may be as good as any.
-    let determines = shape.constraints.is_empty() && n <= LARGEST_MASS_MATRIX;
+    let determines = shape.constraints.is_empty() && shape.velocities.len() <= LARGEST_MASS_MATRIX;
     let mass_matrix = members.methods.iter().find(|method| determines && method.name == "mass_matrix");
     let mass_matrix = match mass_matrix.map(|method| method.arguments) {
         Some(Arguments::Positions) => {
@@ -108,20 +112,25 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
 
 /// The members of `OdeSystem` that bring a state back onto what holds it.
 fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
-    let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
+    let (krate, scalar, twice) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let (is_held, is_touching) = (!members.constrained.is_empty(), !shape.touching.is_empty());
-    let is_corrected = is_touching || (is_held && !shape.is_stabilised);
+    let is_oriented = !shape.quaternions.is_empty();
+    let is_projected = is_held && !shape.is_stabilised;
+    let is_corrected = is_touching || is_projected || is_oriented;
+    // Projections do that, too.
+    let normalised =
+        (is_oriented && !is_projected).then(|| quote!(#krate::system::normalise::<Self>(#state)?;));
     let touching = is_touching.then(|| quote!(#krate::contact::correct(self, #time, #state)?;));
     let outcome = quote!(::core::result::Result<(), #krate::system::StepFailure<#scalar>>);
     let correct = is_corrected.then(|| {
-        let projected = (is_held && !shape.is_stabilised)
-            .then(|| quote!(#krate::constraint::correct(self, #time, #state)?;));
+        let projected = is_projected.then(|| quote!(#krate::constraint::correct(self, #time, #state)?;));
         quote! {
             const IS_CONSTRAINED: ::core::primitive::bool = true;
             #[inline]
             fn correct(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
                 #projected
+                #normalised
                 #touching
                 ::core::result::Result::Ok(())
             }
@@ -132,10 +141,13 @@ fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
         let members = ["admit", "restore"].map(|name| {
             let name = local(name);
             let held = is_held.then(|| quote!(#krate::constraint::#name(self, #time, #state)?;));
+            let normalised =
+                (is_oriented && !is_held).then(|| quote!(#krate::system::normalise::<Self>(#state)?;));
             quote! {
                 #[inline]
                 fn #name(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
                     #held
+                    #normalised
                     #touching
                     ::core::result::Result::Ok(())
                 }
@@ -148,37 +160,42 @@ fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
 
 fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, columns, n) = (shape.krate, shape.columns_name(), length(shape.coordinates.len()));
+    let (krate, columns) = (shape.krate, shape.columns_name());
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let coordinates = shape.coordinates.iter().map(|name| &name.text);
+    let (rates, oriented) = (position_rates(shape, members), orientation_members(shape, members));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::MechanicalSystem for #name #generics {
-            type Coordinates = [#scalar; #n];
+            type Coordinates = [#scalar; #nq];
+            type Velocities = [#scalar; #nv];
             type Columns<C> = #columns<C>;
             const COORDINATES: &'static [&'static ::core::primitive::str] = &[#(#coordinates),*];
             #[inline]
             fn acceleration(
                 &self,
                 #time: #scalar,
-                #positions: &[#scalar; #n],
-                #velocities: &[#scalar; #n],
-            ) -> [#scalar; #n] {
+                #positions: &[#scalar; #nq],
+                #velocities: &[#scalar; #nv],
+            ) -> [#scalar; #nv] {
                 self.acceleration(#time, #positions, #velocities)
             }
+            #rates
+            #oriented
         }
     }
 }
 
 fn energy_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
+    let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::EnergyFunction for #name #generics {
             #[inline]
-            fn energy(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]) -> #scalar {
+            fn energy(&self, #time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]) -> #scalar {
                 self.energy(#time, #positions, #velocities)
             }
         }

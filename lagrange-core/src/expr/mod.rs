@@ -22,7 +22,7 @@ pub use facts::Dependencies;
 
 use crate::collections::HashMap;
 use crate::number::Number;
-use crate::symbol::{Role, SymbolId, Symbols};
+use crate::symbol::{Role, Symbol, SymbolId, Symbols};
 use facts::Facts;
 
 /// Identifies an expression of one [`Graph`].
@@ -126,6 +126,8 @@ pub struct Graph {
     nodes: IndexSet<Node, FxBuildHasher>,
     facts: Vec<Facts>,
     symbols: Symbols,
+    /// Rates of positions that are not the velocities with the same index.
+    rates: HashMap<ExprId, ExprId>,
 }
 
 impl Graph {
@@ -152,6 +154,14 @@ impl Graph {
     /// The symbols that expressions mention.
     pub fn symbols(&self) -> &Symbols {
         &self.symbols
+    }
+
+    /// The symbol, if the expression is one.
+    pub fn symbol_of(&self, id: ExprId) -> Option<&Symbol> {
+        match self.node(id) {
+            Node::Symbol(symbol) => Some(self.symbols.get(*symbol)),
+            _ => None,
+        }
     }
 
     /// Dependencies: what the value can change with.
@@ -220,6 +230,22 @@ impl Graph {
     pub fn symbol(&mut self, name: &str, role: Role) -> ExprId {
         let id = self.symbols.intern(name, role);
         self.intern(Node::Symbol(id))
+    }
+
+    /// The symbol in `role`, with its name and so many dots if it is new.
+    pub fn dotted_symbol(&mut self, name: &str, role: Role, dots: u8) -> ExprId {
+        let id = self.symbols.intern_dotted(name, role, dots);
+        self.intern(Node::Symbol(id))
+    }
+
+    /// Lets the rate of a position be this function of positions and velocities, not the velocity with the same index.
+    pub fn set_rate(&mut self, position: ExprId, rate: ExprId) {
+        self.rates.insert(position, rate);
+    }
+
+    /// The rate of a position, if it is none that the index tells.
+    pub fn rate_of_position(&self, position: ExprId) -> Option<ExprId> {
+        self.rates.get(&position).copied()
     }
 
     /// `a + b`

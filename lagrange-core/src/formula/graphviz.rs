@@ -6,7 +6,6 @@ use crate::collections::HashMap;
 use crate::elementary::row;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
-use crate::symbol::{Role, Symbol};
 
 /// Graph of what the roots are made of, operands below; edges carry coefficients and exponents other than one.
 /// Nodes are numbered from the leaves, so that equal systems give equal text.
@@ -32,20 +31,12 @@ fn label(graph: &Graph, node: &Node) -> String {
     match node {
         Node::Number(value) => value.to_string(),
         Node::Pi => "pi".to_owned(),
-        Node::Symbol(symbol) => symbol_label(graph.symbols().get(*symbol)),
+        Node::Symbol(symbol) => graph.symbols().get(*symbol).text(),
         Node::Sum { constant, .. } if constant.is_zero() => "+".to_owned(),
         Node::Sum { constant, .. } => format!("{constant} +"),
         Node::Product(_) => "*".to_owned(),
         Node::Call(function, _) => row(*function).name.to_owned(),
         Node::Choose { relation, .. } => format!("if {}", relation.symbol()),
-    }
-}
-
-fn symbol_label(symbol: &Symbol) -> String {
-    match symbol.role {
-        Role::Velocity(_) => format!("dot({})", symbol.name),
-        Role::Acceleration(_) => format!("ddot({})", symbol.name),
-        _ => symbol.name.clone(),
     }
 }
 

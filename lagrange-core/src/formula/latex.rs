@@ -11,7 +11,7 @@ use super::numerals::numeral;
 use crate::elementary::row;
 use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
-use crate::symbol::{Role, Symbol};
+use crate::symbol::Symbol;
 use names::latex_name;
 
 /// The expression written out in full.
@@ -54,10 +54,10 @@ fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
 }
 
 fn symbol_latex(symbol: &Symbol) -> String {
-    let accent = match symbol.role {
-        Role::Velocity(_) => Some(r"\dot"),
-        Role::Acceleration(_) => Some(r"\ddot"),
-        _ => None,
+    let accent = match symbol.dots {
+        0 => None,
+        1 => Some(r"\dot"),
+        _ => Some(r"\ddot"),
     };
     latex_name(&symbol.name, accent)
 }

@@ -95,10 +95,7 @@ impl<'v, 'n> View<'v, 'n> {
     }
 
     pub(super) fn symbol(&self, id: ExprId) -> Option<&'v Symbol> {
-        match self.graph.node(id) {
-            Node::Symbol(symbol) => Some(self.graph.symbols().get(*symbol)),
-            _ => None,
-        }
+        self.graph.symbol_of(id)
     }
 
     /// The terms of an expression in the order of reading. Nested sums without a factor are opened.

@@ -4,7 +4,6 @@ use crate::collections::{HashMap, OrderedMap};
 use crate::elementary::row;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
-use crate::symbol::Role;
 
 /// Shared parts that are no longer than this are repeated rather than named.
 const LONGEST_REPEATED: usize = 24;
@@ -88,8 +87,7 @@ fn length(graph: &Graph, id: ExprId, known: &HashMap<ExprId, usize>) -> usize {
         Node::Number(_) | Node::Pi => 3,
         Node::Symbol(symbol) => {
             let symbol = graph.symbols().get(*symbol);
-            let is_rate = matches!(symbol.role, Role::Velocity(_) | Role::Acceleration(_));
-            symbol.name.len() + if is_rate { 5 } else { 0 }
+            symbol.name.len() + if symbol.dots > 0 { 5 } else { 0 }
         }
         Node::Sum { terms, .. } => 3 * terms.len() + 2 * shown(terms),
         Node::Product(factors) => factors.len() + 2 * shown(factors),

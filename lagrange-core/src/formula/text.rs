@@ -9,7 +9,6 @@ use super::numerals::numeral;
 use crate::elementary::row;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
-use crate::symbol::{Role, Symbol};
 
 /// The expression written out in full.
 pub fn text(graph: &Graph, expr: ExprId) -> String {
@@ -39,7 +38,7 @@ fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
     let (strength, pieces) = match (view.name(id), view.graph.node(id)) {
         (Some(name), _) => (Strength::Atom, vec![Piece::text(name.to_owned())]),
         (_, Node::Symbol(symbol)) => {
-            (Strength::Atom, vec![Piece::text(symbol_text(view.graph.symbols().get(*symbol)))])
+            (Strength::Atom, vec![Piece::text(view.graph.symbols().get(*symbol).text())])
         }
         (_, Node::Pi) => (Strength::Atom, vec![Piece::text("pi")]),
         (_, Node::Call(function, arguments)) => (Strength::Atom, call(row(*function).name, arguments)),
@@ -55,14 +54,6 @@ fn parenthesised(needed: bool, mut pieces: Vec<Piece>) -> Vec<Piece> {
         pieces.push(Piece::text(")"));
     }
     pieces
-}
-
-fn symbol_text(symbol: &Symbol) -> String {
-    match symbol.role {
-        Role::Velocity(_) => format!("dot({})", symbol.name),
-        Role::Acceleration(_) => format!("ddot({})", symbol.name),
-        _ => symbol.name.clone(),
-    }
 }
 
 fn call(name: &'static str, arguments: &[ExprId]) -> Vec<Piece> {

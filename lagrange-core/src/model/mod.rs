@@ -20,8 +20,12 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Inputs in declaration order.
     pub inputs: Vec<Parameter>,
-    /// Generalised coordinates in state order; at least one.
+    /// Positions in state order: generalised coordinates and components of unit quaternions; at least one.
     pub coordinates: Vec<Coordinate>,
+    /// Generalised velocities in state order, one for each freedom.
+    pub speeds: Vec<Speed>,
+    /// Orientations that unit quaternions say.
+    pub orientations: Vec<Orientation>,
     /// The energies as declared.
     pub energies: Energies,
     /// L = T − V, or as declared.
@@ -100,17 +104,37 @@ pub struct Parameter {
     pub default: Option<ExprId>,
 }
 
-/// A generalised coordinate.
+/// A position: a generalised coordinate, or a component of a unit quaternion.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
     /// Its name.
     pub name: String,
     /// q
     pub position: ExprId,
-    /// q̇
+    /// q̇, a function of positions and generalised velocities
+    pub rate: ExprId,
+}
+
+/// A generalised velocity, which Kane calls a generalised speed: the rate of a coordinate, or a component of an angular velocity.
+#[derive(Clone, Debug)]
+pub struct Speed {
+    /// Its name in the state.
+    pub name: String,
+    /// Index of the coordinate that it is the rate of; `None` of an angular velocity.
+    pub coordinate: Option<usize>,
+    /// v
     pub velocity: ExprId,
-    /// q̈
+    /// v̇
     pub acceleration: ExprId,
+}
+
+/// An orientation as a unit quaternion among the positions, with the angular velocity in the turned axes among the velocities.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Orientation {
+    /// Index of the scalar part among the positions; the vector part follows.
+    pub position: usize,
+    /// Index of the first component of the angular velocity among the velocities; the others follow.
+    pub velocity: usize,
 }
 
 /// The energies of a system.
@@ -139,7 +163,7 @@ pub struct GibbsFunction {
 /// A force along a velocity: it does work at the rate `force · velocity`.
 #[derive(Clone, Copy, Debug)]
 pub struct Load {
-    /// The velocity, affine in q̇.
+    /// The velocity, affine in v.
     pub velocity: ExprId,
     /// The force component.
     pub force: ExprId,
@@ -204,7 +228,7 @@ pub enum Action {
 /// An entry of the state and its value after an event.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
-    /// Its index in [q…, v…].
+    /// Its index in [q…, v…], of which q are as many as there are positions.
     pub index: usize,
     /// A function of t, q and v before the event.
     pub value: ExprId,
@@ -260,7 +284,7 @@ impl ReactionKind {
 impl Model {
     /// The generalised velocities in state order.
     pub fn velocities(&self) -> Vec<ExprId> {
-        self.coordinates.iter().map(|coordinate| coordinate.velocity).collect()
+        self.speeds.iter().map(|speed| speed.velocity).collect()
     }
 
     /// Unknowns of the equations of motion: rates of the velocities, and multipliers.
@@ -275,7 +299,13 @@ impl Model {
         self.constraints.iter().map(|constraint| constraint.multiplier).collect()
     }
 
-    /// The generalised coordinates in state order.
+    /// What a velocity is called in words: like the coordinate that it is the rate of.
+    pub fn name_of_freedom(&self, index: usize) -> &str {
+        let speed = &self.speeds[index];
+        speed.coordinate.map_or(&speed.name, |coordinate| &self.coordinates[coordinate].name)
+    }
+
+    /// The positions in state order.
     pub fn positions(&self) -> Vec<ExprId> {
         self.coordinates.iter().map(|coordinate| coordinate.position).collect()
     }

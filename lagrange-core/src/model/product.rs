@@ -65,8 +65,8 @@ pub enum ProductArguments {
 /// How many numbers stand side by side in a result.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Extent {
-    /// One for each coordinate.
-    Coordinates,
+    /// One for each velocity.
+    Velocities,
     /// One for each position and each velocity.
     State,
     /// One for each constraint.
@@ -118,7 +118,7 @@ const ROWS: [ProductRow; 21] = [
         when: Availability::Always,
         method: Some(ProductMethod {
             arguments: ProductArguments::Configuration,
-            returns: ProductShape::Matrix(Extent::Coordinates, Extent::Coordinates),
+            returns: ProductShape::Matrix(Extent::Velocities, Extent::Velocities),
             docs: &["Mass matrix M, in rows."],
         }),
     },
@@ -128,7 +128,7 @@ const ROWS: [ProductRow; 21] = [
         when: Availability::Always,
         method: Some(ProductMethod {
             arguments: ProductArguments::State,
-            returns: ProductShape::Vector(Extent::Coordinates),
+            returns: ProductShape::Vector(Extent::Velocities),
             docs: &["Right-hand side f of M q̈ = f."],
         }),
     },
@@ -138,7 +138,7 @@ const ROWS: [ProductRow; 21] = [
         when: Availability::Demand,
         method: Some(ProductMethod {
             arguments: ProductArguments::State,
-            returns: ProductShape::Vector(Extent::Coordinates),
+            returns: ProductShape::Vector(Extent::Velocities),
             docs: &[
                 "Bias c of M q̈ + c = Q: Coriolis, centrifugal and potential terms,",
                 "without applied forces and dissipation.",
@@ -151,7 +151,7 @@ const ROWS: [ProductRow; 21] = [
         when: Availability::Always,
         method: Some(ProductMethod {
             arguments: ProductArguments::State,
-            returns: ProductShape::Vector(Extent::Coordinates),
+            returns: ProductShape::Vector(Extent::Velocities),
             docs: &["Generalised momenta ∂L/∂v."],
         }),
     },
@@ -161,7 +161,7 @@ const ROWS: [ProductRow; 21] = [
         when: Availability::Demand,
         method: Some(ProductMethod {
             arguments: ProductArguments::State,
-            returns: ProductShape::Vector(Extent::Coordinates),
+            returns: ProductShape::Vector(Extent::Velocities),
             docs: &["Rates ∂L/∂q + Q of the momenta."],
         }),
     },
@@ -201,7 +201,7 @@ const ROWS: [ProductRow; 21] = [
         when: Availability::Always,
         method: Some(ProductMethod {
             arguments: ProductArguments::Motion,
-            returns: ProductShape::Vector(Extent::Coordinates),
+            returns: ProductShape::Vector(Extent::Velocities),
             docs: &[
                 "Inverse dynamics: the generalised forces that must act, in addition to the declared ones,",
                 "to produce given accelerations.",
@@ -240,7 +240,7 @@ const ROWS: [ProductRow; 21] = [
         when: Availability::Constraints,
         method: Some(ProductMethod {
             arguments: ProductArguments::Positions,
-            returns: ProductShape::Matrix(Extent::Constraints, Extent::Coordinates),
+            returns: ProductShape::Matrix(Extent::Constraints, Extent::Velocities),
             docs: &[
                 "Matrix A of the constraints, in rows: what each demands of the velocities, differentiated by",
                 "them.",
@@ -253,7 +253,7 @@ const ROWS: [ProductRow; 21] = [
         when: Availability::Constraints,
         method: Some(ProductMethod {
             arguments: ProductArguments::State,
-            returns: ProductShape::Vector(Extent::Coordinates),
+            returns: ProductShape::Vector(Extent::Velocities),
             docs: &["Generalised forces Aᵀλ of the constraints."],
         }),
     },

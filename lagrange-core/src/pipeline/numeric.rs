@@ -15,14 +15,17 @@ use crate::symbol::Role;
 
 /// A system as interpreted programs, with values for its parameters and inputs.
 ///
-/// All vectors are in the order of the coordinates; angles in radians.
+/// Vectors are in the order of the positions or of the velocities; angles in radians.
 #[derive(Clone, Debug)]
 pub struct NumericSystem {
     /// Roles of parameters and inputs by name.
     names: HashMap<String, Role>,
     parameters: Vec<f64>,
     inputs: Vec<f64>,
-    size: usize,
+    /// Numbers of positions and of velocities.
+    size: [usize; 2],
+    /// Rates of the positions.
+    position_rates: Program,
     /// The functions whose signs are the sides of the switches.
     switches: Program,
     accelerations: Program,
@@ -85,8 +88,9 @@ impl NumericSystem {
         let inputs = model.inputs.iter().enumerate();
         let named = parameters.map(|(i, p)| (p.name.clone(), Role::Parameter(i as u32)));
         let named = named.chain(inputs.map(|(i, p)| (p.name.clone(), Role::Input(i as u32))));
-        let [accelerations, multipliers, undivided] =
-            [&equations.accelerations, &equations.constraints.multipliers, &undivided(equations)]
+        let rates = model.coordinates.iter().map(|coordinate| coordinate.rate).collect::<Vec<_>>();
+        let [accelerations, multipliers, undivided, position_rates] =
+            [&equations.accelerations, &equations.constraints.multipliers, &undivided(equations), &rates]
                 .map(|roots| lowered(roots));
         let is_free = |product: &Product| !product.is_of_constraints();
         let products = Product::ALL.into_iter().filter(is_free);
@@ -97,7 +101,8 @@ impl NumericSystem {
             names: named.collect(),
             parameters: model.parameters.iter().map(|p| default(p.default)).collect(),
             inputs: model.inputs.iter().map(|p| default(p.default)).collect(),
-            size: model.coordinates.len(),
+            size: [model.coordinates.len(), model.speeds.len()],
+            position_rates,
             switches,
             accelerations,
             multipliers,
@@ -117,9 +122,9 @@ impl NumericSystem {
         true
     }
 
-    /// The number of coordinates.
+    /// The number of velocities.
     pub fn degrees_of_freedom(&self) -> usize {
-        self.size
+        self.size[1]
     }
 
     fn run(&self, program: &Program, at: Instant<'_>) -> Vec<f64> {
@@ -171,15 +176,16 @@ impl NumericSystem {
         if values.is_empty() {
             return (self.run(&self.accelerations, at), self.run(&self.multipliers, at));
         }
-        let mut motion = motion(self.size, values.len() / (self.size + 1) - self.size, &values);
-        let multipliers = motion.split_off(self.size);
+        let n = self.size[1];
+        let mut motion = motion(n, values.len() / (n + 1) - n, &values);
+        let multipliers = motion.split_off(n);
         (motion, multipliers)
     }
 
-    /// ẏ = [v, q̈] for y = [q, v].
+    /// ẏ = [q̇, v̇] for y = [q, v].
     pub fn rhs(&self, t: f64, y: &[f64]) -> Vec<f64> {
-        let (q, v) = y.split_at(self.size.min(y.len()));
-        let mut rate = v.to_vec();
+        let (q, v) = y.split_at(self.size[0].min(y.len()));
+        let mut rate = self.run(&self.position_rates, Instant { t, q, v, a: &[], multipliers: &[] });
         rate.extend(self.acceleration(t, q, v));
         rate
     }

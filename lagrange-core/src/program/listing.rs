@@ -72,11 +72,6 @@ impl Listing<'_> {
     }
 
     fn symbol(&self, role: Role) -> String {
-        let name = self.symbols.find(role).map_or("?", |id| self.symbols.get(id).name.as_str());
-        match role {
-            Role::Velocity(_) => format!("dot({name})"),
-            Role::Acceleration(_) => format!("ddot({name})"),
-            _ => name.to_owned(),
-        }
+        self.symbols.find(role).map_or_else(|| "?".to_owned(), |id| self.symbols.get(id).text())
     }
 }

@@ -19,7 +19,7 @@ pub use expressions::{AstId, BinaryOperator, Condition, Expression, Expressions,
 pub use keywords::{Keyword, Soft};
 pub use mobilizers::{Mobilizer, MobilizerKind};
 pub use statements::{
-    Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Statement, StatementKind,
+    Definition, EmitItem, Quaternion, Reduction, ReductionItem, ReductionKind, Statement, StatementKind,
 };
 
 /// A whole `system!` declaration.
@@ -73,13 +73,43 @@ impl Declaration {
         self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
     }
 
-    /// The coordinates in their order.
+    /// The positions in their order: coordinates and components of quaternions.
     pub fn coordinates(&self) -> Vec<&Name> {
-        let coordinates = self.statements.iter().filter_map(|statement| match &statement.kind {
-            StatementKind::Coordinates(names) => Some(names),
-            _ => None,
+        let positions = self.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Coordinates(names) => &names[..],
+            StatementKind::Quaternion(quaternion) => &quaternion.positions,
+            _ => &[],
         });
-        coordinates.flatten().collect()
+        positions.collect()
+    }
+
+    /// The velocities in their order.
+    pub fn velocities(&self) -> Vec<StateVelocity<'_>> {
+        let velocities = self.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Coordinates(names) => names.iter().map(|name| self.rate_of(name)).collect(),
+            StatementKind::Quaternion(quaternion) => {
+                let component = |name: &Name| StateVelocity { name: name.clone(), coordinate: None };
+                quaternion.velocities.iter().map(component).collect()
+            }
+            _ => Vec::new(),
+        });
+        velocities.collect()
+    }
+
+    /// The name that a `velocity` statement gives to the rate of a coordinate.
+    pub fn velocity_named(&self, coordinate: &Name) -> Option<&Name> {
+        self.statements.iter().find_map(|statement| match &statement.kind {
+            StatementKind::Velocity(name, value) => {
+                (self.expressions.rate_of_name(*value)? == coordinate.text).then_some(name)
+            }
+            _ => None,
+        })
+    }
+
+    fn rate_of<'d>(&'d self, coordinate: &'d Name) -> StateVelocity<'d> {
+        let rate = || Name { text: format!("{}_dot", coordinate.text), span: coordinate.span };
+        let name = self.velocity_named(coordinate).cloned().unwrap_or_else(rate);
+        StateVelocity { name, coordinate: Some(coordinate) }
     }
 
     /// Whether a product that is emitted on demand is asked for: the last word counts.
@@ -135,6 +165,15 @@ pub struct DeclaredBody {
     pub is_frame: bool,
     /// Its documentation, as attributes.
     pub docs: TokenStream,
+}
+
+/// A velocity of the state.
+#[derive(Clone, Debug)]
+pub struct StateVelocity<'d> {
+    /// Its name in the state.
+    pub name: Name,
+    /// The coordinate that it is the rate of; `None` of a component of an angular velocity.
+    pub coordinate: Option<&'d Name>,
 }
 
 /// A name and where it stands.

@@ -2,7 +2,7 @@
 
 use proc_macro2::Delimiter;
 
-use super::ast::{Mobilizer, MobilizerKind, Name};
+use super::ast::{Mobilizer, MobilizerKind, Name, Quaternion};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages;
@@ -16,6 +16,8 @@ fn labels(kind: MobilizerKind) -> &'static [&'static str] {
         MobilizerKind::Screw => &["at", "turned", "axis", "pitch", "damping"],
         MobilizerKind::Cylindrical => &["at", "turned", "axis"],
         MobilizerKind::Universal | MobilizerKind::Planar | MobilizerKind::Weld => &["at", "turned"],
+        MobilizerKind::Ball => &["at", "turned", "damping"],
+        MobilizerKind::Free => &[],
     }
 }
 
@@ -23,24 +25,21 @@ impl Parser<'_> {
     /// `q = a to b { at: e; … }`, `(a, b) = c to d;`; of a weld `a to b`.
     pub(super) fn mobilizer(&mut self, kind: MobilizerKind, cursor: &mut Cursor) -> Parsed<Mobilizer> {
         let help = scenes::mobilizer_help(kind);
-        let coordinates = match kind {
+        if kind == MobilizerKind::Free {
+            return self.free_body(&help, cursor);
+        }
+        let names = match kind {
             MobilizerKind::Weld => Vec::new(),
             _ => self.made_coordinates(kind, &help, cursor)?,
         };
         let inboard = self.mentioned(&help, cursor)?;
         self.joining("to", &help, cursor)?;
         let outboard = self.mentioned(&help, cursor)?;
-        let mut joint = Mobilizer {
-            kind,
-            coordinates,
-            inboard,
-            outboard,
-            at: None,
-            turned: None,
-            axis: None,
-            pitch: None,
-            damping: None,
-        };
+        let mut joint = Mobilizer::between(kind, inboard, outboard);
+        match (kind, names) {
+            (MobilizerKind::Ball, mut names) => joint.quaternion = names.pop().map(Quaternion::named),
+            (_, names) => joint.coordinates = names,
+        }
         match cursor.eat_group(Delimiter::Brace) {
             Some(group) => {
                 let mut known = BlockLabels::new("a joint", labels(kind));
@@ -54,6 +53,17 @@ impl Parser<'_> {
             None => {}
         }
         Ok(joint)
+    }
+
+    /// `trunk`: three coordinates and an orientation.
+    fn free_body(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Mobilizer> {
+        let body = self.mentioned(help, cursor)?;
+        let named = |suffix: &str| Name { text: format!("{}_{suffix}", body.text), span: body.span };
+        let ground = Name { text: "ground".to_owned(), span: body.span };
+        let free = Mobilizer::between(MobilizerKind::Free, ground, body.clone());
+        let (coordinates, speeds) =
+            (["x", "y", "z"].map(named).to_vec(), ["vx", "vy", "vz"].map(named).to_vec());
+        Ok(Mobilizer { coordinates, speeds, quaternion: Some(Quaternion::named(body)), ..free })
     }
 
     fn mobilizer_line(
@@ -97,8 +107,8 @@ impl Parser<'_> {
                 Ok(names)
             })?,
         };
-        if names.len() != kind.coordinate_count() {
-            let message = scenes::coordinate_count(kind.name(), kind.coordinate_count(), names.len());
+        if names.len() != kind.name_count() {
+            let message = scenes::coordinate_count(kind.name(), kind.name_count(), names.len());
             return Err(self.fail_with_help(here, message, help));
         }
         self.equals(help, cursor)?;

@@ -66,6 +66,12 @@ impl Printer<'_> {
                 self.list(names, |printer, name| printer.text(&name.text));
                 self.text(";");
             }
+            StatementKind::Quaternion(quaternion) => {
+                self.text("quaternion ");
+                self.text(&quaternion.name.text);
+                self.text(";");
+            }
+            StatementKind::Velocity(name, value) => self.named("velocity ", name, *value),
             StatementKind::Let(name, value) => self.named("let ", name, *value),
             StatementKind::LetTuple(names, value) => {
                 self.text("let (");

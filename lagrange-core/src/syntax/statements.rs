@@ -2,7 +2,9 @@
 
 use proc_macro2::Ident;
 
-use super::ast::{Action, AstId, ConnectorKind, MobilizerKind, SceneStatement, Statement, StatementKind};
+use super::ast::{
+    Action, AstId, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, Statement, StatementKind,
+};
 use super::cursor::Cursor;
 use super::header::header_ahead;
 use super::messages;
@@ -76,6 +78,14 @@ impl Parser<'_> {
             "input" => Ok(StatementKind::Inputs(self.definitions(help, cursor))),
             "const" => Ok(StatementKind::Constants(self.constants(cursor))),
             "coord" => Ok(StatementKind::Coordinates(self.coordinates(cursor))),
+            "quaternion" => {
+                let name = self.declared_name(cursor)?;
+                Ok(StatementKind::Quaternion(Box::new(Quaternion::named(name))))
+            }
+            "velocity" => {
+                let name = self.leading_name("velocity", cursor)?;
+                Ok(StatementKind::Velocity(name, self.assigned(help, cursor)?))
+            }
             "let" => self.binding(cursor),
             "kinetic" => Ok(StatementKind::Kinetic(self.assigned(help, cursor)?)),
             "potential" => Ok(StatementKind::Potential(self.assigned(help, cursor)?)),

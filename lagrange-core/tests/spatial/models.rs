@@ -44,3 +44,10 @@ fn chains_of_universal_joints_move_as_pinocchio_says() {
 fn a_quadruped_moves_as_pinocchio_says() {
     assert_agreement("go2", &ALL[2..3]);
 }
+
+#[test]
+fn free_bodies_and_ball_joints_move_as_pinocchio_says() {
+    assert_agreement("ball_2", &ALL);
+    assert_agreement("ball_5", &ALL[2..3]);
+    assert_agreement("go2_free", &ALL[2..3]);
+}

@@ -8,15 +8,16 @@
 //! | axes R | Rᵀ α | Rᵀ a |
 //! | turn by θ about e | Sᵀ α + θ̈ e + θ̇ ω × e | Sᵀ a |
 //! | move by s along e | α | a + s A e + 2 ṡ ω × e + s̈ e |
+//! | axes R that turn with w in themselves | Rᵀ α + ẇ + ω × w | Rᵀ a |
 //!
 //! The ground accelerates by −g, which is what weight does to all that it carries.
 //!
 //! Source: Luh, Walker, Paul, "On-line computational scheme for mechanical manipulators", ASME J. Dyn. Syst. Meas. Control 102 (1980);
 //! Featherstone, *Rigid Body Dynamics Algorithms*, §5.3.
 
-use super::frames::{FrameStep, JointAxis, Pose, Relative};
+use super::frames::{FrameStep, JointAxis, Pose, Relative, TurningAxes};
 use super::poses::{named_vector, rotation_about, turned_components};
-use super::vectors::{Triple, apply, cross, inner, minus, plus, transposed, zero_triple};
+use super::vectors::{Matrix, Triple, apply, cross, inner, minus, plus, transposed, zero_triple};
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::AstId;
@@ -60,17 +61,27 @@ pub(super) fn acceleration_behind(
             let carried = apply(&mut terms, relative.matrix, by);
             Acceleration { origin: plus(&mut terms, acceleration.origin, carried), ..acceleration }
         }
-        FrameStep::Reorientation(by) => {
-            let columns = transposed(by);
-            Acceleration {
-                spin: columns.map(|axis| inner(&mut terms, axis, acceleration.spin)),
-                origin: columns.map(|axis| inner(&mut terms, axis, acceleration.origin)),
-            }
+        FrameStep::Reorientation(by) => in_axes(&mut terms, acceleration, by),
+        FrameStep::Orientation(TurningAxes { matrix, spin }) => {
+            let seen = in_axes(&mut terms, acceleration, matrix);
+            let rate = spin.map(|component| terms.rate(component));
+            let convected = cross(&mut terms, pose.spin, spin);
+            let own = plus(&mut terms, rate, convected);
+            Acceleration { spin: plus(&mut terms, seen.spin, own), ..seen }
         }
         FrameStep::Turn(about, angle) => turned(&mut terms, acceleration, pose.spin, about, angle),
         FrameStep::Slide(along, distance) => slid(translation, name, (before, acceleration), along, distance),
     };
     named(translation, name, next)
+}
+
+/// The same in axes that are the columns of a matrix.
+fn in_axes(terms: &mut TermWriter<'_>, acceleration: Acceleration, axes: Matrix) -> Acceleration {
+    let columns = transposed(axes);
+    Acceleration {
+        spin: columns.map(|axis| inner(terms, axis, acceleration.spin)),
+        origin: columns.map(|axis| inner(terms, axis, acceleration.origin)),
+    }
 }
 
 fn turned(

@@ -2,7 +2,7 @@
 //!
 //! Seen from a joint that turns about z, a body with its mass on the axis and the same moment of inertia J about x and y moves as if it
 //! belonged to the carrier: m, the first moment along the axis and J may be counted there. Of a joint that slides the whole tensor may,
-//! since it never turns against its carrier. Equations of motion stay the same, with fewer parameters that are not zero; energies do
+//! since it never turns against its carrier; of a ball joint only the mass. Equations of motion stay the same, with fewer parameters that are not zero; energies do
 //! not, and are written with what the user declared. All of it is computed in numbers, and only where inertia and joint are made of
 //! numbers.
 //!
@@ -33,6 +33,8 @@ pub(super) enum NumericStep {
     Turn(usize),
     /// A move along any direction.
     Slide,
+    /// A turn in any direction.
+    Orientation,
     /// Axes that are fixed in the frame before, in the columns of a matrix.
     Reorientation([[f64; 3]; 3]),
     /// An origin that is fixed in the frame before.
@@ -78,6 +80,10 @@ impl InertialParameters {
                 let tensor = std::mem::replace(&mut self.tensor, [[0.0; 3]; 3]);
                 InertialParameters { tensor, ..InertialParameters::NONE }
             }
+            NumericStep::Orientation => {
+                let mass = std::mem::replace(&mut self.mass, 0.0);
+                InertialParameters { mass, ..InertialParameters::NONE }
+            }
             NumericStep::Reorientation(_) | NumericStep::Shift(_) => {
                 std::mem::replace(self, InertialParameters::NONE).before(step)
             }
@@ -89,7 +95,7 @@ impl InertialParameters {
         match step {
             NumericStep::Reorientation(rotation) => self.turned(&rotation),
             NumericStep::Shift(origin) => self.seen_from(origin),
-            NumericStep::Turn(_) | NumericStep::Slide => self,
+            NumericStep::Turn(_) | NumericStep::Slide | NumericStep::Orientation => self,
         }
     }
 

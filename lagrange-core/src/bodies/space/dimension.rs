@@ -34,13 +34,15 @@ pub(in crate::bodies) fn is_spatial(declaration: &Declaration) -> bool {
 }
 
 fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
-    use MobilizerKind::{Cylindrical, Screw, Universal};
+    use MobilizerKind::{Ball, Cylindrical, Free, Screw, Universal};
     match statement {
         SceneStatement::Body(body) => {
             let shapes = body.shape.iter().chain(body.parts.iter().map(|part| &part.shape));
             body.tensor.is_some() || body.angles.is_some() || shapes.into_iter().any(solids::is_only_in_space)
         }
-        SceneStatement::Mobilizer(joint) => matches!(joint.kind, Cylindrical | Screw | Universal),
+        SceneStatement::Mobilizer(joint) => {
+            matches!(joint.kind, Ball | Cylindrical | Free | Screw | Universal)
+        }
         _ => false,
     }
 }

@@ -84,6 +84,17 @@ pub(super) enum FrameStep {
     Turn(JointAxis, AstId),
     /// By a move along an axis, which may change.
     Slide(JointAxis, AstId),
+    /// To axes that turn in any direction.
+    Orientation(TurningAxes),
+}
+
+/// Axes that turn in any direction in the frame before them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TurningAxes {
+    /// They are its columns.
+    pub(super) matrix: Matrix,
+    /// The angular velocity against the frame before, in these axes.
+    pub(super) spin: Triple,
 }
 
 /// An axis of a joint in its frame.

@@ -31,13 +31,16 @@ struct WrittenParameters {
 }
 
 /// Writes the Gibbs function of all bodies that have their places by joints. A Lagrangian of the user's says it all by itself, and at the
-/// level `strict` energies do: regrouped parameters are differences.
+/// level `strict` energies do, since regrouped parameters are differences; but rates of quaternions would add more rounding than that.
 pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) {
-    let is_strict = translation.accuracy == Accuracy::Strict;
-    if is_strict || translation.lagrangian.is_some() || translation.report.has_errors() {
+    if translation.lagrangian.is_some() || translation.report.has_errors() {
         return;
     }
     let Some(space) = &translation.space else { return };
+    let is_oriented = space.links.iter().filter_map(|link| link.path.as_ref()).any(turns_freely);
+    if translation.accuracy == Accuracy::Strict && !is_oriented {
+        return;
+    }
     let order = space.order.clone();
     if !order.iter().any(|&link| space.links[link].path.is_some() && space.links[link].inertia.is_some()) {
         return;
@@ -209,6 +212,9 @@ fn parameters(
             return None;
         }
         let steps = numeric_steps(translation, &path).filter(|steps| match (path.carrier, motions(steps)) {
+            // What turns in any direction is to accelerate in axes that do not.
+            _ if is_free(&path) => true,
+            _ if translation.accuracy == Accuracy::Strict => false,
             (Some(carrier), _) if !is_carried(translation, carrier) => false,
             (_, 0) | (None, 1) => true,
             // A frame without inertia would get some only to carry it.
@@ -231,7 +237,14 @@ fn parameters(
                 place.into_iter().for_each(|place| *place = Some(written(translation, own)));
             }
             (None, Some(inertia), _) => {
-                let all = symbolic_parameters(translation, link, inertia, received[link]);
+                let mut all = symbolic_parameters(translation, link, inertia, received[link]);
+                if let [.., behind_slides, _] = &mut kept[..]
+                    && is_free(&path)
+                {
+                    let mass = std::mem::replace(&mut all.mass, translation.terms().number(0));
+                    *behind_slides =
+                        Some(WrittenParameters { mass, ..written(translation, InertialParameters::NONE) });
+                }
                 kept.last_mut().into_iter().for_each(|place| *place = Some(all));
             }
             (None, None, _) => {}
@@ -239,6 +252,15 @@ fn parameters(
         found[link] = kept;
     }
     Some(found)
+}
+
+/// True of links that move in any direction and nothing carries.
+fn is_free(path: &Path) -> bool {
+    path.carrier.is_none() && path.steps.len() > 1 && turns_freely(path)
+}
+
+fn turns_freely(path: &Path) -> bool {
+    matches!(path.steps.last(), Some((FrameStep::Orientation(_), _)))
 }
 
 /// True of links that joints carry: only their equations are in the Gibbs function.
@@ -251,7 +273,8 @@ fn has_inertia(translation: &Translation<'_>, link: usize) -> bool {
 }
 
 fn motions(steps: &[NumericStep]) -> usize {
-    steps.iter().filter(|step| matches!(step, NumericStep::Turn(_) | NumericStep::Slide)).count()
+    let moves = |step: &&NumericStep| !matches!(step, NumericStep::Shift(_) | NumericStep::Reorientation(_));
+    steps.iter().filter(moves).count()
 }
 
 /// What stays in the frame behind each step, and what goes to the carrier.
@@ -285,6 +308,7 @@ fn numeric_steps(translation: &Translation<'_>, path: &Path) -> Option<Vec<Numer
         FrameStep::Turn(JointAxis::Coordinate { axis, .. }, _) => Some(NumericStep::Turn(axis)),
         FrameStep::Turn(JointAxis::Direction(_), _) => None,
         FrameStep::Slide(..) => Some(NumericStep::Slide),
+        FrameStep::Orientation(_) => Some(NumericStep::Orientation),
     };
     path.steps.iter().map(number).collect()
 }

@@ -111,7 +111,7 @@ fn twist(translation: &mut Translation<'_>, link: &Link, place: Triple) -> [Trip
         let placed = carrier.as_ref().and_then(|carrier| carrier.placed);
         let mut before = placed.map_or_else(|| Pose::at_rest(&mut terms), |(pose, _)| pose);
         for (step, behind) in steps {
-            twist = with_step(&mut terms, twist, (&before, step), place);
+            twist = with_step(&mut terms, twist, [&before, &behind], step, place);
             before = behind;
         }
         next = carrier;
@@ -123,7 +123,8 @@ fn twist(translation: &mut Translation<'_>, link: &Link, place: Triple) -> [Trip
 fn with_step(
     terms: &mut TermWriter<'_>,
     [spin, velocity]: [Triple; 2],
-    (before, step): (&Pose, FrameStep),
+    [before, behind]: [&Pose; 2],
+    step: FrameStep,
     place: Triple,
 ) -> [Triple; 2] {
     match step {
@@ -134,6 +135,12 @@ fn with_step(
             let moved = cross(terms, axis, arm);
             let [turned, moved] = [axis, moved].map(|direction| scale(terms, rate, direction));
             [plus(terms, spin, turned), plus(terms, velocity, moved)]
+        }
+        FrameStep::Orientation(axes) => {
+            let turning = behind.in_world(terms, axes.spin);
+            let arm = minus(terms, place, behind.origin);
+            let moved = cross(terms, turning, arm);
+            [plus(terms, spin, turning), plus(terms, velocity, moved)]
         }
         FrameStep::Slide(along, distance) => {
             let (axis, rate) = (axis_in_world(terms, before, along), terms.rate(distance));

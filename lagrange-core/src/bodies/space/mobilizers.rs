@@ -4,7 +4,7 @@
 //! of the coordinate axes is made one by turning the frame, and what follows the motion back.
 
 use super::bodies::settle;
-use super::frames::{FrameStep, JointAxis, Pose};
+use super::frames::{FrameStep, JointAxis, Pose, TurningAxes};
 use super::inertia::fixed_triple;
 use super::links::Path;
 use super::messages as words;
@@ -16,6 +16,7 @@ use crate::bodies::expressions::{mention, report_early};
 use crate::bodies::mass_geometry::property;
 use crate::bodies::messages::{self, mobilizers as joints};
 use crate::bodies::object::Object;
+use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, Mobilizer, MobilizerKind, Name, Statement, StatementKind};
 
@@ -62,27 +63,44 @@ fn walk(
     (pose, path)
 }
 
-/// Declares the coordinates; their expressions.
+/// Declares the coordinates, and what else the state has of a joint; the expressions of the coordinates.
 pub(in crate::bodies) fn coordinates_of(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
     statement: Statement,
 ) -> Vec<AstId> {
+    let mut push = |kind: StatementKind| translation.statements.push(Statement { kind, ..statement.clone() });
     if !joint.coordinates.is_empty() {
-        let kind = StatementKind::Coordinates(joint.coordinates.clone());
-        translation.statements.push(Statement { kind, ..statement });
+        push(StatementKind::Coordinates(joint.coordinates.clone()));
+    }
+    joint
+        .quaternion
+        .iter()
+        .for_each(|quaternion| push(StatementKind::Quaternion(Box::new(quaternion.clone()))));
+    for (speed, coordinate) in joint.speeds.iter().zip(&joint.coordinates) {
+        let coordinate = translation.terms().name(&coordinate.text);
+        let rate = translation.terms().rate(coordinate);
+        translation.push(StatementKind::Velocity(speed.clone(), rate));
     }
     joint.coordinates.iter().map(|name| translation.terms().name(&name.text)).collect()
 }
 
-/// ½ c q̇²
+/// ½ c q̇², or ½ c ω² with the angular velocity ω in a ball joint.
 pub(in crate::bodies) fn dampen(translation: &mut Translation<'_>, joint: &Mobilizer, coordinates: &[AstId]) {
-    let (Some(damping), [coordinate]) = (joint.damping, coordinates) else { return };
+    let Some(damping) = joint.damping else { return };
     let damping = mention(translation, damping);
     let mut terms = translation.terms();
-    let (half, rate) = (terms.half(), terms.rate(*coordinate));
-    let (weighed, square) = (terms.times(half, damping), terms.square(rate));
-    let dissipation = terms.times(weighed, square);
+    let speeds = match (&joint.quaternion, coordinates) {
+        (Some(quaternion), _) => quaternion.velocities.iter().map(|name| terms.name(&name.text)).collect(),
+        (None, [coordinate]) => vec![terms.rate(*coordinate)],
+        _ => return,
+    };
+    let half = terms.half();
+    let weight = terms.times(half, damping);
+    let square = speeds.into_iter().map(|speed| terms.square(speed)).collect::<Vec<_>>();
+    let square = square.into_iter().reduce(|sum, square| terms.plus(sum, square));
+    let Some(square) = square else { return };
+    let dissipation = terms.times(weight, square);
     translation.push(StatementKind::Dissipation(dissipation));
 }
 
@@ -180,10 +198,50 @@ fn motions_of(
         (MobilizerKind::Planar, &[x, y, angle]) => {
             vec![Slide(along(0), x), Slide(along(1), y), Turn(along(Z), angle)]
         }
+        (MobilizerKind::Ball, _) => vec![turning(translation, joint)?],
+        (MobilizerKind::Free, &[x, y, z]) => {
+            let slides =
+                [x, y, z].into_iter().enumerate().map(|(axis, distance)| Slide(along(axis), distance));
+            slides.chain([turning(translation, joint)?]).collect()
+        }
         (MobilizerKind::Weld, _) => Vec::new(),
         _ => return along_axis(translation, joint, coordinates),
     };
     Some(motions)
+}
+
+/// Axes turned by the quaternion of a joint.
+fn turning(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<FrameStep> {
+    let quaternion = joint.quaternion.as_ref()?;
+    let mut terms = translation.terms();
+    let components = quaternion.positions.each_ref().map(|name| terms.name(&name.text));
+    let spin = quaternion.velocities.each_ref().map(|name| terms.name(&name.text));
+    let rows = rotation_of(&mut terms, components);
+    let matrix = [("x", rows[0]), ("y", rows[1]), ("z", rows[2])]
+        .map(|(axis, row)| named_vector(translation, &format!("{}_R_{axis}", quaternion.name.text), row));
+    Some(FrameStep::Orientation(TurningAxes { matrix, spin }))
+}
+
+/// The rotation of a unit quaternion: 1 + 2 w v× + 2 v× v×, with the vector part v (Featherstone, *Rigid Body Dynamics Algorithms*, eq. 4.11).
+fn rotation_of(terms: &mut TermWriter<'_>, [w, x, y, z]: [AstId; 4]) -> Matrix {
+    let (one, two) = (terms.number(1), terms.number(2));
+    let vector = [x, y, z];
+    [0, 1, 2].map(|row| {
+        let (next, last) = ((row + 1) % 3, (row + 2) % 3);
+        let mut entries = [one; 3];
+        let squares = [next, last].map(|axis| terms.square(vector[axis]));
+        let sum = terms.plus(squares[0], squares[1]);
+        let doubled = terms.times(two, sum);
+        entries[row] = terms.minus(one, doubled);
+        for (column, third, is_negative) in [(next, last, true), (last, next, false)] {
+            let (product, turning) =
+                (terms.times(vector[row], vector[column]), terms.times(w, vector[third]));
+            let entry =
+                if is_negative { terms.minus(product, turning) } else { terms.plus(product, turning) };
+            entries[column] = terms.times(two, entry);
+        }
+        entries
+    })
 }
 
 /// Motions about and along the axis of a joint.

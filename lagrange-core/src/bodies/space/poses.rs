@@ -12,7 +12,7 @@
 //! A frame that turns with ω = (0, 0, 2) carries at p = (3, 0, 0) one that is turned by a quarter about z: v + ω × p = (0, 6, 0), whose
 //! components along x′ = y and y′ = −x are (6, 0, 0).
 
-use super::frames::{FrameStep, JointAxis, Pose};
+use super::frames::{FrameStep, JointAxis, Pose, TurningAxes};
 use super::links::Link;
 use super::vectors::{Matrix, Triple, combined, cross, inner, plus, scale, transposed, unit};
 use crate::bodies::messages::mobilizers as joints;
@@ -29,6 +29,10 @@ pub(super) fn behind(translation: &mut Translation<'_>, name: &str, pose: Pose, 
         FrameStep::Reorientation(by) => in_axes(&mut terms, pose, transposed(by)),
         FrameStep::Turn(about, angle) => turned(&mut terms, pose, about, angle),
         FrameStep::Slide(along, distance) => slid(&mut terms, pose, along, distance),
+        FrameStep::Orientation(TurningAxes { matrix, spin }) => {
+            let turned = in_axes(&mut terms, pose, transposed(matrix));
+            Pose { spin: plus(&mut terms, turned.spin, spin), ..turned }
+        }
     };
     named(translation, name, next)
 }

@@ -13,7 +13,7 @@ fn a_rotating_frame_in_numbers() {
     let mut model = parse(text).unwrap_or_else(|report| panic!("{report}")).model;
     let split = SplitLagrangian::new(&mut model);
     let node = |name: &str| model.labels.iter().find(|(_, label)| label == name).expect("a name").0;
-    let nodes = [node("u1"), node("u2"), model.coordinates[2].velocity];
+    let nodes = [node("u1"), node("u2"), model.speeds[2].velocity];
     let form = linear_form(&mut model, &split, AccelerationTerms::Kept, Terms::Inertial);
     let loads = nodes.map(|node| form.linear(&mut model.graph, node));
     // The mass moves on a circle about the origin, so that its components along the axes are constant.

@@ -21,6 +21,11 @@ pub(in crate::elaborate) fn unknown_name(name: &str) -> String {
     format!("unknown name `{name}`")
 }
 
+pub(in crate::elaborate) const NO_RATE_TO_NAME: &str =
+    "this is not the rate of a coordinate without another name";
+pub(in crate::elaborate) const VELOCITY_HELP: &str =
+    "write `velocity u = dot(x);` once for a coordinate `x`; for any other velocity write `let u = e;`";
+
 /// Behind what is said of a name that has no meaning in several places.
 pub(in crate::elaborate) fn and_elsewhere(others: usize) -> String {
     match others {

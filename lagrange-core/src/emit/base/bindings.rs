@@ -25,25 +25,25 @@ impl Bindings<'_> {
         let fields = field_bindings(self.shape, self.model, used, names);
         let sides = self.side_bindings(used, names, arguments);
         let fields = quote!(#fields #sides);
+        let (nq, nv) = (self.model.coordinates.len(), self.model.speeds.len());
         if arguments == Arguments::Whole {
-            let indices = 0..self.model.coordinates.len() as u32;
-            let roles = indices.clone().map(Role::Coordinate).chain(indices.map(Role::Velocity));
+            let [nq, nv] = [nq as u32, nv as u32];
+            let roles = (0..nq).map(Role::Coordinate).chain((0..nv).map(Role::Velocity));
             let pattern = self.pattern(roles, used, names);
             let entries = pattern.map(|pattern| quote!(let #pattern = *#state;));
             return quote!(#fields #entries);
         }
-        let count = self.model.coordinates.len();
         let mut vector = |source: TokenStream, count: usize, role: fn(u32) -> Role| {
             let pattern = self.pattern((0..count as u32).map(role), used, names);
             pattern.map(|pattern| quote!(let #pattern = #source;))
         };
-        let q = vector(quote!(*#positions), count, Role::Coordinate);
-        let v = vector(quote!(*#velocities), count, Role::Velocity);
+        let q = vector(quote!(*#positions), nq, Role::Coordinate);
+        let v = vector(quote!(*#velocities), nv, Role::Velocity);
         let accelerations = match arguments {
             Arguments::Motion => quote!(*#accelerations),
             _ => quote!(self.acceleration(#time, #positions, #velocities)),
         };
-        let a = vector(accelerations, count, Role::Acceleration);
+        let a = vector(accelerations, nv, Role::Acceleration);
         let multipliers = match arguments {
             Arguments::Residuals => quote!(*#residuals),
             _ => quote!(self.multipliers(#time, #positions, #velocities)),
@@ -58,7 +58,7 @@ impl Bindings<'_> {
     fn side_bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> Option<TokenStream> {
         let ArgumentNames { time, positions, velocities, state, .. } = self.arguments;
         let pattern = self.pattern((0..self.shape.switches.len() as u32).map(Role::Side), used, names)?;
-        let (krate, n) = (self.shape.krate, length(self.model.coordinates.len()));
+        let (krate, n) = (self.shape.krate, length(self.model.speeds.len()));
         Some(match arguments {
             Arguments::Whole => quote! {
                 let #pattern = {

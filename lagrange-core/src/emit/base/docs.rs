@@ -45,7 +45,7 @@ const TOO_LONG: &str =
 /// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
 /// short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
-    if model.coordinates.len() > MOST_COORDINATES {
+    if model.speeds.len() > MOST_COORDINATES {
         return None;
     }
     let right = right_sides(model, equations);
@@ -150,8 +150,8 @@ fn terms(line: &str) -> Vec<&str> {
 /// Σ Mᵢⱼ q̈ⱼ
 fn left_side(model: &mut Model, row: &[ExprId]) -> ExprId {
     let mut terms = Vec::new();
-    for (&entry, coordinate) in row.iter().zip(&model.coordinates) {
-        terms.push((model.graph.multiply(entry, coordinate.acceleration), Number::ONE));
+    for (&entry, speed) in row.iter().zip(&model.speeds) {
+        terms.push((model.graph.multiply(entry, speed.acceleration), Number::ONE));
     }
     model.graph.sum(Number::ZERO, terms)
 }
@@ -231,17 +231,19 @@ fn reaction_order(model: &Model) -> String {
 }
 
 fn state_order(model: &Model) -> String {
-    let names = model.coordinates.iter().map(|coordinate| coordinate.name.clone());
-    let rates = model.coordinates.iter().map(|coordinate| format!("{}_dot", coordinate.name));
-    names.chain(rates).collect::<Vec<_>>().join(", ")
+    let positions = model.coordinates.iter().map(|coordinate| coordinate.name.as_str());
+    let velocities = model.speeds.iter().map(|speed| speed.name.as_str());
+    positions.chain(velocities).collect::<Vec<_>>().join(", ")
 }
 
 fn structure_lines(model: &Model, structure: &Structure) -> Vec<String> {
     let name = |i: usize| format!("`{}`", model.coordinates[i].name);
-    let join = |indices: &[usize]| indices.iter().map(|&i| name(i)).collect::<Vec<_>>().join(", ");
-    let mut lines = vec![format!("- Mass matrix: {}.", mass_text(structure, join))];
+    let freedom = |i: usize| format!("`{}`", model.name_of_freedom(i));
+    let freedoms = |indices: &[usize]| indices.iter().map(|&i| freedom(i)).collect::<Vec<_>>().join(", ");
+    let mut lines = vec![format!("- Mass matrix: {}.", mass_text(structure, freedoms))];
     if !structure.cyclic.is_empty() {
-        lines.push(format!("- Cyclic coordinates: {}.", join(&structure.cyclic)));
+        let cyclic = structure.cyclic.iter().map(|&i| name(i)).collect::<Vec<_>>();
+        lines.push(format!("- Cyclic coordinates: {}.", cyclic.join(", ")));
     }
     let conserved = structure.conserved.iter().map(|quantity| match quantity {
         Conserved::Momentum(i) => format!("the momentum of {}", name(*i)),

@@ -21,7 +21,7 @@ pub(in crate::emit) enum Arguments {
     Whole,
     /// `t, q, v, residuals`
     Residuals,
-    /// `t, q, shares`, of which there is one for each coordinate
+    /// `t, q, shares`, of which there is one for each velocity
     Shares,
 }
 
@@ -119,9 +119,10 @@ impl Method {
         let Method { name, body, .. } = self;
         let (scalar, time) = (shape.scalar(), &names.time);
         let length = |vector: &Ident| match vector {
-            _ if *vector == names.state => length(2 * shape.coordinates.len()),
+            _ if *vector == names.state => shape.state_length(),
             _ if *vector == names.residuals => length(shape.constraints.len()),
-            _ => length(shape.coordinates.len()),
+            _ if *vector == names.positions => shape.positions_length(),
+            _ => shape.velocities_length(),
         };
         let vectors = self.arguments.vectors(names).into_iter().map(|vector| {
             let length = length(vector);

@@ -7,8 +7,8 @@ use crate::code::Scalar;
 use crate::collections::HashMap;
 use crate::model::Product;
 use crate::syntax::ast::{
-    Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType, Statement,
-    StatementKind,
+    Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType,
+    StateVelocity, Statement, StatementKind,
 };
 
 /// Names and types of one system.
@@ -18,7 +18,12 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) krate: &'a TokenStream,
     /// Parameters and inputs in declaration order, parameters first.
     pub(in crate::emit) fields: Vec<&'a Name>,
+    /// Positions in state order.
     pub(in crate::emit) coordinates: Vec<&'a Name>,
+    /// Velocities in state order.
+    pub(in crate::emit) velocities: Vec<StateVelocity<'a>>,
+    /// Indices of the scalar parts of unit quaternions among the positions.
+    pub(in crate::emit) quaternions: Vec<usize>,
     /// Rigid bodies with a method that says how they move.
     pub(in crate::emit) bodies: Vec<&'a Name>,
     /// Bodies and frames with a method that says where they are.
@@ -56,7 +61,9 @@ impl<'a> Shape<'a> {
             declaration,
             krate,
             fields: Vec::new(),
-            coordinates: Vec::new(),
+            coordinates: declaration.coordinates(),
+            velocities: declaration.velocities(),
+            quaternions: Vec::new(),
             bodies: Vec::new(),
             frames: Vec::new(),
             frames_with_jacobian: Vec::new(),
@@ -73,7 +80,6 @@ impl<'a> Shape<'a> {
             match &statement.kind {
                 StatementKind::Parameters(list) => shape.fields.extend(list.iter().map(|d| &d.name)),
                 StatementKind::Inputs(list) => inputs.extend(list.iter().map(|d| &d.name)),
-                StatementKind::Coordinates(names) => shape.coordinates.extend(names),
                 StatementKind::Constraint(name, _) => shape.constraints.push(name),
                 StatementKind::Event(event) => shape.add_event(event),
                 StatementKind::Stabilise(_) => shape.is_stabilised = true,
@@ -90,6 +96,7 @@ impl<'a> Shape<'a> {
         shape.fields.extend(inputs);
         shape.add_bodies();
         shape.drop_repeated_names();
+        shape.quaternions = scalar_parts(declaration, &shape.coordinates);
         shape
     }
 
@@ -148,6 +155,11 @@ impl<'a> Shape<'a> {
         let mut first = |name: &Name| seen.insert(name.text.clone(), ()).is_none();
         self.fields.retain(|name| first(name));
         self.coordinates.retain(|name| first(name));
+        self.velocities.retain(|velocity| {
+            velocity
+                .coordinate
+                .is_none_or(|name| self.coordinates.iter().any(|kept| std::ptr::eq(*kept, name)))
+        });
         self.touching.retain(|(name, _)| first(name));
         self.outputs.retain(|(name, _)| first(name));
         for list in [&mut self.bodies, &mut self.frames, &mut self.frames_with_jacobian] {
@@ -273,24 +285,68 @@ impl<'a> Shape<'a> {
 
     /// Names of the user that stand in the methods' bodies beside the arguments.
     pub(in crate::emit) fn user_names(&self) -> Vec<String> {
-        let coordinates = self.coordinates.iter();
-        let rates = coordinates.clone().map(|name| format!("{}_dot", name.text));
-        self.fields.iter().chain(coordinates).map(|name| name.text.clone()).chain(rates).collect()
+        let velocities = self.velocities.iter().map(|velocity| velocity.name.text.clone());
+        self.fields.iter().chain(&self.coordinates).map(|name| name.text.clone()).chain(velocities).collect()
     }
 
-    /// Fields of the state: coordinates, then velocities.
+    /// Number of positions, as the length of an array.
+    pub(in crate::emit) fn positions_length(&self) -> Literal {
+        length(self.coordinates.len())
+    }
+
+    /// Number of velocities, as the length of an array.
+    pub(in crate::emit) fn velocities_length(&self) -> Literal {
+        length(self.velocities.len())
+    }
+
+    /// Number of entries of the state, as the length of an array.
+    pub(in crate::emit) fn state_length(&self) -> Literal {
+        length(self.coordinates.len() + self.velocities.len())
+    }
+
+    /// True if velocities are the rates of the positions.
+    pub(in crate::emit) fn velocities_are_rates(&self) -> bool {
+        self.quaternions.is_empty()
+    }
+
+    /// True if velocities have names of their own.
+    pub(in crate::emit) fn names_velocities(&self) -> bool {
+        self.velocities.iter().any(|velocity| match velocity.coordinate {
+            Some(coordinate) => velocity.name.text != format!("{}_dot", coordinate.text),
+            None => true,
+        })
+    }
+
+    /// Index of the coordinate that a velocity is the rate of.
+    pub(in crate::emit) fn position_of(&self, velocity: &StateVelocity<'_>) -> Option<usize> {
+        let coordinate = velocity.coordinate?;
+        self.coordinates.iter().position(|name| std::ptr::eq(*name, coordinate))
+    }
+
+    /// Fields of the state: positions, then velocities.
     pub(in crate::emit) fn state_fields(&self) -> Vec<Ident> {
         let positions = self.coordinates.iter().map(|name| identifier(name));
-        let velocities = self.coordinates.iter().map(|name| {
-            let mut velocity = format!("{}_dot", name.text);
+        let velocities = self.velocities.iter().map(|velocity| {
+            let mut name = velocity.name.clone();
             // Where that is a coordinate, which is a mistake, the skeleton has another field.
-            while self.coordinates.iter().any(|other| other.text == velocity) {
-                velocity.push('_');
+            while self.coordinates.iter().any(|other| other.text == name.text) {
+                name.text.push('_');
             }
-            Ident::new(&velocity, name.span)
+            identifier(&name)
         });
         positions.chain(velocities).collect()
     }
+}
+
+/// Indices of the scalar parts of unit quaternions among the positions.
+fn scalar_parts(declaration: &Declaration, positions: &[&Name]) -> Vec<usize> {
+    let parts = declaration.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Quaternion(quaternion) => {
+            positions.iter().position(|name| std::ptr::eq(*name, &quaternion.positions[0]))
+        }
+        _ => None,
+    });
+    parts.collect()
 }
 
 /// Number of components of expressions, judged by how they are written; one where that is wrong.

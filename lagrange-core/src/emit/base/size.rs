@@ -52,11 +52,11 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
 /// hold about as many operations as energies have expressions, Jacobians an entry for each row and column, and mass matrices one for
 /// every two velocities that move the same part. `None` if there is no point in deriving.
 pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
-    let (coordinates, fields) = (model.coordinates.len(), model.parameters.len() + model.inputs.len());
-    let jacobians = [(Product::Jacobian, 4 * coordinates), (Product::ParameterJacobian, 2 * fields)];
+    let (state, fields) =
+        (model.coordinates.len() + model.speeds.len(), model.parameters.len() + model.inputs.len());
+    let jacobians = [(Product::Jacobian, state), (Product::ParameterJacobian, fields)];
     let wanted = jacobians.into_iter().filter(|(product, _)| model.products.contains(product));
-    let entries =
-        wanted.map(|(_, columns)| coordinates.saturating_mul(columns)).fold(0, usize::saturating_add);
+    let entries = wanted.map(|(_, columns)| state.saturating_mul(columns)).fold(0, usize::saturating_add);
     let has_matrix = model.products.contains(&Product::MassMatrix);
     let entries = entries.saturating_add(if has_matrix { coupled_by_one_square(model) } else { 0 });
     if Size(model.graph.len().max(entries)).is_hopeless() {

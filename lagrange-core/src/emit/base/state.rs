@@ -6,16 +6,16 @@ use quote::quote;
 use super::lints::{name_exception, type_name_exception};
 use super::shape::{Shape, doc, length};
 use crate::code::Names;
+use crate::syntax::ast::StateVelocity;
 
 pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());
     let visibility = &shape.declaration.visibility;
-    let title = doc(&format!("State of [`{}`]: coordinates, then velocities.", shape.declaration.name.text));
-    let docs = shape
-        .coordinates
-        .iter()
-        .map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text)))
-        .chain(shape.coordinates.iter().map(|name| doc(&format!("Velocity of `{}`.", name.text))));
+    let title = doc(&format!("State of [`{}`]: positions, then velocities.", shape.declaration.name.text));
+    let docs =
+        shape.coordinates.iter().map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text))).chain(
+            shape.velocities.iter().map(|velocity| shape.docs(&velocity.name, &velocity_line(velocity))),
+        );
     let (fields, names) = (shape.state_fields(), name_exception(shape));
     let type_name = type_name_exception(shape);
     let allow = (!generics.is_empty()).then(
@@ -36,9 +36,10 @@ pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
 pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     let (state, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar());
     // Not `Scalar`: a state can be converted whatever its numbers can do.
-    let (fields, n) = (shape.state_fields(), shape.coordinates.len());
-    let (positions, velocities) = fields.split_at(n);
-    let (n, twice) = (length(n), length(2 * n));
+    let fields = shape.state_fields();
+    let (positions, velocities) = fields.split_at(shape.coordinates.len());
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
+    let all = shape.state_length();
     let variables = state_variables(shape);
     let entries = fields.iter().zip(&variables).map(|(field, variable)| match field == variable {
         true => quote!(#variable),
@@ -49,31 +50,38 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
             /// The coordinates in their order.
             #[must_use]
             #[inline]
-            pub fn coordinates(self) -> [#scalar; #n] {
+            pub fn coordinates(self) -> [#scalar; #nq] {
                 [#(self.#positions),*]
             }
 
-            /// The velocities in the order of the coordinates.
+            /// The velocities in their order.
             #[must_use]
             #[inline]
-            pub fn velocities(self) -> [#scalar; #n] {
+            pub fn velocities(self) -> [#scalar; #nv] {
                 [#(self.#velocities),*]
             }
         }
         #[automatically_derived]
-        impl #generics ::core::convert::From<[#scalar; #twice]> for #state #generics {
+        impl #generics ::core::convert::From<[#scalar; #all]> for #state #generics {
             #[inline]
-            fn from([#(#variables),*]: [#scalar; #twice]) -> Self {
+            fn from([#(#variables),*]: [#scalar; #all]) -> Self {
                 Self { #(#entries),* }
             }
         }
         #[automatically_derived]
-        impl #generics ::core::convert::From<#state #generics> for [#scalar; #twice] {
+        impl #generics ::core::convert::From<#state #generics> for [#scalar; #all] {
             #[inline]
             fn from(state: #state #generics) -> Self {
                 [#(state.#fields),*]
             }
         }
+    }
+}
+
+fn velocity_line(velocity: &StateVelocity<'_>) -> String {
+    match velocity.coordinate {
+        Some(coordinate) => format!("Velocity of `{}`.", coordinate.text),
+        None => "Component of an angular velocity in the axes that it turns.".to_owned(),
     }
 }
 
@@ -121,13 +129,12 @@ pub(in crate::emit) fn columns_impls(shape: &Shape<'_>) -> TokenStream {
 
 /// A method for each entry of the state.
 fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
-    let n = shape.coordinates.len();
     let columns = shape.state_fields().into_iter().enumerate().map(|(i, field)| {
-        let coordinate = &shape.coordinates[i % n].text;
-        let docs = match i < n {
-            true => doc(&format!("Coordinate `{coordinate}`.")),
-            false => doc(&format!("Velocity of `{coordinate}`.")),
+        let line = match shape.coordinates.get(i) {
+            Some(coordinate) => format!("Coordinate `{}`.", coordinate.text),
+            None => velocity_line(&shape.velocities[i - shape.coordinates.len()]),
         };
+        let docs = doc(&line);
         // At the user's place but the macro's own, so that nobody is told about columns that are never used.
         let (name, index) =
             (Ident::new(&field.to_string(), Span::mixed_site().located_at(field.span())), length(i));

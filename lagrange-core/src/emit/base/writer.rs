@@ -10,7 +10,7 @@ use super::docs::with_counts;
 use super::members::Members;
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::refusal::Refusal;
-use super::shape::{Shape, doc, length};
+use super::shape::{Shape, doc};
 use super::sides::on_sides;
 use super::size::Size;
 use crate::code::{FunctionBody, Names, body};
@@ -92,8 +92,8 @@ impl<'a> MethodWriter<'a> {
 
     /// Keeps a method of the state that only others call.
     pub(in crate::emit) fn push_hidden(&mut self, name: &str, returns: Returns, body: &TokenStream) {
-        let (name, scalar, n) =
-            (format_ident!("{name}"), self.shape.scalar(), length(self.shape.coordinates.len()));
+        let (name, scalar) = (format_ident!("{name}"), self.shape.scalar());
+        let (nq, nv) = (self.shape.positions_length(), self.shape.velocities_length());
         let ArgumentNames { time, positions, velocities, .. } = &self.members.names;
         let returns = returns.tokens(&scalar);
         self.members.hidden.extend(quote! {
@@ -101,8 +101,8 @@ impl<'a> MethodWriter<'a> {
             fn #name(
                 &self,
                 #time: #scalar,
-                #positions: &[#scalar; #n],
-                #velocities: &[#scalar; #n],
+                #positions: &[#scalar; #nq],
+                #velocities: &[#scalar; #nv],
             ) -> #returns {
                 #body
             }

@@ -103,7 +103,7 @@ fn guarded(
 }
 
 fn is_guarded(writer: &MethodWriter<'_>) -> bool {
-    writer.model.coordinates.len() <= LARGEST_REDUNDANT
+    writer.model.speeds.len() <= LARGEST_REDUNDANT
 }
 
 /// Writes `ConstrainedSystem::correction`.
@@ -118,7 +118,7 @@ fn write_correction(writer: &mut MethodWriter<'_>) {
 /// Writes `ConstrainedSystem::mass_times`: M a is the gradient of a · ∂L/∂v by the velocities, which takes as long as the momenta.
 fn write_mass_times(writer: &mut MethodWriter<'_>) {
     let (lagrangian, velocities) = (writer.model.lagrangian, writer.model.velocities());
-    let changes = writer.model.coordinates.iter().map(|c| c.acceleration).collect::<Vec<_>>();
+    let changes = writer.model.speeds.iter().map(|speed| speed.acceleration).collect::<Vec<_>>();
     let graph = &mut writer.model.graph;
     let momenta = gradient(graph, lagrangian, &velocities);
     let products = momenta.iter().zip(&changes).map(|(&p, &change)| graph.multiply(p, change));
@@ -146,7 +146,8 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
     if members.constrained.is_empty() {
         return TokenStream::new();
     }
-    let (krate, scalar, n) = (shape.krate, shape.scalar(), length(shape.coordinates.len()));
+    let (krate, scalar) = (shape.krate, shape.scalar());
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let violation = quote!(#krate::constraint::Violation<#scalar>);
     quote! {
@@ -159,8 +160,8 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
         pub fn project(
             &self,
             #time: #scalar,
-            #positions: &mut [#scalar; #n],
-            #velocities: &mut [#scalar; #n],
+            #positions: &mut [#scalar; #nq],
+            #velocities: &mut [#scalar; #nv],
         ) -> ::core::result::Result<(), #violation> {
             #krate::constraint::project(self, #time, #positions, #velocities)
         }
@@ -173,9 +174,9 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
         pub fn consistent_velocity(
             &self,
             #time: #scalar,
-            #positions: &[#scalar; #n],
-            #velocities: &[#scalar; #n],
-        ) -> ::core::result::Result<[#scalar; #n], #violation> {
+            #positions: &[#scalar; #nq],
+            #velocities: &[#scalar; #nv],
+        ) -> ::core::result::Result<[#scalar; #nv], #violation> {
             #krate::constraint::consistent_velocity(self, #time, #positions, #velocities)
         }
     }
@@ -187,9 +188,10 @@ pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) ->
         return TokenStream::new();
     }
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, n, m) = (shape.krate, length(shape.coordinates.len()), length(shape.constraints.len()));
+    let (krate, m) = (shape.krate, length(shape.constraints.len()));
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
-    let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #n], #velocities: &[#scalar; #n]);
+    let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
     let methods = members.constrained.iter().map(|method| method.of_trait(shape, &members.names));
     let names = shape.constraints.iter().map(|name| &name.text);
     let has_scales = members.constrained.iter().any(|method| method.name == "residual_scales");
@@ -216,15 +218,15 @@ pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) ->
 /// `residual_scales` by way of the Jacobian of the constraints.
 fn dense_scales(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar, shares) = (shape.krate, shape.scalar(), local("shares"));
-    let (n, m) = (length(shape.coordinates.len()), length(shape.constraints.len()));
+    let (nq, nv, m) = (shape.positions_length(), shape.velocities_length(), length(shape.constraints.len()));
     let ArgumentNames { time, positions, .. } = &members.names;
     quote! {
         #[inline]
         fn residual_scales(
             &self,
             #time: #scalar,
-            #positions: &[#scalar; #n],
-            #shares: &[#scalar; #n],
+            #positions: &[#scalar; #nq],
+            #shares: &[#scalar; #nv],
         ) -> [#scalar; #m] {
             #krate::constraint::weighed(&self.constraint_jacobian(#time, #positions), #shares)
         }

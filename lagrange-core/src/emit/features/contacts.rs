@@ -90,7 +90,7 @@ fn varying_restitutions(writer: &MethodWriter<'_>) -> Vec<bool> {
 
 /// The body of `ContactSystem::terms`.
 fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
-    let (n, k) = (writer.model.coordinates.len(), writer.model.reactions.len());
+    let (n, k) = (writer.model.speeds.len(), writer.model.reactions.len());
     let zero = writer.model.graph.number(0);
     let parts = |pick: fn(&ReactionKind) -> Option<ExprId>| {
         writer.model.reactions.iter().map(|reaction| pick(&reaction.kind).unwrap_or(zero)).collect::<Vec<_>>()
@@ -164,7 +164,8 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
         return TokenStream::new();
     }
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, n, k) = (shape.krate, length(shape.coordinates.len()), length(shape.touching.len()));
+    let (krate, k) = (shape.krate, length(shape.touching.len()));
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let (terms, modes, event_of) = (&members.terms, mode_members(shape), event_of(shape));
     let names = shape.touching.iter().map(|(name, _)| &name.text);
@@ -174,7 +175,7 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
         .then(|| quote!(const RESTITUTIONS_VARY: [::core::primitive::bool; #k] = [#(#vary),*];));
     quote! {
         #[automatically_derived]
-        impl #bounds #krate::contact::ContactSystem<#n, #k> for #name #generics {
+        impl #bounds #krate::contact::ContactSystem<#nv, #k> for #name #generics {
             const REACTIONS: [&'static ::core::primitive::str; #k] = [#(#names),*];
             #vary
             #modes
@@ -182,9 +183,9 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
             fn terms(
                 &self,
                 #time: #scalar,
-                #positions: &[#scalar; #n],
-                #velocities: &[#scalar; #n],
-            ) -> #krate::contact::Terms<#scalar, #n, #k> {
+                #positions: &[#scalar; #nq],
+                #velocities: &[#scalar; #nv],
+            ) -> #krate::contact::Terms<#scalar, #nv, #k> {
                 #terms
             }
             #event_of

@@ -50,7 +50,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
     if names.is_empty() && shape.switches.is_empty() {
         return TokenStream::new();
     }
-    let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
+    let (krate, scalar, twice) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let events = names.iter().map(|(name, direction)| {
         let name = &name.text;
@@ -128,7 +128,7 @@ fn reactions(shape: &Shape<'_>, members: &Members, event: &Ident) -> TokenStream
 }
 
 fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
-    let (krate, scalar, twice) = (shape.krate, shape.scalar(), length(2 * shape.coordinates.len()));
+    let (krate, scalar, twice) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let contacts = quote!(#krate::contact::begin);
     let sides = quote!(#krate::event::choose_sides(self, #time, #state));

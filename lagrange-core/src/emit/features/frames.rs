@@ -80,7 +80,7 @@ fn write_jacobian(writer: &mut MethodWriter<'_>, name: &Name, values: &[ExprId])
         "are those of its angular velocity, rows 3 to 5 those of the velocity of its origin. What time alone adds to".to_owned(),
         "these is left out.".to_owned(),
     ];
-    let returns = Returns::Matrix(6, writer.shape.coordinates.len());
+    let returns = Returns::Matrix(6, writer.shape.velocities.len());
     push(writer, (name, Product::FrameJacobians), &lines, returns, values);
 }
 

@@ -1,21 +1,21 @@
-//! Jacobians of the right-hand side ẏ = [v, a], as methods.
+//! Jacobians of the right-hand side ẏ = [q̇, a], as methods.
 
-use crate::expr::{ExprId, Graph};
+use crate::calculus::jacobian;
+use crate::expr::ExprId;
+use crate::model::Model;
 
-/// ∂ẏ/∂y from the rows of the `n` accelerations.
-pub(in crate::emit) fn by_state(graph: &mut Graph, n: usize, accelerations: &[ExprId]) -> Vec<ExprId> {
-    let mut entries = Vec::with_capacity(4 * n * n);
-    for i in 0..n {
-        // A coordinate changes with its velocity and nothing else.
-        entries.extend((0..2 * n).map(|j| graph.number(i64::from(j == n + i))));
-    }
+/// ∂ẏ/∂y from the rows of the accelerations.
+pub(in crate::emit) fn by_state(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
+    let rates = model.coordinates.iter().map(|coordinate| coordinate.rate).collect::<Vec<_>>();
+    let state = [model.positions(), model.velocities()].concat();
+    let mut entries = jacobian(&mut model.graph, &rates, &state).concat();
     entries.extend(accelerations);
     entries
 }
 
-/// The derivatives of ẏ by fields from the rows of the accelerations; those of the velocities are `zeros` zeros.
-pub(in crate::emit) fn by_fields(graph: &mut Graph, zeros: usize, accelerations: &[ExprId]) -> Vec<ExprId> {
-    let mut entries = vec![graph.number(0); zeros];
+/// The derivatives of ẏ by fields from the rows of the accelerations; those of the positions' rates are `zeros` zeros.
+pub(in crate::emit) fn by_fields(model: &mut Model, zeros: usize, accelerations: &[ExprId]) -> Vec<ExprId> {
+    let mut entries = vec![model.graph.number(0); zeros];
     entries.extend(accelerations);
     entries
 }

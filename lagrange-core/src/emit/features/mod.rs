@@ -7,6 +7,7 @@ pub(super) mod events;
 pub(super) mod frames;
 pub(super) mod indefinite;
 pub(super) mod jacobian;
+pub(super) mod orientations;
 pub(super) mod ports;
 pub(super) mod product;
 pub(super) mod reduced;

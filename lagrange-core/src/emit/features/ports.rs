@@ -111,7 +111,7 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
     };
     let outputs = shape.outputs.iter().filter_map(|(name, _)| Some((*name, written(name)?.returns)));
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
+    let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let (mut texts, mut statements, mut all) = (Vec::new(), TokenStream::new(), Vec::new());
     for (output, returns) in outputs {
@@ -136,8 +136,8 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
             fn outputs(
                 &self,
                 #time: #scalar,
-                #positions: &[#scalar; #n],
-                #velocities: &[#scalar; #n],
+                #positions: &[#scalar; #nq],
+                #velocities: &[#scalar; #nv],
             ) -> [#scalar; #k] {
                 #statements
                 [#(#all),*]

@@ -27,8 +27,8 @@ pub(in crate::emit) fn plan(
     let (arguments, returns) = signature(product, shape, moving)?;
     let found = equations.product(product, model)?;
     let roots = match product {
-        Product::Jacobian => by_state(&mut model.graph, shape.coordinates.len(), &found),
-        Product::ParameterJacobian => by_fields(&mut model.graph, returns.count() / 2, &found),
+        Product::Jacobian => by_state(model, &found),
+        Product::ParameterJacobian => by_fields(model, returns.count() - found.len(), &found),
         _ => found,
     };
     Some(Plan { docs, arguments, returns, roots })
@@ -49,8 +49,8 @@ pub(in crate::emit) fn signature(
         ProductArguments::Whole => Arguments::Whole,
     };
     let count = |extent| match extent {
-        Extent::Coordinates => shape.coordinates.len(),
-        Extent::State => 2 * shape.coordinates.len(),
+        Extent::Velocities => shape.velocities.len(),
+        Extent::State => shape.coordinates.len() + shape.velocities.len(),
         Extent::Constraints => shape.constraints.len(),
         Extent::Fields => shape.fields.len(),
     };

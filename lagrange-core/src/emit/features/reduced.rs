@@ -147,7 +147,7 @@ fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Resul
     let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
     let expand = with_values(part, reduced, frozen, |state, values, zero| {
         let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
-            let value = match pinned(frozen, values, i, full.coordinates.len()) {
+            let value = match pinned(frozen, values, i, full) {
                 None => quote!(#state.#field),
                 Some(value) => value.unwrap_or(zero).clone(),
             };
@@ -158,7 +158,7 @@ fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Resul
     let all = frozen.iter().chain(small).cloned().collect::<Vec<_>>();
     let deviation = with_values(part, reduced, &all, |state, values, zero| {
         let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
-            match pinned(&all, values, i, full.coordinates.len()) {
+            match pinned(&all, values, i, full) {
                 None => quote!(#field: #zero),
                 Some(None) => quote!(#field: #state.#field),
                 Some(Some(value)) => quote!(#field: #state.#field - #value),
@@ -174,10 +174,13 @@ fn pinned<'v>(
     all: &[Pinned],
     values: &'v [Option<TokenStream>],
     entry: usize,
-    coordinates: usize,
+    full: &Shape<'_>,
 ) -> Option<Option<&'v TokenStream>> {
-    let position = all.iter().position(|pinned| pinned.coordinate == entry % coordinates)?;
-    Some(if entry < coordinates { values.get(position).and_then(Option::as_ref) } else { None })
+    let is_pinned = |coordinate| all.iter().position(|pinned| pinned.coordinate == coordinate);
+    let Some(velocity) = entry.checked_sub(full.coordinates.len()) else {
+        return Some(values.get(is_pinned(entry)?).and_then(Option::as_ref));
+    };
+    is_pinned(full.position_of(&full.velocities[velocity])?).map(|_| None)
 }
 
 /// A body that computes values and puts them into a state of the whole system; `fields` gets the state, the

@@ -10,7 +10,7 @@ use crate::expr::ExprId;
 
 /// The whole system of M a = f + Aᵀλ and A a + b = 0, solved at run time.
 pub(in crate::emit) fn write_redundant_motion(writer: &mut MethodWriter<'_>) {
-    let (n, m) = (writer.model.coordinates.len(), writer.model.constraints.len());
+    let (n, m) = (writer.model.speeds.len(), writer.model.constraints.len());
     let equations = writer.equations;
     let vectors = [&equations.forcing[..], &equations.constraints.drifts].concat();
     let roots = [entries(writer), vectors].concat();
@@ -28,7 +28,7 @@ pub(in crate::emit) fn write_redundant_motion(writer: &mut MethodWriter<'_>) {
             )
         }
     });
-    let (scalar, n, m) = (writer.shape.scalar(), length(n), length(m));
+    let (scalar, nq, n, m) = (writer.shape.scalar(), writer.shape.positions_length(), length(n), length(m));
     let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
     writer.members.hidden.extend(quote! {
         /// Accelerations and the least multipliers where constraints depend on each other.
@@ -37,7 +37,7 @@ pub(in crate::emit) fn write_redundant_motion(writer: &mut MethodWriter<'_>) {
         fn redundant_motion(
             &self,
             #time: #scalar,
-            #positions: &[#scalar; #n],
+            #positions: &[#scalar; #nq],
             #velocities: &[#scalar; #n],
         ) -> #krate::constraint::RedundantMotion<#scalar, #n, #m> {
             #body
@@ -47,14 +47,14 @@ pub(in crate::emit) fn write_redundant_motion(writer: &mut MethodWriter<'_>) {
 
 /// The correction, found in the same way.
 pub(in crate::emit) fn write_redundant_correction(writer: &mut MethodWriter<'_>) {
-    let (n, m) = (writer.model.coordinates.len(), writer.model.constraints.len());
+    let (n, m) = (writer.model.speeds.len(), writer.model.constraints.len());
     let (krate, residuals) = (writer.shape.krate, writer.members.names.residuals.clone());
     let roots = entries(writer);
     let (body, _) = writer.lowered(&roots, Arguments::State, |results| {
         let [mass_matrix, jacobian] = matrices(results, n, m);
         quote!(#krate::constraint::redundant_correction(&#mass_matrix, &#jacobian, #residuals))
     });
-    let (scalar, n, m) = (writer.shape.scalar(), length(n), length(m));
+    let (scalar, nq, n, m) = (writer.shape.scalar(), writer.shape.positions_length(), length(n), length(m));
     let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
     writer.members.hidden.extend(quote! {
         /// The correction where constraints depend on each other.
@@ -63,7 +63,7 @@ pub(in crate::emit) fn write_redundant_correction(writer: &mut MethodWriter<'_>)
         fn redundant_correction(
             &self,
             #time: #scalar,
-            #positions: &[#scalar; #n],
+            #positions: &[#scalar; #nq],
             #velocities: &[#scalar; #n],
             #residuals: &[#scalar; #m],
         ) -> [#scalar; #n] {

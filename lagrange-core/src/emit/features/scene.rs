@@ -9,7 +9,7 @@ use crate::bodies::{DrawnKind, JointForm, LoadOrigin};
 use crate::emit::base::docs;
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments};
-use crate::emit::base::shape::{Shape, length, local, motion_name};
+use crate::emit::base::shape::{Shape, local, motion_name};
 use crate::emit::base::writer::MethodWriter;
 use crate::expr::ExprId;
 use crate::model::{BodyMotion, DrawnItem, OutlinedPart, Product, Scene};
@@ -229,7 +229,8 @@ pub(in crate::emit) fn motion_method(
     docs: &TokenStream,
     content: &TokenStream,
 ) -> TokenStream {
-    let (krate, scalar, n) = (shape.krate, shape.scalar(), length(shape.coordinates.len()));
+    let (krate, scalar) = (shape.krate, shape.scalar());
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let (name, ArgumentNames { time, positions, velocities, .. }) = (motion_name(body), names);
     let motion = local(if shape.declaration.is_in_space { "SpatialMotion" } else { "Motion" });
     quote! {
@@ -239,8 +240,8 @@ pub(in crate::emit) fn motion_method(
         pub fn #name(
             &self,
             #time: #scalar,
-            #positions: &[#scalar; #n],
-            #velocities: &[#scalar; #n],
+            #positions: &[#scalar; #nq],
+            #velocities: &[#scalar; #nv],
         ) -> #krate::body::#motion<#scalar> {
             #content
         }
@@ -251,7 +252,7 @@ pub(in crate::emit) fn motion_method(
 pub(in crate::emit) fn scene_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let Some(items) = &members.items else { return TokenStream::new() };
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, n) = (shape.krate, length(shape.coordinates.len()));
+    let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, visit, .. } = &members.names;
     quote! {
         #[automatically_derived]
@@ -260,8 +261,8 @@ pub(in crate::emit) fn scene_impl(shape: &Shape<'_>, members: &Members) -> Token
             fn items(
                 &self,
                 #time: #scalar,
-                #positions: &[#scalar; #n],
-                #velocities: &[#scalar; #n],
+                #positions: &[#scalar; #nq],
+                #velocities: &[#scalar; #nv],
                 #visit: &mut dyn ::core::ops::FnMut(#krate::scene::Item<'_, #scalar>),
             ) {
                 #items

@@ -59,7 +59,7 @@ pub(in crate::emit) fn lowered_sparse(
 
 /// `ConstrainedSystem::residual_scales`, if the Jacobian of the constraints is not worth forming for it.
 pub(in crate::emit) fn write_sparse_scales(writer: &mut MethodWriter<'_>) {
-    let (n, m) = (writer.model.coordinates.len(), writer.model.constraints.len());
+    let (n, m) = (writer.model.speeds.len(), writer.model.constraints.len());
     let roots = writer.equations.constraints.jacobian.concat();
     let Some(sparse) = Sparse::of(&writer.model.graph, Returns::Matrix(m, n), &roots) else { return };
     let (krate, shares) = (writer.shape.krate, writer.members.names.shares.clone());

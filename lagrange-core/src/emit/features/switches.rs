@@ -163,7 +163,7 @@ pub(in crate::emit) fn switched_impl(shape: &Shape<'_>, members: &Members) -> To
     }
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, field, k) = (shape.krate, switches_field(shape), length(shape.switches.len()));
-    let (first, twice) = (length(shape.event_names().len()), length(2 * shape.coordinates.len()));
+    let (first, twice) = (length(shape.event_names().len()), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let (switches, others) = (local("switches"), shape.kept_fields(|_| true));
     let variables = state_variables(shape);

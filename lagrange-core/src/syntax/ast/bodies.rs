@@ -79,7 +79,7 @@ impl SceneStatement {
             SceneStatement::Mobilizer(joint) if joint.kind == MobilizerKind::Weld => {
                 (Vec::new(), Reach::Expressions)
             }
-            SceneStatement::Mobilizer(joint) => (joint.coordinates.iter().collect(), Reach::Both),
+            SceneStatement::Mobilizer(joint) => (joint.names(), Reach::Both),
         }
     }
 

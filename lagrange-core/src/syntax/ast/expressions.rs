@@ -135,6 +135,18 @@ impl Expressions {
         self.nodes[id.0 as usize].1
     }
 
+    /// `x` of an expression `dot(x)`.
+    pub fn rate_of_name(&self, id: AstId) -> Option<&str> {
+        let Expression::Call(function, arguments) = self.get(id) else { return None };
+        match (function.text.as_str(), arguments.as_slice()) {
+            ("dot", [argument]) => match self.get(*argument) {
+                Expression::Name(name) => Some(name),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// Every expression with its id, children before parents.
     pub fn iter(&self) -> impl Iterator<Item = (AstId, &Expression)> {
         self.nodes.iter().enumerate().map(|(index, (expression, _))| (AstId(index as u32), expression))

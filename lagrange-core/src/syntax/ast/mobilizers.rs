@@ -1,10 +1,11 @@
 //! Joints with coordinates of their own, as written.
 
 use super::keywords::{Keyword, Soft};
+use super::statements::Quaternion;
 use super::{AstId, Name};
 
 /// Words that begin statements about joints with coordinates of their own.
-pub const KEYWORDS: [Keyword; 7] = [
+pub const KEYWORDS: [Keyword; 9] = [
     Keyword::new("revolute", "write `revolute q = ground to arm { at: p; axis: u; }`")
         .before(Soft::Coordinates),
     Keyword::new("prismatic", "write `prismatic s = ground to slider { at: p; axis: u; }`")
@@ -15,6 +16,8 @@ pub const KEYWORDS: [Keyword; 7] = [
     Keyword::new("universal", "write `universal (a, b) = shaft to fork { at: p; }`")
         .before(Soft::Coordinates),
     Keyword::new("planar", "write `planar (x, y, phi) = ground to puck;`").before(Soft::Coordinates),
+    Keyword::new("ball", "write `ball hip = trunk to leg { at: p; }`").before(Soft::Coordinates),
+    Keyword::new("free", "write `free trunk;`, with the name of a body").before(Soft::Alone),
     Keyword::new("weld", "write `weld arm to hand { at: p; turned: (roll, pitch, yaw); }`")
         .before(Soft::Joint),
 ];
@@ -23,7 +26,8 @@ pub const KEYWORDS: [Keyword; 7] = [
 ///
 /// ```text
 /// mobilizer = "weld" NAME "to" NAME tail
-///           | ( "revolute" | "prismatic" | "screw" ) NAME "=" NAME "to" NAME tail
+///           | "free" NAME ";"
+///           | ( "revolute" | "prismatic" | "screw" | "ball" ) NAME "=" NAME "to" NAME tail
 ///           | ( "cylindrical" | "universal" | "planar" ) "(" NAME { "," NAME } ")" "=" NAME "to" NAME tail
 /// tail      = ";" | "{" { ( "at" | "turned" | "axis" | "pitch" | "damping" ) ":" sum ";" } "}" [ ";" ]
 /// ```
@@ -33,6 +37,10 @@ pub struct Mobilizer {
     pub kind: MobilizerKind,
     /// The coordinates that it makes.
     pub coordinates: Vec<Name>,
+    /// Names of their rates, if these have names of their own.
+    pub speeds: Vec<Name>,
+    /// The orientation that it makes.
+    pub quaternion: Option<Quaternion>,
     /// The body or frame that carries it, or `ground`.
     pub inboard: Name,
     /// The body or frame that it places.
@@ -64,11 +72,38 @@ pub enum MobilizerKind {
     Universal,
     /// `planar (x, y, phi)`: moves along x and y and turns about z.
     Planar,
+    /// `ball hip`: turns about any axis.
+    Ball,
+    /// `free trunk`: moves and turns in any direction, without a carrier.
+    Free,
     /// `weld`: does not move.
     Weld,
 }
 
 impl Mobilizer {
+    /// A joint of which nothing else is known yet.
+    pub fn between(kind: MobilizerKind, inboard: Name, outboard: Name) -> Mobilizer {
+        Mobilizer {
+            kind,
+            coordinates: Vec::new(),
+            speeds: Vec::new(),
+            quaternion: None,
+            inboard,
+            outboard,
+            at: None,
+            turned: None,
+            axis: None,
+            pitch: None,
+            damping: None,
+        }
+    }
+
+    /// The names that it declares.
+    pub(super) fn names(&self) -> Vec<&Name> {
+        let components = self.quaternion.iter().flat_map(Quaternion::names);
+        self.coordinates.iter().chain(&self.speeds).chain(components).collect()
+    }
+
     pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         let Mobilizer { at, turned, axis, pitch, damping, .. } = self;
         [at, turned, axis, pitch, damping].into_iter().flatten().collect()
@@ -77,13 +112,15 @@ impl Mobilizer {
 
 impl MobilizerKind {
     /// Every kind.
-    pub const ALL: [MobilizerKind; 7] = [
+    pub const ALL: [MobilizerKind; 9] = [
         MobilizerKind::Revolute,
         MobilizerKind::Prismatic,
         MobilizerKind::Screw,
         MobilizerKind::Cylindrical,
         MobilizerKind::Universal,
         MobilizerKind::Planar,
+        MobilizerKind::Ball,
+        MobilizerKind::Free,
         MobilizerKind::Weld,
     ];
 
@@ -96,6 +133,8 @@ impl MobilizerKind {
             MobilizerKind::Cylindrical => "cylindrical",
             MobilizerKind::Universal => "universal",
             MobilizerKind::Planar => "planar",
+            MobilizerKind::Ball => "ball",
+            MobilizerKind::Free => "free",
             MobilizerKind::Weld => "weld",
         }
     }
@@ -113,15 +152,19 @@ impl MobilizerKind {
             MobilizerKind::Cylindrical => "(q, s)",
             MobilizerKind::Universal => "(a, b)",
             MobilizerKind::Planar => "(x, y, phi)",
-            MobilizerKind::Weld => "",
+            MobilizerKind::Ball => "hip",
+            MobilizerKind::Free | MobilizerKind::Weld => "",
         }
     }
 
-    /// Number of coordinates.
-    pub fn coordinate_count(self) -> usize {
+    /// Number of names in front of `=`.
+    pub fn name_count(self) -> usize {
         match self {
-            MobilizerKind::Weld => 0,
-            MobilizerKind::Revolute | MobilizerKind::Prismatic | MobilizerKind::Screw => 1,
+            MobilizerKind::Weld | MobilizerKind::Free => 0,
+            MobilizerKind::Revolute
+            | MobilizerKind::Prismatic
+            | MobilizerKind::Screw
+            | MobilizerKind::Ball => 1,
             MobilizerKind::Cylindrical | MobilizerKind::Universal => 2,
             MobilizerKind::Planar => 3,
         }

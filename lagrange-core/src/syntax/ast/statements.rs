@@ -27,6 +27,8 @@ pub struct Statement {
 /// statement = attribute* ( "param" | "input" ) NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 ///           | "const" NAME "=" sum { "," NAME "=" sum } ";"
 ///           | "coord" NAME { "," NAME } ";"
+///           | "quaternion" NAME ";"
+///           | "velocity" NAME "=" sum ";"
 ///           | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
 ///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
 ///           | "gibbs" "=" sum "," "for" ":" sum ";"
@@ -58,6 +60,10 @@ pub enum StatementKind {
     Constants(Vec<Definition>),
     /// `coord x, theta;`
     Coordinates(Vec<Name>),
+    /// `quaternion hip;`
+    Quaternion(Box<Quaternion>),
+    /// `velocity u = dot(x);`
+    Velocity(Name, AstId),
     /// `let n = e;`
     Let(Name, AstId),
     /// `let (a, b) = e;`
@@ -119,10 +125,12 @@ pub enum StatementKind {
 }
 
 /// Words that begin statements, but for those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 19] = [
+pub const KEYWORDS: [Keyword; 21] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`"),
+    Keyword::new("quaternion", "write `quaternion hip;`").before(Soft::Alone),
+    Keyword::new("velocity", "write `velocity u = dot(x);`").before(Soft::Definition),
     Keyword::new("input", "write `input u;`"),
     Keyword::new(
         "let",
@@ -161,6 +169,8 @@ impl StatementKind {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
             StatementKind::Constants(list) => (defined(list), Reach::Expressions),
             StatementKind::Coordinates(names) => (names.iter().collect(), Reach::Both),
+            StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
+            StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
             StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
             StatementKind::Constraint(name, _) => (vec![name], Reach::Both),
@@ -189,7 +199,8 @@ impl StatementKind {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
             | StatementKind::Constants(list) => list.iter_mut().filter_map(|d| d.value.as_mut()).collect(),
-            StatementKind::Let(_, value)
+            StatementKind::Velocity(_, value)
+            | StatementKind::Let(_, value)
             | StatementKind::LetTuple(_, value)
             | StatementKind::Kinetic(value)
             | StatementKind::Potential(value)
@@ -209,7 +220,9 @@ impl StatementKind {
                 reduction.items.iter_mut().filter_map(|item| item.value.as_mut()).collect()
             }
             StatementKind::Scene(scene) => scene.expressions_mut(),
-            StatementKind::Coordinates(_) | StatementKind::Emit(_) => Vec::new(),
+            StatementKind::Coordinates(_) | StatementKind::Quaternion(_) | StatementKind::Emit(_) => {
+                Vec::new()
+            }
         }
     }
 
@@ -257,6 +270,33 @@ impl StatementKind {
 
 fn defined(list: &[Definition]) -> Vec<&Name> {
     list.iter().map(|definition| &definition.name).collect()
+}
+
+/// An orientation as a unit quaternion of positions, with its angular velocity in the turned axes.
+#[derive(Clone, Debug)]
+pub struct Quaternion {
+    /// Name that those of its components begin with.
+    pub name: Name,
+    /// Scalar part and vector part: `hip_qw`, `hip_qx`, `hip_qy`, `hip_qz`.
+    pub positions: [Name; 4],
+    /// Components of the angular velocity: `hip_wx`, `hip_wy`, `hip_wz`.
+    pub velocities: [Name; 3],
+}
+
+impl Quaternion {
+    /// A quaternion of this name.
+    pub fn named(name: Name) -> Quaternion {
+        let component = |suffix: &str| Name { text: format!("{}_{suffix}", name.text), span: name.span };
+        Quaternion {
+            positions: ["qw", "qx", "qy", "qz"].map(component),
+            velocities: ["wx", "wy", "wz"].map(component),
+            name,
+        }
+    }
+
+    pub(super) fn names(&self) -> Vec<&Name> {
+        self.positions.iter().chain(&self.velocities).collect()
+    }
 }
 
 /// A second type with fewer or simpler motions.

@@ -43,10 +43,13 @@ pub(in crate::syntax) fn labelled(label: &str) -> String {
 pub(in crate::syntax) fn mobilizer_help(kind: MobilizerKind) -> String {
     let labels = match kind {
         MobilizerKind::Screw => "{ at: p; axis: u; pitch: e; }",
-        MobilizerKind::Universal | MobilizerKind::Planar | MobilizerKind::Weld => "{ at: p; }",
+        MobilizerKind::Universal | MobilizerKind::Planar | MobilizerKind::Ball | MobilizerKind::Weld => {
+            "{ at: p; }"
+        }
         _ => "{ at: p; axis: u; }",
     };
     match kind {
+        MobilizerKind::Free => "write `free trunk;`, with the name of a body".to_owned(),
         MobilizerKind::Weld => format!("write `weld ground to stand {labels}`"),
         kind => format!("write `{} {} = ground to link {labels}`", kind.name(), kind.written_coordinates()),
     }

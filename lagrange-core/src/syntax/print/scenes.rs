@@ -2,7 +2,8 @@
 
 use super::Printer;
 use crate::syntax::ast::{
-    AstId, Body, Connector, Joint, JointKind, Line, Mobilizer, Name, Part, SceneStatement, Shape,
+    AstId, Body, Connector, Joint, JointKind, Line, Mobilizer, MobilizerKind, Name, Part, SceneStatement,
+    Shape,
 };
 
 impl Printer<'_> {
@@ -131,6 +132,10 @@ impl Printer<'_> {
     fn mobilizer(&mut self, joint: &Mobilizer) {
         self.text(joint.kind.name());
         self.text(" ");
+        if joint.kind == MobilizerKind::Free {
+            return self.text(&format!("{};", joint.outboard.text));
+        }
+        joint.quaternion.iter().for_each(|quaternion| self.text(&format!("{} = ", quaternion.name.text)));
         match joint.coordinates.as_slice() {
             [] => {}
             [only] => self.text(&format!("{} = ", only.text)),

@@ -50,7 +50,9 @@ fn mobilizer(declaration: &Declaration, joint: &Mobilizer) -> String {
         Some(value) => format!(" ({label} {})", shown(&declaration.expressions, *value)),
         None => String::new(),
     };
-    let names = joint.coordinates.iter().map(|name| format!(" {}", name.text)).collect::<String>();
+    let quaternion = joint.quaternion.iter().map(|quaternion| &quaternion.name);
+    let names =
+        joint.coordinates.iter().chain(quaternion).map(|name| format!(" {}", name.text)).collect::<String>();
     let mut text = format!("{}{names}: {} to {}", joint.kind.name(), joint.inboard.text, joint.outboard.text);
     text += &labelled("at", &joint.at);
     text += &labelled("turned", &joint.turned);

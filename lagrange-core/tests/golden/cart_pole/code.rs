@@ -29,7 +29,7 @@ pub struct CartPole {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
-/// State of [`CartPole`]: coordinates, then velocities.
+/// State of [`CartPole`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -65,7 +65,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
     impl CartPole {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 6 additions, 15 multiplications, 2 divisions, 1 `sin_cos`.
         #[must_use]
@@ -259,7 +259,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 2] {
             [self.x, self.theta]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 2] {

@@ -26,7 +26,7 @@ pub struct ChargedParticle {
     /// Parameter `e`.
     pub e: ::core::primitive::f32,
 }
-/// State of [`ChargedParticle`]: coordinates, then velocities.
+/// State of [`ChargedParticle`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -55,7 +55,7 @@ const _: () = {
     use ::core::primitive::f32;
     use ::lagrange::private::multiply_add;
     impl ChargedParticle {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 1 addition, 7 multiplications, 1 division.
         #[must_use]
@@ -173,7 +173,7 @@ const _: () = {
         pub fn coordinates(self) -> [f32; 3] {
             [self.x, self.y, self.z]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f32; 3] {

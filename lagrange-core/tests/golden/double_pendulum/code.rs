@@ -28,7 +28,7 @@ pub struct DoublePendulum {
     /// Parameter `g`.
     pub g: ::core::primitive::f64,
 }
-/// State of [`DoublePendulum`]: coordinates, then velocities.
+/// State of [`DoublePendulum`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -53,7 +53,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
     impl DoublePendulum {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 6 additions, 18 multiplications, 3 divisions, 2 `sin_cos`.
         #[must_use]
@@ -274,7 +274,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 2] {
             [self.theta1, self.theta2]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 2] {

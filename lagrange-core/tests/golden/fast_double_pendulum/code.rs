@@ -35,7 +35,7 @@ pub struct ShakenDoublePendulum {
     /// Parameter `g`.
     pub g: ::core::primitive::f64,
 }
-/// State of [`ShakenDoublePendulum`]: coordinates, then velocities.
+/// State of [`ShakenDoublePendulum`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -60,7 +60,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin_cos_each};
     impl ShakenDoublePendulum {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 8 additions, 23 multiplications, 3 divisions, 3 `sin_cos`.
         #[must_use]
@@ -357,7 +357,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 2] {
             [self.theta1, self.theta2]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 2] {

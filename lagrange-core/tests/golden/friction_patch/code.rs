@@ -29,7 +29,7 @@ pub struct FrictionPatch {
     /// On which sides of its switches the system is computed; runs fix them.
     pub switches: ::lagrange::event::Switches,
 }
-/// State of [`FrictionPatch`]: coordinates, then velocities.
+/// State of [`FrictionPatch`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -50,7 +50,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin};
     impl FrictionPatch {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 2 additions, 10 multiplications, 2 divisions, 1 function, 2 selections.
         #[must_use]
@@ -232,7 +232,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 1] {
             [self.s]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 1] {

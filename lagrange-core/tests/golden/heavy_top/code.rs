@@ -30,7 +30,7 @@ pub struct HeavyTop {
     /// Parameter `g`.
     pub g: ::core::primitive::f64,
 }
-/// State of [`HeavyTop`]: coordinates, then velocities.
+/// State of [`HeavyTop`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -59,7 +59,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
     impl HeavyTop {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 5 additions, 19 multiplications, 2 divisions, 1 `sin_cos`.
         #[must_use]
@@ -258,7 +258,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 3] {
             [self.phi, self.theta, self.psi]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 3] {

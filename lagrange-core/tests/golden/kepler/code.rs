@@ -21,7 +21,7 @@ pub struct Kepler<S> {
     /// Parameter `mu`.
     pub mu: S,
 }
-/// State of [`Kepler`]: coordinates, then velocities.
+/// State of [`Kepler`]: positions, then velocities.
 #[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]
 #[derive(
     ::core::clone::Clone,
@@ -51,7 +51,7 @@ const _: () = {
     impl<S: ::lagrange::Scalar> Kepler<S> {
         /// Parameters, then inputs: the columns of `parameter_jacobian`.
         pub const PARAMETERS: [&'static ::core::primitive::str; 2] = ["m", "mu"];
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 1 addition, 7 multiplications, 1 division.
         #[must_use]
@@ -249,7 +249,7 @@ const _: () = {
         pub fn coordinates(self) -> [S; 2] {
             [self.r, self.phi]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [S; 2] {

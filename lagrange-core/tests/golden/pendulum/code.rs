@@ -22,7 +22,7 @@ pub struct Pendulum {
     /// Parameter `g`.
     pub g: ::core::primitive::f64,
 }
-/// State of [`Pendulum`]: coordinates, then velocities.
+/// State of [`Pendulum`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -43,7 +43,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin};
     impl Pendulum {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 1 multiplication, 1 division, 1 function.
         #[must_use]
@@ -161,7 +161,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 1] {
             [self.theta]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 1] {

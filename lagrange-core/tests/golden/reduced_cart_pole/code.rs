@@ -29,7 +29,7 @@ pub struct CartPole {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
-/// State of [`CartPole`]: coordinates, then velocities.
+/// State of [`CartPole`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -65,7 +65,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
     impl CartPole {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 6 additions, 15 multiplications, 2 divisions, 1 `sin_cos`.
         #[must_use]
@@ -183,7 +183,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 2] {
             [self.x, self.theta]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 2] {
@@ -369,7 +369,7 @@ pub struct Parked {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
-/// State of [`Parked`]: coordinates, then velocities.
+/// State of [`Parked`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -401,7 +401,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
     impl Parked {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 1 addition, 7 multiplications, 1 division, 1 function.
         #[must_use]
@@ -497,7 +497,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 1] {
             [self.theta]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 1] {
@@ -747,7 +747,7 @@ pub struct Linear {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
-/// State of [`Linear`]: coordinates, then velocities.
+/// State of [`Linear`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -783,7 +783,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{multiply_add, sin_cos};
     impl Linear {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 5 additions, 11 multiplications, 2 divisions.
         #[must_use]
@@ -888,7 +888,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 2] {
             [self.x, self.theta]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 2] {

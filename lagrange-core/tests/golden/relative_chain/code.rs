@@ -47,7 +47,7 @@ pub struct RelativeChain {
     /// Parameter `g`.
     pub g: ::core::primitive::f64,
 }
-/// State of [`RelativeChain`]: coordinates, then velocities.
+/// State of [`RelativeChain`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -76,7 +76,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin_cos};
     impl RelativeChain {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 17 additions, 38 multiplications, 5 divisions, 3 `sin_cos`.
         #[must_use]
@@ -437,7 +437,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 3] {
             [self.q1, self.q2, self.q3]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 3] {

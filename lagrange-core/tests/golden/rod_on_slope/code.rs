@@ -58,7 +58,7 @@ pub struct RodOnSlope {
     /// Input `u`.
     pub u: ::core::primitive::f64,
 }
-/// State of [`RodOnSlope`]: coordinates, then velocities.
+/// State of [`RodOnSlope`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -100,7 +100,7 @@ const _: () = {
     impl RodOnSlope {
         /// The statements that those about rigid bodies stand for.
         pub const STATEMENTS: &'static ::core::primitive::str = "param m = 2, l = 1.5, k = 30, g = 9.81, slope = 0.3;\ncoord x, y, a;\ninput u;\nlet rod_mass = m - m/10;\nlet rod_centroid_x = -(m/10 * (l/4) / rod_mass);\nlet rod_inertia = rectangle(m, l, l/5) + m * (-rod_centroid_x)^2 - (disk(m/10, l/20) + m/10 * (l/4 - rod_centroid_x)^2);\nlet rod_center = (x, y);\nkinetic = kinetic_energy(rod_mass, dot(rod_center));\nkinetic = kinetic_energy(rod_inertia, dot(a));\npotential = rod_mass * g * rod_center.y;\nconstraint hinge_x = rod_center.x - rod_centroid_x * cos(a) - l/2 * cos(a);\nconstraint hinge_y = rod_center.y - rod_centroid_x * sin(a) - l/2 * sin(a) - 1;\nlet spring_1_span = (2 - (rod_center.x - rod_centroid_x * cos(a) + l/2 * cos(a)), 1 - (rod_center.y - rod_centroid_x * sin(a) + l/2 * sin(a)));\npotential = spring_energy(k, norm(spring_1_span) - 1/2);\nforce (u, 0) at rod_center;\nemit { no momenta }\n";
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 23 additions, 55 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
         #[must_use]
@@ -603,7 +603,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 3] {
             [self.x, self.y, self.a]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 3] {

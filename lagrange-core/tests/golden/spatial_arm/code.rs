@@ -73,7 +73,7 @@ pub struct SpatialArm {
     /// Parameter `r`.
     pub r: ::core::primitive::f64,
 }
-/// State of [`SpatialArm`]: coordinates, then velocities.
+/// State of [`SpatialArm`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -100,7 +100,7 @@ const _: () = {
     impl SpatialArm {
         /// The statements that those about rigid bodies stand for.
         pub const STATEMENTS: &'static ::core::primitive::str = "param m = 2, l = 0.5, r = 0.05;\ncoord turn;\nlet base_w = (0, 0, dot(turn));\nlet base_x = (cos(turn), sin(turn), 0);\nlet base_y = (-sin(turn), cos(turn), 0);\nlet base_T_rotation = 1/2 * 0.01 * base_w.z^2;\nkinetic = base_T_rotation;\nlet base_V = 3 * m * (9.81 * 0.3);\npotential = base_V;\ncoord lift;\nlet arm_joint_v = (0, base_w.z * r, 0);\nlet arm_joint_origin = (r * base_x.x, r * base_x.y, 0.3 + 0.1);\nlet arm_w = (-(sin(lift) * base_w.z), dot(lift), cos(lift) * base_w.z);\nlet arm_x = (cos(lift) * base_x.x, cos(lift) * base_x.y, -sin(lift));\nlet arm_z = (sin(lift) * base_x.x, sin(lift) * base_x.y, cos(lift));\nlet arm_center_v = (arm_w.y * (l/2), arm_joint_v.y - arm_w.x * (l/2), 0);\nlet arm_T_translation = kinetic_energy(m, (arm_center_v.x, arm_center_v.y, 0));\nkinetic = arm_T_translation;\nlet arm_T_rotation = 1/2 * (m * l^2 / 12) * arm_w.x^2 + 1/2 * (m * l^2 / 12) * arm_w.y^2;\nkinetic = arm_T_rotation;\nlet arm_V = m * (9.81 * (arm_joint_origin.z + l/2 * arm_z.z));\npotential = arm_V;\nlet tool_joint_origin = (arm_joint_origin.x + l * arm_z.x, arm_joint_origin.y + l * arm_z.y, arm_joint_origin.z + l * arm_z.z);\nlet tool_z = (-base_y.x, -base_y.y, 0);\nlet arm_moment = (0, 0, m * (l/2));\nlet arm_J = (m * l^2 / 12 + m * (l/2)^2, m * l^2 / 12 + m * (l/2)^2, 0);\nlet base_alpha = (0, 0, ddot(turn));\nlet base_w_squares = (0, 0, base_w.z^2);\nlet base_relative_x = (-base_w_squares.z, -base_alpha.z, 0);\nlet base_relative_y = (base_alpha.z, -base_w_squares.z, 0);\nlet base_S = 1/2 * (3 * m) * 9.81^2 + 1/2 * 0.01 * base_alpha.z^2;\nlet arm_joint_a = (base_relative_x.x * r, base_relative_y.x * r, 9.81);\nlet arm_alpha = (-(sin(lift) * base_alpha.z) - arm_w.z * dot(lift), ddot(lift), cos(lift) * base_alpha.z + arm_w.x * dot(lift));\nlet arm_a = (cos(lift) * arm_joint_a.x - sin(lift) * 9.81, arm_joint_a.y, cos(lift) * 9.81 + sin(lift) * arm_joint_a.x);\nlet arm_w_squares = (arm_w.x^2, arm_w.y^2, arm_w.z^2);\nlet arm_w_products = (arm_w.y * arm_w.z, arm_w.z * arm_w.x, arm_w.x * arm_w.y);\nlet arm_relative_x = (-(arm_w_squares.y + arm_w_squares.z), arm_w_products.z - arm_alpha.z, arm_w_products.y + arm_alpha.y);\nlet arm_relative_y = (arm_w_products.z + arm_alpha.z, -(arm_w_squares.z + arm_w_squares.x), arm_w_products.x - arm_alpha.x);\nlet arm_relative_z = (arm_w_products.y - arm_alpha.y, arm_w_products.x + arm_alpha.x, -(arm_w_squares.x + arm_w_squares.y));\nlet arm_S = 1/2 * m * arm_a.x^2 + 1/2 * m * arm_a.y^2 + 1/2 * m * arm_a.z^2 + (arm_a.x * (arm_relative_x.z * arm_moment.z) + arm_a.y * (arm_relative_y.z * arm_moment.z) + arm_a.z * (arm_relative_z.z * arm_moment.z)) + 1/2 * arm_J.x * arm_alpha.x^2 - arm_J.y * arm_w_products.x * arm_alpha.x + 1/2 * arm_J.y * arm_alpha.y^2 + arm_J.x * arm_w_products.y * arm_alpha.y + (arm_J.y - arm_J.x) * arm_w_products.z * arm_alpha.z;\ngibbs = base_S + arm_S, for: base_T_rotation - base_V + (arm_T_translation + arm_T_rotation - arm_V);\n";
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 6 additions, 29 multiplications, 2 divisions, 1 `sin_cos`.
         #[must_use]
@@ -622,7 +622,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 2] {
             [self.turn, self.lift]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 2] {

@@ -25,7 +25,7 @@ pub struct Kapitza {
     /// Parameter `g`.
     pub g: ::core::primitive::f64,
 }
-/// State of [`Kapitza`]: coordinates, then velocities.
+/// State of [`Kapitza`]: positions, then velocities.
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -46,7 +46,7 @@ const _: () = {
     use ::core::primitive::f64;
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
     impl Kapitza {
-        /// Accelerations in the order of the coordinates.
+        /// Accelerations in the order of the velocities.
         ///
         /// Takes 1 addition, 6 multiplications, 1 division, 2 functions.
         #[must_use]
@@ -211,7 +211,7 @@ const _: () = {
         pub fn coordinates(self) -> [f64; 1] {
             [self.theta]
         }
-        /// The velocities in the order of the coordinates.
+        /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 1] {

@@ -1,0 +1,39 @@
+//! What a Lagrangian L(q, v) contributes along virtual displacements of positions whose rates are no velocities.
+//!
+//! With q̇ = N(q) v, displacements are δq = N δπ, where the δπ belong to the velocities. The equations of motion along them are
+//! d/dt ∂L/∂v − Nᵀ ∂L/∂q + … = Q. What stands for the dots vanishes where velocities are rates, and is ω × p for an angular velocity ω in
+//! turning axes with the momentum p = ∂L/∂ω: in these δω = dδπ/dt + ω × δπ. These are Euler's equations, a case of the
+//! Boltzmann–Hamel equations (Lurie, *Analytical Mechanics*, §10.1).
+//!
+//! In numbers: with the moments of inertia 1, 2, 3 and ω = (0, 1, 1), p = (0, 2, 3) and ω × p = (1, 0, 0), so that ω̇ = (−1, 0, 0).
+
+use super::quadratic_form::QuadraticForm;
+use crate::expr::ExprId;
+use crate::model::Model;
+
+/// −∂L/∂q at the rates of the positions.
+pub(super) fn add_slopes(model: &mut Model, form: &mut QuadraticForm, slopes: &[ExprId]) {
+    let graph = &mut model.graph;
+    for (coordinate, &slope) in model.coordinates.iter().zip(slopes) {
+        let (factor, rate) = graph.split_coefficient(coordinate.rate);
+        let opposite = graph.scale(-&factor, slope);
+        form.add_linear(graph, rate, opposite);
+    }
+}
+
+/// ω × p at the angular velocities.
+pub(super) fn add_turning(model: &mut Model, form: &mut QuadraticForm, momenta: &[ExprId]) {
+    let (velocities, graph) = (model.velocities(), &mut model.graph);
+    for orientation in &model.orientations {
+        let first = orientation.velocity;
+        for axis in 0..3 {
+            let [next, last] = [first + (axis + 1) % 3, first + (axis + 2) % 3];
+            let products = [
+                graph.multiply(velocities[next], momenta[last]),
+                graph.multiply(velocities[last], momenta[next]),
+            ];
+            let moment = graph.subtract(products[0], products[1]);
+            form.add_linear(graph, velocities[first + axis], moment);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Coordinates, orientations and velocities: what the state is made of.
+
+use super::elaborator::Elaborator;
+use super::expression::value_of;
+use super::messages::names;
+use super::operand::Operand;
+use super::scope::NameKind;
+use crate::expr::{ExprId, Graph};
+use crate::model::{Coordinate, Orientation, Speed};
+use crate::number::Number;
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, Name, Quaternion};
+
+/// Components of a quaternion, the scalar part first, of whose products a rate is made, with the components of the angular velocity that
+/// multiply them and signs: q̇ = ½ q ⊗ (0, ω) for ω in the turned axes (Featherstone, *Rigid Body Dynamics Algorithms*, §4.5).
+const QUATERNION_RATES: [[(usize, usize, i64); 3]; 4] = [
+    [(1, 0, -1), (2, 1, -1), (3, 2, -1)],
+    [(0, 0, 1), (2, 2, 1), (3, 1, -1)],
+    [(0, 1, 1), (3, 0, 1), (1, 2, -1)],
+    [(0, 2, 1), (1, 1, 1), (2, 0, -1)],
+];
+
+pub(super) fn define_coordinate(elaborator: &mut Elaborator<'_>, name: &Name) {
+    let speed = match elaborator.declaration.velocity_named(name) {
+        Some(speed) => (speed.text.clone(), 0),
+        None => (name.text.clone(), 1),
+    };
+    let velocity = define_speed(elaborator, name, Some(elaborator.coordinates.len()), speed);
+    let position = define_position(elaborator, name, |_, _| velocity);
+    elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(position)));
+}
+
+/// A unit quaternion of positions, with three velocities.
+pub(super) fn define_quaternion(elaborator: &mut Elaborator<'_>, quaternion: &Quaternion) {
+    let orientation =
+        Orientation { position: elaborator.coordinates.len(), velocity: elaborator.speeds.len() };
+    let graph = &mut elaborator.evaluator.graph;
+    let symbol = |(index, name): (usize, &Name)| {
+        graph.symbol(&name.text, Role::Coordinate((orientation.position + index) as u32))
+    };
+    let positions = quaternion.positions.iter().enumerate().map(symbol).collect::<Vec<_>>();
+    let velocities = quaternion.velocities.each_ref().map(|name| {
+        let velocity = define_speed(elaborator, name, None, (name.text.clone(), 0));
+        elaborator.declare(name, NameKind::Velocity, Some(Operand::Scalar(velocity)));
+        velocity
+    });
+    for (name, products) in quaternion.positions.iter().zip(QUATERNION_RATES) {
+        let position = define_position(elaborator, name, |graph, _| {
+            let half = |sign: i64| &Number::HALF * &Number::from(sign);
+            let terms =
+                products.map(|(q, w, sign)| (graph.multiply(positions[q], velocities[w]), half(sign)));
+            graph.sum(Number::ZERO, terms)
+        });
+        elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(position)));
+    }
+    elaborator.orientations.push(orientation);
+}
+
+/// One more position, with its rate.
+fn define_position(
+    elaborator: &mut Elaborator<'_>,
+    name: &Name,
+    rate: impl FnOnce(&mut Graph, ExprId) -> ExprId,
+) -> ExprId {
+    let index = elaborator.coordinates.len() as u32;
+    let graph = &mut elaborator.evaluator.graph;
+    let position = graph.symbol(&name.text, Role::Coordinate(index));
+    let rate = rate(graph, position);
+    graph.set_rate(position, rate);
+    elaborator.coordinates.push((Coordinate { name: name.text.clone(), position, rate }, name.span));
+    position
+}
+
+/// One more velocity: its name with so many dots.
+fn define_speed(
+    elaborator: &mut Elaborator<'_>,
+    place: &Name,
+    coordinate: Option<usize>,
+    (name, dots): (String, u8),
+) -> ExprId {
+    let index = elaborator.speeds.len() as u32;
+    let graph = &mut elaborator.evaluator.graph;
+    let velocity = graph.dotted_symbol(&name, Role::Velocity(index), dots);
+    let acceleration = graph.dotted_symbol(&name, Role::Acceleration(index), dots + 1);
+    let name = if dots == 0 { name } else { format!("{name}_dot") };
+    elaborator.speeds.push((Speed { name, coordinate, velocity, acceleration }, place.span));
+    velocity
+}
+
+/// `velocity u = dot(x);` gives the rate of a coordinate a name.
+pub(super) fn name_velocity(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
+    let value = value_of(&mut elaborator.evaluator, syntax);
+    let named = elaborator.declaration.expressions.rate_of_name(syntax);
+    let coordinate =
+        named.and_then(|named| elaborator.coordinates.iter().find(|(known, _)| known.name == named));
+    let rate = coordinate.map(|(coordinate, _)| coordinate.rate);
+    let is_named = rate.is_some_and(|rate| {
+        elaborator.speeds.iter().any(|(speed, _)| speed.velocity == rate && speed.name == name.text)
+    });
+    if value.is_some() && !is_named {
+        let origin = elaborator.evaluator.origin(syntax);
+        elaborator.evaluator.report.error(origin, names::NO_RATE_TO_NAME).help(names::VELOCITY_HELP);
+    }
+    elaborator.declare(name, NameKind::Velocity, rate.map(Operand::Scalar));
+}

@@ -1,0 +1,108 @@
+//! Members of systems whose velocities are not all rates of positions, or have names of their own.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use crate::emit::base::members::Members;
+use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
+use crate::emit::base::shape::{Shape, doc, length, local};
+use crate::emit::base::writer::MethodWriter;
+
+/// Writes `position_rates` where velocities are not the rates of the positions.
+pub(in crate::emit) fn write_position_rates(writer: &mut MethodWriter<'_>) {
+    if writer.shape.velocities_are_rates() {
+        return;
+    }
+    let rates = writer.model.coordinates.iter().map(|coordinate| coordinate.rate).collect::<Vec<_>>();
+    let returns = Returns::Vector(rates.len());
+    let (body, _) = writer.lowered(&rates, Arguments::State, |results| returns.collect(results));
+    let docs = doc("Rates of the positions: kinematic differential equations.");
+    let name = format_ident!("position_rates");
+    writer.members.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
+}
+
+/// `MechanicalSystem::position_rates`.
+pub(in crate::emit) fn position_rates(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let scalar = shape.scalar();
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (time, positions, rates) = match shape.velocities_are_rates() {
+        true => (quote!(_), quote!(_), quote!(*#velocities)),
+        false => {
+            let rates = quote!(self.position_rates(#time, #positions, #velocities));
+            (quote!(#time), quote!(#positions), rates)
+        }
+    };
+    quote! {
+        #[inline]
+        fn position_rates(
+            &self,
+            #time: #scalar,
+            #positions: &[#scalar; #nq],
+            #velocities: &[#scalar; #nv],
+        ) -> [#scalar; #nq] {
+            #rates
+        }
+    }
+}
+
+/// What a system says of velocities with names of their own, and of quaternions.
+pub(in crate::emit) fn orientation_members(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    if !shape.names_velocities() {
+        return None;
+    }
+    let names = shape.velocities.iter().map(|velocity| &velocity.name.text);
+    let normalise = normalise(shape, members);
+    let displacement = displacement(shape);
+    Some(quote! {
+        const VELOCITIES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
+        #normalise
+        #displacement
+    })
+}
+
+fn normalise(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let (krate, scalar, nq) = (shape.krate, shape.scalar(), shape.positions_length());
+    let positions = &members.names.positions;
+    let first = shape.quaternions.iter().map(|&first| length(first));
+    (!shape.quaternions.is_empty()).then(|| {
+        quote! {
+            #[inline]
+            fn normalise(#positions: &mut [#scalar; #nq]) {
+                #(#krate::system::quaternion::normalise(#positions, #first);)*
+            }
+        }
+    })
+}
+
+/// Differences of coordinates, and turns between quaternions.
+fn displacement(shape: &Shape<'_>) -> TokenStream {
+    let (krate, scalar) = (shape.krate, shape.scalar());
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
+    let [from, to] = ["from", "to"].map(local);
+    let turn = |number: usize| format_ident!("turn_{number}", span = proc_macro2::Span::mixed_site());
+    let turns = shape.quaternions.iter().enumerate().map(|(number, &first)| {
+        let (turn, first) = (turn(number), length(first));
+        quote!(let #turn = #krate::system::quaternion::turn(#from, #to, #first);)
+    });
+    let mut angular = 0..;
+    let entries = shape.velocities.iter().map(|velocity| match shape.position_of(velocity) {
+        Some(position) => {
+            let position = length(position);
+            quote!(#to[#position] - #from[#position])
+        }
+        None => {
+            let component = angular.next().unwrap_or_default();
+            let (turn, axis) = (turn(component / 3), length(component % 3));
+            quote!(#turn[#axis])
+        }
+    });
+    let entries = entries.collect::<Vec<_>>();
+    quote! {
+        #[inline]
+        fn displacement(&self, _: #scalar, #from: &[#scalar; #nq], #to: &[#scalar; #nq]) -> [#scalar; #nv] {
+            #(#turns)*
+            [#(#entries),*]
+        }
+    }
+}
