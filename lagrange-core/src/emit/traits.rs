@@ -155,6 +155,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
         #[automatically_derived]
         impl #bounds #krate::system::MechanicalSystem for #name #generics {
             type Coordinates = [#scalar; #n];
+            type Velocities = [#scalar; #n];
             type Columns<C> = #columns<C>;
             const COORDINATES: &'static [&'static ::core::primitive::str] = &[#(#coordinates),*];
             #[inline]
@@ -165,6 +166,15 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
                 #velocities: &[#scalar; #n],
             ) -> [#scalar; #n] {
                 self.acceleration(#time, #positions, #velocities)
+            }
+            #[inline]
+            fn position_rates(
+                &self,
+                _: #scalar,
+                _: &[#scalar; #n],
+                #velocities: &[#scalar; #n],
+            ) -> [#scalar; #n] {
+                *#velocities
             }
         }
     }
