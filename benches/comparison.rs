@@ -41,7 +41,7 @@ fn emitted<const N: usize, M>(
     build: fn(&[f64; N], &[f64; N], f64) -> M,
 ) -> impl Fn(&[f64; N], &[f64; N]) -> [f64; N] + use<N, M>
 where
-    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N]>,
+    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N], Velocities = [f64; N]>,
 {
     let system = build(m, l, *g);
     move |q, v| black_box(&system).acceleration(0.0, q, v)
@@ -53,7 +53,7 @@ fn beside_by_hand<const N: usize, M>(
     by_hand: impl Fn(&[f64; N], &[f64; N], &[f64; N], &[f64; N], f64) -> [f64; N],
 ) -> Times
 where
-    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N]>,
+    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N], Velocities = [f64; N]>,
 {
     let parameters = parameters();
     let by_hand = |q: &_, v: &_| {
@@ -69,8 +69,8 @@ fn beside_emitted<const N: usize, M, O>(
     other: fn(&[f64; N], &[f64; N], f64) -> O,
 ) -> Times
 where
-    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N]>,
-    O: MechanicalSystem<Scalar = f64, Coordinates = [f64; N]>,
+    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N], Velocities = [f64; N]>,
+    O: MechanicalSystem<Scalar = f64, Coordinates = [f64; N], Velocities = [f64; N]>,
 {
     let parameters = parameters();
     in_turns(emitted(&parameters, build), emitted(&parameters, other))

@@ -55,7 +55,7 @@ fn time<const N: usize>(
 
 fn emitted<const N: usize, M>(group: &mut Group<'_>, build: fn(&[f64; N], &[f64; N], f64) -> M)
 where
-    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N]>,
+    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N], Velocities = [f64; N]>,
 {
     let chain = Chain::new();
     let system = build(&chain.m, &chain.l, GRAVITY);
@@ -80,7 +80,7 @@ fn absolute<const N: usize, M>(
     name: &str,
     build: fn(&[f64; N], &[f64; N], f64) -> M,
 ) where
-    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N]>,
+    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N], Velocities = [f64; N]>,
 {
     let mut group = criterion.benchmark_group(name);
     emitted(&mut group, build);
@@ -93,7 +93,7 @@ fn relative<const N: usize, M>(
     name: &str,
     build: fn(&[f64; N], &[f64; N], f64) -> M,
 ) where
-    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N]>,
+    M: MechanicalSystem<Scalar = f64, Coordinates = [f64; N], Velocities = [f64; N]>,
 {
     let mut group = criterion.benchmark_group(name);
     emitted(&mut group, build);

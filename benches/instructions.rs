@@ -47,7 +47,7 @@ macro_rules! group {
             #[bench::emitted(setup_system(chain::<$n>(), $chains::$chain::chain))]
             fn $name<M>((system, q, v): (M, [f64; $n], [f64; $n])) -> [f64; $n]
             where
-                M: MechanicalSystem<Scalar = f64, Coordinates = [f64; $n]>,
+                M: MechanicalSystem<Scalar = f64, Coordinates = [f64; $n], Velocities = [f64; $n]>,
             {
                 black_box(&system).acceleration(0.0, &q, &v)
             }

@@ -51,7 +51,7 @@ fn interpreted<const N: usize>(
 
 fn assert_agrees<const N: usize, S>(source: &str, chain: fn(&[f64; N], &[f64; N], f64) -> S)
 where
-    S: MechanicalSystem<Scalar = f64, Coordinates = [f64; N]>,
+    S: MechanicalSystem<Scalar = f64, Coordinates = [f64; N], Velocities = [f64; N]>,
 {
     let (m, l) = (spread(1.0, 0.01), spread(0.8, 0.005));
     let (q, v) = (spread(0.3, 0.017), spread(-0.5, 0.023));

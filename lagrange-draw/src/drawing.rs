@@ -271,6 +271,7 @@ where
             let step = M::Scalar::from_f64(0.739 + 0.107 * index as f64);
             *coordinate = M::Scalar::from_f64(1.31) * *coordinate + step;
         }
+        M::normalise(&mut q);
         Snapshot::of(self.system, *t + M::Scalar::from_f64(0.577), &q, &v)
     }
 

@@ -19,7 +19,7 @@ pub struct Moment<'m, M: Scene> {
     /// The coordinates.
     pub q: M::Coordinates,
     /// The velocities.
-    pub v: M::Coordinates,
+    pub v: M::Velocities,
     snapshot: &'m Snapshot,
 }
 

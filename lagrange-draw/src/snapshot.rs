@@ -39,7 +39,7 @@ pub(super) struct Line {
 }
 
 impl Snapshot {
-    pub(super) fn of<M: Scene>(system: &M, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> Self
+    pub(super) fn of<M: Scene>(system: &M, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> Self
     where
         M::Scalar: Into<f64>,
     {

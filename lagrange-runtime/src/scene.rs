@@ -18,7 +18,7 @@ pub trait Scene: MechanicalSystem {
         &self,
         t: Self::Scalar,
         q: &Self::Coordinates,
-        v: &Self::Coordinates,
+        v: &Self::Velocities,
         visit: &mut dyn FnMut(Item<'_, Self::Scalar>),
     );
 }

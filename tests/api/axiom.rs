@@ -111,7 +111,7 @@ struct Load {
 
 fn loads<T: Scene<Scalar = f64>>(
     system: &T,
-    (q, v): (&T::Coordinates, &T::Coordinates),
+    (q, v): (&T::Coordinates, &T::Velocities),
     wanted: &str,
     about: [f64; 2],
 ) -> Load {
@@ -136,7 +136,7 @@ fn loads<T: Scene<Scalar = f64>>(
 fn bodies<T: Scene<Scalar = f64>>(
     system: &T,
     q: &T::Coordinates,
-    v: &T::Coordinates,
+    v: &T::Velocities,
 ) -> Vec<(String, Motion<f64>)> {
     let mut bodies = Vec::new();
     system.items(0.3, q, v, &mut |item| {
@@ -151,7 +151,7 @@ fn bodies<T: Scene<Scalar = f64>>(
 fn assert_laws<T: Scene<Scalar = f64>>(
     system: &T,
     q: &T::Coordinates,
-    v: &T::Coordinates,
+    v: &T::Velocities,
     random: &mut Random,
 ) {
     for (name, motion) in bodies(system, q, v) {

@@ -35,7 +35,7 @@ lagrange::system! {
     emit { drawing }
 }
 
-fn omitted<M: Scene<Scalar = f64>>(system: &M, q: &M::Coordinates, v: &M::Coordinates) -> Vec<String> {
+fn omitted<M: Scene<Scalar = f64>>(system: &M, q: &M::Coordinates, v: &M::Velocities) -> Vec<String> {
     let mut names = Vec::new();
     system.items(0.3, q, v, &mut |item| {
         if let Item::Omitted { name } = item {

@@ -25,7 +25,11 @@ lagrange::system! {
 /// The largest change of energy along a motion.
 fn drift<T, const N: usize, const TWICE: usize>(system: &T, start: [T::Scalar; TWICE], end: f64) -> T::Scalar
 where
-    T: EnergyFunction<Coordinates = [<T as OdeSystem>::Scalar; N], State = [<T as OdeSystem>::Scalar; TWICE]>,
+    T: EnergyFunction<
+            Coordinates = [<T as OdeSystem>::Scalar; N],
+            Velocities = [<T as OdeSystem>::Scalar; N],
+            State = [<T as OdeSystem>::Scalar; TWICE],
+        >,
 {
     let energy = |y: &[T::Scalar; TWICE]| {
         let (q, v) = y.split_at(N);

@@ -24,11 +24,16 @@ impl OdeSystem for Puppet {
 
 impl MechanicalSystem for Puppet {
     type Coordinates = [f64; 1];
+    type Velocities = [f64; 1];
     type Columns<C> = Unnamed<C>;
     const COORDINATES: &'static [&'static str] = &["s"];
 
     fn acceleration(&self, _t: f64, _q: &[f64; 1], _v: &[f64; 1]) -> [f64; 1] {
         [0.0]
+    }
+
+    fn position_rates(&self, _t: f64, _q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+        *v
     }
 }
 

@@ -87,7 +87,7 @@ fn watched<M, K>(
     start: M::State,
     step: f64,
     method: &K,
-    residuals: impl Fn(f64, &M::Coordinates, &M::Coordinates) -> [f64; 2],
+    residuals: impl Fn(f64, &M::Coordinates, &M::Velocities) -> [f64; 2],
 ) -> Seen
 where
     M: OdeSystem<Scalar = f64> + EnergyFunction,

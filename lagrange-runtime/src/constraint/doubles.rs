@@ -91,12 +91,17 @@ impl<L: Mechanism<N, D>, const N: usize, const D: usize> OdeSystem for System<L,
 
 impl<L: Mechanism<N, D>, const N: usize, const D: usize> MechanicalSystem for System<L, N, D> {
     type Coordinates = [f64; N];
+    type Velocities = [f64; N];
     type Columns<C> = Unnamed<C>;
 
     const COORDINATES: &'static [&'static str] = &["q"; N];
 
     fn acceleration(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> [f64; N] {
         self.motion(t, q, v).acceleration
+    }
+
+    fn position_rates(&self, _t: f64, _q: &[f64; N], v: &[f64; N]) -> [f64; N] {
+        *v
     }
 }
 

@@ -75,8 +75,7 @@ pub trait ConstrainedSystem: MechanicalSystem {
     const CONSTRAINTS: &'static [&'static str];
 
     /// The multipliers λ in M a = f + Aᵀλ.
-    fn multipliers(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Coordinates)
-    -> Self::Multipliers;
+    fn multipliers(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Multipliers;
 
     /// What must be zero of positions: c(t, q) of holonomic constraints; zero for the others.
     fn position_residuals(&self, t: Self::Scalar, q: &Self::Coordinates) -> Self::Multipliers;
@@ -86,35 +85,35 @@ pub trait ConstrainedSystem: MechanicalSystem {
         &self,
         t: Self::Scalar,
         q: &Self::Coordinates,
-        v: &Self::Coordinates,
+        v: &Self::Velocities,
     ) -> Self::Multipliers;
 
-    /// How far the residuals go at most if the coordinates, or velocities, change by as much as `by`: Σⱼ |Aᵢⱼ| byⱼ of each
-    /// constraint. What counts as zero is measured by it, see [`project`].
+    /// How far the residuals go at most if positions are displaced, or velocities change, by as much as `by`: Σⱼ |Aᵢⱼ| byⱼ of each
+    /// constraint, with A the gradients with respect to velocities. What counts as zero is measured by it, see [`project`].
     fn residual_scales(
         &self,
         t: Self::Scalar,
         q: &Self::Coordinates,
-        by: &Self::Coordinates,
+        by: &Self::Velocities,
     ) -> Self::Multipliers;
 
-    /// The smallest change of the coordinates, measured by the mass matrix, that takes these residuals away to first order:
+    /// The smallest [displacement](MechanicalSystem) of the positions, or change of the velocities, measured by the mass matrix, that takes these residuals away to first order:
     /// δ with M δ = Aᵀμ and A δ = −residuals. Not finite where there is none; of constraints that depend on each other,
     /// [`redundant_correction`] takes those that do not.
     fn correction(
         &self,
         t: Self::Scalar,
         q: &Self::Coordinates,
-        v: &Self::Coordinates,
+        v: &Self::Velocities,
         residuals: &Self::Multipliers,
-    ) -> Self::Coordinates;
+    ) -> Self::Velocities;
 
-    /// M(t, q, v) times a change of the coordinates.
+    /// M(t, q, v) times a displacement of the positions, or a change of the velocities.
     fn mass_times(
         &self,
         t: Self::Scalar,
         q: &Self::Coordinates,
-        v: &Self::Coordinates,
-        change: &Self::Coordinates,
-    ) -> Self::Coordinates;
+        v: &Self::Velocities,
+        change: &Self::Velocities,
+    ) -> Self::Velocities;
 }

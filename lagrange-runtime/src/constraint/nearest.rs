@@ -1,7 +1,7 @@
 //! From positions on the constraints to the nearest ones.
 //!
-//! The distance from q₀ is √(δᵀM δ) with δ = q − q₀, M being the mass matrix at q. Its slope along the constraints is minus the
-//! tangential part of q₀ − q, what is left of it without its part M-orthogonal to what the constraints allow: the *pull*. Conjugate gradients
+//! The distance from q₀ is √(δᵀM δ) with the displacement δ = q − q₀, M being the mass matrix at q. Its slope along the constraints is minus
+//! the tangential part of q₀ − q, what is left of it without its part M-orthogonal to what the constraints allow: the *pull*. Conjugate gradients
 //! follow it, with each step brought back onto the constraints and directions carried along by projection. Steps end where the
 //! slope has nearly vanished rather than where the distance is least: differences of distances lose half of the digits.
 //! Sources: Absil, Mahony, Sepulchre, *Optimization Algorithms on Matrix Manifolds*, §8.3; Nocedal, Wright, *Numerical
@@ -11,7 +11,7 @@ use super::ConstrainedSystem;
 use super::residuals::largest;
 use crate::linalg::vector::{add, difference};
 use crate::scalar::Scalar;
-use crate::system::{Number, StateVector, Vector};
+use crate::system::{Number, Positions, StateVector, Velocities, displaced};
 use crate::tolerance::PULL;
 
 /// More steps than this are no use.
@@ -29,30 +29,37 @@ const MARGIN: f64 = 0.1;
 pub(super) struct NearestSearch<'a, M: ConstrainedSystem + ?Sized> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
-    pub(super) v: &'a M::Coordinates,
+    pub(super) v: &'a M::Velocities,
     pub(super) from: &'a M::Coordinates,
 }
 
 /// Positions on the constraints.
-struct SearchPoint<Q> {
+struct SearchPoint<Q, V> {
     q: Q,
     /// The tangential part of the way to where the search began.
-    pull: Q,
+    pull: V,
 }
 
 /// Where a step along a direction ends.
-struct End<S, Q> {
-    point: SearchPoint<Q>,
+struct End<S, Q, V> {
+    point: SearchPoint<Q, V>,
     /// The direction, carried there.
-    direction: Q,
+    direction: V,
     length: S,
     /// How fast the distance still falls.
     slope: S,
 }
 
+type PointOf<M> = SearchPoint<Positions<M>, Velocities<M>>;
+type EndOf<M> = End<Number<M>, Positions<M>, Velocities<M>>;
+
 impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     /// The nearest positions, from `found` on the constraints, to which `onto` brings others if it can.
-    pub(super) fn nearest(&self, found: Vector<M>, onto: impl Fn(&mut Vector<M>) -> bool) -> Vector<M> {
+    pub(super) fn nearest(
+        &self,
+        found: Positions<M>,
+        onto: impl Fn(&mut Positions<M>) -> bool,
+    ) -> Positions<M> {
         let mut point = self.point(found);
         let mut direction = point.pull;
         let mut length = Number::<M>::ONE;
@@ -71,25 +78,29 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         point.q
     }
 
-    fn point(&self, q: Vector<M>) -> SearchPoint<Vector<M>> {
-        SearchPoint { q, pull: self.tangential(&q, &difference(self.from, &q)) }
+    fn point(&self, q: Positions<M>) -> PointOf<M> {
+        SearchPoint { q, pull: self.tangential(&q, &self.way_back(&q)) }
+    }
+
+    /// The displacement that leads to where the search began.
+    fn way_back(&self, q: &Positions<M>) -> Velocities<M> {
+        self.system.displacement(self.t, q, self.from)
     }
 
     /// The step along a direction at whose end the distance hardly falls any more; if there is none, because the way back onto the
     /// constraints leads elsewhere, the longest one found that leads nearer.
     fn step(
         &self,
-        start: &SearchPoint<Vector<M>>,
-        direction: &Vector<M>,
+        start: &PointOf<M>,
+        direction: &Velocities<M>,
         (slope, first): (Number<M>, Number<M>),
-        onto: impl Fn(&mut Vector<M>) -> bool,
-    ) -> Option<End<Number<M>, Vector<M>>> {
+        onto: impl Fn(&mut Positions<M>) -> bool,
+    ) -> Option<EndOf<M>> {
         // The longest length that is too short and the shortest that is too long, with the slopes there.
         let (mut short, mut long) = ((Number::<M>::ZERO, slope), None);
         let (mut length, mut nearer) = (first, None);
         for _ in 0..MOST_LENGTHS {
-            let mut q = start.q;
-            add(&mut q, length, direction);
+            let mut q = displaced(self.system, self.t, &start.q, [(length, direction)]);
             let end = onto(&mut q).then(|| self.end(q, direction, length));
             match end.filter(|end| !self.is_farther(&start.q, &end.point.q)) {
                 Some(end) if end.slope.abs() <= Number::<M>::from_f64(LEFT) * slope => return Some(end),
@@ -105,7 +116,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         nearer
     }
 
-    fn end(&self, q: Vector<M>, direction: &Vector<M>, length: Number<M>) -> End<Number<M>, Vector<M>> {
+    fn end(&self, q: Positions<M>, direction: &Velocities<M>, length: Number<M>) -> EndOf<M> {
         let point = self.point(q);
         let direction = self.tangential(&q, direction);
         let slope = self.product(&q, &point.pull, &direction);
@@ -113,9 +124,9 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     }
 
     /// Whether a point is farther away by more than rounding, both measured by the mass matrix of one of them.
-    fn is_farther(&self, start: &Vector<M>, end: &Vector<M>) -> bool {
+    fn is_farther(&self, start: &Positions<M>, end: &Positions<M>) -> bool {
         let [before, after] = [start, end].map(|q| {
-            let way = difference(self.from, q);
+            let way = self.way_back(q);
             self.product(start, &way, &way)
         });
         let rounding = PULL.part::<Number<M>>();
@@ -125,7 +136,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     }
 
     /// The direction of the next step, after Polak and Ribière; the pull itself where that would lead away.
-    fn conjugate(&self, start: &SearchPoint<Vector<M>>, end: &End<Number<M>, Vector<M>>) -> Vector<M> {
+    fn conjugate(&self, start: &PointOf<M>, end: &EndOf<M>) -> Velocities<M> {
         let End { point, direction, .. } = end;
         let before = self.product(&start.q, &start.pull, &start.pull);
         let change = difference(&point.pull, &self.tangential(&point.q, &start.pull));
@@ -138,10 +149,10 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         if is_nearer { next } else { point.pull }
     }
 
-    /// What is left of a change of positions without its part normal to the constraints.
-    fn tangential(&self, q: &Vector<M>, change: &Vector<M>) -> Vector<M> {
+    /// What is left of a displacement without its part normal to the constraints.
+    fn tangential(&self, q: &Positions<M>, change: &Velocities<M>) -> Velocities<M> {
         let NearestSearch { system, t, v, .. } = self;
-        let mut residuals = system.velocity_residuals(*t, q, &Vector::<M>::ZERO);
+        let mut residuals = system.velocity_residuals(*t, q, &Velocities::<M>::ZERO);
         let moved = system.velocity_residuals(*t, q, change);
         for (residual, moved) in residuals.as_mut().iter_mut().zip(moved.as_ref()) {
             *residual = *residual - *moved;
@@ -150,7 +161,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     }
 
     /// aᵀM b
-    fn product(&self, q: &Vector<M>, a: &Vector<M>, b: &Vector<M>) -> Number<M> {
+    fn product(&self, q: &Positions<M>, a: &Velocities<M>, b: &Velocities<M>) -> Number<M> {
         let weighed = self.system.mass_times(self.t, q, self.v, b);
         let products = a.as_ref().iter().zip(weighed.as_ref());
         products.fold(Number::<M>::ZERO, |sum, (a, b)| a.multiply_add(*b, sum))

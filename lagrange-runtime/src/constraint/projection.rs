@@ -10,12 +10,15 @@ use super::nearest::NearestSearch;
 use super::residuals::{
     beyond, largest, of_positions_together, of_velocities, of_velocities_together, size, worst,
 };
-use crate::linalg::vector::difference;
+use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
-use crate::system::{Number, StateVector, StepFailure, Vector, Violation, join, split};
+use crate::system::{
+    MechanicalSystem, Number, Positions, StateVector, StepFailure, Velocities, Violation, displaced, join,
+    normalise, split,
+};
 
 type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
-type StepOf<M> = Correction<Number<M>, Vector<M>>;
+type StepOf<M> = Correction<Number<M>, Positions<M>, Velocities<M>>;
 
 /// More corrections than this are no use within a motion,
 const MOST: u32 = 20;
@@ -46,9 +49,10 @@ const ADMITTED: f64 = 1e-6;
 ///
 /// Near the constraints each correction squares the error; one or two do within a motion, and far away more are made, up to 200,
 /// and shortened where they overshoot. From where they end, positions go along the constraints as long as that brings them nearer to
-/// where they were. So δ = q − q₀ ends normal to what the constraints allow, M δ = Aᵀμ with the mass matrix and the gradients at q: a
+/// where they were. So the [displacement](MechanicalSystem) δ = q − q₀ ends normal to what the constraints allow, M δ = Aᵀμ with the mass matrix and the gradients at q: a
 /// local minimum of the distance √(δᵀM δ), and the only one near the constraints. Where constraints on velocities hold the system,
-/// too, it goes along them as it does in motions.
+/// too, it goes along them as it does in motions. Bodies whose orientations are unit quaternions end where M δ = Aᵀμ, too, with
+/// δ = 2 Im(q̄₀ ⊗ q) in their axes: near the least distance, but not at it if they are turned far and their moments of inertia differ.
 ///
 /// Constraints that depend on each other are satisfied together or not at all: what is left
 /// of a residual must be a small part, √ε (1.5·10⁻⁸ for `f64`), of its scale.
@@ -56,7 +60,8 @@ const ADMITTED: f64 = 1e-6;
 /// The scale of a residual is what it would be if every coordinate were off by its size: Σⱼ |Aᵢⱼ| sⱼ. The size sⱼ of a coordinate
 /// is its magnitude, but at least the largest magnitude of all coordinates, and that counts as 10⁻⁶ if it is less and as one if it
 /// is more: so a coordinate at zero has a size, too, and one that is far away does not lend it to the others. Sizes of velocities
-/// are made of velocities in the same way.
+/// are made of velocities in the same way. Where velocities are not the rates of the positions, the sizes of these are taken over to
+/// displacements. Unit quaternions are brought to length one before anything else.
 ///
 /// # Errors
 /// If the constraints cannot be satisfied, from here or at all, with the constraint that was violated most in proportion to its
@@ -65,9 +70,10 @@ pub fn project<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     q: &mut M::Coordinates,
-    v: &mut M::Coordinates,
+    v: &mut M::Velocities,
 ) -> Result<(), Violation<M::Scalar>> {
     let (mut positions, mut velocities) = (*q, *v);
+    M::normalise(&mut positions);
     let is_found = bring_nearest(system, t, &mut positions, v)
         && bring_velocities(system, t, &positions, &mut velocities)
         && beyond(M::Scalar::epsilon().sqrt(), system, t, (&positions, &velocities)).is_none();
@@ -86,8 +92,8 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     q: &M::Coordinates,
-    v: &M::Coordinates,
-) -> Result<M::Coordinates, Violation<M::Scalar>> {
+    v: &M::Velocities,
+) -> Result<M::Velocities, Violation<M::Scalar>> {
     let mut found = *v;
     let is_found = bring_velocities(system, t, q, &mut found)
         && of_velocities(system, t, (q, &found)).part <= M::Scalar::epsilon().sqrt();
@@ -106,7 +112,9 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
     t: M::Scalar,
     y: &mut M::State,
 ) -> Result<(), StepFailure<M::Scalar>> {
-    let (mut q, mut v) = split::<M>(y);
+    let mut unit = *y;
+    normalise::<M>(&mut unit)?;
+    let (mut q, mut v) = split::<M>(&unit);
     if !bring(system, t, &mut q, &mut v) {
         let (q, v) = split::<M>(y);
         return Err(StepFailure::Violated(worst(system, t, (&q, &v))));
@@ -129,7 +137,9 @@ pub fn restore<M: ConstrainedSystem + ?Sized>(
     t: M::Scalar,
     y: &mut M::State,
 ) -> Result<(), StepFailure<M::Scalar>> {
-    let (mut q, mut v) = split::<M>(y);
+    let mut unit = *y;
+    normalise::<M>(&mut unit)?;
+    let (mut q, mut v) = split::<M>(&unit);
     project(system, t, &mut q, &mut v).map_err(StepFailure::Violated)?;
     *y = join::<M>(&q, &v);
     Ok(())
@@ -138,7 +148,7 @@ pub fn restore<M: ConstrainedSystem + ?Sized>(
 /// Whether velocities change so much that what follows is another motion. Errors of a step do not do that, but the smallest
 /// residual does where constraints are on the point of depending on each other.
 #[inline]
-fn leaps<S: Scalar, Q: StateVector<S>>(before: &Q, after: &Q, q: &Q) -> bool {
+fn leaps<S: Scalar, Q: StateVector<S>, V: StateVector<S>>(before: &V, after: &V, q: &Q) -> bool {
     let changes = before.as_ref().iter().zip(after.as_ref()).map(|(before, after)| (*after - *before).abs());
     let change = changes.fold(S::ZERO, S::max);
     change > S::from_f64(LEAP) * largest(before.as_ref()) && change > S::from_f64(SLOW) * size(q.as_ref())
@@ -154,7 +164,9 @@ pub fn admit<M: ConstrainedSystem + ?Sized>(
     t: M::Scalar,
     y: &mut M::State,
 ) -> Result<(), StepFailure<M::Scalar>> {
-    let (mut q, mut v) = split::<M>(y);
+    let mut unit = *y;
+    normalise::<M>(&mut unit)?;
+    let (mut q, mut v) = split::<M>(&unit);
     if let Some(violation) = beyond(M::Scalar::from_f64(ADMITTED), system, t, (&q, &v)) {
         return Err(StepFailure::Violated(violation));
     }
@@ -169,7 +181,7 @@ fn bring<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     q: &mut M::Coordinates,
-    v: &mut M::Coordinates,
+    v: &mut M::Velocities,
 ) -> bool {
     bring_positions(system, t, q, v, MOST) && bring_velocities(system, t, q, v)
 }
@@ -179,13 +191,13 @@ fn bring_nearest<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     q: &mut M::Coordinates,
-    v: &M::Coordinates,
+    v: &M::Velocities,
 ) -> bool {
     let from = *q;
     if !bring_positions(system, t, q, v, MOST_FROM_AFAR) {
         return false;
     }
-    if largest(difference(&from, q).as_ref()) > negligible(q.as_ref()) {
+    if largest(system.displacement(t, q, &from).as_ref()) > negligible(q.as_ref()) {
         let onto = |q: &mut M::Coordinates| bring_positions(system, t, q, v, MOST);
         *q = NearestSearch { system, t, v, from: &from }.nearest(*q, onto);
     }
@@ -198,7 +210,7 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     q: &mut M::Coordinates,
-    v: &M::Coordinates,
+    v: &M::Velocities,
     most: u32,
 ) -> bool {
     let residuals = system.position_residuals(t, q);
@@ -208,7 +220,7 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
     let step = Correction::new(*q, system.correction(t, q, v, &residuals));
     // What is not a number is larger than anything, too.
     if step.length <= negligible(q.as_ref()) {
-        *q = step.end(M::Scalar::ONE);
+        *q = end(system, t, &step, M::Scalar::ONE);
         return true;
     }
     let part = || of_positions_together(system, t, q);
@@ -232,7 +244,7 @@ fn is_magnified<S: Scalar>(length: S, size: S, part: impl FnOnce() -> S) -> bool
 fn newton<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
-    v: &M::Coordinates,
+    v: &M::Velocities,
     first: StepOf<M>,
     most: u32,
 ) -> Option<M::Coordinates> {
@@ -241,11 +253,11 @@ fn newton<M: ConstrainedSystem + ?Sized>(
     for _ in 1..most {
         let (to, residuals, next) = shortened(system, t, v, &step)?;
         if next.length <= negligible {
-            return Some(next.end(M::Scalar::ONE));
+            return Some(end(system, t, &next, M::Scalar::ONE));
         }
         step = Correction::new(to, system.correction(t, &to, v, &residuals));
         if step.length <= negligible {
-            return Some(step.end(M::Scalar::ONE));
+            return Some(end(system, t, &step, M::Scalar::ONE));
         }
     }
     None
@@ -255,12 +267,12 @@ fn newton<M: ConstrainedSystem + ?Sized>(
 fn shortened<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
-    v: &M::Coordinates,
+    v: &M::Velocities,
     step: &StepOf<M>,
-) -> Option<(Vector<M>, Residuals<M>, StepOf<M>)> {
+) -> Option<(Positions<M>, Residuals<M>, StepOf<M>)> {
     let mut part = M::Scalar::ONE;
     for _ in 0..MOST {
-        let to = step.end(part);
+        let to = end(system, t, step, part);
         let residuals = system.position_residuals(t, &to);
         let next = Correction::new(to, system.correction(t, &step.from, v, &residuals));
         let demanded = (M::Scalar::ONE - part / M::Scalar::from_f64(4.0)) * step.length;
@@ -273,27 +285,28 @@ fn shortened<M: ConstrainedSystem + ?Sized>(
 }
 
 /// A correction and from where.
-struct Correction<S, Q> {
+struct Correction<S, Q, V> {
     from: Q,
-    change: Q,
+    change: V,
     length: S,
 }
 
-impl<S: Scalar, Q: StateVector<S>> Correction<S, Q> {
+impl<S: Scalar, Q, V: StateVector<S>> Correction<S, Q, V> {
     #[inline]
-    fn new(from: Q, change: Q) -> Self {
+    fn new(from: Q, change: V) -> Self {
         Correction { from, change, length: largest(change.as_ref()) }
     }
+}
 
-    /// Where this part of it leads.
-    #[inline]
-    fn end(&self, part: S) -> Q {
-        let mut end = self.from;
-        for (end, change) in end.as_mut().iter_mut().zip(self.change.as_ref()) {
-            *end = change.multiply_add(part, *end);
-        }
-        end
-    }
+/// Where this part of a correction of positions leads.
+#[inline]
+fn end<M: MechanicalSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    step: &StepOf<M>,
+    part: M::Scalar,
+) -> M::Coordinates {
+    displaced(system, t, &step.from, [(part, &step.change)])
 }
 
 /// Brings velocities onto the constraints, if corrections converge. A second one removes what rounding left of a large first one.
@@ -302,7 +315,7 @@ fn bring_velocities<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
     q: &M::Coordinates,
-    v: &mut M::Coordinates,
+    v: &mut M::Velocities,
 ) -> bool {
     for _ in 0..MOST {
         let residuals = system.velocity_residuals(t, q, v);
@@ -315,7 +328,7 @@ fn bring_velocities<M: ConstrainedSystem + ?Sized>(
         if is_large && is_magnified(step.length, largest(v.as_ref()), part) {
             return true;
         }
-        *v = step.end(M::Scalar::ONE);
+        *v = combined(&step.from, M::Scalar::ONE, &step.change);
         if step.length <= M::Scalar::from_f64(SLIGHT) * largest(v.as_ref()) {
             return step.length.is_finite();
         }

@@ -2,7 +2,7 @@
 
 use super::ConstrainedSystem;
 use crate::scalar::Scalar;
-use crate::system::{StateVector, Violated, Violation};
+use crate::system::{StateVector, Violated, Violation, reach};
 use crate::tolerance::RESIDUAL;
 
 /// The largest coordinate counts as no smaller than this.
@@ -22,7 +22,7 @@ pub(super) fn of_positions<M: ConstrainedSystem + ?Sized>(
     q: &M::Coordinates,
 ) -> Worst<M::Scalar> {
     let residuals = system.position_residuals(t, q);
-    let scales = system.residual_scales(t, q, &sizes(q));
+    let scales = system.residual_scales(t, q, &reach(system, t, q, &sizes(q)));
     Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), Violated::Positions)
 }
 
@@ -30,7 +30,7 @@ pub(super) fn of_positions<M: ConstrainedSystem + ?Sized>(
 pub(super) fn of_velocities<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
-    (q, v): (&M::Coordinates, &M::Coordinates),
+    (q, v): (&M::Coordinates, &M::Velocities),
 ) -> Worst<M::Scalar> {
     let residuals = system.velocity_residuals(t, q, v);
     let scales = system.residual_scales(t, q, &sizes(v));
@@ -45,7 +45,7 @@ pub(super) fn of_positions_together<M: ConstrainedSystem + ?Sized>(
     t: M::Scalar,
     q: &M::Coordinates,
 ) -> M::Scalar {
-    let scales = system.residual_scales(t, q, &sizes(q));
+    let scales = system.residual_scales(t, q, &reach(system, t, q, &sizes(q)));
     largest(system.position_residuals(t, q).as_ref()) / largest(scales.as_ref())
 }
 
@@ -54,7 +54,7 @@ pub(super) fn of_positions_together<M: ConstrainedSystem + ?Sized>(
 pub(super) fn of_velocities_together<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
-    (q, v): (&M::Coordinates, &M::Coordinates),
+    (q, v): (&M::Coordinates, &M::Velocities),
 ) -> M::Scalar {
     let scales = system.residual_scales(t, q, &sizes(v));
     largest(system.velocity_residuals(t, q, v).as_ref()) / largest(scales.as_ref())
@@ -71,7 +71,7 @@ pub(super) fn beyond<M: ConstrainedSystem + ?Sized>(
     part: M::Scalar,
     system: &M,
     t: M::Scalar,
-    (q, v): (&M::Coordinates, &M::Coordinates),
+    (q, v): (&M::Coordinates, &M::Velocities),
 ) -> Option<Violation<M::Scalar>> {
     let too_much = |worst: Worst<M::Scalar>| (worst.part > part).then_some(worst.violation);
     too_much(of_positions(system, t, q)).or_else(|| too_much(of_velocities(system, t, (q, v))))
@@ -82,7 +82,7 @@ pub(super) fn beyond<M: ConstrainedSystem + ?Sized>(
 pub(super) fn worst<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
-    (q, v): (&M::Coordinates, &M::Coordinates),
+    (q, v): (&M::Coordinates, &M::Velocities),
 ) -> Violation<M::Scalar> {
     beyond(M::Scalar::epsilon().sqrt(), system, t, (q, v)).unwrap_or_else(|| {
         let (positions, velocities) = (of_positions(system, t, q), of_velocities(system, t, (q, v)));

@@ -2,14 +2,14 @@
 
 use super::ConstrainedSystem;
 use crate::system::{
-    CanonicalSystem, CoordinateMatrix, DeclaredEvent, EnergyFunction, MechanicalSystem, OdeSystem, Reacted,
-    Response, SeparableSystem, StateMatrix, StepFailure, Undefined,
+    CanonicalSystem, DeclaredEvent, EnergyFunction, MechanicalSystem, OdeSystem, Reacted, Response,
+    SeparableSystem, StateMatrix, StepFailure, Undefined, VelocityMatrix,
 };
 
 /// A system whose states methods leave as they find them: what its constraints demand of accelerations is all that holds it.
 ///
 /// For measurements of what projection does, and for systems that are stabilised otherwise. Starts are checked and put onto the
-/// constraints all the same; errors of the method then carry the motion away from them.
+/// constraints all the same; errors of the method then carry the motion away from them, and unit quaternions away from length one.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Unprojected<M>(
     /// The system.
@@ -80,19 +80,36 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
 
 impl<M: MechanicalSystem> MechanicalSystem for Unprojected<M> {
     type Coordinates = M::Coordinates;
+    type Velocities = M::Velocities;
     type Columns<C> = M::Columns<C>;
 
     const COORDINATES: &'static [&'static str] = M::COORDINATES;
+    const VELOCITIES: &'static [&'static str] = M::VELOCITIES;
 
     #[inline]
-    fn acceleration(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Coordinates {
+    fn acceleration(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Velocities {
         self.0.acceleration(t, q, v)
+    }
+
+    #[inline]
+    fn position_rates(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Coordinates {
+        self.0.position_rates(t, q, v)
+    }
+
+    #[inline]
+    fn normalise(q: &mut M::Coordinates) {
+        M::normalise(q);
+    }
+
+    #[inline]
+    fn displacement(&self, t: M::Scalar, from: &M::Coordinates, to: &M::Coordinates) -> M::Velocities {
+        self.0.displacement(t, from, to)
     }
 }
 
 impl<M: EnergyFunction> EnergyFunction for Unprojected<M> {
     #[inline]
-    fn energy(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Scalar {
+    fn energy(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Scalar {
         self.0.energy(t, q, v)
     }
 }
@@ -111,7 +128,7 @@ impl<M: CanonicalSystem> CanonicalSystem for Unprojected<M> {
     }
 
     #[inline]
-    fn mass_matrix(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> CoordinateMatrix<M> {
+    fn mass_matrix(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> VelocityMatrix<M> {
         self.0.mass_matrix(t, q, v)
     }
 }
@@ -122,7 +139,7 @@ impl<M: ConstrainedSystem> ConstrainedSystem for Unprojected<M> {
     const CONSTRAINTS: &'static [&'static str] = M::CONSTRAINTS;
 
     #[inline]
-    fn multipliers(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Multipliers {
+    fn multipliers(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Multipliers {
         self.0.multipliers(t, q, v)
     }
 
@@ -132,12 +149,12 @@ impl<M: ConstrainedSystem> ConstrainedSystem for Unprojected<M> {
     }
 
     #[inline]
-    fn velocity_residuals(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Multipliers {
+    fn velocity_residuals(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Multipliers {
         self.0.velocity_residuals(t, q, v)
     }
 
     #[inline]
-    fn residual_scales(&self, t: M::Scalar, q: &M::Coordinates, by: &M::Coordinates) -> M::Multipliers {
+    fn residual_scales(&self, t: M::Scalar, q: &M::Coordinates, by: &M::Velocities) -> M::Multipliers {
         self.0.residual_scales(t, q, by)
     }
 
@@ -146,9 +163,9 @@ impl<M: ConstrainedSystem> ConstrainedSystem for Unprojected<M> {
         &self,
         t: M::Scalar,
         q: &M::Coordinates,
-        v: &M::Coordinates,
+        v: &M::Velocities,
         residuals: &M::Multipliers,
-    ) -> M::Coordinates {
+    ) -> M::Velocities {
         self.0.correction(t, q, v, residuals)
     }
 
@@ -157,9 +174,9 @@ impl<M: ConstrainedSystem> ConstrainedSystem for Unprojected<M> {
         &self,
         t: M::Scalar,
         q: &M::Coordinates,
-        v: &M::Coordinates,
-        change: &M::Coordinates,
-    ) -> M::Coordinates {
+        v: &M::Velocities,
+        change: &M::Velocities,
+    ) -> M::Velocities {
         self.0.mass_times(t, q, v, change)
     }
 }

@@ -9,7 +9,7 @@ use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
-use crate::system::{StepFailure, Violation, split};
+use crate::system::{StateVector, StepFailure, Violation, reach, split};
 use crate::tolerance::TOUCHING;
 
 const NO_FORCES: &str = "no forces in contacts and friction fit the state: friction is too strong there for rigid bodies that slip this \
@@ -38,7 +38,7 @@ where
         return Err(StepFailure::NotFinite);
     }
     terms.restitutions::<M>(&modes, |k| !M::RESTITUTIONS_VARY[k])?;
-    let position = Position::of(&terms, &modes, (t, &q, &v));
+    let position = Position::of(system, &terms, (t, &q, &v));
     if let Some(k) = position.is_beyond.iter().position(|is_beyond| *is_beyond) {
         return Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])));
     }
@@ -56,19 +56,20 @@ pub(super) struct Position<const K: usize> {
 
 impl<const K: usize> Position<K> {
     /// Judged by rounding; contacts and friction that already hold are given half of all digits.
-    pub(super) fn of<S: Scalar, const N: usize>(
-        terms: &Terms<S, N, K>,
-        modes: &[Mode; K],
-        (t, q, v): (S, &[S; N], &[S; N]),
+    pub(super) fn of<M: ContactSystem<N, K>, const N: usize>(
+        system: &M,
+        terms: &Terms<M::Scalar, N, K>,
+        (t, q, v): (M::Scalar, &M::Coordinates, &[M::Scalar; N]),
     ) -> Self {
-        let rounding = TOUCHING.part::<S>();
-        let share = |k: usize| if holds(modes[k]) { S::epsilon().sqrt() } else { rounding };
-        let (lengths, speeds) = (lengths(q), sizes(v));
-        let near: [S; K] = array::from_fn(|k| {
+        let (modes, rounding) = (system.modes(), TOUCHING.part::<M::Scalar>());
+        let share = |k: usize| if holds(modes[k]) { M::Scalar::epsilon().sqrt() } else { rounding };
+        let [own, lengths] = [*q, lengths(q)].map(|by| reach(system, t, q, &by));
+        let speeds = sizes(v);
+        let near: [M::Scalar; K] = array::from_fn(|k| {
             let size = terms.size_of(k, &lengths) + terms.speed_of(k, v) * t.abs();
-            share(k) * terms.size_of(k, q) + rounding * size
+            share(k) * terms.size_of(k, &own) + rounding * size
         });
-        let slow: [S; K] = array::from_fn(|k| {
+        let slow: [M::Scalar; K] = array::from_fn(|k| {
             let size = terms.size_of(k, &speeds) + terms.acceleration_of(k) * t.abs();
             share(k) * terms.speed_of(k, v) + rounding * size
         });
@@ -83,8 +84,13 @@ impl<const K: usize> Position<K> {
 
 /// What coordinates are measured by where gaps are judged. If all of them are zero nothing tells how large they might be but their
 /// unit, as in the tolerances of methods.
-pub(super) fn lengths<S: Scalar, const N: usize>(q: &[S; N]) -> [S; N] {
-    if q.iter().all(|entry| *entry == S::ZERO) { [S::ONE; N] } else { sizes(q) }
+pub(super) fn lengths<S: Scalar, Q: StateVector<S>>(q: &Q) -> Q {
+    if q.as_ref().iter().any(|entry| *entry != S::ZERO) {
+        return sizes(q);
+    }
+    let mut ones = *q;
+    ones.as_mut().fill(S::ONE);
+    ones
 }
 
 /// Whether this mode keeps a rate at zero.

@@ -99,7 +99,7 @@ pub enum Mode {
     Smooth,
 }
 
-/// What an emitted type with contacts or friction knows about its reactions at one state: N coordinates, K reactions in the
+/// What an emitted type with contacts or friction knows about its reactions at one state: N velocities, K reactions in the
 /// order of declaration.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Terms<S, const N: usize, const K: usize> {
@@ -129,7 +129,7 @@ pub struct Terms<S, const N: usize, const K: usize> {
 
 /// A system with K reactions: contacts and dry friction. Emitted types implement it.
 pub trait ContactSystem<const N: usize, const K: usize>:
-    MechanicalSystem<Coordinates = [<Self as crate::system::OdeSystem>::Scalar; N]> + Sized
+    MechanicalSystem<Velocities = [<Self as crate::system::OdeSystem>::Scalar; N]> + Sized
 {
     /// Names of the reactions.
     const REACTIONS: [&'static str; K];
@@ -149,7 +149,7 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     fn terms(
         &self,
         t: Self::Scalar,
-        q: &[Self::Scalar; N],
+        q: &Self::Coordinates,
         v: &[Self::Scalar; N],
     ) -> Terms<Self::Scalar, N, K>;
 

@@ -6,7 +6,7 @@ use super::initial_modes::{holds, lengths};
 use super::reaction_forces::{Balance, Rule};
 use super::{Contact, ContactSystem, Mode, Terms};
 use crate::scalar::Scalar;
-use crate::system::{StepFailure, Violation, join, split};
+use crate::system::{StateVector, StepFailure, Violation, displaced, join, normalise, reach, split};
 use crate::tolerance::{CLOSED_GAP, SLIT};
 
 /// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
@@ -14,7 +14,7 @@ const MOST_ROUNDS: u32 = 12;
 
 /// Brings a state onto the closed contacts and sticking friction: gaps to zero by the smallest change of the coordinates that the
 /// mechanism allows, measured by the mass matrix, and then their rates and slip velocities by the smallest change of the
-/// velocities. Constraints keep holding to first order in the change.
+/// velocities. Constraints keep holding to first order in the change. Unit quaternions are brought to length one before.
 ///
 /// # Errors
 /// If a gap cannot be closed, with its name and what is left of it; the state is then what it was.
@@ -28,13 +28,16 @@ where
 {
     let modes = system.modes();
     let is_held = modes.map(holds);
+    let mut unit = *y;
+    normalise::<M>(&mut unit)?;
     if is_held == [false; K] {
+        *y = unit;
         return Ok(());
     }
-    let (mut q, mut v) = split::<M>(y);
+    let (mut q, mut v) = split::<M>(&unit);
     close(system, t, &mut q, &v, modes.map(|mode| mode == Mode::Contact(Contact::Closed)))?;
     halt(&system.terms(t, &q, &v), &mut v, is_held);
-    if q.iter().chain(&v).any(|entry| !entry.is_finite()) {
+    if q.as_ref().iter().chain(&v).any(|entry| !entry.is_finite()) {
         return Err(StepFailure::NotFinite);
     }
     *y = join::<M>(&q, &v);
@@ -45,7 +48,7 @@ where
 pub(super) fn close<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
-    q: &mut [M::Scalar; N],
+    q: &mut M::Coordinates,
     v: &[M::Scalar; N],
     is_closed: [bool; K],
 ) -> Result<(), StepFailure<M::Scalar>>
@@ -55,12 +58,12 @@ where
     if is_closed == [false; K] {
         return Ok(());
     }
-    let mut closed = *q;
+    let (mut closed, size) = (*q, reach(system, t, q, q));
     for _ in 0..MOST_ROUNDS {
         let terms = system.terms(t, &closed, v);
         let before = closed;
-        if widest(&terms, q, is_closed).is_some() {
-            change(&terms, &mut closed, terms.gaps, is_closed);
+        if widest(&terms, &size, is_closed).is_some() {
+            displace(system, t, &terms, &mut closed, terms.gaps, is_closed);
         }
         if is_same(&before, &closed, q) {
             *q = closed;
@@ -68,19 +71,20 @@ where
         }
     }
     // Gaps that are coordinates have no terms beside which they could be small: what counts is then the size of the coordinates.
-    if widest(&system.terms(t, &closed, v), &lengths(q), is_closed).is_none() {
+    let lengths = reach(system, t, q, &lengths(q));
+    if widest(&system.terms(t, &closed, v), &lengths, is_closed).is_none() {
         *q = closed;
         return Ok(());
     }
     let terms = system.terms(t, q, v);
-    let k = widest(&terms, q, is_closed).unwrap_or_default();
+    let k = widest(&terms, &size, is_closed).unwrap_or_default();
     Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])))
 }
 
 /// Whether two vectors differ by no more than the rounding of a third. One that is not a number differs from every other.
-fn is_same<S: Scalar, const N: usize>(one: &[S; N], other: &[S; N], scale: &[S; N]) -> bool {
+fn is_same<S: Scalar, Q: StateVector<S>>(one: &Q, other: &Q, scale: &Q) -> bool {
     let rounding = CLOSED_GAP.part::<S>();
-    let differences = one.iter().zip(other).zip(scale);
+    let differences = one.as_ref().iter().zip(other.as_ref()).zip(scale.as_ref());
     differences.into_iter().all(|((a, b), scale)| a == b || (*a - *b).abs() <= rounding * scale.abs())
 }
 
@@ -108,7 +112,7 @@ pub(super) fn halt<S: Scalar, const N: usize, const K: usize>(
     v: &mut [S; N],
     is_held: [bool; K],
 ) {
-    change(terms, v, terms.rates, is_held);
+    *v = terms.added(v, &shares(terms, terms.rates, is_held));
 }
 
 /// The energy that it takes at least to give these contacts the rates that they have.
@@ -124,28 +128,46 @@ pub(super) fn energy<S: Scalar, const N: usize, const K: usize>(
 
 /// Opens gaps that are zero but for rounding by a few roundings, so that they are not found closed again at once;
 /// together, and with those closed that are, since to open one may close another.
-pub(super) fn part<S: Scalar, const N: usize, const K: usize>(
-    terms: &Terms<S, N, K>,
-    q: &mut [S; N],
-    are_touching: [bool; K],
-    are_closed: [bool; K],
-) {
-    let slits: [S; K] = array::from_fn(|k| SLIT.part::<S>() * terms.size_of(k, q));
+pub(super) fn part<M, const N: usize, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    terms: &Terms<M::Scalar, N, K>,
+    q: &mut M::Coordinates,
+    (are_touching, are_closed): ([bool; K], [bool; K]),
+) where
+    M: ContactSystem<N, K>,
+{
+    let size = reach(system, t, q, q);
+    let slits: [M::Scalar; K] = array::from_fn(|k| SLIT.part::<M::Scalar>() * terms.size_of(k, &size));
     let is_parted: [bool; K] = array::from_fn(|k| are_touching[k] && terms.gaps[k] < slits[k]);
     if is_parted != [false; K] {
-        let values = array::from_fn(|k| if is_parted[k] { terms.gaps[k] - slits[k] } else { S::ZERO });
-        change(terms, q, values, array::from_fn(|k| is_parted[k] || are_closed[k]));
+        let values =
+            array::from_fn(|k| if is_parted[k] { terms.gaps[k] - slits[k] } else { M::Scalar::ZERO });
+        displace(system, t, terms, q, values, array::from_fn(|k| is_parted[k] || are_closed[k]));
     }
 }
 
-/// Adds responses so that these values are taken away where they are held.
-fn change<S: Scalar, const N: usize, const K: usize>(
+/// Displaces positions by responses so that these gaps are taken away where they are held.
+fn displace<M, const N: usize, const K: usize>(
+    system: &M,
+    t: M::Scalar,
+    terms: &Terms<M::Scalar, N, K>,
+    q: &mut M::Coordinates,
+    gaps: [M::Scalar; K],
+    is_held: [bool; K],
+) where
+    M: ContactSystem<N, K>,
+{
+    let shares = shares(terms, gaps, is_held);
+    *q = displaced(system, t, q, shares.into_iter().zip(&terms.responses));
+}
+
+/// How much of each response takes these values away where they are held.
+fn shares<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
-    x: &mut [S; N],
     values: [S; K],
     is_held: [bool; K],
-) {
+) -> [S; K] {
     let rules = is_held.map(|is_held| if is_held { Rule::Holds } else { Rule::Absent });
-    let shares = Balance::of_values(terms, values).reactions(&rules);
-    *x = terms.added(x, &shares);
+    Balance::of_values(terms, values).reactions(&rules)
 }

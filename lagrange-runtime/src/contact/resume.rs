@@ -21,7 +21,7 @@ use super::project::{energy, halt};
 use super::reaction_forces::{Balance, Rule, reactions};
 use super::{ContactSystem, Mode, Terms};
 use crate::scalar::Scalar;
-use crate::system::StepFailure;
+use crate::system::{StepFailure, reach};
 use crate::tolerance::{HOP, HOP_TIME};
 
 /// A part of the time that has passed: what bounces take less than is not resolved.
@@ -31,7 +31,7 @@ const SHORT: f64 = 1e-9;
 pub(super) struct Instant<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
-    pub(super) q: [M::Scalar; N],
+    pub(super) q: M::Coordinates,
     pub(super) v: [M::Scalar; N],
 }
 
@@ -48,6 +48,11 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         self.system.terms(self.t, &self.q, v)
     }
 
+    /// Which gaps and rates are zero at these velocities.
+    pub(super) fn position(&self, terms: &Terms<M::Scalar, N, K>, v: &[M::Scalar; N]) -> Position<K> {
+        Position::of(self.system, terms, (self.t, &self.q, v))
+    }
+
     /// From these velocities on, which an impact has left that made the rates `is_still` zero. `before` is known of the velocities
     /// that it found.
     pub(super) fn resume(
@@ -60,7 +65,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         let mut rest = [M::Scalar::ZERO; K];
         loop {
             let after = self.terms(&velocities);
-            let mut position = Position::of(&after, &self.system.modes(), (self.t, &self.q, &velocities));
+            let mut position = self.position(&after, &velocities);
             position.is_touching = is_touching;
             for (is_slow, is_still) in position.is_still.iter_mut().zip(is_still) {
                 *is_slow |= is_still;
@@ -99,13 +104,14 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         });
         let limit = self.t.abs() * M::Scalar::from_f64(SHORT).max(HOP_TIME.part::<M::Scalar>());
         let is_short = |k: usize| hops[k].as_ref().is_some_and(|hop| hop.time() <= limit);
+        let size = reach(self.system, self.t, &self.q, &self.q);
         let approached = |k: usize| position.is_touching[k] && before.rates[k] < M::Scalar::ZERO;
         let left = part_left(before, after, array::from_fn(|k| is_short(k) || approached(k)));
         array::from_fn(|k| {
             let hop = hops[k].as_ref()?;
             let time = if left < one { hop.time() / (one - left) } else { hop.time() };
             let is_resolved = !(left < one && time <= limit);
-            let is_low = hop.height() <= HOP.part::<M::Scalar>() * after.size_of(k, &self.q);
+            let is_low = hop.height() <= HOP.part::<M::Scalar>() * after.size_of(k, &size);
             (!is_resolved || is_low).then_some(time)
         })
     }

@@ -50,7 +50,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         is_closed[k] = true;
         close(self.system, self.t, &mut self.q, &self.v, is_closed)?;
         let mut terms = self.terms(&self.v);
-        let mut position = Position::of(&terms, &modes, (self.t, &self.q, &self.v));
+        let mut position = self.position(&terms, &self.v);
         for j in 0..K {
             position.is_touching[j] |= is_closed[j];
             if holds(modes[j]) {
@@ -81,7 +81,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             let mut q = self.q;
             let is_open = |j: usize| modes[j] == Mode::Contact(Contact::Open);
             let are_touching = core::array::from_fn(|j| is_open(j) && position.is_touching[j]);
-            part(terms, &mut q, are_touching, modes.map(|mode| mode == Mode::Contact(Contact::Closed)));
+            let are_closed = modes.map(|mode| mode == Mode::Contact(Contact::Closed));
+            part(self.system, self.t, terms, &mut q, (are_touching, are_closed));
             return Ok(Response::new(Action::Replace(join::<M>(&q, &self.v))));
         }
         let none = Impact { impulse: M::Scalar::ZERO, energy_loss: M::Scalar::ZERO };
@@ -129,7 +130,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
     /// Which gaps and rates are zero, those that are held at zero among them.
     fn held(&self, terms: &Terms<M::Scalar, N, K>) -> Position<K> {
         let modes = self.system.modes();
-        let mut position = Position::of(terms, &modes, (self.t, &self.q, &self.v));
+        let mut position = self.position(terms, &self.v);
         for k in (0..K).filter(|k| holds(modes[*k])) {
             (position.is_touching[k], position.is_still[k]) = (true, true);
         }

@@ -8,9 +8,7 @@ use crate::linalg::pivoted::Matrix;
 use crate::linalg::ranked::RankedFactors;
 use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
-use crate::system::{
-    Component, CoordinateMatrix, MechanicalSystem, OdeSystem, StepFailure, Undefined, split,
-};
+use crate::system::{Component, MechanicalSystem, OdeSystem, StepFailure, Undefined, VelocityMatrix, split};
 
 /// Steps that became too short for times to be told apart were stopped by what lies within this part of the way.
 const NEAR: f64 = 1e-9;
@@ -76,10 +74,9 @@ pub fn undefined<M: MechanicalSystem>(
     (time, y, rates): (M::Scalar, &M::State, &M::State),
     parameters: &[(&'static str, M::Scalar)],
     inputs: &[(&'static str, M::Scalar)],
-    mass_matrix: impl FnOnce(&M::Coordinates, &M::Coordinates) -> Option<CoordinateMatrix<M>>,
+    mass_matrix: impl FnOnce(&M::Coordinates, &M::Velocities) -> Option<VelocityMatrix<M>>,
 ) -> Option<Undefined<M::Scalar>> {
-    let component = |index| Component::of(M::COORDINATES, index);
-    let found = Undefined::of_state(time, y.as_ref(), rates.as_ref(), component)?;
+    let found = Undefined::of_state(time, y.as_ref(), rates.as_ref(), Component::of::<M>)?;
     if let Undefined::State { .. } = found {
         return Some(found);
     }
@@ -94,14 +91,14 @@ pub fn undefined<M: MechanicalSystem>(
     let (q, v) = split::<M>(y);
     let singular = mass_matrix(&q, &v).and_then(|mass| {
         let (index, pivot) = lost_pivot::<M>(&mass)?;
-        Some(Undefined::MassMatrix { coordinate: M::COORDINATES.get(index)?, pivot, time })
+        Some(Undefined::MassMatrix { velocity: Component::of_velocity::<M>(index)?, pivot, time })
     });
     singular.or(Some(found))
 }
 
 /// The column and the value of the first pivot that is lost in rounding, if the mass matrix is singular.
-fn lost_pivot<M: MechanicalSystem>(mass: &CoordinateMatrix<M>) -> Option<(usize, M::Scalar)> {
-    let rows: &[M::Coordinates] = mass.as_ref();
-    let matrix = Matrix::<M::Scalar, M::Coordinates>::of(|row, column| rows[row].as_ref()[column]);
+fn lost_pivot<M: MechanicalSystem>(mass: &VelocityMatrix<M>) -> Option<(usize, M::Scalar)> {
+    let rows: &[M::Velocities] = mass.as_ref();
+    let matrix = Matrix::<M::Scalar, M::Velocities>::of(|row, column| rows[row].as_ref()[column]);
     RankedFactors::new(matrix, rows.len())?.lost_pivot()
 }

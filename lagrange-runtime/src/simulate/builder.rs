@@ -9,7 +9,7 @@ use crate::integrate::{Method, Verner98};
 use crate::scalar::Scalar;
 use crate::simulate::control::{Controller, Drive, InputColumns, Undriven};
 use crate::simulate::events::{Event, Watcher};
-use crate::simulate::observer::{Extend, Observer};
+use crate::simulate::observer::{Extend, Observer, acceleration_names};
 use crate::simulate::progress::{Progress, Reporter, Verdict};
 use crate::simulate::sampling::Sampling;
 use crate::system::{
@@ -231,14 +231,13 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
         self.with(names, Box::new(extend))
     }
 
-    /// Adds a column for the acceleration of each coordinate, such as `theta_ddot`.
+    /// Adds a column for each acceleration, such as `theta_ddot` of a coordinate `theta`, and `w_dot` of a velocity that is called `w`.
     pub fn accelerations(self) -> Self {
-        let names = M::COORDINATES.iter().map(|name| format!("{name}_ddot")).collect();
         let extend = |system: &M, t, y: &M::State, row: &mut Vec<_>| {
             let (q, v) = split::<M>(y);
             row.extend_from_slice(system.acceleration(t, &q, &v).as_ref());
         };
-        self.with(names, Box::new(extend))
+        self.with(acceleration_names::<M>(), Box::new(extend))
     }
 
     pub(super) fn with(mut self, names: Vec<String>, extend: Extend<'a, M>) -> Self {

@@ -9,8 +9,8 @@ use crate::scalar::Scalar;
 use crate::simulate::sampling::Grid;
 use crate::simulate::table::Table;
 use crate::system::{
-    CanonicalSystem, ConstraintValues, ControlledSystem, CoordinateMatrix, MechanicalSystem, OdeSystem,
-    StateMatrix, StateVector, StepFailure, Wrapper, join,
+    CanonicalSystem, ConstraintValues, ControlledSystem, MechanicalSystem, OdeSystem, StateMatrix,
+    StateVector, StepFailure, VelocityMatrix, Wrapper, join,
 };
 use crate::tolerance::SAME_INSTANT;
 
@@ -70,7 +70,12 @@ where
 
 /// A system M, the plant, in a closed loop.
 pub trait ClosedLoop<M: MechanicalSystem>:
-    MechanicalSystem<Scalar = M::Scalar, State = M::State, Coordinates = M::Coordinates> + Sized
+    MechanicalSystem<
+        Scalar = M::Scalar,
+        State = M::State,
+        Coordinates = M::Coordinates,
+        Velocities = M::Velocities,
+    > + Sized
 {
     /// The plant in its present modes, with the inputs that it has by itself.
     fn plant(&self) -> &M;
@@ -208,7 +213,7 @@ where
         self.present(t, &join::<M>(q, v), |plant| plant.momentum_rates(t, q, v))
     }
 
-    fn mass_matrix(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> CoordinateMatrix<Self> {
+    fn mass_matrix(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> VelocityMatrix<Self> {
         self.present(t, &join::<M>(q, v), |plant| plant.mass_matrix(t, q, v))
     }
 

@@ -5,7 +5,7 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::system::{MechanicalSystem, OdeSystem};
+use crate::system::{MechanicalSystem, OdeSystem, acceleration_name};
 
 /// Columns that are computed from time and state.
 pub(super) struct Observer<'a, M: MechanicalSystem> {
@@ -20,10 +20,25 @@ pub(super) type Extend<'a, M> = Box<
 >;
 
 impl<M: MechanicalSystem> Observer<'_, M> {
-    /// The names of the state: coordinates, then velocities.
+    /// The names of the state: positions, then velocities.
     pub(super) fn state_names() -> Vec<String> {
-        let names = M::COORDINATES.iter().map(ToString::to_string);
-        let rates = M::COORDINATES.iter().map(|name| format!("{name}_dot"));
-        names.chain(rates).collect()
+        M::COORDINATES.iter().map(ToString::to_string).chain(velocity_names::<M>()).collect()
     }
+}
+
+/// The names of the velocities.
+fn velocity_names<M: MechanicalSystem>() -> Vec<String> {
+    if M::VELOCITIES.is_empty() {
+        return M::COORDINATES.iter().map(|name| format!("{name}_dot")).collect();
+    }
+    M::VELOCITIES.iter().map(ToString::to_string).collect()
+}
+
+/// The names of the accelerations.
+pub(super) fn acceleration_names<M: MechanicalSystem>() -> Vec<String> {
+    let name = |velocity: &String| {
+        let (stem, suffix) = acceleration_name(velocity);
+        format!("{stem}{suffix}")
+    };
+    velocity_names::<M>().iter().map(name).collect()
 }

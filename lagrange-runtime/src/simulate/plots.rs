@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use crate::simulate::builder::ENERGY;
 use crate::simulate::trajectory::Trajectory;
-use crate::system::MechanicalSystem;
+use crate::system::{MechanicalSystem, StateVector};
 use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
 
 /// What the axis of time is called; SI units, as everywhere.
@@ -28,7 +28,7 @@ where
     M::Scalar: Into<f64>,
 {
     /// Plots coordinates and velocities against time: a panel for each up to four coordinates, else one for all
-    /// coordinates and one for all velocities.
+    /// coordinates and one for all velocities, also where there are not as many of the one as of the other.
     ///
     /// The extension of the file says what it is, here and in all plots: `svg` for drawings and `png` for pixels.
     ///
@@ -36,9 +36,9 @@ where
     /// If the extension is another, or what the operating system says.
     pub fn plot_states(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let count = M::COORDINATES.len();
-        let names = &self.names()[..2 * count];
+        let names = &self.names()[..M::State::ZERO.as_ref().len()];
         let (coordinates, velocities) = names.split_at(count);
-        if count > SEPARATE {
+        if count > SEPARATE || velocities.len() != count {
             let panels =
                 vec![self.over_time("coordinates", coordinates)?, self.over_time("velocities", velocities)?];
             return Figure { panels, columns: 1, size: WIDE }.save(path.as_ref());

@@ -7,7 +7,7 @@ use std::vec::Vec;
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::control::{Controller, Drive, InputColumns, Law, Undriven};
-use crate::system::{ControlledSystem, OutputSystem, StepFailure, Undefined, split};
+use crate::system::{ControlledSystem, OutputSystem, StateVector, StepFailure, Undefined, split};
 
 impl<'a, M: ControlledSystem, K> Simulation<'a, M, K, Undriven> {
     /// Sets the inputs at every instant by a law, a function of time and state: a feedback, or a force over time.
@@ -99,7 +99,7 @@ impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
             return self;
         }
         let before = self.observers.iter().map(|observer| observer.names.len()).sum::<usize>();
-        self.inputs = Some(InputColumns::from(2 * M::COORDINATES.len() + before));
+        self.inputs = Some(InputColumns::from(M::State::ZERO.as_ref().len() + before));
         let names = M::INPUTS.iter().map(ToString::to_string).collect();
         let extend = |system: &M, _, _: &M::State, row: &mut Vec<_>| {
             row.extend_from_slice(system.inputs().into().as_ref());

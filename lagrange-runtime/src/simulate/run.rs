@@ -92,7 +92,7 @@ fn named<M: MechanicalSystem, C: ClosedLoop<M>>(
     end: M::Scalar,
 ) -> StepFailure<M::Scalar> {
     match explained(cause, system, stopped, end) {
-        StepFailure::Undefined(what) => StepFailure::Undefined(what.with_names(M::COORDINATES)),
+        StepFailure::Undefined(what) => StepFailure::Undefined(what.with_names_of::<M>()),
         cause => cause,
     }
 }

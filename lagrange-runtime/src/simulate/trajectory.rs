@@ -11,7 +11,7 @@ use crate::simulate::control::InputColumns;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::table::Table;
-use crate::system::{MechanicalSystem, StateVector};
+use crate::system::{MechanicalSystem, StateVector, normalised};
 
 /// What a run found: samples in named columns, and what it took.
 ///
@@ -130,7 +130,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// The state at any time of a run that was asked to be [`dense`](crate::simulate::Simulation::dense); at the time
     /// of an impact, the state after it.
     ///
-    /// The error is that of the method's own interpolation, plus a few roundings.
+    /// The error is that of the method's own interpolation, plus a few roundings. Unit quaternions are brought to length one.
     ///
     /// # Errors
     /// If the run was not asked to be dense, or did not pass this time.
@@ -140,7 +140,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
             return Ok(self.last());
         }
         let outside = NotKept::Outside { time: t, start: self.start_time(), end: self.end_time() };
-        dense.at(t).ok_or(outside)
+        dense.at(t).map(|state| normalised::<M>(&state)).ok_or(outside)
     }
 
     /// What happened, in the order of the run: events of the declaration, and those that were asked for.

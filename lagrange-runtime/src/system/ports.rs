@@ -66,11 +66,11 @@ pub trait OutputSystem: MechanicalSystem {
     /// What the components are called: `height`, or `tip.x` and `tip.y`, or, of longer vectors, `all.0`, `all.1`, ….
     const OUTPUTS: &'static [&'static str];
 
-    /// All components at time `t`, coordinates `q` and velocities `v`.
+    /// All components at time `t`, positions `q` and velocities `v`.
     fn outputs(
         &self,
         t: <Self as OdeSystem>::Scalar,
         q: &Self::Coordinates,
-        v: &Self::Coordinates,
+        v: &Self::Velocities,
     ) -> Self::Outputs;
 }

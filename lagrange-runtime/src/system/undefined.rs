@@ -2,6 +2,7 @@
 
 use core::fmt::{Debug, Display, Formatter, Result};
 
+use super::MechanicalSystem;
 use crate::scalar::Scalar;
 
 /// A number that is not finite, or that makes what follows from it so.
@@ -52,8 +53,8 @@ pub enum Undefined<S> {
     },
     /// The mass matrix, which is singular, so that accelerations do not follow from forces.
     MassMatrix {
-        /// The coordinate of the first pivot that is lost in rounding if velocities are eliminated with the largest pivots first.
-        coordinate: &'static str,
+        /// The velocity of the first pivot that is lost in rounding if velocities are eliminated with the largest pivots first.
+        velocity: Component,
         /// That pivot.
         pivot: S,
         /// At which time.
@@ -64,24 +65,34 @@ pub enum Undefined<S> {
 /// A component of a state.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Component {
-    /// The coordinate of this name.
+    /// The position of this name.
     Coordinate(&'static str),
-    /// The velocity of the coordinate of this name.
+    /// The rate of the position of this name, where that is a velocity.
     Velocity(&'static str),
+    /// The velocity of this name, which it has by itself.
+    NamedVelocity(&'static str),
     /// The component at this index of a state without names.
     Index(usize),
 }
 
 impl Component {
-    /// The component at this index of a state that begins with coordinates of these names and their velocities.
+    /// The component at this index of a state of the system M, or of a longer one that begins with that.
     #[must_use]
-    pub fn of(coordinates: &[&'static str], index: usize) -> Self {
-        let velocity = index.checked_sub(coordinates.len()).and_then(|index| coordinates.get(index));
-        match (coordinates.get(index), velocity) {
+    pub fn of<M: MechanicalSystem + ?Sized>(index: usize) -> Self {
+        let velocity = |place| Component::of_velocity::<M>(place);
+        match (M::COORDINATES.get(index), index.checked_sub(M::COORDINATES.len()).and_then(velocity)) {
             (Some(name), _) => Component::Coordinate(name),
-            (None, Some(name)) => Component::Velocity(name),
+            (None, Some(velocity)) => velocity,
             (None, None) => Component::Index(index),
         }
+    }
+
+    /// The velocity at this index among those of the system M.
+    pub(crate) fn of_velocity<M: MechanicalSystem + ?Sized>(index: usize) -> Option<Self> {
+        if M::VELOCITIES.is_empty() {
+            return M::COORDINATES.get(index).copied().map(Component::Velocity);
+        }
+        M::VELOCITIES.get(index).copied().map(Component::NamedVelocity)
     }
 }
 
@@ -94,13 +105,13 @@ impl<S: Scalar> Undefined<S> {
         state.or_else(|| not_finite(rates).map(rate))
     }
 
-    /// The same of a state that begins with coordinates of these names and their velocities.
+    /// The same of a state of the system M, or of a longer one that begins with that, by name.
     #[must_use]
-    pub fn with_names(mut self, coordinates: &[&'static str]) -> Self {
+    pub fn with_names_of<M: MechanicalSystem + ?Sized>(mut self) -> Self {
         if let Undefined::State { component, .. } | Undefined::Rate { component, .. } = &mut self
             && let Component::Index(index) = *component
         {
-            *component = Component::of(coordinates, index);
+            *component = Component::of::<M>(index);
         }
         self
     }
@@ -109,9 +120,47 @@ impl<S: Scalar> Undefined<S> {
 impl Display for Component {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
-            Component::Coordinate(name) => write!(f, "`{name}`"),
+            Component::Coordinate(name) | Component::NamedVelocity(name) => write!(f, "`{name}`"),
             Component::Velocity(name) => write!(f, "`{name}_dot`"),
             Component::Index(index) => write!(f, "the component at index {index}"),
+        }
+    }
+}
+
+/// What the acceleration is called that is the rate of a velocity of this name.
+pub(crate) fn acceleration_name(velocity: &str) -> (&str, &'static str) {
+    match velocity.strip_suffix("_dot") {
+        Some(coordinate) => (coordinate, "_ddot"),
+        None => (velocity, "_dot"),
+    }
+}
+
+/// The acceleration that is the rate of a velocity.
+struct Acceleration(Component);
+
+impl Display for Acceleration {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self.0 {
+            Component::NamedVelocity(name) => {
+                let (stem, suffix) = acceleration_name(name);
+                write!(f, "the acceleration `{stem}{suffix}`")
+            }
+            Component::Coordinate(name) | Component::Velocity(name) => {
+                write!(f, "the acceleration `{name}_ddot`")
+            }
+            Component::Index(_) => write!(f, "the rate of {}", self.0),
+        }
+    }
+}
+
+/// The name by which a pivot of the mass matrix is told: that of the coordinate, where velocities have no names of their own.
+struct Pivot(Component);
+
+impl Display for Pivot {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self.0 {
+            Component::Velocity(name) => write!(f, "`{name}`"),
+            other => write!(f, "{other}"),
         }
     }
 }
@@ -129,15 +178,15 @@ impl<S: Debug> Display for Undefined<S> {
             Undefined::Rate { component, value, time } => {
                 match component {
                     Component::Coordinate(name) => write!(f, "the rate `{name}_dot`")?,
-                    Component::Velocity(name) => write!(f, "the acceleration `{name}_ddot`")?,
-                    Component::Index(_) => write!(f, "the rate of {component}")?,
+                    velocity => write!(f, "{}", Acceleration(*velocity))?,
                 }
                 write!(f, " comes to {value:?} at time {time:?}, although the state is finite")
             }
-            Undefined::MassMatrix { coordinate, pivot, time } => write!(
+            Undefined::MassMatrix { velocity, pivot, time } => write!(
                 f,
-                "the mass matrix is singular at time {time:?}: its pivot for `{coordinate}` is {pivot:?}, so that the acceleration \
-                 `{coordinate}_ddot` does not follow from the forces"
+                "the mass matrix is singular at time {time:?}: its pivot for {} is {pivot:?}, so that {} does not follow from the forces",
+                Pivot(*velocity),
+                Acceleration(*velocity)
             ),
         }
     }

@@ -201,14 +201,31 @@ where
     M: MechanicalSystem,
 {
     type Coordinates = M::Coordinates;
+    type Velocities = M::Velocities;
     type Columns<C> = M::Columns<C>;
 
     const COORDINATES: &'static [&'static str] = M::COORDINATES;
+    const VELOCITIES: &'static [&'static str] = M::VELOCITIES;
 
     #[inline]
-    fn acceleration(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Coordinates {
+    fn acceleration(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Velocities {
         let (_, accelerations) = split::<M>(&self.outer_rhs(t, &join::<M>(q, v)));
         accelerations
+    }
+
+    #[inline]
+    fn position_rates(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Coordinates {
+        self.inner().position_rates(t, q, v)
+    }
+
+    #[inline]
+    fn normalise(q: &mut M::Coordinates) {
+        M::normalise(q);
+    }
+
+    #[inline]
+    fn displacement(&self, t: M::Scalar, from: &M::Coordinates, to: &M::Coordinates) -> M::Velocities {
+        self.inner().displacement(t, from, to)
     }
 }
 
@@ -218,7 +235,7 @@ where
     M: EnergyFunction,
 {
     #[inline]
-    fn energy(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Coordinates) -> M::Scalar {
+    fn energy(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Scalar {
         self.present(t, &join::<M>(q, v), |inner| inner.energy(t, q, v))
     }
 }

@@ -353,11 +353,16 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for CartPole {
         type Coordinates = [f64; 2];
+        type Velocities = [f64; 2];
         type Columns<C> = CartPoleColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "theta"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            *v
         }
     }
     #[automatically_derived]

@@ -282,11 +282,16 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for ChargedParticle {
         type Coordinates = [f32; 3];
+        type Velocities = [f32; 3];
         type Columns<C> = ChargedParticleColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "y", "z"];
         #[inline]
         fn acceleration(&self, t: f32, positions: &[f32; 3], v: &[f32; 3]) -> [f32; 3] {
             self.acceleration(t, positions, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f32, _: &[f32; 3], v: &[f32; 3]) -> [f32; 3] {
+            *v
         }
     }
     #[automatically_derived]

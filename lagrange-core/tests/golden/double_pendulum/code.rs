@@ -373,6 +373,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for DoublePendulum {
         type Coordinates = [f64; 2];
+        type Velocities = [f64; 2];
         type Columns<C> = DoublePendulumColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &[
             "theta1",
@@ -381,6 +382,10 @@ const _: () = {
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            *v
         }
     }
     #[automatically_derived]

@@ -350,11 +350,16 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for FrictionPatch {
         type Coordinates = [f64; 1];
+        type Velocities = [f64; 1];
         type Columns<C> = FrictionPatchColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["s"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+            *v
         }
     }
     #[automatically_derived]

@@ -378,6 +378,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for HeavyTop {
         type Coordinates = [f64; 3];
+        type Velocities = [f64; 3];
         type Columns<C> = HeavyTopColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &[
             "phi",
@@ -387,6 +388,10 @@ const _: () = {
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
+            *v
         }
     }
     #[automatically_derived]

@@ -341,11 +341,16 @@ const _: () = {
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::MechanicalSystem for Kepler<S> {
         type Coordinates = [S; 2];
+        type Velocities = [S; 2];
         type Columns<C> = KeplerColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["r", "phi"];
         #[inline]
         fn acceleration(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: S, _: &[S; 2], v: &[S; 2]) -> [S; 2] {
+            *v
         }
     }
     #[automatically_derived]

@@ -277,11 +277,16 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for CartPole {
         type Coordinates = [f64; 2];
+        type Velocities = [f64; 2];
         type Columns<C> = CartPoleColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "theta"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            *v
         }
     }
     #[automatically_derived]
@@ -579,11 +584,16 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for Parked {
         type Coordinates = [f64; 1];
+        type Velocities = [f64; 1];
         type Columns<C> = ParkedColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+            *v
         }
     }
     #[automatically_derived]
@@ -982,11 +992,16 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for Linear {
         type Coordinates = [f64; 2];
+        type Velocities = [f64; 2];
         type Columns<C> = LinearColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "theta"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            *v
         }
     }
     #[automatically_derived]

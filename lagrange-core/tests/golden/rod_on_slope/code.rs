@@ -744,11 +744,16 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for RodOnSlope {
         type Coordinates = [f64; 3];
+        type Velocities = [f64; 3];
         type Columns<C> = RodOnSlopeColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "y", "a"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
+            *v
         }
     }
     #[automatically_derived]

@@ -715,6 +715,7 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for SpatialArm {
         type Coordinates = [f64; 2];
+        type Velocities = [f64; 2];
         type Columns<C> = SpatialArmColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &[
             "turn",
@@ -723,6 +724,10 @@ const _: () = {
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
+            *v
         }
     }
     #[automatically_derived]

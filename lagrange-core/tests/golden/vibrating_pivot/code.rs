@@ -293,11 +293,16 @@ const _: () = {
     #[automatically_derived]
     impl ::lagrange::system::MechanicalSystem for Kapitza {
         type Coordinates = [f64; 1];
+        type Velocities = [f64; 1];
         type Columns<C> = KapitzaColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+            *v
         }
     }
     #[automatically_derived]

@@ -53,8 +53,13 @@ macro_rules! contact_system {
 
         impl crate::system::MechanicalSystem for $name {
             type Coordinates = [f64; $n];
+            type Velocities = [f64; $n];
             type Columns<C> = crate::system::Unnamed<C>;
             const COORDINATES: &'static [&'static str] = &$coordinates;
+
+            fn position_rates(&self, _t: f64, _q: &[f64; $n], v: &[f64; $n]) -> [f64; $n] {
+                *v
+            }
 
             fn acceleration(&self, t: f64, q: &[f64; $n], v: &[f64; $n]) -> [f64; $n] {
                 let terms = crate::contact::ContactSystem::<$n, $k>::terms(self, t, q, v);

@@ -8,13 +8,13 @@ use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
 use crate::integrate::method::Work;
 use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
-use crate::system::{MechanicalSystem, OdeSystem, StateVector, join, split};
+use crate::system::{CanonicalSystem, OdeSystem, StateVector, join, split};
 
 /// A state with its time.
 type At<'a, M> = (<M as OdeSystem>::Scalar, &'a <M as OdeSystem>::State);
 
 /// The state between the ends of a step of the method with K stages, with an error of the order of the method.
-pub(super) fn between<M: MechanicalSystem + ?Sized, const K: usize>(
+pub(super) fn between<M: CanonicalSystem + ?Sized, const K: usize>(
     system: &M,
     from: At<'_, M>,
     to: At<'_, M>,
@@ -28,7 +28,7 @@ pub(super) fn between<M: MechanicalSystem + ?Sized, const K: usize>(
     }
 }
 
-/// As [`between`], for a system without coordinates and velocities; for three stages the error is O(h⁵).
+/// As [`between`], for a system whose velocities need not be rates of coordinates; for three stages the error is O(h⁵).
 pub(super) fn plainly_between<M: OdeSystem + ?Sized, const K: usize>(
     system: &M,
     from: At<'_, M>,
@@ -87,7 +87,7 @@ fn fifth_order<M: OdeSystem + ?Sized>(
 
 /// Coordinates by the quintic through states and accelerations at the ends; velocities from those and from the
 /// accelerations at two places between, to which the quintic leads. The error is O(h⁶).
-fn sixth_order<M: MechanicalSystem + ?Sized>(
+fn sixth_order<M: CanonicalSystem + ?Sized>(
     system: &M,
     from: At<'_, M>,
     to: At<'_, M>,

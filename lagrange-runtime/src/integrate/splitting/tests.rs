@@ -28,12 +28,17 @@ impl<S: Scalar, const N: usize, const TWICE: usize> OdeSystem for Force<S, N, TW
 
 impl<S: Scalar, const N: usize, const TWICE: usize> MechanicalSystem for Force<S, N, TWICE> {
     type Coordinates = [S; N];
+    type Velocities = [S; N];
     type Columns<C> = Unnamed<C>;
 
     const COORDINATES: &'static [&'static str] = &["x", "y", "z", "u"];
 
     fn acceleration(&self, t: S, q: &[S; N], _v: &[S; N]) -> [S; N] {
         (self.acceleration)(t, q)
+    }
+
+    fn position_rates(&self, _t: S, _q: &[S; N], v: &[S; N]) -> [S; N] {
+        *v
     }
 }
 

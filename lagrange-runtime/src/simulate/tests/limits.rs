@@ -177,11 +177,16 @@ impl OdeSystem for Wall {
 
 impl MechanicalSystem for Wall {
     type Coordinates = [f64; 1];
+    type Velocities = [f64; 1];
     type Columns<C> = Unnamed<C>;
     const COORDINATES: &'static [&'static str] = &["x"];
 
     fn acceleration(&self, t: f64, [x]: &[f64; 1], [v]: &[f64; 1]) -> [f64; 1] {
         [self.rhs(t, &[*x, *v])[1]]
+    }
+
+    fn position_rates(&self, _t: f64, _q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+        *v
     }
 }
 

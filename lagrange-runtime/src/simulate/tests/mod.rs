@@ -7,6 +7,7 @@ mod limits;
 mod observers;
 #[cfg(feature = "plot")]
 mod plots;
+mod quaternions;
 mod restarts;
 mod sampling;
 
@@ -28,11 +29,16 @@ impl OdeSystem for Oscillator {
 
 impl MechanicalSystem for Oscillator {
     type Coordinates = [f64; 1];
+    type Velocities = [f64; 1];
     type Columns<C> = Unnamed<C>;
     const COORDINATES: &'static [&'static str] = &["x"];
 
     fn acceleration(&self, _t: f64, [x]: &[f64; 1], _v: &[f64; 1]) -> [f64; 1] {
         [-x]
+    }
+
+    fn position_rates(&self, _t: f64, _q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+        *v
     }
 }
 
@@ -56,11 +62,16 @@ impl OdeSystem for Broken {
 
 impl MechanicalSystem for Broken {
     type Coordinates = [f64; 1];
+    type Velocities = [f64; 1];
     type Columns<C> = Unnamed<C>;
     const COORDINATES: &'static [&'static str] = &["x"];
 
     fn acceleration(&self, t: f64, [x]: &[f64; 1], [v]: &[f64; 1]) -> [f64; 1] {
         [self.rhs(t, &[*x, *v])[1]]
+    }
+
+    fn position_rates(&self, _t: f64, _q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+        *v
     }
 }
 

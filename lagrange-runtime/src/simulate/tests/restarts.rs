@@ -21,11 +21,16 @@ impl OdeSystem for Switched {
 
 impl MechanicalSystem for Switched {
     type Coordinates = [f64; 1];
+    type Velocities = [f64; 1];
     type Columns<C> = Unnamed<C>;
     const COORDINATES: &'static [&'static str] = &["x"];
 
     fn acceleration(&self, t: f64, _q: &[f64; 1], _v: &[f64; 1]) -> [f64; 1] {
         [if t <= 1.0 { 6.0 * t } else { -2.0 }]
+    }
+
+    fn position_rates(&self, _t: f64, _q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+        *v
     }
 }
 

@@ -51,7 +51,8 @@ mod tests {
 
     fn energy_and_rate<T>(system: &T, y: &[f64; 2]) -> (f64, [f64; 2])
     where
-        T: EnergyFunction<Coordinates = [f64; 1]> + OdeSystem<Scalar = f64, State = [f64; 2]>,
+        T: EnergyFunction<Coordinates = [f64; 1], Velocities = [f64; 1]>
+            + OdeSystem<Scalar = f64, State = [f64; 2]>,
     {
         (system.energy(0.0, &[y[0]], &[y[1]]), system.rhs(0.0, y))
     }

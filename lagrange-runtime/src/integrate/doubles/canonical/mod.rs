@@ -76,6 +76,7 @@ impl<L: Lagrangian<N>, const N: usize> OdeSystem for System<L, N> {
 
 impl<L: Lagrangian<N>, const N: usize> MechanicalSystem for System<L, N> {
     type Coordinates = [L::Number; N];
+    type Velocities = [L::Number; N];
     type Columns<C> = crate::system::Unnamed<C>;
 
     const COORDINATES: &'static [&'static str] = &["q"; N];
@@ -85,6 +86,10 @@ impl<L: Lagrangian<N>, const N: usize> MechanicalSystem for System<L, N> {
         let forcing = core::array::from_fn(|i| rates[i] - drift[i]);
         let factors = Factors::new(Matrix(self.lagrangian.mass(q, v)));
         factors.map_or([L::Number::NAN; N], |factors| factors.solve(&forcing))
+    }
+
+    fn position_rates(&self, _t: L::Number, _q: &[L::Number; N], v: &[L::Number; N]) -> [L::Number; N] {
+        *v
     }
 }
 

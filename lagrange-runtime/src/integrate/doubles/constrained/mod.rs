@@ -88,6 +88,7 @@ impl<L: Mechanism<N>, const N: usize> OdeSystem for Pinned<L, N> {
 
 impl<L: Mechanism<N>, const N: usize> MechanicalSystem for Pinned<L, N> {
     type Coordinates = [f64; N];
+    type Velocities = [f64; N];
     type Columns<C> = crate::system::Unnamed<C>;
 
     const COORDINATES: &'static [&'static str] = &["q"; N];
@@ -96,6 +97,10 @@ impl<L: Mechanism<N>, const N: usize> MechanicalSystem for Pinned<L, N> {
         let (rates, drift, bend) = (self.0.rates(q, v), self.0.drift(q, v), self.0.bend(t, q, v));
         let values = self.0.constraints(t, q, v);
         self.solve(q, &values, &core::array::from_fn(|i| rates[i] - drift[i]), &bend.map(|bend| -bend))
+    }
+
+    fn position_rates(&self, _t: f64, _q: &[f64; N], v: &[f64; N]) -> [f64; N] {
+        *v
     }
 }
 

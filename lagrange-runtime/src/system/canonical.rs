@@ -1,0 +1,118 @@
+//! Systems in canonical coordinates, which symplectic methods take: velocities are the rates of the coordinates.
+
+use super::{ConstraintValues, MechanicalSystem, StateVector, VelocityMatrix};
+
+/// A system whose accelerations do not depend on its velocities and whose mass matrix is constant.
+///
+/// This makes the Hamiltonian a sum of a function of momenta and one of coordinates, which explicit symplectic
+/// methods ask for. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VI.3.
+#[diagnostic::on_unimplemented(
+    message = "the accelerations of `{Self}` depend on velocities or constraints, or its mass matrix is not constant",
+    note = "compositions of kicks and drifts take separable systems without constraints only",
+    note = "`StormerVerlet` takes constraints on positions, too",
+    note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix",
+    note = "methods in coordinates and momenta do not take unit quaternions: for these there are `Verner98`, `RungeKutta4` and \
+            `GaussLegendre` with `.plain()`"
+)]
+pub trait SeparableSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {}
+
+/// A system that is [separable](SeparableSystem), or would be without its constraints, all of which hold positions.
+///
+/// All separable systems are. Emitted types with constraints implement it if their mass matrix is constant and no force but
+/// those of the constraints depends on velocities. Explicit steps then end on the constraints by corrections in the space of
+/// constraint forces. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3.
+#[diagnostic::on_unimplemented(
+    message = "the accelerations of `{Self}` depend on velocities, or its mass matrix is not constant",
+    note = "symplectic Euler and Störmer–Verlet take separable systems only; constraints on positions may restrain them",
+    note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix",
+    note = "methods in coordinates and momenta do not take unit quaternions: for these there are `Verner98`, `RungeKutta4` and \
+            `GaussLegendre` with `.plain()`"
+)]
+pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {
+    /// Whether constraints hold it, and the corrections below are known.
+    const IS_HELD: bool = false;
+
+    /// The change δ of coordinates by constraint forces at `q` that takes the residuals at the coordinates `to` of the time
+    /// `later` away to first order: M δ = A(t, q)ᵀμ and A(t, q) δ = −c(later, to).
+    #[inline]
+    fn position_correction(
+        &self,
+        _t: Self::Scalar,
+        _q: &Self::Coordinates,
+        _later: Self::Scalar,
+        _to: &Self::Coordinates,
+    ) -> Self::Coordinates {
+        Self::Coordinates::ZERO
+    }
+
+    /// The change δ of velocities by constraint forces that leaves no residual: M δ = Aᵀμ and A δ = −ċ(t, q, v).
+    #[inline]
+    fn velocity_correction(
+        &self,
+        _t: Self::Scalar,
+        _q: &Self::Coordinates,
+        _v: &Self::Coordinates,
+    ) -> Self::Coordinates {
+        Self::Coordinates::ZERO
+    }
+}
+
+impl<M: SeparableSystem + ?Sized> LeapfrogSystem for M {}
+
+/// A mechanical system that knows its momenta p = ∂L/∂v and how fast they change, ṗ = ∂L/∂q + Q.
+///
+/// These are Hamilton's equations with velocities in the place of momenta; methods that are symplectic for any
+/// mass matrix integrate (q, p). Emitted types implement it if the declaration says `emit { momentum_rates }`.
+#[diagnostic::on_unimplemented(
+    message = "the momenta of `{Self}` and their rates are not known",
+    note = "declare it with `emit {{ momentum_rates }}`",
+    note = "methods in coordinates and momenta do not take unit quaternions: for these there are `Verner98`, `RungeKutta4` and \
+            `GaussLegendre` with `.plain()`"
+)]
+pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {
+    /// The momenta p = ∂L/∂v.
+    fn momenta(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Coordinates) -> Self::Coordinates;
+
+    /// The rates ∂L/∂q + Q of the momenta.
+    fn momentum_rates(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Coordinates,
+    ) -> Self::Coordinates;
+
+    /// The mass matrix ∂p/∂v, in rows.
+    fn mass_matrix(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Coordinates,
+    ) -> VelocityMatrix<Self>;
+
+    /// The rates of the momenta without the forces Aᵀλ of constraints. A method that finds these forces itself does not mind
+    /// combinations of the rows of A, so that the rates with them will do.
+    #[inline]
+    fn free_momentum_rates(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Coordinates,
+    ) -> Self::Coordinates {
+        self.momentum_rates(t, q, v)
+    }
+
+    /// Whether [`constraint_values`](Self::constraint_values) says all that holds the system. Methods that enforce constraints
+    /// by themselves do so then; elsewhere states are corrected after steps.
+    const SAYS_CONSTRAINTS: bool = false;
+
+    /// The constraints that act, always in the same order.
+    #[inline]
+    fn constraint_values(
+        &self,
+        _t: Self::Scalar,
+        _q: &Self::Coordinates,
+        _v: &Self::Coordinates,
+    ) -> ConstraintValues<Self::Scalar, Self::Coordinates> {
+        ConstraintValues::NONE
+    }
+}

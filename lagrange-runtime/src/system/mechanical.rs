@@ -1,0 +1,248 @@
+//! Systems of mechanics: positions, velocities, accelerations.
+
+use super::{OdeSystem, StateVector};
+
+/// A system described by positions q and velocities v, to which accelerations a = v̇ belong.
+///
+/// Its state is y = `[q…, v…]` and its right-hand side ẏ = `[N(q) v…, a…]`. There is a velocity for each freedom. Mostly velocities are
+/// the rates of generalised coordinates, q̇ = v, and accelerations a(t, q, v) solve d/dt ∂L/∂v − ∂L/∂q = Q. There may be more positions
+/// than velocities: the four components of a unit quaternion have the three components of an angular velocity ω, with
+/// q̇ = ½ q ⊗ (0, ω) if these are along the axes of the body. N(q) is [`position_rates`](Self::position_rates).
+///
+/// What changes positions by a small step, as [projections](crate::constraint) do, is a displacement δ, a vector like v: positions q
+/// are displaced to q + N(q) δ, and [normalised](Self::normalise). Gradients of constraints, gaps and energies are with respect to
+/// displacements, and the mass matrix measures them. Methods that need q̇ = v, all symplectic ones, refuse other systems at compile time;
+/// [`Verner98`](crate::integrate::Verner98), [`RungeKutta4`](crate::integrate::RungeKutta4) and
+/// [`PlainGaussLegendre`](crate::integrate::PlainGaussLegendre) take all.
+///
+/// Source: Featherstone, *Rigid Body Dynamics Algorithms*, §3.2, §4.5.
+///
+/// ```
+/// use lagrange::Simulate;
+/// use lagrange::system::{MechanicalSystem, OdeSystem, StepFailure, Unnamed, join, normalise, split};
+///
+/// /// A rigid body that turns freely, with its principal moments of inertia: I ω̇ = (I ω) × ω.
+/// struct FreeBody([f64; 3]);
+///
+/// impl MechanicalSystem for FreeBody {
+///     type Coordinates = [f64; 4];
+///     type Velocities = [f64; 3];
+///     type Columns<C> = Unnamed<C>;
+///     const COORDINATES: &'static [&'static str] = &["q_0", "q_1", "q_2", "q_3"];
+///     const VELOCITIES: &'static [&'static str] = &["w_x", "w_y", "w_z"];
+///
+///     fn acceleration(&self, _t: f64, _q: &[f64; 4], [x, y, z]: &[f64; 3]) -> [f64; 3] {
+///         let [a, b, c] = self.0;
+///         [(b - c) / a * y * z, (c - a) / b * z * x, (a - b) / c * x * y]
+///     }
+///
+///     fn position_rates(&self, _t: f64, [a, b, c, d]: &[f64; 4], [x, y, z]: &[f64; 3]) -> [f64; 4] {
+///         let rates = [-b * x - c * y - d * z, a * x + c * z - d * y, a * y + d * x - b * z, a * z + b * y - c * x];
+///         rates.map(|rate| rate / 2.0)
+///     }
+///
+///     fn normalise(q: &mut [f64; 4]) {
+///         let length = q.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+///         *q = q.map(|entry| entry / length);
+///     }
+///
+///     fn displacement(&self, _t: f64, [a, b, c, d]: &[f64; 4], [e, f, g, h]: &[f64; 4]) -> [f64; 3] {
+///         let real = a * e + b * f + c * g + d * h;
+///         let imaginary = [
+///             a * f - b * e - c * h + d * g,
+///             a * g + b * h - c * e - d * f,
+///             a * h - b * g + c * f - d * e,
+///         ];
+///         imaginary.map(|entry| 2.0 * real.signum() * entry)
+///     }
+/// }
+///
+/// impl OdeSystem for FreeBody {
+///     type Scalar = f64;
+///     type State = [f64; 7];
+///
+///     fn rhs(&self, t: f64, y: &[f64; 7]) -> [f64; 7] {
+///         let (q, w) = split::<Self>(y);
+///         join::<Self>(&self.position_rates(t, &q, &w), &self.acceleration(t, &q, &w))
+///     }
+///
+///     const IS_CONSTRAINED: bool = true;
+///
+///     fn correct(&self, _t: f64, y: &mut [f64; 7]) -> Result<(), StepFailure<f64>> {
+///         normalise::<Self>(y)
+///     }
+/// }
+///
+/// // Half a turn about the first axis.
+/// let body = FreeBody([1.0, 2.0, 3.0]);
+/// let trajectory = body.simulate([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0]).until(std::f64::consts::PI).run()?;
+/// let [q_0, q_1, ..] = trajectory.last();
+/// assert!(q_0.abs() < 1e-8 && (q_1 - 1.0).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Methods in coordinates and momenta ask for velocities that are the rates of the positions:
+///
+/// ```compile_fail,E0271
+/// # use lagrange::system::{MechanicalSystem, OdeSystem, Unnamed};
+/// # struct FreeBody;
+/// # impl OdeSystem for FreeBody {
+/// #     type Scalar = f64;
+/// #     type State = [f64; 7];
+/// #     fn rhs(&self, _t: f64, y: &[f64; 7]) -> [f64; 7] {
+/// #         *y
+/// #     }
+/// # }
+/// # impl MechanicalSystem for FreeBody {
+/// #     type Coordinates = [f64; 4];
+/// #     type Velocities = [f64; 3];
+/// #     type Columns<C> = Unnamed<C>;
+/// #     const COORDINATES: &'static [&'static str] = &["q_0", "q_1", "q_2", "q_3"];
+/// #     const VELOCITIES: &'static [&'static str] = &["w_x", "w_y", "w_z"];
+/// #     fn acceleration(&self, _t: f64, _q: &[f64; 4], w: &[f64; 3]) -> [f64; 3] {
+/// #         *w
+/// #     }
+/// #     fn position_rates(&self, _t: f64, q: &[f64; 4], _w: &[f64; 3]) -> [f64; 4] {
+/// #         *q
+/// #     }
+/// # }
+/// impl lagrange::system::SeparableSystem for FreeBody {}
+/// ```
+///
+/// ```compile_fail,E0277
+/// # use lagrange::system::{MechanicalSystem, OdeSystem, Unnamed};
+/// # struct FreeBody;
+/// # impl OdeSystem for FreeBody {
+/// #     type Scalar = f64;
+/// #     type State = [f64; 7];
+/// #     fn rhs(&self, _t: f64, y: &[f64; 7]) -> [f64; 7] {
+/// #         *y
+/// #     }
+/// # }
+/// # impl MechanicalSystem for FreeBody {
+/// #     type Coordinates = [f64; 4];
+/// #     type Velocities = [f64; 3];
+/// #     type Columns<C> = Unnamed<C>;
+/// #     const COORDINATES: &'static [&'static str] = &["q_0", "q_1", "q_2", "q_3"];
+/// #     const VELOCITIES: &'static [&'static str] = &["w_x", "w_y", "w_z"];
+/// #     fn acceleration(&self, _t: f64, _q: &[f64; 4], w: &[f64; 3]) -> [f64; 3] {
+/// #         *w
+/// #     }
+/// #     fn position_rates(&self, _t: f64, q: &[f64; 4], _w: &[f64; 3]) -> [f64; 4] {
+/// #         *q
+/// #     }
+/// # }
+/// use lagrange::Simulate;
+/// use lagrange::integrate::StormerVerlet;
+///
+/// let start = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0];
+/// FreeBody.simulate(start).until(1.0).method(StormerVerlet { step: 1e-3 }).run();
+/// ```
+pub trait MechanicalSystem: OdeSystem {
+    /// A vector with one entry for each position.
+    type Coordinates: StateVector<Self::Scalar>;
+
+    /// A vector with one entry for each freedom: velocities, accelerations or displacements. The same as
+    /// [`Coordinates`](Self::Coordinates) where velocities are rates of positions.
+    type Velocities: StateVector<Self::Scalar>;
+
+    /// Columns of a table of states under the names of the positions and velocities. [`Unnamed`] will do for a
+    /// system that is written by hand.
+    type Columns<C>: From<C> + AsRef<C>;
+
+    /// Names of the positions, in the order of the state.
+    const COORDINATES: &'static [&'static str];
+
+    /// Names of the velocities, in the order of the state. Empty if velocities are the rates of the positions, q̇ = v: they are then
+    /// called as these, followed by `_dot`.
+    const VELOCITIES: &'static [&'static str] = &[];
+
+    /// The accelerations at time `t`, positions `q` and velocities `v`; not finite where the mass matrix
+    /// is singular in some states only. Masses of emitted types must not be zero: what all terms of an equation share is
+    /// divided out, and a pendulum without mass would move as one with it.
+    fn acceleration(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Velocities;
+
+    /// The rates of the positions, q̇ = N(q) v: the velocities themselves, `*v`, where they are rates.
+    ///
+    /// Linear and homogeneous in `v`: displacements are mapped by it, too.
+    fn position_rates(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &Self::Velocities,
+    ) -> Self::Coordinates;
+
+    /// Brings unit quaternions among the positions back to length one, and leaves other positions as they are.
+    ///
+    /// Asked for where positions were displaced, by [`OdeSystem::correct`] after every step, and before states within a step are handed
+    /// out.
+    #[inline]
+    fn normalise(_q: &mut Self::Coordinates) {}
+
+    /// The displacement δ that leads from positions to others nearby: what [`position_rates`](Self::position_rates) at `from` makes of it
+    /// is `to − from` to first order. From a unit quaternion q to p it is 2 Im(q̄ ⊗ p), with the sign of p for which the real part is not
+    /// negative, if velocities are along the axes of the body.
+    ///
+    /// By default `to − from`; systems with [`VELOCITIES`](Self::VELOCITIES) must say it, which the compiler sees to.
+    #[inline]
+    fn displacement(
+        &self,
+        _t: Self::Scalar,
+        from: &Self::Coordinates,
+        to: &Self::Coordinates,
+    ) -> Self::Velocities {
+        const {
+            assert!(
+                Self::VELOCITIES.is_empty(),
+                "a system whose velocities are not the rates of its positions must implement `displacement`"
+            );
+        }
+        let mut displacement = Self::Velocities::ZERO;
+        let ends = to.as_ref().iter().zip(from.as_ref());
+        for (entry, (to, from)) in displacement.as_mut().iter_mut().zip(ends) {
+            *entry = *to - *from;
+        }
+        displacement
+    }
+}
+
+/// A table of states that is kept in columns, one for each entry of the state.
+pub trait Columns {
+    /// The number type.
+    type Scalar;
+
+    /// The values of the state's entry `index`, positions first; as many as there are states.
+    ///
+    /// # Panics
+    /// If the state has no such entry.
+    fn column(&self, index: usize) -> &[Self::Scalar];
+}
+
+/// Columns without names, for systems that are written by hand.
+#[derive(Clone, Copy, Debug)]
+pub struct Unnamed<C>(C);
+
+impl<C> From<C> for Unnamed<C> {
+    #[inline]
+    fn from(columns: C) -> Self {
+        Unnamed(columns)
+    }
+}
+
+impl<C> AsRef<C> for Unnamed<C> {
+    #[inline]
+    fn as_ref(&self) -> &C {
+        &self.0
+    }
+}
+
+/// A mechanical system that knows its energy function h(q, v, t) = v · ∂L/∂v − L.
+///
+/// It changes by dh/dt = v · Q − ∂L/∂t, so that it is constant if L does not depend on time and the forces
+/// Q do no work. It is the total energy T + V if T is homogeneous of degree two in v and V does not depend
+/// on v; under moving constraints the two differ. Source: Goldstein, Poole, Safko, *Classical Mechanics*,
+/// 3rd ed., §2.7.
+pub trait EnergyFunction: MechanicalSystem {
+    /// The energy function at time `t`, positions `q` and velocities `v`.
+    fn energy(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Scalar;
+}

@@ -1,0 +1,105 @@
+//! Positions and velocities of a state, and displacements of positions.
+
+use super::{MechanicalSystem, StateVector, StepFailure};
+use crate::linalg::vector::add;
+use crate::scalar::Scalar;
+
+/// Positions and velocities of a state.
+#[inline]
+pub fn split<M: MechanicalSystem + ?Sized>(y: &M::State) -> (M::Coordinates, M::Velocities) {
+    let (mut q, mut v) = (M::Coordinates::ZERO, M::Velocities::ZERO);
+    let (positions, velocities) = y.as_ref().split_at(q.as_ref().len());
+    q.as_mut().copy_from_slice(positions);
+    v.as_mut().copy_from_slice(velocities);
+    (q, v)
+}
+
+/// The state made of positions and velocities, or the rates of a state made of those of both.
+#[inline]
+pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities) -> M::State {
+    let mut y = M::State::ZERO;
+    let (positions, velocities) = y.as_mut().split_at_mut(q.as_ref().len());
+    positions.copy_from_slice(q.as_ref());
+    velocities.copy_from_slice(v.as_ref());
+    y
+}
+
+/// What is wrong with a quaternion that cannot be brought to length one.
+const NO_ORIENTATION: &str = "a quaternion of zeros is no orientation";
+
+/// Brings unit quaternions among the positions of a state back to length one, and leaves the rest as it is. This is what
+/// [`OdeSystem::correct`](super::OdeSystem::correct) of systems with unit quaternions does where nothing else holds the state.
+///
+/// # Errors
+/// [`StepFailure::Stuck`] if one is zero; the state is then what it was.
+#[inline]
+pub fn normalise<M: MechanicalSystem + ?Sized>(y: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
+    let found = normalised::<M>(y);
+    let is_finite = |y: &M::State| y.as_ref().iter().all(|entry| entry.is_finite());
+    if !M::VELOCITIES.is_empty() && is_finite(y) && !is_finite(&found) {
+        return Err(StepFailure::Stuck(NO_ORIENTATION));
+    }
+    *y = found;
+    Ok(())
+}
+
+/// The state with unit quaternions brought to length one.
+#[inline]
+pub(crate) fn normalised<M: MechanicalSystem + ?Sized>(y: &M::State) -> M::State {
+    let (mut q, v) = split::<M>(y);
+    M::normalise(&mut q);
+    join::<M>(&q, &v)
+}
+
+/// The positions q + Σ c N(q) δ, normalised, for these numbers c and displacements δ.
+#[inline]
+pub(crate) fn displaced<'a, M>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+    displacements: impl IntoIterator<Item = (M::Scalar, &'a M::Velocities)>,
+) -> M::Coordinates
+where
+    M: MechanicalSystem + ?Sized,
+    M::Velocities: 'a,
+{
+    let mut to = *q;
+    for (part, displacement) in displacements {
+        add(&mut to, part, &system.position_rates(t, q, displacement));
+    }
+    M::normalise(&mut to);
+    to
+}
+
+/// How far each freedom goes if positions change by as much as `by`: so far themselves where velocities are rates. Elsewhere
+/// Σᵢ |Nᵢⱼ| |byᵢ| / Σᵢ Nᵢⱼ², which is the most that it can be where the columns of N are at right angles, as those of unit quaternions are.
+#[inline]
+pub(crate) fn reach<M: MechanicalSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    q: &M::Coordinates,
+    by: &M::Coordinates,
+) -> M::Velocities {
+    let (mut reach, mut unit) = (M::Velocities::ZERO, M::Velocities::ZERO);
+    if M::VELOCITIES.is_empty() {
+        let magnitudes = reach.as_mut().iter_mut().zip(by.as_ref());
+        magnitudes.for_each(|(reach, by)| *reach = by.abs());
+        return reach;
+    }
+    for (j, reach) in reach.as_mut().iter_mut().enumerate() {
+        unit.as_mut()[j] = M::Scalar::ONE;
+        *reach = most(system.position_rates(t, q, &unit).as_ref(), by.as_ref());
+        unit.as_mut()[j] = M::Scalar::ZERO;
+    }
+    reach
+}
+
+/// Σ |nᵢ| |byᵢ| / Σ nᵢ²; zero for what moves nothing.
+fn most<S: Scalar>(column: &[S], by: &[S]) -> S {
+    let (mut sum, mut square) = (S::ZERO, S::ZERO);
+    for (entry, by) in column.iter().zip(by) {
+        sum = entry.abs().multiply_add(by.abs(), sum);
+        square = entry.multiply_add(*entry, square);
+    }
+    if square == S::ZERO { S::ZERO } else { sum / square }
+}
