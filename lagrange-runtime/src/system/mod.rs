@@ -10,6 +10,7 @@ mod mechanical;
 mod message;
 mod ports;
 mod positions;
+pub mod quaternion;
 mod step_failure;
 mod undefined;
 mod violation;
