@@ -21,6 +21,22 @@ pub trait Jacobian {
 
 impl<M: EmitsJacobian> Jacobian for M {}
 
+/// A system that emits `tangent_jacobian`.
+#[diagnostic::on_unimplemented(
+    message = "the declaration of `{Self}` does not emit `tangent_jacobian`",
+    label = "not emitted",
+    note = "add `emit {{ tangent_jacobian }}` to the declaration"
+)]
+pub trait EmitsTangentJacobian {}
+
+/// The name of that product.
+pub trait TangentJacobian {
+    /// Never called.
+    fn tangent_jacobian(&self) {}
+}
+
+impl<M: EmitsTangentJacobian> TangentJacobian for M {}
+
 /// A system that emits `parameter_jacobian`.
 #[diagnostic::on_unimplemented(
     message = "the declaration of `{Self}` does not emit `parameter_jacobian`",
@@ -324,6 +340,7 @@ macro_rules! __hints {
             Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _,
             KineticEnergy as _, Latex as _, MassMatrix as _, Momenta as _, MomentumRates as _,
             ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Statements as _,
+            TangentJacobian as _,
         };
     };
     (default) => {

@@ -56,8 +56,8 @@ fn arguments(method: &ProductMethod) -> &'static str {
 
 fn size(extent: Extent) -> &'static str {
     match extent {
-        Extent::Coordinates => "N",
-        Extent::State => "2N",
+        Extent::Velocities => "N",
+        Extent::State | Extent::Tangent => "2N",
         Extent::Constraints => "M",
         Extent::Fields => "P",
     }

@@ -136,7 +136,8 @@ impl Equations {
         Ok(equations)
     }
 
-    /// Components of a product of a model, matrices row by row and Jacobians without the rows of the velocities; `None` if it has no
+    /// Components of a product of a model, matrices row by row and Jacobians without the rows of the positions' rates, by the entries of
+    /// the state; `None` if it has no
     /// components or was not asked for.
     pub fn product(&self, product: Product, model: &Model) -> Option<Vec<ExprId>> {
         let of_constraints =
@@ -197,9 +198,7 @@ impl Equations {
     /// Writes what is emitted beside the accelerations with as little to cancel as is found.
     fn contract(&mut self, model: &mut Model) {
         let mut places = self.mass_matrix.iter_mut().flatten().chain(&mut self.forcing).collect::<Vec<_>>();
-        let is_derivative =
-            |product: &Product| matches!(product, Product::Jacobian | Product::ParameterJacobian);
-        let products = self.products.iter_mut().filter(|(product, _)| !is_derivative(product));
+        let products = self.products.iter_mut().filter(|(product, _)| !product.is_derivative());
         places.extend(
             products.flat_map(|(_, roots)| roots).chain(self.free_momentum_rates.iter_mut().flatten()),
         );
@@ -216,10 +215,10 @@ impl Equations {
 /// Whether the mass matrix or something that is made of it will be needed, whatever strategy is taken. Constraints, contacts and
 /// friction have rows of their own in it, and `strict` looks for what cancels there.
 fn wants_mass_matrix(model: &Model, choice: StrategyChoice) -> bool {
-    const MADE_OF_IT: [Product; 4] =
-        [Product::MassMatrix, Product::Jacobian, Product::ParameterJacobian, Product::Latex];
+    let is_made_of_it =
+        |product: &Product| product.is_derivative() || matches!(product, Product::MassMatrix | Product::Latex);
     let is_free = model.constraints.is_empty() && model.reactions.is_empty();
-    let is_asked_for = MADE_OF_IT.iter().any(|product| model.products.contains(product));
+    let is_asked_for = model.products.iter().any(is_made_of_it);
     let is_factorised = choice == StrategyChoice::Always(Strategy::MassMatrix);
     is_asked_for || !is_free || is_factorised || model.accuracy == Accuracy::Strict
 }
@@ -262,19 +261,20 @@ fn jacobians(
     forms: &mut Forms,
     solution: (&[ExprId], Strategy),
 ) -> Vec<(Product, Vec<ExprId>)> {
-    let [by_state, by_parameters] =
-        [Product::Jacobian, Product::ParameterJacobian].map(|product| model.products.contains(&product));
-    if !by_state && !by_parameters {
+    let wanted = model.products.iter().copied().filter(|product| product.is_derivative());
+    let wanted = wanted.collect::<Vec<_>>();
+    if wanted.is_empty() {
         return Vec::new();
     }
     let derivatives = Derivatives::new(model, split, forms, solution);
     let state = [model.positions(), model.velocities()].concat();
     let constants = model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol);
     let constants = constants.collect::<Vec<_>>();
-    let wanted =
-        [(by_state, Product::Jacobian, state), (by_parameters, Product::ParameterJacobian, constants)];
-    let wanted = wanted.into_iter().filter(|(is_wanted, ..)| *is_wanted);
-    wanted.map(|(_, product, arguments)| (product, derivatives.by(model, &arguments).concat())).collect()
+    let derived = |product| {
+        let arguments = if product == Product::ParameterJacobian { &constants } else { &state };
+        (product, derivatives.by(model, arguments).concat())
+    };
+    wanted.into_iter().map(derived).collect()
 }
 
 /// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act. An angular momentum p in turning axes

@@ -84,16 +84,21 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
 
 /// The state has a field for every coordinate and for every velocity.
 fn check_state_names(elaborator: &mut Elaborator<'_>) {
+    let report = &mut *elaborator.evaluator.report;
     for (speed, declared) in &elaborator.speeds {
-        let Some((coordinate, _)) = speed.coordinate.and_then(|index| elaborator.coordinates.get(index))
-        else {
+        let Some((coordinate, _)) = speed.coordinate.and_then(|index| elaborator.coordinates.get(index)) else {
             continue;
         };
-        let is_named = speed.name != format!("{}_dot", coordinate.name);
-        let clash = elaborator.coordinates.iter().find(|(other, _)| !is_named && other.name == speed.name);
-        if let Some((other, span)) = clash {
-            let message = messages::velocity_field_collides(&other.name, &coordinate.name);
-            let error = elaborator.evaluator.report.error(*span, message).help(messages::OTHER_NAME_HELP);
+        if speed.name != format!("{}_dot", coordinate.name) {
+            // A name that was declared is compared with others where that is done.
+            continue;
+        }
+        let coordinates = elaborator.coordinates.iter().map(|(other, span)| (&other.name, *span));
+        let others = elaborator.speeds.iter().filter(|(other, _)| other.velocity != speed.velocity);
+        let mut others = coordinates.chain(others.map(|(other, span)| (&other.name, *span)));
+        if let Some((other, span)) = others.find(|(other, _)| **other == speed.name) {
+            let message = messages::velocity_field_collides(other, &coordinate.name);
+            let error = report.error(span, message).help(messages::OTHER_NAME_HELP);
             error.related(Origin::from(*declared), messages::coordinate_is_here(&coordinate.name));
         }
     }
@@ -172,7 +177,7 @@ fn check_needed_products(elaborator: &mut Elaborator<'_>) {
 fn check_derivatives(elaborator: &mut Elaborator<'_>) {
     let Some((reaction, declared)) = elaborator.reactions.first() else { return };
     for &(product, wanted, span) in &elaborator.wanted {
-        if wanted && matches!(product, Product::Jacobian | Product::ParameterJacobian) {
+        if wanted && product.is_derivative() {
             let message = messages::derivative_of_jumps(product.name());
             let error =
                 elaborator.evaluator.report.error(span, message).help(messages::DERIVATIVE_OF_JUMPS_HELP);

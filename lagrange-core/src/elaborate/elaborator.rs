@@ -221,6 +221,11 @@ impl<'a> Elaborator<'a> {
     /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of something else.
     pub(super) fn report_no_coordinate(&mut self, name: &Name, usage: &str) {
         let (text, origin) = (&name.text, name.span.into());
+        if self.coordinates.iter().any(|(coordinate, _)| coordinate.name == *text) {
+            let message = messages::names::component_of_quaternion(text);
+            self.evaluator.report.error(name.span, message).help(messages::names::QUATERNION_HELP);
+            return;
+        }
         let is_unknown = self.evaluator.scope.find(text).is_none();
         let is_told = |evaluator: &mut Evaluator| {
             is_known_unresolved(evaluator, text, origin) || is_declared_elsewhere(evaluator, text, origin)

@@ -38,15 +38,16 @@ fn pinned_coordinate(elaborator: &mut Elaborator<'_>, item: &ReductionItem) -> O
         Some(syntax) => elaborator.constant_in_motion(syntax, messages::PINNED_VALUE),
         None => Some(elaborator.evaluator.graph.number(0)),
     };
-    match coordinate {
+    let has_rate = |index| elaborator.speeds.iter().any(|(speed, _)| speed.coordinate == Some(index));
+    match coordinate.map(has_rate) {
         None => elaborator.report_no_coordinate(name, messages::REDUCTION_HELP),
-        Some(index) if elaborator.speeds.iter().all(|(speed, _)| speed.coordinate != Some(index)) => {
-            let error =
-                elaborator.evaluator.report.error(name.span, messages::reduced_quaternion(&name.text));
+        Some(false) => {
+            let message = messages::reduced_quaternion(&name.text);
+            let error = elaborator.evaluator.report.error(name.span, message);
             error.help(messages::REDUCED_QUATERNION_HELP);
             return None;
         }
-        Some(_) => {}
+        Some(true) => {}
     }
     Some(Pinned { coordinate: coordinate?, value: value?, span: name.span })
 }

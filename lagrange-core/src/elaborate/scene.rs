@@ -128,9 +128,12 @@ fn outlined_part(elaborator: &mut Elaborator<'_>, outline: &Outline) -> Option<O
 /// No two methods have the same name.
 pub(super) fn check_names_of_bodies(elaborator: &mut Elaborator<'_>) {
     let products = elaborator.products();
+    // Bodies may be called `parameter` or `tangent`.
+    let of_product = |product: Product| (products.contains(&product), product.name());
     let others = [
         (!elaborator.constraints.is_empty(), "redundant_motion"),
-        (products.contains(&Product::ParameterJacobian), Product::ParameterJacobian.name()),
+        of_product(Product::ParameterJacobian),
+        of_product(Product::TangentJacobian),
     ];
     let others = others.into_iter().filter_map(|(exists, name)| exists.then_some(name)).collect::<Vec<_>>();
     for product in products {

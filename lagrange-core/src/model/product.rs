@@ -21,6 +21,7 @@ pub enum Product {
     ConstraintJacobian,
     ConstraintForces,
     Jacobian,
+    TangentJacobian,
     ParameterJacobian,
     Latex,
     Motion,
@@ -69,6 +70,8 @@ pub enum Extent {
     Velocities,
     /// One for each position and each velocity.
     State,
+    /// Two for each velocity: displacements of the positions, and changes of the velocities.
+    Tangent,
     /// One for each constraint.
     Constraints,
     /// One for each parameter and each input.
@@ -111,7 +114,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 21] = [
+const ROWS: [ProductRow; 22] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -271,6 +274,19 @@ const ROWS: [ProductRow; 21] = [
         }),
     },
     ProductRow {
+        product: Product::TangentJacobian,
+        name: "tangent_jacobian",
+        when: Availability::Demand,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::Whole,
+            returns: ProductShape::Matrix(Extent::Tangent, Extent::Tangent),
+            docs: &[
+                "Matrix of the linearised equations of motion, in rows, by displacements of the positions",
+                "and changes of the velocities: `jacobian` without the lengths of quaternions.",
+            ],
+        }),
+    },
+    ProductRow {
         product: Product::ParameterJacobian,
         name: "parameter_jacobian",
         when: Availability::With(Product::Jacobian),
@@ -326,6 +342,11 @@ impl Product {
     /// True if only systems with constraints have it.
     pub fn is_of_constraints(self) -> bool {
         self.row().when == Availability::Constraints
+    }
+
+    /// True of derivatives of the right-hand side.
+    pub fn is_derivative(self) -> bool {
+        matches!(self, Product::Jacobian | Product::TangentJacobian | Product::ParameterJacobian)
     }
 
     /// True if only systems with rigid bodies have it. No method has its name.

@@ -58,6 +58,9 @@ impl Parser<'_> {
     /// `trunk`: three coordinates and an orientation.
     fn free_body(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Mobilizer> {
         let body = self.mentioned(help, cursor)?;
+        if !cursor.at_statement_end() {
+            return Err(self.misplaced("`;`", help, cursor));
+        }
         let named = |suffix: &str| Name { text: format!("{}_{suffix}", body.text), span: body.span };
         let ground = Name { text: "ground".to_owned(), span: body.span };
         let free = Mobilizer::between(MobilizerKind::Free, ground, body.clone());

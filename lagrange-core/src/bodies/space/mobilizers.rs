@@ -28,9 +28,13 @@ pub(in crate::bodies) fn translate_spatial_mobilizer(
     joint: &Mobilizer,
     statement: Statement,
 ) {
+    let placed = placed_of(translation, joint);
+    if placed.is_none() && joint.kind == MobilizerKind::Free {
+        // A second one of the same body would declare the same names.
+        return;
+    }
     let coordinates = coordinates_of(translation, joint, statement);
     let carrier = carrier_of(translation, joint);
-    let placed = placed_of(translation, joint);
     let steps = steps_of(translation, joint, &coordinates);
     let way =
         carrier.zip(steps).map(|((carrier, pose), steps)| walk(translation, joint, carrier, pose, steps));
@@ -40,8 +44,25 @@ pub(in crate::bodies) fn translate_spatial_mobilizer(
             Some((pose, path)) => (pose, Some(path)),
             None => (Pose::invalid(&mut translation.terms()), None),
         };
-        settle(translation, link, (pose, path), None);
+        let center_velocity = velocity_of_free_center(translation, joint, link, &coordinates);
+        settle(translation, link, (pose, path), center_velocity);
     }
+}
+
+/// Velocity of the centre of mass of a free body in the world, if that is where its own axes begin.
+fn velocity_of_free_center(
+    translation: &mut Translation<'_>,
+    joint: &Mobilizer,
+    link: usize,
+    coordinates: &[AstId],
+) -> Option<AstId> {
+    let inertia = translation.space.as_ref()?.links[link].inertia?;
+    let mut terms = translation.terms();
+    let is_central = inertia.centroid.iter().all(|&component| terms.is_zero(component));
+    (is_central && joint.kind == MobilizerKind::Free).then(|| {
+        let place = terms.vector(coordinates);
+        terms.call("dot", &[place])
+    })
 }
 
 /// The frames behind the steps of a joint, one after another.

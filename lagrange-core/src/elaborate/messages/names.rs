@@ -21,6 +21,14 @@ pub(in crate::elaborate) fn unknown_name(name: &str) -> String {
     format!("unknown name `{name}`")
 }
 
+/// Message for the rate of a component where a velocity is needed.
+pub(in crate::elaborate) fn component_of_quaternion(name: &str) -> String {
+    format!("`{name}` is a component of a unit quaternion, whose rate is no velocity of its own")
+}
+
+pub(in crate::elaborate) const QUATERNION_HELP: &str =
+    "write a component of the angular velocity, whose name ends in `_wx`, `_wy` or `_wz`";
+
 pub(in crate::elaborate) const NO_RATE_TO_NAME: &str =
     "this is not the rate of a coordinate without another name";
 pub(in crate::elaborate) const VELOCITY_HELP: &str =

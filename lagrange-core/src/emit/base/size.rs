@@ -54,7 +54,8 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
 pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
     let (state, fields) =
         (model.coordinates.len() + model.speeds.len(), model.parameters.len() + model.inputs.len());
-    let jacobians = [(Product::Jacobian, state), (Product::ParameterJacobian, fields)];
+    let jacobians =
+        [(Product::Jacobian, state), (Product::TangentJacobian, state), (Product::ParameterJacobian, fields)];
     let wanted = jacobians.into_iter().filter(|(product, _)| model.products.contains(product));
     let entries = wanted.map(|(_, columns)| state.saturating_mul(columns)).fold(0, usize::saturating_add);
     let has_matrix = model.products.contains(&Product::MassMatrix);

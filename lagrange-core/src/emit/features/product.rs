@@ -1,6 +1,6 @@
 //! What is emitted for each product: arguments and result for a system, from what its row says.
 
-use super::jacobian::{by_fields, by_state};
+use super::jacobian::{by_displacements, by_fields, by_state};
 use crate::derive::Equations;
 use crate::emit::base::method::{Arguments, Returns};
 use crate::emit::base::shape::Shape;
@@ -28,6 +28,7 @@ pub(in crate::emit) fn plan(
     let found = equations.product(product, model)?;
     let roots = match product {
         Product::Jacobian => by_state(model, &found),
+        Product::TangentJacobian => by_displacements(model, &found),
         Product::ParameterJacobian => by_fields(model, returns.count() - found.len(), &found),
         _ => found,
     };
@@ -51,6 +52,7 @@ pub(in crate::emit) fn signature(
     let count = |extent| match extent {
         Extent::Velocities => shape.velocities.len(),
         Extent::State => shape.coordinates.len() + shape.velocities.len(),
+        Extent::Tangent => 2 * shape.velocities.len(),
         Extent::Constraints => shape.constraints.len(),
         Extent::Fields => shape.fields.len(),
     };
