@@ -19,6 +19,7 @@ mod hybrid;
 mod inertia;
 mod long_rope;
 mod methods;
+mod orientations;
 mod pivots;
 mod product_rows;
 mod products;
