@@ -245,7 +245,7 @@ fn motions_of_other_scalars_are_the_same() {
 }
 
 /// How many items a scene of any scalar hands out.
-fn count<S: Scalar, T: Scene<Scalar = S, Coordinates = [S; 2]>>(system: &T) -> usize {
+fn count<S: Scalar, T: Scene<Scalar = S, Coordinates = [S; 2], Velocities = [S; 2]>>(system: &T) -> usize {
     let mut count = 0;
     system.items(S::ZERO, &[S::ONE, S::ONE], &[S::ONE, S::ZERO], &mut |_| count += 1);
     count

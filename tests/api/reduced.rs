@@ -236,7 +236,9 @@ fn reduced_types_are_systems_like_any_other() {
     fn describe<M: MechanicalSystem>(_: &M) -> &'static [&'static str] {
         M::COORDINATES
     }
-    fn energy_at_rest<M: EnergyFunction<Scalar = f64, Coordinates = [f64; 1]>>(system: &M) -> f64 {
+    fn energy_at_rest<M: EnergyFunction<Scalar = f64, Coordinates = [f64; 1], Velocities = [f64; 1]>>(
+        system: &M,
+    ) -> f64 {
         system.energy(0.0, &[0.0], &[0.0])
     }
     fn is_separable<M: SeparableSystem>(_: &M) {}

@@ -131,10 +131,12 @@ pub trait OdeSystem {
         None
     }
 
-    /// Whether states must satisfy something beside the equations, to which [`correct`](Self::correct) brings them.
+    /// Whether states must satisfy something beside the equations, to which [`correct`](Self::correct) brings them: constraints, or
+    /// quaternions that have the length one.
     const IS_CONSTRAINED: bool = false;
 
-    /// Brings a state onto the constraints; methods ask for this after every accepted step.
+    /// Brings a state onto the constraints; methods ask for this after every accepted step, and before they hand out a state within
+    /// one.
     ///
     /// # Errors
     /// If that is not possible; the state is then what it was.

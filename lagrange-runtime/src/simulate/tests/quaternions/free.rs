@@ -11,8 +11,8 @@ use crate::integrate::{GaussLegendre6, IntegrationError, RungeKutta4, Verner98};
 use crate::run::integrate;
 use crate::simulate::{Simulate, Trajectory};
 use crate::system::{
-    Component, Direction, EnergyFunction, MechanicalSystem, OdeSystem, StepFailure, Undefined, Unnamed, join,
-    normalise, split,
+    Component, Direction, EnergyFunction, MechanicalSystem, OdeSystem, StepFailure, Undefined, Unnamed,
+    Wrapper, join, normalise, split,
 };
 
 /// A rigid body that turns freely, with its principal moments of inertia: I ω̇ = (I ω) × ω.
@@ -190,6 +190,55 @@ fn columns_are_called_as_positions_and_velocities_are() {
     assert_eq!(text.lines().next(), Some(header));
     let (rate, [_, y, _]) = (trajectory.column("w_y_dot").expect("asked for"), BODY.0);
     assert!((rate[0] - (3.0 - 1.0) / y * 0.1 * -0.05).abs() < 1e-15);
+}
+
+/// The same body in a fluid that slows its turning.
+struct Slowed(FreeBody);
+
+impl Wrapper for Slowed {
+    type Inner = FreeBody;
+    type State = [f64; 7];
+
+    fn inner(&self) -> &FreeBody {
+        &self.0
+    }
+
+    fn around(&self, inner: FreeBody) -> Self {
+        Slowed(inner)
+    }
+
+    fn outer_rhs(&self, t: f64, y: &[f64; 7]) -> [f64; 7] {
+        let rates = self.0.rhs(t, y);
+        core::array::from_fn(|i| if i < 4 { rates[i] } else { rates[i] - 0.3 * y[i] })
+    }
+}
+
+#[test]
+fn systems_around_others_keep_what_these_say_of_positions() {
+    let slowed = Slowed(BODY);
+    let trajectory = slowed.simulate(START).until(3.0).tolerance(1e-4).dense().accelerations().run();
+    let trajectory = trajectory.expect("runs");
+    assert_eq!(trajectory.names()[4..8], ["w_x", "w_y", "w_z", "w_x_dot"]);
+    assert!((0..60).all(|k| {
+        let state = trajectory.at(0.05 * f64::from(k)).expect("dense");
+        (length(&state[..4]) - 1.0).abs() < 4e-16
+    }));
+    let (q, w) = split::<FreeBody>(&START);
+    assert_eq!(slowed.position_rates(0.0, &q, &w), BODY.position_rates(0.0, &q, &w));
+    assert_eq!(slowed.displacement(0.0, &q, &[1.0, 0.0, 0.0, 0.0]), rotation(q, [1.0, 0.0, 0.0, 0.0]));
+    assert_eq!(slowed.acceleration(0.0, &q, &w)[0], BODY.acceleration(0.0, &q, &w)[0] - 0.3 * w[0]);
+}
+
+#[cfg(feature = "plot")]
+#[test]
+fn positions_and_velocities_are_plotted_however_many_there_are() {
+    let path = std::env::temp_dir().join(std::format!("lagrange_{}_turning.svg", std::process::id()));
+    let trajectory = BODY.simulate(START).until(1.0).run().expect("runs");
+    trajectory.plot_states(&path).expect("plots");
+    let svg = std::fs::read_to_string(&path).expect("is there");
+    std::fs::remove_file(path).expect("was there");
+    let labels = ["coordinates", "velocities", "q_3", "w_z"];
+    assert!(labels.iter().all(|label| svg.contains(&std::format!(">\n{label}\n<"))), "{svg}");
 }
 
 #[test]

@@ -5,8 +5,8 @@ use super::{
     times, to_unit, turn, turned,
 };
 use crate::constraint::{
-    ConstrainedSystem, admit, consistent_velocity, correct, project, redundant_correction, redundant_motion,
-    restore, weighed,
+    ConstrainedSystem, Unprojected, admit, consistent_velocity, correct, project, redundant_correction,
+    redundant_motion, restore, weighed,
 };
 use crate::integrate::{RungeKutta4, Verner98};
 use crate::run::integrate;
@@ -169,6 +169,19 @@ fn the_body_swings_as_its_angle_does() {
             assert!(energies.iter().all(|energy| (energy - energies[0]).abs() < 1e-8));
         }
     }
+}
+
+#[test]
+fn without_projection_what_accelerations_keep_is_all_that_holds_the_body() {
+    let [q_0, q_1, q_2, q_3] = turn(2.5, AXIS);
+    let start = [q_0, q_1, q_2, q_3, 0.3, 0.0, 0.0];
+    let loose = Unprojected(Hinged);
+    let trajectory = loose.simulate(start).until(10.0).method(RungeKutta4 { step: 0.02 }).dense().run();
+    let trajectory = trajectory.expect("runs");
+    let error = |y: &[f64; 7]| (length(&y[..4]) - 1.0).abs();
+    let largest = trajectory.states().map(|y| error(&y)).fold(0.0, f64::max);
+    assert!((1e-12..1e-3).contains(&largest), "{largest:e}");
+    assert_eq!(trajectory.names()[4..], ["w_x", "w_y", "w_z"]);
 }
 
 #[test]
