@@ -215,8 +215,9 @@ impl Equations {
 /// Whether the mass matrix or something that is made of it will be needed, whatever strategy is taken. Constraints, contacts and
 /// friction have rows of their own in it, and `strict` looks for what cancels there.
 fn wants_mass_matrix(model: &Model, choice: StrategyChoice) -> bool {
-    let is_made_of_it =
-        |product: &Product| product.is_derivative() || matches!(product, Product::MassMatrix | Product::Latex);
+    let is_made_of_it = |product: &Product| {
+        product.is_derivative() || matches!(product, Product::MassMatrix | Product::Latex)
+    };
     let is_free = model.constraints.is_empty() && model.reactions.is_empty();
     let is_asked_for = model.products.iter().any(is_made_of_it);
     let is_factorised = choice == StrategyChoice::Always(Strategy::MassMatrix);

@@ -86,7 +86,8 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
 fn check_state_names(elaborator: &mut Elaborator<'_>) {
     let report = &mut *elaborator.evaluator.report;
     for (speed, declared) in &elaborator.speeds {
-        let Some((coordinate, _)) = speed.coordinate.and_then(|index| elaborator.coordinates.get(index)) else {
+        let Some((coordinate, _)) = speed.coordinate.and_then(|index| elaborator.coordinates.get(index))
+        else {
             continue;
         };
         if speed.name != format!("{}_dot", coordinate.name) {
