@@ -141,45 +141,54 @@ fn starts_are_brought_to_length_one() {
     assert!(error.contains("quaternion"), "{error}");
 }
 
-/// Derivatives by differences along the way that quaternions are displaced.
-#[test]
-fn jacobians_are_those_of_differences() {
+/// A quotient of central differences.
+fn slope<const N: usize>(f: impl Fn(f64) -> [f64; N]) -> [f64; N] {
     const STEP: f64 = 1e-5;
+    let (ahead, behind) = (f(STEP), f(-STEP));
+    std::array::from_fn(|i| (ahead[i] - behind[i]) / (2.0 * STEP))
+}
+
+#[track_caller]
+fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(found.len(), expected.len());
+    let near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= tolerance);
+    assert!(near, "{found:?}, not {expected:?}");
+}
+
+#[test]
+fn the_jacobian_is_that_of_differences() {
     let (crane, y) = (Crane::default(), crane_state());
-    let (by_state, tangent) = (crane.jacobian(0.0, &y), crane.tangent_jacobian(0.0, &y));
-    let quotient = |ahead: [f64; 9], behind: [f64; 9]| {
-        let [ahead, behind] = [ahead, behind].map(|y| crane.rhs(0.0, &y));
-        ahead.iter().zip(behind).map(|(a, b)| (a - b) / (2.0 * STEP)).collect::<Vec<_>>()
-    };
+    let jacobian = crane.jacobian(0.0, &y);
     for column in 0..9 {
-        let at = |step: f64| std::array::from_fn(|i| if i == column { y[i] + step } else { y[i] });
-        for (row, found) in quotient(at(STEP), at(-STEP)).into_iter().enumerate() {
-            assert!((by_state[row][column] - found).abs() < 2e-7, "{row}, {column}: {found}");
-        }
+        let by_entry = slope(|step| {
+            let mut moved = y;
+            moved[column] += step;
+            crane.rhs(0.0, &moved)
+        });
+        assert_near(&jacobian.map(|row| row[column]), &by_entry, 2e-7);
     }
+}
+
+/// Positions are displaced to q + N(q) δ and brought to length one.
+#[test]
+fn the_tangent_jacobian_is_that_of_displacements() {
+    let (crane, y) = (Crane::default(), crane_state());
     let (q, v) = split::<Crane>(&y);
+    let jacobian = crane.tangent_jacobian(0.0, &y);
     for column in 0..8 {
-        let moved = |step: f64| {
-            let [mut turn, mut speeds] = [[0.0; 4], v];
-            if column < 4 {
-                turn[column] = step
-            } else {
-                speeds[column - 4] += step
-            }
-            let rates = crane.position_rates(0.0, &q, &turn);
-            let mut place: [f64; 5] = std::array::from_fn(|i| q[i] + rates[i]);
+        let by_displacement = slope(|step| {
+            let (mut displacement, mut moved) = ([0.0; 4], v);
+            let changed = if column < 4 { &mut displacement[column] } else { &mut moved[column - 4] };
+            *changed += step;
+            let rates = crane.position_rates(0.0, &q, &displacement);
+            let mut place = std::array::from_fn(|i| q[i] + rates[i]);
             Crane::normalise(&mut place);
-            (place, speeds)
-        };
-        let [(ahead, fast), (behind, slow)] = [moved(STEP), moved(-STEP)];
-        let [there, back] = [(ahead, fast), (behind, slow)].map(|(q, v)| crane.acceleration(0.0, &q, &v));
-        for row in 0..4 {
-            let found = (there[row] - back[row]) / (2.0 * STEP);
-            assert!((tangent[4 + row][column] - found).abs() < 2e-7, "{row}, {column}: {found}");
-        }
+            crane.acceleration(0.0, &place, &moved)
+        });
+        assert_near(&jacobian.map(|row| row[column])[4..], &by_displacement, 2e-7);
     }
     // δ̇ = ε − ω × δ
-    assert_eq!(tangent[1], [0.0, 0.0, v[3], -v[2], 0.0, 1.0, 0.0, 0.0]);
+    assert_eq!(jacobian[1], [0.0, 0.0, v[3], -v[2], 0.0, 1.0, 0.0, 0.0]);
 }
 
 #[test]
@@ -223,7 +232,7 @@ fn a_brick_bounces_and_events_change_its_spin() {
 /// A ladder that slides down in the plane y = 0: its middle is on a circle, and energy is kept.
 #[test]
 fn constraints_hold_free_bodies() {
-    let ladder = Ladder::default();
+    let ladder = Ladder;
     let (sine, cosine) = (0.15_f64.sin(), 0.15_f64.cos());
     // Leaning by 0.3 about y: its top at x = 0, its foot at z = 0.
     let (x, z) = (-0.5 * 0.3_f64.sin(), 0.5 * 0.3_f64.cos());

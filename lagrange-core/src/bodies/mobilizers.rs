@@ -21,7 +21,7 @@ struct PlaneFrame {
 pub(super) fn translate_plane_mobilizer(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
-    statement: Statement,
+    statement: &Statement,
 ) {
     let coordinates = coordinates_of(translation, joint, statement);
     let carrier = carrier_frame(translation, &joint.inboard);

@@ -65,8 +65,8 @@ pub(super) fn translate_statement(translation: &mut Translation<'_>, statement: 
         StatementKind::Scene(SceneStatement::Mobilizer(ref joint)) => {
             let joint = joint.clone();
             match translation.space {
-                Some(_) => translate_spatial_mobilizer(translation, &joint, statement),
-                None => translate_plane_mobilizer(translation, &joint, statement),
+                Some(_) => translate_spatial_mobilizer(translation, &joint, &statement),
+                None => translate_plane_mobilizer(translation, &joint, &statement),
             }
         }
         StatementKind::Scene(scene) => translate_scene(translation, scene),

@@ -16,7 +16,7 @@ use super::stabilisation::check_stabilisation;
 use crate::calculus::{AccelerationTerms, Rates, gradient};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
-use crate::model::{Energies, Model, Product, Reduction};
+use crate::model::{Energies, Model, Product, Reduction, Speed};
 use crate::syntax::ast::StatementKind;
 
 /// The model and what is to be reduced of it; `None` if anything is wrong, which has been reported.
@@ -82,26 +82,29 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// The state has a field for every coordinate and for every velocity.
+/// The state has a field for every coordinate and for every velocity. Names that were declared are compared with each other elsewhere.
 fn check_state_names(elaborator: &mut Elaborator<'_>) {
-    let report = &mut *elaborator.evaluator.report;
-    for (speed, declared) in &elaborator.speeds {
+    let is_declared = |speed: &Speed| elaborator.evaluator.scope.find(&speed.name).is_some();
+    let coordinates = elaborator.coordinates.iter().map(|(c, span)| (&c.name, c.position, *span));
+    let speeds = elaborator.speeds.iter().filter(|(speed, _)| is_declared(speed));
+    let declared =
+        coordinates.chain(speeds.map(|(s, span)| (&s.name, s.velocity, *span))).collect::<Vec<_>>();
+    let mut clashes = Vec::new();
+    for (speed, place) in &elaborator.speeds {
         let Some((coordinate, _)) = speed.coordinate.and_then(|index| elaborator.coordinates.get(index))
         else {
             continue;
         };
-        if speed.name != format!("{}_dot", coordinate.name) {
-            // A name that was declared is compared with others where that is done.
-            continue;
+        if speed.name == format!("{}_dot", coordinate.name) {
+            let is_same = |name: &String, id: ExprId| *name == speed.name && id != speed.velocity;
+            let clash = declared.iter().find(|(other, id, _)| is_same(other, *id));
+            clashes.extend(clash.map(|(.., span)| (&speed.name, &coordinate.name, *span, *place)));
         }
-        let coordinates = elaborator.coordinates.iter().map(|(other, span)| (&other.name, *span));
-        let others = elaborator.speeds.iter().filter(|(other, _)| other.velocity != speed.velocity);
-        let mut others = coordinates.chain(others.map(|(other, span)| (&other.name, *span)));
-        if let Some((other, span)) = others.find(|(other, _)| **other == speed.name) {
-            let message = messages::velocity_field_collides(other, &coordinate.name);
-            let error = report.error(span, message).help(messages::OTHER_NAME_HELP);
-            error.related(Origin::from(*declared), messages::coordinate_is_here(&coordinate.name));
-        }
+    }
+    for (velocity, coordinate, span, place) in clashes {
+        let message = messages::velocity_field_collides(velocity, coordinate);
+        let error = elaborator.evaluator.report.error(span, message).help(messages::OTHER_NAME_HELP);
+        error.related(Origin::from(place), messages::coordinate_is_here(coordinate));
     }
 }
 

@@ -26,7 +26,7 @@ const Z: usize = 2;
 pub(in crate::bodies) fn translate_spatial_mobilizer(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
-    statement: Statement,
+    statement: &Statement,
 ) {
     let placed = placed_of(translation, joint);
     if placed.is_none() && joint.kind == MobilizerKind::Free {
@@ -88,7 +88,7 @@ fn walk(
 pub(in crate::bodies) fn coordinates_of(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
-    statement: Statement,
+    statement: &Statement,
 ) -> Vec<AstId> {
     let mut push = |kind: StatementKind| translation.statements.push(Statement { kind, ..statement.clone() });
     if !joint.coordinates.is_empty() {
