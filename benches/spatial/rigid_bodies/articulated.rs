@@ -9,7 +9,7 @@ use crate::handwritten::{SinCos, fma};
 use super::vectors::{
     Matrix, Symmetric, Vector, cross, cross_sum, dot, product, scaled, scaled_sum, sum, transposed_product,
 };
-use super::{Chain, Link, handed_on};
+use super::{Chain, Link, handed_on, sines};
 
 /// What the sweeps leave for each other, per link.
 #[derive(Clone, Copy, Default)]
@@ -73,12 +73,12 @@ impl<const N: usize> Chain<N> {
 /// Velocities, and what depends on them.
 #[inline(always)]
 fn outward<F: SinCos, const N: usize>(chain: &Chain<N>, q: &[f64; N], v: &[f64; N], swept: &mut [Swept; N]) {
-    let waves = F::of(*q);
-    swept[0].rotation = chain.links[0].rotation(F::at(&waves, 0));
+    let sines = sines::<F, N>(q);
+    swept[0].rotation = chain.links[0].rotation(sines[0]);
     let (mut angular, mut linear) = ([0.0, 0.0, v[0]], [0.0; 3]);
     for i in 1..N {
         let link = &chain.links[i];
-        let rotation = link.rotation(F::at(&waves, i));
+        let rotation = link.rotation(sines[i]);
         linear = product(&rotation, cross_sum(angular, link.at, linear));
         angular = product(&rotation, angular);
         angular[2] += v[i];

@@ -10,7 +10,7 @@
 use crate::handwritten::{SinCos, fma};
 
 use super::vectors::{Matrix, Symmetric, Vector, cross_sum, product, scaled_sum, sum, transposed_product};
-use super::{Chain, Link, handed_on};
+use super::{Chain, Link, handed_on, sines};
 
 /// How a link moves.
 #[derive(Clone, Copy)]
@@ -27,15 +27,15 @@ impl<const N: usize> Chain<N> {
     /// Torques for accelerations `a`.
     #[inline]
     pub(crate) fn inverse_dynamics<F: SinCos>(&self, q: &[f64; N], v: &[f64; N], a: &[f64; N]) -> [f64; N] {
-        let waves = F::of(*q);
+        let sines = sines::<F, N>(q);
         let mut rotations = [Matrix::default(); N];
         let mut forces = [[Vector::default(); 2]; N];
         let first = &self.links[0];
-        let mut motion = Motion::of_first(first.rotation(F::at(&waves, 0)), v[0], a[0], self.gravity);
+        let mut motion = Motion::of_first(first.rotation(sines[0]), v[0], a[0], self.gravity);
         let own = first_torque(first, a[0], motion.linear);
         for i in 1..N {
             let link = &self.links[i];
-            rotations[i] = link.rotation(F::at(&waves, i));
+            rotations[i] = link.rotation(sines[i]);
             motion = motion.next(link, &rotations[i], v[i], a[i]);
             forces[i] = motion.forces(link);
         }
