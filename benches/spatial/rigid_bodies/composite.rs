@@ -112,8 +112,9 @@ impl<const N: usize> Motions<N> {
             matrix[J][i] = fma(a[0][i], moment[0], fma(a[1][i], moment[1], a[2][i] * moment[2]))
                 + fma(b[0][i], force[0], fma(b[1][i], force[1], b[2][i] * force[2]));
         }
-        for i in 0..J {
-            matrix[i][J] = matrix[J][i];
+        let row = matrix[J];
+        for (other, entry) in matrix.iter_mut().zip(row).take(J) {
+            other[J] = entry;
         }
     }
 }
