@@ -76,7 +76,7 @@ impl SinCos for Inline {
 
 /// a·b + c, rounded once where the processor can and twice where that would need a library call.
 #[inline(always)]
-fn fma(a: f64, b: f64, c: f64) -> f64 {
+pub(crate) fn fma(a: f64, b: f64, c: f64) -> f64 {
     if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
 }
 

@@ -1,5 +1,6 @@
 //! `cargo xtask check`: everything that must hold of this workspace, in one command that needs only Rust.
-//! `cargo xtask performance`: measures how fast emitted code is and rewrites the tables of docs/performance.md.
+//! `cargo xtask performance`: measures how fast emitted code is and rewrites the tables of docs/performance.md;
+//! `cargo xtask performance spatial` does so for bodies in space alone.
 #![forbid(unsafe_code)]
 
 mod performance;
@@ -44,18 +45,24 @@ impl Step {
 
 fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
-    match env::args().nth(1).as_deref() {
-        Some("check") => check(root),
-        Some("performance") => match performance::performance(root) {
-            Ok(()) => ExitCode::SUCCESS,
-            Err(message) => {
-                eprintln!("{message}");
-                ExitCode::FAILURE
-            }
-        },
+    let arguments = env::args().skip(1).collect::<Vec<_>>();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["check"] => check(root),
+        ["performance"] => code(performance::performance(root)),
+        ["performance", "spatial"] => code(performance::spatial(root)),
         _ => {
-            eprintln!("usage: cargo xtask check | performance");
+            eprintln!("usage: cargo xtask check | performance [spatial]");
             ExitCode::from(2)
+        }
+    }
+}
+
+fn code(result: Result<(), String>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
         }
     }
 }

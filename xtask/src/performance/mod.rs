@@ -1,4 +1,5 @@
-//! `cargo xtask performance`: measures, and rewrites the tables of docs/performance.md.
+//! `cargo xtask performance`: measures, and rewrites the tables of docs/performance.md; `cargo xtask performance spatial` that of bodies
+//! in space alone.
 
 mod crate_of_variants;
 mod document;
@@ -16,6 +17,7 @@ use lagrange_core::syntax::ast::Accuracy;
 use run::{DEFAULT, NATIVE, Target, UNPAIRED, cargo};
 use tables::{Comparison, Measured};
 
+const DOCUMENT: &str = "docs/performance.md";
 /// Chains whose operations are counted to show how cost grows.
 const GROWING: [(&str, usize); 7] = [
     ("absolute", 20),
@@ -37,7 +39,8 @@ pub(crate) fn performance(root: &Path) -> Result<(), String> {
     let folder = crate_of_variants::write(root, &variants)?;
     let varied = [DEFAULT, NATIVE].map(|target| measured_variants(root, &folder, &target));
     let varied = tables::ideas(&ideas, &variants, &VARIED.map(chain), &collected(varied)?);
-    let compared = collected([DEFAULT, NATIVE, UNPAIRED].map(|target| compared(root, &target)))?;
+    let compared =
+        collected([DEFAULT, NATIVE, UNPAIRED].map(|target| compared(root, &target, "comparison")))?;
     let sections = [
         ("machine", machine::description()?),
         ("standard", tables::beside_by_hand("standard", &compared)),
@@ -46,8 +49,19 @@ pub(crate) fn performance(root: &Path) -> Result<(), String> {
         ("pairing", tables::pairing(&compared)),
         ("growth", growth),
         ("ideas", varied),
+        ("spatial", measured_spatial(root)?),
     ];
-    document::rewrite(&root.join("docs/performance.md"), &sections)
+    document::rewrite(&root.join(DOCUMENT), &sections)
+}
+
+/// Measures bodies in space and writes that down.
+pub(crate) fn spatial(root: &Path) -> Result<(), String> {
+    document::rewrite(&root.join(DOCUMENT), &[("spatial", measured_spatial(root)?)])
+}
+
+fn measured_spatial(root: &Path) -> Result<String, String> {
+    let measured = collected([DEFAULT, NATIVE].map(|target| compared(root, &target, "spatial")))?;
+    Ok(format!("{}\n{}", machine::description()?, tables::spatial(&measured)))
 }
 
 fn chain((kind, links): (&'static str, usize)) -> Chain {
@@ -86,12 +100,9 @@ fn measured_variants(root: &Path, folder: &Path, target: &Target) -> Result<Vec<
     Ok(run::rows(&printed).filter_map(|cells| Measured::read(&cells)).collect())
 }
 
-fn compared(root: &Path, target: &Target) -> Result<Vec<Comparison>, String> {
-    let printed = cargo(
-        root,
-        root,
-        target,
-        &["bench", "--quiet", "--package", "lagrange-benches", "--bench", "comparison"],
-    )?;
+/// The rows of a bench that times two functions in turns.
+fn compared(root: &Path, target: &Target, bench: &str) -> Result<Vec<Comparison>, String> {
+    let arguments = ["bench", "--quiet", "--package", "lagrange-benches", "--bench", bench];
+    let printed = cargo(root, root, target, &arguments)?;
     Ok(run::rows(&printed).filter_map(|cells| Comparison::read(&cells)).collect())
 }

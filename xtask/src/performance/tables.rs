@@ -20,7 +20,7 @@ impl Times {
     }
 }
 
-/// A row of benches/comparison.rs.
+/// A row of benches/comparison.rs, or of benches/spatial, where the last name is of what is computed.
 #[derive(Clone, Debug)]
 pub(super) struct Comparison {
     level: String,
@@ -132,6 +132,18 @@ pub(super) fn pairing(targets: &[Vec<Comparison>]) -> String {
         if !by_hand.is_empty() {
             let _ = writeln!(table, "| {chain} | {} | {by_hand} | {} |", cell(nanoseconds), cell(ratio));
         }
+    }
+    table
+}
+
+/// Robots, what is computed of them, and both times.
+pub(super) fn spatial(targets: &[Vec<Comparison>]) -> String {
+    let mut table = "| robot | | emitted, ns | by hand, ns | ratio |\n|---|---|---|---|---|\n".to_owned();
+    for Comparison { level, chain, other, .. } in &targets[0] {
+        let cell = |show: fn(&Times) -> String| on_targets(targets, level, chain, Some(other), show);
+        let by_hand = cell(|times| format!("{:.0}", times.second));
+        let what = if level == "standard" { other.clone() } else { format!("{other}, `{level}`") };
+        let _ = writeln!(table, "| {chain} | {what} | {} | {by_hand} | {} |", cell(nanoseconds), cell(ratio));
     }
     table
 }

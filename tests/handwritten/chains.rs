@@ -1,17 +1,15 @@
-//! The hand-written chains that benches compare with give the reference accelerations.
-
-#[path = "../benches/handwritten.rs"]
-mod handwritten;
+//! Pendulum chains by hand give the reference accelerations.
 
 use std::array::from_fn;
 use std::fs;
 use std::path::Path;
 
-use handwritten::{
+use serde_json::Value;
+
+use crate::handwritten::{
     Inline, Platform, absolute_chain, absolute_chain_articulated, absolute_chain_recursive, double_pendulum,
     relative_chain, relative_chain_articulated,
 };
-use serde_json::Value;
 
 const TOLERANCE: f64 = 1e-12;
 

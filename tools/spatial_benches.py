@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""Writes the robots of benches/spatial: `tools/spatial_benches.py` fills benches/spatial/robots/ from the declarations in
+`lagrange-core/tests/spatial/models`, which `tools/spatial_models.py` has written.
+
+Each file holds a declaration as it is at two levels of accuracy, and the same numbers joint by joint for what is written by hand.
+"""
+
+import math
+import re
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MODELS = ROOT / "lagrange-core" / "tests" / "spatial" / "models"
+TARGET = ROOT / "benches" / "spatial" / "robots"
+ROBOTS = ["ur5", "panda", "universal_5", "universal_10"]
+GRAVITY = "gravity = (0, 0, -9.81);"
+LINK = re.compile(r"body (\w+) \{(.*)\}")
+JOINT = re.compile(r"(revolute|universal) (\w+|\(\w+, \w+\)) = (\w+) to (\w+)(?:;| \{(.*)\})")
+LABEL = re.compile(r"(\w+): (\([^)]*\)|[^;]*);")
+QUARTERS = {"pi/2": "FRAC_PI_2", "-pi/2": "-FRAC_PI_2"}
+AXES = {"(1, 0, 0)": 0, "(0, 1, 0)": 1, "(0, 0, 1)": 2}
+
+
+def number(text):
+    if text in QUARTERS:
+        return QUARTERS[text]
+    above, _, below = text.partition("/")
+    value = float(above) / float(below or 1)
+    assert math.isfinite(value)
+    return repr(value)
+
+
+def array(text, size=3):
+    """A vector of the language in Rust."""
+    entries = [number(entry.strip()) for entry in text.strip("()").split(",")]
+    return f"[{', '.join(entries + ['0.0'] * (size - len(entries)))}]"
+
+
+def labels(text):
+    return dict(LABEL.findall(text or ""))
+
+
+def joints(lines):
+    """Rows in Rust: each joint with the link that it carries, which has no mass between the two axes of a universal joint."""
+    zero, links, rows, last = "(0, 0, 0)", {}, [], "ground"
+    for line in lines:
+        if line == GRAVITY:
+            continue
+        if link := LINK.fullmatch(line):
+            links[link[1]] = labels(link[2])
+            continue
+        kind, _, carrier, carried, text = JOINT.fullmatch(line).groups()
+        assert carrier == last, "a robot is one chain"
+        last, given, link = carried, labels(text), links[carried]
+        place = (given.get("at", zero), given.get("turned", zero))
+        massive = (link["mass"], link.get("centroid", zero), link["inertia"])
+        if kind == "revolute":
+            rows.append(row(*place, AXES[given.get("axis", "(0, 0, 1)")], *massive))
+        else:
+            rows += [row(*place, 0, "0", zero, zero), row(zero, zero, 1, *massive)]
+    return rows
+
+
+def row(at, turned, axis, mass, centroid, inertia):
+    return (
+        f"Joint {{ at: {array(at)}, turned: {array(turned)}, axis: {axis}, "
+        f"mass: {number(mass)}, centroid: {array(centroid)}, inertia: {array(inertia, 6)} }},"
+    )
+
+
+def declaration(head, lines):
+    return "\n".join(["lagrange::system! {", *(f"    {line}" for line in [*head, *lines]), "}"])
+
+
+def module(name, lines):
+    struct, rows = name.title().replace("_", ""), joints(lines)
+    quarters = "use std::f64::consts::FRAC_PI_2;\n\n" if any("FRAC_PI_2" in row for row in rows) else ""
+    documentation = f"/// `{name}` of `lagrange-core/tests/spatial/models`"
+    standard = declaration([f"{documentation}.", f"pub(crate) struct {struct};"], lines)
+    fast = [f"{documentation}, with fast sines.", "#[accuracy(fast)]", f"pub(crate) struct Fast{struct};"]
+    only = ["emit { no mass_matrix, no momenta, no inverse_dynamics }"]
+    table = "\n".join(f"    {row}" for row in rows)
+    return f"""//! Written by `tools/spatial_benches.py`.
+
+{quarters}use crate::rigid_bodies::Joint;
+
+{standard}
+
+{declaration(fast, lines + only)}
+
+/// The same for algorithms by hand.
+#[rustfmt::skip]
+pub(crate) const JOINTS: [Joint; {len(rows)}] = [
+{table}
+];
+"""
+
+
+def main():
+    TARGET.mkdir(parents=True, exist_ok=True)
+    for name in ROBOTS:
+        lines = (MODELS / f"{name}.lag").read_text().splitlines()
+        (TARGET / f"{name}.rs").write_text(module(name, lines))
+    modules = "\n".join(f"pub(crate) mod {name};" for name in sorted(ROBOTS))
+    (TARGET / "mod.rs").write_text(f"//! Robots as declarations and as tables. Written by `tools/spatial_benches.py`.\n\n{modules}\n")
+
+
+if __name__ == "__main__":
+    main()
