@@ -8,6 +8,7 @@ mod events;
 mod expressions;
 mod keywords;
 pub mod mobilizers;
+mod quaternion;
 pub mod statements;
 
 use proc_macro2::{Span, TokenStream};
@@ -18,8 +19,9 @@ pub use events::{Action, Assignment, Direction, Event, Friction};
 pub use expressions::{AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES};
 pub use keywords::{Keyword, Soft};
 pub use mobilizers::{Mobilizer, MobilizerKind};
+pub use quaternion::Quaternion;
 pub use statements::{
-    Definition, EmitItem, Quaternion, Reduction, ReductionItem, ReductionKind, Statement, StatementKind,
+    Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Statement, StatementKind,
 };
 
 /// A whole `system!` declaration.

@@ -1,7 +1,7 @@
 //! Joints with coordinates of their own, as written.
 
 use super::keywords::{Keyword, Soft};
-use super::statements::Quaternion;
+use super::quaternion::Quaternion;
 use super::{AstId, Name};
 
 /// Words that begin statements about joints with coordinates of their own.

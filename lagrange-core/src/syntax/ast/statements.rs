@@ -7,6 +7,7 @@ use proc_macro2::TokenStream;
 use super::bodies::SceneStatement;
 use super::events::{Event, Friction};
 use super::keywords::{Keyword, Soft};
+use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
 use crate::diagnostics::Origin;
 
@@ -270,33 +271,6 @@ impl StatementKind {
 
 fn defined(list: &[Definition]) -> Vec<&Name> {
     list.iter().map(|definition| &definition.name).collect()
-}
-
-/// An orientation as a unit quaternion of positions, with its angular velocity in the turned axes.
-#[derive(Clone, Debug)]
-pub struct Quaternion {
-    /// Name that those of its components begin with.
-    pub name: Name,
-    /// Scalar part and vector part: `hip_qw`, `hip_qx`, `hip_qy`, `hip_qz`.
-    pub positions: [Name; 4],
-    /// Components of the angular velocity: `hip_wx`, `hip_wy`, `hip_wz`.
-    pub velocities: [Name; 3],
-}
-
-impl Quaternion {
-    /// A quaternion of this name.
-    pub fn named(name: Name) -> Quaternion {
-        let component = |suffix: &str| Name { text: format!("{}_{suffix}", name.text), span: name.span };
-        Quaternion {
-            positions: ["qw", "qx", "qy", "qz"].map(component),
-            velocities: ["wx", "wy", "wz"].map(component),
-            name,
-        }
-    }
-
-    pub(super) fn names(&self) -> Vec<&Name> {
-        self.positions.iter().chain(&self.velocities).collect()
-    }
 }
 
 /// A second type with fewer or simpler motions.

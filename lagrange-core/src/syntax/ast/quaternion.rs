@@ -1,0 +1,30 @@
+//! Orientations, as written.
+
+use super::Name;
+
+/// An orientation as a unit quaternion of positions, with its angular velocity in the turned axes.
+#[derive(Clone, Debug)]
+pub struct Quaternion {
+    /// Name that those of its components begin with.
+    pub name: Name,
+    /// Scalar part and vector part: `hip_qw`, `hip_qx`, `hip_qy`, `hip_qz`.
+    pub positions: [Name; 4],
+    /// Components of the angular velocity: `hip_wx`, `hip_wy`, `hip_wz`.
+    pub velocities: [Name; 3],
+}
+
+impl Quaternion {
+    /// A quaternion of this name.
+    pub fn named(name: Name) -> Quaternion {
+        let component = |suffix: &str| Name { text: format!("{}_{suffix}", name.text), span: name.span };
+        Quaternion {
+            positions: ["qw", "qx", "qy", "qz"].map(component),
+            velocities: ["wx", "wy", "wz"].map(component),
+            name,
+        }
+    }
+
+    pub(super) fn names(&self) -> Vec<&Name> {
+        self.positions.iter().chain(&self.velocities).collect()
+    }
+}
