@@ -64,10 +64,12 @@ pub(super) fn acceleration_behind(
         FrameStep::Reorientation(by) => in_axes(&mut terms, acceleration, by),
         FrameStep::Orientation(TurningAxes { matrix, spin }) => {
             let seen = in_axes(&mut terms, acceleration, matrix);
+            let carried = named_vector(translation, &format!("{name}_carried_alpha"), seen.spin);
+            let mut terms = translation.terms();
             let rate = spin.map(|component| terms.rate(component));
             let convected = cross(&mut terms, pose.spin, spin);
             let own = plus(&mut terms, rate, convected);
-            Acceleration { spin: plus(&mut terms, seen.spin, own), ..seen }
+            Acceleration { spin: plus(&mut terms, carried, own), ..seen }
         }
         FrameStep::Turn(about, angle) => turned(&mut terms, acceleration, pose.spin, about, angle),
         FrameStep::Slide(along, distance) => slid(translation, name, (before, acceleration), along, distance),

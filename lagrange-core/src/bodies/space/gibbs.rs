@@ -238,11 +238,12 @@ fn parameters(
             }
             (None, Some(inertia), _) => {
                 let mut all = symbolic_parameters(translation, link, inertia, received[link]);
-                if let [.., behind_slides, _] = &mut kept[..]
-                    && is_free(&path)
+                if let [.., before, _] = &mut kept[..]
+                    && turns_freely(&path)
                 {
+                    // Seen from axes that do not turn with the body, its mass is the same in all directions.
                     let mass = std::mem::replace(&mut all.mass, translation.terms().number(0));
-                    *behind_slides =
+                    *before =
                         Some(WrittenParameters { mass, ..written(translation, InertialParameters::NONE) });
                 }
                 kept.last_mut().into_iter().for_each(|place| *place = Some(all));

@@ -11,7 +11,7 @@ use super::messages as words;
 use super::numbers::{coordinate_axis, frame_along, triple_of_numbers, written};
 use super::orientations::orientation;
 use super::poses::{behind, has_place, named_vector};
-use super::vectors::{Matrix, Triple, transposed};
+use super::vectors::{Matrix, Triple, transposed, zero_triple};
 use crate::bodies::expressions::{mention, report_early};
 use crate::bodies::mass_geometry::property;
 use crate::bodies::messages::{self, mobilizers as joints};
@@ -198,6 +198,9 @@ fn steps_of(
     let mut steps = Vec::new();
     if let Some(at) = joint.at {
         steps.push(FrameStep::Shift(fixed_triple(translation, at, &joints::at_of(kind))));
+    } else if joint.kind == MobilizerKind::Ball {
+        // The frame that does not turn with the body.
+        steps.push(FrameStep::Shift(zero_triple(&mut translation.terms())));
     }
     if let Some(turned) = joint.turned {
         steps.push(FrameStep::Reorientation(orientation(translation, turned, &joints::turned_of(kind))));

@@ -31,7 +31,9 @@ pub(super) fn behind(translation: &mut Translation<'_>, name: &str, pose: Pose, 
         FrameStep::Slide(along, distance) => slid(&mut terms, pose, along, distance),
         FrameStep::Orientation(TurningAxes { matrix, spin }) => {
             let turned = in_axes(&mut terms, pose, transposed(matrix));
-            Pose { spin: plus(&mut terms, turned.spin, spin), ..turned }
+            // Apart, so that what the joint alone moves can be eliminated before anything is turned.
+            let carried = named_vector(translation, &format!("{name}_carried_w"), turned.spin);
+            Pose { spin: plus(&mut translation.terms(), carried, spin), ..turned }
         }
     };
     named(translation, name, next)

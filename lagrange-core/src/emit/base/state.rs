@@ -6,16 +6,13 @@ use quote::quote;
 use super::lints::{name_exception, type_name_exception};
 use super::shape::{Shape, doc, length};
 use crate::code::Names;
-use crate::syntax::ast::StateVelocity;
 
 pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());
     let visibility = &shape.declaration.visibility;
     let title = doc(&format!("State of [`{}`]: positions, then velocities.", shape.declaration.name.text));
-    let docs =
-        shape.coordinates.iter().map(|name| shape.docs(name, &format!("Coordinate `{}`.", name.text))).chain(
-            shape.velocities.iter().map(|velocity| shape.docs(&velocity.name, &velocity_line(velocity))),
-        );
+    let entries = shape.coordinates.iter().copied().chain(shape.velocities.iter().map(|v| &v.name));
+    let docs = entries.zip(lines(shape)).map(|(name, line)| shape.docs(name, &line));
     let (fields, names) = (shape.state_fields(), name_exception(shape));
     let type_name = type_name_exception(shape);
     let allow = (!generics.is_empty()).then(
@@ -78,11 +75,21 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-fn velocity_line(velocity: &StateVelocity<'_>) -> String {
-    match velocity.coordinate {
+/// A line about each entry of the state.
+fn lines(shape: &Shape<'_>) -> Vec<String> {
+    let positions = shape.coordinates.iter().enumerate().map(|(index, name)| {
+        let within = |first: &&usize| (**first..**first + 4).contains(&index);
+        match shape.quaternions.iter().find(within) {
+            None => format!("Coordinate `{}`.", name.text),
+            Some(&first) if first == index => "Scalar part of a unit quaternion.".to_owned(),
+            Some(_) => "Component of the vector part of a unit quaternion.".to_owned(),
+        }
+    });
+    let velocities = shape.velocities.iter().map(|velocity| match velocity.coordinate {
         Some(coordinate) => format!("Velocity of `{}`.", coordinate.text),
-        None => "Component of an angular velocity in the axes that it turns.".to_owned(),
-    }
+        None => "Component of an angular velocity along the turned axes, in rad/s.".to_owned(),
+    });
+    positions.chain(velocities).collect()
 }
 
 /// Local variables for the entries of a state.
@@ -129,11 +136,8 @@ pub(in crate::emit) fn columns_impls(shape: &Shape<'_>) -> TokenStream {
 
 /// A method for each entry of the state.
 fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
-    let columns = shape.state_fields().into_iter().enumerate().map(|(i, field)| {
-        let line = match shape.coordinates.get(i) {
-            Some(coordinate) => format!("Coordinate `{}`.", coordinate.text),
-            None => velocity_line(&shape.velocities[i - shape.coordinates.len()]),
-        };
+    let fields = shape.state_fields().into_iter().zip(lines(shape));
+    let columns = fields.enumerate().map(|(i, (field, line))| {
         let docs = doc(&line);
         // At the user's place but the macro's own, so that nobody is told about columns that are never used.
         let (name, index) =
