@@ -51,7 +51,8 @@ pub fn apply(graph: &mut Graph, function: Function, arguments: &[ExprId]) -> Exp
         }
         Parity::Odd if coefficient.is_negative() => {
             let opposite = graph.negate(argument);
-            let value = graph.call(function, &[opposite]);
+            // The argument may be turned by a right angle.
+            let value = apply(graph, function, &[opposite]);
             graph.negate(value)
         }
         _ => graph.call(function, &[argument]),

@@ -29,6 +29,16 @@ fn signs_come_out_of_odd_functions_and_vanish_in_even_ones() {
 }
 
 #[test]
+fn right_angles_come_out_behind_signs() {
+    let mut g = Graph::new();
+    let x = g.symbol("x", Role::Coordinate(0));
+    let (pi, sine) = (g.pi(), apply(&mut g, Function::Sin, &[x]));
+    let turned = g.add(x, pi);
+    let opposite = g.negate(turned);
+    assert_eq!(apply(&mut g, Function::Sin, &[opposite]), sine);
+}
+
+#[test]
 fn right_angles_come_out_of_sines_and_cosines() {
     let mut g = Graph::new();
     let x = g.symbol("x", Role::Coordinate(0));
