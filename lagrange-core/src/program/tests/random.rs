@@ -7,7 +7,7 @@ use proptest::prelude::{
 use super::{letters, lowered};
 use crate::calculus::evaluate;
 use crate::elementary::ROWS;
-use crate::expr::{ExprId, Graph, Node, Relation};
+use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::functions::apply;
 use crate::number::Number;
 use crate::program::{optimise, passes, run, schedule, verify};
@@ -61,12 +61,18 @@ fn agree(value: f64, expected: f64, shifted: f64) -> bool {
     value == expected || (value - expected).abs() <= tolerance || !tolerance.is_finite()
 }
 
-/// Whether some condition compares values that are equal but for rounding: either branch is right then.
+/// Whether some condition compares values that are equal but for rounding, or infinite for that reason, and whether a function that jumps
+/// is taken there: either branch is right then.
 fn decides_by_rounding(graph: &Graph, outputs: &[ExprId]) -> bool {
-    graph.reachable(outputs).into_iter().any(|id| match *graph.node(id) {
+    let at = |ids: &[ExprId]| evaluate(graph, ids, |role| at(role, 0.0));
+    graph.reachable(outputs).into_iter().any(|id| match graph.node(id) {
         Node::Choose { left, right, .. } => {
-            let sides = evaluate(graph, &[left, right], |role| at(role, 0.0));
-            (sides[0] - sides[1]).abs() <= 1e-9 * (1.0 + sides[0].abs())
+            let sides = at(&[*left, *right]);
+            let difference = (sides[0] - sides[1]).abs();
+            !difference.is_finite() || difference <= 1e-9 * (1.0 + sides[0].abs())
+        }
+        Node::Call(Function::Sign | Function::MagnitudeSlope | Function::Atan2, arguments) => {
+            at(&arguments[..1])[0].abs() <= 1e-9
         }
         _ => false,
     })
