@@ -150,7 +150,9 @@ fn cyclic_coordinates(model: &mut Model) -> Vec<usize> {
     let positions = model.positions();
     let slopes = gradient(&mut model.graph, model.lagrangian, &positions);
     let vanishing = vanishing(&mut model.graph, &slopes);
-    (0..slopes.len()).filter(|&i| vanishing[i]).collect()
+    // Of a quaternion no component has a momentum.
+    let has_momentum = |i: usize| model.speeds.iter().any(|speed| speed.coordinate == Some(i));
+    (0..slopes.len()).filter(|&i| vanishing[i] && has_momentum(i)).collect()
 }
 
 fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {

@@ -84,7 +84,7 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
 
 /// The state has a field for every coordinate and for every velocity. Names that were declared are compared with each other elsewhere.
 fn check_state_names(elaborator: &mut Elaborator<'_>) {
-    let is_declared = |speed: &Speed| elaborator.evaluator.scope.find(&speed.name).is_some();
+    let is_declared = |speed: &Speed| elaborator.evaluator.scope.is_velocity(&speed.name);
     let coordinates = elaborator.coordinates.iter().map(|(c, span)| (&c.name, c.position, *span));
     let speeds = elaborator.speeds.iter().filter(|(speed, _)| is_declared(speed));
     let declared =
@@ -160,7 +160,9 @@ fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'s
 
 /// Some methods are called by others.
 fn check_needed_products(elaborator: &mut Elaborator<'_>) {
-    let is_canonical = elaborator.products().contains(&Product::MomentumRates);
+    // With orientations nothing finds velocities by momenta.
+    let is_canonical =
+        elaborator.orientations.is_empty() && elaborator.products().contains(&Product::MomentumRates);
     let is_constrained = !elaborator.constraints.is_empty();
     for &(product, wanted, span) in &elaborator.wanted {
         let reason = match product {
@@ -192,7 +194,8 @@ fn check_derivatives(elaborator: &mut Elaborator<'_>) {
 
 /// Names of methods that systems with constraints, contacts or events have beside those of all systems.
 fn check_output_names(elaborator: &mut Elaborator<'_>) {
-    let groups: [(bool, &[&str]); 3] = [
+    let groups: [(bool, &[&str]); 4] = [
+        (elaborator.orientations.is_empty(), &["position_rates"]),
         (
             elaborator.constraints.is_empty(),
             &["project", "consistent_velocity", "redundant_motion", "redundant_correction"],

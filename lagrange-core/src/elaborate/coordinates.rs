@@ -2,10 +2,10 @@
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
-use super::messages::names;
+use super::messages::{self, names};
 use super::operand::Operand;
 use super::scope::NameKind;
-use crate::expr::{ExprId, Graph};
+use crate::expr::ExprId;
 use crate::model::{Coordinate, Orientation, Speed};
 use crate::number::Number;
 use crate::symbol::Role;
@@ -21,17 +21,21 @@ const QUATERNION_RATES: [[(usize, usize, i64); 3]; 4] = [
 ];
 
 pub(super) fn define_coordinate(elaborator: &mut Elaborator<'_>, name: &Name) {
+    let index = elaborator.coordinates.len();
     let speed = match elaborator.declaration.velocity_named(name) {
         Some(speed) => (speed.text.clone(), 0),
         None => (name.text.clone(), 1),
     };
-    let velocity = define_speed(elaborator, name, Some(elaborator.coordinates.len()), speed);
-    let position = define_position(elaborator, name, |_, _| velocity);
-    elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(position)));
+    let velocity = define_speed(elaborator, name, Some(index), speed);
+    let position = elaborator.evaluator.graph.symbol(&name.text, Role::Coordinate(index as u32));
+    define_position(elaborator, name, position, velocity);
 }
 
 /// A unit quaternion of positions, with three velocities.
 pub(super) fn define_quaternion(elaborator: &mut Elaborator<'_>, quaternion: &Quaternion) {
+    if is_declared_before(elaborator, quaternion) {
+        return;
+    }
     let orientation =
         Orientation { position: elaborator.coordinates.len(), velocity: elaborator.speeds.len() };
     let graph = &mut elaborator.evaluator.graph;
@@ -44,31 +48,33 @@ pub(super) fn define_quaternion(elaborator: &mut Elaborator<'_>, quaternion: &Qu
         elaborator.declare(name, NameKind::Velocity, Some(Operand::Scalar(velocity)));
         velocity
     });
-    for (name, products) in quaternion.positions.iter().zip(QUATERNION_RATES) {
-        let position = define_position(elaborator, name, |graph, _| {
-            let half = |sign: i64| &Number::HALF * &Number::from(sign);
-            let terms =
-                products.map(|(q, w, sign)| (graph.multiply(positions[q], velocities[w]), half(sign)));
-            graph.sum(Number::ZERO, terms)
-        });
-        elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(position)));
+    for ((name, &position), products) in quaternion.positions.iter().zip(&positions).zip(QUATERNION_RATES) {
+        let graph = &mut elaborator.evaluator.graph;
+        let half = |sign: i64| &Number::HALF * &Number::from(sign);
+        let terms = products.map(|(q, w, sign)| (graph.multiply(positions[q], velocities[w]), half(sign)));
+        let rate = graph.sum(Number::ZERO, terms);
+        define_position(elaborator, name, position, rate);
     }
     elaborator.orientations.push(orientation);
 }
 
-/// One more position, with its rate.
-fn define_position(
-    elaborator: &mut Elaborator<'_>,
-    name: &Name,
-    rate: impl FnOnce(&mut Graph, ExprId) -> ExprId,
-) -> ExprId {
-    let index = elaborator.coordinates.len() as u32;
-    let graph = &mut elaborator.evaluator.graph;
-    let position = graph.symbol(&name.text, Role::Coordinate(index));
-    let rate = rate(graph, position);
-    graph.set_rate(position, rate);
+/// True of a second orientation of the same name, which is reported once.
+fn is_declared_before(elaborator: &mut Elaborator<'_>, quaternion: &Quaternion) -> bool {
+    let first = elaborator.evaluator.scope.find(&quaternion.positions[0].text);
+    let is_quaternion = elaborator.evaluator.scope.is_velocity(&quaternion.velocities[0].text);
+    let Some(first) = first.filter(|_| is_quaternion).map(|entry| entry.span) else { return false };
+    let name = &quaternion.name;
+    let report = &mut *elaborator.evaluator.report;
+    let error = report.error(name.span, names::declared_twice(&name.text)).help(messages::OTHER_NAME_HELP);
+    error.related(first.into(), names::first_declared(&name.text, "orientation"));
+    true
+}
+
+/// One more position, whose symbol is there already, with its rate.
+fn define_position(elaborator: &mut Elaborator<'_>, name: &Name, position: ExprId, rate: ExprId) {
+    elaborator.evaluator.graph.set_rate(position, rate);
     elaborator.coordinates.push((Coordinate { name: name.text.clone(), position, rate }, name.span));
-    position
+    elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(position)));
 }
 
 /// One more velocity: its name with so many dots.

@@ -11,7 +11,7 @@ use super::staged::Staged;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::bodies::Plain;
 use crate::calculus::evaluate;
-use crate::diagnostics::Report;
+use crate::diagnostics::{Report, nearest};
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{
     Action, Availability, Constraint, Coordinate, Event, GibbsFunction, Load, Orientation, Output, Parameter,
@@ -162,9 +162,10 @@ impl<'a> Elaborator<'a> {
 
     /// The velocity of a name, or of the coordinate of that name.
     pub(super) fn speed_of(&self, name: &str) -> Option<usize> {
-        self.speeds.iter().position(|(speed, _)| {
-            self.name_of_freedom(speed) == name
-                || speed.name == name && self.evaluator.scope.find(name).is_some()
+        let is_velocity = self.evaluator.scope.is_velocity(name);
+        self.speeds.iter().position(|(speed, _)| match is_velocity {
+            true => speed.name == name,
+            false => self.name_of_freedom(speed) == name,
         })
     }
 
@@ -233,12 +234,17 @@ impl<'a> Elaborator<'a> {
         if is_unknown && is_told(&mut self.evaluator) {
             return;
         }
+        if self.evaluator.scope.is_velocity(text) {
+            let message = messages::names::velocity_as_coordinate(text);
+            self.evaluator.report.error(name.span, message).help(usage.to_owned());
+            return;
+        }
         let scope = &self.evaluator.scope;
-        let coordinates = self.coordinates.iter().map(|(coordinate, _)| coordinate.name.as_str());
-        let help = match scope.nearest(&name.text, |kind| kind == NameKind::Coordinate) {
+        let freedoms = self.speeds.iter().map(|(speed, _)| self.name_of_freedom(speed)).collect::<Vec<_>>();
+        let help = match nearest(text, freedoms.iter().copied()) {
             Some(nearest) => messages::names::did_you_mean(nearest),
-            None if scope.find(&name.text).is_some() => usage.to_owned(),
-            None => messages::coordinates_are(&coordinates.collect::<Vec<_>>(), usage),
+            None if scope.find(text).is_some() => usage.to_owned(),
+            None => messages::coordinates_are(&freedoms, usage),
         };
         match is_unknown {
             true => report_unknown(&mut self.evaluator, text, origin, help),

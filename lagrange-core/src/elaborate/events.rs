@@ -95,7 +95,6 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
         }
         _ => (syntax, false),
     };
-    let count = elaborator.declaration.coordinates().len();
     let Expression::Name(text) = elaborator.evaluator.syntax(coordinate) else {
         // What is wrong within it is said first.
         value_of(&mut elaborator.evaluator, syntax)?;
@@ -108,19 +107,23 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
         value_of(&mut elaborator.evaluator, coordinate);
         return None;
     }
-    let position = elaborator.coordinates.iter().position(|(known, _)| known.name == *text);
-    let velocity = elaborator.speed_of(text).map(|index| count + index);
-    let found = match position {
-        // The rate of a component of a quaternion is none of the velocities.
-        Some(_) if is_velocity => velocity,
-        Some(index) => Some(index),
-        None => velocity.filter(|_| !is_velocity),
-    };
+    let found = entry_of_state(elaborator, text, is_velocity);
     if found.is_none() {
         let name = Name { text: text.clone(), span: elaborator.evaluator.origin(coordinate).start };
         elaborator.report_no_coordinate(&name, messages::ASSIGNMENT_HELP);
     }
     found
+}
+
+/// The index in [q…, v…] of a position or velocity, or of the rate of a coordinate.
+fn entry_of_state(elaborator: &Elaborator<'_>, name: &str, is_rate: bool) -> Option<usize> {
+    let velocity = || elaborator.speed_of(name).map(|index| elaborator.coordinates.len() + index);
+    let position = elaborator.coordinates.iter().position(|(known, _)| known.name == name);
+    match (position, is_rate) {
+        (Some(_), true) => velocity(),
+        (Some(index), false) => Some(index),
+        (None, is_rate) => velocity().filter(|_| !is_rate),
+    }
 }
 
 /// Friction that sticks and slips is an event, too.

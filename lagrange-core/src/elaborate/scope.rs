@@ -109,6 +109,11 @@ impl Scope {
         self.entries.get(&name.to_owned())
     }
 
+    /// True of the name of a velocity.
+    pub(super) fn is_velocity(&self, name: &str) -> bool {
+        self.find(name).is_some_and(|entry| entry.kind == NameKind::Velocity)
+    }
+
     /// The entry of a name that an expression mentions.
     pub(super) fn resolve(&mut self, name: &str) -> Option<&Entry> {
         let entry = self.entries.get_mut(&name.to_owned())?;

@@ -19,16 +19,8 @@ use crate::model::{Output, Product};
 use crate::syntax::ast::{AstId, EmitItem, Name, Statement, StatementKind};
 
 /// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 8] = [
-    "acceleration",
-    "rhs",
-    "position_rates",
-    "multipliers",
-    "constraints",
-    "EQUATIONS_LATEX",
-    "PARAMETERS",
-    "STATEMENTS",
-];
+const GENERATED_METHODS: [&str; 7] =
+    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
 
 pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Statement) {
     let keyword = statement.origin.start;

@@ -17,9 +17,8 @@ use crate::model::Product;
 use crate::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
 
 /// Members that do not come from products; an output of such a name is a mistake.
-const TAKEN: [&str; 9] = [
+const TAKEN: [&str; 8] = [
     "rhs",
-    "position_rates",
     "EQUATIONS_LATEX",
     "PARAMETERS",
     "STATEMENTS",
@@ -87,7 +86,7 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
         motions: skeleton_of_motions(&shape, &names),
         items: shape.asks_for(Product::Drawing).then(TokenStream::new),
         constants: constants.into_iter().collect(),
-        is_separable: true,
+        is_separable: shape.velocities_are_rates(),
         ..Members::new(names)
     };
     items(&shape, &members)

@@ -21,8 +21,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     // Momenta of angular velocities are conjugate to no coordinates.
     let is_canonical = shape.velocities_are_rates() && has(members, "momentum_rates");
     let canonical = is_canonical.then(|| canonical_impl(shape, members));
-    let is_separable = members.is_separable && shape.velocities_are_rates();
-    let separable = is_separable.then(|| match members.constrained.is_empty() {
+    let separable = members.is_separable.then(|| match members.constrained.is_empty() {
         true => separable_impl(shape),
         false => leapfrog_impl(shape, members),
     });
@@ -39,7 +38,7 @@ fn has(members: &Members, name: &str) -> bool {
 
 fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, twice) = (shape.krate, shape.state_length());
+    let (krate, all) = (shape.krate, shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let jacobian = has(members, "jacobian").then(|| {
         quote! {
@@ -47,8 +46,8 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             fn jacobian(
                 &self,
                 #time: #scalar,
-                #state: &[#scalar; #twice],
-            ) -> ::core::option::Option<[[#scalar; #twice]; #twice]> {
+                #state: &[#scalar; #all],
+            ) -> ::core::option::Option<[[#scalar; #all]; #all]> {
                 ::core::option::Option::Some(self.jacobian(#time, #state))
             }
         }
@@ -59,9 +58,9 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
             type Scalar = #scalar;
-            type State = [#scalar; #twice];
+            type State = [#scalar; #all];
             #[inline]
-            fn rhs(&self, #time: #scalar, #state: &[#scalar; #twice]) -> [#scalar; #twice] {
+            fn rhs(&self, #time: #scalar, #state: &[#scalar; #all]) -> [#scalar; #all] {
                 self.rhs(#time, #state)
             }
             #undefined
@@ -79,7 +78,7 @@ const LARGEST_MASS_MATRIX: usize = 64;
 fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar) = (shape.krate, shape.scalar());
     let ArgumentNames { time, state, positions, velocities, .. } = &members.names;
-    let (twice, rates) = (shape.state_length(), local("rates"));
+    let (all, rates) = (shape.state_length(), local("rates"));
     let named = |name: &&Name| {
         let (text, field) = (&name.text, identifier(name));
         quote!((#text, self.#field))
@@ -102,8 +101,8 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
         fn undefined(
             &self,
             #time: #scalar,
-            #state: &[#scalar; #twice],
-            #rates: &[#scalar; #twice],
+            #state: &[#scalar; #all],
+            #rates: &[#scalar; #all],
         ) -> ::core::option::Option<#krate::system::Undefined<#scalar>> {
             #krate::integrate::undefined::<Self>((#time, #state, #rates), &[#(#parameters),*], &[#(#inputs),*], #mass_matrix)
         }
@@ -112,7 +111,7 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
 
 /// The members of `OdeSystem` that bring a state back onto what holds it.
 fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
-    let (krate, scalar, twice) = (shape.krate, shape.scalar(), shape.state_length());
+    let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let (is_held, is_touching) = (!members.constrained.is_empty(), !shape.touching.is_empty());
     let is_oriented = !shape.quaternions.is_empty();
@@ -128,7 +127,7 @@ fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
         quote! {
             const IS_CONSTRAINED: ::core::primitive::bool = true;
             #[inline]
-            fn correct(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+            fn correct(&self, #time: #scalar, #state: &mut [#scalar; #all]) -> #outcome {
                 #projected
                 #normalised
                 #touching
@@ -145,7 +144,7 @@ fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
                 (is_oriented && !is_held).then(|| quote!(#krate::system::normalise::<Self>(#state)?;));
             quote! {
                 #[inline]
-                fn #name(&self, #time: #scalar, #state: &mut [#scalar; #twice]) -> #outcome {
+                fn #name(&self, #time: #scalar, #state: &mut [#scalar; #all]) -> #outcome {
                     #held
                     #normalised
                     #touching

@@ -305,6 +305,11 @@ impl Model {
         speed.coordinate.map_or(&speed.name, |coordinate| &self.coordinates[coordinate].name)
     }
 
+    /// The rates of the positions, functions of positions and velocities.
+    pub fn position_rates(&self) -> Vec<ExprId> {
+        self.coordinates.iter().map(|coordinate| coordinate.rate).collect()
+    }
+
     /// The positions in state order.
     pub fn positions(&self) -> Vec<ExprId> {
         self.coordinates.iter().map(|coordinate| coordinate.position).collect()

@@ -88,7 +88,7 @@ impl NumericSystem {
         let inputs = model.inputs.iter().enumerate();
         let named = parameters.map(|(i, p)| (p.name.clone(), Role::Parameter(i as u32)));
         let named = named.chain(inputs.map(|(i, p)| (p.name.clone(), Role::Input(i as u32))));
-        let rates = model.coordinates.iter().map(|coordinate| coordinate.rate).collect::<Vec<_>>();
+        let rates = model.position_rates();
         let [accelerations, multipliers, undivided, position_rates] =
             [&equations.accelerations, &equations.constraints.multipliers, &undivided(equations), &rates]
                 .map(|roots| lowered(roots));

@@ -63,9 +63,12 @@ where
     /// Plots the velocity of a coordinate against the coordinate.
     ///
     /// # Errors
-    /// If there is no such coordinate, or the file cannot be written.
+    /// If there is no such coordinate, or none whose rate is a velocity, or the file cannot be written.
     pub fn plot_phase(&self, coordinate: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
-        self.plot_pair(coordinate, &std::format!("{coordinate}_dot"), path)
+        let named = M::RATES_OF.iter().zip(M::VELOCITIES).find(|(of, _)| **of == coordinate);
+        let velocity =
+            named.map_or_else(|| std::format!("{coordinate}_dot"), |(_, name)| (*name).to_string());
+        self.plot_pair(coordinate, &velocity, path)
     }
 
     /// Plots one column against another, as for the path of a point.

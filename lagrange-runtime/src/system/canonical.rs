@@ -65,7 +65,7 @@ impl<M: SeparableSystem + ?Sized> LeapfrogSystem for M {}
 /// mass matrix integrate (q, p). Emitted types implement it if the declaration says `emit { momentum_rates }`.
 #[diagnostic::on_unimplemented(
     message = "the momenta of `{Self}` and their rates are not known",
-    note = "declare it with `emit {{ momentum_rates }}`",
+    note = "where velocities are rates of coordinates, declare it with `emit {{ momentum_rates }}`",
     note = "methods in coordinates and momenta do not take unit quaternions: for these there are `Verner98`, `RungeKutta4` and \
             `GaussLegendre` with `.plain()`"
 )]

@@ -157,6 +157,10 @@ pub trait MechanicalSystem: OdeSystem {
     /// called as these, followed by `_dot`.
     const VELOCITIES: &'static [&'static str] = &[];
 
+    /// Names of the coordinates that velocities with names of their own are the rates of, one for each of
+    /// [`VELOCITIES`](Self::VELOCITIES); empty for those that are the rate of none.
+    const RATES_OF: &'static [&'static str] = &[];
+
     /// The accelerations at time `t`, positions `q` and velocities `v`; not finite where the mass matrix
     /// is singular in some states only. Masses of emitted types must not be zero: what all terms of an equation share is
     /// divided out, and a pendulum without mass would move as one with it.

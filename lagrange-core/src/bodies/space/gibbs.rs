@@ -211,48 +211,66 @@ fn parameters(
         if !own.unwrap_or(received[link]).is_finite() {
             return None;
         }
-        let steps = numeric_steps(translation, &path).filter(|steps| match (path.carrier, motions(steps)) {
-            // What turns in any direction is to accelerate in axes that do not.
-            _ if is_free(&path) => true,
-            _ if translation.accuracy == Accuracy::Strict => false,
-            (Some(carrier), _) if !is_carried(translation, carrier) => false,
-            (_, 0) | (None, 1) => true,
-            // A frame without inertia would get some only to carry it.
-            (Some(carrier), 1) => has_inertia(translation, carrier) || !received[carrier].is_nothing(),
-            _ => false,
-        });
-        let mut kept = vec![None; path.steps.len().max(1)];
-        match (own, inertia, steps) {
+        let steps = regrouping_steps(translation, &path, &received);
+        found[link] = match (own, inertia, steps) {
             (Some(own), _, Some(steps)) => {
                 let (rest, hidden) = split(own, &steps);
                 if let Some(carrier) = path.carrier {
                     received[carrier] = received[carrier].plus(hidden);
                 }
-                for (place, rest) in kept.iter_mut().zip(rest) {
-                    *place = (!rest.is_nothing()).then(|| written(translation, rest));
-                }
+                let rest =
+                    rest.into_iter().map(|rest| (!rest.is_nothing()).then(|| written(translation, rest)));
+                rest.collect()
             }
-            (Some(own), ..) => {
-                let place = kept.last_mut().filter(|_| !own.is_nothing());
-                place.into_iter().for_each(|place| *place = Some(written(translation, own)));
+            (Some(own), ..) if !own.is_nothing() => {
+                let all = written(translation, own);
+                unsplit(translation, &path, all)
             }
             (None, Some(inertia), _) => {
-                let mut all = symbolic_parameters(translation, link, inertia, received[link]);
-                if let [.., before, _] = &mut kept[..]
-                    && turns_freely(&path)
-                {
-                    // Seen from axes that do not turn with the body, its mass is the same in all directions.
-                    let mass = std::mem::replace(&mut all.mass, translation.terms().number(0));
-                    *before =
-                        Some(WrittenParameters { mass, ..written(translation, InertialParameters::NONE) });
-                }
-                kept.last_mut().into_iter().for_each(|place| *place = Some(all));
+                let all = symbolic_parameters(translation, link, inertia, received[link]);
+                unsplit(translation, &path, all)
             }
-            (None, None, _) => {}
-        }
-        found[link] = kept;
+            _ => vec![None; path.steps.len().max(1)],
+        };
     }
     Some(found)
+}
+
+/// The steps to a link in numbers, if its parameters are to be regrouped along them.
+fn regrouping_steps(
+    translation: &Translation<'_>,
+    path: &Path,
+    received: &[InertialParameters],
+) -> Option<Vec<NumericStep>> {
+    numeric_steps(translation, path).filter(|steps| match (path.carrier, motions(steps)) {
+        // What turns in any direction is to accelerate in axes that do not.
+        _ if is_free(path) => true,
+        _ if translation.accuracy == Accuracy::Strict => false,
+        (Some(carrier), _) if !is_carried(translation, carrier) => false,
+        (_, 0) | (None, 1) => true,
+        // A frame without inertia would get some only to carry it.
+        (Some(carrier), 1) => has_inertia(translation, carrier) || !received[carrier].is_nothing(),
+        _ => false,
+    })
+}
+
+/// All parameters in the last frame of a path; of what turns in any direction the mass in the frame before, whose axes do not turn with it:
+/// there it is the same in all directions.
+fn unsplit(
+    translation: &mut Translation<'_>,
+    path: &Path,
+    mut all: WrittenParameters,
+) -> Vec<Option<WrittenParameters>> {
+    let mut kept = vec![None; path.steps.len().max(1)];
+    if let [.., before, _] = &mut kept[..]
+        && turns_freely(path)
+    {
+        let nothing = written(translation, InertialParameters::NONE);
+        let mass = std::mem::replace(&mut all.mass, nothing.mass);
+        *before = Some(WrittenParameters { mass, ..nothing });
+    }
+    kept.last_mut().into_iter().for_each(|place| *place = Some(all));
+    kept
 }
 
 /// True of links that move in any direction and nothing carries.

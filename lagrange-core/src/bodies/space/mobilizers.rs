@@ -29,8 +29,8 @@ pub(in crate::bodies) fn translate_spatial_mobilizer(
     statement: &Statement,
 ) {
     let placed = placed_of(translation, joint);
-    if placed.is_none() && joint.kind == MobilizerKind::Free {
-        // A second one of the same body would declare the same names.
+    if joint.kind == MobilizerKind::Free && !is_first(translation, &joint.outboard) {
+        // It would declare the same names.
         return;
     }
     let coordinates = coordinates_of(translation, joint, statement);
@@ -63,6 +63,11 @@ fn velocity_of_free_center(
         let place = terms.vector(coordinates);
         terms.call("dot", &[place])
     })
+}
+
+/// True of the first `free` statement of a body, which is then remembered.
+fn is_first(translation: &mut Translation<'_>, body: &Name) -> bool {
+    translation.space.as_mut().is_none_or(|space| space.freed.insert(body.text.clone(), ()).is_none())
 }
 
 /// The frames behind the steps of a joint, one after another.
@@ -100,8 +105,8 @@ pub(in crate::bodies) fn coordinates_of(
         .for_each(|quaternion| push(StatementKind::Quaternion(Box::new(quaternion.clone()))));
     for (speed, coordinate) in joint.speeds.iter().zip(&joint.coordinates) {
         let coordinate = translation.terms().name(&coordinate.text);
-        let rate = translation.terms().rate(coordinate);
-        translation.push(StatementKind::Velocity(speed.clone(), rate));
+        let kind = StatementKind::Velocity(speed.clone(), translation.terms().rate(coordinate));
+        translation.statements.push(Statement { kind, ..statement.clone() });
     }
     joint.coordinates.iter().map(|name| translation.terms().name(&name.text)).collect()
 }
@@ -118,10 +123,9 @@ pub(in crate::bodies) fn dampen(translation: &mut Translation<'_>, joint: &Mobil
     };
     let half = terms.half();
     let weight = terms.times(half, damping);
-    let square = speeds.into_iter().map(|speed| terms.square(speed)).collect::<Vec<_>>();
-    let square = square.into_iter().reduce(|sum, square| terms.plus(sum, square));
-    let Some(square) = square else { return };
-    let dissipation = terms.times(weight, square);
+    let squares = speeds.into_iter().map(|speed| terms.square(speed)).collect::<Vec<_>>();
+    let Some(sum) = squares.into_iter().reduce(|sum, square| terms.plus(sum, square)) else { return };
+    let dissipation = terms.times(weight, sum);
     translation.push(StatementKind::Dissipation(dissipation));
 }
 

@@ -15,6 +15,8 @@ pub(in crate::bodies) struct Space {
     pub(super) unplaced: Vec<Name>,
     /// Those that have their place, carriers first.
     pub(super) order: Vec<usize>,
+    /// Bodies that move in any direction.
+    pub(super) freed: HashMap<String, ()>,
     pub(super) gravity: Option<(Triple, Origin)>,
     /// Relative accelerations by angular velocity and angular acceleration of their frame.
     pub(super) relatives: HashMap<[Triple; 2], Relative>,

@@ -26,6 +26,11 @@ pub(in crate::elaborate) fn component_of_quaternion(name: &str) -> String {
     format!("`{name}` is a component of a unit quaternion, whose rate is no velocity of its own")
 }
 
+/// Message for a velocity where a coordinate is needed.
+pub(in crate::elaborate) fn velocity_as_coordinate(name: &str) -> String {
+    format!("`{name}` is a velocity already, not a coordinate")
+}
+
 pub(in crate::elaborate) const QUATERNION_HELP: &str =
     "write a component of the angular velocity, whose name ends in `_wx`, `_wy` or `_wz`";
 

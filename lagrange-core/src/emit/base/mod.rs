@@ -12,5 +12,6 @@ pub(super) mod shape;
 pub(super) mod sides;
 pub(super) mod size;
 pub(super) mod state;
+pub(super) mod state_shape;
 pub(super) mod statements;
 pub(super) mod writer;

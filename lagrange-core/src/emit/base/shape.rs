@@ -152,13 +152,14 @@ impl<'a> Shape<'a> {
     /// Names declared twice are reported elsewhere; two fields of one name would be reported again.
     fn drop_repeated_names(&mut self) {
         let mut seen = HashMap::default();
+        let mut velocities: HashMap<String, ()> = HashMap::default();
         let mut first = |name: &Name| seen.insert(name.text.clone(), ()).is_none();
         self.fields.retain(|name| first(name));
         self.coordinates.retain(|name| first(name));
         self.velocities.retain(|velocity| {
-            velocity
-                .coordinate
-                .is_none_or(|name| self.coordinates.iter().any(|kept| std::ptr::eq(*kept, name)))
+            let is_kept = |name: &Name| self.coordinates.iter().any(|kept| std::ptr::eq(*kept, name));
+            velocity.coordinate.is_none_or(is_kept)
+                && velocities.insert(velocity.name.text.clone(), ()).is_none()
         });
         self.touching.retain(|(name, _)| first(name));
         self.outputs.retain(|(name, _)| first(name));
@@ -196,6 +197,11 @@ impl<'a> Shape<'a> {
             Some(docs) => (*docs).clone(),
             None => doc(line),
         }
+    }
+
+    /// True of a declared name that the user documents.
+    pub(in crate::emit) fn is_documented(&self, name: &Name) -> bool {
+        self.docs.contains(&name.text.as_str())
     }
 
     /// The user's documentation of a body, or a line that stands for it.
@@ -287,54 +293,6 @@ impl<'a> Shape<'a> {
     pub(in crate::emit) fn user_names(&self) -> Vec<String> {
         let velocities = self.velocities.iter().map(|velocity| velocity.name.text.clone());
         self.fields.iter().chain(&self.coordinates).map(|name| name.text.clone()).chain(velocities).collect()
-    }
-
-    /// Number of positions, as the length of an array.
-    pub(in crate::emit) fn positions_length(&self) -> Literal {
-        length(self.coordinates.len())
-    }
-
-    /// Number of velocities, as the length of an array.
-    pub(in crate::emit) fn velocities_length(&self) -> Literal {
-        length(self.velocities.len())
-    }
-
-    /// Number of entries of the state, as the length of an array.
-    pub(in crate::emit) fn state_length(&self) -> Literal {
-        length(self.coordinates.len() + self.velocities.len())
-    }
-
-    /// True if velocities are the rates of the positions.
-    pub(in crate::emit) fn velocities_are_rates(&self) -> bool {
-        self.quaternions.is_empty()
-    }
-
-    /// True if velocities have names of their own.
-    pub(in crate::emit) fn names_velocities(&self) -> bool {
-        self.velocities.iter().any(|velocity| match velocity.coordinate {
-            Some(coordinate) => velocity.name.text != format!("{}_dot", coordinate.text),
-            None => true,
-        })
-    }
-
-    /// Index of the coordinate that a velocity is the rate of.
-    pub(in crate::emit) fn position_of(&self, velocity: &StateVelocity<'_>) -> Option<usize> {
-        let coordinate = velocity.coordinate?;
-        self.coordinates.iter().position(|name| std::ptr::eq(*name, coordinate))
-    }
-
-    /// Fields of the state: positions, then velocities.
-    pub(in crate::emit) fn state_fields(&self) -> Vec<Ident> {
-        let positions = self.coordinates.iter().map(|name| identifier(name));
-        let velocities = self.velocities.iter().map(|velocity| {
-            let mut name = velocity.name.clone();
-            // Where that is a coordinate, which is a mistake, the skeleton has another field.
-            while self.coordinates.iter().any(|other| other.text == name.text) {
-                name.text.push('_');
-            }
-            identifier(&name)
-        });
-        positions.chain(velocities).collect()
     }
 }
 

@@ -12,7 +12,11 @@ pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let visibility = &shape.declaration.visibility;
     let title = doc(&format!("State of [`{}`]: positions, then velocities.", shape.declaration.name.text));
     let entries = shape.coordinates.iter().copied().chain(shape.velocities.iter().map(|v| &v.name));
-    let docs = entries.zip(lines(shape)).map(|(name, line)| shape.docs(name, &line));
+    let docs = entries.zip(lines(shape)).map(|(name, Line { text, is_component })| {
+        let (users, blank, own) = (shape.docs(name, &text), doc(""), doc(&text));
+        // What is said of an orientation does not tell its components apart.
+        if is_component && shape.is_documented(name) { quote!(#users #blank #own) } else { users }
+    });
     let (fields, names) = (shape.state_fields(), name_exception(shape));
     let type_name = type_name_exception(shape);
     let allow = (!generics.is_empty()).then(
@@ -75,19 +79,30 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
+/// What is said of an entry of the state.
+struct Line {
+    text: String,
+    /// True of components of quaternions and of angular velocities.
+    is_component: bool,
+}
+
 /// A line about each entry of the state.
-fn lines(shape: &Shape<'_>) -> Vec<String> {
+fn lines(shape: &Shape<'_>) -> Vec<Line> {
     let positions = shape.coordinates.iter().enumerate().map(|(index, name)| {
-        let within = |first: &&usize| (**first..**first + 4).contains(&index);
-        match shape.quaternions.iter().find(within) {
+        let first = shape.quaternions.iter().find(|first| (**first..**first + 4).contains(&index));
+        let text = match first {
             None => format!("Coordinate `{}`.", name.text),
             Some(&first) if first == index => "Scalar part of a unit quaternion.".to_owned(),
             Some(_) => "Component of the vector part of a unit quaternion.".to_owned(),
-        }
+        };
+        Line { text, is_component: first.is_some() }
     });
     let velocities = shape.velocities.iter().map(|velocity| match velocity.coordinate {
-        Some(coordinate) => format!("Velocity of `{}`.", coordinate.text),
-        None => "Component of an angular velocity along the turned axes, in rad/s.".to_owned(),
+        Some(coordinate) => Line { text: format!("Velocity of `{}`.", coordinate.text), is_component: false },
+        None => {
+            let text = "Component of an angular velocity along the turned axes, in rad/s.".to_owned();
+            Line { text, is_component: true }
+        }
     });
     positions.chain(velocities).collect()
 }
@@ -138,7 +153,7 @@ pub(in crate::emit) fn columns_impls(shape: &Shape<'_>) -> TokenStream {
 fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
     let fields = shape.state_fields().into_iter().zip(lines(shape));
     let columns = fields.enumerate().map(|(i, (field, line))| {
-        let docs = doc(&line);
+        let docs = doc(&line.text);
         // At the user's place but the macro's own, so that nobody is told about columns that are never used.
         let (name, index) =
             (Ident::new(&field.to_string(), Span::mixed_site().located_at(field.span())), length(i));

@@ -50,7 +50,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
     if names.is_empty() && shape.switches.is_empty() {
         return TokenStream::new();
     }
-    let (krate, scalar, twice) = (shape.krate, shape.scalar(), shape.state_length());
+    let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let events = names.iter().map(|(name, direction)| {
         let name = &name.text;
@@ -78,7 +78,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
     quote! {
         const EVENTS: &'static [#krate::event::DeclaredEvent] = &[#(#events),*];
         #[inline]
-        fn event_values(&self, #time: #scalar, #state: &[#scalar; #twice], #values: &mut [#scalar]) {
+        fn event_values(&self, #time: #scalar, #state: &[#scalar; #all], #values: &mut [#scalar]) {
             #functions
             #touching
             #switches
@@ -87,7 +87,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
             &self,
             #event: ::core::primitive::usize,
             #time: #scalar,
-            #state: &[#scalar; #twice],
+            #state: &[#scalar; #all],
         ) -> #krate::system::Reacted<Self> {
             match #event {
                 #reactions
@@ -128,7 +128,7 @@ fn reactions(shape: &Shape<'_>, members: &Members, event: &Ident) -> TokenStream
 }
 
 fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
-    let (krate, scalar, twice) = (shape.krate, shape.scalar(), shape.state_length());
+    let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let contacts = quote!(#krate::contact::begin);
     let sides = quote!(#krate::event::choose_sides(self, #time, #state));
@@ -144,7 +144,7 @@ fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     };
     let freed = (!shape.switches.is_empty()).then(|| {
         quote! {
-            fn on_sides(&self, #time: #scalar, #state: &[#scalar; #twice]) -> ::core::option::Option<Self> {
+            fn on_sides(&self, #time: #scalar, #state: &[#scalar; #all]) -> ::core::option::Option<Self> {
                 #sides
             }
             fn freed(&self) -> ::core::option::Option<Self> {
@@ -157,7 +157,7 @@ fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
             fn begin(
                 &self,
                 #time: #scalar,
-                #state: &[#scalar; #twice],
+                #state: &[#scalar; #all],
             ) -> ::core::result::Result<::core::option::Option<Self>, #krate::system::StepFailure<#scalar>> {
                 #begun
             }

@@ -12,7 +12,7 @@ use crate::model::Model;
 
 /// ∂ẏ/∂y from the rows of the accelerations.
 pub(in crate::emit) fn by_state(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
-    let rates = model.coordinates.iter().map(|coordinate| coordinate.rate).collect::<Vec<_>>();
+    let rates = model.position_rates();
     let state = [model.positions(), model.velocities()].concat();
     let mut entries = jacobian(&mut model.graph, &rates, &state).concat();
     entries.extend(accelerations);
@@ -23,7 +23,7 @@ pub(in crate::emit) fn by_state(model: &mut Model, accelerations: &[ExprId]) -> 
 pub(in crate::emit) fn by_displacements(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
     let (positions, n) = (model.coordinates.len(), model.speeds.len());
     let mut entries = rates_of_displacements(model);
-    let rates = model.coordinates.iter().map(|coordinate| coordinate.rate).collect::<Vec<_>>();
+    let rates = model.position_rates();
     let velocities = model.velocities();
     // N
     let directions = jacobian(&mut model.graph, &rates, &velocities);

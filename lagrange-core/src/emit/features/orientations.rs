@@ -13,7 +13,7 @@ pub(in crate::emit) fn write_position_rates(writer: &mut MethodWriter<'_>) {
     if writer.shape.velocities_are_rates() {
         return;
     }
-    let rates = writer.model.coordinates.iter().map(|coordinate| coordinate.rate).collect::<Vec<_>>();
+    let rates = writer.model.position_rates();
     let returns = Returns::Vector(rates.len());
     let (body, _) = writer.lowered(&rates, Arguments::State, |results| returns.collect(results));
     let docs = doc("Rates of the positions: kinematic differential equations.");
@@ -52,10 +52,13 @@ pub(in crate::emit) fn orientation_members(shape: &Shape<'_>, members: &Members)
         return None;
     }
     let names = shape.velocities.iter().map(|velocity| &velocity.name.text);
+    let rates_of =
+        shape.velocities.iter().map(|velocity| velocity.coordinate.map_or("", |name| name.text.as_str()));
     let normalise = normalise(shape, members);
     let displacement = displacement(shape);
     Some(quote! {
         const VELOCITIES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
+        const RATES_OF: &'static [&'static ::core::primitive::str] = &[#(#rates_of),*];
         #normalise
         #displacement
     })

@@ -163,7 +163,7 @@ pub(in crate::emit) fn switched_impl(shape: &Shape<'_>, members: &Members) -> To
     }
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, field, k) = (shape.krate, switches_field(shape), length(shape.switches.len()));
-    let (first, twice) = (length(shape.event_names().len()), shape.state_length());
+    let (first, all) = (length(shape.event_names().len()), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let (switches, others) = (local("switches"), shape.kept_fields(|_| true));
     let variables = state_variables(shape);
@@ -186,7 +186,7 @@ pub(in crate::emit) fn switched_impl(shape: &Shape<'_>, members: &Members) -> To
             fn with_switches(&self, #switches: #krate::event::Switches) -> Self {
                 Self { #field: #switches, #others }
             }
-            fn switch_values(&self, #time: #scalar, #state: &[#scalar; #twice]) -> [#scalar; #k] {
+            fn switch_values(&self, #time: #scalar, #state: &[#scalar; #all]) -> [#scalar; #k] {
                 let [#(#variables),*] = *#state;
                 self.switch_functions(#time, &[#(#positions),*], &[#(#velocities),*])
             }

@@ -118,12 +118,20 @@ pub struct FlyingPendulumState {
     /// Component of the vector part of a unit quaternion.
     pub craft_qz: ::core::primitive::f64,
     /// How the load hangs.
+    ///
+    /// Scalar part of a unit quaternion.
     pub hook_qw: ::core::primitive::f64,
     /// How the load hangs.
+    ///
+    /// Component of the vector part of a unit quaternion.
     pub hook_qx: ::core::primitive::f64,
     /// How the load hangs.
+    ///
+    /// Component of the vector part of a unit quaternion.
     pub hook_qy: ::core::primitive::f64,
     /// How the load hangs.
+    ///
+    /// Component of the vector part of a unit quaternion.
     pub hook_qz: ::core::primitive::f64,
     /// Velocity of `craft_x`.
     pub craft_vx: ::core::primitive::f64,
@@ -138,10 +146,16 @@ pub struct FlyingPendulumState {
     /// Component of an angular velocity along the turned axes, in rad/s.
     pub craft_wz: ::core::primitive::f64,
     /// How the load hangs.
+    ///
+    /// Component of an angular velocity along the turned axes, in rad/s.
     pub hook_wx: ::core::primitive::f64,
     /// How the load hangs.
+    ///
+    /// Component of an angular velocity along the turned axes, in rad/s.
     pub hook_wy: ::core::primitive::f64,
     /// How the load hangs.
+    ///
+    /// Component of an angular velocity along the turned axes, in rad/s.
     pub hook_wz: ::core::primitive::f64,
 }
 /// Columns of a table of states of [`FlyingPendulum`].
@@ -1468,6 +1482,17 @@ const _: () = {
             "hook_wx",
             "hook_wy",
             "hook_wz",
+        ];
+        const RATES_OF: &'static [&'static ::core::primitive::str] = &[
+            "craft_x",
+            "craft_y",
+            "craft_z",
+            "",
+            "",
+            "",
+            "",
+            "",
+            "",
         ];
         #[inline]
         fn normalise(q: &mut [f64; 11]) {
