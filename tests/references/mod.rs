@@ -1,7 +1,12 @@
-//! Reference trajectories of 30 digits, which `tools/references.py` and `tools/mechanisms.py` compute, and of 20 digits by `tools/control.py`.
+//! Reference trajectories of 30 digits, which `tools/references.py` and `tools/mechanisms.py` compute, and of 20 digits by `tools/control.py` and
+//! `tools/spatial_mechanisms.py`.
 
-const TABLES: [&str; 3] =
-    [include_str!("states.csv"), include_str!("mechanisms.csv"), include_str!("control.csv")];
+const TABLES: [&str; 4] = [
+    include_str!("states.csv"),
+    include_str!("mechanisms.csv"),
+    include_str!("control.csv"),
+    include_str!("spatial_mechanisms.csv"),
+];
 
 /// What the decimals of a declaration stand for in a reference.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

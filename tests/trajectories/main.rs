@@ -4,12 +4,16 @@
 #![cfg(not(debug_assertions))]
 
 mod adaptive;
+#[path = "../mechanisms/bricard.rs"]
+mod bricard;
 mod canonical;
 mod comet;
 mod drift;
 mod ends;
 #[path = "../mechanisms/four_bar.rs"]
 mod four_bar;
+#[path = "../mechanisms/governor.rs"]
+mod governor;
 mod held;
 mod mechanisms;
 #[path = "../mechanisms/n_four_bar.rs"]
@@ -18,6 +22,9 @@ mod phase;
 mod projected;
 #[path = "../references/mod.rs"]
 mod references;
+mod spatial;
+#[path = "../mechanisms/spatial_slider_crank.rs"]
+mod spatial_slider_crank;
 mod stiff;
 mod systems;
 mod throws;

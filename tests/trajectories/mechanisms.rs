@@ -25,18 +25,20 @@ lagrange::system! {
 
 /// What was seen along a motion.
 #[derive(Default, Debug)]
-struct Seen {
+pub(crate) struct Seen {
     /// Largest residual of positions, in the units of the constraints.
     position: f64,
     /// Largest residual of velocities.
     velocity: f64,
     /// Largest change of the energy, in relation to its first value if that is more than 1 J.
     energy: f64,
+    /// Number of steps.
+    pub(crate) steps: usize,
 }
 
 impl Seen {
     #[track_caller]
-    fn assert(&self, position: f64, velocity: f64, energy: f64) {
+    pub(crate) fn assert(&self, position: f64, velocity: f64, energy: f64) {
         let is_small = self.position <= position && self.velocity <= velocity && self.energy <= energy;
         assert!(is_small, "{self:?}, not {position:e}, {velocity:e}, {energy:e}");
     }
@@ -47,7 +49,7 @@ fn largest(vector: &impl AsRef<[f64]>) -> f64 {
 }
 
 /// Integrates, and looks at every state.
-fn run<M>(system: &M, start: M::State, end: f64, method: &impl Method<M>) -> (M::State, Seen)
+pub(crate) fn run<M>(system: &M, start: M::State, end: f64, method: &impl Method<M>) -> (M::State, Seen)
 where
     M: ConstrainedSystem<Scalar = f64> + EnergyFunction,
 {
@@ -58,6 +60,7 @@ where
     let (first, mut seen) = (energy(0.0, &start), Seen::default());
     let last = integrate(system, 0.0, start, end, method, |t, y| {
         let (q, v) = split::<M>(y);
+        seen.steps += 1;
         seen.position = seen.position.max(largest(&system.position_residuals(t, &q)));
         seen.velocity = seen.velocity.max(largest(&system.velocity_residuals(t, &q, &v)));
         seen.energy = seen.energy.max((energy(t, y) - first).abs() / first.abs().max(1.0));
@@ -71,7 +74,7 @@ where
 const THOUSAND_TURNS: f64 = 173.358_935_930_585_8;
 
 #[track_caller]
-fn assert_near<const N: usize>(found: &[f64; N], expected: &[f64; N], tolerance: f64) {
+pub(crate) fn assert_near<const N: usize>(found: &[f64; N], expected: &[f64; N], tolerance: f64) {
     let off = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(off <= tolerance, "{found:?} is off by {off:e}");
 }

@@ -7,6 +7,7 @@ mod oracle;
 mod random;
 mod reference;
 mod scenes;
+mod space;
 mod sweep;
 mod trees;
 mod trial;

@@ -2,7 +2,8 @@
 //!
 //! Of the derivation under test only differentiation is used. M = ∂²L/∂v² and
 //! f = ∂L/∂q − (∂p/∂q) v − ∂p/∂t + Q with p = ∂L/∂v stay undivided expressions (Goldstein, Poole and Safko,
-//! *Classical Mechanics*, 3rd ed., §1.4); M a = f is solved in numbers by Gaussian elimination with partial
+//! *Classical Mechanics*, 3rd ed., §1.4); with unit quaternions, q̇ = N v, it is Nᵀ ∂L/∂q, and an angular velocity ω adds −ω × ∂L/∂ω (Lurie,
+//! *Analytical Mechanics*, §10.1). M a = f is solved in numbers by Gaussian elimination with partial
 //! pivoting (Golub and Van Loan, *Matrix Computations*, 4th ed., §3.4). The number of bits is doubled until
 //! two results agree, so that the condition of M does not matter.
 
@@ -107,25 +108,57 @@ impl Reference {
     }
 }
 
+/// What is added up to an entry.
+type Terms = Vec<(ExprId, Number)>;
+
 fn forcing(model: &mut Model, momenta: &[ExprId]) -> Vec<ExprId> {
-    let (velocities, positions) = (model.velocities(), model.positions());
+    let mut terms = slopes(model);
+    let velocities = model.velocities();
     let graph = &mut model.graph;
-    let slopes = gradient(graph, model.lagrangian, &positions);
     let mut rates = Rates::new(AccelerationTerms::Dropped);
     let losses = gradient(graph, model.dissipation, &velocities);
-    let mut terms = (0..momenta.len())
-        .map(|i| {
-            let drift = rates.of(graph, momenta[i]);
-            vec![(slopes[i], Number::ONE), (drift, Number::MINUS_ONE), (losses[i], Number::MINUS_ONE)]
-        })
-        .collect::<Vec<_>>();
+    for ((terms, &momentum), loss) in terms.iter_mut().zip(momenta).zip(losses) {
+        let drift = rates.of(graph, momentum);
+        terms.extend([(drift, Number::MINUS_ONE), (loss, Number::MINUS_ONE)]);
+    }
     for load in &model.loads {
         let arms = gradient(graph, load.velocity, &velocities);
         for (terms, arm) in terms.iter_mut().zip(arms) {
             terms.push((graph.multiply(load.force, arm), Number::ONE));
         }
     }
-    terms.into_iter().map(|terms| graph.sum(Number::ZERO, terms)).collect()
+    add_turning(model, momenta, &mut terms);
+    terms.into_iter().map(|terms| model.graph.sum(Number::ZERO, terms)).collect()
+}
+
+/// Nᵀ ∂L/∂q for rates N v of the positions.
+fn slopes(model: &mut Model) -> Vec<Terms> {
+    let (velocities, positions) = (model.velocities(), model.positions());
+    let graph = &mut model.graph;
+    let mut terms = vec![Terms::new(); velocities.len()];
+    let slopes = gradient(graph, model.lagrangian, &positions);
+    for (coordinate, slope) in model.coordinates.iter().zip(slopes) {
+        let shares = gradient(graph, coordinate.rate, &velocities);
+        for (terms, share) in terms.iter_mut().zip(shares) {
+            terms.push((graph.multiply(slope, share), Number::ONE));
+        }
+    }
+    terms
+}
+
+/// −ω × p at the angular velocities.
+fn add_turning(model: &mut Model, momenta: &[ExprId], terms: &mut [Terms]) {
+    let velocities = model.velocities();
+    for orientation in &model.orientations {
+        for axis in 0..3 {
+            let [next, last] = [1, 2].map(|by| orientation.velocity + (axis + by) % 3);
+            let products = [(next, last, Number::MINUS_ONE), (last, next, Number::ONE)];
+            let products = products.map(|(turning, carried, sign)| {
+                (model.graph.multiply(velocities[turning], momenta[carried]), sign)
+            });
+            terms[orientation.velocity + axis].extend(products);
+        }
+    }
 }
 
 /// The solution of M x = b, M in rows; `None` if a pivot vanishes.

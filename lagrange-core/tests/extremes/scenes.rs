@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::{fs, iter};
 
+use lagrange_core::model::Model;
+
 use crate::digits::Arithmetic;
 use crate::reference::{Reference, relative_error};
 use crate::trial::{Errors, STRICT, Sample, Subject, WAYS, Way};
@@ -22,9 +24,14 @@ struct Row {
     cells: Vec<(String, String)>,
 }
 
-/// All scenes, by name.
+/// All scenes in the plane or of points, by name.
 pub(crate) fn scenes() -> Vec<Scene> {
-    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/extremes"));
+    scenes_in("")
+}
+
+/// The scenes of a folder beside the tables.
+pub(crate) fn scenes_in(folder: &str) -> Vec<Scene> {
+    let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/extremes")).join(folder);
     let entries = fs::read_dir(directory).expect("the directory of scenes");
     let mut paths = entries.map(|entry| entry.expect("a readable entry").path()).collect::<Vec<_>>();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "lag"));
@@ -51,6 +58,23 @@ impl Scene {
     }
 }
 
+/// The column of a velocity: `dot x` of a coordinate, the name of an angular velocity.
+fn speed(model: &Model, index: usize) -> String {
+    let speed = &model.speeds[index];
+    match speed.coordinate {
+        Some(coordinate) if speed.name.ends_with("_dot") => {
+            format!("dot {}", model.coordinates[coordinate].name)
+        }
+        _ => speed.name.clone(),
+    }
+}
+
+/// The column of an acceleration.
+fn acceleration(model: &Model, index: usize) -> String {
+    let speed = speed(model, index);
+    if speed.starts_with("dot ") { format!("d{speed}") } else { format!("dot {speed}") }
+}
+
 impl Row {
     fn text(&self, column: &str) -> Option<&str> {
         self.cells.iter().find(|(known, _)| known == column).map(|(_, entry)| entry.as_str())
@@ -64,12 +88,11 @@ impl Row {
         let model = &reference.model;
         let settings = model.parameters.iter().filter_map(|p| Some((p.name.clone(), self.number(&p.name)?)));
         let number = |column: String| self.number(&column).unwrap_or_else(|| panic!("no column {column}"));
-        let coordinates = || model.coordinates.iter().map(|coordinate| &coordinate.name);
         Sample {
             settings: settings.collect(),
             t: 0.0,
-            q: coordinates().map(|name| number(name.clone())).collect(),
-            v: coordinates().map(|name| number(format!("dot {name}"))).collect(),
+            q: model.coordinates.iter().map(|coordinate| number(coordinate.name.clone())).collect(),
+            v: (0..model.speeds.len()).map(|i| number(speed(model, i))).collect(),
         }
     }
 
@@ -144,11 +167,12 @@ fn listed(numbers: &[f64]) -> String {
 fn the_reference_gives_the_printed_accelerations() {
     let mut arithmetic = Arithmetic::new(256);
     let mut compared = 0;
-    for scene in scenes() {
+    for scene in scenes().into_iter().chain(scenes_in("space")) {
         let reference = Reference::new(&scene.declaration);
         for row in &scene.rows {
-            let names = reference.model.coordinates.iter().map(|coordinate| &coordinate.name);
-            let printed = names.map(|name| row.text(&format!("ddot {name}"))).collect::<Option<Vec<_>>>();
+            let model = &reference.model;
+            let names = (0..model.speeds.len()).map(|i| acceleration(model, i));
+            let printed = names.map(|name| row.text(&name)).collect::<Option<Vec<_>>>();
             let Some(printed) = printed else { continue };
             let truth = reference.truth(&row.sample(&reference)).expect("a regular state");
             for (printed, found) in iter::zip(printed, &truth.accelerations) {

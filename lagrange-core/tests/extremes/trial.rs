@@ -65,19 +65,37 @@ const CHANGE: f64 = 1e-90;
 impl Reference {
     /// The truth at a sample; `None` where the mass matrix is singular.
     pub(crate) fn truth(&self, sample: &Sample) -> Option<Truth> {
-        self.at(|role, arithmetic| arithmetic.float(sample.value(&self.model, role)))
+        self.at(|role, arithmetic| self.value(sample, None, role, arithmetic))
     }
 
     /// The condition numbers of the mass matrix as it is and scaled to a unit diagonal.
     pub(crate) fn conditions_at(&self, sample: &Sample) -> [f64; 2] {
-        self.conditions(|role, arithmetic| arithmetic.float(sample.value(&self.model, role)))
+        self.conditions(|role, arithmetic| self.value(sample, None, role, arithmetic))
+    }
+
+    /// The value of a symbol, with one input a little larger. Quaternions of floats are not of length one; they are made so.
+    fn value(&self, sample: &Sample, larger: Option<Role>, role: Role, arithmetic: &mut Arithmetic) -> Real {
+        let value = |role| {
+            let value = arithmetic.float(sample.value(&self.model, role));
+            let change = arithmetic.multiply(&value, &arithmetic.float(CHANGE));
+            if larger == Some(role) { arithmetic.add(&value, &change) } else { value }
+        };
+        let Role::Coordinate(index) = role else { return value(role) };
+        let own = |first: usize| (first..first + 4).contains(&(index as usize));
+        let orientation = self.model.orientations.iter().find(|orientation| own(orientation.position));
+        let Some(orientation) = orientation else { return value(role) };
+        let first = index as usize - orientation.position;
+        let components = [0, 1, 2, 3].map(|k| value(Role::Coordinate(index - first as u32 + k)));
+        let length = arithmetic.sqrt(&arithmetic.dot(&components, &components));
+        arithmetic.divide(&components[first], &length)
     }
 
     /// Everything that accelerations may depend on.
     pub(crate) fn roles(&self) -> Vec<Role> {
         let count = |n: usize| 0..u32::try_from(n).expect("few symbols");
         let model = &self.model;
-        let states = count(model.coordinates.len()).flat_map(|i| [Role::Coordinate(i), Role::Velocity(i)]);
+        let states = count(model.coordinates.len()).map(Role::Coordinate);
+        let states = states.chain(count(model.speeds.len()).map(Role::Velocity));
         let parameters = count(model.parameters.len()).map(Role::Parameter);
         let inputs = count(model.inputs.len()).map(Role::Input);
         parameters.chain(inputs).chain(states).chain([Role::Time]).collect()
@@ -106,9 +124,7 @@ impl Reference {
     /// The accelerations with one input a little larger.
     fn moved(&self, sample: &Sample, larger: Option<Role>) -> Vec<Real> {
         let truth = self.with_bits(1024, &|role, arithmetic: &mut Arithmetic| {
-            let value = arithmetic.float(sample.value(&self.model, role));
-            let change = arithmetic.multiply(&value, &arithmetic.float(CHANGE));
-            if larger == Some(role) { arithmetic.add(&value, &change) } else { value }
+            self.value(sample, larger, role, arithmetic)
         });
         truth.map(|truth| truth.accelerations).unwrap_or_default()
     }
@@ -133,6 +149,7 @@ pub(crate) struct Way {
 
 /// The levels as users get them, and every strategy.
 pub(crate) const WAYS: [Way; 5] = [STANDARD, STRICT, DENSE, RECURSIVE, SQUARES];
+pub(crate) const FAST: Way = level("fast", Accuracy::Fast);
 pub(crate) const STANDARD: Way = level("standard", Accuracy::Standard);
 pub(crate) const STRICT: Way = level("strict", Accuracy::Strict);
 pub(crate) const DENSE: Way = strategy("dense", Strategy::MassMatrix);
