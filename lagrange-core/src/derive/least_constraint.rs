@@ -73,6 +73,13 @@ impl SplitLagrangian {
     }
 }
 
+impl SplitLagrangian {
+    /// True if a Gibbs function states part of the equations.
+    pub(super) fn has_gibbs_function(&self) -> bool {
+        self.gibbs.is_some()
+    }
+}
+
 /// Which terms of d/dt ∂L/∂v − ∂L/∂q − Q are wanted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Terms {

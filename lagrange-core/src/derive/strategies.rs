@@ -128,6 +128,10 @@ impl Candidates<'_> {
         let is_coupled = velocities.iter().any(|&velocity| pushed.degree(velocity) > 0);
         let is_contracted = velocities.len() <= MOST_CONTRACTED;
         let strategies = match (is_coupled, is_contracted) {
+            // Accelerations in the axes of bodies lose digits when they are multiplied out.
+            (true, _) if self.split.has_gibbs_function() => {
+                [Strategy::ArticulatedBody, Strategy::MassMatrix, Strategy::SumOfSquares]
+            }
             (false, _) => [Strategy::MassMatrix, Strategy::ArticulatedBody, Strategy::SumOfSquares],
             (true, true) => [Strategy::SumOfSquares, Strategy::MassMatrix, Strategy::ArticulatedBody],
             (true, false) => [Strategy::SumOfSquares, Strategy::ArticulatedBody, Strategy::MassMatrix],

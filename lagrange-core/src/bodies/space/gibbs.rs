@@ -20,7 +20,7 @@ use super::vectors::{
 };
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
-use crate::syntax::ast::{Accuracy, AstId, StatementKind};
+use crate::syntax::ast::{Accuracy, AstId, Statement, StatementKind};
 
 /// Inertial parameters as syntax.
 #[derive(Clone, Copy)]
@@ -30,15 +30,16 @@ struct WrittenParameters {
     tensor: Tensor,
 }
 
-/// Writes the Gibbs function of all bodies that have their places by joints. A Lagrangian of the user's says it all by itself, and at the
-/// level `strict` energies do, since regrouped parameters are differences; but rates of quaternions would add more rounding than that.
+/// Number of freedoms up to which energies are more accurate at the level `strict`: what cancels in their mass matrix is then found.
+const FEW: usize = 3;
+
+/// Writes the Gibbs function of all bodies that have their places by joints. A Lagrangian of the user's says it all by itself.
 pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) {
     if translation.lagrangian.is_some() || translation.report.has_errors() {
         return;
     }
     let Some(space) = &translation.space else { return };
-    let is_oriented = space.links.iter().filter_map(|link| link.path.as_ref()).any(turns_freely);
-    if translation.accuracy == Accuracy::Strict && !is_oriented {
+    if translation.accuracy == Accuracy::Strict && freedoms(translation) <= FEW {
         return;
     }
     let order = space.order.clone();
@@ -73,6 +74,16 @@ pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) 
     let mut terms = translation.terms();
     let (function, stated) = (sum_of(&mut terms, &functions), sum_of(&mut terms, &stated));
     translation.push(StatementKind::Gibbs { function, stated });
+}
+
+/// Number of velocities that are declared.
+fn freedoms(translation: &Translation<'_>) -> usize {
+    let of_statement = |statement: &Statement| match &statement.kind {
+        StatementKind::Coordinates(names) => names.len(),
+        StatementKind::Quaternion(quaternion) => quaternion.velocities.len(),
+        _ => 0,
+    };
+    translation.statements.iter().map(of_statement).sum()
 }
 
 fn sum_of(terms: &mut TermWriter<'_>, values: &[AstId]) -> AstId {
