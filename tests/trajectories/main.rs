@@ -7,17 +7,21 @@ mod adaptive;
 mod canonical;
 mod comet;
 mod drift;
+mod elliptic;
 mod ends;
 #[path = "../mechanisms/four_bar.rs"]
 mod four_bar;
+mod free_bodies;
 mod held;
 mod mechanisms;
 #[path = "../mechanisms/n_four_bar.rs"]
 mod n_four_bar;
 mod phase;
 mod projected;
+mod quaternions;
 #[path = "../references/mod.rs"]
 mod references;
 mod stiff;
 mod systems;
 mod throws;
+mod tops;
