@@ -8,6 +8,9 @@ accelerations that hold no q''. With them
     sum of J_S^T (m a_S - F) + J_w^T (J w' + w x J w - M) = A^T lambda,    A q'' = -gamma,
 
 which are linear in q'' and lambda (Kane, Levinson, *Dynamics: Theory and Applications*, sections 4.11 and 6.1).
+
+Orientations may be unit quaternions r, the scalar part first, which turn v to r v r* and whose velocities are an angular velocity u in the
+turned axes, r' = r u / 2. Along them J_k is a partial velocity, for u = e_k, and q'' stands for u'.
 """
 
 from mpmath import cos, mpf, sin, sqrt
@@ -132,6 +135,41 @@ def turned(axis, angle):
     return homogeneous(rotation(axis, angle), [0, 0, 0])
 
 
+def hamilton(a, b):
+    """Product of quaternions: a0 b0 - a.b and a0 b + b0 a + a x b."""
+    (scalar, *left), (other, *right) = a, b
+    inner = left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
+    return [scalar * other - inner, *(scalar * y + other * x + z for x, y, z in zip(left, right, cross(left, right)))]
+
+
+def oriented(r):
+    """The rotation of a unit quaternion: its columns are r e r* of the axes e."""
+    conjugate = [r[0], *(-c for c in r[1:])]
+    return transposed([hamilton(hamilton(r, [0, *axis]), conjugate)[1:] for axis in IDENTITY])
+
+
+def moved(q, u, orientations):
+    """Positions along constant velocities: q + u s, and of quaternions, which begin at some indices, r exp(u s / 2)."""
+    places, rest = [], iter(u)
+    while len(places) < len(q):
+        first = len(places)
+        if first not in orientations:
+            places.append(Series(q[first], next(rest)))
+            continue
+        r, turn = q[first : first + 4], [mpf(0), *(mpf(next(rest)) for _ in range(3))]
+        once = hamilton(r, turn)
+        places += [Series(c, a / 2, b / 8) for c, a, b in zip(r, once, hamilton(once, turn))]
+    return places
+
+
+def normalised(q, orientations):
+    """With quaternions of length one."""
+    q = list(q)
+    for first in orientations:
+        q[first : first + 4] = direction(q[first : first + 4])
+    return q
+
+
 def of_numbers(m):
     """The constant parts."""
     return [[Series.of(entry).c[0] for entry in row] for row in m]
@@ -175,21 +213,25 @@ def axial(m):
     return [(m[2][1] - m[1][2]) / 2, (m[0][2] - m[2][0]) / 2, (m[1][0] - m[0][1]) / 2]
 
 
+def placed(poses):
+    return {name: Placed(pose) for name, pose in poses.items()}
+
+
 class Kinematics:
-    """All frames at a state: `poses(q, t)` gives series for series."""
+    """All frames at a state: `poses(q, t)` gives series for series. Quaternions begin at the positions `orientations`."""
 
-    def __init__(self, poses, t, q, v):
-        self.t, self.q, self.v = mpf(t), [mpf(x) for x in q], [mpf(x) for x in v]
-        self.size = len(q)
-        self.motion = self.along(poses, Series(self.t, 1), self.v)
-        self.columns = [
-            self.along(poses, Series(self.t), [int(k == column) for k in range(self.size)])
-            for column in range(self.size)
-        ]
-
-    def along(self, poses, t, rates):
-        placed = poses([Series(x, rate) for x, rate in zip(self.q, rates)], t)
-        return {name: Placed(pose) for name, pose in placed.items()}
+    def __init__(self, poses, t, q, v, orientations=()):
+        self.t, self.v = mpf(t), [mpf(x) for x in v]
+        self.q = normalised([mpf(x) for x in q], orientations)
+        self.size = len(v)
+        moving = moved(self.q, self.v, orientations)
+        units = ([int(k == column) for k in range(self.size)] for column in range(self.size))
+        shifted = [moved(self.q, unit, orientations) for unit in units]
+        # Of the positions, and of each with respect to the velocities.
+        self.rates = [x.c[1] for x in moving]
+        self.rate_columns = [[x.c[1] for x in column] for column in shifted]
+        self.motion = placed(poses(moving, Series(self.t, 1)))
+        self.columns = [placed(poses(column, Series(self.t))) for column in shifted]
 
     def place(self, frame, own):
         return self.motion[frame].point(own, 0)

@@ -6,6 +6,8 @@ import newton_euler as ne
 
 SHORTEST = 0.05  # of a spring, in states that are kept
 LOADS = ["force", "force", "drag", "torque", "torque", "drive", "spring", "spring", "damper"]
+# Of trees with orientations.
+TURNING = ["drive", "bend", "bend"]
 
 
 class Unsuitable(Exception):
@@ -17,8 +19,8 @@ class Loads:
 
     def act(self, links):
         for _ in range(self.rng.choice((0, 1, 1, 2, 3))):
-            getattr(self, self.rng.choice(LOADS))(links)
-        if len(self.names) >= 5 and self.chance(0.35):
+            getattr(self, self.rng.choice(LOADS + TURNING * self.has_orientations))(links)
+        if len(self.speeds) >= 5 and self.chance(0.35):
             self.pin(links)
 
     def point(self, links):
@@ -84,11 +86,21 @@ class Loads:
         self.loads.append(lambda k: [ne.dot(column, load(k)) for column in k.spin_jacobian(name)])
 
     def drive(self, _):
-        x, value = self.rng.randrange(len(self.names)), self.decimal(-2, 2)
+        x, value = self.rng.randrange(len(self.speeds)), self.decimal(-2, 2)
         self.parameters += 1
         name = f"u{self.parameters}"
-        self.say(f"input {name} = {value}; force {self.names[x]} = {name} - dot({self.names[x]})/4;")
+        target, rate = self.speeds[x]
+        self.say(f"input {name} = {value}; force {target} = {name} - {rate}/4;")
         self.loads.append(lambda k: [(mpf(value) - k.v[x] / 4) * int(i == x) for i in range(k.size)])
+
+    def bend(self, _):
+        """A potential of positions, which may be components of quaternions: forces are its changes along the velocities."""
+        i, j = self.rng.randrange(len(self.names)), self.rng.randrange(len(self.names))
+        text, stiffness = self.number(0.5, 4)
+        self.say(f"potential = {text}*({self.names[i]}^2/2 + {self.names[i]}*{self.names[j]});")
+        self.potentials.append(lambda k: stiffness * (k.q[i] ** 2 / 2 + k.q[i] * k.q[j]))
+        change = lambda k, column: (k.q[i] + k.q[j]) * column[i] + k.q[i] * column[j]
+        self.loads.append(lambda k: [-stiffness * change(k, column) for column in k.rate_columns])
 
     def spring(self, links):
         ends = self.between(links)
@@ -136,7 +148,7 @@ class Outputs:
 
     def observe(self, links):
         for _ in range(self.rng.choice((0, 1, 2, 3))):
-            getattr(self, self.rng.choice(OUTPUTS))(links)
+            getattr(self, self.rng.choice(OUTPUTS + TURNS * 2 * self.has_orientations))(links)
 
     def axes(self, links):
         """`in name`, or nothing: text, components of a vector there."""
@@ -185,6 +197,19 @@ class Outputs:
         self.observed(f"angular_momentum({body.frame}{text}){axes}", value)
 
 
+    def turn_velocity(self, _):
+        index = self.rng.randrange(len(self.speeds))
+        self.observed(self.speeds[index][1], lambda k, a, _: [k.v[index]])
+
+    def turn_rate(self, _):
+        index = self.rng.randrange(len(self.names))
+        self.observed(f"dot({self.names[index]})", lambda k, a, _: [k.rates[index]])
+
+    def turn_acceleration(self, _):
+        index = self.rng.randrange(len(self.speeds))
+        self.observed(f"dot({self.speeds[index][1]})", lambda k, a, _: [a[index]])
+
+
 class Ends:
     """Two ends of a spring or damper."""
 
@@ -209,3 +234,5 @@ class Ends:
 
 
 OUTPUTS = [name for name in vars(Outputs) if name.startswith("see_")]
+# Of trees with orientations.
+TURNS = [name for name in vars(Outputs) if name.startswith("turn_")]

@@ -20,24 +20,38 @@ from mpmath import mp, mpf, nstr, pi
 import newton_euler as ne
 from newton_euler import Series
 from spatial_bodies import matter
+from spatial_joints import AXES, BALLS, KINDS, Joints
 from spatial_loads import Loads, Outputs, Unsuitable
 
 COUNT = 200
 MOST_BODIES = 8
 MOST_COORDINATES = 9
 DIGITS = 20
+# One of so many has free bodies or ball joints.
+PERIOD = 3
+# Of no turn, quarter and half turns about axes, one in three about a diagonal, and of one and a half and two turns.
+QUATERNIONS = [
+    [mpf(c) for c in quaternion]
+    for quaternion in (
+        (1, 0, 0, 0), (1, 1, 0, 0), (1, 0, -1, 0), (-1, 0, 0, 1), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, -1), (1, 1, 1, 1),
+        (-1, 0, 0, 0),
+    )
+]
 # Trees whose matrices are worse than this at one of their states have nearly no inertia somewhere.
 WORST_CONDITION = 1e6
 TARGET = Path(__file__).resolve().parent.parent / "lagrange-core" / "tests" / "spatial" / "trees.txt"
-AXES = dict(zip("xyz", ne.IDENTITY))
 
 
-class Tree(Loads, Outputs):
+class Tree(Joints, Loads, Outputs):
     """Statements, and what they mean."""
 
     def __init__(self, seed):
         self.rng = random.Random(seed)
+        # Two of three trees have no quaternions.
+        self.has_orientations = seed % PERIOD == 0
         self.statements, self.names = [], []
+        self.speeds = []  # velocities: what a force along them names, and themselves
+        self.orientations = []  # where quaternions begin among the positions
         self.frames = {}  # name: (carrier, function of coordinates and time)
         self.bodies, self.loads, self.potentials, self.pins, self.outputs = [], [], [], [], []
         self.parameters = 0
@@ -82,6 +96,7 @@ class Tree(Loads, Outputs):
     def coordinate(self, stem):
         name = f"{stem}{len(self.names) + 1}"
         self.names.append(name)
+        self.speeds.append((name, f"dot({name})"))
         return name, len(self.names) - 1
 
     # Frames.
@@ -94,27 +109,47 @@ class Tree(Loads, Outputs):
             self.say(f"gravity = {text};")
         links = ["ground"]
         for index in range(self.rng.randint(1, self.rng.randint(1, MOST_BODIES))):
-            if len(self.names) >= MOST_COORDINATES - 2:
+            if len(self.speeds) >= MOST_COORDINATES - 2:
                 break
             name = f"b{index + 1}"
-            if self.chance(0.12):
+            if self.is_free(index):
+                self.set_free(name)
+            elif self.chance(0.12):
                 self.place_by_hand(name)
             else:
                 carrier = self.rng.choice(links[-2:] if self.chance(0.7) else links)
                 if self.chance(0.2):
                     carrier = self.frame_on(carrier, f"f{index + 1}")
                 self.say_body(name, "")
-                self.join(carrier, name, self.rng.choice(KINDS))
+                balls = BALLS * (1 if index else 3) if self.has_orientations else []
+                self.join(carrier, name, self.rng.choice(KINDS + balls))
             links.append(name)
-        if not self.names:
+        if not self.names or bool(self.orientations) != self.has_orientations:
             raise Unsuitable
         self.act([*self.frames])
         self.observe([*self.frames])
 
+    def is_free(self, index):
+        """Whether a body moves freely, which the first of a tree does most often."""
+        is_possible = self.has_orientations and len(self.speeds) <= MOST_COORDINATES - 3
+        return is_possible and self.chance(0.2 if index else 0.5)
+
+    def set_free(self, name):
+        """Itself, or a frame to which it is fixed."""
+        if self.chance(0.8):
+            self.say_body(name, "")
+            self.free(name)
+            return
+        frame = f"f{name}"
+        self.say(f"frame {frame};")
+        self.free(frame)
+        self.say_body(name, "")
+        self.join(frame, name, "weld")
+
     def frame_on(self, carrier, name):
         """A link without mass between two joints."""
         self.say(f"frame {name};")
-        kind = self.rng.choice(("weld", "weld", "revolute", "prismatic"))
+        kind = self.rng.choice(["weld", "weld", "revolute", "prismatic"] + ["ball"] * self.has_orientations)
         self.join(carrier, name, kind)
         return name
 
@@ -132,84 +167,6 @@ class Tree(Loads, Outputs):
         made = f"({made}) = " if len(coordinates) > 1 else f"{made} = " * len(coordinates)
         self.say(f"{kind} {made}{carrier} to {name}{tail}")
         self.frames[name] = (carrier, lambda q, t: ne.product(fixed, motion(q)))
-
-    def joint_frame(self):
-        lines, fixed = [], ne.translation(0, 0, 0)
-        if self.chance(0.8):
-            text, at = self.vector()
-            lines.append(f"at: {text};")
-            fixed = ne.translation(*at)
-        if self.chance(0.5):
-            angles = [self.angle() for _ in range(3)]
-            lines.append(f"turned: ({', '.join(text for text, _ in angles)});")
-            rotation = ne.roll_pitch_yaw(*(value for _, value in angles))
-            fixed = ne.product(fixed, ne.homogeneous(rotation, [0, 0, 0]))
-        return lines, fixed
-
-    def axis(self):
-        """The line that says it, and the direction."""
-        if self.chance(0.3):
-            return [], AXES["z"]
-        if self.chance(0.6):
-            place, sign = self.rng.randrange(3), self.rng.choice((1, -1, 2))
-            components = [sign * int(k == place) for k in range(3)]
-            return [f"axis: ({', '.join(map(str, components))});"], ne.direction([mpf(c) for c in components])
-        text, value = self.vector()
-        if ne.dot(value, value) < 0.01:
-            return [], AXES["z"]
-        return [f"axis: {text};"], ne.direction(value)
-
-    def damping(self, coordinate):
-        if not self.chance(0.2):
-            return []
-        text, value = self.number(0.1, 0.9)
-        self.loads.append(lambda k: [-value * k.v[i] if i == coordinate else mpf(0) for i in range(k.size)])
-        return [f"damping: {text};"]
-
-    # Joints: names of coordinates, the motion, lines of the statement.
-
-    def revolute(self):
-        name, q = self.coordinate("q")
-        lines, axis = self.axis()
-        return [name], lambda x: ne.turned(axis, x[q]), lines + self.damping(q)
-
-    def prismatic(self):
-        name, s = self.coordinate("s")
-        lines, axis = self.axis()
-        return [name], lambda x: ne.translation(*(x[s] * c for c in axis)), lines + self.damping(s)
-
-    def screw(self):
-        name, q = self.coordinate("q")
-        lines, axis = self.axis()
-        text, pitch = self.number(0.1, 0.9)
-
-        def motion(x):
-            advance = x[q] * (pitch / (2 * pi))
-            return ne.product(ne.turned(axis, x[q]), ne.translation(*(advance * c for c in axis)))
-
-        return [name], motion, [*lines, f"pitch: {text};", *self.damping(q)]
-
-    def cylindrical(self):
-        (turn, q), (move, s) = self.coordinate("q"), self.coordinate("s")
-        lines, axis = self.axis()
-
-        def motion(x):
-            return ne.product(ne.turned(axis, x[q]), ne.translation(*(x[s] * c for c in axis)))
-
-        return [turn, move], motion, lines
-
-    def universal(self):
-        (first, a), (second, b) = self.coordinate("q"), self.coordinate("q")
-        motion = lambda x: ne.product(ne.turned(AXES["x"], x[a]), ne.turned(AXES["y"], x[b]))
-        return [first, second], motion, []
-
-    def planar(self):
-        (first, x), (second, y), (turn, phi) = (self.coordinate(stem) for stem in "xyq")
-        motion = lambda q: ne.product(ne.translation(q[x], q[y], 0), ne.turned(AXES["z"], q[phi]))
-        return [first, second, turn], motion, []
-
-    def weld(self):
-        return [], lambda _: ne.translation(0, 0, 0), []
 
     # Bodies whose pose is written down.
 
@@ -254,7 +211,7 @@ class Tree(Loads, Outputs):
 
     def moving(self, stem):
         choice = self.rng.random()
-        if choice < 0.6 and len(self.names) < MOST_COORDINATES:
+        if choice < 0.6 and len(self.speeds) < MOST_COORDINATES:
             name, q = self.coordinate(stem)
             self.say(f"coord {name};")
             return self.rng.choice((
@@ -287,15 +244,9 @@ class Tree(Loads, Outputs):
         return text if is_said else f"gravity = (0, 0, 0);\n{text}"
 
 
-KINDS = [
-    "revolute", "revolute", "revolute", "revolute", "prismatic", "prismatic", "screw", "cylindrical", "universal",
-    "planar", "weld",
-]
-
-
 def mechanics(tree, t, q, v, wanted):
     """What is expected at a state, as lines."""
-    k = ne.Kinematics(tree.poses, t, q, v)
+    k = ne.Kinematics(tree.poses, t, q, v, tree.orientations)
     mass_matrix, bias = ne.undivided(k, tree.bodies)
     loads = [mpf(0)] * k.size
     for body in tree.bodies:
@@ -338,14 +289,31 @@ def constrained(tree, k):
     return rows, drifts
 
 
+def oriented(tree, q, chosen):
+    """Positions whose quaternions have length one but for rounding to doubles."""
+    q = list(q)
+    for first in tree.orientations:
+        quaternion = chosen(q[first : first + 4])
+        if not any(quaternion):
+            raise Unsuitable
+        q[first : first + 4] = [mpf(float(c)) for c in ne.direction(quaternion)]
+    return q
+
+
 def states(tree):
-    """Random ones and exact zeros: t, q, v."""
+    """Random ones and exact zeros: t, q, v. Of orientations also none, and turns by simple angles."""
     fraction = lambda reach: mpf(tree.rng.randint(-64 * reach, 64 * reach)) / 64
-    vector = lambda reach: [fraction(reach) for _ in tree.names]
-    zero = [mpf(0)] * len(tree.names)
-    yield fraction(1), vector(2), vector(2)
-    yield mpf(0), zero, zero
-    yield tree.rng.choice(((mpf(0), zero, vector(2)), (fraction(1), vector(2), zero)))
+    vector = lambda reach: [fraction(reach) for _ in tree.speeds]
+    zero, rest = [mpf(0)] * len(tree.speeds), [mpf(0)] * len(tree.names)
+    random = lambda: oriented(tree, [fraction(2) for _ in tree.names], lambda quaternion: quaternion)
+    special = lambda place: oriented(tree, place, lambda _: tree.rng.choice(QUATERNIONS))
+    unturned = oriented(tree, rest, lambda _: QUATERNIONS[0])
+    yield fraction(1), random(), vector(2)
+    yield mpf(0), unturned, zero
+    yield tree.rng.choice(((mpf(0), unturned, vector(2)), (fraction(1), random(), zero)))
+    if tree.orientations:
+        yield fraction(1), special(random()), vector(2)
+        yield mpf(0), special(rest), zero
 
 
 def written(number, digits):
@@ -360,7 +328,7 @@ def described(seed):
     tree = Tree(seed)
     lines = [f"> {line}" for line in tree.text().splitlines()]
     for index, (t, q, v) in enumerate(states(tree)):
-        wanted = [mpf(tree.rng.randint(-192, 192)) / 64 for _ in q]
+        wanted = [mpf(tree.rng.randint(-192, 192)) / 64 for _ in v]
         try:
             values = mechanics(tree, t, q, v, wanted)
         except Unsuitable:

@@ -9,9 +9,11 @@ mod bricard;
 mod canonical;
 mod comet;
 mod drift;
+mod elliptic;
 mod ends;
 #[path = "../mechanisms/four_bar.rs"]
 mod four_bar;
+mod free_bodies;
 #[path = "../mechanisms/governor.rs"]
 mod governor;
 mod held;
@@ -20,6 +22,7 @@ mod mechanisms;
 mod n_four_bar;
 mod phase;
 mod projected;
+mod quaternions;
 #[path = "../references/mod.rs"]
 mod references;
 mod spatial;
@@ -28,3 +31,4 @@ mod spatial_slider_crank;
 mod stiff;
 mod systems;
 mod throws;
+mod tops;

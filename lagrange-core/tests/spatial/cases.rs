@@ -4,8 +4,8 @@
 //! system WORDS         a system follows
 //! > STATEMENTS         its declaration
 //! state T              one of its states at the time T follows; its numbers stand in lines that begin with a word:
-//! q X …                coordinates
-//! v X …                velocities
+//! q X …                positions, unit quaternions among them
+//! v X …                velocities, of which a quaternion has three
 //! wanted X …           accelerations that a force must produce, which inverse dynamics has to find
 //! condition X          condition number of the matrix by which the accelerations are found
 //! WORD X …             a result, such as `accelerations` or `output NAME`
@@ -32,6 +32,12 @@ impl State {
     /// The numbers of a word; none if the line is missing.
     pub(crate) fn numbers(&self, word: &str) -> &[f64] {
         self.numbers.iter().find(|(known, _)| known == word).map_or(&[], |(_, numbers)| numbers)
+    }
+
+    /// The numbers of a word, to be changed.
+    pub(crate) fn numbers_mut(&mut self, word: &str) -> &mut Vec<f64> {
+        let found = self.numbers.iter_mut().find(|(known, _)| known == word);
+        &mut found.expect("a line with this word").1
     }
 
     /// The only number of a word.

@@ -139,7 +139,7 @@ fn what_acts_between_bodies_keeps_momentum_and_angular_momentum() {
 
 #[test]
 fn robots_keep_their_energy() {
-    for name in ["ur5", "universal_2"] {
+    for name in ["ur5", "universal_2", "ball_2"] {
         let system = system(&read(&format!("models/{name}.lag")));
         for state in &cases(&format!("models/{name}.txt"))[0].states {
             let energy = |q: &[f64], v: &[f64]| system.product(Product::Energy, 0.0, q, v).expect("emitted");

@@ -8,4 +8,5 @@ mod comparison;
 mod models;
 mod motion;
 mod operations;
+mod orientations;
 mod trees;

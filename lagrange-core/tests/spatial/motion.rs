@@ -15,13 +15,12 @@ pub(crate) fn assert_near(found: &[f64], expected: &[f64], tolerance: f64, what:
 }
 
 /// The rate of a function of the state along the motion: to the fourth order by Richardson's extrapolation of central differences
-/// along q + v s + a s²/2.
+/// between steps of Runge's and Kutta's method to either side.
 fn rates(system: &NumericSystem, q: &[f64], v: &[f64], f: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> Vec<f64> {
-    let a = system.acceleration(0.0, q, v);
+    let start = [q, v].concat();
     let at = |s: f64| {
-        let place = (0..q.len()).map(|k| q[k] + s * v[k] + 0.5 * s * s * a[k]).collect::<Vec<_>>();
-        let velocity = (0..q.len()).map(|k| v[k] + s * a[k]).collect::<Vec<_>>();
-        f(&place, &velocity)
+        let y = stepped(system, &start, s);
+        f(&y[..q.len()], &y[q.len()..])
     };
     let quotient = |s: f64| {
         let (after, before) = (at(s), at(-s));
@@ -29,6 +28,19 @@ fn rates(system: &NumericSystem, q: &[f64], v: &[f64], f: impl Fn(&[f64], &[f64]
     };
     let (coarse, fine) = (quotient(STEP), quotient(0.5 * STEP));
     fine.iter().zip(coarse).map(|(fine, coarse)| fine + (fine - coarse) / 3.0).collect()
+}
+
+/// The state after a step.
+fn stepped(system: &NumericSystem, y: &[f64], step: f64) -> Vec<f64> {
+    let moved =
+        |rate: &[f64], part: f64| y.iter().zip(rate).map(|(y, rate)| y + part * step * rate).collect();
+    let rate = |y: Vec<f64>| system.rhs(0.0, &y);
+    let first = rate(y.to_vec());
+    let second = rate(moved(&first, 0.5));
+    let third = rate(moved(&second, 0.5));
+    let fourth = rate(moved(&third, 1.0));
+    let mean = (0..y.len()).map(|k| (first[k] + 2.0 * (second[k] + third[k]) + fourth[k]) / 6.0);
+    moved(&mean.collect::<Vec<_>>(), 1.0)
 }
 
 /// A function of the state does not change, compared with the size of what is between its parts.

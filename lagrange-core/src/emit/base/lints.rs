@@ -1,9 +1,41 @@
 //! Exceptions from lints that emitted items need.
 
+use std::f64::consts;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::shape::Shape;
+use crate::program::Op;
+
+/// Constants of the standard library that numbers can be taken for.
+const NAMED: [f64; 10] = [
+    consts::PI,
+    consts::E,
+    consts::SQRT_2,
+    consts::FRAC_1_SQRT_2,
+    consts::LN_2,
+    consts::LN_10,
+    consts::LOG2_E,
+    consts::LOG10_E,
+    consts::LOG2_10,
+    consts::LOG10_2,
+];
+/// Distance, relative to a constant, from which on nothing is taken for it or for its multiples by powers of two.
+const UNLIKE: f64 = 1e-3;
+
+/// True of constants that are rounded, or look like those of the standard library.
+pub(in crate::emit) fn looks_rounded(op: &Op) -> bool {
+    let is_near = |number: f64| {
+        let is_like = |named: f64| (number.abs() / named - 1.0).abs() < UNLIKE;
+        NAMED.iter().any(|named| [0.125, 0.25, 0.5, 1.0, 2.0].iter().any(|factor| is_like(named * factor)))
+    };
+    match op {
+        Op::Float(_) => true,
+        Op::Constant(number) => is_near(number.to_f64()),
+        _ => false,
+    }
+}
 
 /// Lets rounded constants look like those of the standard library.
 pub(in crate::emit) fn rounded_exception(is_needed: bool) -> Option<TokenStream> {

@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 
 use super::bindings::Bindings;
 use super::docs::with_counts;
+use super::lints::looks_rounded;
 use super::members::Members;
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::refusal::Refusal;
@@ -17,7 +18,7 @@ use crate::code::{FunctionBody, Names, body};
 use crate::derive::Equations;
 use crate::expr::ExprId;
 use crate::model::Model;
-use crate::program::{Labels, Op, OperationCounts, Program, lower, optimise};
+use crate::program::{Labels, OperationCounts, Program, lower, optimise};
 
 /// Writes the methods of one system. Features add to its members.
 pub(in crate::emit) struct MethodWriter<'a> {
@@ -157,7 +158,7 @@ impl<'a> MethodWriter<'a> {
 
     /// A program as statements and results; `None` if it holds constants that are too large, which is kept in mind.
     fn written(&mut self, program: &Program, names: &mut Names) -> Option<FunctionBody> {
-        self.members.has_rounded_constants |= program.values().any(|(_, op)| matches!(op, Op::Float(_)));
+        self.members.has_rounded_constants |= program.values().any(|(_, op)| looks_rounded(op));
         match body(program, self.model.graph.symbols(), &self.shape.computed_with(), names) {
             Ok(body) => {
                 self.members.functions.extend(&body.functions);

@@ -9,12 +9,12 @@ use crate::derive::Equations;
 use crate::diagnostics::Report;
 use crate::emit::base::attributes::{conditions, deprecated_exception, split_attributes};
 use crate::emit::base::bindings::field_bindings;
-use crate::emit::base::lints::rounded_exception;
+use crate::emit::base::lints::{looks_rounded, rounded_exception};
 use crate::emit::base::refusal::{Refusal, report_refusal};
 use crate::emit::base::shape::{Shape, doc, identifier, local};
 use crate::formula::text;
 use crate::model::{Model, Pinned, Reduced};
-use crate::program::{Labels, Op, lower, optimise};
+use crate::program::{Labels, lower, optimise};
 use crate::syntax::ast::Declaration;
 
 /// Values with longer texts are not written out in documentation.
@@ -198,7 +198,7 @@ fn with_values(
     let mut labels = Labels::default();
     all.iter().for_each(|pinned| labels.insert(pinned.value, "held"));
     let program = optimise(&lower(&graph, &roots, &labels), reduced.model.accuracy);
-    let is_rounded = program.values().any(|(_, op)| matches!(op, Op::Float(_)));
+    let is_rounded = program.values().any(|(_, op)| looks_rounded(op));
     let (state, mut names) = (local("state"), Names::new(["state"]));
     let written = body(&program, graph.symbols(), &part.computed_with(), &mut names)
         .map_err(|error| Refusal::Constants(error.constants))?;
