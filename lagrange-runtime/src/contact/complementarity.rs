@@ -12,6 +12,18 @@
 //! slips and is strong there may be none: the paradox of Painlevé.
 //! Sources: Murty, *Linear Complementarity, Linear and Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody
 //! Dynamics with Unilateral Contacts*, §5.3, §6.
+//!
+//! # A block on a floor in numbers
+//!
+//! m = 2 under g = 10, pushed along the floor by 6, friction 0.25 times the normal force; at rest. Reactions are the normal force and friction,
+//! rates the accelerations ÿ and ẍ: G = diag(1/2, 1/2), without reactions the rates are (−10, 3).
+//!
+//! | rules | reactions | rates | |
+//! |---|---|---|---|
+//! | holds, holds | (20, −6) | (0, 0) | more than 0.25 · 20 = 5 |
+//! | holds, slips forwards | (20, −5) | (0, 1/2) | fits |
+//!
+//! Pushed by 4 instead it holds with (20, −4).
 
 use super::choice::{Choice, Settled};
 use super::reaction_forces::{Balance, Rule};

@@ -20,6 +20,12 @@
 //! Sources: Moreau, "Unilateral contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and Applications*
 //! (1988); Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory and
 //! Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
+//!
+//! # A block on a floor in numbers
+//!
+//! m = 2 falls with 4 and slides with 3, e = 1/2 and friction 0.25 times the normal force. Without impulses rate⁺ + e rate⁻ is (−6, 3), and
+//! G = diag(1/2, 1/2). Held together the impulses would be (12, −6), but friction gives no more than 0.25 · 12 = 3: (12, −3), so that the block
+//! leaves with 2 and slides on with 3/2. It had 25 J and keeps 6.25.
 
 use core::array;
 

@@ -154,3 +154,39 @@ fn a_rod_that_is_dragged_against_strong_friction_jams() {
     }
     assert_eq!(jammed, 2, "one way, fast and slowly");
 }
+
+/// A block of mass 2 on a floor, its friction a quarter of the normal force: the numbers of the documentation.
+fn block(free: [f64; 2], rates: [f64; 2]) -> Terms<f64, 2, 2> {
+    let mut terms = nothing::<2, 2>();
+    terms.free = free;
+    terms.rows = [[0.0, 1.0], [1.0, 0.0]];
+    terms.responses = [[0.0, 0.5], [0.5, 0.0]];
+    terms.rates = rates;
+    (terms.kinetic_slopes[1][0], terms.static_slopes[1][0]) = (0.25, 0.25);
+    terms
+}
+
+#[track_caller]
+fn assert_near(found: [f64; 2], expected: [f64; 2]) {
+    let is_near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-13);
+    assert!(is_near, "{found:?}, not {expected:?}");
+}
+
+#[test]
+fn a_block_that_is_pushed_slips_beyond_a_quarter_of_its_weight() {
+    for (push, friction) in [(6.0, -5.0), (4.0, -4.0)] {
+        let terms = block([push / 2.0, -10.0], [0.0; 2]);
+        let settled = Balance::of_forces(&terms).settle(&[Choice::Touch, Choice::Rest]).expect("forces");
+        assert_near(settled.reactions, [20.0, friction]);
+        assert_near(terms.acceleration(&settled.reactions), [(push + friction) / 2.0, 0.0]);
+    }
+}
+
+#[test]
+fn a_block_that_falls_while_it_slides_loses_a_quarter_of_its_impulse_by_friction() {
+    let terms = block([0.0; 2], [-4.0, 3.0]);
+    let balance = Balance::of_impulses(&terms, &[0.5, 0.0]);
+    let settled = balance.settle(&[Choice::Touch, Choice::Rest]).expect("impulses");
+    assert_near(settled.reactions, [12.0, -3.0]);
+    assert_near(terms.acceleration(&settled.reactions), [-1.5, 6.0]);
+}
