@@ -60,6 +60,7 @@ fn plain_of(translation: Translation<'_>, declaration: Declaration, in_space: Sp
     }
 }
 
+/// Puts plain statements in the place of one.
 pub(super) fn translate_statement(translation: &mut Translation<'_>, statement: Statement) {
     match statement.kind {
         StatementKind::Scene(SceneStatement::Mobilizer(ref joint)) => {
@@ -99,6 +100,7 @@ fn note_point(translation: &mut Translation<'_>, name: String, value: AstId) {
     }
 }
 
+/// The same for a statement about bodies, but for joints that make coordinates.
 pub(super) fn translate_scene(translation: &mut Translation<'_>, statement: SceneStatement) {
     report_beside_lagrangian(translation, &statement);
     let is_spatial = translation.space.is_some();

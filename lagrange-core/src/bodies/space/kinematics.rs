@@ -131,16 +131,14 @@ fn with_step(
         FrameStep::Shift(_) | FrameStep::Reorientation(_) => [spin, velocity],
         FrameStep::Turn(about, angle) => {
             let (axis, rate) = (axis_in_world(terms, before, about), terms.rate(angle));
-            let arm = minus(terms, place, before.origin);
-            let moved = cross(terms, axis, arm);
-            let [turned, moved] = [axis, moved].map(|direction| scale(terms, rate, direction));
+            let [turned, moved] = turning_about(terms, axis, before.origin, place)
+                .map(|direction| scale(terms, rate, direction));
             [plus(terms, spin, turned), plus(terms, velocity, moved)]
         }
         FrameStep::Orientation(axes) => {
             let turning = behind.in_world(terms, axes.spin);
-            let arm = minus(terms, place, behind.origin);
-            let moved = cross(terms, turning, arm);
-            [plus(terms, spin, turning), plus(terms, velocity, moved)]
+            let [turned, moved] = turning_about(terms, turning, behind.origin, place);
+            [plus(terms, spin, turned), plus(terms, velocity, moved)]
         }
         FrameStep::Slide(along, distance) => {
             let (axis, rate) = (axis_in_world(terms, before, along), terms.rate(distance));
@@ -148,6 +146,12 @@ fn with_step(
             [spin, plus(terms, velocity, moved)]
         }
     }
+}
+
+/// An angular velocity, and the velocity of a place that turns with it about a point.
+fn turning_about(terms: &mut TermWriter<'_>, turning: Triple, point: Triple, place: Triple) -> [Triple; 2] {
+    let arm = minus(terms, place, point);
+    [turning, cross(terms, turning, arm)]
 }
 
 fn axis_in_world(terms: &mut TermWriter<'_>, frame: &Pose, axis: JointAxis) -> Triple {

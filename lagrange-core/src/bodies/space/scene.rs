@@ -10,13 +10,15 @@ use crate::syntax::ast::Name;
 /// What is known of a scene in space.
 #[derive(Default)]
 pub(in crate::bodies) struct Space {
+    /// Bodies and frames in the order of their declaration, by whose numbers everything else names them.
     pub(in crate::bodies) links: Vec<Link>,
     /// Bodies that nothing places.
     pub(super) unplaced: Vec<Name>,
-    /// Those that have their place, carriers first.
+    /// Numbers of links that have their place, carriers first.
     pub(super) order: Vec<usize>,
-    /// Bodies that move in any direction.
+    /// Names of bodies that a `free` statement places.
     pub(super) freed: HashMap<String, ()>,
+    /// The acceleration of free fall in the world, and the statement that says it.
     pub(super) gravity: Option<(Triple, Origin)>,
     /// Relative accelerations by angular velocity and angular acceleration of their frame.
     pub(super) relatives: HashMap<[Triple; 2], Relative>,
