@@ -117,7 +117,9 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
 
 /// The index in [q…, v…] of a position or velocity, or of the rate of a coordinate.
 fn entry_of_state(elaborator: &Elaborator<'_>, name: &str, is_rate: bool) -> Option<usize> {
-    let velocity = || elaborator.speed_of(name).map(|index| elaborator.coordinates.len() + index);
+    // Coordinates may be declared further down, too.
+    let count = elaborator.declaration.coordinates().len();
+    let velocity = || elaborator.speed_of(name).map(|index| count + index);
     let position = elaborator.coordinates.iter().position(|(known, _)| known.name == name);
     match (position, is_rate) {
         (Some(_), true) => velocity(),
