@@ -11,9 +11,10 @@ use quote::quote;
 
 use super::mechanisms::Mechanism;
 
-const CHAINS: [usize; 4] = [20, 50, 100, 200];
+const CHAINS: [usize; 2] = [20, 150];
+const WITHOUT_MATRIX: [usize; 2] = [50, 200];
 /// Small random trees are flat, and cheaper by a strategy that large ones do not take.
-const TREES: [usize; 3] = [100, 200, 400];
+const TREES: [usize; 2] = [100, 400];
 /// Large enough that trees have bodies with many pins, which couple all that they hold.
 const PINNED: [usize; 2] = [48, 144];
 /// Their mass matrices are so large that zeros are not written.
@@ -119,7 +120,7 @@ fn chains_in_relative_angles_grow_in_proportion() {
 #[test]
 fn chains_whose_mass_matrix_nobody_wants_never_write_it_down() {
     for relative in [false, true] {
-        assert_linear(&CHAINS[1..], |n| without_mass_matrix(&chain(n, relative)));
+        assert_linear(&WITHOUT_MATRIX, |n| without_mass_matrix(&chain(n, relative)));
         let with = derived(&chain(50, relative), StrategyChoice::Cheapest);
         let without = derived(&without_mass_matrix(&chain(50, relative)), StrategyChoice::Cheapest);
         assert!(without.equations.mass_matrix.is_empty() && !with.equations.mass_matrix.is_empty());
