@@ -23,31 +23,45 @@ fn examples() -> Vec<String> {
     names
 }
 
-/// Cargo for the examples with all that they can use.
-fn cargo(command: &str, what: &[&str]) -> Command {
-    let mut cargo = Command::new(env!("CARGO"));
-    cargo.args([command, "--quiet", "--package", "lagrange", "--features", "plot,draw,symbolic"]).args(what);
-    cargo
+/// The packages and features of `cargo verify`, for which examples are built already.
+const AS_VERIFIED: [&str; 4] = [
+    "--workspace",
+    "--exclude=lagrange-adapters-tests",
+    "--exclude=lagrange-benches",
+    "--features=lagrange/symbolic,lagrange/trade,lagrange-tests/draw,lagrange-tests/parquet,lagrange-tests/plot",
+];
+
+/// The folder in which cargo puts examples: this test is in the one beside it.
+fn folder_of_examples() -> PathBuf {
+    let this = env::current_exe().expect("this test is a file");
+    this.parent().and_then(Path::parent).expect("a folder of tests in a folder of a profile").join("examples")
 }
 
-fn run(name: &str) {
-    let output = cargo("run", &["--example", name]).output().expect("cargo starts");
+fn run(folder: &Path, name: &str) {
+    let output = Command::new(folder.join(name)).output().unwrap_or_else(|error| panic!("{name}: {error}"));
     let messages = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{name}: {messages}");
     assert!(!output.stdout.is_empty(), "{name} prints nothing");
 }
 
-/// All are built first, since builds wait for each other.
 #[test]
 fn agree_with_their_references() {
     let examples = examples();
     assert!(!examples.is_empty());
-    let output = cargo("build", &["--examples"]).output().expect("cargo starts");
+    let cargo =
+        Command::new(env!("CARGO")).args(["build", "--quiet", "--examples"]).args(AS_VERIFIED).output();
+    let output = cargo.expect("cargo starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let at_once = available_parallelism().map_or(1, usize::from);
+    let (folder, at_once) = (folder_of_examples(), available_parallelism().map_or(1, usize::from));
     thread::scope(|scope| {
         for names in examples.chunks(examples.len().div_ceil(at_once)) {
-            scope.spawn(move || names.iter().for_each(|name| run(name)));
+            scope.spawn(|| names.iter().for_each(|name| run(&folder, name)));
         }
     });
+}
+
+#[test]
+fn examples_are_built_as_all_tests_are() {
+    let aliases = include_str!("../.cargo/config.toml");
+    assert!(AS_VERIFIED.iter().all(|argument| aliases.contains(&format!("\"{argument}\""))), "{aliases}");
 }

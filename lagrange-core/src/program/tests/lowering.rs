@@ -75,7 +75,7 @@ fn an_empty_program_and_repeated_outputs_are_programs() {
 fn deep(step: fn(&mut Graph, ExprId, ExprId) -> ExprId) {
     let run = move || {
         let (mut g, [a, ..], [x, _]) = letters();
-        let root = (0..100_000).fold(x, |inner, _| step(&mut g, inner, a));
+        let root = (0..20_000).fold(x, |inner, _| step(&mut g, inner, a));
         let program = lower(&g, &[root], &Labels::default());
         for level in Accuracy::ALL {
             assert_eq!(verify(&optimise(&program, level)), Ok(()));
