@@ -1,15 +1,19 @@
-//! What there is to draw of a system of plane rigid bodies at one moment.
+//! What there is to draw of a system of rigid bodies at one moment.
 //!
-//! Types declared with `emit { drawing }` implement [`Scene`]; the feature `draw` makes pictures and films of it. Here are numbers
-//! only: no picture, no scale, no colour.
+//! Types declared with `emit { drawing }` implement [`Scene`] if their bodies move in the plane, and [`SpatialScene`] if they move in
+//! space; the feature `draw` makes pictures and films of both. Here are numbers only: no picture, no scale, no colour.
+
+mod spatial;
+
+pub use spatial::{Solid, SolidPart, SpatialItem, SpatialJoint, SpatialScene};
 
 use crate::body::Motion;
 use crate::system::MechanicalSystem;
 
-/// A system that says what there is to draw of it.
+/// A system of bodies in the plane that says what there is to draw of it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not say what there is to draw of it",
-    note = "declare it with `emit {{ drawing }}`"
+    note = "declare it with `emit {{ drawing }}`; systems in space are drawn by `SpatialDrawing`"
 )]
 pub trait Scene: MechanicalSystem {
     /// Hands out everything that is to be drawn at time `t`, coordinates `q` and velocities `v`, in the order of the declaration:
