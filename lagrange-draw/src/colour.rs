@@ -52,8 +52,24 @@ pub(super) fn body(index: usize) -> Colour {
     light(INKS[BODIES[index % BODIES.len()]])
 }
 
+/// How much paper there is in the colour of a solid, whose faces in the shade are darker.
+const SOLID: f64 = 0.45;
+
+/// The colour of the solid body of this index where light falls on it.
+pub(super) fn solid(index: usize) -> Colour {
+    mixed(INKS[BODIES[index % BODIES.len()]], PAPER, SOLID)
+}
+
+/// A colour with a part of another, whose opacity stays.
+pub(super) fn mixed(Colour(a): Colour, Colour(b): Colour, part: f64) -> Colour {
+    let mix = |channel: usize| {
+        let [a, b] = [a[channel], b[channel]].map(f64::from);
+        (a + part * (b - a)).round().clamp(0.0, 255.0) as u8
+    };
+    Colour([mix(0), mix(1), mix(2), a[3]])
+}
+
 /// The same colour, light enough for areas with something dark on them.
-pub(super) fn light(Colour([red, green, blue, opacity]): Colour) -> Colour {
-    let mix = |channel: u8| (f64::from(channel) + LIGHTNESS * (255.0 - f64::from(channel))).round() as u8;
-    Colour([mix(red), mix(green), mix(blue), opacity])
+pub(super) fn light(colour: Colour) -> Colour {
+    mixed(colour, PAPER, LIGHTNESS)
 }

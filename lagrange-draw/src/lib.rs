@@ -1,4 +1,4 @@
-//! Pictures and films of systems of plane rigid bodies.
+//! Pictures and films of systems of rigid bodies, in the plane ([`Drawing`]) and in space ([`SpatialDrawing`]).
 //!
 //! A [`Drawing`] turns a [`Scene`](lagrange_runtime::scene::Scene) and states of it into [`Picture`]s. Nothing is computed of the motion
 //! here, and nothing needs tuning: window, scales, colours and places of labels follow from what is drawn.
@@ -60,6 +60,7 @@ mod raster;
 mod remainder;
 mod sketch;
 mod snapshot;
+mod space;
 mod stage;
 mod stretch;
 mod svg;
@@ -73,3 +74,4 @@ pub use film::Film;
 pub use moment::Moment;
 pub use picture::Picture;
 pub use sketch::Sketch;
+pub use space::{SpatialDrawing, SpatialFilm};

@@ -62,13 +62,18 @@ pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
         _ if element.colour == PALE => INK,
         _ => element.colour,
     };
-    // Subscripts hang below.
-    let has_subscript = text::runs(&element.label).iter().any(|run| run.is_subscript);
-    let (size, width) = fitting(&element.label, view.window[1][0] - view.window[0][0]);
-    let height = if has_subscript { size * (1.0 + text::SUBSCRIPT.1) } else { size };
-    let half = [0.5 * width, 0.5 * height];
+    let (size, half) = extent(&element.label, view.window[1][0] - view.window[0][0]);
     let reach = reach(&element.shape, view);
     Some(Tag { text: element.label.clone(), at, side, gap, colour, may_hide: is_thing, reach, size, half })
+}
+
+/// The size of the letters of a label in a picture of a width, and half its own width and height.
+pub(super) fn extent(label: &str, room: f64) -> (f64, Point) {
+    // Subscripts hang below.
+    let has_subscript = text::runs(label).iter().any(|run| run.is_subscript);
+    let (size, width) = fitting(label, room);
+    let height = if has_subscript { size * (1.0 + text::SUBSCRIPT.1) } else { size };
+    (size, [0.5 * width, 0.5 * height])
 }
 
 /// The pixels from the centre of a body to the farthest point of its rim.

@@ -38,7 +38,7 @@ const EVENNESS: f64 = 1e-3;
 
 impl Clock {
     fn new(film: &Film) -> Clock {
-        let (elapsed, duration) = (film.elapsed(), film.duration());
+        let (elapsed, duration) = (film.timeline.elapsed(), film.timeline.duration());
         let intervals = elapsed.len().saturating_sub(1) as f64;
         let part = |time: &f64| if duration > 0.0 { time / duration } else { 0.0 };
         let is_even = |(index, time): (usize, &f64)| (part(time) * intervals - index as f64).abs() < EVENNESS;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::film::{Curve, Film};
+use crate::film::timeline::{Curve, Timeline};
 use crate::svg::{escape, number};
 
 /// Width and height, in pixels.
@@ -23,15 +23,16 @@ const LEVEL: f64 = 1e-6;
 
 /// A plot of curves over time.
 pub(super) struct Chart<'a> {
-    film: &'a Film,
+    timeline: &'a Timeline,
     values: Range<f64>,
 }
 
 impl Chart<'_> {
     /// The plot of a film's curves; none if there is nothing to plot.
-    pub(super) fn of(film: &Film) -> Option<Chart<'_>> {
-        let finite =
-            || film.curves.iter().flat_map(|curve| &curve.values).copied().filter(|value| value.is_finite());
+    pub(super) fn of(timeline: &Timeline) -> Option<Chart<'_>> {
+        let finite = || {
+            timeline.curves.iter().flat_map(|curve| &curve.values).copied().filter(|value| value.is_finite())
+        };
         let (low, high) = (finite().reduce(f64::min)?, finite().reduce(f64::max)?);
         let largest = low.abs().max(high.abs());
         let margin = if high - low > LEVEL * largest {
@@ -41,14 +42,14 @@ impl Chart<'_> {
         } else {
             1.0
         };
-        Some(Chart { film, values: low - margin..high + margin })
+        Some(Chart { timeline, values: low - margin..high + margin })
     }
 
     pub(super) fn svg(&self) -> String {
         let [width, height] = SIZE;
-        let names: Vec<String> = self.film.curves.iter().map(|curve| escape(&curve.name)).collect();
+        let names: Vec<String> = self.timeline.curves.iter().map(|curve| escape(&curve.name)).collect();
         let names = names.join(", ");
-        let curves: String = self.film.curves.iter().enumerate().map(|curve| self.curve(curve)).collect();
+        let curves: String = self.timeline.curves.iter().enumerate().map(|curve| self.curve(curve)).collect();
         format!(
             "<svg class=\"chart\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{names} over time\">\
              {}{}{curves}{}</svg>",
@@ -99,7 +100,7 @@ impl Chart<'_> {
     fn curve(&self, (index, curve): (usize, &Curve)) -> String {
         let mut data = String::new();
         let mut command = 'M';
-        for (time, value) in self.film.times.iter().zip(&curve.values) {
+        for (time, value) in self.timeline.times.iter().zip(&curve.values) {
             if value.is_finite() {
                 data += &format!("{command}{} {}", number(self.x(*time)), number(self.y(*value)));
             }
@@ -117,14 +118,14 @@ impl Chart<'_> {
             };
             format!("<circle class=\"{}\" r=\"4\" cy=\"{}\"{hidden}/>", look(index), number(y))
         };
-        let dots: String = self.film.curves.iter().enumerate().map(at).collect();
+        let dots: String = self.timeline.curves.iter().enumerate().map(at).collect();
         format!(
             "<g id=\"cursor\" transform=\"translate({LEFT} 0)\"><path d=\"M0 {TOP}V{BOTTOM}\"/>{dots}</g>"
         )
     }
 
     fn ends(&self) -> (f64, f64) {
-        let times = &self.film.times;
+        let times = &self.timeline.times;
         (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0))
     }
 

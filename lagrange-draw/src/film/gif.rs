@@ -32,7 +32,7 @@ impl Film {
             .map_err(|error| failure(&error))?;
         encoder.set_repeat(Repeat::Infinite).map_err(|error| failure(&error))?;
         let mut before: Option<Vec<u8>> = None;
-        for (index, delay) in shown(&self.elapsed()) {
+        for (index, delay) in shown(&self.timeline.elapsed()) {
             let picture = palette.indices(&rasterise(&self.pictures[index], 1.0)?.rgba);
             let mut frame = difference(before.as_deref(), &picture, width, height);
             frame.delay =

@@ -18,12 +18,14 @@ mod layers;
 mod motion;
 mod page;
 mod palette;
-mod trajectory;
+pub(crate) mod timeline;
+pub(crate) mod trajectory;
 
 use std::fs;
 use std::path::Path;
 
 use crate::error::DrawError;
+use crate::film::timeline::Timeline;
 use crate::picture::{Mark, Picture, Segment};
 
 /// Pictures of one scene, and when each is shown.
@@ -35,17 +37,7 @@ use crate::picture::{Mark, Picture, Segment};
 #[derive(Clone, PartialEq, Debug)]
 pub struct Film {
     pub(super) pictures: Vec<Picture>,
-    /// In seconds, rising or falling.
-    pub(super) times: Vec<f64>,
-    pub(super) curves: Vec<Curve>,
-}
-
-/// A quantity that is plotted under the picture of a page.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct Curve {
-    pub(super) name: String,
-    /// One for each picture; what is not finite leaves a gap.
-    pub(super) values: Vec<f64>,
+    pub(super) timeline: Timeline,
 }
 
 impl Film {
@@ -55,9 +47,15 @@ impl Film {
     /// If there is no picture, not one time for each picture, if times do not rise or fall throughout, if pictures differ in size or
     /// in their number of marks, or if a mark is not at a finite place.
     pub fn new(pictures: Vec<Picture>, times: Vec<f64>) -> Result<Film, DrawError> {
-        check_times(&times, pictures.len())?;
+        check_count(&times, pictures.len())?;
+        let timeline = Timeline::new(times)?;
         check_pictures(&pictures)?;
-        Ok(Film { pictures, times, curves: Vec::new() })
+        Ok(Film { pictures, timeline })
+    }
+
+    /// Pictures whose marks may be others from picture to picture, for what shows them whole.
+    pub(crate) fn of(pictures: Vec<Picture>, timeline: Timeline) -> Film {
+        Film { pictures, timeline }
     }
 
     /// Adds a curve to the plot under the picture of a page: a value for each picture, in joule if it is an energy in SI units.
@@ -65,18 +63,13 @@ impl Film {
     ///
     /// # Errors
     /// If there is not one value for each picture.
-    pub fn with_values(mut self, name: &str, values: Vec<f64>) -> Result<Film, DrawError> {
-        if values.len() != self.pictures.len() {
-            let (values, pictures) = (values.len(), self.pictures.len());
-            return Err(refusal(&format!("`{name}` has {values} values for {pictures} pictures")));
-        }
-        self.curves.push(Curve { name: name.to_string(), values });
-        Ok(self)
+    pub fn with_values(self, name: &str, values: Vec<f64>) -> Result<Film, DrawError> {
+        Ok(Film { timeline: self.timeline.with_values(name, values)?, ..self })
     }
 
     /// When its pictures are shown.
     pub fn times(&self) -> &[f64] {
-        &self.times
+        &self.timeline.times
     }
 
     /// Its pictures.
@@ -99,33 +92,16 @@ impl Film {
         };
         DrawError::written(path, fs::write(path, bytes))
     }
-
-    /// How many seconds it lasts.
-    fn duration(&self) -> f64 {
-        self.elapsed().last().copied().unwrap_or(0.0)
-    }
-
-    /// Seconds from its start to each of its pictures.
-    fn elapsed(&self) -> Vec<f64> {
-        let start = self.times.first().copied().unwrap_or(0.0);
-        self.times.iter().map(|time| (time - start).abs()).collect()
-    }
 }
 
-fn check_times(times: &[f64], pictures: usize) -> Result<(), DrawError> {
+fn check_count(times: &[f64], pictures: usize) -> Result<(), DrawError> {
     if pictures == 0 {
         return Err(refusal("a film needs at least one picture"));
     }
     if times.len() != pictures {
         return Err(refusal(&format!("{pictures} pictures have {} times", times.len())));
     }
-    let is_finite = times.iter().all(|time| time.is_finite());
-    let rises = times.windows(2).all(|pair| pair[0] < pair[1]);
-    let falls = times.windows(2).all(|pair| pair[0] > pair[1]);
-    if is_finite && (rises || falls) {
-        return Ok(());
-    }
-    Err(refusal("times must be finite, and rise or fall from picture to picture"))
+    Ok(())
 }
 
 fn check_pictures(pictures: &[Picture]) -> Result<(), DrawError> {
@@ -161,7 +137,7 @@ fn points(segment: Segment) -> Vec<[f64; 2]> {
     }
 }
 
-fn refusal(reason: &str) -> DrawError {
+pub(crate) fn refusal(reason: &str) -> DrawError {
     DrawError::Film(reason.to_string())
 }
 

@@ -19,12 +19,12 @@ impl Film {
     /// The film as an HTML page that needs nothing else: to play, pause and scrub, with curves under the picture. Without scripts it
     /// shows the first picture; where less motion is preferred, it waits to be started.
     pub fn html(&self) -> String {
-        let (layers, chart) = (layers(&self.pictures), Chart::of(self));
+        let (layers, chart) = (layers(&self.pictures), Chart::of(&self.timeline));
         fill(PAGE, |name| match name {
             "title" => Some(self.name()),
             "style" => Some(STYLE.to_string()),
             "picture" => Some(self.first_picture(&layers)),
-            "duration" => Some(format!("{}", self.duration())),
+            "duration" => Some(format!("{}", self.timeline.duration())),
             "chart" => Some(chart.as_ref().map(|chart| self.figure(chart)).unwrap_or_default()),
             "film" => Some(self.json(&layers, chart.as_ref())),
             "script" => Some(SCRIPT.to_string()),
@@ -51,7 +51,7 @@ impl Film {
     }
 
     fn figure(&self, chart: &Chart<'_>) -> String {
-        let entry = |(index, curve): (usize, &super::Curve)| {
+        let entry = |(index, curve): (usize, &crate::film::timeline::Curve)| {
             let name = svg::escape(&curve.name);
             format!(
                 "<li><svg viewBox=\"0 0 35 12\" aria-hidden=\"true\"><path class=\"{}\" d=\"M0 8H35\"/></svg> \
@@ -59,20 +59,20 @@ impl Film {
                 look(index),
             )
         };
-        let legend: String = self.curves.iter().enumerate().map(entry).collect();
+        let legend: String = self.timeline.curves.iter().enumerate().map(entry).collect();
         format!("{}\n<ul class=\"legend\">{legend}</ul>", chart.svg())
     }
 
     fn json(&self, layers: &[Layer], chart: Option<&Chart<'_>>) -> String {
-        let curve = |curve: &super::Curve| {
+        let curve = |curve: &crate::film::timeline::Curve| {
             let values = list(curve.values.iter().map(|value| exact(*value)));
             format!("{{\"name\":{},\"values\":{values}}}", quoted(&curve.name))
         };
         format!(
             "{{\"times\":{},\n\"layers\":[\n{}],\n\"curves\":{},\n\"chart\":{}}}",
-            list(self.times.iter().map(|time| exact(*time))),
+            list(self.timeline.times.iter().map(|time| exact(*time))),
             layers.iter().filter(|layer| !is_still(layer)).map(layer_json).collect::<Vec<_>>().join(",\n"),
-            list(self.curves.iter().map(curve)),
+            list(self.timeline.curves.iter().map(curve)),
             chart.map_or("null".to_string(), Chart::json),
         )
     }

@@ -9,7 +9,7 @@ use lagrange_runtime::simulate::Trajectory;
 use lagrange_runtime::system::MechanicalSystem;
 
 /// The column that a film takes along by itself.
-const ENERGY: &str = "energy";
+pub(crate) const ENERGY: &str = "energy";
 
 impl<M: Scene> Drawing<'_, M>
 where
@@ -22,11 +22,7 @@ where
     /// # Errors
     /// If a picture cannot be made, as [`pictures`](Drawing::pictures) says.
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
-        let times = trajectory.times();
-        let is_last = |index: usize| times.get(index + 1).is_none_or(|next| *next != times[index]);
-        let samples = trajectory.iter().enumerate().filter(|(index, _)| is_last(*index));
-        let shot = |(index, sample)| (sample, trajectory.with_inputs_at(index, self.system()));
-        let film = self.film_of(samples.map(shot).collect())?;
+        let film = self.film_of(samples(trajectory, self.system()))?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
@@ -37,23 +33,7 @@ where
     /// # Errors
     /// If the run was not dense, the number is not positive and finite, or a picture cannot be made.
     pub fn film_at(&self, pictures_a_second: f64, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
-        if !(pictures_a_second > 0.0 && pictures_a_second.is_finite()) {
-            return Err(refusal("a film needs a positive number of pictures a second"));
-        }
-        let (start, end) = (trajectory.start_time(), trajectory.end_time());
-        let duration: f64 = (end - start).into();
-        let intervals = (duration.abs() * pictures_a_second).round().max(1.0);
-        let time = |index: u64| start + (end - start) * M::Scalar::from_f64(index as f64 / intervals);
-        let state = |t| trajectory.at(t).map(|state| (t, state)).map_err(|error| refusal(&error.to_string()));
-        let inner = (0..intervals as u64).map(time).map(state);
-        let last = Ok((end, trajectory.last()));
-        let is_past = |t: M::Scalar, other: M::Scalar| if end < start { other >= t } else { other <= t };
-        let shot = |instant: Result<(M::Scalar, M::State), DrawError>| {
-            let (t, y) = instant?;
-            let passed = trajectory.times().partition_point(|sample| is_past(t, *sample));
-            Ok(((t, y), trajectory.with_inputs_at(passed.saturating_sub(1), self.system())))
-        };
-        self.film_of(inner.chain([last]).map(shot).collect::<Result<_, DrawError>>()?)
+        self.film_of(samples_at(pictures_a_second, trajectory, self.system())?)
     }
 
     fn film_of(&self, shots: Vec<Shot<M>>) -> Result<Film, DrawError> {
@@ -68,23 +48,14 @@ impl Film {
     /// # Errors
     /// If there is no such column, or no sample at the time of one of the pictures.
     pub fn with_columns<M: MechanicalSystem>(
-        mut self,
+        self,
         trajectory: &Trajectory<M>,
         names: &[&str],
     ) -> Result<Film, DrawError>
     where
         M::Scalar: Into<f64>,
     {
-        for name in names {
-            let column = trajectory
-                .column(name)
-                .ok_or_else(|| refusal(&format!("the trajectory has no column `{name}`")))?;
-            let value = |t: &f64| Some(column[sample(trajectory, *t)?].into());
-            let values: Option<Vec<f64>> = self.times.iter().map(value).collect();
-            let values = values.ok_or_else(|| refusal("columns hold values at the times of samples only"))?;
-            self = self.with_values(name, values)?;
-        }
-        Ok(self)
+        Ok(Film { timeline: self.timeline.with_columns(trajectory, names)?, ..self })
     }
 
     /// Adds a quantity to what pages plot, such as a kinetic energy, from times and states of the trajectory that the film was made of.
@@ -100,23 +71,42 @@ impl Film {
     where
         M::Scalar: Into<f64>,
     {
-        let value = |time: &f64| {
-            let t = M::Scalar::from_f64(*time);
-            let state = match sample(trajectory, *time).and_then(|index| trajectory.state(index)) {
-                Some(state) => state,
-                None => trajectory.at(t).map_err(|error| refusal(&error.to_string()))?,
-            };
-            Ok(energy(t, &state).into())
-        };
-        let values = self.times.iter().map(value).collect::<Result<Vec<f64>, DrawError>>()?;
-        self.with_values(name, values)
+        Ok(Film { timeline: self.timeline.with_energy(name, trajectory, energy)?, ..self })
     }
 }
 
-/// The last sample at a time.
-fn sample<M: MechanicalSystem>(trajectory: &Trajectory<M>, time: f64) -> Option<usize>
+/// The samples of a trajectory, of those at the same time the last, each with the system as inputs made it then.
+pub(crate) fn samples<M: MechanicalSystem>(trajectory: &Trajectory<M>, system: &M) -> Vec<Shot<M>> {
+    let times = trajectory.times();
+    let is_last = |index: usize| times.get(index + 1).is_none_or(|next| *next != times[index]);
+    let samples = trajectory.iter().enumerate().filter(|(index, _)| is_last(*index));
+    samples.map(|(index, sample)| (sample, trajectory.with_inputs_at(index, system))).collect()
+}
+
+/// States of a dense trajectory at equal intervals, about so many a second, with its end.
+pub(crate) fn samples_at<M: MechanicalSystem>(
+    pictures_a_second: f64,
+    trajectory: &Trajectory<M>,
+    system: &M,
+) -> Result<Vec<Shot<M>>, DrawError>
 where
     M::Scalar: Into<f64>,
 {
-    trajectory.times().iter().rposition(|known| Into::<f64>::into(*known) == time)
+    if !(pictures_a_second > 0.0 && pictures_a_second.is_finite()) {
+        return Err(refusal("a film needs a positive number of pictures a second"));
+    }
+    let (start, end) = (trajectory.start_time(), trajectory.end_time());
+    let duration: f64 = (end - start).into();
+    let intervals = (duration.abs() * pictures_a_second).round().max(1.0);
+    let time = |index: u64| start + (end - start) * M::Scalar::from_f64(index as f64 / intervals);
+    let state = |t| trajectory.at(t).map(|state| (t, state)).map_err(|error| refusal(&error.to_string()));
+    let inner = (0..intervals as u64).map(time).map(state);
+    let last = Ok((end, trajectory.last()));
+    let is_past = |t: M::Scalar, other: M::Scalar| if end < start { other >= t } else { other <= t };
+    let shot = |instant: Result<(M::Scalar, M::State), DrawError>| {
+        let (t, y) = instant?;
+        let passed = trajectory.times().partition_point(|sample| is_past(t, *sample));
+        Ok(((t, y), trajectory.with_inputs_at(passed.saturating_sub(1), system)))
+    };
+    inner.chain([last]).map(shot).collect()
 }

@@ -1,0 +1,96 @@
+//! From where a scene in space is looked at.
+//!
+//! The eye is in the direction (cos ε cos α, cos ε sin α, sin ε) of the middle of the scene, with the azimuth α from x towards y and the
+//! elevation ε above the plane of x and y; z points upwards in the picture. In perspective what is nearer is larger by d/(d − z), with the
+//! distance d of the eye from the middle and the height z towards it.
+
+use super::vector::{Vector, add, cross, dot, subtract, times};
+use crate::picture::Point;
+
+/// An eye that looks at the middle of a scene.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Camera {
+    pub(super) middle: Vector,
+    /// The directions to the right, upwards and towards the eye.
+    axes: [Vector; 3],
+    /// The distance of the eye; none if it is infinitely far away.
+    distance: Option<f64>,
+}
+
+/// How a scene is looked at.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Direction {
+    /// In radians.
+    pub(crate) azimuth: f64,
+    pub(crate) elevation: f64,
+    pub(crate) is_perspective: bool,
+}
+
+impl Default for Direction {
+    fn default() -> Self {
+        Direction { azimuth: -60.0_f64.to_radians(), elevation: 25.0_f64.to_radians(), is_perspective: false }
+    }
+}
+
+/// The distance of an eye, in terms of the radius of what it sees.
+pub(crate) const DISTANCE: f64 = 4.0;
+/// Towards the light, to the right, upwards and towards the eye.
+const LIGHT: Vector = [-0.40, 0.55, 0.733];
+/// How bright faces are that no light falls on.
+const SHADE: f64 = 0.55;
+
+impl Camera {
+    pub(super) fn new(direction: Direction, middle: Vector, radius: f64) -> Camera {
+        let ((sin, cos), (rise, level)) = (direction.azimuth.sin_cos(), direction.elevation.sin_cos());
+        let (right, towards) = ([-sin, cos, 0.0], [level * cos, level * sin, rise]);
+        let distance = direction.is_perspective.then_some(DISTANCE * radius);
+        Camera { middle, axes: [right, cross(towards, right), towards], distance }
+    }
+
+    /// Where a place is seen, to the right and upwards in lengths of the world, and how near it is to the eye.
+    pub(super) fn seen(&self, place: Vector) -> (Point, f64) {
+        let [x, y, z] = self.axes.map(|axis| dot(axis, subtract(place, self.middle)));
+        let nearer = self.distance.map_or(1.0, |distance| distance / (distance - z));
+        ([nearer * x, nearer * y], z)
+    }
+
+    /// The direction from a place to the eye.
+    pub(super) fn towards(&self, place: Vector) -> Vector {
+        let [_, _, towards] = self.axes;
+        match self.distance {
+            Some(distance) => subtract(add(self.middle, times(distance, towards)), place),
+            None => towards,
+        }
+    }
+
+    /// How bright a face is whose normal has length one.
+    pub(super) fn brightness(&self, normal: Vector) -> f64 {
+        let light = self.axes.iter().zip(LIGHT).map(|(axis, part)| part * dot(*axis, normal)).sum::<f64>();
+        SHADE + (1.0 - SHADE) * light.max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Camera, Direction};
+
+    #[test]
+    fn from_x_one_sees_y_to_the_right_and_z_upwards() {
+        for is_perspective in [false, true] {
+            let direction = Direction { azimuth: 0.0, elevation: 0.0, is_perspective };
+            let camera = Camera::new(direction, [0.0; 3], 1.0);
+            let (point, near) = camera.seen([0.0, 2.0, 3.0]);
+            assert_eq!((point, near), ([2.0, 3.0], 0.0));
+            assert_eq!(camera.seen([0.5, 0.0, 0.0]).1, 0.5, "x comes towards the eye");
+        }
+    }
+
+    #[test]
+    fn in_perspective_what_is_nearer_is_larger() {
+        let direction = Direction { azimuth: 0.0, elevation: 0.0, is_perspective: true };
+        let camera = Camera::new(direction, [0.0; 3], 1.0);
+        // d = 4, z = 1: by 4/3.
+        let ([right, _], _) = camera.seen([1.0, 0.75, 0.0]);
+        assert!((right - 1.0).abs() < 1e-15);
+    }
+}

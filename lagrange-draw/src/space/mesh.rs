@@ -1,0 +1,164 @@
+//! Surfaces of plane faces, and lines: what things in space look like, in axes of their own.
+//!
+//! A thing is placed by a rotation and an origin. What reaches from one point to another, as springs and arrows do, is stretched along its own
+//! z-axis besides: each corner says how much of the stretch it takes part in, so that arrows get longer and their heads do not.
+
+use std::collections::BTreeMap;
+
+use super::vector::{Rotation, Vector, add, apply, cross, dot, subtract, times, unit};
+
+/// A corner in axes of its own.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Corner {
+    /// Where it is without stretch.
+    pub(crate) at: Vector,
+    /// How much of the stretch along z it takes part in: 0 at the beginning of an arrow, 1 at its end.
+    pub(crate) share: f64,
+}
+
+/// Faces and lines between corners.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub(crate) struct Mesh {
+    pub(crate) corners: Vec<Corner>,
+    /// Plane convex polygons, counterclockwise as seen from outside.
+    pub(crate) faces: Vec<Vec<usize>>,
+    /// Lines through corners.
+    pub(crate) lines: Vec<Vec<usize>>,
+    /// Whether the faces enclose a body, so that those that are seen from behind are hidden by others.
+    pub(crate) is_closed: bool,
+}
+
+/// Where a thing is at one moment.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Placement {
+    pub(crate) origin: Vector,
+    /// From its own axes to those of the world.
+    pub(crate) rotation: Rotation,
+    /// How far it is stretched along its own z-axis.
+    pub(crate) stretch: f64,
+    /// By which all of it but the stretch is scaled; 0 hides it.
+    pub(crate) scale: f64,
+}
+
+impl Placement {
+    /// Where a corner is in the world.
+    pub(crate) fn of(&self, corner: &Corner) -> Vector {
+        let [x, y, z] = times(self.scale, corner.at);
+        add(self.origin, apply(&self.rotation, [x, y, z + corner.share * self.stretch]))
+    }
+
+    /// Whether its numbers are finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        let rotation = self.rotation.as_flattened().iter();
+        rotation.chain(&self.origin).chain([&self.stretch, &self.scale]).all(|number| number.is_finite())
+    }
+}
+
+/// Edges at which the faces of a smooth surface meet at no more than this angle are not drawn, but where they are its outline: cos 30°.
+const SMOOTH: f64 = 0.866;
+
+/// The edges of a mesh: for each face and each of its sides which face is behind it, and whether the surface has a corner there.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Edges {
+    sides: Vec<Vec<Side>>,
+}
+
+/// What there is behind a side of a face.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Side {
+    /// Another face, at an angle.
+    Sharp,
+    /// This face, which goes on smoothly.
+    Smooth(usize),
+}
+
+impl Edges {
+    pub(super) fn of(mesh: &Mesh) -> Edges {
+        let mut owners: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
+        for (index, face) in mesh.faces.iter().enumerate() {
+            for side in sides(face) {
+                owners.entry(side).or_default().push(index);
+            }
+        }
+        let normals: Vec<_> = mesh.faces.iter().map(|face| normal(&own_points(mesh, face))).collect();
+        let is_smooth = |a: usize, b: usize| match (normals[a], normals[b]) {
+            (Some(a), Some(b)) => dot(a, b) > SMOOTH,
+            _ => true,
+        };
+        let behind = |face: usize, side: [usize; 2]| {
+            let other = owners[&side].iter().copied().find(|other| *other != face);
+            other.filter(|other| is_smooth(face, *other)).map_or(Side::Sharp, Side::Smooth)
+        };
+        let of_face = |(index, face): (usize, &Vec<usize>)| {
+            sides(face).map(|side| behind(index, side)).collect::<Vec<_>>()
+        };
+        Edges { sides: mesh.faces.iter().enumerate().map(of_face).collect() }
+    }
+
+    /// Which sides of a face are drawn, if these faces are seen.
+    pub(super) fn drawn(&self, face: usize, is_seen: &[bool]) -> Vec<bool> {
+        let is_drawn = |side: &Side| match side {
+            Side::Sharp => true,
+            Side::Smooth(other) => !is_seen[*other],
+        };
+        self.sides[face].iter().map(is_drawn).collect()
+    }
+}
+
+/// The sides of a face, each by its corners in rising order.
+fn sides(face: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
+    (0..face.len()).map(|index| {
+        let (a, b) = (face[index], face[(index + 1) % face.len()]);
+        [a.min(b), a.max(b)]
+    })
+}
+
+/// Corners of a face, stretched by one.
+fn own_points(mesh: &Mesh, face: &[usize]) -> Vec<Vector> {
+    face.iter()
+        .map(|&index| mesh.corners[index])
+        .map(|Corner { at: [x, y, z], share }| [x, y, z + share])
+        .collect()
+}
+
+/// The direction in which a plane polygon is counterclockwise, if it has an area.
+/// Source: Newell's method; Sutherland, Sproull, Schumacker, *A Characterization of Ten Hidden-Surface Algorithms* (1974).
+pub(super) fn normal(points: &[Vector]) -> Option<Vector> {
+    let first = points.first()?;
+    let arms: Vec<Vector> = points.iter().map(|point| subtract(*point, *first)).collect();
+    let sum = arms.windows(2).map(|pair| cross(pair[0], pair[1])).fold([0.0; 3], add);
+    unit(sum)
+}
+
+impl Mesh {
+    /// The same, placed: corners take part in stretches as before.
+    pub(super) fn placed(mut self, origin: Vector, rotation: &Rotation) -> Mesh {
+        for corner in &mut self.corners {
+            corner.at = add(origin, apply(rotation, corner.at));
+        }
+        self
+    }
+
+    /// Both.
+    pub(super) fn with(mut self, other: Mesh) -> Mesh {
+        let start = self.corners.len();
+        let shifted = |part: Vec<usize>| part.into_iter().map(|index| index + start).collect::<Vec<_>>();
+        let have_faces = [&self, &other].map(|mesh| !mesh.faces.is_empty());
+        self.is_closed = (self.is_closed || !have_faces[0]) && (other.is_closed || !have_faces[1]);
+        self.corners.extend(other.corners);
+        self.faces.extend(other.faces.into_iter().map(shifted));
+        self.lines.extend(other.lines.into_iter().map(shifted));
+        self
+    }
+
+    /// Its sharp edges without its faces.
+    pub(super) fn edges_only(self) -> Mesh {
+        let edges = Edges::of(&self);
+        let mut lines = Vec::new();
+        for (face, owned) in self.faces.iter().zip(&edges.sides) {
+            let sharp = (0..face.len()).filter(|&side| owned[side] == Side::Sharp);
+            lines.extend(sharp.map(|side| vec![face[side], face[(side + 1) % face.len()]]));
+        }
+        Mesh { faces: Vec::new(), lines, is_closed: false, ..self }
+    }
+}

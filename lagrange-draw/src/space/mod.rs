@@ -1,0 +1,21 @@
+//! Pictures and films of systems of bodies in space.
+//!
+//! A motion is recorded as things ([`recording`]): meshes that turn, move and are stretched, made of what a scene hands out ([`stage`]).
+//! Pictures ([`paper`]) are drawn of them by a camera, from back to front ([`sort`]); pages and glTF files hold the things themselves.
+
+mod camera;
+mod drawing;
+mod film;
+mod mesh;
+mod paper;
+mod recording;
+mod size;
+mod skeleton;
+mod snapshot;
+mod solids;
+mod sort;
+mod stage;
+mod vector;
+
+pub use drawing::SpatialDrawing;
+pub use film::SpatialFilm;

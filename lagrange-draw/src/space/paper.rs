@@ -1,0 +1,290 @@
+//! A motion in space as pictures: what is seen of things, from back to front, with labels.
+
+use super::camera::{Camera, Direction};
+use super::mesh::{Edges, normal};
+use super::recording::{Kind, Recording, Thing};
+use super::sort::{Piece, Shape, back_to_front, is_convex};
+use super::vector::{Vector, dot, length, subtract};
+use crate::colour::{INK, PALE, mixed};
+use crate::error::DrawError;
+use crate::geometry::{self, polyline};
+use crate::heading::{self, Heading};
+use crate::labels::{self, Sheet};
+use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
+use crate::tag::{Side, Tag, extent};
+use crate::view::{BORDER, MARGIN};
+
+/// What pictures look like, whatever is on them.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Look {
+    pub(crate) size: [f64; 2],
+    pub(crate) title: String,
+    pub(crate) direction: Direction,
+}
+
+/// Pictures of a motion, all from the same place and on the same scale.
+pub(super) struct Paper<'a> {
+    recording: &'a Recording,
+    look: &'a Look,
+    camera: Camera,
+    view: View,
+    heading: [Heading; 2],
+    /// Of each thing its edges, and whether it is a convex body.
+    meshes: Vec<(Edges, bool)>,
+    /// Shorter lengths count as none.
+    least: f64,
+}
+
+/// From what the camera sees to pixels.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct View {
+    scale: f64,
+    from: Point,
+    to: Point,
+}
+
+/// Widths of edges, of lines of their own, and of the line around a face that leaves no gap to the next one.
+const EDGE: f64 = 0.8;
+const LINE: f64 = 1.5;
+const GAP: f64 = 0.6;
+/// How much ink there is in the edges of coloured faces.
+const DARK: f64 = 0.65;
+/// Room for labels at the borders.
+const ROOM: f64 = 14.0;
+/// From a place to its label.
+const NEAR: f64 = 5.0;
+/// If all is in one place, this part of the smaller side stands for a unit of length.
+const UNIT: f64 = 0.25;
+const NOTHING: f64 = 1e-9;
+
+impl<'a> Paper<'a> {
+    pub(super) fn new(recording: &'a Recording, look: &'a Look) -> Result<Paper<'a>, DrawError> {
+        let places: Vec<Vector> = recording.places().collect();
+        let bounds = [0, 1, 2].map(|axis| range(places.iter().map(|place| place[axis])));
+        let middle = bounds.map(|[low, high]| low + 0.5 * (high - low));
+        let radius = places.iter().map(|place| length(subtract(*place, middle))).fold(0.0, f64::max);
+        let camera = Camera::new(look.direction, middle, if radius > 0.0 { radius } else { 1.0 });
+        let heading = [heading::lines(&look.title, look.size), heading::note(&recording.note, look.size)];
+        let seen: Vec<Point> = places.iter().map(|place| camera.seen(*place).0).collect();
+        let view = View::new(&seen, look.size, [0, 1].map(|end| heading::height(&heading[end])))?;
+        let least = NOTHING * if radius > 0.0 { radius } else { 1.0 };
+        let meshes =
+            recording.things.iter().map(|thing| (Edges::of(&thing.mesh), is_convex_body(thing, least)));
+        Ok(Paper { recording, look, camera, view, heading, meshes: meshes.collect(), least })
+    }
+
+    /// The pictures of some moments; labels stay on their sides.
+    pub(super) fn pictures(&self, moments: impl IntoIterator<Item = usize>) -> Vec<Picture> {
+        let scenes: Vec<(Vec<Mark>, Sheet)> = moments.into_iter().map(|moment| self.scene(moment)).collect();
+        let (marks, sheets): (Vec<_>, Vec<_>) = scenes.into_iter().unzip();
+        let [width, height] = self.look.size;
+        let above = MARGIN + heading::height(&self.heading[0]);
+        let below = heading::height(&self.heading[1]);
+        let below = if below > 0.0 { MARGIN + below } else { BORDER };
+        let labels = labels::labels(&sheets, [[BORDER, above], [width - BORDER, height - below]]);
+        let mut heading = heading::marks(&self.heading[0], self.look.size);
+        heading.extend(heading::marks_below(&self.heading[1], self.look.size));
+        let picture = |(marks, labels): (Vec<Mark>, Vec<Mark>)| Picture {
+            size: self.look.size,
+            title: self.look.title.clone(),
+            marks: marks.into_iter().chain(labels).chain(heading.clone()).collect(),
+        };
+        marks.into_iter().zip(labels).map(picture).collect()
+    }
+
+    /// The marks of a moment, and what labels there are.
+    fn scene(&self, moment: usize) -> (Vec<Mark>, Sheet) {
+        let things = &self.recording.things;
+        let mut pieces: Vec<Piece> = Vec::new();
+        for index in 0..things.len() {
+            pieces.extend(self.pieces(index, moment));
+        }
+        for (index, trace) in self.recording.traces.iter().enumerate() {
+            let points: Vec<Vector> = trace.until(moment).collect();
+            pieces.extend(lines(&points, things.len() + index, self.least));
+        }
+        let mut convex: Vec<bool> = self.meshes.iter().map(|(_, is_convex)| *is_convex).collect();
+        convex.resize(things.len() + self.recording.traces.len(), false);
+        let sorted = back_to_front(pieces, &self.camera, &convex, self.least);
+        let mut marks = Vec::new();
+        for piece in &sorted {
+            self.paint(piece, &mut marks);
+        }
+        let lines = labels::lines(&marks);
+        let traces = self.recording.traces.iter().map(|trace| {
+            let at = *trace.until(moment).last().as_ref()?;
+            self.tag(&crate::text::formula(&trace.label), at, Side::Around, trace.colour, false)
+        });
+        let tags = things.iter().map(|thing| self.label(thing, moment)).chain(traces).collect();
+        (marks, Sheet { tags, lines, areas: Vec::new() })
+    }
+
+    /// The faces of a thing that are seen, and its lines.
+    fn pieces(&self, index: usize, moment: usize) -> Vec<Piece> {
+        let (thing, (edges, _)) = (&self.recording.things[index], &self.meshes[index]);
+        let placement = thing.track[moment];
+        if placement.scale <= 0.0 {
+            return Vec::new();
+        }
+        let places: Vec<Vector> = thing.mesh.corners.iter().map(|corner| placement.of(corner)).collect();
+        let at = |corners: &[usize]| corners.iter().map(|&corner| places[corner]).collect::<Vec<_>>();
+        let faces: Vec<(Vec<Vector>, Option<Vector>)> = thing
+            .mesh
+            .faces
+            .iter()
+            .map(|face| {
+                let corners = at(face);
+                let normal = normal(&corners);
+                (corners, normal)
+            })
+            .collect();
+        let is_seen: Vec<bool> = faces
+            .iter()
+            .map(|(corners, normal)| {
+                normal.is_some_and(|normal| {
+                    !thing.mesh.is_closed || dot(normal, self.camera.towards(corners[0])) > 0.0
+                })
+            })
+            .collect();
+        let mut pieces = Vec::new();
+        for (face, (corners, normal)) in faces.into_iter().enumerate() {
+            if let Some(normal) = normal.filter(|_| is_seen[face]) {
+                let drawn = edges.drawn(face, &is_seen);
+                pieces.push(Piece { shape: Shape::Face { corners, drawn, normal }, thing: index });
+            }
+        }
+        pieces.extend(thing.mesh.lines.iter().flat_map(|line| lines(&at(line), index, self.least)));
+        pieces
+    }
+
+    fn paint(&self, piece: &Piece, marks: &mut Vec<Mark>) {
+        let colour = self.colour(piece.thing);
+        match &piece.shape {
+            Shape::Face { corners, drawn, normal } => {
+                let points: Vec<Point> = corners.iter().map(|corner| self.point(*corner)).collect();
+                let fill = mixed(INK, colour, self.camera.brightness(*normal));
+                let segments = polyline(points.iter().copied(), true);
+                marks.push(path(segments, Some((fill, GAP)), Some(fill)));
+                let sides = outline(&points, drawn);
+                if !sides.is_empty() {
+                    marks.push(path(sides, Some((mixed(colour, INK, DARK), EDGE)), None));
+                }
+            }
+            Shape::Line(ends) => {
+                let segments = polyline(ends.map(|end| self.point(end)), false);
+                let is_around =
+                    self.recording.things.get(piece.thing).is_some_and(|t| t.kind == Kind::Surroundings);
+                let width = if is_around { 0.5 * LINE } else { LINE };
+                match marks.last_mut() {
+                    // Pieces of a line that follow each other are one mark.
+                    Some(Mark::Path { segments: before, style })
+                        if style.fill.is_none() && style.stroke == Some(colour) && style.width == width =>
+                    {
+                        before.extend(segments);
+                    }
+                    _ => marks.push(path(segments, Some((colour, width)), None)),
+                }
+            }
+        }
+    }
+
+    fn colour(&self, thing: usize) -> Colour {
+        let things = &self.recording.things;
+        match things.get(thing) {
+            Some(thing) => thing.colour,
+            None => self.recording.traces[thing - things.len()].colour,
+        }
+    }
+
+    fn point(&self, place: Vector) -> Point {
+        self.view.point(self.camera.seen(place).0)
+    }
+
+    fn label(&self, thing: &Thing, moment: usize) -> Option<Tag> {
+        let (label, placement) = (thing.label.as_ref()?, thing.track[moment]);
+        if placement.scale <= 0.0 {
+            return None;
+        }
+        let at = placement.of(&label.at);
+        let along = geometry::subtract(self.point(at), self.point(placement.origin));
+        let side = match thing.kind {
+            Kind::Arrow => geometry::unit(along).map_or(Side::Around, Side::Along),
+            _ => Side::Around,
+        };
+        let colour = if thing.kind == Kind::Arrow && thing.colour != PALE { thing.colour } else { INK };
+        self.tag(&label.text, at, side, colour, matches!(thing.kind, Kind::Body | Kind::Connector))
+    }
+
+    fn tag(&self, text: &str, at: Vector, side: Side, colour: Colour, may_hide: bool) -> Option<Tag> {
+        if text.is_empty() {
+            return None;
+        }
+        let (size, half) = extent(text, self.look.size[0]);
+        let (text, at) = (text.to_owned(), self.point(at));
+        Some(Tag { text, at, side, gap: NEAR, colour, may_hide, reach: 0.0, size, half })
+    }
+}
+
+fn is_convex_body(thing: &Thing, least: f64) -> bool {
+    let Some(placement) = thing.track.iter().find(|placement| placement.scale > 0.0) else { return false };
+    let faces = thing.mesh.faces.iter().filter_map(|face| {
+        let corners: Vec<Vector> =
+            face.iter().map(|&corner| placement.of(&thing.mesh.corners[corner])).collect();
+        let normal = normal(&corners)?;
+        Some((corners, normal))
+    });
+    thing.mesh.is_closed && thing.mesh.lines.is_empty() && is_convex(&faces.collect::<Vec<_>>(), least)
+}
+
+/// The pieces of a line through points.
+fn lines(points: &[Vector], thing: usize, least: f64) -> impl Iterator<Item = Piece> + use<> {
+    let ends: Vec<[Vector; 2]> = points.windows(2).map(|ends| [ends[0], ends[1]]).collect();
+    let is_long = move |ends: &[Vector; 2]| length(subtract(ends[1], ends[0])) > least;
+    ends.into_iter().filter(is_long).map(move |ends| Piece { shape: Shape::Line(ends), thing })
+}
+
+/// The sides of a polygon that are drawn.
+fn outline(points: &[Point], drawn: &[bool]) -> Vec<Segment> {
+    let mut segments = Vec::new();
+    for index in (0..points.len()).filter(|&index| drawn[index]) {
+        let is_going_on = index > 0 && drawn[index - 1];
+        if !is_going_on {
+            segments.push(Segment::Move(points[index]));
+        }
+        segments.push(Segment::Line(points[(index + 1) % points.len()]));
+    }
+    segments
+}
+
+fn path(segments: Vec<Segment>, stroke: Option<(Colour, f64)>, fill: Option<Colour>) -> Mark {
+    let (stroke, width) = stroke.map_or((None, 0.0), |(colour, width)| (Some(colour), width));
+    Mark::Path { segments, style: Style { stroke, width, dashes: &[], fill } }
+}
+
+fn range(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    numbers
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], number| [low.min(number), high.max(number)])
+}
+
+impl View {
+    /// The largest scale at which all that is seen lies within the margins, its middle in the middle.
+    fn new(seen: &[Point], size: [f64; 2], [above, below]: [f64; 2]) -> Result<View, DrawError> {
+        let free = MARGIN + ROOM;
+        let window = [[free, free + above], [size[0] - free, size[1] - free - below]];
+        let room = geometry::subtract(window[1], window[0]);
+        if !(room.iter().all(|side| *side > 0.0) && size.iter().all(|side| side.is_finite())) {
+            return Err(DrawError::Size(size));
+        }
+        let spans = [0, 1].map(|axis| range(seen.iter().map(|point| point[axis])));
+        let scale = [0, 1].map(|axis| room[axis] / (spans[axis][1] - spans[axis][0]));
+        let scale = scale[0].min(scale[1]);
+        let scale = if scale.is_finite() { scale } else { UNIT * room[0].min(room[1]) };
+        let from = spans.map(|[low, high]| low + 0.5 * (high - low));
+        Ok(View { scale, from, to: geometry::mix(window[0], window[1], 0.5) })
+    }
+
+    fn point(&self, seen: Point) -> Point {
+        let [right, up] = geometry::subtract(seen, self.from);
+        [self.to[0] + self.scale * right, self.to[1] - self.scale * up]
+    }
+}

@@ -1,0 +1,108 @@
+//! A motion in space as things: what each looks like, and where it is at each moment.
+
+use super::mesh::{Corner, Mesh, Placement};
+use super::vector::Vector;
+use crate::error::DrawError;
+use crate::picture::Colour;
+
+/// All that is drawn of a motion. Pictures, pages and glTF files are made of it.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Recording {
+    /// When its moments are.
+    pub(crate) times: Vec<f64>,
+    pub(crate) things: Vec<Thing>,
+    pub(crate) traces: Vec<Trace>,
+    /// What acts and is not drawn, in words; empty if nothing does.
+    pub(crate) note: String,
+}
+
+/// Something that turns, moves and is stretched, but is the same mesh at all moments.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Thing {
+    /// What it is called in messages and files.
+    pub(crate) name: String,
+    /// What is written beside it, and where that belongs; none if nothing is.
+    pub(crate) label: Option<Label>,
+    pub(crate) colour: Colour,
+    pub(crate) kind: Kind,
+    pub(crate) mesh: Mesh,
+    /// Where it is at each moment.
+    pub(crate) track: Vec<Placement>,
+}
+
+/// What a thing is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Kind {
+    Body,
+    Connector,
+    Joint,
+    Arrow,
+    /// A floor, or a line that does not move.
+    Surroundings,
+}
+
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Label {
+    /// In the notation of formulas.
+    pub(crate) text: String,
+    /// In the axes of the thing.
+    pub(crate) at: Corner,
+}
+
+/// The path of a point: at each moment it is drawn up to there.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Trace {
+    pub(crate) label: String,
+    pub(crate) colour: Colour,
+    /// Where the point is before the first moment, and at each moment.
+    pub(crate) past: Vec<Vector>,
+    pub(crate) points: Vec<Vector>,
+}
+
+impl Recording {
+    /// Refuses numbers that are not finite.
+    pub(super) fn checked(self) -> Result<Recording, DrawError> {
+        for (moment, &time) in self.times.iter().enumerate() {
+            let wrong = self.things.iter().find(|thing| !thing.track[moment].is_finite());
+            let wrong = wrong.map(|thing| (thing.name.clone(), thing.kind.what()));
+            let is_off = |trace: &&Trace| !trace.points[moment].iter().all(|number| number.is_finite());
+            let wrong = wrong.or_else(|| self.traces.iter().find(is_off).map(|t| (t.label.clone(), "path")));
+            if let Some((item, what)) = wrong {
+                return Err(DrawError::NotFinite { item, what, time });
+            }
+        }
+        if self.things.is_empty() && self.traces.is_empty() {
+            return Err(DrawError::NothingToDraw);
+        }
+        Ok(self)
+    }
+
+    /// The places of all corners at all moments, for what must be seen of it.
+    pub(super) fn places(&self) -> impl Iterator<Item = Vector> + '_ {
+        let of_thing = |thing: &'_ Thing| {
+            let shown = thing.track.iter().filter(|placement| placement.scale > 0.0);
+            shown.flat_map(|placement| thing.mesh.corners.iter().map(|c| placement.of(c))).collect::<Vec<_>>()
+        };
+        let traces = self.traces.iter().flat_map(|trace| trace.past.iter().chain(&trace.points).copied());
+        self.things.iter().flat_map(of_thing).chain(traces)
+    }
+}
+
+impl Kind {
+    fn what(self) -> &'static str {
+        match self {
+            Kind::Body => "position or shape",
+            Kind::Connector => "end",
+            Kind::Joint => "position of the joint",
+            Kind::Arrow => "arrow",
+            Kind::Surroundings => "place",
+        }
+    }
+}
+
+impl Trace {
+    /// What is drawn of it at a moment.
+    pub(crate) fn until(&self, moment: usize) -> impl Iterator<Item = Vector> + '_ {
+        self.past.iter().chain(&self.points[..=moment]).copied()
+    }
+}

@@ -1,0 +1,66 @@
+//! How large a motion is, by which everything is sized that has no size of its own.
+
+use super::snapshot::{Link, Snapshot};
+use super::solids::solid;
+use super::vector::{Vector, add, length, subtract, times};
+
+/// The extent of a motion.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Size {
+    pub(super) low: Vector,
+    pub(super) high: Vector,
+}
+
+/// The radius of rods and arrows beside that of the whole.
+const THIN: f64 = 0.006;
+
+impl Size {
+    pub(super) fn of(snapshots: &[Snapshot]) -> Size {
+        let all = snapshots.iter().flat_map(Snapshot::places);
+        let [low, high] =
+            all.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], (at, room)| {
+                [0, 1].map(|end| {
+                    [0, 1, 2]
+                        .map(|k| if end == 0 { low[k].min(at[k] - room) } else { high[k].max(at[k] + room) })
+                })
+            });
+        if low[0] <= high[0] { Size { low, high } } else { Size { low: [0.0; 3], high: [0.0; 3] } }
+    }
+
+    /// The diagonal; 1 if all is in one place.
+    pub(super) fn diagonal(&self) -> f64 {
+        let diagonal = length(subtract(self.high, self.low));
+        if diagonal > 0.0 { diagonal } else { 1.0 }
+    }
+
+    pub(super) fn middle(&self) -> Vector {
+        times(0.5, add(self.low, self.high))
+    }
+
+    /// The radius of rods and of the shafts of arrows.
+    pub(super) fn thin(&self) -> f64 {
+        THIN * self.diagonal()
+    }
+}
+
+impl Snapshot {
+    /// Places of what has a size of its own, with the room that it takes around them.
+    fn places(&self) -> impl Iterator<Item = (Vector, f64)> + '_ {
+        let links = self.links.iter().flat_map(Link::places);
+        let joints = self.joints.iter().map(|joint| (joint.at, 0.0));
+        let spans = self.connectors.iter().flat_map(|connector| connector.ends.map(|end| (end, 0.0)));
+        links.chain(joints).chain(spans)
+    }
+}
+
+impl Link {
+    fn places(&self) -> Vec<(Vector, f64)> {
+        let part = |part: &lagrange_runtime::scene::SolidPart<f64>| {
+            let corners = solid(part.solid, 0.0).corners;
+            let radius = corners.iter().map(|corner| length(corner.at)).fold(0.0, f64::max);
+            (self.place_of(part.at), radius)
+        };
+        let center = self.motion.map_or(self.origin, |motion| motion.center);
+        self.parts.iter().map(part).chain([(center, 0.0)]).collect()
+    }
+}

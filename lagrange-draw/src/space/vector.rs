@@ -1,0 +1,89 @@
+//! Vectors and rotations of space.
+
+/// A place or a direction.
+pub(crate) type Vector = [f64; 3];
+/// A rotation in rows: its columns are the turned axes.
+pub(crate) type Rotation = [Vector; 3];
+
+pub(super) const NONE: Vector = [0.0; 3];
+pub(super) const UPRIGHT: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+pub(super) fn add(a: Vector, b: Vector) -> Vector {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+pub(super) fn subtract(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub(super) fn times(factor: f64, a: Vector) -> Vector {
+    a.map(|component| factor * component)
+}
+
+pub(super) fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(super) fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(super) fn length(a: Vector) -> f64 {
+    a[0].hypot(a[1]).hypot(a[2])
+}
+
+/// The direction of a vector, if it has one.
+pub(super) fn unit(a: Vector) -> Option<Vector> {
+    let length = length(a);
+    (length > 0.0 && length.is_finite()).then(|| times(1.0 / length, a))
+}
+
+pub(super) fn mix(a: Vector, b: Vector, part: f64) -> Vector {
+    add(a, times(part, subtract(b, a)))
+}
+
+/// R a
+pub(super) fn apply(rotation: &Rotation, a: Vector) -> Vector {
+    rotation.map(|row| dot(row, a))
+}
+
+/// Rᵀ a
+pub(super) fn apply_back(rotation: &Rotation, a: Vector) -> Vector {
+    apply(&transposed(rotation), a)
+}
+
+/// A B
+pub(super) fn product(a: &Rotation, b: &Rotation) -> Rotation {
+    let columns = transposed(b);
+    a.map(|row| columns.map(|column| dot(row, column)))
+}
+
+fn transposed(rotation: &Rotation) -> Rotation {
+    [0, 1, 2].map(|column| [0, 1, 2].map(|row| rotation[row][column]))
+}
+
+/// Axes whose third points in a direction of length one. The other two turn as little as they can when the direction moves, but where it
+/// passes −z. Source: Duff et al., *Building an Orthonormal Basis, Revisited*, Journal of Computer Graphics Techniques 6 (2017), listing 3.
+pub(super) fn axes_along([x, y, z]: Vector) -> Rotation {
+    let sign = 1.0_f64.copysign(z);
+    let a = -1.0 / (sign + z);
+    let b = x * y * a;
+    let (first, second) = ([1.0 + sign * x * x * a, sign * b, -sign * x], [b, sign + y * y * a, -y]);
+    transposed(&[first, second, [x, y, z]])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{apply, axes_along, cross, dot, length, subtract, transposed};
+
+    #[test]
+    fn axes_along_a_direction_are_a_rotation_that_takes_z_there() {
+        for direction in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.6, 0.0, 0.8], [-0.48, 0.64, -0.6]] {
+            let axes = axes_along(direction);
+            let [x, y, z] = transposed(&axes);
+            assert!(length(subtract(apply(&axes, [0.0, 0.0, 1.0]), direction)) < 1e-15);
+            assert!((dot(x, x) - 1.0).abs() < 1e-15 && dot(x, y).abs() < 1e-15);
+            assert!(length(subtract(cross(x, y), z)) < 1e-15, "right-handed");
+        }
+    }
+}
