@@ -5,7 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use super::vector::{Rotation, Vector, add, apply, cross, dot, subtract, times, unit};
+use super::vector::{
+    Rotation, UPRIGHT, Vector, add, apply, axes_along, cross, dot, length, subtract, times, unit,
+};
 
 /// A corner in axes of its own.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -41,6 +43,17 @@ pub(crate) struct Placement {
 }
 
 impl Placement {
+    /// Without stretch.
+    pub(super) fn rigid(origin: Vector, rotation: Rotation) -> Placement {
+        Placement { origin, rotation, stretch: 0.0, scale: 1.0 }
+    }
+
+    /// Stretched from a point along a vector.
+    pub(super) fn spanned(from: Vector, vector: Vector) -> Placement {
+        let rotation = unit(vector).map_or(UPRIGHT, axes_along);
+        Placement { stretch: length(vector), ..Placement::rigid(from, rotation) }
+    }
+
     /// Where a corner is in the world.
     pub(crate) fn of(&self, corner: &Corner) -> Vector {
         let [x, y, z] = times(self.scale, corner.at);

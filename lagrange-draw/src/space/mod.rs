@@ -3,6 +3,7 @@
 //! A motion is recorded as things ([`recording`]): meshes that turn, move and are stretched, made of what a scene hands out ([`stage`]).
 //! Pictures ([`paper`]) are drawn of them by a camera, from back to front ([`sort`]); pages and glTF files hold the things themselves.
 
+mod arrows;
 mod camera;
 mod drawing;
 mod film;
@@ -19,3 +20,6 @@ mod vector;
 
 pub use drawing::SpatialDrawing;
 pub use film::SpatialFilm;
+
+#[cfg(test)]
+mod tests;

@@ -105,10 +105,13 @@ impl<'a> Paper<'a> {
         }
         let mut convex: Vec<bool> = self.meshes.iter().map(|(_, is_convex)| *is_convex).collect();
         convex.resize(things.len() + self.recording.traces.len(), false);
-        let sorted = back_to_front(pieces, &self.camera, &convex, self.least);
+        // Arrows are not hidden by the bodies that they begin in.
+        let is_arrow = |piece: &Piece| things.get(piece.thing).is_some_and(|thing| thing.kind == Kind::Arrow);
+        let (arrows, scene): (Vec<Piece>, Vec<Piece>) = pieces.into_iter().partition(is_arrow);
         let mut marks = Vec::new();
-        for piece in &sorted {
-            self.paint(piece, &mut marks);
+        for pieces in [scene, arrows] {
+            let sorted = back_to_front(pieces, &self.camera, &convex, self.least);
+            sorted.iter().for_each(|piece| self.paint(piece, &mut marks));
         }
         let lines = labels::lines(&marks);
         let traces = self.recording.traces.iter().map(|trace| {
@@ -172,9 +175,13 @@ impl<'a> Paper<'a> {
             }
             Shape::Line(ends) => {
                 let segments = polyline(ends.map(|end| self.point(end)), false);
-                let is_around =
-                    self.recording.things.get(piece.thing).is_some_and(|t| t.kind == Kind::Surroundings);
-                let width = if is_around { 0.5 * LINE } else { LINE };
+                let kind = self.recording.things.get(piece.thing).map(|thing| thing.kind);
+                let (colour, width) = match kind {
+                    Some(Kind::Surroundings) => (colour, 0.5 * LINE),
+                    // The edges of holes.
+                    Some(Kind::Body) => (mixed(colour, INK, DARK), EDGE),
+                    _ => (colour, LINE),
+                };
                 match marks.last_mut() {
                     // Pieces of a line that follow each other are one mark.
                     Some(Mark::Path { segments: before, style })
@@ -207,12 +214,20 @@ impl<'a> Paper<'a> {
         }
         let at = placement.of(&label.at);
         let along = geometry::subtract(self.point(at), self.point(placement.origin));
-        let side = match thing.kind {
-            Kind::Arrow => geometry::unit(along).map_or(Side::Around, Side::Along),
-            _ => Side::Around,
-        };
+        // The tip of an arrow or axis.
+        let is_tip = label.at.share == 1.0;
+        let side = geometry::unit(along).filter(|_| is_tip).map_or(Side::Around, Side::Along);
         let colour = if thing.kind == Kind::Arrow && thing.colour != PALE { thing.colour } else { INK };
-        self.tag(&label.text, at, side, colour, matches!(thing.kind, Kind::Body | Kind::Connector))
+        let may_hide = matches!(thing.kind, Kind::Body | Kind::Connector);
+        let reach = if thing.kind == Kind::Body { self.reach(thing, moment, at) } else { 0.0 };
+        self.tag(&label.text, at, side, colour, may_hide).map(|tag| Tag { reach, ..tag })
+    }
+
+    /// The pixels from a place to the farthest corner of a thing.
+    fn reach(&self, thing: &Thing, moment: usize, place: Vector) -> f64 {
+        let at = self.point(place);
+        let corners = thing.mesh.corners.iter().map(|corner| self.point(thing.track[moment].of(corner)));
+        corners.map(|corner| geometry::length(geometry::subtract(corner, at))).fold(0.0, f64::max)
     }
 
     fn tag(&self, text: &str, at: Vector, side: Side, colour: Colour, may_hide: bool) -> Option<Tag> {

@@ -59,6 +59,13 @@ pub(crate) struct Trace {
     pub(crate) points: Vec<Vector>,
 }
 
+impl Label {
+    /// A label at a place of a thing, which takes this share of a stretch; none if there is nothing to write.
+    pub(super) fn new(text: String, at: Vector, share: f64) -> Option<Label> {
+        (!text.is_empty()).then_some(Label { text, at: Corner { at, share } })
+    }
+}
+
 impl Recording {
     /// Refuses numbers that are not finite.
     pub(super) fn checked(self) -> Result<Recording, DrawError> {

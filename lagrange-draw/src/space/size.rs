@@ -2,7 +2,7 @@
 
 use super::snapshot::{Link, Snapshot};
 use super::solids::solid;
-use super::vector::{Vector, add, length, subtract, times};
+use super::vector::{Vector, length, subtract};
 
 /// The extent of a motion.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -31,10 +31,6 @@ impl Size {
     pub(super) fn diagonal(&self) -> f64 {
         let diagonal = length(subtract(self.high, self.low));
         if diagonal > 0.0 { diagonal } else { 1.0 }
-    }
-
-    pub(super) fn middle(&self) -> Vector {
-        times(0.5, add(self.low, self.high))
     }
 
     /// The radius of rods and of the shafts of arrows.

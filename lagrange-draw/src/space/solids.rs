@@ -13,7 +13,7 @@ const RINGS: usize = 12;
 const SMALL_ROUND: usize = 12;
 const SMALL_RINGS: usize = 6;
 /// Windings of a spring, and the part of its length at each end that is straight.
-const WINDINGS: usize = 7;
+const WINDINGS: usize = 10;
 const STRAIGHT: f64 = 0.12;
 
 /// A solid; what has no thickness gets one.

@@ -52,12 +52,6 @@ pub(super) fn apply_back(rotation: &Rotation, a: Vector) -> Vector {
     apply(&transposed(rotation), a)
 }
 
-/// A B
-pub(super) fn product(a: &Rotation, b: &Rotation) -> Rotation {
-    let columns = transposed(b);
-    a.map(|row| columns.map(|column| dot(row, column)))
-}
-
 fn transposed(rotation: &Rotation) -> Rotation {
     [0, 1, 2].map(|column| [0, 1, 2].map(|row| rotation[row][column]))
 }

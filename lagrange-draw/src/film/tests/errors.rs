@@ -34,7 +34,7 @@ fn refuses_pictures_that_do_not_match() {
 fn takes_motions_that_ran_backwards() {
     let pictures = pendulum(3).pictures;
     let film = Film::new(pictures, vec![1.0, 0.5, 0.0]).expect("is a film");
-    assert_eq!(film.elapsed(), [0.0, 0.5, 1.0]);
+    assert_eq!(film.timeline.elapsed(), [0.0, 0.5, 1.0]);
 }
 
 #[test]

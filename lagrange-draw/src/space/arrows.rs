@@ -1,0 +1,145 @@
+//! Arrows: velocities, accelerations, axes, forces and moments.
+
+use super::mesh::{Mesh, Placement};
+use super::recording::{Kind, Label, Thing};
+use super::size::Size;
+use super::snapshot::{Link, Snapshot};
+use super::solids::{self, SHORTEST_ARROW};
+use super::vector::{NONE, Rotation, UPRIGHT, Vector, length, times};
+use crate::colour::{FORCE, PALE};
+use crate::picture::Colour;
+use crate::text::{formula, symbol};
+use lagrange_runtime::body::SpatialMotion;
+use lagrange_runtime::scene::LoadOrigin;
+
+/// The longest arrows of a kind, and axes, in terms of the diagonal of the whole.
+const LONGEST: f64 = 0.3;
+const AXIS: f64 = 0.12;
+
+/// Arrows in a motion.
+pub(super) struct Arrows<'a> {
+    pub(super) film: &'a [Snapshot],
+    pub(super) size: &'a Size,
+}
+
+impl Arrows<'_> {
+    /// An arrow at the centre of mass of each body, called by a letter.
+    pub(super) fn rates(
+        &self,
+        first: &Snapshot,
+        letter: &str,
+        colour: Colour,
+        rate: fn(&SpatialMotion<f64>) -> Vector,
+    ) -> Vec<Thing> {
+        let bodies: Vec<(usize, &Link)> = bodies(first).collect();
+        let vectors = bodies.iter().map(|(index, link)| {
+            let vector = |snapshot: &Snapshot| {
+                let motion = snapshot.links[*index].motion;
+                motion.map_or([NONE; 2], |motion| [motion.center, rate(&motion)])
+            };
+            let text = symbol(letter, &link.name, bodies.len() > 1);
+            (&*link.name, text, self.film.iter().map(vector).collect())
+        });
+        self.arrows(vectors.collect(), colour, solids::arrow(self.size.thin()))
+    }
+
+    /// The own axes of bodies.
+    pub(super) fn own_axes(&self, first: &Snapshot) -> Vec<Thing> {
+        let axes = |(index, link): (usize, &Link)| {
+            let pose = |snapshot: &Snapshot| {
+                let link = &snapshot.links[index];
+                (link.origin, link.rotation)
+            };
+            self.axes(&link.name, pose, ["X", "Y", "Z"])
+        };
+        bodies(first).flat_map(axes).collect()
+    }
+
+    /// The axes of the world, which bodies hide.
+    pub(super) fn axes_of_world(&self) -> Vec<Thing> {
+        let axes = self.axes("", |_| (NONE, UPRIGHT), ["x", "y", "z"]).into_iter();
+        axes.map(|axis| Thing { kind: Kind::Surroundings, ..axis }).collect()
+    }
+
+    /// Forces, then moments, each kind on a scale of its own.
+    pub(super) fn loads(&self, first: &Snapshot) -> Vec<Thing> {
+        let of_kind = |is_moment: bool| {
+            let loads = first.loads.iter().enumerate().filter(|(_, load)| load.is_moment == is_moment);
+            let vectors = loads.map(|(index, load)| {
+                let vector = |snapshot: &Snapshot| {
+                    let load = &snapshot.loads[index];
+                    [load.at, load.value]
+                };
+                let text = match (load.cause, &load.body) {
+                    (LoadOrigin::Gravity, Some(body)) => symbol("G", body, true),
+                    _ => formula(&load.name),
+                };
+                (&*load.name, text, self.film.iter().map(vector).collect())
+            });
+            let thin = self.size.thin();
+            let mesh = if is_moment { solids::double_arrow(thin) } else { solids::arrow(thin) };
+            self.arrows(vectors.collect(), FORCE, mesh)
+        };
+        [of_kind(false), of_kind(true)].concat()
+    }
+
+    /// Arrows, each by its name, its label, and where it is and what it shows at each moment; the longest has a readable length.
+    fn arrows(
+        &self,
+        vectors: Vec<(&str, String, Vec<[Vector; 2]>)>,
+        colour: Colour,
+        mesh: Mesh,
+    ) -> Vec<Thing> {
+        let all = vectors.iter().flat_map(|(_, _, track)| track.iter().map(|[_, vector]| length(*vector)));
+        let largest = all.fold(0.0, f64::max);
+        let scale = LONGEST * self.size.diagonal() / largest;
+        let scale = if scale.is_finite() { scale } else { 0.0 };
+        let thing = |(name, text, track): (&str, String, Vec<[Vector; 2]>)| Thing {
+            name: name.to_owned(),
+            label: Label::new(text, NONE, 1.0),
+            colour,
+            kind: Kind::Arrow,
+            mesh: mesh.clone(),
+            track: track.into_iter().map(|[at, vector]| self.arrow(at, times(scale, vector))).collect(),
+        };
+        vectors.into_iter().map(thing).collect()
+    }
+
+    /// An arrow that is smaller as a whole if it is short, and vanishes if it has no length to be seen.
+    fn arrow(&self, at: Vector, vector: Vector) -> Placement {
+        const SEEN: f64 = 0.05;
+        let placement = Placement::spanned(at, vector);
+        let part = placement.stretch / (SHORTEST_ARROW * self.size.thin());
+        Placement { scale: if part < SEEN { 0.0 } else { part.min(1.0) }, ..placement }
+    }
+
+    /// Three axes.
+    fn axes(
+        &self,
+        name: &str,
+        pose: impl Fn(&Snapshot) -> (Vector, Rotation),
+        letters: [&str; 3],
+    ) -> Vec<Thing> {
+        let length = AXIS * self.size.diagonal();
+        let axis = |(axis, letter): (usize, &str)| {
+            let track = self.film.iter().map(|snapshot| {
+                let (origin, rotation) = pose(snapshot);
+                Placement::spanned(origin, rotation.map(|row| length * row[axis]))
+            });
+            Thing {
+                name: format!("{letter} {name}").trim_end().to_owned(),
+                label: Label::new(letter.to_owned(), NONE, 1.0),
+                colour: PALE,
+                kind: Kind::Arrow,
+                mesh: solids::arrow(0.6 * self.size.thin()),
+                track: track.collect(),
+            }
+        };
+        letters.into_iter().enumerate().map(axis).collect()
+    }
+}
+
+/// Links with mass, and which ones they are.
+fn bodies(snapshot: &Snapshot) -> impl Iterator<Item = (usize, &Link)> {
+    snapshot.links.iter().enumerate().filter(|(_, link)| link.motion.is_some())
+}

@@ -1,0 +1,138 @@
+//! Pictures of a scene that is written by hand.
+
+use lagrange_runtime::body::SpatialMotion;
+use lagrange_runtime::scene::{
+    Connector, LoadOrigin, Solid, SolidPart, SpatialItem, SpatialJoint, SpatialScene,
+};
+use lagrange_runtime::system::{MechanicalSystem, OdeSystem, Unnamed};
+
+use super::SpatialDrawing;
+use crate::DrawError;
+use crate::picture::{Mark, Picture};
+
+/// A cuboid on an arm that turns about z, hung on a spring.
+struct Crane;
+
+impl OdeSystem for Crane {
+    type Scalar = f64;
+    type State = [f64; 2];
+
+    fn rhs(&self, _t: f64, [_, rate]: &[f64; 2]) -> [f64; 2] {
+        [*rate, 0.0]
+    }
+}
+
+impl MechanicalSystem for Crane {
+    type Coordinates = [f64; 1];
+    type Velocities = [f64; 1];
+    type Columns<C> = Unnamed<C>;
+    const COORDINATES: &'static [&'static str] = &["phi"];
+
+    fn acceleration(&self, _t: f64, _q: &[f64; 1], _v: &[f64; 1]) -> [f64; 1] {
+        [0.0]
+    }
+
+    fn position_rates(&self, _t: f64, _q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
+        *v
+    }
+}
+
+const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+fn motion(rotation: [[f64; 3]; 3], center: [f64; 3], velocity: [f64; 3]) -> SpatialMotion<f64> {
+    SpatialMotion {
+        mass: 2.0,
+        inertia: UPRIGHT,
+        centroid: [0.0; 3],
+        center,
+        rotation,
+        velocity,
+        angular_velocity: [0.0; 3],
+        acceleration: [0.0; 3],
+        angular_acceleration: [0.0; 3],
+    }
+}
+
+impl SpatialScene for Crane {
+    fn items(
+        &self,
+        _t: f64,
+        [angle]: &[f64; 1],
+        [rate]: &[f64; 1],
+        visit: &mut dyn FnMut(SpatialItem<'_, f64>),
+    ) {
+        let (sin, cos) = angle.sin_cos();
+        let rotation = [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]];
+        let center = [2.0 * cos, 2.0 * sin, 0.0];
+        let velocity = [-2.0 * sin * rate, 2.0 * cos * rate, 0.0];
+        let part = |solid, at, is_hole| SolidPart { solid, at, rotation: UPRIGHT, is_hole };
+        let arm = SpatialMotion { centroid: [0.0; 3], ..motion(rotation, [0.0; 3], [0.0; 3]) };
+        visit(SpatialItem::Body { name: "arm", motion: arm, parts: &[] });
+        let parts = [
+            part(Solid::Cuboid(1.0, 0.6, 0.4), [0.0; 3], false),
+            part(Solid::Cylinder(0.1, 0.4), [0.0; 3], true),
+        ];
+        visit(SpatialItem::Body { name: "box", motion: motion(rotation, center, velocity), parts: &parts });
+        for (name, kind) in [("hanger", Connector::Spring), ("brake", Connector::Damper)] {
+            visit(SpatialItem::Connector { name, kind, from: [0.0, 0.0, 2.0], to: center, tension: 1.0 });
+        }
+        let joint =
+            |name, kind, at, bodies| SpatialItem::Joint { name, kind, at, axis: [0.0, 0.0, 1.0], bodies };
+        visit(joint("phi", SpatialJoint::Revolute, [0.0; 3], [None, Some("arm")]));
+        visit(joint("tip", SpatialJoint::Pin, center, [Some("arm"), Some("box")]));
+        let (cause, body) = (LoadOrigin::Gravity, Some("box"));
+        visit(SpatialItem::Force { name: "weight", cause, body, at: center, force: [0.0, 0.0, -19.62] });
+        visit(SpatialItem::Omitted { name: "torque on `phi`" });
+    }
+}
+
+fn texts(picture: &Picture) -> Vec<&str> {
+    let text = |mark| match mark {
+        &Mark::Text { ref text, .. } if !text.is_empty() => Some(text.as_str()),
+        _ => None,
+    };
+    picture.marks.iter().filter_map(text).collect()
+}
+
+#[test]
+fn what_is_asked_for_is_drawn_and_named() {
+    let drawing = SpatialDrawing::of(&Crane).title("A crane").forces().velocities().axes().floor(-0.5);
+    let drawing = drawing.trace("tip", |_, _, [angle, _]| [2.0 * angle.cos(), 2.0 * angle.sin(), 0.0]);
+    let moments = (0..10).map(|k| (0.1 * f64::from(k), [0.2 * f64::from(k), 1.0]));
+    let pictures = drawing.pictures(moments).expect("draws");
+    let texts = texts(&pictures[9]);
+    for text in ["A crane", "box", "hanger", "x", "y", "z", "tip", "not drawn: torque on phi"] {
+        assert!(texts.contains(&text), "`{text}` is not among {texts:?}");
+    }
+    let inside = |mark: &Mark| match mark {
+        Mark::Path { segments, .. } => crate::geometry::flattened(segments, 1)
+            .iter()
+            .all(|[x, y]| (0.0..=640.0).contains(x) && (0.0..=480.0).contains(y)),
+        Mark::Text { at: [x, y], .. } => (0.0..=640.0).contains(x) && (0.0..=480.0).contains(y),
+    };
+    assert!(pictures.iter().flat_map(|picture| &picture.marks).all(inside));
+    if let Ok(folder) = std::env::var("LAGRANGE_PICTURES") {
+        pictures[9].save(format!("{folder}/crane.png")).expect("is written");
+        let perspective = drawing.clone().perspective().frames().view(0.4, 0.3);
+        perspective
+            .picture(0.0, &[2.5, 1.0])
+            .and_then(|p| p.save(format!("{folder}/crane2.png")))
+            .expect("is written");
+    }
+}
+
+#[test]
+fn what_is_hidden_or_not_finite_is_refused_by_name() {
+    let drawing = SpatialDrawing::of(&Crane);
+    assert!(matches!(drawing.clone().hide("wheel").picture(0.0, &[0.0; 2]), Err(DrawError::UnknownItem(_))));
+    match drawing.clone().picture(0.5, &[f64::NAN, 0.0]) {
+        Err(DrawError::NotFinite { item, time, .. }) => assert_eq!((item.as_str(), time), ("arm", 0.5)),
+        other => panic!("{other:?}"),
+    }
+    let without = drawing.hide("box").hide("hanger").picture(0.0, &[0.0; 2]).expect("draws");
+    assert!(!texts(&without).contains(&"box"));
+    assert!(matches!(
+        SpatialDrawing::of(&Crane).size(20.0, 20.0).picture(0.0, &[0.0; 2]),
+        Err(DrawError::Size(_))
+    ));
+}
