@@ -90,13 +90,8 @@ fn compound_part(translation: &mut Translation<'_>, body: &str, part: &Part) -> 
     let own = named_centroid(translation, &name, Some(&(solid, dimensions.clone())), place);
     let centroid = placed_point(translation, &name, own, at, angle);
     let mut terms = translation.terms();
-    let outline = Outline {
-        solid: solid.name.to_owned(),
-        dimensions,
-        at: terms.tuple(at),
-        angle,
-        is_hole: part.is_hole,
-    };
+    let place = vec![terms.tuple(at), angle];
+    let outline = Outline { variant: solid.outline, dimensions, place, is_hole: part.is_hole };
     Some(CompoundPart { is_hole: part.is_hole, mass, inertia, centroid, outline })
 }
 

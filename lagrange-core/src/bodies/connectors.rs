@@ -1,20 +1,23 @@
 //! Springs and dampers between points and between angles.
 
+use super::drawing::{Load, draw_force, draw_moment, owner_of_point};
 use super::expressions::{is_ground, mention, scene_point, turning};
 use super::messages;
-use super::object::{Body, Connector, Object};
+use super::object::{Connector, Object};
 use super::plain::{Drawn, DrawnKind, LoadOrigin};
-use super::terms::{Pair, TermWriter};
+use super::terms::TermWriter;
 use super::translation::Translation;
 use crate::syntax::ast::{self, AstId, ConnectorKind, StatementKind};
 
 /// An end of a connector.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct End {
     /// A point, or an angle.
     at: AstId,
-    /// The body it belongs to, if that shows.
+    /// The body whose angle it is.
     body: Option<usize>,
+    /// The name of the body it belongs to, if that shows.
+    owner: Option<String>,
 }
 
 pub(super) fn translate_connector(translation: &mut Translation<'_>, statement: &ast::Connector) {
@@ -36,11 +39,12 @@ pub(super) fn translate_connector(translation: &mut Translation<'_>, statement: 
     if factor.is_none() {
         report_missing(translation, label, kind);
     }
-    let (Some(from), Some(to), Some(factor)) = (ends[0], ends[1], factor) else {
+    let [from, to] = ends;
+    let (Some(from), Some(to), Some(factor)) = (from, to, factor) else {
         declare_broken(translation, statement);
         return;
     };
-    if !is_linear && [from, to].iter().all(|end| translation.terms().is_zero(end.at)) {
+    if !is_linear && [&from, &to].iter().all(|end| translation.terms().is_zero(end.at)) {
         translation.report_no_turning(statement.to.unwrap_or(to.at), messages::TURNED_BY_SPRING);
     }
     let object = match is_linear {
@@ -72,18 +76,24 @@ fn end_of(
         report_missing(translation, label, kind);
         return None;
     };
-    let (body, at) = match is_linear {
+    let (body, owner, at) = match is_linear {
         true if is_ground(translation, end) => {
             let error =
                 translation.report.error(translation.expressions.origin(end), messages::GROUND_IS_NO_POINT);
             error.help(messages::GROUND_IS_NO_POINT_HELP);
             return None;
         }
-        true => (translation.body_of(end), scene_point(translation, end, messages::END)),
-        false => (translation.body_named(end), turning(translation, end)),
+        true => {
+            let at = scene_point(translation, end, messages::END);
+            (None, owner_of_point(translation, end), at)
+        }
+        false => {
+            let body = translation.body_named(end);
+            (body, owner_of_point(translation, end).filter(|_| body.is_some()), turning(translation, end))
+        }
     };
     translation.mentioned.push(at);
-    Some(End { at, body })
+    Some(End { at, body, owner })
 }
 
 fn report_missing(translation: &mut Translation<'_>, label: &str, kind: ConnectorKind) {
@@ -100,43 +110,25 @@ fn between_points(
     factor: AstId,
     rest: Option<AstId>,
 ) -> Connector {
-    let span = span_of(translation, name, ends);
-    let length = translation.terms().call("norm", &[span]);
-    if translation.space.is_some() {
-        return between_points_in_space(translation, kind, factor, rest, [span, length]);
-    }
+    let span = span_of(translation, name, &ends);
+    let dimension = translation.dimension();
     let mut terms = translation.terms();
-    let spread = terms.pair(span);
+    let length = terms.call("norm", &[span]);
+    let spread = terms.components_of(dimension, span);
     let stretch = rest.map_or(length, |rest| terms.minus(length, rest));
     let tension = tension_of(&mut terms, kind, factor, [stretch, length]);
     // Without a length at rest no root is needed, whose derivative would fail where both ends meet.
     let (strained, pull) = match kind == ConnectorKind::Spring && stretch == length {
-        true => (span, terms.scale(factor, spread)),
+        true => (span, spread.iter().map(|&component| terms.times(factor, component)).collect()),
         false => {
-            let pull = pull_along(&mut terms, kind, [factor, tension, length], spread);
+            let pull = pull_along(&mut terms, kind, [factor, tension, length], &spread);
             (stretch, pull)
         }
     };
     push_energy(translation, kind, factor, strained);
     draw_connector(translation, kind, name, [ends[0].at, ends[1].at], tension);
-    let pull = translation.terms().tuple(pull);
+    let pull = translation.terms().vector(&pull);
     add_pull(translation, name, ends, pull);
-    Connector { kind, length, tension }
-}
-
-/// The same in space, where nothing is drawn.
-fn between_points_in_space(
-    translation: &mut Translation<'_>,
-    kind: ConnectorKind,
-    factor: AstId,
-    rest: Option<AstId>,
-    [span, length]: [AstId; 2],
-) -> Connector {
-    let mut terms = translation.terms();
-    let stretch = rest.map_or(length, |rest| terms.minus(length, rest));
-    let tension = tension_of(&mut terms, kind, factor, [stretch, length]);
-    let is_root_needed = kind != ConnectorKind::Spring || stretch != length;
-    push_energy(translation, kind, factor, if is_root_needed { stretch } else { span });
     Connector { kind, length, tension }
 }
 
@@ -157,7 +149,7 @@ fn tension_of(
 }
 
 /// The vector from one end to the other, under a name of its own.
-fn span_of(translation: &mut Translation<'_>, name: &str, ends: [End; 2]) -> AstId {
+fn span_of(translation: &mut Translation<'_>, name: &str, ends: &[End; 2]) -> AstId {
     let dimension = translation.dimension();
     let mut terms = translation.terms();
     let span = terms.difference(dimension, [ends[1].at, ends[0].at]);
@@ -220,10 +212,9 @@ fn draw_connector(
 fn add_pull(translation: &mut Translation<'_>, name: &str, ends: [End; 2], pull: AstId) {
     let back = translation.terms().negative(pull);
     for (end, force) in ends.into_iter().zip([pull, back]) {
-        if let Some(body) = end.body {
-            let body = Some(translation.bodies[body].name.text.clone());
-            let kind = DrawnKind::Force { name: name.to_owned(), cause: LoadOrigin::Connector, body };
-            translation.loads.push(Drawn { kind, values: vec![end.at, force], needs: Vec::new() });
+        if end.owner.is_some() {
+            let load = Load { name, cause: LoadOrigin::Connector, body: end.owner };
+            draw_force(translation, load, [end.at, force], &[]);
         }
     }
 }
@@ -244,10 +235,9 @@ fn add_twist(
     let back = translation.terms().negative(tension);
     for (end, moment) in ends.into_iter().zip([tension, back]) {
         if let Some(body) = end.body {
-            let Body { name: carrier, center, .. } = translation.bodies[body].clone();
-            let body = Some(carrier.text);
-            let kind = DrawnKind::Moment { name: name.to_owned(), cause: LoadOrigin::Connector, body };
-            translation.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
+            let center = translation.bodies[body].center;
+            let load = Load { name, cause: LoadOrigin::Connector, body: end.owner };
+            draw_moment(translation, load, [center, moment]);
         }
     }
 }
@@ -257,16 +247,19 @@ fn pull_along(
     terms: &mut TermWriter<'_>,
     kind: ConnectorKind,
     [factor, tension, length]: [AstId; 3],
-    spread: Pair,
-) -> Pair {
-    let along = spread.map(|component| terms.divide(component, length));
-    let pull = terms.scale(tension, along);
-    if kind != ConnectorKind::Damper {
-        return pull;
-    }
-    let speed = terms.rate_pair(spread);
-    let limit = terms.scale(factor, speed);
-    terms.if_positive(length, pull, limit)
+    spread: &[AstId],
+) -> Vec<AstId> {
+    let mut pull_of = |&component: &AstId| {
+        let along = terms.divide(component, length);
+        let pull = terms.times(tension, along);
+        if kind != ConnectorKind::Damper {
+            return pull;
+        }
+        let speed = terms.rate(component);
+        let limit = terms.times(factor, speed);
+        terms.if_positive(length, pull, limit)
+    };
+    spread.iter().map(&mut pull_of).collect()
 }
 
 /// The word that begins the statement.

@@ -1,9 +1,10 @@
 //! Gravity, which every body feels.
 
+use super::drawing::{Load, draw_force};
 use super::expressions::plain_expression;
 use super::messages;
 use super::object::Body;
-use super::plain::{Drawn, DrawnKind, LoadOrigin, Obligation};
+use super::plain::{LoadOrigin, Obligation};
 use super::translation::Translation;
 use crate::syntax::ast::{AstId, StatementKind};
 
@@ -54,7 +55,6 @@ pub(super) fn weigh(translation: &mut Translation<'_>, index: usize) {
     if !terms.is_zero(potential) {
         translation.push(StatementKind::Potential(potential));
     }
-    let kind =
-        DrawnKind::Force { name: "gravity".to_owned(), cause: LoadOrigin::Gravity, body: Some(name.text) };
-    translation.loads.push(Drawn { kind, values: vec![center, force], needs: Vec::new() });
+    let load = Load { name: "gravity", cause: LoadOrigin::Gravity, body: Some(name.text) };
+    draw_force(translation, load, [center, force], &[]);
 }

@@ -3,12 +3,13 @@
 //! A constraint is written so that its gradient is the direction in which its force acts on what is named first: the force is
 //! λ times the direction.
 
+use super::drawing::{Load, draw_force, owner_of_point};
 use super::expressions::{mention, scene_point};
 use super::lines::{carrier, track};
 use super::messages;
 use super::object::{Body, Joint, Line, Object};
 use super::plain::{Drawn, DrawnKind, JointForm, LoadOrigin};
-use super::space::point_on_link;
+use super::space::{draw_pin, point_on_link};
 use super::terms::Pair;
 use super::translation::Translation;
 use crate::syntax::ast::{self, AstId, JointKind, Name, StatementKind};
@@ -43,6 +44,7 @@ fn hold_pin(
     second: AstId,
 ) -> Option<Joint> {
     let bodies = [first, second].map(|point| translation.body_of(point));
+    let owners = [first, second].map(|point| owner_of_point(translation, point));
     let name = joint_name(translation, statement, "pin");
     let links = [first, second].map(|point| link_of_point(translation, point));
     let points = [first, second].map(|point| scene_point(translation, point, messages::PINNED_POINT));
@@ -66,13 +68,15 @@ fn hold_pin(
     let force = names.iter().map(|name| terms.name(&name.text)).collect::<Vec<_>>();
     let force = terms.vector(&force);
     if dimension == 3 {
-        return Some(Joint { force, parts: Vec::new() });
+        draw_pin(translation, &name, points[0], links);
+    } else {
+        let is_anchored = [first, second].into_iter().any(|point| translation.is_at_rest(point));
+        let form = if is_anchored { JointForm::Anchor } else { JointForm::Pin };
+        draw_joint(translation, &name, form, points[0]);
     }
-    let is_anchored = [first, second].into_iter().any(|point| translation.is_at_rest(point));
-    let form = if is_anchored { JointForm::Anchor } else { JointForm::Pin };
-    draw_joint(translation, &name, form, points[0]);
     let needs = names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>();
-    draw_forces(translation, &name, &needs, &[(bodies[0], points[0]), (bodies[1], points[1])], force);
+    let [first, second] = owners;
+    draw_forces(translation, &name, &needs, [(first, points[0]), (second, points[1])], force);
     Some(Joint { force, parts: Vec::new() })
 }
 
@@ -108,7 +112,8 @@ fn hold_slide(
     let force = terms.scale(multiplier, normal);
     let force = terms.tuple(force);
     draw_joint(translation, &name, JointForm::Slide, at);
-    draw_forces(translation, &name, &[&pressure.text], &[(body, at), (carrier, at)], force);
+    let shares = [body, carrier].map(|body| (name_of(translation, body), at));
+    draw_forces(translation, &name, &[&pressure.text], shares, force);
     Some(Joint { force, parts: vec![("normal", multiplier)] })
 }
 
@@ -227,8 +232,8 @@ fn rolling_constraint(
     let forces = forces.map(|force| terms.tuple(force));
     draw_joint(translation, name, JointForm::Roll, at);
     for ((multiplier, force), part) in multipliers.into_iter().zip(forces).zip(["normal", "friction"]) {
-        let shares = bodies.map(|body| (body, at));
-        draw_forces(translation, &format!("{name}.{part}"), &[&multiplier.text], &shares, force);
+        let shares = bodies.map(|body| (name_of(translation, body), at));
+        draw_forces(translation, &format!("{name}.{part}"), &[&multiplier.text], shares, force);
     }
     Joint { force, parts: vec![("normal", symbols[0]), ("friction", symbols[1])] }
 }
@@ -251,15 +256,17 @@ fn draw_forces(
     translation: &mut Translation<'_>,
     name: &str,
     needs: &[&str],
-    ends: &[(Option<usize>, AstId)],
+    ends: [(Option<String>, AstId); 2],
     force: AstId,
 ) {
     let opposite = translation.terms().negative(force);
-    for (&(body, at), force) in ends.iter().zip([force, opposite]) {
-        let Some(body) = body else { continue };
-        let body = Some(translation.bodies[body].name.text.clone());
-        let kind = DrawnKind::Force { name: name.to_owned(), cause: LoadOrigin::Joint, body };
-        let needs = needs.iter().map(|&name| name.to_owned()).collect();
-        translation.loads.push(Drawn { kind, values: vec![at, force], needs });
+    for ((body, at), force) in ends.into_iter().zip([force, opposite]) {
+        if body.is_some() {
+            draw_force(translation, Load { name, cause: LoadOrigin::Joint, body }, [at, force], needs);
+        }
     }
+}
+
+fn name_of(translation: &Translation<'_>, body: Option<usize>) -> Option<String> {
+    body.map(|body| translation.bodies[body].name.text.clone())
 }

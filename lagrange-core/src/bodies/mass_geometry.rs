@@ -87,7 +87,7 @@ pub(super) fn outline_of(
 ) -> Outline {
     let mut terms = translation.terms();
     let (at, angle) = (terms.zero_pair(), terms.number(0));
-    Outline { solid: solid.name.to_owned(), dimensions, at: terms.tuple(at), angle, is_hole: false }
+    Outline { variant: solid.outline, dimensions, place: vec![terms.tuple(at), angle], is_hole: false }
 }
 
 /// The components of a vector of own coordinates, which does not change.

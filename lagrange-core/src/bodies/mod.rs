@@ -22,6 +22,7 @@ mod body;
 mod compound;
 mod connectors;
 mod constants;
+mod drawing;
 mod expressions;
 mod gravity;
 mod joints;
@@ -50,7 +51,7 @@ use translation::Translation;
 
 pub use plain::{
     Drawn, DrawnKind, FramePose, FrameTwist, JointForm, LoadOrigin, Motion, Obligation, Outline, Plain,
-    SpatialKinematics, SpatialMotion,
+    SpatialJointForm, SpatialKinematics, SpatialMotion,
 };
 
 /// Puts plain statements in the place of those about bodies. Mistakes are reported.

@@ -1,7 +1,7 @@
 //! A declaration in plain statements, with the facts about its bodies beside them.
 
 use crate::diagnostics::Origin;
-use crate::syntax::ast::{AstId, ConnectorKind, Declaration, Name, StatementKind};
+use crate::syntax::ast::{AstId, ConnectorKind, Declaration, MobilizerKind, Name, StatementKind};
 
 /// A declaration without statements about bodies, and what is known of the bodies beside it.
 ///
@@ -135,7 +135,7 @@ pub struct Drawn {
     pub needs: Vec<String>,
 }
 
-/// Kinds of items to draw; vectors have two components.
+/// Kinds of items to draw; vectors have two components, in space three.
 #[derive(Clone, Debug)]
 pub enum DrawnKind {
     /// A body: no values of its own, but the outlines of its shape, one for each part.
@@ -144,6 +144,11 @@ pub enum DrawnKind {
         body: usize,
         /// Its parts.
         outlines: Vec<Outline>,
+    },
+    /// A frame in space: the rotation from its axes to those of the world, in rows, and its origin.
+    Frame {
+        /// Its name.
+        name: String,
     },
     /// A line: the point it goes through, its angle.
     Line {
@@ -166,6 +171,15 @@ pub enum DrawnKind {
         /// Whether it is a pin, a slide or a roll.
         kind: JointForm,
     },
+    /// A joint in space: where it is, and the direction of its axis.
+    SpatialJoint {
+        /// Its name.
+        name: String,
+        /// What it is.
+        kind: SpatialJointForm,
+        /// What carries it and what it places, or the two that are pinned; `None` for the ground.
+        links: [Option<String>; 2],
+    },
     /// A force: the point it acts on, its two components.
     Force {
         /// Its name.
@@ -175,7 +189,7 @@ pub enum DrawnKind {
         /// The body it acts on, if that is known.
         body: Option<String>,
     },
-    /// A moment: where it is drawn, and its value.
+    /// A moment: where it is drawn, and its value, in space a vector.
     Moment {
         /// Its name.
         name: String,
@@ -196,17 +210,16 @@ pub enum DrawnKind {
     },
 }
 
-/// The outline of a part of a body: the dimensions of the solid (corners of a polygon as vectors).
+/// The outline of a part of a body, in space the solid: its dimensions (corners of a polygon as vectors).
 #[derive(Clone, Debug)]
 pub struct Outline {
-    /// The name of the solid, as in [`crate::solids`].
-    pub solid: String,
+    /// The variant of `lagrange::scene::Outline`, in space of `lagrange::scene::Solid`.
+    pub variant: &'static str,
     /// Its dimensions.
     pub dimensions: Vec<AstId>,
-    /// Origin of its own coordinates in those of the body; a vector.
-    pub at: AstId,
-    /// Angle by which its own axes are turned in those of the body.
-    pub angle: AstId,
+    /// Origin of its own coordinates in those of the body, a vector, and the angle by which its own axes are turned there; in space all
+    /// components of the origin, then those of the rotation in rows.
+    pub place: Vec<AstId>,
     /// Whether it is cut out.
     pub is_hole: bool,
 }
@@ -222,6 +235,15 @@ pub enum JointForm {
     Slide,
     /// A round body on a line.
     Roll,
+}
+
+/// The form of a joint in space.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SpatialJointForm {
+    /// One that makes coordinates.
+    Mobilizer(MobilizerKind),
+    /// A pin.
+    Pin,
 }
 
 /// Origin of a force.

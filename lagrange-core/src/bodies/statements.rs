@@ -2,6 +2,7 @@
 
 use super::body::translate_body;
 use super::connectors::translate_connector;
+use super::drawing::{Load, draw_force, draw_moment, torque_on};
 use super::expressions::{plain_expression, translated_place, turning};
 use super::gravity::{report_idle_gravity, translate_gravity};
 use super::joints::translate_joint;
@@ -9,11 +10,11 @@ use super::lines::translate_line;
 use super::messages;
 use super::mobilizers::{report_waiting, translate_plane_mobilizer};
 use super::object::{Body, WaitingBody};
-use super::plain::{Drawn, DrawnKind, LoadOrigin, Plain, SpatialKinematics};
+use super::plain::{Drawn, DrawnKind, Plain, SpatialKinematics};
 use super::space::{
-    Asked, kinematics_asked_for, point_on_link, push_gibbs_function, report_unplaced, translate_frame,
-    translate_spatial_body, translate_spatial_force, translate_spatial_gravity, translate_spatial_mobilizer,
-    translate_spatial_torque,
+    Asked, draw_force_on_coordinate, draw_scene, draw_torque_on_angle, kinematics_asked_for, point_on_link,
+    push_gibbs_function, report_unplaced, translate_frame, translate_spatial_body, translate_spatial_force,
+    translate_spatial_gravity, translate_spatial_mobilizer, translate_spatial_torque,
 };
 use super::translation::Translation;
 use super::unneeded::leave_out_unneeded;
@@ -32,8 +33,9 @@ pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Decla
     report_waiting(&mut translation);
     report_unplaced(&mut translation);
     push_gibbs_function(&mut translation);
-    translation.drawing.append(&mut translation.loads);
     let in_space = kinematics_asked_for(&mut translation, asked);
+    draw_scene(&mut translation);
+    translation.drawing.append(&mut translation.loads);
     let kinematic = translation.space.take().map(|space| space.kinematic);
     declaration.is_in_space = kinematic.is_some();
     let mut plain = plain_of(translation, declaration, in_space);
@@ -73,6 +75,12 @@ pub(super) fn translate_statement(translation: &mut Translation<'_>, statement: 
         StatementKind::Scene(scene) => translate_scene(translation, scene),
         StatementKind::ForceAt { force, point } => translate_force(translation, force, point, statement),
         StatementKind::Torque { moment, angle } => translate_torque(translation, moment, angle, statement),
+        StatementKind::ForceOn(coordinate, value) if translation.space.is_some() => {
+            let value = plain_expression(translation, value);
+            draw_force_on_coordinate(translation, &coordinate.text, value);
+            let kind = StatementKind::ForceOn(coordinate, value);
+            translation.statements.push(Statement { kind, ..statement });
+        }
         mut kind => {
             let bound = match &kind {
                 StatementKind::Let(name, value) => Some((name.text.clone(), *value)),
@@ -188,9 +196,8 @@ pub(super) fn translate_force(
     let body = translation.body_of(point);
     let (force, point) = (plain_expression(translation, force), translated_place(translation, point));
     if is_in_plane(translation, force) && !translation.bodies.is_empty() {
-        let (name, body) = ("force".to_owned(), body.map(|body| translation.bodies[body].name.text.clone()));
-        let kind = DrawnKind::Force { name, cause: LoadOrigin::Applied, body };
-        translation.loads.push(Drawn { kind, values: vec![point, force], needs: Vec::new() });
+        let body = body.map(|body| translation.bodies[body].name.text.clone());
+        draw_force(translation, Load::applied("force", body), [point, force], &[]);
     }
     translation.statements.push(Statement { kind: StatementKind::ForceAt { force, point }, ..statement });
 }
@@ -217,18 +224,11 @@ pub(super) fn translate_torque(
     }
     if let Some(body) = body {
         let Body { name, center, .. } = translation.bodies[body].clone();
-        let kind = DrawnKind::Moment {
-            name: "torque".to_owned(),
-            cause: LoadOrigin::Applied,
-            body: Some(name.text),
-        };
-        translation.loads.push(Drawn { kind, values: vec![center, moment], needs: Vec::new() });
+        draw_moment(translation, Load::applied("torque", Some(name.text)), [center, moment]);
+    } else if translation.space.is_some() {
+        draw_torque_on_angle(translation, written, moment);
     } else if !translation.bodies.is_empty() {
-        let of = |id| match translation.expressions.get(id) {
-            Expression::Name(name) => format!("`{name}`"),
-            _ => "an angle".to_owned(),
-        };
-        let kind = DrawnKind::Torque { name: format!("torque on {}", of(written)) };
+        let kind = DrawnKind::Torque { name: torque_on(translation, written) };
         translation.loads.push(Drawn { kind, values: vec![moment, angle], needs: Vec::new() });
     }
     translation.statements.push(Statement { kind: StatementKind::Torque { moment, angle }, ..statement });

@@ -107,11 +107,16 @@ impl<'e> TermWriter<'e> {
 
     /// The components of the difference of two vectors.
     pub(super) fn difference(&mut self, dimension: usize, [a, b]: [AstId; 2]) -> Vec<AstId> {
-        let (a, b) = match dimension {
-            3 => (self.triple(a).to_vec(), self.triple(b).to_vec()),
-            _ => (self.pair(a).to_vec(), self.pair(b).to_vec()),
-        };
+        let (a, b) = (self.components_of(dimension, a), self.components_of(dimension, b));
         a.into_iter().zip(b).map(|(a, b)| self.minus(a, b)).collect()
+    }
+
+    /// The components of a vector, three in space.
+    pub(super) fn components_of(&mut self, dimension: usize, vector: AstId) -> Vec<AstId> {
+        match dimension {
+            3 => self.triple(vector).to_vec(),
+            _ => self.pair(vector).to_vec(),
+        }
     }
 
     fn components<const N: usize>(&mut self, vector: AstId, axes: [&str; N]) -> [AstId; N] {
@@ -262,12 +267,11 @@ impl<'e> TermWriter<'e> {
         [along, self.quarter_turn(along)]
     }
 
-    /// One vector where a scalar is positive, another one elsewhere.
-    pub(super) fn if_positive(&mut self, scalar: AstId, then: Pair, otherwise: Pair) -> Pair {
+    /// One value where a scalar is positive, another one elsewhere.
+    pub(super) fn if_positive(&mut self, scalar: AstId, then: AstId, otherwise: AstId) -> AstId {
         let zero = self.number(0);
         let condition = Condition { left: zero, relation: Relation::Less, right: scalar };
-        let mut choose = |then, otherwise| self.add_node(Expression::If { condition, then, otherwise });
-        [choose(then[0], otherwise[0]), choose(then[1], otherwise[1])]
+        self.add_node(Expression::If { condition, then, otherwise })
     }
 
     /// Distance of one point from another in a direction.

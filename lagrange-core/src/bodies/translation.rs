@@ -36,6 +36,8 @@ pub(super) struct Translation<'a> {
     /// Translations of expressions, each found once.
     pub(super) translated: HashMap<AstId, AstId>,
     pub(super) motions: Vec<Motion>,
+    /// Whether anybody asks for what there is to draw.
+    pub(super) is_drawn: bool,
     pub(super) drawing: Vec<Drawn>,
     /// Forces and moments, which are drawn last.
     pub(super) loads: Vec<Drawn>,
@@ -68,6 +70,7 @@ impl<'a> Translation<'a> {
             early: HashMap::default(),
             translated: HashMap::default(),
             motions: Vec::new(),
+            is_drawn: declaration.asks_for("drawing"),
             drawing: Vec::new(),
             loads: Vec::new(),
             obligations: Vec::new(),

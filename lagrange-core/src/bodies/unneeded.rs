@@ -3,7 +3,7 @@
 //! Where a frame is in the world matters to weights, points and outputs only. What a scene does without is left out again, so that its
 //! plain statements hold what its equations are made of.
 
-use super::plain::{Obligation, Plain};
+use super::plain::{Drawn, DrawnKind, Obligation, Plain};
 use crate::collections::HashMap;
 use crate::syntax::ast::{AstId, Expression, Expressions, StatementKind};
 
@@ -13,6 +13,7 @@ pub(super) fn leave_out_unneeded(plain: &mut Plain, kinematic: &HashMap<String, 
     let mut needed = Needed { expressions, names: HashMap::default(), seen: HashMap::default() };
     plain.mentioned.iter().for_each(|&id| needed.add(id));
     plain.in_space.expressions().into_iter().for_each(|id| needed.add(id));
+    plain.drawing.iter().flat_map(drawn).for_each(|id| needed.add(id));
     plain.obligations.iter().flat_map(obliged).for_each(|id| needed.add(id));
     let mut kept = Vec::with_capacity(plain.declaration.statements.len());
     for statement in plain.declaration.statements.iter().rev() {
@@ -29,6 +30,16 @@ pub(super) fn leave_out_unneeded(plain: &mut Plain, kinematic: &HashMap<String, 
     }
     let mut kept = kept.into_iter().rev();
     plain.declaration.statements.retain(|_| kept.next().unwrap_or(true));
+}
+
+/// Expressions of an item that is drawn.
+fn drawn(item: &Drawn) -> Vec<AstId> {
+    let outlines = match &item.kind {
+        DrawnKind::Body { outlines, .. } => &outlines[..],
+        _ => &[],
+    };
+    let of_shape = outlines.iter().flat_map(|outline| outline.dimensions.iter().chain(&outline.place));
+    item.values.iter().chain(of_shape).copied().collect()
 }
 
 /// Expressions that obligations check, those of masses and properties being among the mentioned ones.

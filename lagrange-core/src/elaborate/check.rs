@@ -148,9 +148,6 @@ fn check_products(elaborator: &mut Elaborator<'_>) {
 fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'static str) {
     let staged = &elaborator.staged;
     match product {
-        Product::Drawing if staged.is_in_space => {
-            (scene::only_in_the_plane(product.name()), scene::IN_SPACE_HELP)
-        }
         Product::Frames | Product::FrameJacobians if !staged.bodies.is_empty() => {
             (scene::only_in_space(product.name()), scene::IN_THE_PLANE_HELP)
         }

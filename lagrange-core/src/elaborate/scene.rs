@@ -12,8 +12,7 @@ use super::staged::Staged;
 use super::torques::torque_item;
 use crate::bodies::{Drawn, DrawnKind, Motion, Outline, Plain};
 use crate::expr::ExprId;
-use crate::model::{BodyMotion, DrawnItem, OutlinedPart, Product};
-use crate::solids;
+use crate::model::{BodyMotion, DrawnItem, LinkPose, OutlinedPart, Product, Scene};
 use crate::syntax::ast::{AstId, Declaration};
 
 /// Takes what is known of bodies into the model, as far as it is asked for.
@@ -27,7 +26,9 @@ pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
         elaborator.scene.motions = motions.into_iter().flatten().collect();
     }
     // Where the motion of a body is unknown, that was reported.
-    if is_drawn && elaborator.scene.motions.len() == plain.motions.len() {
+    let Scene { motions, spatial_motions, .. } = &elaborator.scene;
+    let found = [motions.len(), spatial_motions.len()];
+    if is_drawn && found == [plain.motions.len(), plain.in_space.motions.len()] {
         add_drawing(elaborator, &plain.drawing);
     }
 }
@@ -69,6 +70,15 @@ fn body_motion(elaborator: &mut Elaborator<'_>, motion: &Motion) -> Option<BodyM
     Some(BodyMotion { body, values })
 }
 
+/// The values of scalars; what is none is reported.
+fn scalars_of(elaborator: &mut Elaborator<'_>, syntax: &[AstId]) -> Option<Vec<ExprId>> {
+    let scalar = |&id: &AstId| {
+        value_of(&mut elaborator.evaluator, id)?;
+        elaborator.evaluator.scalar(id, scene::DIMENSION)
+    };
+    syntax.iter().map(scalar).collect()
+}
+
 /// The components of values one after another.
 fn flattened(elaborator: &mut Elaborator<'_>, values: &[AstId]) -> Option<Vec<ExprId>> {
     let values = values.iter().map(|&value| value_of(&mut elaborator.evaluator, value)).collect::<Vec<_>>();
@@ -102,8 +112,8 @@ fn add_drawing(elaborator: &mut Elaborator<'_>, drawing: &[Drawn]) {
 
 fn drawn_item(elaborator: &mut Elaborator<'_>, item: &Drawn) -> Option<DrawnItem> {
     let values = flattened(elaborator, &item.values)?;
-    // Forces in space have no place in the picture.
-    if values.len() != value_count(&item.kind) {
+    // Forces in space have no place in a picture of the plane.
+    if values.len() != value_count(&item.kind, elaborator.staged.is_in_space) {
         return None;
     }
     let parts = match &item.kind {
@@ -116,13 +126,15 @@ fn drawn_item(elaborator: &mut Elaborator<'_>, item: &Drawn) -> Option<DrawnItem
 }
 
 fn outlined_part(elaborator: &mut Elaborator<'_>, outline: &Outline) -> Option<OutlinedPart> {
-    let dimensions = flattened(elaborator, &outline.dimensions)?;
-    let has_corners = dimensions.len() > outline.dimensions.len();
-    let place = flattened(elaborator, &[outline.at, outline.angle])?;
-    // A solid that does not exist was reported where bodies became plain statements.
-    let variant = solids::by_name(&outline.solid)?.outline;
-    let values = [dimensions, place].concat();
-    Some(OutlinedPart { outline: variant, has_corners, values, is_hole: outline.is_hole })
+    let Outline { variant, ref dimensions, ref place, is_hole } = *outline;
+    let written = dimensions.len();
+    let dimensions = match elaborator.staged.is_in_space {
+        true => scalars_of(elaborator, dimensions)?,
+        false => flattened(elaborator, dimensions)?,
+    };
+    let (has_corners, dimension_count) = (dimensions.len() > written, dimensions.len());
+    let values = [dimensions, flattened(elaborator, place)?].concat();
+    Some(OutlinedPart { variant, has_corners, dimension_count, values, is_hole })
 }
 
 /// No two methods have the same name.
@@ -154,14 +166,18 @@ pub(super) fn check_names_of_bodies(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Number of values of an item in the plane.
-fn value_count(kind: &DrawnKind) -> usize {
+/// Number of values of an item.
+fn value_count(kind: &DrawnKind, is_in_space: bool) -> usize {
+    let (vector, moment) = if is_in_space { (3, 3) } else { (2, 1) };
     match kind {
         DrawnKind::Body { .. } | DrawnKind::Omitted { .. } => 0,
-        DrawnKind::Joint { .. } | DrawnKind::Torque { .. } => 2,
-        DrawnKind::Line { .. } | DrawnKind::Moment { .. } => 3,
-        DrawnKind::Force { .. } => 4,
-        DrawnKind::Connector { .. } => 5,
+        DrawnKind::Joint { .. } => vector,
+        DrawnKind::Torque { .. } => 2,
+        DrawnKind::Line { .. } => vector + 1,
+        DrawnKind::Moment { .. } => vector + moment,
+        DrawnKind::Force { .. } | DrawnKind::SpatialJoint { .. } => 2 * vector,
+        DrawnKind::Connector { .. } => 2 * vector + 1,
+        DrawnKind::Frame { .. } => LinkPose::VALUES,
     }
 }
 
@@ -169,9 +185,9 @@ fn value_count(kind: &DrawnKind) -> usize {
 fn layer(kind: &DrawnKind) -> u8 {
     match kind {
         DrawnKind::Line { .. } => 0,
-        DrawnKind::Body { .. } => 1,
+        DrawnKind::Body { .. } | DrawnKind::Frame { .. } => 1,
         DrawnKind::Connector { .. } => 2,
-        DrawnKind::Joint { .. } => 3,
+        DrawnKind::Joint { .. } | DrawnKind::SpatialJoint { .. } => 3,
         DrawnKind::Force { .. } | DrawnKind::Moment { .. } | DrawnKind::Torque { .. } => 4,
         DrawnKind::Omitted { .. } => 5,
     }

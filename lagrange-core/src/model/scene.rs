@@ -87,7 +87,7 @@ pub struct LinkTwist {
 pub struct DrawnItem {
     /// Kind of the item.
     pub kind: DrawnKind,
-    /// Its numbers in the order that its kind says; vectors take two places.
+    /// Its numbers in the order that its kind says; vectors take two places, in space three.
     pub values: Vec<ExprId>,
     /// The shape, if it is a body.
     pub parts: Vec<OutlinedPart>,
@@ -104,11 +104,13 @@ impl DrawnItem {
 /// A part of a body's shape.
 #[derive(Clone, Debug)]
 pub struct OutlinedPart {
-    /// A variant of `lagrange::scene::Outline`.
-    pub outline: &'static str,
+    /// A variant of `lagrange::scene::Outline`, in space of `lagrange::scene::Solid`.
+    pub variant: &'static str,
     /// True if the dimensions are corners, of which each takes two places.
     pub has_corners: bool,
-    /// The dimensions, then the origin of its coordinates, then the angle of its axes.
+    /// Number of values that are dimensions.
+    pub dimension_count: usize,
+    /// The dimensions, then the origin of its coordinates, then the angle of its axes, in space their rotation in rows.
     pub values: Vec<ExprId>,
     /// True if it is cut out.
     pub is_hole: bool,

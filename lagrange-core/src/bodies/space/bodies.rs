@@ -6,17 +6,18 @@ use super::inertia::{mass_properties, triple_of};
 use super::links::{Link, MassProperties, NamedEnergies, Path};
 use super::messages as words;
 use super::poses::{behind, named_vector};
-use super::vectors::{half_square, inner, minus, plus};
+use super::vectors::{half_square, inner, minus, plus, scale};
+use crate::bodies::drawing::{Load, draw_force};
 use crate::bodies::expressions::plain_expression;
 use crate::bodies::messages::{self, mobilizers as joints};
 use crate::bodies::object::Object;
-use crate::bodies::plain::Obligation;
+use crate::bodies::plain::{LoadOrigin, Obligation, Outline};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, Expression, Name, StatementKind};
 
 /// `frame name;`
 pub(in crate::bodies) fn translate_frame(translation: &mut Translation<'_>, name: &Name) {
-    declare(translation, name, None);
+    declare(translation, name, None, Vec::new());
 }
 
 pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_>, statement: &ast::Body) {
@@ -26,15 +27,15 @@ pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_
         let origin = translation.expressions.origin(angle);
         translation.report.error(origin, words::one_angle(&name.text)).help(words::ANGLES_HELP);
     }
-    let inertia = match statement.parts.is_empty() {
+    let matter = match statement.parts.is_empty() {
         true => Some(mass_properties(translation, statement)),
         false => compound_properties(translation, statement),
     };
-    let inertia = inertia.unwrap_or_else(|| {
+    let (inertia, outlines) = matter.unwrap_or_else(|| {
         let invalid = translation.terms().invalid();
-        MassProperties { mass: invalid, centroid: [invalid; 3], tensor: Some([invalid; 6]) }
+        (MassProperties { mass: invalid, centroid: [invalid; 3], tensor: Some([invalid; 6]) }, Vec::new())
     });
-    let link = declare(translation, name, Some(inertia));
+    let link = declare(translation, name, Some(inertia), outlines);
     if !is_wrong && is_placed_by_hand(translation, statement) {
         let (pose, center) = pose_by_hand(translation, statement, inertia);
         settle(translation, link, (pose, None), center);
@@ -53,7 +54,12 @@ fn is_placed_by_hand(translation: &Translation<'_>, statement: &ast::Body) -> bo
     places.into_iter().flatten().any(|place| !is_jointed || is_read(place))
 }
 
-fn declare(translation: &mut Translation<'_>, name: &Name, inertia: Option<MassProperties>) -> usize {
+fn declare(
+    translation: &mut Translation<'_>,
+    name: &Name,
+    inertia: Option<MassProperties>,
+    outlines: Vec<Outline>,
+) -> usize {
     let is_frame = inertia.is_none();
     let Some(space) = &mut translation.space else { return 0 };
     let index = space.links.len();
@@ -62,6 +68,7 @@ fn declare(translation: &mut Translation<'_>, name: &Name, inertia: Option<MassP
         inertia,
         placed: None,
         path: None,
+        outlines,
         energies: NamedEnergies::default(),
     });
     translation.names.declare(&name.text, Object::Link { index, is_frame });
@@ -225,10 +232,15 @@ fn weigh(translation: &mut Translation<'_>, link: usize) {
     };
     let mut terms = translation.terms();
     let center = pose.place_of(&mut terms, inertia.centroid);
+    let force = scale(&mut terms, inertia.mass, gravity);
+    let (at, force) = (terms.vector(&center), terms.vector(&force));
     let work = inner(&mut terms, gravity, center);
     let weighed = terms.times(inertia.mass, work);
     let potential = terms.negative(weighed);
-    if terms.is_zero(potential) {
+    let does_no_work = terms.is_zero(potential);
+    let load = Load { name: "gravity", cause: LoadOrigin::Gravity, body: Some(name.text.clone()) };
+    draw_force(translation, load, [at, force], &[]);
+    if does_no_work {
         return;
     }
     let potential = translation.bind(&format!("{}_V", name.text), potential);

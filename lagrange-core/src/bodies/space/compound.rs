@@ -2,17 +2,17 @@
 //!
 //! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Rᵢ Jᵢ Rᵢᵀ + mᵢ (dᵢ² 1 − dᵢ dᵢᵀ)) with dᵢ = rᵢ − r_S (Steiner, Huygens), holes with the lower sign.
 
-use super::inertia::{fixed_triple, oblige, shape_of, tensor_of_solid};
+use super::inertia::{fixed_triple, oblige, outline_of, shape_of, tensor_of_solid};
 use super::links::MassProperties;
 use super::messages as words;
 use super::orientations::orientation;
 use super::poses::named_vector;
 use super::vectors::{
-    Tensor, Triple, apply, minus, plus, scale, tensor_of_point, tensor_sum, turned_tensor, zero_triple,
+    Tensor, Triple, apply, minus, plus, scale, tensor_of_point, tensor_sum, turned_tensor, unit, zero_triple,
 };
 use crate::bodies::compound::{mass_of_part, report_beside_compound};
 use crate::bodies::messages;
-use crate::bodies::plain::Obligation;
+use crate::bodies::plain::{Obligation, Outline};
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, Part};
@@ -24,13 +24,14 @@ struct SpatialPart {
     centroid: Triple,
     /// About its own centre of mass.
     tensor: Tensor,
+    outline: Outline,
 }
 
-/// The common mass, centre of mass and tensor; `None` after a mistake.
+/// The common mass, centre of mass and tensor, and the parts as they are drawn; `None` after a mistake.
 pub(super) fn compound_properties(
     translation: &mut Translation<'_>,
     statement: &ast::Body,
-) -> Option<MassProperties> {
+) -> Option<(MassProperties, Vec<Outline>)> {
     report_beside_compound(translation, statement);
     let parts = statement.parts.iter().map(|part| spatial_part(translation, part)).collect::<Vec<_>>();
     let parts = parts.into_iter().collect::<Option<Vec<_>>>()?;
@@ -44,7 +45,8 @@ pub(super) fn compound_properties(
     let tensor = common_tensor(&mut translation.terms(), &parts, centroid);
     let tensor = named_tensor(translation, name, tensor);
     oblige(translation, &statement.name, tensor);
-    Some(MassProperties { mass, centroid, tensor: Some(tensor) })
+    let outlines = parts.into_iter().map(|part| part.outline).collect();
+    Some((MassProperties { mass, centroid, tensor: Some(tensor) }, outlines))
 }
 
 /// Σ ±mᵢ and Σ ±mᵢ rᵢ
@@ -109,5 +111,7 @@ fn spatial_part(translation: &mut Translation<'_>, part: &Part) -> Option<Spatia
         None => (center, own),
     };
     let centroid = plus(&mut terms, at, arm);
-    Some(SpatialPart { is_hole: part.is_hole, mass, centroid, tensor })
+    let rotation = rotation.unwrap_or_else(|| [0, 1, 2].map(|axis| unit(&mut terms, axis)));
+    let outline = Outline { is_hole: part.is_hole, ..outline_of(solid, dimensions, at, rotation) };
+    Some(SpatialPart { is_hole: part.is_hole, mass, centroid, tensor, outline })
 }

@@ -67,6 +67,13 @@ impl Pose {
         terms.vector(&world)
     }
 
+    /// The direction in the world of an axis in the frame.
+    pub(super) fn axis_in_world(&self, terms: &mut TermWriter<'_>, axis: JointAxis) -> Triple {
+        let one = terms.number(1);
+        let own = axis.times(terms, one);
+        self.in_world(terms, own)
+    }
+
     /// A vector of the world in own components.
     pub(super) fn in_own_axes(&self, terms: &mut TermWriter<'_>, vector: Triple) -> Triple {
         self.axes.map(|axis| inner(terms, axis, vector))
@@ -86,6 +93,13 @@ pub(super) enum FrameStep {
     Slide(JointAxis, AstId),
     /// To axes that turn in any direction.
     Orientation(TurningAxes),
+}
+
+impl FrameStep {
+    /// True if the frame behind it stands still in the frame before it.
+    pub(super) fn is_fixed(&self) -> bool {
+        matches!(self, FrameStep::Shift(_) | FrameStep::Reorientation(_))
+    }
 }
 
 /// Axes that turn in any direction in the frame before them.

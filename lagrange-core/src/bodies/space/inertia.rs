@@ -5,17 +5,20 @@ use super::messages as words;
 use super::numbers::is_no_vector;
 use super::poses::named_vector;
 use super::solids::{self, SolidInSpace};
-use super::vectors::{Tensor, Triple, scale, zero_triple};
+use super::vectors::{Matrix, Tensor, Triple, minus, scale, unit, zero_triple};
 use crate::bodies::expressions::mention;
 use crate::bodies::mass_geometry::property;
 use crate::bodies::messages;
-use crate::bodies::plain::Obligation;
+use crate::bodies::plain::{Obligation, Outline};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, Shape};
 use crate::syntax::foreign;
 
 /// What a body is made of, as stated; of parts see [`super::compound`].
-pub(super) fn mass_properties(translation: &mut Translation<'_>, statement: &ast::Body) -> MassProperties {
+pub(super) fn mass_properties(
+    translation: &mut Translation<'_>,
+    statement: &ast::Body,
+) -> (MassProperties, Vec<Outline>) {
     let name = &statement.name;
     let mass = crate::bodies::body::mass_of(translation, statement);
     let shape = statement.shape.as_ref().and_then(|shape| shape_of(translation, shape));
@@ -38,7 +41,32 @@ pub(super) fn mass_properties(translation: &mut Translation<'_>, statement: &ast
     if let Some(tensor) = tensor {
         oblige(translation, name, tensor);
     }
-    MassProperties { mass, centroid, tensor }
+    let outline = shape.map(|shape| outline_around(translation, shape, centroid));
+    (MassProperties { mass, centroid, tensor }, outline.into_iter().collect())
+}
+
+/// A solid whose centre of mass is the centroid of the body.
+fn outline_around(
+    translation: &mut Translation<'_>,
+    (solid, dimensions): (&'static SolidInSpace, Vec<AstId>),
+    centroid: Triple,
+) -> Outline {
+    let mut terms = translation.terms();
+    let own = (solid.centroid)(&mut terms, &dimensions);
+    let at = minus(&mut terms, centroid, own);
+    let rotation = [0, 1, 2].map(|axis| unit(&mut terms, axis));
+    outline_of(solid, dimensions, at, rotation)
+}
+
+/// A solid at a place in the axes of the body, turned in them.
+pub(super) fn outline_of(
+    solid: &'static SolidInSpace,
+    dimensions: Vec<AstId>,
+    at: Triple,
+    rotation: Matrix,
+) -> Outline {
+    let place = at.iter().chain(rotation.iter().flatten()).copied().collect();
+    Outline { variant: solid.variant, dimensions, place, is_hole: false }
 }
 
 /// Moments and products of inertia, or principal moments, as the body states them.

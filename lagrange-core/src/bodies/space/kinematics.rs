@@ -6,7 +6,7 @@
 //!
 //! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*, §3.1.
 
-use super::frames::{FrameStep, JointAxis, Pose};
+use super::frames::{FrameStep, Pose};
 use super::links::{Link, MassProperties, Path};
 use super::vectors::{Triple, cross, minus, plus, scale, zero_triple};
 use crate::bodies::plain::{FramePose, FrameTwist, SpatialKinematics, SpatialMotion};
@@ -26,7 +26,7 @@ impl Asked {
     pub(in crate::bodies) fn of(declaration: &Declaration) -> Asked {
         let [motions, frames, twists] =
             ["motion", "frames", "frame_jacobians"].map(|product| declaration.asks_for(product));
-        Asked { motions, frames, twists }
+        Asked { motions: motions || declaration.asks_for("drawing"), frames, twists }
     }
 }
 
@@ -130,7 +130,7 @@ fn with_step(
     match step {
         FrameStep::Shift(_) | FrameStep::Reorientation(_) => [spin, velocity],
         FrameStep::Turn(about, angle) => {
-            let (axis, rate) = (axis_in_world(terms, before, about), terms.rate(angle));
+            let (axis, rate) = (before.axis_in_world(terms, about), terms.rate(angle));
             let [turned, moved] = turning_about(terms, axis, before.origin, place)
                 .map(|direction| scale(terms, rate, direction));
             [plus(terms, spin, turned), plus(terms, velocity, moved)]
@@ -141,7 +141,7 @@ fn with_step(
             [plus(terms, spin, turned), plus(terms, velocity, moved)]
         }
         FrameStep::Slide(along, distance) => {
-            let (axis, rate) = (axis_in_world(terms, before, along), terms.rate(distance));
+            let (axis, rate) = (before.axis_in_world(terms, along), terms.rate(distance));
             let moved = scale(terms, rate, axis);
             [spin, plus(terms, velocity, moved)]
         }
@@ -152,12 +152,6 @@ fn with_step(
 fn turning_about(terms: &mut TermWriter<'_>, turning: Triple, point: Triple, place: Triple) -> [Triple; 2] {
     let arm = minus(terms, place, point);
     [turning, cross(terms, turning, arm)]
-}
-
-fn axis_in_world(terms: &mut TermWriter<'_>, frame: &Pose, axis: JointAxis) -> Triple {
-    let one = terms.number(1);
-    let own = axis.times(terms, one);
-    frame.in_world(terms, own)
 }
 
 /// What the link adds that begins the way, whose motion is written in the rates of what the user wrote: ω and ṙ_O + ω × (r − r_O).

@@ -2,6 +2,7 @@
 
 use super::frames::{FrameStep, Pose};
 use super::vectors::{Tensor, Triple};
+use crate::bodies::plain::Outline;
 use crate::diagnostics::Origin;
 use crate::syntax::ast::{AstId, Name};
 
@@ -15,6 +16,8 @@ pub(in crate::bodies) struct Link {
     pub(super) placed: Option<(Pose, Origin)>,
     /// How a joint places it.
     pub(super) path: Option<Path>,
+    /// Its shape, as it is drawn.
+    pub(super) outlines: Vec<Outline>,
     /// Names of its energies.
     pub(super) energies: NamedEnergies,
 }
@@ -47,6 +50,13 @@ pub(super) struct MassProperties {
     pub(super) centroid: Triple,
     /// The tensor of inertia about the centre of mass; `None` of a body that never turns.
     pub(super) tensor: Option<Tensor>,
+}
+
+impl Path {
+    /// True if what is placed stands still in what carries it.
+    pub(super) fn is_fixed(&self) -> bool {
+        self.steps.iter().all(|(step, _)| step.is_fixed())
+    }
 }
 
 impl Link {

@@ -2,9 +2,11 @@
 //!
 //! They do work along velocities that are known in the axes of the body: F·v_P and M·ω, so that nothing is differentiated.
 
+use super::drawing::loaded_body;
 use super::expressions::{point_on_link, rate_of_link_point};
 use super::inertia::components_of;
 use super::messages as words;
+use crate::bodies::drawing::{Load, draw_force, draw_moment, owner_of_point};
 use crate::bodies::expressions::{mention, plain_expression, translated_place};
 use crate::bodies::plain::Obligation;
 use crate::bodies::translation::Translation;
@@ -19,10 +21,15 @@ pub(in crate::bodies) fn translate_spatial_force(
 ) {
     let place = translated_place(translation, point);
     let Some((link, own)) = point_on_link(translation, point) else {
-        let (force, point) = (plain_expression(translation, force), place);
+        let (written, force, point) = (point, plain_expression(translation, force), place);
+        let body = owner_of_point(translation, written);
+        draw_force(translation, Load::applied("force", body), [point, force], &[]);
         translation.statements.push(Statement { kind: StatementKind::ForceAt { force, point }, ..statement });
         return;
     };
+    let body = owner_of_point(translation, point);
+    let drawn = [place, plain_expression(translation, force)];
+    draw_force(translation, Load::applied("force", body), drawn, &[]);
     let (pose, velocity) = rate_of_link_point(translation, "velocity", link, own);
     let components = own_load(translation, force, link, words::FORCE);
     let components = components.unwrap_or_else(|world| pose.in_own_axes(&mut translation.terms(), world));
@@ -40,6 +47,10 @@ pub(in crate::bodies) fn translate_spatial_torque(
     let (pose, _) = rate_of_link_point(translation, "velocity", link, origin);
     let components = own_load(translation, moment, link, words::TORQUE);
     let components = components.unwrap_or_else(|world| pose.in_own_axes(&mut translation.terms(), world));
+    let drawn = plain_expression(translation, moment);
+    if let Some((body, center)) = loaded_body(translation, link) {
+        draw_moment(translation, Load::applied("torque", Some(body)), [center, drawn]);
+    }
     push_load(translation, components, pose.spin, statement);
 }
 

@@ -4,6 +4,7 @@
 //! of the coordinate axes is made one by turning the frame, and what follows the motion back.
 
 use super::bodies::settle;
+use super::drawing::draw_mobilizer;
 use super::frames::{FrameStep, JointAxis, Pose, TurningAxes};
 use super::inertia::fixed_triple;
 use super::links::Path;
@@ -80,12 +81,14 @@ fn walk(
 ) -> (Pose, Path) {
     let name = &joint.outboard.text;
     let last = steps.len().saturating_sub(1);
+    let before = pose;
     let mut path = Path { carrier, steps: Vec::with_capacity(steps.len()) };
     for (index, step) in steps.into_iter().enumerate() {
         let wish = if index == last { name.clone() } else { format!("{name}_joint") };
         pose = behind(translation, &wish, pose, step);
         path.steps.push((step, pose));
     }
+    draw_mobilizer(translation, joint, &before, &path);
     (pose, path)
 }
 

@@ -12,6 +12,7 @@ mod base_parameters;
 mod bodies;
 mod compound;
 pub(super) mod dimension;
+mod drawing;
 mod expressions;
 mod frames;
 mod gibbs;
@@ -21,6 +22,7 @@ mod links;
 mod loads;
 mod messages;
 mod mobilizers;
+mod motors;
 mod numbers;
 mod orientations;
 mod poses;
@@ -31,6 +33,7 @@ mod vectors;
 pub(super) use bodies::{
     report_unplaced, translate_frame, translate_spatial_body, translate_spatial_gravity,
 };
+pub(super) use drawing::{draw_pin, draw_scene};
 pub(super) use expressions::{
     call_of_link, in_axes, part_of_link, place_of_link, point_on_link, rate_of_link_point,
 };
@@ -39,4 +42,5 @@ pub(super) use kinematics::{Asked, kinematics_asked_for};
 pub(super) use loads::{translate_spatial_force, translate_spatial_torque};
 pub(super) use mobilizers::translate_spatial_mobilizer;
 pub(super) use mobilizers::{coordinates_of, dampen};
+pub(super) use motors::{draw_force_on_coordinate, draw_torque_on_angle};
 pub(super) use numbers::is_no_vector;

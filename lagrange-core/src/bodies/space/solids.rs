@@ -14,6 +14,8 @@ use crate::syntax::ast::{AstId, Shape};
 /// A solid with its principal moments of inertia.
 pub(super) struct SolidInSpace {
     pub(super) name: &'static str,
+    /// The variant of `lagrange::scene::Solid` that draws it.
+    pub(super) variant: &'static str,
     pub(super) dimensions: &'static [&'static str],
     /// Principal moments for a mass of one, from the dimensions.
     pub(super) moments: fn(&mut TermWriter<'_>, &[AstId]) -> Triple,
@@ -47,9 +49,16 @@ pub(super) fn nearest(name: &str) -> Option<&'static str> {
 
 /// Every solid.
 pub(super) const SOLIDS_IN_SPACE: &[SolidInSpace] = &[
-    SolidInSpace { name: "point_mass", dimensions: &[], moments: |t, _| zero_triple(t), centroid: at_origin },
+    SolidInSpace {
+        name: "point_mass",
+        variant: "PointMass",
+        dimensions: &[],
+        moments: |t, _| zero_triple(t),
+        centroid: at_origin,
+    },
     SolidInSpace {
         name: "slender_rod",
+        variant: "SlenderRod",
         dimensions: &["l"],
         moments: |t, x| {
             let across = fraction_of_squares(t, &[(1, 12, x[0])]);
@@ -59,18 +68,21 @@ pub(super) const SOLIDS_IN_SPACE: &[SolidInSpace] = &[
     },
     SolidInSpace {
         name: "solid_sphere",
+        variant: "Sphere",
         dimensions: &["r"],
         moments: |t, x| [fraction_of_squares(t, &[(2, 5, x[0])]); 3],
         centroid: at_origin,
     },
     SolidInSpace {
         name: "thin_sphere",
+        variant: "Sphere",
         dimensions: &["r"],
         moments: |t, x| [fraction_of_squares(t, &[(2, 3, x[0])]); 3],
         centroid: at_origin,
     },
     SolidInSpace {
         name: "ellipsoid",
+        variant: "Ellipsoid",
         dimensions: &["a", "b", "c"],
         moments: |t, x| {
             [[1, 2], [2, 0], [0, 1]].map(|sides| fraction_of_squares(t, &sides.map(|side| (1, 5, x[side]))))
@@ -79,6 +91,7 @@ pub(super) const SOLIDS_IN_SPACE: &[SolidInSpace] = &[
     },
     SolidInSpace {
         name: "cuboid",
+        variant: "Cuboid",
         dimensions: &["a", "b", "c"],
         moments: |t, x| {
             [[1, 2], [2, 0], [0, 1]].map(|sides| fraction_of_squares(t, &sides.map(|side| (1, 12, x[side]))))
@@ -87,6 +100,7 @@ pub(super) const SOLIDS_IN_SPACE: &[SolidInSpace] = &[
     },
     SolidInSpace {
         name: "disk",
+        variant: "Disk",
         dimensions: &["r"],
         moments: |t, x| {
             let across = fraction_of_squares(t, &[(1, 4, x[0])]);
@@ -96,6 +110,7 @@ pub(super) const SOLIDS_IN_SPACE: &[SolidInSpace] = &[
     },
     SolidInSpace {
         name: "thin_ring",
+        variant: "Ring",
         dimensions: &["r"],
         moments: |t, x| {
             let across = fraction_of_squares(t, &[(1, 2, x[0])]);
@@ -105,6 +120,7 @@ pub(super) const SOLIDS_IN_SPACE: &[SolidInSpace] = &[
     },
     SolidInSpace {
         name: "solid_cylinder",
+        variant: "Cylinder",
         dimensions: &["r", "h"],
         moments: |t, x| {
             let across = fraction_of_squares(t, &[(1, 4, x[0]), (1, 12, x[1])]);
@@ -114,6 +130,7 @@ pub(super) const SOLIDS_IN_SPACE: &[SolidInSpace] = &[
     },
     SolidInSpace {
         name: "hollow_cylinder",
+        variant: "HollowCylinder",
         dimensions: &["inner", "outer", "h"],
         moments: |t, x| {
             let across = fraction_of_squares(t, &[(1, 4, x[0]), (1, 4, x[1]), (1, 12, x[2])]);
@@ -124,6 +141,7 @@ pub(super) const SOLIDS_IN_SPACE: &[SolidInSpace] = &[
     // Its base is at z = 0, its tip at z = h.
     SolidInSpace {
         name: "cone",
+        variant: "Cone",
         dimensions: &["r", "h"],
         moments: |t, x| {
             let across = fraction_of_squares(t, &[(3, 20, x[0]), (3, 80, x[1])]);

@@ -6,12 +6,8 @@ pub(in crate::elaborate) fn needs_bodies(name: &str) -> String {
 
 pub(in crate::elaborate) const BODY_HELP: &str = "declare one: `body name { … }`";
 
-pub(in crate::elaborate) fn only_in_the_plane(product: &str) -> String {
-    format!("`{product}` is for bodies in the plane: there are no pictures of bodies in space")
-}
-
-pub(in crate::elaborate) const IN_SPACE_HELP: &str =
-    "`emit { motion, frames }` says where bodies in space are and how they move";
+/// What dimensions of drawn solids are, in words.
+pub(in crate::elaborate) const DIMENSION: &str = "a dimension of a solid";
 
 pub(in crate::elaborate) fn only_in_space(product: &str) -> String {
     format!("`{product}` is for bodies and frames in space, but these move in the plane")

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::items::Values;
 use super::scene::motion_method;
 use super::sparse::{Sparse, lowered_sparse};
 use crate::emit::base::docs::with_counts;
@@ -16,7 +17,10 @@ use crate::syntax::ast::Name;
 /// A method for each body or frame and each product that is asked for.
 pub(in crate::emit) fn write_frames(writer: &mut MethodWriter<'_>) {
     let scene = writer.model.scene.clone();
-    scene.spatial_motions.iter().for_each(|motion| write_motion(writer, motion));
+    // Drawings need them, too.
+    if writer.model.products.contains(&Product::Motion) {
+        scene.spatial_motions.iter().for_each(|motion| write_motion(writer, motion));
+    }
     scene.frames.iter().for_each(|frame| write_frame(writer, frame));
     let jacobians = &writer.equations.frame_jacobians;
     for (twist, jacobian) in scene.twists.iter().zip(jacobians) {
@@ -26,41 +30,12 @@ pub(in crate::emit) fn write_frames(writer: &mut MethodWriter<'_>) {
 
 fn write_motion(writer: &mut MethodWriter<'_>, motion: &SpatialBodyMotion) {
     let krate = writer.shape.krate;
-    let (body, counts) =
-        writer.lowered(&motion.values, Arguments::State, |values| spatial_motion(krate, values));
+    let (body, counts) = writer
+        .lowered(&motion.values, Arguments::State, |values| Values::new(values, 3).spatial_motion(krate));
     let line = format!("How the body `{}` moves.", motion.body.text);
     let docs = with_counts(writer.shape.body_docs(&motion.body, &line), counts);
     let names = &writer.members.names;
     writer.members.motions.extend(motion_method(writer.shape, names, &motion.body, &docs, &body));
-}
-
-/// The values in the order in which the model holds them.
-fn spatial_motion(krate: &TokenStream, values: &[TokenStream]) -> TokenStream {
-    let (mass, rest) = values.split_at(1);
-    let (inertia, rest) = rest.split_at(9);
-    let (places, rest) = rest.split_at(6);
-    let (rotation, rates) = rest.split_at(9);
-    let [inertia, rotation] = [inertia, rotation].map(|matrix| Returns::Matrix(3, 3).collect(matrix));
-    let [centroid, center] = [0, 1].map(|i| vector(places, i));
-    let [velocity, spin, acceleration, change] = [0, 1, 2, 3].map(|i| vector(rates, i));
-    quote! {
-        #krate::body::SpatialMotion {
-            mass: #(#mass)*,
-            inertia: #inertia,
-            centroid: #centroid,
-            center: #center,
-            rotation: #rotation,
-            velocity: #velocity,
-            angular_velocity: #spin,
-            acceleration: #acceleration,
-            angular_acceleration: #change,
-        }
-    }
-}
-
-/// One of several vectors in space.
-fn vector(values: &[TokenStream], index: usize) -> TokenStream {
-    Returns::Vector(3).collect(&values[3 * index..][..3])
 }
 
 fn write_frame(writer: &mut MethodWriter<'_>, LinkPose { name, values }: &LinkPose) {

@@ -6,6 +6,7 @@ pub(super) mod contacts;
 pub(super) mod events;
 pub(super) mod frames;
 pub(super) mod indefinite;
+mod items;
 pub(super) mod jacobian;
 pub(super) mod orientations;
 pub(super) mod ports;

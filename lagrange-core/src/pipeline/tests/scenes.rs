@@ -53,6 +53,8 @@ fn kind(kind: &DrawnKind) -> &'static str {
         DrawnKind::Moment { .. } => "moment",
         DrawnKind::Torque { .. } => "torque",
         DrawnKind::Omitted { .. } => "omitted",
+        DrawnKind::Frame { .. } => "frame",
+        DrawnKind::SpatialJoint { .. } => "joint in space",
     }
 }
 

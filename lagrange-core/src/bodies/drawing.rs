@@ -1,0 +1,66 @@
+//! Forces and moments that are drawn.
+
+use super::plain::{Drawn, DrawnKind, LoadOrigin};
+use super::space::point_on_link;
+use super::translation::Translation;
+use crate::syntax::ast::{AstId, Expression};
+
+/// What a load is, and the body it acts on, if that is known.
+pub(super) struct Load<'a> {
+    pub(super) name: &'a str,
+    pub(super) cause: LoadOrigin,
+    pub(super) body: Option<String>,
+}
+
+impl Load<'_> {
+    /// A `force` or `torque` statement.
+    pub(super) fn applied(name: &str, body: Option<String>) -> Load<'_> {
+        Load { name, cause: LoadOrigin::Applied, body }
+    }
+}
+
+/// The name of the body to which a point belongs, as it was written, if that shows. A frame in space stands for the body it is fixed in.
+pub(super) fn owner_of_point(translation: &mut Translation<'_>, point: AstId) -> Option<String> {
+    if let Some(body) = translation.body_of(point) {
+        return Some(translation.bodies[body].name.text.clone());
+    }
+    let link = link_of_point(translation, point)?;
+    let space = translation.space.as_ref()?;
+    space.loaded_link(link).map(|link| space.name_of(link).to_owned())
+}
+
+/// Its body may be known of a point that moves in it.
+fn link_of_point(translation: &mut Translation<'_>, point: AstId) -> Option<usize> {
+    let of_call = match translation.expressions.get(point) {
+        Expression::Call(function, arguments) if function.text == "point" => arguments.first().copied(),
+        _ => None,
+    };
+    let link = of_call.and_then(|body| translation.link_named(body));
+    link.or_else(|| point_on_link(translation, point).map(|(link, _)| link))
+}
+
+/// A force that acts at a place, unless one of the constraints is left out whose multipliers it holds.
+pub(super) fn draw_force(
+    translation: &mut Translation<'_>,
+    load: Load<'_>,
+    [at, force]: [AstId; 2],
+    needs: &[&str],
+) {
+    let needs = needs.iter().map(|&name| name.to_owned()).collect();
+    let kind = DrawnKind::Force { name: load.name.to_owned(), cause: load.cause, body: load.body };
+    translation.loads.push(Drawn { kind, values: vec![at, force], needs });
+}
+
+/// A moment that is drawn at a place.
+pub(super) fn draw_moment(translation: &mut Translation<'_>, load: Load<'_>, [at, moment]: [AstId; 2]) {
+    let kind = DrawnKind::Moment { name: load.name.to_owned(), cause: load.cause, body: load.body };
+    translation.loads.push(Drawn { kind, values: vec![at, moment], needs: Vec::new() });
+}
+
+/// The name of a torque on an angle where the picture does not show it.
+pub(super) fn torque_on(translation: &Translation<'_>, angle: AstId) -> String {
+    match translation.expressions.get(angle) {
+        Expression::Name(name) => format!("torque on `{name}`"),
+        _ => "torque on an angle".to_owned(),
+    }
+}

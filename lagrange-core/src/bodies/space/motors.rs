@@ -1,0 +1,153 @@
+//! Forces and moments on the coordinates of joints, such as those of motors.
+//!
+//! A load u on a coordinate q has the power u q̇. Where a joint turns by q about the axis e, that of a moment u e on what it places and of
+//! −u e on what carries it is the same; where it moves by q along e, that of forces ±u e at the origin of what it places. A screw does
+//! both at once, so that neither is known.
+
+use super::frames::{FrameStep, JointAxis, Pose};
+use super::links::{Link, Path};
+use super::scene::LoadOnCoordinate;
+use super::vectors::{Triple, scale};
+use crate::bodies::drawing::{Load, draw_force, draw_moment, torque_on};
+use crate::bodies::plain::{Drawn, DrawnKind};
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{AstId, Expression, StatementKind};
+
+/// What a coordinate does at a joint.
+struct JointMotion {
+    /// Whether it turns what the joint places; it moves it otherwise.
+    turns: bool,
+    /// In the world.
+    axis: Triple,
+    /// The origin of what the joint places.
+    at: Triple,
+    /// What it places, and what carries it.
+    sides: [Option<usize>; 2],
+}
+
+/// `force q = u;`
+pub(in crate::bodies) fn draw_force_on_coordinate(
+    translation: &mut Translation<'_>,
+    coordinate: &str,
+    load: AstId,
+) {
+    let name = format!("force on `{coordinate}`");
+    let coordinate = translation.terms().name(coordinate);
+    keep(translation, name, [coordinate, load]);
+}
+
+/// `torque u on q;`
+pub(in crate::bodies) fn draw_torque_on_angle(
+    translation: &mut Translation<'_>,
+    angle: AstId,
+    moment: AstId,
+) {
+    let name = torque_on(translation, angle);
+    keep(translation, name, [angle, moment]);
+}
+
+fn keep(translation: &mut Translation<'_>, name: String, [coordinate, load]: [AstId; 2]) {
+    let position = translation.loads.len();
+    let Some(space) = &mut translation.space else { return };
+    space.loads_on_coordinates.push(LoadOnCoordinate { position, name, coordinate, load });
+}
+
+/// Puts what was kept in its places among the other loads.
+pub(super) fn draw_loads_on_coordinates(translation: &mut Translation<'_>) {
+    let Some(space) = &mut translation.space else { return };
+    // From the last one on, so that the places in front of it stay what they are.
+    for kept in std::mem::take(&mut space.loads_on_coordinates).into_iter().rev() {
+        let behind = translation.loads.split_off(kept.position);
+        match motion_by(translation, kept.coordinate) {
+            Some(motion) => draw_on_both_sides(translation, &motion, kept.load),
+            None => {
+                let kind = DrawnKind::Omitted { name: kept.name };
+                translation.loads.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
+            }
+        }
+        translation.loads.extend(behind);
+    }
+}
+
+fn draw_on_both_sides(translation: &mut Translation<'_>, motion: &JointMotion, load: AstId) {
+    let mut terms = translation.terms();
+    let along = scale(&mut terms, load, motion.axis);
+    let against = along.map(|component| terms.negative(component));
+    let at = terms.vector(&motion.at);
+    let vectors = [along, against].map(|vector| terms.vector(&vector));
+    for (side, vector) in motion.sides.into_iter().zip(vectors) {
+        let Some(space) = &translation.space else { return };
+        let Some(body) = side.and_then(|link| space.loaded_link(link)) else { continue };
+        let body = Some(space.name_of(body).to_owned());
+        match motion.turns {
+            true => draw_moment(translation, Load::applied("torque", body), [at, vector]),
+            false => draw_force(translation, Load::applied("force", body), [at, vector], &[]),
+        }
+    }
+}
+
+/// What a joint does by a coordinate, or by a velocity that is its rate; `None` if no joint does only one thing by it.
+fn motion_by(translation: &mut Translation<'_>, coordinate: AstId) -> Option<JointMotion> {
+    let name = coordinate_behind(translation, coordinate)?;
+    let links = translation.space.as_ref()?.links.iter().enumerate();
+    let (link, carrier, axis, frame, last) = links
+        .filter_map(|(link, found)| {
+            let Link { path: Some(Path { carrier, steps }), .. } = found else { return None };
+            let (axis, frame) = step_by(translation, steps, &name)?;
+            Some((link, *carrier, axis, frame, steps.last()?.1))
+        })
+        .next()?;
+    let mut terms = translation.terms();
+    let (turns, axis) = axis;
+    let axis = frame.axis_in_world(&mut terms, axis);
+    Some(JointMotion { turns, axis, at: last.origin, sides: [Some(link), carrier] })
+}
+
+/// The step that a coordinate moves, whether it turns, and its axis in the frame behind it, which is at rest in that before, too.
+fn step_by(
+    translation: &Translation<'_>,
+    steps: &[(FrameStep, Pose)],
+    name: &str,
+) -> Option<((bool, JointAxis), Pose)> {
+    let name_of = |id: AstId| match translation.expressions.get(id) {
+        Expression::Name(name) => Some(name.as_str()),
+        _ => None,
+    };
+    let is_it = |id: AstId| name_of(id) == Some(name);
+    // A screw moves by a multiple of its angle.
+    let slides_by = |step: &FrameStep| match step {
+        FrameStep::Slide(_, distance) => name_of(*distance).is_some(),
+        _ => true,
+    };
+    if !steps.iter().all(|(step, _)| slides_by(step)) {
+        return None;
+    }
+    steps.iter().find_map(|(step, behind)| {
+        let motion = match step {
+            FrameStep::Turn(axis, angle) if is_it(*angle) => (true, *axis),
+            FrameStep::Slide(axis, distance) if is_it(*distance) => (false, *axis),
+            FrameStep::Orientation(axes) => {
+                (true, JointAxis::positive(axes.spin.into_iter().position(is_it)?))
+            }
+            _ => return None,
+        };
+        Some((motion, *behind))
+    })
+}
+
+/// The coordinate of a name, or that of which it is the rate; the name itself if nothing says so.
+fn coordinate_behind(translation: &Translation<'_>, id: AstId) -> Option<String> {
+    let Expression::Name(wanted) = translation.expressions.get(id) else { return None };
+    let rate = translation.statements.iter().find_map(|statement| match &statement.kind {
+        StatementKind::Velocity(name, rate) if name.text == *wanted => Some(*rate),
+        _ => None,
+    });
+    let of = match rate.map(|rate| translation.expressions.get(rate)) {
+        Some(Expression::Call(function, arguments)) if function.text == "dot" => arguments.first(),
+        _ => None,
+    };
+    match of.map(|&of| translation.expressions.get(of)) {
+        Some(Expression::Name(name)) => Some(name.clone()),
+        _ => Some(wanted.clone()),
+    }
+}

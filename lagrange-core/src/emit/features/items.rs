@@ -1,0 +1,269 @@
+//! Values of `lagrange::body` and `lagrange::scene`: motions and items to draw.
+
+use std::slice::Iter;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::bodies::{DrawnKind, JointForm, LoadOrigin, SpatialJointForm};
+use crate::emit::base::method::Returns;
+use crate::emit::base::shape::local;
+use crate::expr::ExprId;
+use crate::model::{DrawnItem, OutlinedPart, Scene};
+use crate::syntax::ast::{ConnectorKind, MobilizerKind};
+
+/// The name of the body that an item draws, and how it moves.
+pub(super) fn body_of<'a>(scene: &'a Scene, item: &DrawnItem) -> Option<(&'a str, &'a [ExprId])> {
+    let DrawnKind::Body { body, .. } = item.kind else { return None };
+    let in_the_plane = scene.motions.get(body).map(|motion| (motion.body.text.as_str(), &motion.values[..]));
+    let in_space = || scene.spatial_motions.get(body);
+    in_the_plane.or_else(|| in_space().map(|motion| (motion.body.text.as_str(), &motion.values[..])))
+}
+
+/// Results of a program, taken one after another.
+pub(super) struct Values<'a> {
+    rest: Iter<'a, TokenStream>,
+    /// Number of components of vectors: 3 in space.
+    dimension: usize,
+}
+
+impl<'a> Values<'a> {
+    pub(super) fn new(results: &'a [TokenStream], dimension: usize) -> Values<'a> {
+        Values { rest: results.iter(), dimension }
+    }
+
+    fn is_in_space(&self) -> bool {
+        self.dimension == 3
+    }
+
+    fn scalar(&mut self) -> TokenStream {
+        let missing = || quote!(::core::compile_error!("a number of this scene is missing"));
+        self.rest.next().cloned().unwrap_or_else(missing)
+    }
+
+    fn scalars(&mut self, count: usize) -> Vec<TokenStream> {
+        (0..count).map(|_| self.scalar()).collect()
+    }
+
+    fn vector(&mut self) -> TokenStream {
+        let components = self.scalars(self.dimension);
+        quote!([#(#components),*])
+    }
+
+    /// Three rows.
+    fn matrix(&mut self) -> TokenStream {
+        Returns::Matrix(3, 3).collect(&self.scalars(9))
+    }
+
+    /// How a body moves in the plane.
+    pub(super) fn motion(&mut self, krate: &TokenStream) -> TokenStream {
+        let (mass, inertia, centroid) = (self.scalar(), self.scalar(), self.vector());
+        let (center, angle) = (self.vector(), self.scalar());
+        let (velocity, angular_velocity) = (self.vector(), self.scalar());
+        let (acceleration, angular_acceleration) = (self.vector(), self.scalar());
+        quote! {
+            #krate::body::Motion {
+                mass: #mass,
+                inertia: #inertia,
+                centroid: #centroid,
+                center: #center,
+                angle: #angle,
+                velocity: #velocity,
+                angular_velocity: #angular_velocity,
+                acceleration: #acceleration,
+                angular_acceleration: #angular_acceleration,
+            }
+        }
+    }
+
+    /// How a body moves in space.
+    pub(super) fn spatial_motion(&mut self, krate: &TokenStream) -> TokenStream {
+        let (mass, inertia) = (self.scalar(), self.matrix());
+        let (centroid, center, rotation) = (self.vector(), self.vector(), self.matrix());
+        let [velocity, spin, acceleration, change] = [(); 4].map(|()| self.vector());
+        quote! {
+            #krate::body::SpatialMotion {
+                mass: #mass,
+                inertia: #inertia,
+                centroid: #centroid,
+                center: #center,
+                rotation: #rotation,
+                velocity: #velocity,
+                angular_velocity: #spin,
+                acceleration: #acceleration,
+                angular_acceleration: #change,
+            }
+        }
+    }
+
+    /// An item to draw.
+    pub(super) fn item(&mut self, krate: &TokenStream, scene: &Scene, item: &DrawnItem) -> TokenStream {
+        let content = match &item.kind {
+            DrawnKind::Body { .. } => {
+                let name = body_of(scene, item).map_or("", |(name, _)| name);
+                let motion = match self.is_in_space() {
+                    true => self.spatial_motion(krate),
+                    false => self.motion(krate),
+                };
+                let parts = item.parts.iter().map(|part| self.part(krate, part));
+                quote!(Body { name: #name, motion: #motion, parts: &[#(#parts),*] })
+            }
+            DrawnKind::Frame { name } => {
+                let (rotation, origin) = (self.matrix(), self.vector());
+                quote!(Frame { name: #name, rotation: #rotation, origin: #origin })
+            }
+            DrawnKind::Line { name, body } => {
+                let (body, through, angle) = (option(body.as_deref()), self.vector(), self.scalar());
+                quote!(Line { name: #name, body: #body, through: #through, angle: #angle })
+            }
+            DrawnKind::Connector { name, kind } => self.connector(krate, name, *kind),
+            DrawnKind::Joint { name, kind } => {
+                let (kind, at) = (joint(*kind), self.vector());
+                quote!(Joint { name: #name, kind: #krate::scene::Joint::#kind, at: #at })
+            }
+            DrawnKind::SpatialJoint { name, kind, links } => self.spatial_joint(krate, name, *kind, links),
+            DrawnKind::Force { name, cause: from, body } => {
+                let acts = acts(krate, name, *from, body.as_deref());
+                let (at, force) = (self.vector(), self.vector());
+                quote!(Force { #acts at: #at, force: #force })
+            }
+            // Torques have become moments.
+            DrawnKind::Omitted { name } | DrawnKind::Torque { name } => quote!(Omitted { name: #name }),
+            DrawnKind::Moment { name, cause: from, body } => {
+                let acts = acts(krate, name, *from, body.as_deref());
+                let at = self.vector();
+                let moment = if self.is_in_space() { self.vector() } else { self.scalar() };
+                quote!(Moment { #acts at: #at, moment: #moment })
+            }
+        };
+        let item = local(if self.is_in_space() { "SpatialItem" } else { "Item" });
+        quote!(#krate::scene::#item::#content)
+    }
+
+    fn connector(&mut self, krate: &TokenStream, name: &str, kind: ConnectorKind) -> TokenStream {
+        let kind = connector(kind);
+        let (from, to, tension) = (self.vector(), self.vector(), self.scalar());
+        quote! {
+            Connector {
+                name: #name,
+                kind: #krate::scene::Connector::#kind,
+                from: #from,
+                to: #to,
+                tension: #tension,
+            }
+        }
+    }
+
+    fn spatial_joint(
+        &mut self,
+        krate: &TokenStream,
+        name: &str,
+        form: SpatialJointForm,
+        links: &[Option<String>; 2],
+    ) -> TokenStream {
+        let (kind, at, axis) = (spatial_joint(form), self.vector(), self.vector());
+        let [carrier, placed] = links.each_ref().map(|link| option(link.as_deref()));
+        quote! {
+            Joint {
+                name: #name,
+                kind: #krate::scene::SpatialJoint::#kind,
+                at: #at,
+                axis: #axis,
+                bodies: [#carrier, #placed],
+            }
+        }
+    }
+
+    fn part(&mut self, krate: &TokenStream, part: &OutlinedPart) -> TokenStream {
+        let &OutlinedPart { variant, has_corners, dimension_count: count, is_hole, .. } = part;
+        let dimensions = match has_corners {
+            true => {
+                let corners = (0..count / 2).map(|_| self.vector());
+                quote!((&[#(#corners),*]))
+            }
+            false if count == 0 => TokenStream::new(),
+            false => {
+                let lengths = self.scalars(count);
+                quote!((#(#lengths),*))
+            }
+        };
+        let (variant, at) = (local(variant), self.vector());
+        if self.is_in_space() {
+            let rotation = self.matrix();
+            return quote! {
+                #krate::scene::SolidPart {
+                    solid: #krate::scene::Solid::#variant #dimensions,
+                    at: #at,
+                    rotation: #rotation,
+                    is_hole: #is_hole,
+                }
+            };
+        }
+        let angle = self.scalar();
+        quote! {
+            #krate::scene::Part {
+                outline: #krate::scene::Outline::#variant #dimensions,
+                at: #at,
+                angle: #angle,
+                is_hole: #is_hole,
+            }
+        }
+    }
+}
+
+/// Members that forces and moments have in common.
+fn acts(krate: &TokenStream, name: &str, from: LoadOrigin, body: Option<&str>) -> TokenStream {
+    let (cause, body) = (cause(from), option(body));
+    quote!(name: #name, cause: #krate::scene::LoadOrigin::#cause, body: #body,)
+}
+
+fn option(name: Option<&str>) -> TokenStream {
+    match name {
+        Some(name) => quote!(::core::option::Option::Some(#name)),
+        None => quote!(::core::option::Option::None),
+    }
+}
+
+fn connector(kind: ConnectorKind) -> Ident {
+    local(match kind {
+        ConnectorKind::Spring => "Spring",
+        ConnectorKind::Damper => "Damper",
+        ConnectorKind::TorsionSpring => "TorsionSpring",
+        ConnectorKind::TorsionDamper => "TorsionDamper",
+    })
+}
+
+fn joint(form: JointForm) -> Ident {
+    local(match form {
+        JointForm::Pin => "Pin",
+        JointForm::Anchor => "Anchor",
+        JointForm::Slide => "Slide",
+        JointForm::Roll => "Roll",
+    })
+}
+
+fn spatial_joint(form: SpatialJointForm) -> Ident {
+    local(match form {
+        SpatialJointForm::Pin => "Pin",
+        SpatialJointForm::Mobilizer(kind) => match kind {
+            MobilizerKind::Revolute => "Revolute",
+            MobilizerKind::Prismatic => "Prismatic",
+            MobilizerKind::Screw => "Screw",
+            MobilizerKind::Cylindrical => "Cylindrical",
+            MobilizerKind::Universal => "Universal",
+            MobilizerKind::Planar => "Planar",
+            MobilizerKind::Ball => "Ball",
+            MobilizerKind::Free => "Free",
+            MobilizerKind::Weld => "Weld",
+        },
+    })
+}
+
+fn cause(cause: LoadOrigin) -> Ident {
+    local(match cause {
+        LoadOrigin::Applied => "Applied",
+        LoadOrigin::Gravity => "Gravity",
+        LoadOrigin::Connector => "Connector",
+        LoadOrigin::Joint => "Joint",
+    })
+}

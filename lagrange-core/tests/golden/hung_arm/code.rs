@@ -1,0 +1,1321 @@
+/// An arm with a hole that a motor turns, and a bob that is pinned to its end and held by a spring.
+///
+/// # Equations of motion
+///
+/// ```text
+/// m*ddot(x) = -hook_x - (x - 1)*(k - k/(2*sqrt(z^2 + (x - 1)^2 + (y - 1)^2)))
+/// m*ddot(y) = -hook_y - (y - 1)*(k - k/(2*sqrt(z^2 + (x - 1)^2 + (y - 1)^2)))
+/// m*ddot(z) = -hook_z - m*g - z*(k - k/(2*sqrt(z^2 + (x - 1)^2 + (y - 1)^2)))
+/// (797/2400*l^2 + 397/4800*r^2)*m*ddot(q) = u + 0.495*m*l*g*cos(q) - l*cos(q)*hook_z - l*sin(q)*hook_x
+/// l*cos(q) - x = 0
+/// -y = 0
+/// 1 - z - l*sin(q) = 0
+/// ```
+///
+/// # State and structure
+///
+/// - State: `[x, y, z, q, x_dot, y_dot, z_dot, q_dot]`.
+/// - Mass matrix: diagonal, constant.
+/// - Leapfrog methods take it and keep it on the constraints.
+/// - Forward dynamics: the mass matrix is factorised (counted cost 310; recursion 310, the kinetic energy is no sum of squares).
+/// - Multipliers, which the equations name like their constraints: `[hook_x, hook_y, hook_z]`.
+/// - Cost of `acceleration`: 25 additions, 48 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
+///
+/// # Statements
+///
+/// Those about rigid bodies stand for plain ones:
+///
+/// ```text
+/// param m = 2, l = 0.8, r = 0.1, k = 30, g = 9.81;
+/// input u;
+/// coord x, y, z;
+/// let arm_mass = m - m/50;
+/// let arm_centroid = ((m * (l/2) - m/50 * (l/4)) / arm_mass, 0, 0);
+/// let arm_moments = (m * (1/12 * r^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2), m * (1/12 * r^2 + 1/12 * l^2) + m * (l/2 - arm_centroid.x)^2 + (-(m/50 * (1/2 * (r/4)^2)) - m/50 * (l/4 - arm_centroid.x)^2), m * (1/12 * l^2 + 1/12 * r^2) + m * (l/2 - arm_centroid.x)^2 + (-(m/50 * (1/4 * (r/4)^2 + 1/12 * r^2)) - m/50 * (l/4 - arm_centroid.x)^2));
+/// coord q;
+/// let arm_w = (0, dot(q), 0);
+/// let arm_x = (cos(q), 0, -sin(q));
+/// let arm_z = (sin(q), 0, cos(q));
+/// let arm_center_v = (0, 0, -(arm_w.y * arm_centroid.x));
+/// let arm_T_translation = kinetic_energy(arm_mass, (0, 0, arm_center_v.z));
+/// kinetic = arm_T_translation;
+/// let arm_T_rotation = 1/2 * arm_moments.y * arm_w.y^2;
+/// kinetic = arm_T_rotation;
+/// let arm_V = arm_mass * (g * (1 + arm_centroid.x * arm_x.z));
+/// potential = arm_V;
+/// force q = u;
+/// let tip_origin = (l * arm_x.x, 0, 1 + l * arm_x.z);
+/// let bob_T_translation = kinetic_energy(m, dot((x, y, z)));
+/// kinetic = bob_T_translation;
+/// let bob_V = m * (g * z);
+/// potential = bob_V;
+/// constraint hook_x = tip_origin.x - x;
+/// constraint hook_y = -y;
+/// constraint hook_z = tip_origin.z - z;
+/// let spring_1_span = (1 - x, 1 - y, -z);
+/// potential = spring_energy(k, norm(spring_1_span) - 1/2);
+/// emit { no momenta }
+/// let arm_moment = (arm_mass * arm_centroid.x, 0, 0);
+/// let arm_J = (arm_moments.x, arm_moments.y + arm_mass * arm_centroid.x^2, arm_moments.z + arm_mass * arm_centroid.x^2);
+/// let arm_alpha = (0, ddot(q), 0);
+/// let arm_a = (-(sin(q) * g), 0, cos(q) * g);
+/// let arm_w_squares = (0, arm_w.y^2, 0);
+/// let arm_relative_x = (-arm_w_squares.y, 0, arm_alpha.y);
+/// let arm_relative_z = (-arm_alpha.y, 0, -arm_w_squares.y);
+/// let arm_S = 1/2 * arm_mass * arm_a.x^2 + 1/2 * arm_mass * arm_a.z^2 + (arm_a.x * (arm_relative_x.x * arm_moment.x) + arm_a.z * (arm_relative_z.x * arm_moment.x)) + 1/2 * arm_J.y * arm_alpha.y^2;
+/// gibbs = arm_S, for: arm_T_translation + arm_T_rotation - arm_V;
+/// ```
+pub struct HungArm {
+    /// Parameter `m`.
+    pub m: ::core::primitive::f64,
+    /// Parameter `l`.
+    pub l: ::core::primitive::f64,
+    /// Parameter `r`.
+    pub r: ::core::primitive::f64,
+    /// Parameter `k`.
+    pub k: ::core::primitive::f64,
+    /// Parameter `g`.
+    pub g: ::core::primitive::f64,
+    /// Input `u`.
+    pub u: ::core::primitive::f64,
+}
+/// State of [`HungArm`]: positions, then velocities.
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct HungArmState {
+    /// Coordinate `x`.
+    pub x: ::core::primitive::f64,
+    /// Coordinate `y`.
+    pub y: ::core::primitive::f64,
+    /// Coordinate `z`.
+    pub z: ::core::primitive::f64,
+    /// Coordinate `q`.
+    pub q: ::core::primitive::f64,
+    /// Velocity of `x`.
+    pub x_dot: ::core::primitive::f64,
+    /// Velocity of `y`.
+    pub y_dot: ::core::primitive::f64,
+    /// Velocity of `z`.
+    pub z_dot: ::core::primitive::f64,
+    /// Velocity of `q`.
+    pub q_dot: ::core::primitive::f64,
+}
+/// Columns of a table of states of [`HungArm`].
+#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+pub struct HungArmColumns<C>(C);
+/// Inputs of [`HungArm`].
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct HungArmInputs {
+    /// Input `u`.
+    pub u: ::core::primitive::f64,
+}
+::lagrange::private::bring_hints! {}
+const _: () = {
+    use ::core::primitive::f64;
+    use ::lagrange::private::{abs, cos, multiply_add, sin, sin_cos, sqrt};
+    impl HungArm {
+        /// The statements that those about rigid bodies stand for.
+        pub const STATEMENTS: &'static ::core::primitive::str = "param m = 2, l = 0.8, r = 0.1, k = 30, g = 9.81;\ninput u;\ncoord x, y, z;\nlet arm_mass = m - m/50;\nlet arm_centroid = ((m * (l/2) - m/50 * (l/4)) / arm_mass, 0, 0);\nlet arm_moments = (m * (1/12 * r^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2), m * (1/12 * r^2 + 1/12 * l^2) + m * (l/2 - arm_centroid.x)^2 + (-(m/50 * (1/2 * (r/4)^2)) - m/50 * (l/4 - arm_centroid.x)^2), m * (1/12 * l^2 + 1/12 * r^2) + m * (l/2 - arm_centroid.x)^2 + (-(m/50 * (1/4 * (r/4)^2 + 1/12 * r^2)) - m/50 * (l/4 - arm_centroid.x)^2));\ncoord q;\nlet arm_w = (0, dot(q), 0);\nlet arm_x = (cos(q), 0, -sin(q));\nlet arm_z = (sin(q), 0, cos(q));\nlet arm_center_v = (0, 0, -(arm_w.y * arm_centroid.x));\nlet arm_T_translation = kinetic_energy(arm_mass, (0, 0, arm_center_v.z));\nkinetic = arm_T_translation;\nlet arm_T_rotation = 1/2 * arm_moments.y * arm_w.y^2;\nkinetic = arm_T_rotation;\nlet arm_V = arm_mass * (g * (1 + arm_centroid.x * arm_x.z));\npotential = arm_V;\nforce q = u;\nlet tip_origin = (l * arm_x.x, 0, 1 + l * arm_x.z);\nlet bob_T_translation = kinetic_energy(m, dot((x, y, z)));\nkinetic = bob_T_translation;\nlet bob_V = m * (g * z);\npotential = bob_V;\nconstraint hook_x = tip_origin.x - x;\nconstraint hook_y = -y;\nconstraint hook_z = tip_origin.z - z;\nlet spring_1_span = (1 - x, 1 - y, -z);\npotential = spring_energy(k, norm(spring_1_span) - 1/2);\nemit { no momenta }\nlet arm_moment = (arm_mass * arm_centroid.x, 0, 0);\nlet arm_J = (arm_moments.x, arm_moments.y + arm_mass * arm_centroid.x^2, arm_moments.z + arm_mass * arm_centroid.x^2);\nlet arm_alpha = (0, ddot(q), 0);\nlet arm_a = (-(sin(q) * g), 0, cos(q) * g);\nlet arm_w_squares = (0, arm_w.y^2, 0);\nlet arm_relative_x = (-arm_w_squares.y, 0, arm_alpha.y);\nlet arm_relative_z = (-arm_alpha.y, 0, -arm_w_squares.y);\nlet arm_S = 1/2 * arm_mass * arm_a.x^2 + 1/2 * arm_mass * arm_a.z^2 + (arm_a.x * (arm_relative_x.x * arm_moment.x) + arm_a.z * (arm_relative_z.x * arm_moment.x)) + 1/2 * arm_J.y * arm_alpha.y^2;\ngibbs = arm_S, for: arm_T_translation + arm_T_rotation - arm_V;\n";
+        /// Accelerations in the order of the velocities.
+        ///
+        /// Takes 25 additions, 48 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn acceleration(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+        ) -> [f64; 4] {
+            let Self { m, l, r, k, g, u } = *self;
+            let [x, y, z, q] = *positions;
+            let [_, _, _, q_dot] = *v;
+            let l_sq = l * l;
+            let m_l_sq = m * l_sq;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.25002551020408165 * m_l_sq,
+            );
+            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
+            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
+            let inv_arm_J_y = 1.0 / arm_J_y;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let l_arm_z_x = l * arm_z_x;
+            let factor_4_3 = inv_arm_J_y * l_arm_z_x;
+            let factor_4_0 = 1.0 / m;
+            let pivot_4 = -multiply_add(l_arm_z_x, factor_4_3, factor_4_0);
+            let inv_pivot_4 = 1.0 / pivot_4;
+            let tip_origin_x = l * arm_x_x;
+            let pos_0 = tip_origin_x * factor_4_3;
+            let pos_1 = pos_0 * inv_pivot_4;
+            let factor_6_4 = -pos_1;
+            let factor_6_3 = inv_arm_J_y * tip_origin_x;
+            let pos_2 = tip_origin_x * factor_6_3;
+            let pivot_6 = multiply_add(pos_0, factor_6_4, -factor_4_0) - pos_2;
+            let inv_pivot_6 = 1.0 / pivot_6;
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_3 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
+            );
+            let sqrt_0 = sqrt(multiply_add(z, z, pos_3));
+            let pos_4 = k * (sqrt_0 - 0.5) / sqrt_0;
+            let forcing_2 = -multiply_add(z, pos_4, m * g);
+            let factor_4_0_forcing_2 = factor_4_0 * forcing_2;
+            let arm_a_z = g * arm_x_x;
+            let forcing_3 = multiply_add(0.495 * m * l, arm_a_z, u);
+            let vel_0 = multiply_add(l_arm_z_x * q_dot, q_dot, -factor_4_0_forcing_2);
+            let pos_5 = factor_4_0 * spring_1_span_x * pos_4;
+            let arm_z_x_dot = arm_x_x * q_dot;
+            let vel_1 = multiply_add(
+                forcing_3,
+                factor_4_3,
+                multiply_add(l * q_dot, arm_z_x_dot, pos_5),
+            );
+            let forcing_6 = multiply_add(
+                -pos_1,
+                vel_1,
+                multiply_add(-forcing_3, factor_6_3, vel_0),
+            );
+            let vel_2 = inv_pivot_6 * forcing_6;
+            let forcing_4 = -vel_1;
+            let vel_3 = multiply_add(-factor_6_4, vel_2, inv_pivot_4 * forcing_4);
+            let x_ddot = multiply_add(-factor_4_0, vel_3, pos_5);
+            let z_ddot = multiply_add(-factor_4_0, vel_2, factor_4_0_forcing_2);
+            let vel_4 = multiply_add(-factor_4_3, vel_3, inv_arm_J_y * forcing_3);
+            let q_ddot = multiply_add(-factor_6_3, vel_2, vel_4);
+            let values = [x_ddot, 0.0, z_ddot, q_ddot];
+            if ::lagrange::constraint::are_regular(
+                &values,
+                abs(inv_pivot_6 * (factor_4_0 + pos_2)),
+            ) {
+                values
+            } else {
+                self.redundant_motion(t, positions, v).acceleration
+            }
+        }
+        /// Multipliers λ of the constraints in the order of their declaration: M q̈ = f + Aᵀλ. That of a
+        /// constraint on a length is the force along it.
+        ///
+        /// Takes 21 additions, 44 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn multipliers(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+        ) -> [f64; 3] {
+            let Self { m, l, r, k, g, u } = *self;
+            let [x, y, z, q] = *positions;
+            let [_, _, _, q_dot] = *v;
+            let l_sq = l * l;
+            let m_l_sq = m * l_sq;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.25002551020408165 * m_l_sq,
+            );
+            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
+            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
+            let inv_arm_J_y = 1.0 / arm_J_y;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let l_arm_z_x = l * arm_z_x;
+            let factor_4_3 = inv_arm_J_y * l_arm_z_x;
+            let factor_4_0 = 1.0 / m;
+            let pivot_4 = -multiply_add(l_arm_z_x, factor_4_3, factor_4_0);
+            let inv_pivot_4 = 1.0 / pivot_4;
+            let tip_origin_x = l * arm_x_x;
+            let pos_0 = tip_origin_x * factor_4_3;
+            let pos_1 = pos_0 * inv_pivot_4;
+            let factor_6_4 = -pos_1;
+            let factor_6_3 = inv_arm_J_y * tip_origin_x;
+            let pos_2 = tip_origin_x * factor_6_3;
+            let pivot_6 = multiply_add(pos_0, factor_6_4, -factor_4_0) - pos_2;
+            let inv_pivot_6 = 1.0 / pivot_6;
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_3 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
+            );
+            let sqrt_0 = sqrt(multiply_add(z, z, pos_3));
+            let pos_4 = k * (sqrt_0 - 0.5) / sqrt_0;
+            let forcing_2 = -multiply_add(z, pos_4, m * g);
+            let arm_a_z = g * arm_x_x;
+            let forcing_3 = multiply_add(0.495 * m * l, arm_a_z, u);
+            let vel_0 = multiply_add(-factor_4_0, forcing_2, l_arm_z_x * q_dot * q_dot);
+            let arm_z_x_dot = arm_x_x * q_dot;
+            let vel_1 = multiply_add(
+                factor_4_0 * spring_1_span_x,
+                pos_4,
+                l * q_dot * arm_z_x_dot,
+            );
+            let vel_2 = multiply_add(forcing_3, factor_4_3, vel_1);
+            let forcing_6 = multiply_add(
+                -pos_1,
+                vel_2,
+                multiply_add(-forcing_3, factor_6_3, vel_0),
+            );
+            let vel_3 = inv_pivot_6 * forcing_6;
+            let forcing_4 = -vel_2;
+            let forcing_1 = spring_1_span_y * pos_4;
+            let values = [
+                multiply_add(-factor_6_4, vel_3, inv_pivot_4 * forcing_4),
+                forcing_1,
+                vel_3,
+            ];
+            if ::lagrange::constraint::are_regular(
+                &values,
+                abs(inv_pivot_6 * (factor_4_0 + pos_2)),
+            ) {
+                values
+            } else {
+                self.redundant_motion(t, positions, v).multipliers
+            }
+        }
+        /// Mass matrix M, in rows.
+        ///
+        /// Takes 4 additions, 9 multiplications.
+        #[must_use]
+        #[inline]
+        pub fn mass_matrix(&self, t: f64, positions: &[f64; 4]) -> [[f64; 4]; 4] {
+            let Self { m, l, r, .. } = *self;
+            let l_sq = l * l;
+            let m_l_sq = m * l_sq;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.25002551020408165 * m_l_sq,
+            );
+            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
+            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
+            [
+                [m, 0.0, 0.0, 0.0],
+                [0.0, m, 0.0, 0.0],
+                [0.0, 0.0, m, 0.0],
+                [0.0, 0.0, 0.0, arm_J_y],
+            ]
+        }
+        /// Right-hand side f of M q̈ = f.
+        ///
+        /// Takes 7 additions, 12 multiplications, 1 division, 1 square root, 1 function.
+        #[must_use]
+        #[inline]
+        pub fn forcing(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
+            let Self { m, l, k, g, u, .. } = *self;
+            let [x, y, z, q] = *positions;
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_0 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
+            );
+            let sqrt_0 = sqrt(multiply_add(z, z, pos_0));
+            let pos_1 = k * (sqrt_0 - 0.5) / sqrt_0;
+            let forcing_0 = spring_1_span_x * pos_1;
+            let forcing_1 = spring_1_span_y * pos_1;
+            let forcing_2 = -multiply_add(z, pos_1, m * g);
+            let arm_x_x = cos(q);
+            let arm_a_z = g * arm_x_x;
+            let forcing_3 = multiply_add(0.495 * m * l, arm_a_z, u);
+            [forcing_0, forcing_1, forcing_2, forcing_3]
+        }
+        /// Kinetic energy T.
+        ///
+        /// Takes 7 additions, 19 multiplications.
+        #[must_use]
+        #[inline]
+        pub fn kinetic_energy(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> f64 {
+            let Self { m, l, r, .. } = *self;
+            let [x_dot, y_dot, z_dot, q_dot] = *v;
+            let l_sq = l * l;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.08333333333333333 * m * (r_sq + l_sq),
+            );
+            let arm_moments_y = multiply_add(-0.0012755102040816326 * m, l_sq, const_0);
+            let q_dot_sq = q_dot * q_dot;
+            let vel_0 = multiply_add(
+                z_dot,
+                z_dot,
+                multiply_add(y_dot, y_dot, x_dot * x_dot),
+            );
+            let l_q_dot = l * q_dot;
+            let l_q_dot_sq = l_q_dot * l_q_dot;
+            let vel_1 = multiply_add(m, vel_0, arm_moments_y * q_dot_sq);
+            multiply_add(0.5, vel_1, 0.12501275510204082 * m * l_q_dot_sq)
+        }
+        /// Potential energy V.
+        ///
+        /// Takes 8 additions, 13 multiplications, 1 square root, 1 function.
+        #[must_use]
+        #[inline]
+        pub fn potential_energy(&self, t: f64, positions: &[f64; 4]) -> f64 {
+            let Self { m, l, k, g, .. } = *self;
+            let [x, y, z, q] = *positions;
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_0 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
+            );
+            let pos_1 = sqrt(multiply_add(z, z, pos_0)) - 0.5;
+            let bob_V = m * g * z;
+            let arm_z_x = sin(q);
+            let pos_2 = multiply_add(0.5051020408163265 * l, arm_z_x, -1.0);
+            let pos_1_sq = pos_1 * pos_1;
+            multiply_add(0.5 * k, pos_1_sq, multiply_add(-0.98 * m * g, pos_2, bob_V))
+        }
+        /// Energy function v·∂L/∂v − L.
+        ///
+        /// Takes 16 additions, 31 multiplications, 1 square root, 1 function.
+        #[must_use]
+        #[inline]
+        pub fn energy(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> f64 {
+            let Self { m, l, r, k, g, .. } = *self;
+            let [x, y, z, q] = *positions;
+            let [x_dot, y_dot, z_dot, q_dot] = *v;
+            let l_sq = l * l;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.08333333333333333 * m * (r_sq + l_sq),
+            );
+            let arm_moments_y = multiply_add(-0.0012755102040816326 * m, l_sq, const_0);
+            let q_dot_sq = q_dot * q_dot;
+            let vel_0 = multiply_add(
+                z_dot,
+                z_dot,
+                multiply_add(y_dot, y_dot, x_dot * x_dot),
+            );
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_0 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
+            );
+            let pos_1 = sqrt(multiply_add(z, z, pos_0)) - 0.5;
+            let pos_1_sq = pos_1 * pos_1;
+            let l_q_dot = l * q_dot;
+            let l_q_dot_sq = l_q_dot * l_q_dot;
+            let vel_1 = multiply_add(
+                k,
+                pos_1_sq,
+                multiply_add(m, vel_0, arm_moments_y * q_dot_sq),
+            );
+            let arm_z_x = sin(q);
+            let vel_2 = multiply_add(0.5, vel_1, 0.12501275510204082 * m * l_q_dot_sq);
+            let pos_2 = multiply_add(0.5051020408163265 * l, arm_z_x, -1.0);
+            let bob_V = m * g * z;
+            multiply_add(-0.98 * m * g, pos_2, vel_2) + bob_V
+        }
+        /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
+        /// to produce given accelerations.
+        ///
+        /// Takes 15 additions, 25 multiplications, 1 division, 1 square root, 1 function.
+        #[must_use]
+        #[inline]
+        pub fn inverse_dynamics(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+            a: &[f64; 4],
+        ) -> [f64; 4] {
+            let Self { m, l, r, k, g, u } = *self;
+            let [x, y, z, q] = *positions;
+            let [x_ddot, y_ddot, z_ddot, q_ddot] = *a;
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_0 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
+            );
+            let sqrt_0 = sqrt(multiply_add(z, z, pos_0));
+            let pos_1 = k * (sqrt_0 - 0.5) / sqrt_0;
+            let l_sq = l * l;
+            let m_l_sq = m * l_sq;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.25002551020408165 * m_l_sq,
+            );
+            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
+            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
+            let arm_x_x = cos(q);
+            let arm_a_z = g * arm_x_x;
+            [
+                multiply_add(-spring_1_span_x, pos_1, m * x_ddot),
+                multiply_add(-spring_1_span_y, pos_1, m * y_ddot),
+                multiply_add(m, z_ddot, multiply_add(z, pos_1, m * g)),
+                multiply_add(-0.495 * m * l, arm_a_z, multiply_add(arm_J_y, q_ddot, -u)),
+            ]
+        }
+        /// What the constraints hold at zero, in the order of their declaration; the velocities matter to
+        /// nonholonomic ones only.
+        ///
+        /// Takes 3 additions, 2 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn constraints(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+        ) -> [f64; 3] {
+            let Self { l, .. } = *self;
+            let [x, y, z, q] = *positions;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let tip_origin_x = l * arm_x_x;
+            [tip_origin_x - x, -y, multiply_add(-l, arm_z_x, 1.0 - z)]
+        }
+        /// What the constraints demand of the velocities to be zero: the rate of a holonomic constraint,
+        /// a nonholonomic one itself.
+        ///
+        /// Takes 2 additions, 4 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn constraint_velocity(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+        ) -> [f64; 3] {
+            let Self { l, .. } = *self;
+            let [_, _, _, q] = *positions;
+            let [x_dot, y_dot, z_dot, q_dot] = *v;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let spring_1_span_y_dot = -y_dot;
+            let arm_z_x_dot = arm_x_x * q_dot;
+            [
+                -multiply_add(l * arm_z_x, q_dot, x_dot),
+                spring_1_span_y_dot,
+                -multiply_add(l, arm_z_x_dot, z_dot),
+            ]
+        }
+        /// Matrix A of the constraints, in rows: what each demands of the velocities, differentiated by
+        /// them.
+        ///
+        /// Takes 2 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn constraint_jacobian(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+        ) -> [[f64; 4]; 3] {
+            let Self { l, .. } = *self;
+            let [_, _, _, q] = *positions;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let tip_origin_x = l * arm_x_x;
+            [
+                [-1.0, 0.0, 0.0, -l * arm_z_x],
+                [0.0, -1.0, 0.0, 0.0],
+                [0.0, 0.0, -1.0, -tip_origin_x],
+            ]
+        }
+        /// Generalised forces Aᵀλ of the constraints.
+        ///
+        /// Takes 1 addition, 4 multiplications, 1 `sin_cos`.
+        #[must_use]
+        #[inline]
+        pub fn constraint_forces(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+        ) -> [f64; 4] {
+            let Self { l, .. } = *self;
+            let [_, _, _, q] = *positions;
+            let [hook_x, hook_y, hook_z] = self.multipliers(t, positions, v);
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let tip_origin_x = l * arm_x_x;
+            [
+                -hook_x,
+                -hook_y,
+                -hook_z,
+                -multiply_add(hook_z, tip_origin_x, l * hook_x * arm_z_x),
+            ]
+        }
+        /// Rate of the state: velocities, then accelerations.
+        #[must_use]
+        #[inline]
+        pub fn rhs(&self, t: f64, state: &[f64; 8]) -> [f64; 8] {
+            let [x, y, z, q, x_dot, y_dot, z_dot, q_dot] = *state;
+            let a = self.acceleration(t, &[x, y, z, q], &[x_dot, y_dot, z_dot, q_dot]);
+            [x_dot, y_dot, z_dot, q_dot, a[0], a[1], a[2], a[3]]
+        }
+        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix where they
+        /// are found measures distances: first positions, then velocities.
+        ///
+        /// # Errors
+        /// If that does not succeed; both are then what they were.
+        #[inline]
+        pub fn project(
+            &self,
+            t: f64,
+            positions: &mut [f64; 4],
+            v: &mut [f64; 4],
+        ) -> ::core::result::Result<(), ::lagrange::constraint::Violation<f64>> {
+            ::lagrange::constraint::project(self, t, positions, v)
+        }
+        /// The nearest velocities that satisfy the constraints at these positions.
+        ///
+        /// # Errors
+        /// If there are none.
+        #[inline]
+        pub fn consistent_velocity(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+        ) -> ::core::result::Result<[f64; 4], ::lagrange::constraint::Violation<f64>> {
+            ::lagrange::constraint::consistent_velocity(self, t, positions, v)
+        }
+        /// The correction where constraints depend on each other.
+        #[cold]
+        #[inline(never)]
+        fn redundant_correction(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+            residuals: &[f64; 3],
+        ) -> [f64; 4] {
+            let Self { m, l, r, .. } = *self;
+            let [_, _, _, q] = *positions;
+            let l_sq = l * l;
+            let m_l_sq = m * l_sq;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.25002551020408165 * m_l_sq,
+            );
+            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
+            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let tip_origin_x = l * arm_x_x;
+            ::lagrange::constraint::redundant_correction(
+                &[
+                    [m, 0.0, 0.0, 0.0],
+                    [0.0, m, 0.0, 0.0],
+                    [0.0, 0.0, m, 0.0],
+                    [0.0, 0.0, 0.0, arm_J_y],
+                ],
+                &[
+                    [-1.0, 0.0, 0.0, -l * arm_z_x],
+                    [0.0, -1.0, 0.0, 0.0],
+                    [0.0, 0.0, -1.0, -tip_origin_x],
+                ],
+                residuals,
+            )
+        }
+        /// Accelerations and the least multipliers where constraints depend on each other.
+        #[cold]
+        #[inline(never)]
+        fn redundant_motion(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+        ) -> ::lagrange::constraint::RedundantMotion<f64, 4, 3> {
+            let Self { m, l, r, k, g, u } = *self;
+            let [x, y, z, q] = *positions;
+            let [_, _, _, q_dot] = *v;
+            let l_sq = l * l;
+            let m_l_sq = m * l_sq;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.25002551020408165 * m_l_sq,
+            );
+            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
+            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let l_arm_z_x = l * arm_z_x;
+            let tip_origin_x = l * arm_x_x;
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_0 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
+            );
+            let sqrt_0 = sqrt(multiply_add(z, z, pos_0));
+            let pos_1 = k * (sqrt_0 - 0.5) / sqrt_0;
+            let forcing_0 = spring_1_span_x * pos_1;
+            let forcing_1 = spring_1_span_y * pos_1;
+            let forcing_2 = -multiply_add(z, pos_1, m * g);
+            let arm_a_z = g * arm_x_x;
+            let forcing_3 = multiply_add(0.495 * m * l, arm_a_z, u);
+            let arm_z_x_dot = arm_x_x * q_dot;
+            ::lagrange::constraint::redundant_motion(
+                &[
+                    [m, 0.0, 0.0, 0.0],
+                    [0.0, m, 0.0, 0.0],
+                    [0.0, 0.0, m, 0.0],
+                    [0.0, 0.0, 0.0, arm_J_y],
+                ],
+                &[forcing_0, forcing_1, forcing_2, forcing_3],
+                &[
+                    [-1.0, 0.0, 0.0, -l_arm_z_x],
+                    [0.0, -1.0, 0.0, 0.0],
+                    [0.0, 0.0, -1.0, -tip_origin_x],
+                ],
+                &[-l * q_dot * arm_z_x_dot, 0.0, l_arm_z_x * q_dot * q_dot],
+            )
+        }
+    }
+    #[automatically_derived]
+    impl ::core::default::Default for HungArm {
+        fn default() -> Self {
+            Self {
+                m: 2.0,
+                l: 0.8,
+                r: 0.1,
+                k: 30.0,
+                g: 9.81,
+                u: 0.0,
+            }
+        }
+    }
+    impl HungArmState {
+        /// The coordinates in their order.
+        #[must_use]
+        #[inline]
+        pub fn coordinates(self) -> [f64; 4] {
+            [self.x, self.y, self.z, self.q]
+        }
+        /// The velocities in their order.
+        #[must_use]
+        #[inline]
+        pub fn velocities(self) -> [f64; 4] {
+            [self.x_dot, self.y_dot, self.z_dot, self.q_dot]
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 8]> for HungArmState {
+        #[inline]
+        fn from([x, y, z, q, x_dot, y_dot, z_dot, q_dot]: [f64; 8]) -> Self {
+            Self {
+                x,
+                y,
+                z,
+                q,
+                x_dot,
+                y_dot,
+                z_dot,
+                q_dot,
+            }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<HungArmState> for [f64; 8] {
+        #[inline]
+        fn from(state: HungArmState) -> Self {
+            [
+                state.x,
+                state.y,
+                state.z,
+                state.q,
+                state.x_dot,
+                state.y_dot,
+                state.z_dot,
+                state.q_dot,
+            ]
+        }
+    }
+    impl<C: ::lagrange::system::Columns> HungArmColumns<C> {
+        /// Coordinate `x`.
+        #[must_use]
+        #[inline]
+        pub fn x(&self) -> &[C::Scalar] {
+            self.0.column(0)
+        }
+        /// Coordinate `y`.
+        #[must_use]
+        #[inline]
+        pub fn y(&self) -> &[C::Scalar] {
+            self.0.column(1)
+        }
+        /// Coordinate `z`.
+        #[must_use]
+        #[inline]
+        pub fn z(&self) -> &[C::Scalar] {
+            self.0.column(2)
+        }
+        /// Coordinate `q`.
+        #[must_use]
+        #[inline]
+        pub fn q(&self) -> &[C::Scalar] {
+            self.0.column(3)
+        }
+        /// Velocity of `x`.
+        #[must_use]
+        #[inline]
+        pub fn x_dot(&self) -> &[C::Scalar] {
+            self.0.column(4)
+        }
+        /// Velocity of `y`.
+        #[must_use]
+        #[inline]
+        pub fn y_dot(&self) -> &[C::Scalar] {
+            self.0.column(5)
+        }
+        /// Velocity of `z`.
+        #[must_use]
+        #[inline]
+        pub fn z_dot(&self) -> &[C::Scalar] {
+            self.0.column(6)
+        }
+        /// Velocity of `q`.
+        #[must_use]
+        #[inline]
+        pub fn q_dot(&self) -> &[C::Scalar] {
+            self.0.column(7)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::From<C> for HungArmColumns<C> {
+        #[inline]
+        fn from(columns: C) -> Self {
+            Self(columns)
+        }
+    }
+    #[automatically_derived]
+    impl<C> ::core::convert::AsRef<C> for HungArmColumns<C> {
+        #[inline]
+        fn as_ref(&self) -> &C {
+            &self.0
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::OdeSystem for HungArm {
+        type Scalar = f64;
+        type State = [f64; 8];
+        #[inline]
+        fn rhs(&self, t: f64, state: &[f64; 8]) -> [f64; 8] {
+            self.rhs(t, state)
+        }
+        fn undefined(
+            &self,
+            t: f64,
+            state: &[f64; 8],
+            rates: &[f64; 8],
+        ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
+            ::lagrange::integrate::undefined::<
+                Self,
+            >(
+                (t, state, rates),
+                &[
+                    ("m", self.m),
+                    ("l", self.l),
+                    ("r", self.r),
+                    ("k", self.k),
+                    ("g", self.g),
+                ],
+                &[("u", self.u)],
+                |_, _| ::core::option::Option::None,
+            )
+        }
+        const IS_CONSTRAINED: ::core::primitive::bool = true;
+        #[inline]
+        fn correct(
+            &self,
+            t: f64,
+            state: &mut [f64; 8],
+        ) -> ::core::result::Result<(), ::lagrange::system::StepFailure<f64>> {
+            ::lagrange::constraint::correct(self, t, state)?;
+            ::core::result::Result::Ok(())
+        }
+        #[inline]
+        fn admit(
+            &self,
+            t: f64,
+            state: &mut [f64; 8],
+        ) -> ::core::result::Result<(), ::lagrange::system::StepFailure<f64>> {
+            ::lagrange::constraint::admit(self, t, state)?;
+            ::core::result::Result::Ok(())
+        }
+        #[inline]
+        fn restore(
+            &self,
+            t: f64,
+            state: &mut [f64; 8],
+        ) -> ::core::result::Result<(), ::lagrange::system::StepFailure<f64>> {
+            ::lagrange::constraint::restore(self, t, state)?;
+            ::core::result::Result::Ok(())
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::MechanicalSystem for HungArm {
+        type Coordinates = [f64; 4];
+        type Velocities = [f64; 4];
+        type Columns<C> = HungArmColumns<C>;
+        const COORDINATES: &'static [&'static ::core::primitive::str] = &[
+            "x",
+            "y",
+            "z",
+            "q",
+        ];
+        #[inline]
+        fn acceleration(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
+            self.acceleration(t, positions, v)
+        }
+        #[inline]
+        fn position_rates(&self, _: f64, _: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
+            *v
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::EnergyFunction for HungArm {
+        #[inline]
+        fn energy(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> f64 {
+            self.energy(t, positions, v)
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::LeapfrogSystem for HungArm {
+        const IS_HELD: ::core::primitive::bool = true;
+        #[inline]
+        fn position_correction(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            later: f64,
+            to: &[f64; 4],
+        ) -> [f64; 4] {
+            let residuals = ::lagrange::constraint::ConstrainedSystem::position_residuals(
+                self,
+                later,
+                to,
+            );
+            ::lagrange::constraint::ConstrainedSystem::correction(
+                self,
+                t,
+                positions,
+                positions,
+                &residuals,
+            )
+        }
+        #[inline]
+        fn velocity_correction(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+        ) -> [f64; 4] {
+            let residuals = self.constraint_velocity(t, positions, v);
+            ::lagrange::constraint::ConstrainedSystem::correction(
+                self,
+                t,
+                positions,
+                v,
+                &residuals,
+            )
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::constraint::ConstrainedSystem for HungArm {
+        type Multipliers = [f64; 3];
+        const CONSTRAINTS: &'static [&'static ::core::primitive::str] = &[
+            "hook_x",
+            "hook_y",
+            "hook_z",
+        ];
+        #[inline]
+        fn multipliers(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> [f64; 3] {
+            self.multipliers(t, positions, v)
+        }
+        #[inline]
+        fn velocity_residuals(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+        ) -> [f64; 3] {
+            self.constraint_velocity(t, positions, v)
+        }
+        #[inline]
+        fn residual_scales(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            shares: &[f64; 4],
+        ) -> [f64; 3] {
+            ::lagrange::constraint::weighed(
+                &self.constraint_jacobian(t, positions),
+                shares,
+            )
+        }
+        #[inline]
+        fn correction(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+            residuals: &[f64; 3],
+        ) -> [f64; 4] {
+            let Self { m, l, r, .. } = *self;
+            let [_, _, _, q] = *positions;
+            let [hook_x, hook_y, hook_z] = *residuals;
+            let l_sq = l * l;
+            let m_l_sq = m * l_sq;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.25002551020408165 * m_l_sq,
+            );
+            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
+            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
+            let inv_arm_J_y = 1.0 / arm_J_y;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let l_arm_z_x = l * arm_z_x;
+            let factor_4_3 = inv_arm_J_y * l_arm_z_x;
+            let factor_4_0 = 1.0 / m;
+            let pivot_4 = -multiply_add(l_arm_z_x, factor_4_3, factor_4_0);
+            let inv_pivot_4 = 1.0 / pivot_4;
+            let tip_origin_x = l * arm_x_x;
+            let pos_0 = tip_origin_x * factor_4_3;
+            let factor_6_4 = -pos_0 * inv_pivot_4;
+            let factor_6_3 = inv_arm_J_y * tip_origin_x;
+            let pos_1 = tip_origin_x * factor_6_3;
+            let pivot_6 = multiply_add(pos_0, factor_6_4, -factor_4_0) - pos_1;
+            let inv_pivot_6 = 1.0 / pivot_6;
+            let acc_0 = inv_pivot_6 * multiply_add(-hook_x, factor_6_4, hook_z);
+            let acc_1 = multiply_add(-hook_x, inv_pivot_4, factor_6_4 * acc_0);
+            let values = [
+                factor_4_0 * acc_1,
+                hook_y,
+                -factor_4_0 * acc_0,
+                multiply_add(-factor_6_3, acc_0, factor_4_3 * acc_1),
+            ];
+            if ::lagrange::constraint::are_regular(
+                &values,
+                abs(inv_pivot_6 * (factor_4_0 + pos_1)),
+            ) {
+                values
+            } else {
+                self.redundant_correction(t, positions, v, residuals)
+            }
+        }
+        #[inline]
+        fn position_residuals(&self, t: f64, positions: &[f64; 4]) -> [f64; 3] {
+            let Self { l, .. } = *self;
+            let [x, y, z, q] = *positions;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let tip_origin_x = l * arm_x_x;
+            [tip_origin_x - x, -y, multiply_add(-l, arm_z_x, 1.0 - z)]
+        }
+        #[inline]
+        fn mass_times(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+            a: &[f64; 4],
+        ) -> [f64; 4] {
+            let Self { m, l, r, .. } = *self;
+            let [x_ddot, y_ddot, z_ddot, q_ddot] = *a;
+            let l_sq = l * l;
+            let r_sq = r * r;
+            let const_0 = multiply_add(
+                -0.000625 * m,
+                r_sq,
+                0.08333333333333333 * m * (r_sq + l_sq),
+            );
+            let arm_moments_y = multiply_add(-0.0012755102040816326 * m, l_sq, const_0);
+            [
+                m * x_ddot,
+                m * y_ddot,
+                m * z_ddot,
+                multiply_add(
+                    0.25002551020408165 * l_sq * m,
+                    q_ddot,
+                    arm_moments_y * q_ddot,
+                ),
+            ]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::scene::SpatialScene for HungArm {
+        #[inline]
+        fn items(
+            &self,
+            t: f64,
+            positions: &[f64; 4],
+            v: &[f64; 4],
+            visit: &mut dyn ::core::ops::FnMut(::lagrange::scene::SpatialItem<'_, f64>),
+        ) {
+            let Self { m, l, r, k, g, u } = *self;
+            let [x, y, z, q] = *positions;
+            let [x_dot, y_dot, z_dot, q_dot] = *v;
+            let [x_ddot, y_ddot, z_ddot, q_ddot] = self.acceleration(t, positions, v);
+            let [hook_x, hook_y, hook_z] = self.multipliers(t, positions, v);
+            let arm_mass = 0.98 * m;
+            let r_sq = r * r;
+            let m_r_sq = m * r_sq;
+            let arm_moments_x = 0.1646875 * m_r_sq;
+            let l_sq = l * l;
+            let const_0 = m * (r_sq + l_sq) * 0.08333333333333333;
+            let const_1 = m * l_sq * 0.0012755102040816326;
+            let arm_moments_y = multiply_add(-0.000625, m_r_sq, const_0) - const_1;
+            let arm_moments_z = multiply_add(-0.001979166666666667, m_r_sq, const_0)
+                - const_1;
+            let arm_centroid_x = 0.5051020408163265 * l;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let tip_origin_x = l * arm_x_x;
+            let pos_0 = 0.5051020408163265 * tip_origin_x;
+            let l_arm_z_x = l * arm_z_x;
+            let pos_1 = multiply_add(-0.5051020408163265, l_arm_z_x, 1.0);
+            let arm_x_z = -arm_z_x;
+            let const_2 = -0.5051020408163265 * l;
+            let q_dot_sq = q_dot * q_dot;
+            let l_q_ddot = l * q_ddot;
+            let tip_origin_z = 1.0 - l_arm_z_x;
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_2 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
+            );
+            let sqrt_0 = sqrt(multiply_add(z, z, pos_2));
+            let pos_3 = sqrt_0 - 0.5;
+            let m_g = m * g;
+            let inv_sqrt_0 = 1.0 / sqrt_0;
+            visit(::lagrange::scene::SpatialItem::Body {
+                name: "arm",
+                motion: ::lagrange::body::SpatialMotion {
+                    mass: arm_mass,
+                    inertia: [
+                        [arm_moments_x, 0.0, 0.0],
+                        [0.0, arm_moments_y, 0.0],
+                        [0.0, 0.0, arm_moments_z],
+                    ],
+                    centroid: [arm_centroid_x, 0.0, 0.0],
+                    center: [pos_0, 0.0, pos_1],
+                    rotation: [
+                        [arm_x_x, 0.0, arm_z_x],
+                        [0.0, 1.0, 0.0],
+                        [arm_x_z, 0.0, arm_x_x],
+                    ],
+                    velocity: [
+                        const_2 * arm_z_x * q_dot,
+                        0.0,
+                        const_2 * arm_x_x * q_dot,
+                    ],
+                    angular_velocity: [0.0, q_dot, 0.0],
+                    acceleration: [
+                        -0.5051020408163265
+                            * multiply_add(arm_z_x, l_q_ddot, tip_origin_x * q_dot_sq),
+                        0.0,
+                        0.5051020408163265
+                            * multiply_add(-arm_x_x, l_q_ddot, l_arm_z_x * q_dot_sq),
+                    ],
+                    angular_acceleration: [0.0, q_ddot, 0.0],
+                },
+                parts: &[
+                    ::lagrange::scene::SolidPart {
+                        solid: ::lagrange::scene::Solid::Cuboid(l, r, r),
+                        at: [0.5 * l, 0.0, 0.0],
+                        rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                        is_hole: false,
+                    },
+                    ::lagrange::scene::SolidPart {
+                        solid: ::lagrange::scene::Solid::Cylinder(0.25 * r, r),
+                        at: [0.25 * l, 0.0, 0.0],
+                        rotation: [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]],
+                        is_hole: true,
+                    },
+                ],
+            });
+            visit(::lagrange::scene::SpatialItem::Frame {
+                name: "tip",
+                rotation: [
+                    [arm_x_x, 0.0, arm_z_x],
+                    [0.0, 1.0, 0.0],
+                    [arm_x_z, 0.0, arm_x_x],
+                ],
+                origin: [tip_origin_x, 0.0, tip_origin_z],
+            });
+            visit(::lagrange::scene::SpatialItem::Body {
+                name: "bob",
+                motion: ::lagrange::body::SpatialMotion {
+                    mass: m,
+                    inertia: [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]],
+                    centroid: [0.0, 0.0, 0.0],
+                    center: [x, y, z],
+                    rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                    velocity: [x_dot, y_dot, z_dot],
+                    angular_velocity: [0.0, 0.0, 0.0],
+                    acceleration: [x_ddot, y_ddot, z_ddot],
+                    angular_acceleration: [0.0, 0.0, 0.0],
+                },
+                parts: &[
+                    ::lagrange::scene::SolidPart {
+                        solid: ::lagrange::scene::Solid::PointMass,
+                        at: [0.0, 0.0, 0.0],
+                        rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                        is_hole: false,
+                    },
+                ],
+            });
+            visit(::lagrange::scene::SpatialItem::Connector {
+                name: "spring_1",
+                kind: ::lagrange::scene::Connector::Spring,
+                from: [x, y, z],
+                to: [1.0, 1.0, 0.0],
+                tension: k * pos_3,
+            });
+            visit(::lagrange::scene::SpatialItem::Joint {
+                name: "q",
+                kind: ::lagrange::scene::SpatialJoint::Revolute,
+                at: [0.0, 0.0, 1.0],
+                axis: [0.0, 1.0, 0.0],
+                bodies: [
+                    ::core::option::Option::None,
+                    ::core::option::Option::Some("arm"),
+                ],
+            });
+            visit(::lagrange::scene::SpatialItem::Joint {
+                name: "tip",
+                kind: ::lagrange::scene::SpatialJoint::Weld,
+                at: [tip_origin_x, 0.0, tip_origin_z],
+                axis: [arm_z_x, 0.0, arm_x_x],
+                bodies: [
+                    ::core::option::Option::Some("arm"),
+                    ::core::option::Option::Some("tip"),
+                ],
+            });
+            visit(::lagrange::scene::SpatialItem::Joint {
+                name: "hook",
+                kind: ::lagrange::scene::SpatialJoint::Pin,
+                at: [tip_origin_x, 0.0, tip_origin_z],
+                axis: [0.0, 0.0, 1.0],
+                bodies: [
+                    ::core::option::Option::Some("tip"),
+                    ::core::option::Option::Some("bob"),
+                ],
+            });
+            visit(::lagrange::scene::SpatialItem::Force {
+                name: "gravity",
+                cause: ::lagrange::scene::LoadOrigin::Gravity,
+                body: ::core::option::Option::Some("arm"),
+                at: [pos_0, 0.0, pos_1],
+                force: [0.0, 0.0, -0.98 * m_g],
+            });
+            visit(::lagrange::scene::SpatialItem::Moment {
+                name: "torque",
+                cause: ::lagrange::scene::LoadOrigin::Applied,
+                body: ::core::option::Option::Some("arm"),
+                at: [0.0, 0.0, 1.0],
+                moment: [0.0, u, 0.0],
+            });
+            visit(::lagrange::scene::SpatialItem::Force {
+                name: "gravity",
+                cause: ::lagrange::scene::LoadOrigin::Gravity,
+                body: ::core::option::Option::Some("bob"),
+                at: [x, y, z],
+                force: [0.0, 0.0, -m_g],
+            });
+            visit(::lagrange::scene::SpatialItem::Force {
+                name: "hook",
+                cause: ::lagrange::scene::LoadOrigin::Joint,
+                body: ::core::option::Option::Some("arm"),
+                at: [tip_origin_x, 0.0, tip_origin_z],
+                force: [hook_x, hook_y, hook_z],
+            });
+            visit(::lagrange::scene::SpatialItem::Force {
+                name: "hook",
+                cause: ::lagrange::scene::LoadOrigin::Joint,
+                body: ::core::option::Option::Some("bob"),
+                at: [x, y, z],
+                force: [-hook_x, -hook_y, -hook_z],
+            });
+            visit(::lagrange::scene::SpatialItem::Force {
+                name: "spring_1",
+                cause: ::lagrange::scene::LoadOrigin::Connector,
+                body: ::core::option::Option::Some("bob"),
+                at: [x, y, z],
+                force: [
+                    k * spring_1_span_x * inv_sqrt_0 * pos_3,
+                    k * spring_1_span_y * inv_sqrt_0 * pos_3,
+                    -k * z * inv_sqrt_0 * pos_3,
+                ],
+            });
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<[f64; 1]> for HungArmInputs {
+        #[inline]
+        fn from([u]: [f64; 1]) -> Self {
+            Self { u }
+        }
+    }
+    #[automatically_derived]
+    impl ::core::convert::From<HungArmInputs> for [f64; 1] {
+        #[inline]
+        fn from(inputs: HungArmInputs) -> Self {
+            [inputs.u]
+        }
+    }
+    #[automatically_derived]
+    impl ::lagrange::system::ControlledSystem for HungArm {
+        type Inputs = HungArmInputs;
+        type InputVector = [f64; 1];
+        type NamedState = HungArmState;
+        const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
+        #[inline]
+        fn inputs(&self) -> HungArmInputs {
+            HungArmInputs { u: self.u }
+        }
+        #[inline]
+        fn with_inputs(&self, inputs: HungArmInputs) -> Self {
+            Self {
+                u: inputs.u,
+                m: self.m,
+                l: self.l,
+                r: self.r,
+                k: self.k,
+                g: self.g,
+            }
+        }
+    }
+};
