@@ -27,10 +27,10 @@ pub(super) struct Wanted {
 }
 
 /// Sizes in terms of the radius of rods.
-const PIN: f64 = 2.4;
-const PIN_LENGTH: f64 = 7.0;
+const PIN: f64 = 2.0;
+const PIN_LENGTH: f64 = 5.5;
 const COIL: f64 = 3.0;
-const LANE: f64 = 8.0;
+const LANE: f64 = 7.0;
 /// Fields of a floor along the longer side.
 const FIELDS: f64 = 12.0;
 
