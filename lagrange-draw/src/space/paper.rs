@@ -103,6 +103,7 @@ impl<'a> Paper<'a> {
             let points: Vec<Vector> = trace.until(moment).collect();
             pieces.extend(lines(&points, things.len() + index, self.least));
         }
+        let areas = pieces.iter().filter_map(|piece| self.area(piece)).collect();
         let mut convex: Vec<bool> = self.meshes.iter().map(|(_, is_convex)| *is_convex).collect();
         convex.resize(things.len() + self.recording.traces.len(), false);
         // Arrows are not hidden by the bodies that they begin in.
@@ -119,7 +120,15 @@ impl<'a> Paper<'a> {
             self.tag(&crate::text::formula(&trace.label), at, Side::Around, trace.colour, false)
         });
         let tags = things.iter().map(|thing| self.label(thing, moment)).chain(traces).collect();
-        (marks, Sheet { tags, lines, areas: Vec::new() })
+        (marks, Sheet { tags, lines, areas })
+    }
+
+    /// What a face of a body covers.
+    fn area(&self, piece: &Piece) -> Option<(usize, Vec<Point>)> {
+        let is_face = matches!(piece.shape, Shape::Face { .. });
+        let is_body = self.recording.things.get(piece.thing).is_some_and(|thing| thing.kind == Kind::Body);
+        let points = || piece.corners().iter().map(|corner| self.point(*corner)).collect();
+        (is_face && is_body).then(|| (piece.thing, points()))
     }
 
     /// The faces of a thing that are seen, and its lines.
@@ -177,7 +186,7 @@ impl<'a> Paper<'a> {
                 let segments = polyline(ends.map(|end| self.point(end)), false);
                 let kind = self.recording.things.get(piece.thing).map(|thing| thing.kind);
                 let (colour, width) = match kind {
-                    Some(Kind::Surroundings) => (colour, 0.5 * LINE),
+                    Some(Kind::Surroundings) => (colour, EDGE),
                     // The edges of holes.
                     Some(Kind::Body) => (mixed(colour, INK, DARK), EDGE),
                     _ => (colour, LINE),

@@ -32,7 +32,7 @@ const PIN_LENGTH: f64 = 5.5;
 const COIL: f64 = 3.0;
 const LANE: f64 = 7.0;
 /// Fields of a floor along the longer side.
-const FIELDS: f64 = 12.0;
+const FIELDS: f64 = 8.0;
 
 /// All things of a motion; every scene of it hands out the same items.
 pub(super) fn things(film: &[Snapshot], wanted: Wanted, size: &Size) -> Vec<Thing> {
