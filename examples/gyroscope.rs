@@ -84,6 +84,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         gyroscope.simulate(start).until(4.0 * PERIOD).tolerance(1e-10).every(PERIOD / 50.0).energy().run()?;
     let drawing = SpatialDrawing::of(&gyroscope)
         .title("A gyroscope nods while it precesses")
+        .view(0.4, 0.35)
         .nameless()
         .trace("", |gyroscope, t, y| gyroscope.tip(t, &[y[0], y[1], y[2], y[3]], &[y[4], y[5], y[6]]));
     let film = drawing.film(&motion)?;

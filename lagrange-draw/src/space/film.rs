@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use super::drawing::SpatialDrawing;
-use super::paper::{Look, Paper};
+use super::projector::{Look, Projector};
 use super::recording::Recording;
 use crate::drawing::Shot;
 use crate::error::DrawError;
@@ -63,7 +63,7 @@ where
         let timeline = Timeline::new(recording.times.clone())?;
         // What cannot be drawn is refused here, and not when it is written.
         let look = self.look().clone();
-        Paper::new(&recording, &look)?;
+        Projector::new(&recording, &look)?;
         Ok(SpatialFilm { recording, look, timeline })
     }
 }
@@ -79,7 +79,7 @@ impl SpatialFilm {
     /// # Errors
     /// If they are too small for their margins.
     pub fn pictures(&self) -> Result<Vec<Picture>, DrawError> {
-        Ok(Paper::new(&self.recording, &self.look)?.pictures(0..self.recording.times.len()))
+        Ok(Projector::new(&self.recording, &self.look)?.pictures(0..self.recording.times.len()))
     }
 
     /// Adds a curve to the plot under the picture of a page, as [`Film::with_values`] does.

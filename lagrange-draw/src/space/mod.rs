@@ -1,14 +1,14 @@
 //! Pictures and films of systems of bodies in space.
 //!
 //! A motion is recorded as things ([`recording`]): meshes that turn, move and are stretched, made of what a scene hands out ([`stage`]).
-//! Pictures ([`paper`]) are drawn of them by a camera, from back to front ([`sort`]); pages and glTF files hold the things themselves.
+//! Pictures ([`projector`]) are drawn of them by a camera, from back to front ([`sort`]); pages and glTF files hold the things themselves.
 
 mod arrows;
 mod camera;
 mod drawing;
 mod film;
 mod mesh;
-mod paper;
+mod projector;
 mod recording;
 mod size;
 mod skeleton;
