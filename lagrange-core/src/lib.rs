@@ -60,6 +60,7 @@ pub mod emit;
 pub mod expr;
 pub mod formula;
 pub mod functions;
+pub mod inline;
 pub mod model;
 pub mod number;
 pub mod pipeline;

@@ -61,6 +61,10 @@ const CORE: &[Layer] = &[
                   tokens to syntax tree, and back to text",
     },
     Layer {
+        modules: &["inline"],
+        purpose: "functions that a declaration defines, put in the place of their calls",
+    },
+    Layer {
         modules: &["bodies", "program"],
         purpose: "rigid bodies, springs and joints, in the plane and in space, to plain statements, syntax to syntax; straight-line \
                   programs: lowering, passes, verifier, interpreter, operation counts",

@@ -282,8 +282,11 @@ fn plain_call(translation: &mut Translation<'_>, function: &Name, arguments: &[A
         return wrong_count(translation, function, wanted, 0);
     };
     let needed = wanted.iter().filter(|name| !name.starts_with('[')).count();
-    if !(needed..=wanted.len()).contains(&rest.len()) {
+    if !(needed..=wanted.len()).contains(&rest.len()) && translation.are_read(rest) {
         return wrong_count(translation, function, wanted, rest.len());
+    }
+    if !translation.are_read(rest) {
+        return translation.terms().invalid();
     }
     let is_of_lines = OF_LINES.iter().any(|(name, _)| *name == function.text);
     match object_named(translation, *first) {

@@ -44,6 +44,9 @@ pub(super) fn shape_of(
         return None;
     };
     if !solid.dimensions.accept(dimensions.len()) {
+        if !translation.are_read(&shape.dimensions) {
+            return None;
+        }
         let message = messages::wrong_dimensions(&shape.solid.text, dimensions.len());
         translation.report.error(shape.origin, message).help(messages::shape_usage(&solid.shape_usage()));
         return None;

@@ -155,6 +155,11 @@ impl<'a> Translation<'a> {
         true
     }
 
+    /// True if all of these expressions could be read, so that their number is what was meant.
+    pub(super) fn are_read(&self, ids: &[AstId]) -> bool {
+        ids.iter().all(|&id| !matches!(self.expressions.get(id), Expression::Invalid))
+    }
+
     /// The translation of an expression whose parts have been translated.
     pub(super) fn plain_of(&self, id: AstId) -> AstId {
         self.translated.get(&id).copied().unwrap_or(id)

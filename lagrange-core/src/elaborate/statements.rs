@@ -67,8 +67,8 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Output(name, value) => add_output(elaborator, name, *value),
         StatementKind::Emit(items) => items.iter().for_each(|item| add_product(elaborator, item)),
         StatementKind::Reduce(reduction) => add_reduction(elaborator, reduction),
-        // Plain statements have taken its place.
-        StatementKind::Scene(_) => {}
+        // Plain statements have taken the place of scenes, values that of calls.
+        StatementKind::Scene(_) | StatementKind::Function(_) => {}
     }
 }
 

@@ -8,6 +8,7 @@ use crate::derive::{Equations, StrategyChoice, derive};
 use crate::diagnostics::Report;
 use crate::elaborate::elaborate;
 use crate::emit;
+use crate::inline::without_functions;
 use crate::model::{Model, Reduced};
 use crate::syntax::ast::Declaration;
 
@@ -24,7 +25,7 @@ pub struct DerivedPart {
 
 /// The declaration in plain statements, and what it means; no model after an error.
 pub(super) fn model_of(declaration: Declaration, report: &mut Report) -> (Declaration, Option<Model>) {
-    let plain = plain(declaration, report);
+    let plain = plain(without_functions(declaration, report), report);
     let model = elaborate(&plain, report);
     let mut declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
     declaration.attributes = emit::attributes_of_struct(&declaration, report.diagnostics());

@@ -21,7 +21,8 @@ pub use keywords::{Keyword, Soft};
 pub use mobilizers::{Mobilizer, MobilizerKind};
 pub use quaternion::Quaternion;
 pub use statements::{
-    Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Statement, StatementKind,
+    Definition, EmitItem, FunctionDefinition, Reduction, ReductionItem, ReductionKind, Statement,
+    StatementKind,
 };
 
 /// A whole `system!` declaration.

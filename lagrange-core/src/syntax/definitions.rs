@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
-use super::ast::{AstId, Definition, EmitItem, Name, StatementKind};
+use super::ast::{AstId, Definition, EmitItem, FunctionDefinition, Name, StatementKind};
 use super::cursor::{Cursor, group_origin};
 use super::keywords::is_rust_keyword;
 use super::messages;
@@ -165,6 +165,9 @@ impl Parser<'_> {
             None if cursor.ident().is_none() => Err(self.no_name(help, cursor)),
             None => {
                 let name = self.declared_name(cursor)?;
+                if let Some(group) = cursor.eat_group(Delimiter::Parenthesis) {
+                    return self.function(name, &group, cursor);
+                }
                 self.annotation("let", cursor);
                 Ok(StatementKind::Let(name, self.assigned(help, cursor)?))
             }
@@ -174,6 +177,13 @@ impl Parser<'_> {
                 Ok(StatementKind::LetTuple(self.two_or_three(names?, &group)?, value))
             }
         }
+    }
+
+    /// `(x, y) = e` behind the name of a function.
+    fn function(&mut self, name: Name, group: &Group, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        let parameters = self.inside(group, Self::component_names)?;
+        let value = self.assigned(form("let"), cursor)?;
+        Ok(StatementKind::Function(Box::new(FunctionDefinition { name, parameters, value })))
     }
 
     fn component_names(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Name>> {

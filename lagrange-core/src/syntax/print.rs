@@ -78,6 +78,13 @@ impl Printer<'_> {
                 self.list(names, |printer, name| printer.text(&name.text));
                 self.between(") = ", *value, ";");
             }
+            StatementKind::Function(function) => {
+                self.text("let ");
+                self.text(&function.name.text);
+                self.text("(");
+                self.list(&function.parameters, |printer, name| printer.text(&name.text));
+                self.between(") = ", function.value, ";");
+            }
             StatementKind::Kinetic(value) => self.between("kinetic = ", *value, ";"),
             StatementKind::Potential(value) => self.between("potential = ", *value, ";"),
             StatementKind::Lagrangian(value) => self.between("lagrangian = ", *value, ";"),

@@ -102,6 +102,9 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::Quaternion(quaternion) => format!("quaternion {}", quaternion.name.text),
         StatementKind::Velocity(name, value) => format!("velocity {} {}", name.text, show(value)),
         StatementKind::Let(name, value) => format!("let {} {}", name.text, show(value)),
+        StatementKind::Function(function) => {
+            format!("let {} ({}) {}", function.name.text, names(&function.parameters), show(&function.value))
+        }
         StatementKind::LetTuple(list, value) => format!("let ({}) {}", names(list), show(value)),
         StatementKind::Kinetic(value) => format!("kinetic {}", show(value)),
         StatementKind::Potential(value) => format!("potential {}", show(value)),

@@ -76,6 +76,9 @@ pub(in crate::bodies) fn call_of_link(
         translation.report.error(function.span, message).help(words::FUNCTIONS_HELP);
         return translation.terms().invalid();
     };
+    if !translation.are_read(arguments) {
+        return translation.terms().invalid();
+    }
     if !(*least..=*most).contains(&arguments.len()) {
         let message = messages::wrong_arguments(name, arguments.len());
         translation.report.error(translation.origin, message).help(words::usage(name));

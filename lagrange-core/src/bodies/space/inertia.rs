@@ -103,6 +103,9 @@ pub(super) fn shape_of(
         return None;
     };
     if solid.dimensions.len() != dimensions.len() {
+        if !translation.are_read(&shape.dimensions) {
+            return None;
+        }
         let message = messages::wrong_dimensions(name, dimensions.len());
         translation.report.error(shape.origin, message).help(messages::shape_usage(&solid.usage()));
         return None;

@@ -69,6 +69,8 @@ pub enum StatementKind {
     Let(Name, AstId),
     /// `let (a, b) = e;`
     LetTuple(Vec<Name>, AstId),
+    /// `let f(x, y) = e;`
+    Function(Box<FunctionDefinition>),
     /// `kinetic = e;`
     Kinetic(AstId),
     /// `potential = e;`
@@ -135,7 +137,7 @@ pub const KEYWORDS: [Keyword; 21] = [
     Keyword::new("input", "write `input u;`"),
     Keyword::new(
         "let",
-        "write `let name = e;`, or `let (a, b) = (e, f);` for the components of a vector",
+        "write `let name = e;`, `let (a, b) = (e, f);` for the components of a vector, or `let f(x, y) = e;` for a function",
     ),
     Keyword::new("kinetic", "write `kinetic = e;`"),
     Keyword::new("potential", "write `potential = e;`"),
@@ -174,6 +176,8 @@ impl StatementKind {
             StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
             StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
+            // Its name can be called, and means nothing by itself.
+            StatementKind::Function(_) => (Vec::new(), Reach::Expressions),
             StatementKind::Constraint(name, _) => (vec![name], Reach::Both),
             StatementKind::Event(event) => (vec![&event.name], Reach::Both),
             StatementKind::Friction(friction) => (vec![&friction.name], Reach::Both),
@@ -211,6 +215,7 @@ impl StatementKind {
             | StatementKind::Constraint(_, value)
             | StatementKind::Stabilise(value)
             | StatementKind::Output(_, value) => vec![value],
+            StatementKind::Function(function) => vec![&mut function.value],
             StatementKind::Gibbs { function, stated } => vec![function, stated],
             StatementKind::ForceAt { force, point } => vec![force, point],
             StatementKind::ForceAlong { force, velocity } => vec![force, velocity],
@@ -271,6 +276,17 @@ impl StatementKind {
 
 fn defined(list: &[Definition]) -> Vec<&Name> {
     list.iter().map(|definition| &definition.name).collect()
+}
+
+/// A function of the user's, which stands for an expression.
+#[derive(Clone, Debug)]
+pub struct FunctionDefinition {
+    /// Its name.
+    pub name: Name,
+    /// Names that stand for arguments in its value.
+    pub parameters: Vec<Name>,
+    /// What it stands for.
+    pub value: AstId,
 }
 
 /// A second type with fewer or simpler motions.

@@ -168,9 +168,12 @@ impl Parser<'_> {
             elements.push(parser.element(cursor));
             has_comma |= cursor.eat(',').is_some();
         });
+        let is_read = |&id: &AstId| !matches!(self.expressions.get(id), Expression::Invalid);
         match elements.len() {
             1 if !has_comma => Ok(Elements::Single(elements[0])),
             2 | 3 => Ok(Elements::Vector(elements)),
+            // A missing operand may count as a component too many.
+            _ if !elements.iter().all(is_read) => Err(Reported),
             1 => {
                 let help = messages::ONE_COMPONENT_HELP;
                 Err(self.fail_with_help(origin, messages::component_count(1), help))

@@ -31,10 +31,6 @@ pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static s
             "coordinates depend on time by themselves, and numbers have no units here",
             "leave this out: write `coord x, theta;`",
         ),
-        "let" => (
-            "functions cannot be declared here",
-            "leave this out: `let name = e;` names an expression, which depends on what e does",
-        ),
         keyword => (
             "nothing can stand between a name and its value, such as a unit or an argument",
             match keyword {

@@ -1,0 +1,279 @@
+//! Functions that a declaration defines, put in the place of their calls.
+//!
+//! `let f(x, y) = e;` stands for e with the arguments for x and y wherever `f(a, b)` is written behind it. That is done before anything
+//! else is known of the declaration, so that arguments may be numbers, vectors, points or bodies, and what follows knows of no such
+//! functions. Inside a function its parameters hide names of the declaration.
+//!
+//! A function may call those before it, never itself: a chain of n functions that each call the one before twice would have 2ⁿ terms, for
+//! which there is a bound, [`MOST`].
+
+mod messages;
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeSet;
+
+use crate::collections::HashMap;
+use crate::diagnostics::{Origin, Report, nearest};
+use crate::syntax::ast::{
+    AstId, Declaration, Expression, Expressions, FunctionDefinition, Name, StatementKind,
+};
+
+/// Terms that calls may be replaced by, all together.
+const MOST: usize = 200_000;
+
+/// The declaration without functions of its own. Mistakes in their calls are reported, those in what they stand for later.
+pub fn without_functions(mut declaration: Declaration, report: &mut Report) -> Declaration {
+    let is_function = |kind: &StatementKind| matches!(kind, StatementKind::Function(_));
+    if !declaration.statements.iter().any(|statement| is_function(&statement.kind)) {
+        return declaration;
+    }
+    report_repeated(&declaration, report);
+    let expressions = std::mem::take(&mut declaration.expressions);
+    let known = names_of(&declaration);
+    let mut inliner =
+        Inliner { expressions, report, defined: HashMap::default(), all: Vec::new(), known, added: 0 };
+    inliner.all = functions(&declaration).map(|function| function.name.clone()).collect();
+    for statement in &mut declaration.statements {
+        for id in statement.kind.expressions_mut() {
+            *id = inliner.inlined(*id);
+        }
+        if let StatementKind::Function(function) = &statement.kind {
+            inliner.define(function);
+        }
+    }
+    inliner.report_unused();
+    declaration.expressions = inliner.expressions;
+    declaration.statements.retain(|statement| !is_function(&statement.kind));
+    declaration
+}
+
+fn functions(declaration: &Declaration) -> impl Iterator<Item = &FunctionDefinition> {
+    declaration.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Function(function) => Some(&**function),
+        _ => None,
+    })
+}
+
+/// The names that expressions may mention anywhere.
+fn names_of(declaration: &Declaration) -> BTreeSet<String> {
+    let names = declaration.statements.iter().flat_map(|statement| statement.kind.declared_names());
+    names.map(|name| name.text.clone()).chain(["t", "pi", "ground"].map(str::to_owned)).collect()
+}
+
+/// Reports functions with the name of something else, and parameters with the name of another.
+fn report_repeated(declaration: &Declaration, report: &mut Report) {
+    let mut first: HashMap<String, Origin> = HashMap::default();
+    for statement in &declaration.statements {
+        let function = match &statement.kind {
+            StatementKind::Function(function) => Some(function),
+            _ => None,
+        };
+        let names = function.map_or_else(|| statement.kind.declared_names(), |function| vec![&function.name]);
+        for name in names {
+            match first.get(&name.text) {
+                Some(before) if function.is_some() => {
+                    report_twice(report, name, *before);
+                }
+                _ => drop(first.insert(name.text.clone(), name.span.into())),
+            }
+        }
+        let mut own: HashMap<String, Origin> = HashMap::default();
+        for name in function.iter().flat_map(|function| &function.parameters) {
+            if let Some(before) = own.insert(name.text.clone(), name.span.into()) {
+                report_twice(report, name, before);
+            }
+        }
+    }
+}
+
+fn report_twice(report: &mut Report, name: &Name, before: Origin) {
+    let error = report.error(name.span, messages::declared_twice(&name.text));
+    error.related(before, messages::FIRST_DECLARED).help(messages::OTHER_NAME_HELP);
+}
+
+/// A function whose own calls are replaced.
+struct Defined {
+    function: FunctionDefinition,
+    /// What its value is made of, operands first.
+    parts: Vec<AstId>,
+    is_called: bool,
+}
+
+struct Inliner<'a> {
+    expressions: Expressions,
+    report: &'a mut Report,
+    /// Functions so far.
+    defined: HashMap<String, Defined>,
+    /// The names of all functions.
+    all: Vec<Name>,
+    /// Names of everything else.
+    known: BTreeSet<String>,
+    /// How many terms have been added.
+    added: usize,
+}
+
+impl Inliner<'_> {
+    fn define(&mut self, function: &FunctionDefinition) {
+        let parts = parts(&self.expressions, function.value);
+        let function = function.clone();
+        let name = function.name.text.clone();
+        self.defined.insert(name, Defined { function, parts, is_called: false });
+    }
+
+    /// An expression with the values of functions in the place of their calls.
+    fn inlined(&mut self, root: AstId) -> AstId {
+        let mut replaced: HashMap<AstId, AstId> = HashMap::default();
+        for id in parts(&self.expressions, root) {
+            let rebuilt = self.rebuilt(id, &replaced);
+            let new = match self.expressions.get(rebuilt) {
+                Expression::Call(function, arguments) => {
+                    let (function, arguments) = (function.clone(), arguments.clone());
+                    self.called(&function, &arguments, rebuilt)
+                }
+                _ => rebuilt,
+            };
+            if new != id {
+                replaced.insert(id, new);
+            }
+        }
+        replaced.get(&root).copied().unwrap_or(root)
+    }
+
+    /// An expression with other operands where these were replaced.
+    fn rebuilt(&mut self, id: AstId, replaced: &HashMap<AstId, AstId>) -> AstId {
+        let expression = self.expressions.get(id);
+        let operands = expression.operands();
+        if !operands.iter().any(|operand| replaced.contains(operand)) {
+            return id;
+        }
+        let operands: Vec<AstId> =
+            operands.iter().map(|operand| replaced.get(operand).copied().unwrap_or(*operand)).collect();
+        let (expression, origin) = (expression.clone().with_operands(&operands), self.expressions.origin(id));
+        self.added += 1;
+        self.expressions.add(expression, origin)
+    }
+
+    /// What a call stands for; the call itself if it is none of a function that is defined here.
+    fn called(&mut self, name: &Name, arguments: &[AstId], call: AstId) -> AstId {
+        let origin = self.expressions.origin(call);
+        let Some(defined) = self.defined.get_mut(&name.text) else {
+            return if self.report_too_early(name) {
+                self.expressions.add(Expression::Invalid, origin)
+            } else {
+                call
+            };
+        };
+        defined.is_called = true;
+        let (function, parts) = (defined.function.clone(), defined.parts.clone());
+        if function.parameters.len() != arguments.len() {
+            let message = messages::wrong_count(&name.text, function.parameters.len(), arguments.len());
+            let error = self.report.error(origin, message);
+            error.related(function.name.span.into(), messages::DEFINED_HERE).help(messages::usage(&function));
+            return self.expressions.add(Expression::Invalid, origin);
+        }
+        if self.added + parts.len() > MOST {
+            self.report_too_long(&function.name, origin);
+            return self.expressions.add(Expression::Invalid, origin);
+        }
+        self.instance(&function, &parts, arguments, origin)
+    }
+
+    /// The value of a function for arguments. What is wrong about it as a whole is wrong about the call.
+    fn instance(
+        &mut self,
+        function: &FunctionDefinition,
+        parts: &[AstId],
+        arguments: &[AstId],
+        call: Origin,
+    ) -> AstId {
+        let mut replaced: HashMap<AstId, AstId> = HashMap::default();
+        for &id in parts {
+            if let Expression::Name(name) = self.expressions.get(id)
+                && let Some(place) = function.parameters.iter().position(|parameter| parameter.text == *name)
+            {
+                replaced.insert(id, arguments[place]);
+                continue;
+            }
+            let rebuilt = self.rebuilt(id, &replaced);
+            if rebuilt != id {
+                replaced.insert(id, rebuilt);
+            }
+        }
+        let Some(&value) = replaced.get(&function.value) else { return function.value };
+        if arguments.contains(&value) {
+            return value;
+        }
+        let expression = self.expressions.get(value).clone();
+        self.expressions.add(expression, call)
+    }
+
+    fn report_too_early(&mut self, name: &Name) -> bool {
+        let Some(function) = self.all.iter().find(|function| function.text == name.text) else {
+            return false;
+        };
+        let error = self.report.error(name.span, messages::called_too_early(&name.text));
+        error.related(function.span.into(), messages::DEFINED_HERE).help(messages::ORDER_HELP);
+        true
+    }
+
+    /// Once is enough.
+    fn report_too_long(&mut self, name: &Name, origin: Origin) {
+        if self.added <= MOST {
+            let error = self.report.error(origin, messages::too_long(&name.text, MOST));
+            error.help(messages::TOO_LONG_HELP);
+            self.added = MOST + 1;
+        }
+    }
+
+    /// Reports functions that are never called, and in these the names that mean nothing.
+    fn report_unused(&mut self) {
+        for name in std::mem::take(&mut self.all) {
+            let Some(Defined { function, parts, is_called: false }) = self.defined.get(&name.text) else {
+                continue;
+            };
+            let is_known = |name: &String| {
+                self.known.contains(name)
+                    || function.parameters.iter().any(|parameter| parameter.text == *name)
+            };
+            let mut unknown = None;
+            for &id in parts {
+                if let Expression::Name(name) = self.expressions.get(id)
+                    && !is_known(name)
+                {
+                    unknown = unknown.or(Some((id, name.clone())));
+                }
+            }
+            match unknown {
+                Some((id, unknown)) => {
+                    let names = self.known.iter().map(String::as_str);
+                    let parameters = function.parameters.iter().map(|parameter| parameter.text.as_str());
+                    let help = nearest(&unknown, parameters.chain(names)).map(messages::did_you_mean);
+                    let error =
+                        self.report.error(self.expressions.origin(id), messages::unknown_name(&unknown));
+                    error.help(help.unwrap_or_else(|| messages::DECLARE_HELP.to_owned()));
+                }
+                None if name.text.starts_with('_') => {}
+                None => {
+                    let warning =
+                        self.report.unused(&name.text, name.span, messages::never_called(&name.text));
+                    warning.help(messages::NEVER_CALLED_HELP);
+                }
+            }
+        }
+    }
+}
+
+/// All that an expression is made of and itself, operands first.
+fn parts(expressions: &Expressions, root: AstId) -> Vec<AstId> {
+    let mut found = BTreeSet::new();
+    let mut pending = vec![root];
+    while let Some(id) = pending.pop() {
+        if found.insert(id) {
+            pending.extend(expressions.get(id).operands());
+        }
+    }
+    // Operands are added before what is made of them.
+    found.into_iter().collect()
+}
