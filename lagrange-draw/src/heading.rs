@@ -2,9 +2,9 @@
 
 use crate::colour::{INK, REST};
 use crate::picture::{Anchor, Mark};
-use crate::tag::LEEWAY;
 use crate::text::width;
 use crate::view::{BORDER, MARGIN};
+use lagrange_plot::lettering::LEEWAY;
 
 /// A title as it is set.
 #[derive(Clone, PartialEq, Debug)]
@@ -131,7 +131,7 @@ mod tests {
         let short = lines("Short", [640.0, 400.0]);
         assert_eq!((short.size, short.lines.len()), (FONT, 1));
         let long = lines(LONG, [640.0, 400.0]);
-        assert_eq!((long.size, long.lines.len()), (FONT, 3));
+        assert_eq!((long.size, long.lines.len()), (FONT, 2));
         assert!(lines(LONG, [120.0, 90.0]).size < FONT);
     }
 }
