@@ -14,7 +14,7 @@ pub(super) struct Heading {
 }
 
 /// The size of letters, and by what it is made smaller until all fits.
-const FONT: f64 = 15.0;
+const FONT: f64 = 16.0;
 const SMALLER: f64 = 0.9;
 /// The size of the letters of notes beside those of titles.
 const NOTE: f64 = 0.8;

@@ -41,7 +41,7 @@ pub(super) enum Side {
 }
 
 /// The size of labels.
-pub(super) const FONT: f64 = 14.0;
+pub(super) const FONT: f64 = 15.0;
 /// The part of the width of a picture that a label may take, unless its letters were smaller than these.
 const WIDEST: f64 = 0.5;
 const SMALLEST: f64 = 8.0;

@@ -1,5 +1,9 @@
 //! Which characters there are, how wide they are, and where accents stand.
 
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
 use tiny_skia::Rect;
 
 use super::{CAPITALS, SMALL, Slope, UPRIGHT, outline, width};
@@ -32,6 +36,26 @@ fn every_character_of_labels_has_a_glyph() {
             );
         }
     }
+}
+
+#[test]
+fn every_character_that_examples_write_has_a_glyph() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    let files = fs::read_dir(folder).expect("is there").map(|file| file.expect("is there").path());
+    let mut written = BTreeSet::new();
+    for file in files.filter(|path| path.is_file()) {
+        let text = fs::read_to_string(file).expect("is text");
+        let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        written.extend(lines.flat_map(|line| line.split('"').skip(1).step_by(2)).flat_map(str::chars));
+    }
+    assert!(
+        ['ρ', '′', '×'].iter().all(|letter| written.contains(letter)),
+        "what examples are known to write"
+    );
+    let unknown = outline(UNKNOWN, Slope::Upright);
+    let lost: String =
+        written.iter().filter(|c| outline(&c.to_string(), Slope::Upright) == unknown).collect();
+    assert_eq!(lost, "");
 }
 
 #[test]
