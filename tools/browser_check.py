@@ -31,6 +31,22 @@ SEEN = """(() => {
     return [box.x, box.y, box.width, box.height].map(Math.round).join(" ") + style.d + style.strokeDashoffset;
   }));
 })()"""
+# The same in the picture's own units, for pages that have more room for it.
+SHAPES = """(() => {
+  const picture = document.querySelector("#picture svg");
+  const marks = [...picture.querySelectorAll("path, text")].map((mark) => [mark, getComputedStyle(mark)]);
+  return JSON.stringify(marks.filter(([, style]) => style.visibility === "visible").map(([mark, style]) => {
+    const { a, b, c, d, e, f } = picture.getScreenCTM().inverse().multiply(mark.getScreenCTM());
+    return [a, b, c, d, e, f].map((part) => Math.round(100 * part)).join(" ") + style.d + style.strokeDashoffset;
+  }));
+})()"""
+# How much of the window the picture and the plot have, and whether all of the page is in it.
+FILLED = """(() => {
+  const areas = [...document.querySelectorAll("#picture, .plot")].map((part) => part.getBoundingClientRect());
+  const part = areas.reduce((sum, area) => sum + area.width * area.height, 0) / (innerWidth * innerHeight);
+  return document.documentElement.scrollHeight <= innerHeight ? part : 0;
+})()"""
+WINDOWS = [(1280, 720), (640, 900), (900, 1000)]
 CURSOR = "document.querySelector('#cursor').getBoundingClientRect().x"
 
 
@@ -166,10 +182,19 @@ def check_svg(browser, path, checks, pictures):
 def check_page(browser, path, checks, pictures):
     browser.open(path, [("prefers-reduced-motion", "reduce")])
     has_curves = browser.evaluate("film.chart !== null")
-    first = browser.evaluate(SEEN)
+    first, shapes = browser.evaluate(SEEN), browser.evaluate(SHAPES)
     checks.that(not moves(browser), "waits where less motion is preferred")
     checks.that(browser.evaluate("play.textContent") == "Play", "offers to play")
     cursor = browser.evaluate(CURSOR) if has_curves else 0
+
+    for width, height in WINDOWS:
+        browser.send("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        part = browser.evaluate(FILLED)
+        checks.that(part > 0.6, f"fills a window of {width} by {height}: {part:.2f}")
+        if pictures:
+            browser.picture(pictures / f"{path.stem}-{width}x{height}.png")
+    browser.send("Emulation.clearDeviceMetricsOverride")
+    browser.wait(lambda: browser.evaluate(SEEN) == first, "the page is as large again as it was")
 
     browser.click("#play")
     checks.that(moves(browser), "plays after a click")
@@ -220,7 +245,7 @@ def check_page(browser, path, checks, pictures):
         browser.picture(pictures / f"{path.stem}-dark.png")
 
     browser.open(path, has_scripts=False)
-    checks.that(browser.evaluate(SEEN) == first, "shows the first picture without scripts")
+    checks.that(browser.evaluate(SHAPES) == shapes, "shows the first picture without scripts")
     checks.that(browser.evaluate("document.querySelector('#controls').hidden"), "and no buttons that would do nothing")
     if pictures:
         browser.picture(pictures / f"{path.stem}-no-script.png")

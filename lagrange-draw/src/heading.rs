@@ -2,9 +2,9 @@
 
 use crate::colour::{INK, REST};
 use crate::picture::{Anchor, Mark};
-use crate::tag::LEEWAY;
 use crate::text::width;
 use crate::view::{BORDER, MARGIN};
+use lagrange_plot::lettering::LEEWAY;
 
 /// A title as it is set.
 #[derive(Clone, PartialEq, Debug)]
@@ -14,7 +14,7 @@ pub(super) struct Heading {
 }
 
 /// The size of letters, and by what it is made smaller until all fits.
-const FONT: f64 = 15.0;
+const FONT: f64 = 16.0;
 const SMALLER: f64 = 0.9;
 /// The size of the letters of notes beside those of titles.
 const NOTE: f64 = 0.8;
@@ -131,7 +131,7 @@ mod tests {
         let short = lines("Short", [640.0, 400.0]);
         assert_eq!((short.size, short.lines.len()), (FONT, 1));
         let long = lines(LONG, [640.0, 400.0]);
-        assert_eq!((long.size, long.lines.len()), (FONT, 3));
+        assert_eq!((long.size, long.lines.len()), (FONT, 2));
         assert!(lines(LONG, [120.0, 90.0]).size < FONT);
     }
 }

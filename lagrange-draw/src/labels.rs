@@ -10,7 +10,7 @@ use crate::cut::contains;
 use crate::geometry::{add, clipped, direction, flattened, length, mix, subtract};
 use crate::picture::{Anchor, Mark, Point, Segment};
 use crate::tag::{FONT, Side, Tag};
-use crate::text::CAPITALS;
+use lagrange_plot::lettering::CAPITALS;
 
 /// A box: its corners with the smallest and the largest coordinates.
 type Area = [Point; 2];

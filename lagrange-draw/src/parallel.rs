@@ -14,7 +14,7 @@ use lagrange_runtime::scene::Connector;
 /// middle between them, going from its first end to the second. About a point: so many are within it. What lies alone has none.
 pub(super) type Lanes = BTreeMap<String, f64>;
 
-/// What is closer than this part of the length of a connector is in the same place.
+/// What is closer than this part of the scene is in the same place.
 const TOUCHING: f64 = 1e-6;
 
 /// A connector that lies on the first one of its group, in the same direction or against it.
@@ -27,12 +27,13 @@ struct Member {
 /// The places throughout a film, given also the scene in another configuration, `elsewhere`.
 pub(super) fn lanes(film: &[Snapshot], elsewhere: Option<&Snapshot>) -> Lanes {
     let moments: Vec<&Snapshot> = film.iter().chain(elsewhere).collect();
+    let close = TOUCHING * size(&moments);
     let mut groups: Vec<(bool, Vec<Member>)> = Vec::new();
     for (name, kind, _) in film.first().into_iter().flat_map(|snapshot| &snapshot.connectors) {
         let turns = matches!(kind, Connector::TorsionSpring | Connector::TorsionDamper);
         let is_damper = matches!(kind, Connector::Damper | Connector::TorsionDamper);
         let found = groups.iter_mut().filter(|(other, _)| *other == turns).find_map(|(_, members)| {
-            let is_reversed = meets(&members[0].name, name, &moments)?;
+            let is_reversed = meets([&members[0].name, name], &moments, close)?;
             Some((members, is_reversed))
         });
         let member = |is_reversed| Member { name: name.clone(), is_damper, is_reversed };
@@ -58,21 +59,33 @@ fn places(turns: bool, mut members: Vec<Member>) -> Vec<(String, f64)> {
     placed.filter(|(_, place)| *place != 0.0).collect()
 }
 
+/// The longest way in either direction of the plane between ends of connectors and bodies: connectors may have no length, at a moment or ever.
+fn size(moments: &[&Snapshot]) -> f64 {
+    let points = || {
+        let ends = moments.iter().flat_map(|snapshot| &snapshot.connectors).flat_map(|(.., ends)| *ends);
+        ends.chain(moments.iter().flat_map(|snapshot| &snapshot.bodies).map(|body| body.motion.center))
+    };
+    let span = |axis: usize| {
+        let along = || points().map(|point| point[axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    };
+    span(0).max(span(1)).max(0.0)
+}
+
 /// Whether two connectors have the same ends at all moments, and then whether one goes against the other.
-fn meets(one: &str, other: &str, moments: &[&Snapshot]) -> Option<bool> {
+fn meets([one, other]: [&str; 2], moments: &[&Snapshot], close: f64) -> Option<bool> {
     [false, true].into_iter().find(|is_reversed| {
         moments.iter().all(|snapshot| match (ends_of(one, snapshot), ends_of(other, snapshot)) {
             (Some(ends), Some([from, to])) => {
-                is_same(ends, if *is_reversed { [to, from] } else { [from, to] })
+                is_same(ends, if *is_reversed { [to, from] } else { [from, to] }, close)
             }
             _ => false,
         })
     })
 }
 
-fn is_same([from, to]: [Point; 2], others: [Point; 2]) -> bool {
-    let close = TOUCHING * length(subtract(to, from));
-    [from, to].into_iter().zip(others).all(|(one, other)| length(subtract(one, other)) <= close)
+fn is_same(ends: [Point; 2], others: [Point; 2], close: f64) -> bool {
+    ends.into_iter().zip(others).all(|(one, other)| length(subtract(one, other)) <= close)
 }
 
 fn ends_of(name: &str, snapshot: &Snapshot) -> Option<[Point; 2]> {
@@ -116,6 +129,19 @@ mod tests {
         assert!(found(&[meeting.clone(), apart.clone()]).is_empty());
         assert!(lanes(&[meeting], Some(&apart)).is_empty());
         assert!(found(&[apart]).is_empty());
+    }
+
+    /// At one moment the ends meet, but for a rounding; at another they lie on the other side of each other.
+    #[test]
+    fn a_pair_stays_side_by_side_while_its_ends_pass_each_other() {
+        let at = |x: f64, off: f64| {
+            let (p, q) = ([0.1, 0.2], [0.1 + x, 0.2 + x]);
+            scene(&[("k", Spring, [p, q]), ("d", Damper, [[q[0] + off, q[1]], p])])
+        };
+        let film = [at(0.5, 0.0), at(0.0, 1e-17), at(1e-12, -1e-16), at(-0.5, 0.0)];
+        assert_eq!(found(&film), [("d".to_string(), 0.5), ("k".to_string(), 0.5)]);
+        assert_eq!(found(&[at(0.0, 0.0)]).len(), 2, "without any length, too");
+        assert!(found(&[at(0.5, 0.0), at(0.0, 1e-3)]).is_empty(), "what is apart is apart");
     }
 
     #[test]

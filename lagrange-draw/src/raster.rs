@@ -1,139 +1,91 @@
 //! Pictures in pixels.
 
 use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io::BufWriter;
 use std::path::Path;
-
-use tiny_skia::{
-    Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
-};
 
 use crate::error::DrawError;
 use crate::picture::{Anchor, Colour, Mark, Picture, Point, Segment, Style};
 use crate::text;
+use lagrange_plot::pixels::{Path as Line, PathBuilder, Pixels, Transform};
 
 /// PNG files are so many times finer than a screen of 96 dots to the inch.
 const FINENESS: f64 = 2.0;
-/// Width of the strokes of letters in terms of the size of the font.
-const PEN: f64 = 0.085;
-
-/// A picture in pixels, on white.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct Pixels {
-    /// How many pixels are side by side.
-    pub(crate) width: u32,
-    pub(crate) height: u32,
-    /// Red, green, blue, opacity of each, in rows from the top; all are opaque.
-    pub(crate) rgba: Vec<u8>,
-}
 
 /// Draws a picture with so many pixels to the pixel of a screen.
 pub(crate) fn rasterise(picture: &Picture, scale: f64) -> Result<Pixels, DrawError> {
-    let [width, height] = picture.size.map(|side| (side * scale).ceil());
     // Sides beyond those of integers saturate and are refused with the others.
-    let pixmap = Pixmap::new(width as u32, height as u32);
-    let mut pixmap = pixmap.ok_or(DrawError::Size(picture.size))?;
-    pixmap.fill(Color::WHITE);
+    let size = picture.size.map(|side| (side * scale).ceil() as u32);
+    let mut pixels = Pixels::white(size, scale).ok_or(DrawError::Size(picture.size))?;
     for mark in &picture.marks {
-        draw(&mut pixmap, mark, Transform::from_scale(scale as f32, scale as f32));
+        match mark {
+            Mark::Path { segments, style } => draw(&mut pixels, segments, style),
+            Mark::Text { at, text, size, anchor, colour } => {
+                write(&mut pixels, *at, text, *size, *anchor, *colour);
+            }
+        }
     }
-    Ok(Pixels { width: pixmap.width(), height: pixmap.height(), rgba: pixmap.take() })
+    Ok(pixels)
 }
 
 /// Writes a picture as PNG.
 pub(super) fn save(picture: &Picture, path: &Path) -> Result<(), DrawError> {
     let pixels = rasterise(picture, FINENESS)?;
     let file = File::create(path);
-    DrawError::written(path, file.and_then(|file| write(&pixels, &mut BufWriter::new(file))))
+    DrawError::written(path, file.and_then(|file| pixels.save(&mut BufWriter::new(file))))
 }
 
-fn write(pixels: &Pixels, file: &mut impl Write) -> io::Result<()> {
-    let mut encoder = png::Encoder::new(&mut *file, pixels.width, pixels.height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    let mut writer = encoder.write_header()?;
-    let rgb: Vec<u8> = pixels.rgba.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-    writer.write_image_data(&rgb)?;
-    writer.finish()?;
-    file.flush()
-}
-
-fn draw(pixmap: &mut Pixmap, mark: &Mark, transform: Transform) {
-    match mark {
-        Mark::Path { segments, style } => draw_path(pixmap, segments, style, transform),
-        Mark::Text { at, text, size, anchor, colour } => {
-            let segments = letters(*at, text, *size, *anchor);
-            let style = Style { stroke: Some(*colour), width: PEN * size, dashes: &[], fill: None };
-            draw_path(pixmap, &segments, &style, transform);
-        }
+fn draw(pixels: &mut Pixels, segments: &[Segment], style: &Style) {
+    // A path of no extent shows nothing.
+    let Some(line) = line(segments) else { return };
+    if let Some(Colour(fill)) = style.fill {
+        pixels.fill(&line, fill);
+    }
+    if let Some(Colour(stroke)) = style.stroke {
+        pixels.stroke(&line, stroke, style.width, style.dashes);
     }
 }
 
-fn draw_path(pixmap: &mut Pixmap, segments: &[Segment], style: &Style, transform: Transform) {
-    let mut builder = PathBuilder::new();
+fn line(segments: &[Segment]) -> Option<Line> {
+    let mut line = PathBuilder::new();
+    let point = |[x, y]: Point| (x as f32, y as f32);
     for segment in segments {
-        let point = |[x, y]: Point| (x as f32, y as f32);
         match *segment {
-            Segment::Move(to) => builder.move_to(point(to).0, point(to).1),
-            Segment::Line(to) => builder.line_to(point(to).0, point(to).1),
+            Segment::Move(to) => line.move_to(point(to).0, point(to).1),
+            Segment::Line(to) => line.line_to(point(to).0, point(to).1),
             Segment::Curve(a, b, to) => {
                 let (a, b, to) = (point(a), point(b), point(to));
-                builder.cubic_to(a.0, a.1, b.0, b.1, to.0, to.1);
+                line.cubic_to(a.0, a.1, b.0, b.1, to.0, to.1);
             }
-            Segment::Close => builder.close(),
+            Segment::Close => line.close(),
         }
     }
-    // A path of no extent shows nothing.
-    let Some(path) = builder.finish() else { return };
-    if let Some(fill) = style.fill {
-        pixmap.fill_path(&path, &paint(fill), FillRule::EvenOdd, transform, None);
-    }
-    if let Some(stroke) = style.stroke {
-        pixmap.stroke_path(&path, &paint(stroke), &pen(style), transform, None);
-    }
+    line.finish()
 }
 
-fn paint(Colour([red, green, blue, opacity]): Colour) -> Paint<'static> {
-    let mut paint = Paint { anti_alias: true, ..Paint::default() };
-    paint.set_color_rgba8(red, green, blue, opacity);
-    paint
-}
-
-fn pen(style: &Style) -> Stroke {
-    let dashes: Vec<f32> = style.dashes.iter().map(|length| *length as f32).collect();
-    Stroke {
-        width: style.width as f32,
-        line_cap: LineCap::Round,
-        line_join: LineJoin::Round,
-        dash: StrokeDash::new(dashes, 0.0),
-        ..Stroke::default()
-    }
-}
-
-/// The strokes of a text.
-fn letters(at: Point, text: &str, size: f64, anchor: Anchor) -> Vec<Segment> {
-    let (lines, width) = text::strokes(text, size);
+fn write(pixels: &mut Pixels, at: Point, text: &str, size: f64, anchor: Anchor, Colour(colour): Colour) {
+    let (pieces, width) = text::set(text, size);
     let left = match anchor {
-        Anchor::Start => at[0],
-        Anchor::Middle => at[0] - 0.5 * width,
-        Anchor::End => at[0] - width,
+        Anchor::Start => 0.0,
+        Anchor::Middle => -0.5 * width,
+        Anchor::End => -width,
     };
-    let mut segments = Vec::new();
-    for line in lines {
-        let mut points = line.iter().map(|[x, y]| [left + x, at[1] + y]);
-        segments.extend(points.next().map(Segment::Move));
-        segments.extend(points.map(Segment::Line));
+    for piece in pieces {
+        let [x, y] = [at[0] + left + piece.at[0], at[1] + piece.at[1]];
+        let size = piece.size as f32;
+        let place = Transform::from_translate(x as f32, y as f32).pre_scale(size, size);
+        pixels.write(&piece.text, piece.slope, place, colour);
     }
-    segments
 }
 
 #[cfg(test)]
 mod tests {
 
-    use super::{rasterise, write};
+    use super::rasterise;
     use crate::colour::{INK, body};
     use crate::geometry::polyline;
     use crate::picture::{Anchor, Colour, Mark, Picture, Segment, Style};
+    use lagrange_plot::lettering::CAPITALS;
 
     fn square(low: f64, high: f64) -> Vec<Segment> {
         polyline([[low, low], [high, low], [high, high], [low, high]], true)
@@ -152,10 +104,10 @@ mod tests {
     #[test]
     fn holes_are_holes_and_lines_have_their_colours() {
         let pixels = rasterise(&picture(), 2.0).expect("fits");
-        assert_eq!((pixels.width, pixels.height), (120, 80));
+        assert_eq!((pixels.width(), pixels.height()), (120, 80));
         let pixel = |x: usize, y: usize| {
             let start = 4 * (y * 120 + x);
-            Colour([0, 1, 2, 3].map(|channel| pixels.rgba[start + channel]))
+            Colour([0, 1, 2, 3].map(|channel| pixels.rgba()[start + channel]))
         };
         assert_eq!(pixel(20, 20), body(0));
         assert_eq!(pixel(40, 40), Colour([255; 4]), "the hole");
@@ -165,16 +117,72 @@ mod tests {
         assert!(dark > 0, "the letter");
     }
 
+    /// Columns and rows from the first to the last with ink on them, in units of the picture.
+    fn inked(picture: &Picture) -> [[f64; 2]; 2] {
+        let pixels = rasterise(picture, 4.0).expect("fits");
+        let width = pixels.width() as usize;
+        let dark = (0..pixels.rgba().len() / 4).filter(|index| pixels.rgba()[4 * index] < 128);
+        let places: Vec<[usize; 2]> = dark.map(|index| [index % width, index / width]).collect();
+        [0, 1].map(|axis| {
+            let along = || places.iter().map(|place| place[axis]);
+            [along().min().expect("ink"), along().max().expect("ink") + 1].map(|end| end as f64 / 4.0)
+        })
+    }
+
+    /// An anchor of the document is the start, the middle or the end of the text, and its height the base line.
+    #[test]
+    fn letters_are_where_the_document_has_them() {
+        let wide = crate::text::width("HEH_2", 20.0);
+        for (anchor, left) in [(Anchor::Start, 0.0), (Anchor::Middle, 0.5 * wide), (Anchor::End, wide)] {
+            let text = |text: &str| Mark::Text {
+                at: [90.0, 40.0],
+                text: text.into(),
+                size: 20.0,
+                anchor,
+                colour: INK,
+            };
+            let picture = |mark| Picture { size: [180.0, 60.0], title: String::new(), marks: vec![mark] };
+            let [columns, rows] = inked(&picture(text("HEH_2")));
+            assert!(
+                (columns[0] - (90.0 - left)).abs() < 1.0 && (columns[1] - (90.0 - left + wide)).abs() < 1.0
+            );
+            // Capitals stand on the base line, a subscript of a half size hangs below.
+            assert!(
+                (rows[0] - (40.0 - 20.0 * CAPITALS)).abs() < 0.5 && (rows[1] - 44.0).abs() < 0.5,
+                "{rows:?}"
+            );
+            let [_, rows] = inked(&picture(text("H")));
+            assert!((rows[1] - 40.0).abs() < 0.5, "{rows:?}");
+        }
+    }
+
+    #[test]
+    fn what_the_font_lacks_is_seen() {
+        let picture = |text: &str| {
+            let mark = Mark::Text {
+                at: [10.0, 40.0],
+                text: text.into(),
+                size: 20.0,
+                anchor: Anchor::Start,
+                colour: INK,
+            };
+            Picture { size: [180.0, 60.0], title: String::new(), marks: vec![mark] }
+        };
+        let [columns, rows] = inked(&picture("\u{1f980}"));
+        assert!(columns[1] - columns[0] > 8.0 && rows[1] - rows[0] > 12.0, "{columns:?} {rows:?}");
+        assert_eq!(rasterise(&picture("字"), 1.0).ok(), rasterise(&picture("\u{1f980}"), 1.0).ok());
+    }
+
     #[test]
     fn files_hold_the_same_pixels() {
         let pixels = rasterise(&picture(), 2.0).expect("fits");
         let mut file = Vec::new();
-        write(&pixels, &mut file).expect("writes");
+        pixels.save(&mut file).expect("writes");
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().expect("reads");
         let mut read = vec![0; reader.output_buffer_size().expect("fits")];
         let info = reader.next_frame(&mut read).expect("reads");
-        assert_eq!((info.width, info.height), (pixels.width, pixels.height));
-        let rgb: Vec<u8> = pixels.rgba.chunks(4).flat_map(|pixel| pixel[..3].to_vec()).collect();
+        assert_eq!((info.width, info.height), (pixels.width(), pixels.height()));
+        let rgb: Vec<u8> = pixels.rgba().chunks(4).flat_map(|pixel| pixel[..3].to_vec()).collect();
         assert_eq!(read, rgb);
     }
 

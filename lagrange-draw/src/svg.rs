@@ -3,10 +3,7 @@
 use crate::beside::SEPARATOR;
 use crate::picture::{Anchor, Colour, Mark, Picture, Segment, Style};
 use crate::text::{self, Run};
-
-/// Fonts of formulas.
-pub(crate) const FONT: &str =
-    "'STIX Two Text', 'Latin Modern Roman', Cambria, 'Times New Roman', Times, serif";
+use lagrange_plot::lettering::FAMILY;
 
 /// The document.
 pub(crate) fn document(picture: &Picture) -> String {
@@ -19,7 +16,7 @@ pub(crate) fn opening(picture: &Picture) -> String {
     let [width, height] = picture.size.map(number);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-         viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FONT}\" stroke-linecap=\"round\" \
+         viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FAMILY}\" stroke-linecap=\"round\" \
          stroke-linejoin=\"round\" fill-rule=\"evenodd\">\n<title>{}</title>\n<desc>{}</desc>\n\
          <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
         escape(&text::plain(&picture.title)),

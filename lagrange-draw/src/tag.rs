@@ -8,6 +8,7 @@ use crate::outline::Piece;
 use crate::picture::{Colour, Point};
 use crate::text;
 use crate::view::View;
+use lagrange_plot::lettering::LEEWAY;
 
 /// A label and the place beside which it is written.
 #[derive(Clone, PartialEq, Debug)]
@@ -40,12 +41,10 @@ pub(super) enum Side {
 }
 
 /// The size of labels.
-pub(super) const FONT: f64 = 14.0;
+pub(super) const FONT: f64 = 15.0;
 /// The part of the width of a picture that a label may take, unless its letters were smaller than these.
 const WIDEST: f64 = 0.5;
 const SMALLEST: f64 = 8.0;
-/// Fonts of browsers may be wider by so much than the one by which widths are measured.
-pub(super) const LEEWAY: f64 = 1.06;
 const GAP: f64 = 4.0;
 /// From the middle of a body or connector.
 const WIDE_GAP: f64 = 8.0;

@@ -2,10 +2,8 @@
 //!
 //! An underscore starts a subscript: the letters and digits that follow it, or what stands in braces.
 
-use lagrange_plot::lettering;
+use lagrange_plot::lettering::{self, Slope};
 
-/// Height of capitals in terms of the size of a font.
-pub(super) const CAPITALS: f64 = 0.7;
 /// Subscripts are smaller by this factor and lowered by this part of the size of the font.
 pub(super) const SUBSCRIPT: (f64, f64) = (0.7, 0.2);
 
@@ -54,9 +52,10 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// Whether it is a symbol, which is set in italics: one letter, perhaps with a prime.
+    /// Whether it is a symbol, which is set in italics: one letter, perhaps with dots and primes.
     pub(super) fn is_symbol(&self) -> bool {
-        let mut letters = self.text.trim_end_matches(['′', '\'']).chars();
+        let is_beside = |c: char| "′'″‴".contains(c) || lettering::is_accent(c);
+        let mut letters = self.text.trim_end_matches(is_beside).chars();
         let first = letters.next();
         !self.is_subscript && letters.next().is_none() && first.is_some_and(char::is_alphabetic)
     }
@@ -141,33 +140,40 @@ pub(super) fn plain(text: &str) -> String {
     runs(text).into_iter().map(|run| run.text).collect()
 }
 
-/// The strokes of a text in pixels from its anchor at the left end of the base line, y downwards, and its width.
-pub(super) fn strokes(text: &str, size: f64) -> (Vec<Vec<[f64; 2]>>, f64) {
-    let (mut lines, mut left) = (Vec::new(), 0.0);
-    for run in runs(text) {
-        let (factor, lowered) = if run.is_subscript { SUBSCRIPT } else { (1.0, 0.0) };
-        let height = factor * CAPITALS * size;
-        let (strokes, width) = lettering::strokes(&run.text);
-        let place = |(x, y): &lettering::Point| [left + height * x, lowered * size - height * y];
-        lines.extend(strokes.iter().map(|stroke| stroke.iter().map(place).collect::<Vec<_>>()));
-        left += height * width + GAP * size;
-    }
-    (lines, (left - GAP * size).max(0.0))
+/// A piece of a text in its place.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Set {
+    pub(super) text: String,
+    pub(super) slope: Slope,
+    /// The size of its letters.
+    pub(super) size: f64,
+    /// From the left end of the base line of the text to that of its own, y downwards.
+    pub(super) at: [f64; 2],
 }
 
-/// Between a letter and its subscript, in terms of the size of the font.
-const GAP: f64 = 0.08;
+/// The pieces of a text where they belong, and its width.
+pub(super) fn set(text: &str, size: f64) -> (Vec<Set>, f64) {
+    let mut left = 0.0;
+    let place = |run: Run| {
+        let (factor, lowered) = if run.is_subscript { SUBSCRIPT } else { (1.0, 0.0) };
+        let slope = if run.is_symbol() { Slope::Italic } else { Slope::Upright };
+        let piece = Set { slope, size: factor * size, at: [left, lowered * size], text: run.text };
+        left += piece.size * lettering::width(&piece.text, slope);
+        piece
+    };
+    (runs(text).into_iter().map(place).collect(), left)
+}
 
 /// The width of a text in pixels, about, whatever the font.
 pub(super) fn width(text: &str, size: f64) -> f64 {
-    strokes(text, size).1
+    set(text, size).1
 }
 
 #[cfg(test)]
 mod tests {
 
-    use super::{formula, plain, runs, strokes, width};
-    use lagrange_plot::lettering;
+    use super::{formula, plain, runs, set, width};
+    use lagrange_plot::lettering::{Slope, outline};
 
     #[test]
     fn names_are_written_as_in_formulas() {
@@ -213,17 +219,39 @@ mod tests {
     }
 
     #[test]
-    fn every_greek_letter_has_strokes_of_its_own() {
-        let unknown = lettering::strokes("\u{fffd}").0;
-        for (name, letter) in super::GREEK {
-            assert_ne!(lettering::strokes(&formula(name)).0, unknown, "{name} {letter}");
+    fn subscripts_hang_below_the_base_line_and_are_narrower() {
+        let (pieces, _) = set("v_P", 10.0);
+        assert_eq!(
+            pieces.iter().map(|piece| piece.slope).collect::<Vec<_>>(),
+            [Slope::Italic, Slope::Upright]
+        );
+        assert_eq!(pieces.iter().map(|piece| piece.size).collect::<Vec<_>>(), [10.0, 7.0]);
+        assert_eq!((pieces[0].at, pieces[1].at), ([0.0, 0.0], [width("v", 10.0), 2.0]));
+        assert!(width("vP", 10.0) > width("v_P", 10.0) && width("v_P", 10.0) > width("v", 10.0));
+    }
+
+    #[test]
+    fn every_greek_letter_has_a_glyph_of_its_own() {
+        for slope in [Slope::Upright, Slope::Italic] {
+            let unknown = outline("\u{f8ff}", slope);
+            for (name, letter) in super::GREEK {
+                assert_ne!(outline(&formula(name), slope), unknown, "{name} {letter}");
+            }
         }
     }
 
     #[test]
-    fn subscripts_hang_below_the_base_line_and_are_narrower() {
-        let lowest = |text| strokes(text, 10.0).0.into_iter().flatten().map(|p| p[1]).fold(-9.0, f64::max);
-        assert!(lowest("v") <= 0.0 && lowest("v_P") > 1.0);
-        assert!(width("vP", 10.0) > width("v_P", 10.0) && width("v_P", 10.0) > width("v", 10.0));
+    fn symbols_may_have_dots_and_primes() {
+        for (text, is_symbol) in [
+            ("φ\u{307}", true),
+            ("x\u{308}′", true),
+            ("ẋ", true),
+            ("P″", true),
+            ("rod", false),
+            ("2′", false),
+            ("′", false),
+        ] {
+            assert_eq!(runs(text)[0].is_symbol(), is_symbol, "{text}");
+        }
     }
 }

@@ -5,8 +5,8 @@
 //! people with any colour vision tell apart; more than seven curves run from blue to yellow.
 
 use std::fmt::{Display, Formatter};
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
 use plotters::backend::SVGBackend;
@@ -15,6 +15,7 @@ use plotters_backend::{DrawingBackend, DrawingErrorKind};
 
 use crate::canvas::Canvas;
 use crate::panel::{FINENESS, Frame, Panel};
+use crate::pixels::Pixels;
 
 /// Panels side by side.
 #[derive(Clone, PartialEq, Debug)]
@@ -42,9 +43,8 @@ impl Figure {
         match extension.to_ascii_lowercase().as_str() {
             "svg" => written(fs::write(path, self.svg()?)),
             "png" => {
-                let mut canvas = Canvas::new(self.points(), POINTS_A_PIXEL);
-                self.draw(&mut canvas)?;
-                written(canvas.save(path))
+                let pixels = self.pixels()?;
+                written(File::create(path).and_then(|file| pixels.save(&mut BufWriter::new(file))))
             }
             _ => Err(PlotError::Extension(path.to_owned())),
         }
@@ -67,7 +67,16 @@ impl Figure {
         Ok(text.replacen("<svg ", "<svg stroke-linejoin=\"round\" stroke-linecap=\"round\" ", 1))
     }
 
-    pub(crate) fn draw<B: DrawingBackend>(&self, backend: &mut B) -> Result<(), PlotError>
+    /// The figure in pixels.
+    pub(crate) fn pixels(&self) -> Result<Pixels, PlotError> {
+        let size = self.points();
+        let too_large = || PlotError::Backend(format!("{} by {} are too many pixels", size.0, size.1).into());
+        let mut canvas = Canvas::new(size, POINTS_A_PIXEL).ok_or_else(too_large)?;
+        self.draw(&mut canvas)?;
+        Ok(canvas.pixels)
+    }
+
+    fn draw<B: DrawingBackend>(&self, backend: &mut B) -> Result<(), PlotError>
     where
         B::ErrorType: 'static,
     {

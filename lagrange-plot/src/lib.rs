@@ -1,7 +1,7 @@
-//! Figures of curves over numbers, and the letters that pictures without fonts are written in.
+//! Figures of curves over numbers, and the pixels and letters of all pictures.
 //!
-//! Nothing here knows of mechanics: what is plotted comes as names and points. Without the feature `figures` there are letters only, which
-//! pictures of mechanisms use, too.
+//! Nothing here knows of mechanics: what is plotted comes as names and points. Without the feature `figures` there are pixels and letters only,
+//! which pictures of mechanisms use, too.
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "figures")]
@@ -13,6 +13,7 @@ mod figure;
 pub mod lettering;
 #[cfg(feature = "figures")]
 mod panel;
+pub mod pixels;
 #[cfg(all(test, feature = "figures"))]
 mod tests;
 #[cfg(feature = "figures")]

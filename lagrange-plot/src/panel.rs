@@ -5,8 +5,9 @@ use plotters::style::{FontTransform, IntoFont, RGBColor, ShapeStyle, TextStyle};
 use plotters_backend::{DrawingBackend, DrawingErrorKind};
 
 use crate::axis::{Axis, Scale};
-use crate::lettering::Point;
-use crate::thin::thin;
+use crate::canvas;
+use crate::lettering::{FAMILY, LEEWAY, Slope, width};
+use crate::thin::{Point, thin};
 
 /// Points of backends to the unit of sizes: curves are drawn to a tenth of it.
 pub(crate) const FINENESS: u32 = 10;
@@ -48,10 +49,9 @@ pub(crate) struct Frame {
 
 /// What is left free around the axes for labels: left, right, top and bottom.
 const MARGINS: (u32, u32, u32, u32) = (74, 18, 28, 50);
-/// Width of a letter in terms of the size of its font, roughly, and of the line before a name in a legend.
-const LETTER: f64 = 0.55;
+/// The line before a name in a legend.
 const SWATCH: i32 = 18;
-const FONT: i32 = 15;
+const FONT: i32 = 17;
 const LINE: i32 = 18;
 const TICK: i32 = 5;
 /// Room above and below curves in terms of their height.
@@ -179,8 +179,8 @@ impl Panel {
         if self.curves.len() < 2 {
             return 0;
         }
-        let longest = self.curves.iter().map(|curve| curve.name.chars().count()).max().unwrap_or(0);
-        points(SWATCH + 16) + (longest as f64 * LETTER * f64::from(points(FONT))) as i32
+        let longest = self.curves.iter().map(|curve| width(&curve.name, Slope::Upright)).fold(0.0, f64::max);
+        points(SWATCH + 16) + (longest * LEEWAY * canvas::FONT * f64::from(points(FONT))) as i32
     }
 
     fn draw_legend<B: DrawingBackend>(&self, backend: &mut B, frame: &Frame) -> Drawn<B> {
@@ -237,6 +237,6 @@ fn line(color: RGBColor, width: u32) -> ShapeStyle {
 }
 
 fn text(horizontal: HPos, vertical: VPos, transform: FontTransform) -> TextStyle<'static> {
-    let font = ("sans-serif", points(FONT)).into_font().transform(transform);
+    let font = (FAMILY, points(FONT)).into_font().transform(transform);
     TextStyle::from(font).color(&INK).pos(Pos::new(horizontal, vertical))
 }

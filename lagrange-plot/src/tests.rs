@@ -1,8 +1,10 @@
 //! What is drawn, and where.
 
+use std::ops::Range;
+
 use crate::axis::{Axis, Scale};
-use crate::canvas::Canvas;
-use crate::lettering::strokes;
+use crate::lettering::{Slope, width};
+use crate::pixels::Pixels;
 use crate::thin::thin;
 use crate::{Curve, Figure, Panel, PlotError};
 
@@ -165,30 +167,10 @@ fn a_logarithmic_axis_has_powers_of_ten() {
 }
 
 #[test]
-fn every_letter_of_a_name_has_strokes() {
-    let names = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_()+−/|.×⁻⁰¹²³⁹";
-    let (unknown, _) = strokes("\u{fffd}");
-    for name in names.chars() {
-        let (drawn, width) = strokes(&name.to_string());
-        assert!(!drawn.is_empty() && drawn != unknown && width <= 1.5, "{name}");
-        assert!(
-            drawn
-                .iter()
-                .flatten()
-                .all(|(x, y)| (-0.01..=width + 0.01).contains(x) && (-0.3..=1.3).contains(y)),
-            "{name}"
-        );
-    }
-    assert_eq!(strokes("\u{1f980}").0, unknown, "what has no glyph is a box and not left out");
-}
-
-#[test]
 fn a_picture_has_pixels_where_the_curve_is() {
     let figure = figure(vec![curve("y", [(0.0, 0.0), (1.0, 1.0)].into_iter())]);
-    let mut canvas = Canvas::new(figure.points(), 5);
-    figure.draw(&mut canvas).expect("draws");
     let path = std::env::temp_dir().join(format!("lagrange_{}.png", std::process::id()));
-    canvas.save(&path).expect("writes");
+    figure.save(&path).expect("writes");
     let file = std::io::BufReader::new(std::fs::File::open(&path).expect("is there"));
     let mut reader = png::Decoder::new(file).read_info().expect("is PNG");
     let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
@@ -202,6 +184,37 @@ fn a_picture_has_pixels_where_the_curve_is() {
         (0..600).flat_map(|y| (0..140).map(move |x| (x, y))).filter(|(x, y)| pixel(*x, *y)[0] < 100);
     assert!(letters.count() > 200, "labels of the ordinate");
     std::fs::remove_file(path).expect("was there");
+}
+
+/// The columns and rows of a picture with ink on them, of those between others.
+fn inked(pixels: &Pixels, columns: Range<usize>, rows: Range<usize>) -> [Range<usize>; 2] {
+    let width = pixels.width() as usize;
+    let is_dark = |(x, y): &(usize, usize)| pixels.rgba()[4 * (width * y + x)] < 128;
+    let places = rows.flat_map(|y| columns.clone().map(move |x| (x, y))).filter(is_dark);
+    let (across, down): (Vec<usize>, Vec<usize>) = places.unzip();
+    [across, down].map(|found| *found.iter().min().expect("ink")..found.iter().max().expect("ink") + 1)
+}
+
+#[test]
+fn words_are_where_the_document_has_them() {
+    let figure = figure(vec![curve("y", [(0.0, 0.0), (1.0, 1.0)].into_iter())]);
+    let svg = figure.svg().expect("draws");
+    let line = svg.lines().zip(svg.lines().skip(1)).find(|(_, text)| *text == "time").expect("is there").0;
+    let number = |name: &str| -> f64 {
+        let rest = line.split(&format!(" {name}=\"")).nth(1).expect("is there");
+        rest.split('"').next().and_then(|value| value.parse().ok()).expect("a number")
+    };
+    assert!(line.contains("text-anchor=\"middle\"") && line.contains("dy=\"0.76em\""), "{line}");
+    // Five points a pixel; capitals and the letter t reach from the base line upwards.
+    let (size, x, y) = (number("font-size") / 5.0, number("x") / 5.0, number("y") / 5.0);
+    let (base, half) = (y + 0.76 * size, 0.5 * size * width("time", Slope::Upright));
+    let pixels = figure.pixels().expect("draws");
+    let [columns, rows] = inked(&pixels, 150..770, 540..600);
+    let near = |found: usize, wanted: f64| assert!((found as f64 - wanted).abs() < 2.0, "{found} {wanted}");
+    near(columns.start, x - half);
+    near(columns.end, x + half);
+    near(rows.end, base);
+    assert!((rows.len() as f64) < 0.8 * size, "{rows:?}");
 }
 
 #[test]

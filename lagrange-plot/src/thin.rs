@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::lettering::Point;
+/// Abscissa and ordinate.
+pub(crate) type Point = (f64, f64);
 
 /// Splits a curve where it is not finite, and leaves out what cannot be seen at this width of a line.
 ///

@@ -75,5 +75,10 @@ fn what_cannot_be_written_is_refused_with_its_path() {
 fn equal_scenes_give_equal_pictures() {
     for ((_, a), (_, b)) in gallery().into_iter().zip(gallery()) {
         assert_eq!(a.svg(), b.svg());
+        let bytes = |picture: &Picture, name: &str| {
+            picture.save(path(name)).expect("saves");
+            fs::read(path(name)).expect("reads")
+        };
+        assert!(bytes(&a, "once.png") == bytes(&b, "again.png"), "the same bytes");
     }
 }

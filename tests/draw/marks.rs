@@ -22,7 +22,7 @@ pub(crate) fn texts(svg: &str) -> Vec<String> {
 }
 
 /// All coordinates of a path.
-fn numbers(d: &str) -> Vec<f64> {
+pub(crate) fn numbers(d: &str) -> Vec<f64> {
     let words = d.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter(|word| !word.is_empty());
     words.map(|word| word.parse().unwrap_or(f64::NAN)).collect()
 }

@@ -1,8 +1,12 @@
 //! Springs and dampers between the same points, and what `forces` shows.
 
-use lagrange::draw::{Drawing, Picture};
+use std::f64::consts::TAU;
 
-use crate::marks::{paths, texts};
+use lagrange::draw::{Drawing, Picture};
+use lagrange::scene::{Connector, Item, Outline};
+
+use crate::marks::{numbers, paths, texts};
+use crate::scenes::{Puppet, part, still};
 
 lagrange::system! {
     /// A block between a spring and a damper, with a wheel on a torsion spring and a torsion damper.
@@ -21,10 +25,6 @@ lagrange::system! {
 
 /// The heights of what is drawn of a connector between its bars, and those of the other one.
 fn heights(picture: &Picture) -> Vec<[f64; 2]> {
-    let numbers = |d: &String| {
-        let words = d.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter(|word| !word.is_empty());
-        words.map(|word| word.parse().expect("a number")).collect::<Vec<f64>>()
-    };
     // What starts with a bar, goes on elsewhere and ends with a bar.
     let is_beside =
         |d: &&String| [3, 6].contains(&d.matches('M').count()) && !d.contains(['C', 'Z']) && d.len() > 60;
@@ -48,6 +48,75 @@ fn a_spring_and_a_damper_are_drawn_side_by_side_throughout_a_film() {
         assert!(spring[1] < damper[0] - 3.0 || damper[1] < spring[0] - 3.0, "{found:?}");
     }
     assert!(heights(&alone("slow")).is_empty() && heights(&alone("soft")).is_empty(), "one alone is no pair");
+}
+
+/// A spring and a damper from the origin to a point at this angle, 0.8 away, or from there if declared against each other; beside them two far
+/// points, so that the picture has a size of its own.
+const PAIR: Puppet = Puppet(|angle, visit| {
+    let tip = [0.8 * angle.cos(), 0.8 * angle.sin()];
+    pair(tip, visit);
+});
+/// The same whose ends meet where the coordinate is zero.
+const MEETING: Puppet = Puppet(|s, visit| pair([0.6 * s, 0.8 * s], visit));
+
+fn pair(tip: [f64; 2], visit: &mut dyn FnMut(Item<'_, f64>)) {
+    visit(Item::Line { name: "floor", body: None, through: [0.0, -2.0], angle: 0.0 });
+    let parts = [part(Outline::Disk(0.05))];
+    visit(Item::Body { name: "tip", motion: still(tip, 0.0), parts: &parts });
+    visit(Item::Body { name: "far", motion: still([2.0, 2.0], 0.0), parts: &parts });
+    visit(Item::Connector { name: "k", kind: Connector::Spring, from: [0.0, 0.0], to: tip, tension: 0.0 });
+    visit(Item::Connector { name: "d", kind: Connector::Damper, from: tip, to: [0.0, 0.0], tension: 0.0 });
+}
+
+/// The points of the connectors of a picture, which are the paths without areas that start where a third one does.
+fn drawn(system: &Puppet, s: f64) -> [Vec<[f64; 2]>; 2] {
+    let svg = |hidden: &[&str]| {
+        let drawing = hidden.iter().fold(Drawing::of(system).nameless(), |drawing, name| drawing.hide(name));
+        drawing.picture(0.0, &[s, 0.0]).expect("draws").svg()
+    };
+    let without = paths(&svg(&["k", "d"]));
+    let of = |d: &String| numbers(d).chunks(2).map(|p| [p[0], p[1]]).collect::<Vec<_>>();
+    let shown: Vec<_> = paths(&svg(&[])).iter().filter(|d| !without.contains(d)).map(of).collect();
+    // Walls come before connectors.
+    let [.., spring, damper] = &shown[..] else { panic!("{shown:?}") };
+    [spring.clone(), damper.clone()]
+}
+
+/// How far on the left of the line between two points others lie, at least and at most.
+fn aside(points: &[[f64; 2]], [from, to]: [[f64; 2]; 2]) -> [f64; 2] {
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let length = along[0].hypot(along[1]).max(1e-9);
+    let left = points.iter().map(|p| (along[0] * (p[1] - from[1]) - along[1] * (p[0] - from[0])) / length);
+    left.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| [low.min(y), high.max(y)])
+}
+
+#[test]
+fn a_pair_lies_side_by_side_in_every_direction() {
+    for k in 0..16 {
+        let [spring, damper] = drawn(&PAIR, 0.1 + TAU * f64::from(k) / 16.0);
+        let ends = [spring[0], spring[spring.len() - 1]];
+        assert!((ends[0][0] - ends[1][0]).hypot(ends[0][1] - ends[1][1]) > 30.0, "{spring:?}");
+        for (own, other) in [(damper[0], ends[1]), (damper[damper.len() - 1], ends[0])] {
+            assert!((own[0] - other[0]).hypot(own[1] - other[1]) < 0.02, "the same ends at {k}");
+        }
+        let [one, other] = [&spring, &damper].map(|points| aside(&points[3..points.len() - 3], ends));
+        assert!(one[1] < other[0] - 3.0 || other[1] < one[0] - 3.0, "{one:?} {other:?} at {k}");
+        let all = aside(&[spring, damper].concat(), ends);
+        assert!(all[0] > -20.0 && all[1] < 20.0 && (all[0] + all[1]).abs() < 1.0, "about the line: {all:?}");
+    }
+}
+
+#[test]
+fn a_pair_whose_ends_meet_is_drawn_within_the_picture() {
+    for s in [0.0, 1e-17, -1e-3] {
+        let [spring, damper] = drawn(&MEETING, s);
+        let at = spring[0];
+        let far = |points: &[[f64; 2]]| {
+            points.iter().map(|p| (p[0] - at[0]).hypot(p[1] - at[1])).fold(0.0, f64::max)
+        };
+        assert!(far(&spring) < 30.0 && far(&damper) < 30.0, "{spring:?} {damper:?}");
+        assert!(far(&spring) >= 10.0 && far(&damper) >= 10.0, "still side by side: {spring:?} {damper:?}");
+    }
 }
 
 lagrange::system! {

@@ -128,11 +128,15 @@ const RUNTIME: &[Layer] = &[
 const PLOT: &[Layer] = &[
     Layer {
         modules: &["axis", "lettering"],
-        purpose: "what axes span and where their marks are; letters made of strokes, so that no font is needed",
+        purpose: "what axes span and where their marks are; letters as outlines of a font that is embedded",
+    },
+    Layer {
+        modules: &["pixels"],
+        purpose: "areas, lines and letters in pixels, for all pictures; PNG files",
     },
     Layer {
         modules: &["canvas", "thin"],
-        purpose: "pixels, with smooth lines; as many points of a curve as can be told apart",
+        purpose: "what `plotters` draws, in pixels; as many points of a curve as can be told apart",
     },
     Layer { modules: &["panel"], purpose: "one pair of axes with curves" },
     Layer { modules: &["figure"], purpose: "panels on any backend of plotters, as SVG or PNG" },

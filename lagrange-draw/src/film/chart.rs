@@ -6,12 +6,12 @@ use crate::film::timeline::{Curve, Timeline};
 use crate::svg::{escape, number};
 
 /// Width and height, in pixels.
-const SIZE: [f64; 2] = [640.0, 220.0];
+const SIZE: [f64; 2] = [640.0, 300.0];
 /// Where the curves are.
 const LEFT: f64 = 64.0;
 const RIGHT: f64 = 628.0;
 const TOP: f64 = 12.0;
-const BOTTOM: f64 = 176.0;
+const BOTTOM: f64 = 256.0;
 /// What the axis of time says.
 const TIME: &str = "time t in s";
 /// About how many ticks an axis has.

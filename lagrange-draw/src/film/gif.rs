@@ -7,7 +7,7 @@ use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 use crate::error::DrawError;
 use crate::film::palette::{Histogram, Palette};
 use crate::film::{Film, refusal};
-use crate::raster::{Pixels, rasterise};
+use crate::raster::rasterise;
 
 /// The colour number that leaves a pixel as it is.
 const UNCHANGED: u8 = u8::MAX;
@@ -24,8 +24,8 @@ impl Film {
     /// If pictures are larger than 65535 pixels, or one is to be shown for longer than 655 seconds.
     pub fn gif(&self) -> Result<Vec<u8>, DrawError> {
         let mut palette = self.palette()?;
-        let Pixels { width, height, .. } = rasterise(&self.pictures[0], 1.0)?;
-        let (Ok(width), Ok(height)) = (u16::try_from(width), u16::try_from(height)) else {
+        let first = rasterise(&self.pictures[0], 1.0)?;
+        let (Ok(width), Ok(height)) = (u16::try_from(first.width()), u16::try_from(first.height())) else {
             return Err(refusal("a GIF is at most 65535 pixels wide and high"));
         };
         let mut encoder = Encoder::new(Vec::new(), width, height, palette.colours.as_flattened())
@@ -33,7 +33,7 @@ impl Film {
         encoder.set_repeat(Repeat::Infinite).map_err(|error| failure(&error))?;
         let mut before: Option<Vec<u8>> = None;
         for (index, delay) in shown(&self.timeline.elapsed()) {
-            let picture = palette.indices(&rasterise(&self.pictures[index], 1.0)?.rgba);
+            let picture = palette.indices(rasterise(&self.pictures[index], 1.0)?.rgba());
             let mut frame = difference(before.as_deref(), &picture, width, height);
             frame.delay =
                 u16::try_from(delay).map_err(|_| refusal("a GIF shows a picture for at most 655 seconds"))?;
@@ -46,7 +46,7 @@ impl Film {
     fn palette(&self) -> Result<Palette, DrawError> {
         let mut histogram = Histogram::default();
         for picture in self.pictures.iter().step_by(self.pictures.len().div_ceil(SAMPLES)) {
-            histogram.add(&rasterise(picture, 1.0)?.rgba);
+            histogram.add(rasterise(picture, 1.0)?.rgba());
         }
         Ok(histogram.palette(usize::from(UNCHANGED)))
     }

@@ -60,7 +60,7 @@ impl Film {
             )
         };
         let legend: String = self.timeline.curves.iter().enumerate().map(entry).collect();
-        format!("{}\n<ul class=\"legend\">{legend}</ul>", chart.svg())
+        format!("<div class=\"plot\">{}\n<ul class=\"legend\">{legend}</ul></div>", chart.svg())
     }
 
     fn json(&self, layers: &[Layer], chart: Option<&Chart<'_>>) -> String {

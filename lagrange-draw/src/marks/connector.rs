@@ -100,8 +100,11 @@ pub(super) fn drum(at: Point, lane: f64) -> Vec<Segment> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use super::{LANE, beside, coil, dashpot};
-    use crate::geometry::{flattened, length, subtract};
+    use crate::geometry::{direction, dot, flattened, length, subtract, times, turned, unit};
+    use crate::picture::{Point, Segment};
 
     #[test]
     fn springs_and_dampers_reach_from_end_to_end_however_long() {
@@ -118,24 +121,27 @@ mod tests {
     }
 
     /// Two of opposite places keep a distance in between, reach from end to end, and swap sides where one is declared against the
-    /// other.
+    /// other: in any direction, and where both ends are in the same place.
     #[test]
     fn connectors_beside_each_other_do_not_touch() {
-        for to in [[100.0, 0.0], [30.0, 40.0], [-50.0, 80.0]] {
-            let ends = [[0.0, 0.0], to];
-            let normal = [-to[1], to[0]].map(|part| part / length(to));
-            let across = |drawn: &[crate::picture::Segment]| {
-                let points = flattened(drawn, 1);
-                assert_eq!(points[0], [0.0, 0.0]);
-                assert!(length(subtract(points[points.len() - 1], to)) < 1e-9, "{points:?}");
-                let middle = 2..points.len() - 2;
-                let offsets = points[middle].iter().map(|p| p[0] * normal[0] + p[1] * normal[1]);
-                offsets.collect::<Vec<f64>>()
+        let around = (0..24).map(|k| direction(TAU * f64::from(k) / 24.0));
+        let all = around.flat_map(|along| [100.0, 40.0, 12.0, 1e-3].map(|size| times(size, along)));
+        for to in all.chain([[0.0, 0.0]]) {
+            let ends = [[3.0, -2.0], [3.0 + to[0], to[1] - 2.0]];
+            let normal = turned(unit(to).unwrap_or([1.0, 0.0]));
+            // On how far from the line between its ends a connector lies, between its bars.
+            let across = |ends: [Point; 2], lane: f64, connector: fn(Point, Point) -> Vec<Segment>| {
+                let points = flattened(&beside(ends, lane, connector), 1);
+                assert_eq!(points[0], ends[0]);
+                assert!(length(subtract(points[points.len() - 1], ends[1])) < 1e-9, "{points:?}");
+                let offsets = points[2..points.len() - 2].iter().map(|p| dot(subtract(*p, ends[0]), normal));
+                offsets.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| [low.min(y), high.max(y)])
             };
-            let (left, right) = (across(&beside(ends, 0.5, coil)), across(&beside(ends, -0.5, dashpot)));
-            let least = right.iter().copied().fold(f64::INFINITY, f64::min);
-            let most = left.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            assert!(least - most >= LANE - 12.0 - 1e-9, "{most} {least}");
+            let spring = across(ends, 0.5, coil);
+            let against = if to == [0.0, 0.0] { -0.5 } else { 0.5 };
+            for damper in [across(ends, -0.5, dashpot), across([ends[1], ends[0]], against, dashpot)] {
+                assert!(damper[0] - spring[1] >= LANE - 12.0 - 1e-9, "{to:?} {spring:?} {damper:?}");
+            }
             assert_eq!(beside(ends, 0.0, coil), coil(ends[0], ends[1]));
         }
     }

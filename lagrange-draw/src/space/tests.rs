@@ -101,7 +101,7 @@ fn what_is_asked_for_is_drawn_and_named() {
     let moments = (0..10).map(|k| (0.1 * f64::from(k), [0.2 * f64::from(k), 1.0]));
     let pictures = drawing.pictures(moments).expect("draws");
     let texts = texts(&pictures[9]);
-    for text in ["A crane", "box", "hanger", "x", "y", "z", "tip", "not drawn: torque on phi"] {
+    for text in ["A crane", "box", "x", "y", "z", "tip", "not drawn: torque on phi"] {
         assert!(texts.contains(&text), "`{text}` is not among {texts:?}");
     }
     let inside = |mark: &Mark| match mark {

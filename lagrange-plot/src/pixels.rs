@@ -1,0 +1,93 @@
+//! Pixels of all pictures: areas, lines and letters with smooth edges on white, by `tiny-skia`, and PNG files of them.
+
+use std::io::{self, Write};
+
+pub use tiny_skia::{Path, PathBuilder, Transform};
+
+use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Pixmap, Stroke, StrokeDash};
+
+use crate::lettering::{self, Slope};
+
+/// A picture in pixels, all of which are opaque.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Pixels {
+    pixmap: Pixmap,
+    /// From what is drawn to pixels.
+    transform: Transform,
+}
+
+/// Red, green, blue and opacity, each to 255.
+pub type Colour = [u8; 4];
+
+impl Pixels {
+    /// A white picture of so many pixels with so many of them to the unit of what is drawn; none without pixels, or with more than memory has places.
+    pub fn white([width, height]: [u32; 2], scale: f64) -> Option<Pixels> {
+        let mut pixmap = Pixmap::new(width, height)?;
+        pixmap.fill(Color::WHITE);
+        Some(Pixels { pixmap, transform: Transform::from_scale(scale as f32, scale as f32) })
+    }
+
+    /// How many pixels are side by side.
+    pub fn width(&self) -> u32 {
+        self.pixmap.width()
+    }
+
+    /// How many rows of pixels there are.
+    pub fn height(&self) -> u32 {
+        self.pixmap.height()
+    }
+
+    /// Red, green, blue and opacity of each pixel, in rows from the top.
+    pub fn rgba(&self) -> &[u8] {
+        self.pixmap.data()
+    }
+
+    /// Fills an area; what two lines enclose both is outside.
+    pub fn fill(&mut self, area: &Path, colour: Colour) {
+        self.pixmap.fill_path(area, &paint(colour), FillRule::EvenOdd, self.transform, None);
+    }
+
+    /// Draws lines with round ends; where they overlap, the colour is laid on once.
+    pub fn stroke(&mut self, lines: &Path, colour: Colour, width: f64, dashes: &[f64]) {
+        let dashes: Vec<f32> = dashes.iter().map(|length| *length as f32).collect();
+        let pen = Stroke {
+            width: width as f32,
+            line_cap: LineCap::Round,
+            line_join: LineJoin::Round,
+            dash: StrokeDash::new(dashes, 0.0),
+            ..Stroke::default()
+        };
+        self.pixmap.stroke_path(lines, &paint(colour), &pen, self.transform, None);
+    }
+
+    /// Writes a line of text, which this takes from a font of size 1 with its left end on the base line at the origin, y downwards, to
+    /// its place.
+    pub fn write(&mut self, text: &str, slope: Slope, place: Transform, colour: Colour) {
+        let Some(outline) = lettering::outline(text, slope) else { return };
+        let transform = self.transform.pre_concat(place);
+        // Parts of a letter may overlap.
+        self.pixmap.fill_path(&outline, &paint(colour), FillRule::Winding, transform, None);
+    }
+
+    /// Writes the picture as PNG.
+    ///
+    /// # Errors
+    /// What the file says.
+    pub fn save(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut encoder = png::Encoder::new(&mut *file, self.width(), self.height());
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        let mut writer = encoder.write_header()?;
+        let rgb: Vec<u8> =
+            self.rgba().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+        writer.write_image_data(&rgb)?;
+        writer.finish()?;
+        file.flush()
+    }
+}
+
+fn paint([red, green, blue, opacity]: Colour) -> Paint<'static> {
+    let mut paint = Paint { anti_alias: true, ..Paint::default() };
+    paint.set_color_rgba8(red, green, blue, opacity);
+    paint
+}
