@@ -171,6 +171,10 @@ impl Parser<'_> {
         match elements.len() {
             1 if !has_comma => Ok(Elements::Single(elements[0])),
             2 | 3 => Ok(Elements::Vector(elements)),
+            // A comma too many is one mistake.
+            _ if elements.iter().any(|&id| matches!(self.expressions.get(id), Expression::Invalid)) => {
+                Err(Reported)
+            }
             1 => {
                 let help = messages::ONE_COMPONENT_HELP;
                 Err(self.fail_with_help(origin, messages::component_count(1), help))
