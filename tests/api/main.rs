@@ -29,6 +29,7 @@ mod resting;
 mod scalars;
 mod shadowing;
 mod simulation;
+mod spatial_axiom;
 mod states;
 mod switches;
 mod torques;

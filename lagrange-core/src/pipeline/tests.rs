@@ -2,6 +2,7 @@ mod attributes;
 mod frames;
 mod numbers;
 mod scenes;
+mod spatial_scenes;
 mod unresolved;
 
 use quote::quote;

@@ -1,25 +1,26 @@
-/// An arm with a hole that a motor turns, and a bob that is pinned to its end and held by a spring.
+/// An arm with a hole that a motor turns, and a bob that is pinned to its tip and held by a spring.
 ///
 /// # Equations of motion
 ///
 /// ```text
-/// m*ddot(x) = -hook_x - (x - 1)*(k - k/(2*sqrt(z^2 + (x - 1)^2 + (y - 1)^2)))
-/// m*ddot(y) = -hook_y - (y - 1)*(k - k/(2*sqrt(z^2 + (x - 1)^2 + (y - 1)^2)))
-/// m*ddot(z) = -hook_z - m*g - z*(k - k/(2*sqrt(z^2 + (x - 1)^2 + (y - 1)^2)))
-/// (797/2400*l^2 + 397/4800*r^2)*m*ddot(q) = u + 0.495*m*l*g*cos(q) - l*cos(q)*hook_z - l*sin(q)*hook_x
+/// m*ddot(x) = -hook_x - (x - 1)*(k - l*k/sqrt(z^2 + (x - 1)^2 + (y - 1)^2))
+/// m*ddot(y) = -hook_y - (y - 1)*(k - l*k/sqrt(z^2 + (x - 1)^2 + (y - 1)^2))
+/// m*ddot(z) = -hook_z - m*g - z*(k - l*k/sqrt(z^2 + (x - 1)^2 + (y - 1)^2))
+/// (1/12*l^2 + 397/4800*r^2)*m*ddot(q) = u - l*cos(q)*hook_z - l*sin(q)*hook_x
 /// l*cos(q) - x = 0
 /// -y = 0
-/// 1 - z - l*sin(q) = 0
+/// -z - l*sin(q) = 0
 /// ```
 ///
 /// # State and structure
 ///
 /// - State: `[x, y, z, q, x_dot, y_dot, z_dot, q_dot]`.
 /// - Mass matrix: diagonal, constant.
+/// - Cyclic coordinates: `q`.
 /// - Leapfrog methods take it and keep it on the constraints.
-/// - Forward dynamics: the mass matrix is factorised (counted cost 310; recursion 310, the kinetic energy is no sum of squares).
+/// - Forward dynamics: the mass matrix is factorised (counted cost 299; recursion 299, the kinetic energy is no sum of squares).
 /// - Multipliers, which the equations name like their constraints: `[hook_x, hook_y, hook_z]`.
-/// - Cost of `acceleration`: 25 additions, 48 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
+/// - Cost of `acceleration`: 21 additions, 41 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
 ///
 /// # Statements
 ///
@@ -30,21 +31,15 @@
 /// input u;
 /// coord x, y, z;
 /// let arm_mass = m - m/50;
-/// let arm_centroid = ((m * (l/2) - m/50 * (l/4)) / arm_mass, 0, 0);
-/// let arm_moments = (m * (1/12 * r^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2), m * (1/12 * r^2 + 1/12 * l^2) + m * (l/2 - arm_centroid.x)^2 + (-(m/50 * (1/2 * (r/4)^2)) - m/50 * (l/4 - arm_centroid.x)^2), m * (1/12 * l^2 + 1/12 * r^2) + m * (l/2 - arm_centroid.x)^2 + (-(m/50 * (1/4 * (r/4)^2 + 1/12 * r^2)) - m/50 * (l/4 - arm_centroid.x)^2));
+/// let arm_moments = (m * (1/12 * r^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2), m * (1/12 * r^2 + 1/12 * l^2) - m/50 * (1/2 * (r/4)^2), m * (1/12 * l^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2));
 /// coord q;
 /// let arm_w = (0, dot(q), 0);
 /// let arm_x = (cos(q), 0, -sin(q));
 /// let arm_z = (sin(q), 0, cos(q));
-/// let arm_center_v = (0, 0, -(arm_w.y * arm_centroid.x));
-/// let arm_T_translation = kinetic_energy(arm_mass, (0, 0, arm_center_v.z));
-/// kinetic = arm_T_translation;
 /// let arm_T_rotation = 1/2 * arm_moments.y * arm_w.y^2;
 /// kinetic = arm_T_rotation;
-/// let arm_V = arm_mass * (g * (1 + arm_centroid.x * arm_x.z));
-/// potential = arm_V;
+/// let tip_origin = (l * arm_x.x, 0, l * arm_x.z);
 /// force q = u;
-/// let tip_origin = (l * arm_x.x, 0, 1 + l * arm_x.z);
 /// let bob_T_translation = kinetic_energy(m, dot((x, y, z)));
 /// kinetic = bob_T_translation;
 /// let bob_V = m * (g * z);
@@ -53,17 +48,12 @@
 /// constraint hook_y = -y;
 /// constraint hook_z = tip_origin.z - z;
 /// let spring_1_span = (1 - x, 1 - y, -z);
-/// potential = spring_energy(k, norm(spring_1_span) - 1/2);
+/// potential = spring_energy(k, norm(spring_1_span) - l);
 /// emit { no momenta }
-/// let arm_moment = (arm_mass * arm_centroid.x, 0, 0);
-/// let arm_J = (arm_moments.x, arm_moments.y + arm_mass * arm_centroid.x^2, arm_moments.z + arm_mass * arm_centroid.x^2);
 /// let arm_alpha = (0, ddot(q), 0);
 /// let arm_a = (-(sin(q) * g), 0, cos(q) * g);
-/// let arm_w_squares = (0, arm_w.y^2, 0);
-/// let arm_relative_x = (-arm_w_squares.y, 0, arm_alpha.y);
-/// let arm_relative_z = (-arm_alpha.y, 0, -arm_w_squares.y);
-/// let arm_S = 1/2 * arm_mass * arm_a.x^2 + 1/2 * arm_mass * arm_a.z^2 + (arm_a.x * (arm_relative_x.x * arm_moment.x) + arm_a.z * (arm_relative_z.x * arm_moment.x)) + 1/2 * arm_J.y * arm_alpha.y^2;
-/// gibbs = arm_S, for: arm_T_translation + arm_T_rotation - arm_V;
+/// let arm_S = 1/2 * arm_mass * arm_a.x^2 + 1/2 * arm_mass * arm_a.z^2 + 1/2 * arm_moments.y * arm_alpha.y^2;
+/// gibbs = arm_S, for: arm_T_rotation;
 /// ```
 pub struct HungArm {
     /// Parameter `m`.
@@ -121,13 +111,13 @@ pub struct HungArmInputs {
 ::lagrange::private::bring_hints! {}
 const _: () = {
     use ::core::primitive::f64;
-    use ::lagrange::private::{abs, cos, multiply_add, sin, sin_cos, sqrt};
+    use ::lagrange::private::{abs, multiply_add, sin_cos, sqrt};
     impl HungArm {
         /// The statements that those about rigid bodies stand for.
-        pub const STATEMENTS: &'static ::core::primitive::str = "param m = 2, l = 0.8, r = 0.1, k = 30, g = 9.81;\ninput u;\ncoord x, y, z;\nlet arm_mass = m - m/50;\nlet arm_centroid = ((m * (l/2) - m/50 * (l/4)) / arm_mass, 0, 0);\nlet arm_moments = (m * (1/12 * r^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2), m * (1/12 * r^2 + 1/12 * l^2) + m * (l/2 - arm_centroid.x)^2 + (-(m/50 * (1/2 * (r/4)^2)) - m/50 * (l/4 - arm_centroid.x)^2), m * (1/12 * l^2 + 1/12 * r^2) + m * (l/2 - arm_centroid.x)^2 + (-(m/50 * (1/4 * (r/4)^2 + 1/12 * r^2)) - m/50 * (l/4 - arm_centroid.x)^2));\ncoord q;\nlet arm_w = (0, dot(q), 0);\nlet arm_x = (cos(q), 0, -sin(q));\nlet arm_z = (sin(q), 0, cos(q));\nlet arm_center_v = (0, 0, -(arm_w.y * arm_centroid.x));\nlet arm_T_translation = kinetic_energy(arm_mass, (0, 0, arm_center_v.z));\nkinetic = arm_T_translation;\nlet arm_T_rotation = 1/2 * arm_moments.y * arm_w.y^2;\nkinetic = arm_T_rotation;\nlet arm_V = arm_mass * (g * (1 + arm_centroid.x * arm_x.z));\npotential = arm_V;\nforce q = u;\nlet tip_origin = (l * arm_x.x, 0, 1 + l * arm_x.z);\nlet bob_T_translation = kinetic_energy(m, dot((x, y, z)));\nkinetic = bob_T_translation;\nlet bob_V = m * (g * z);\npotential = bob_V;\nconstraint hook_x = tip_origin.x - x;\nconstraint hook_y = -y;\nconstraint hook_z = tip_origin.z - z;\nlet spring_1_span = (1 - x, 1 - y, -z);\npotential = spring_energy(k, norm(spring_1_span) - 1/2);\nemit { no momenta }\nlet arm_moment = (arm_mass * arm_centroid.x, 0, 0);\nlet arm_J = (arm_moments.x, arm_moments.y + arm_mass * arm_centroid.x^2, arm_moments.z + arm_mass * arm_centroid.x^2);\nlet arm_alpha = (0, ddot(q), 0);\nlet arm_a = (-(sin(q) * g), 0, cos(q) * g);\nlet arm_w_squares = (0, arm_w.y^2, 0);\nlet arm_relative_x = (-arm_w_squares.y, 0, arm_alpha.y);\nlet arm_relative_z = (-arm_alpha.y, 0, -arm_w_squares.y);\nlet arm_S = 1/2 * arm_mass * arm_a.x^2 + 1/2 * arm_mass * arm_a.z^2 + (arm_a.x * (arm_relative_x.x * arm_moment.x) + arm_a.z * (arm_relative_z.x * arm_moment.x)) + 1/2 * arm_J.y * arm_alpha.y^2;\ngibbs = arm_S, for: arm_T_translation + arm_T_rotation - arm_V;\n";
+        pub const STATEMENTS: &'static ::core::primitive::str = "param m = 2, l = 0.8, r = 0.1, k = 30, g = 9.81;\ninput u;\ncoord x, y, z;\nlet arm_mass = m - m/50;\nlet arm_moments = (m * (1/12 * r^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2), m * (1/12 * r^2 + 1/12 * l^2) - m/50 * (1/2 * (r/4)^2), m * (1/12 * l^2 + 1/12 * r^2) - m/50 * (1/4 * (r/4)^2 + 1/12 * r^2));\ncoord q;\nlet arm_w = (0, dot(q), 0);\nlet arm_x = (cos(q), 0, -sin(q));\nlet arm_z = (sin(q), 0, cos(q));\nlet arm_T_rotation = 1/2 * arm_moments.y * arm_w.y^2;\nkinetic = arm_T_rotation;\nlet tip_origin = (l * arm_x.x, 0, l * arm_x.z);\nforce q = u;\nlet bob_T_translation = kinetic_energy(m, dot((x, y, z)));\nkinetic = bob_T_translation;\nlet bob_V = m * (g * z);\npotential = bob_V;\nconstraint hook_x = tip_origin.x - x;\nconstraint hook_y = -y;\nconstraint hook_z = tip_origin.z - z;\nlet spring_1_span = (1 - x, 1 - y, -z);\npotential = spring_energy(k, norm(spring_1_span) - l);\nemit { no momenta }\nlet arm_alpha = (0, ddot(q), 0);\nlet arm_a = (-(sin(q) * g), 0, cos(q) * g);\nlet arm_S = 1/2 * arm_mass * arm_a.x^2 + 1/2 * arm_mass * arm_a.z^2 + 1/2 * arm_moments.y * arm_alpha.y^2;\ngibbs = arm_S, for: arm_T_rotation;\n";
         /// Accelerations in the order of the velocities.
         ///
-        /// Takes 25 additions, 48 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
+        /// Takes 21 additions, 41 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn acceleration(
@@ -139,70 +129,54 @@ const _: () = {
             let Self { m, l, r, k, g, u } = *self;
             let [x, y, z, q] = *positions;
             let [_, _, _, q_dot] = *v;
-            let l_sq = l * l;
-            let m_l_sq = m * l_sq;
-            let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.25002551020408165 * m_l_sq,
-            );
-            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
-            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
-            let inv_arm_J_y = 1.0 / arm_J_y;
-            let (arm_z_x, arm_x_x) = sin_cos(q);
-            let l_arm_z_x = l * arm_z_x;
-            let factor_4_3 = inv_arm_J_y * l_arm_z_x;
-            let factor_4_0 = 1.0 / m;
-            let pivot_4 = -multiply_add(l_arm_z_x, factor_4_3, factor_4_0);
-            let inv_pivot_4 = 1.0 / pivot_4;
-            let tip_origin_x = l * arm_x_x;
-            let pos_0 = tip_origin_x * factor_4_3;
-            let pos_1 = pos_0 * inv_pivot_4;
-            let factor_6_4 = -pos_1;
-            let factor_6_3 = inv_arm_J_y * tip_origin_x;
-            let pos_2 = tip_origin_x * factor_6_3;
-            let pivot_6 = multiply_add(pos_0, factor_6_4, -factor_4_0) - pos_2;
-            let inv_pivot_6 = 1.0 / pivot_6;
             let spring_1_span_x = 1.0 - x;
             let spring_1_span_y = 1.0 - y;
             let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
-            let pos_3 = multiply_add(
+            let pos_0 = multiply_add(
                 spring_1_span_y,
                 spring_1_span_y,
                 spring_1_span_x_sq,
             );
-            let sqrt_0 = sqrt(multiply_add(z, z, pos_3));
-            let pos_4 = k * (sqrt_0 - 0.5) / sqrt_0;
-            let forcing_2 = -multiply_add(z, pos_4, m * g);
-            let factor_4_0_forcing_2 = factor_4_0 * forcing_2;
-            let arm_a_z = g * arm_x_x;
-            let forcing_3 = multiply_add(0.495 * m * l, arm_a_z, u);
-            let vel_0 = multiply_add(l_arm_z_x * q_dot, q_dot, -factor_4_0_forcing_2);
-            let pos_5 = factor_4_0 * spring_1_span_x * pos_4;
+            let sqrt_0 = sqrt(multiply_add(z, z, pos_0));
+            let pos_1 = k * (l - sqrt_0) / sqrt_0;
+            let forcing_0 = -spring_1_span_x * pos_1;
+            let factor_4_0 = 1.0 / m;
+            let factor_4_0_forcing_0 = factor_4_0 * forcing_0;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
             let arm_z_x_dot = arm_x_x * q_dot;
-            let vel_1 = multiply_add(
-                forcing_3,
-                factor_4_3,
-                multiply_add(l * q_dot, arm_z_x_dot, pos_5),
-            );
+            let r_sq = r * r;
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
+            let inv_arm_moments_y = 1.0 / arm_moments_y;
+            let l_arm_z_x = l * arm_z_x;
+            let factor_4_3 = inv_arm_moments_y * l_arm_z_x;
+            let vel_0 = multiply_add(l * q_dot, arm_z_x_dot, factor_4_0_forcing_0);
+            let forcing_4 = -multiply_add(u, factor_4_3, vel_0);
+            let forcing_2 = multiply_add(-m, g, z * pos_1);
+            let factor_4_0_forcing_2 = factor_4_0 * forcing_2;
+            let tip_origin_x = l * arm_x_x;
+            let factor_6_3 = inv_arm_moments_y * tip_origin_x;
+            let vel_1 = multiply_add(l_arm_z_x * q_dot, q_dot, -factor_4_0_forcing_2);
+            let pivot_4 = -multiply_add(l_arm_z_x, factor_4_3, factor_4_0);
+            let inv_pivot_4 = 1.0 / pivot_4;
+            let pos_2 = tip_origin_x * factor_4_3;
+            let pos_3 = pos_2 * inv_pivot_4;
             let forcing_6 = multiply_add(
-                -pos_1,
-                vel_1,
-                multiply_add(-forcing_3, factor_6_3, vel_0),
+                pos_3,
+                forcing_4,
+                multiply_add(-u, factor_6_3, vel_1),
             );
+            let pos_4 = multiply_add(tip_origin_x, factor_6_3, factor_4_0);
+            let pivot_6 = -multiply_add(pos_2, pos_3, pos_4);
+            let inv_pivot_6 = 1.0 / pivot_6;
             let vel_2 = inv_pivot_6 * forcing_6;
-            let forcing_4 = -vel_1;
-            let vel_3 = multiply_add(-factor_6_4, vel_2, inv_pivot_4 * forcing_4);
-            let x_ddot = multiply_add(-factor_4_0, vel_3, pos_5);
+            let vel_3 = multiply_add(pos_3, vel_2, inv_pivot_4 * forcing_4);
+            let x_ddot = multiply_add(-factor_4_0, vel_3, factor_4_0_forcing_0);
             let z_ddot = multiply_add(-factor_4_0, vel_2, factor_4_0_forcing_2);
-            let vel_4 = multiply_add(-factor_4_3, vel_3, inv_arm_J_y * forcing_3);
+            let vel_4 = multiply_add(-factor_4_3, vel_3, inv_arm_moments_y * u);
             let q_ddot = multiply_add(-factor_6_3, vel_2, vel_4);
             let values = [x_ddot, 0.0, z_ddot, q_ddot];
-            if ::lagrange::constraint::are_regular(
-                &values,
-                abs(inv_pivot_6 * (factor_4_0 + pos_2)),
-            ) {
+            if ::lagrange::constraint::are_regular(&values, abs(inv_pivot_6 * pos_4)) {
                 values
             } else {
                 self.redundant_motion(t, positions, v).acceleration
@@ -211,7 +185,7 @@ const _: () = {
         /// Multipliers λ of the constraints in the order of their declaration: M q̈ = f + Aᵀλ. That of a
         /// constraint on a length is the force along it.
         ///
-        /// Takes 21 additions, 44 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
+        /// Takes 17 additions, 37 multiplications, 5 divisions, 1 square root, 1 function, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn multipliers(
@@ -223,106 +197,6 @@ const _: () = {
             let Self { m, l, r, k, g, u } = *self;
             let [x, y, z, q] = *positions;
             let [_, _, _, q_dot] = *v;
-            let l_sq = l * l;
-            let m_l_sq = m * l_sq;
-            let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.25002551020408165 * m_l_sq,
-            );
-            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
-            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
-            let inv_arm_J_y = 1.0 / arm_J_y;
-            let (arm_z_x, arm_x_x) = sin_cos(q);
-            let l_arm_z_x = l * arm_z_x;
-            let factor_4_3 = inv_arm_J_y * l_arm_z_x;
-            let factor_4_0 = 1.0 / m;
-            let pivot_4 = -multiply_add(l_arm_z_x, factor_4_3, factor_4_0);
-            let inv_pivot_4 = 1.0 / pivot_4;
-            let tip_origin_x = l * arm_x_x;
-            let pos_0 = tip_origin_x * factor_4_3;
-            let pos_1 = pos_0 * inv_pivot_4;
-            let factor_6_4 = -pos_1;
-            let factor_6_3 = inv_arm_J_y * tip_origin_x;
-            let pos_2 = tip_origin_x * factor_6_3;
-            let pivot_6 = multiply_add(pos_0, factor_6_4, -factor_4_0) - pos_2;
-            let inv_pivot_6 = 1.0 / pivot_6;
-            let spring_1_span_x = 1.0 - x;
-            let spring_1_span_y = 1.0 - y;
-            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
-            let pos_3 = multiply_add(
-                spring_1_span_y,
-                spring_1_span_y,
-                spring_1_span_x_sq,
-            );
-            let sqrt_0 = sqrt(multiply_add(z, z, pos_3));
-            let pos_4 = k * (sqrt_0 - 0.5) / sqrt_0;
-            let forcing_2 = -multiply_add(z, pos_4, m * g);
-            let arm_a_z = g * arm_x_x;
-            let forcing_3 = multiply_add(0.495 * m * l, arm_a_z, u);
-            let vel_0 = multiply_add(-factor_4_0, forcing_2, l_arm_z_x * q_dot * q_dot);
-            let arm_z_x_dot = arm_x_x * q_dot;
-            let vel_1 = multiply_add(
-                factor_4_0 * spring_1_span_x,
-                pos_4,
-                l * q_dot * arm_z_x_dot,
-            );
-            let vel_2 = multiply_add(forcing_3, factor_4_3, vel_1);
-            let forcing_6 = multiply_add(
-                -pos_1,
-                vel_2,
-                multiply_add(-forcing_3, factor_6_3, vel_0),
-            );
-            let vel_3 = inv_pivot_6 * forcing_6;
-            let forcing_4 = -vel_2;
-            let forcing_1 = spring_1_span_y * pos_4;
-            let values = [
-                multiply_add(-factor_6_4, vel_3, inv_pivot_4 * forcing_4),
-                forcing_1,
-                vel_3,
-            ];
-            if ::lagrange::constraint::are_regular(
-                &values,
-                abs(inv_pivot_6 * (factor_4_0 + pos_2)),
-            ) {
-                values
-            } else {
-                self.redundant_motion(t, positions, v).multipliers
-            }
-        }
-        /// Mass matrix M, in rows.
-        ///
-        /// Takes 4 additions, 9 multiplications.
-        #[must_use]
-        #[inline]
-        pub fn mass_matrix(&self, t: f64, positions: &[f64; 4]) -> [[f64; 4]; 4] {
-            let Self { m, l, r, .. } = *self;
-            let l_sq = l * l;
-            let m_l_sq = m * l_sq;
-            let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.25002551020408165 * m_l_sq,
-            );
-            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
-            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
-            [
-                [m, 0.0, 0.0, 0.0],
-                [0.0, m, 0.0, 0.0],
-                [0.0, 0.0, m, 0.0],
-                [0.0, 0.0, 0.0, arm_J_y],
-            ]
-        }
-        /// Right-hand side f of M q̈ = f.
-        ///
-        /// Takes 7 additions, 12 multiplications, 1 division, 1 square root, 1 function.
-        #[must_use]
-        #[inline]
-        pub fn forcing(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
-            let Self { m, l, k, g, u, .. } = *self;
-            let [x, y, z, q] = *positions;
             let spring_1_span_x = 1.0 - x;
             let spring_1_span_y = 1.0 - y;
             let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
@@ -332,50 +206,115 @@ const _: () = {
                 spring_1_span_x_sq,
             );
             let sqrt_0 = sqrt(multiply_add(z, z, pos_0));
-            let pos_1 = k * (sqrt_0 - 0.5) / sqrt_0;
-            let forcing_0 = spring_1_span_x * pos_1;
-            let forcing_1 = spring_1_span_y * pos_1;
-            let forcing_2 = -multiply_add(z, pos_1, m * g);
-            let arm_x_x = cos(q);
-            let arm_a_z = g * arm_x_x;
-            let forcing_3 = multiply_add(0.495 * m * l, arm_a_z, u);
-            [forcing_0, forcing_1, forcing_2, forcing_3]
+            let pos_1 = k * (l - sqrt_0) / sqrt_0;
+            let forcing_0 = -spring_1_span_x * pos_1;
+            let (arm_z_x, arm_x_x) = sin_cos(q);
+            let arm_z_x_dot = arm_x_x * q_dot;
+            let factor_4_0 = 1.0 / m;
+            let r_sq = r * r;
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
+            let inv_arm_moments_y = 1.0 / arm_moments_y;
+            let l_arm_z_x = l * arm_z_x;
+            let factor_4_3 = inv_arm_moments_y * l_arm_z_x;
+            let vel_0 = multiply_add(factor_4_0, forcing_0, l * q_dot * arm_z_x_dot);
+            let forcing_4 = -multiply_add(u, factor_4_3, vel_0);
+            let forcing_2 = multiply_add(-m, g, z * pos_1);
+            let tip_origin_x = l * arm_x_x;
+            let factor_6_3 = inv_arm_moments_y * tip_origin_x;
+            let vel_1 = multiply_add(-factor_4_0, forcing_2, l_arm_z_x * q_dot * q_dot);
+            let pivot_4 = -multiply_add(l_arm_z_x, factor_4_3, factor_4_0);
+            let inv_pivot_4 = 1.0 / pivot_4;
+            let pos_2 = tip_origin_x * factor_4_3;
+            let pos_3 = pos_2 * inv_pivot_4;
+            let forcing_6 = multiply_add(
+                pos_3,
+                forcing_4,
+                multiply_add(-u, factor_6_3, vel_1),
+            );
+            let pos_4 = multiply_add(tip_origin_x, factor_6_3, factor_4_0);
+            let pivot_6 = -multiply_add(pos_2, pos_3, pos_4);
+            let inv_pivot_6 = 1.0 / pivot_6;
+            let vel_2 = inv_pivot_6 * forcing_6;
+            let forcing_1 = -spring_1_span_y * pos_1;
+            let values = [
+                multiply_add(pos_3, vel_2, inv_pivot_4 * forcing_4),
+                forcing_1,
+                vel_2,
+            ];
+            if ::lagrange::constraint::are_regular(&values, abs(inv_pivot_6 * pos_4)) {
+                values
+            } else {
+                self.redundant_motion(t, positions, v).multipliers
+            }
+        }
+        /// Mass matrix M, in rows.
+        ///
+        /// Takes 2 additions, 6 multiplications.
+        #[must_use]
+        #[inline]
+        pub fn mass_matrix(&self, t: f64, positions: &[f64; 4]) -> [[f64; 4]; 4] {
+            let Self { m, l, r, .. } = *self;
+            let r_sq = r * r;
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
+            [
+                [m, 0.0, 0.0, 0.0],
+                [0.0, m, 0.0, 0.0],
+                [0.0, 0.0, m, 0.0],
+                [0.0, 0.0, 0.0, arm_moments_y],
+            ]
+        }
+        /// Right-hand side f of M q̈ = f.
+        ///
+        /// Takes 6 additions, 8 multiplications, 1 division, 1 square root.
+        #[must_use]
+        #[inline]
+        pub fn forcing(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
+            let Self { m, l, k, g, u, .. } = *self;
+            let [x, y, z, _] = *positions;
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_0 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
+            );
+            let sqrt_0 = sqrt(multiply_add(z, z, pos_0));
+            let pos_1 = k * (l - sqrt_0) / sqrt_0;
+            let forcing_0 = -spring_1_span_x * pos_1;
+            let forcing_1 = -spring_1_span_y * pos_1;
+            let forcing_2 = multiply_add(-m, g, z * pos_1);
+            [forcing_0, forcing_1, forcing_2, u]
         }
         /// Kinetic energy T.
         ///
-        /// Takes 7 additions, 19 multiplications.
+        /// Takes 5 additions, 13 multiplications.
         #[must_use]
         #[inline]
         pub fn kinetic_energy(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> f64 {
             let Self { m, l, r, .. } = *self;
             let [x_dot, y_dot, z_dot, q_dot] = *v;
-            let l_sq = l * l;
             let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.08333333333333333 * m * (r_sq + l_sq),
-            );
-            let arm_moments_y = multiply_add(-0.0012755102040816326 * m, l_sq, const_0);
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
             let q_dot_sq = q_dot * q_dot;
             let vel_0 = multiply_add(
                 z_dot,
                 z_dot,
                 multiply_add(y_dot, y_dot, x_dot * x_dot),
             );
-            let l_q_dot = l * q_dot;
-            let l_q_dot_sq = l_q_dot * l_q_dot;
-            let vel_1 = multiply_add(m, vel_0, arm_moments_y * q_dot_sq);
-            multiply_add(0.5, vel_1, 0.12501275510204082 * m * l_q_dot_sq)
+            0.5 * multiply_add(m, vel_0, arm_moments_y * q_dot_sq)
         }
         /// Potential energy V.
         ///
-        /// Takes 8 additions, 13 multiplications, 1 square root, 1 function.
+        /// Takes 6 additions, 8 multiplications, 1 square root.
         #[must_use]
         #[inline]
         pub fn potential_energy(&self, t: f64, positions: &[f64; 4]) -> f64 {
             let Self { m, l, k, g, .. } = *self;
-            let [x, y, z, q] = *positions;
+            let [x, y, z, _] = *positions;
             let spring_1_span_x = 1.0 - x;
             let spring_1_span_y = 1.0 - y;
             let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
@@ -384,63 +323,51 @@ const _: () = {
                 spring_1_span_y,
                 spring_1_span_x_sq,
             );
-            let pos_1 = sqrt(multiply_add(z, z, pos_0)) - 0.5;
+            let pos_1 = l - sqrt(multiply_add(z, z, pos_0));
             let bob_V = m * g * z;
-            let arm_z_x = sin(q);
-            let pos_2 = multiply_add(0.5051020408163265 * l, arm_z_x, -1.0);
             let pos_1_sq = pos_1 * pos_1;
-            multiply_add(0.5 * k, pos_1_sq, multiply_add(-0.98 * m * g, pos_2, bob_V))
+            multiply_add(0.5 * k, pos_1_sq, bob_V)
         }
         /// Energy function v·∂L/∂v − L.
         ///
-        /// Takes 16 additions, 31 multiplications, 1 square root, 1 function.
+        /// Takes 12 additions, 20 multiplications, 1 square root.
         #[must_use]
         #[inline]
         pub fn energy(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> f64 {
             let Self { m, l, r, k, g, .. } = *self;
-            let [x, y, z, q] = *positions;
+            let [x, y, z, _] = *positions;
             let [x_dot, y_dot, z_dot, q_dot] = *v;
-            let l_sq = l * l;
-            let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.08333333333333333 * m * (r_sq + l_sq),
+            let spring_1_span_x = 1.0 - x;
+            let spring_1_span_y = 1.0 - y;
+            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
+            let pos_0 = multiply_add(
+                spring_1_span_y,
+                spring_1_span_y,
+                spring_1_span_x_sq,
             );
-            let arm_moments_y = multiply_add(-0.0012755102040816326 * m, l_sq, const_0);
+            let pos_1 = l - sqrt(multiply_add(z, z, pos_0));
+            let r_sq = r * r;
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
             let q_dot_sq = q_dot * q_dot;
             let vel_0 = multiply_add(
                 z_dot,
                 z_dot,
                 multiply_add(y_dot, y_dot, x_dot * x_dot),
             );
-            let spring_1_span_x = 1.0 - x;
-            let spring_1_span_y = 1.0 - y;
-            let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
-            let pos_0 = multiply_add(
-                spring_1_span_y,
-                spring_1_span_y,
-                spring_1_span_x_sq,
-            );
-            let pos_1 = sqrt(multiply_add(z, z, pos_0)) - 0.5;
             let pos_1_sq = pos_1 * pos_1;
-            let l_q_dot = l * q_dot;
-            let l_q_dot_sq = l_q_dot * l_q_dot;
+            let bob_V = m * g * z;
             let vel_1 = multiply_add(
                 k,
                 pos_1_sq,
                 multiply_add(m, vel_0, arm_moments_y * q_dot_sq),
             );
-            let arm_z_x = sin(q);
-            let vel_2 = multiply_add(0.5, vel_1, 0.12501275510204082 * m * l_q_dot_sq);
-            let pos_2 = multiply_add(0.5051020408163265 * l, arm_z_x, -1.0);
-            let bob_V = m * g * z;
-            multiply_add(-0.98 * m * g, pos_2, vel_2) + bob_V
+            multiply_add(0.5, vel_1, bob_V)
         }
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
         /// to produce given accelerations.
         ///
-        /// Takes 15 additions, 25 multiplications, 1 division, 1 square root, 1 function.
+        /// Takes 12 additions, 18 multiplications, 1 division, 1 square root.
         #[must_use]
         #[inline]
         pub fn inverse_dynamics(
@@ -451,7 +378,7 @@ const _: () = {
             a: &[f64; 4],
         ) -> [f64; 4] {
             let Self { m, l, r, k, g, u } = *self;
-            let [x, y, z, q] = *positions;
+            let [x, y, z, _] = *positions;
             let [x_ddot, y_ddot, z_ddot, q_ddot] = *a;
             let spring_1_span_x = 1.0 - x;
             let spring_1_span_y = 1.0 - y;
@@ -462,30 +389,21 @@ const _: () = {
                 spring_1_span_x_sq,
             );
             let sqrt_0 = sqrt(multiply_add(z, z, pos_0));
-            let pos_1 = k * (sqrt_0 - 0.5) / sqrt_0;
-            let l_sq = l * l;
-            let m_l_sq = m * l_sq;
+            let pos_1 = k * (l - sqrt_0) / sqrt_0;
             let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.25002551020408165 * m_l_sq,
-            );
-            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
-            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
-            let arm_x_x = cos(q);
-            let arm_a_z = g * arm_x_x;
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
             [
-                multiply_add(-spring_1_span_x, pos_1, m * x_ddot),
-                multiply_add(-spring_1_span_y, pos_1, m * y_ddot),
-                multiply_add(m, z_ddot, multiply_add(z, pos_1, m * g)),
-                multiply_add(-0.495 * m * l, arm_a_z, multiply_add(arm_J_y, q_ddot, -u)),
+                multiply_add(spring_1_span_x, pos_1, m * x_ddot),
+                multiply_add(spring_1_span_y, pos_1, m * y_ddot),
+                multiply_add(m, z_ddot, multiply_add(-z, pos_1, m * g)),
+                multiply_add(arm_moments_y, q_ddot, -u),
             ]
         }
         /// What the constraints hold at zero, in the order of their declaration; the velocities matter to
         /// nonholonomic ones only.
         ///
-        /// Takes 3 additions, 2 multiplications, 1 `sin_cos`.
+        /// Takes 2 additions, 2 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn constraints(
@@ -498,7 +416,7 @@ const _: () = {
             let [x, y, z, q] = *positions;
             let (arm_z_x, arm_x_x) = sin_cos(q);
             let tip_origin_x = l * arm_x_x;
-            [tip_origin_x - x, -y, multiply_add(-l, arm_z_x, 1.0 - z)]
+            [tip_origin_x - x, -y, -multiply_add(l, arm_z_x, z)]
         }
         /// What the constraints demand of the velocities to be zero: the rate of a holonomic constraint,
         /// a nonholonomic one itself.
@@ -538,9 +456,10 @@ const _: () = {
             let Self { l, .. } = *self;
             let [_, _, _, q] = *positions;
             let (arm_z_x, arm_x_x) = sin_cos(q);
+            let tip_origin_z = -l * arm_z_x;
             let tip_origin_x = l * arm_x_x;
             [
-                [-1.0, 0.0, 0.0, -l * arm_z_x],
+                [-1.0, 0.0, 0.0, tip_origin_z],
                 [0.0, -1.0, 0.0, 0.0],
                 [0.0, 0.0, -1.0, -tip_origin_x],
             ]
@@ -615,27 +534,21 @@ const _: () = {
         ) -> [f64; 4] {
             let Self { m, l, r, .. } = *self;
             let [_, _, _, q] = *positions;
-            let l_sq = l * l;
-            let m_l_sq = m * l_sq;
             let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.25002551020408165 * m_l_sq,
-            );
-            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
-            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
             let (arm_z_x, arm_x_x) = sin_cos(q);
+            let tip_origin_z = -l * arm_z_x;
             let tip_origin_x = l * arm_x_x;
             ::lagrange::constraint::redundant_correction(
                 &[
                     [m, 0.0, 0.0, 0.0],
                     [0.0, m, 0.0, 0.0],
                     [0.0, 0.0, m, 0.0],
-                    [0.0, 0.0, 0.0, arm_J_y],
+                    [0.0, 0.0, 0.0, arm_moments_y],
                 ],
                 &[
-                    [-1.0, 0.0, 0.0, -l * arm_z_x],
+                    [-1.0, 0.0, 0.0, tip_origin_z],
                     [0.0, -1.0, 0.0, 0.0],
                     [0.0, 0.0, -1.0, -tip_origin_x],
                 ],
@@ -654,18 +567,12 @@ const _: () = {
             let Self { m, l, r, k, g, u } = *self;
             let [x, y, z, q] = *positions;
             let [_, _, _, q_dot] = *v;
-            let l_sq = l * l;
-            let m_l_sq = m * l_sq;
             let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.25002551020408165 * m_l_sq,
-            );
-            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
-            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
             let (arm_z_x, arm_x_x) = sin_cos(q);
             let l_arm_z_x = l * arm_z_x;
+            let tip_origin_z = -l_arm_z_x;
             let tip_origin_x = l * arm_x_x;
             let spring_1_span_x = 1.0 - x;
             let spring_1_span_y = 1.0 - y;
@@ -676,23 +583,21 @@ const _: () = {
                 spring_1_span_x_sq,
             );
             let sqrt_0 = sqrt(multiply_add(z, z, pos_0));
-            let pos_1 = k * (sqrt_0 - 0.5) / sqrt_0;
-            let forcing_0 = spring_1_span_x * pos_1;
-            let forcing_1 = spring_1_span_y * pos_1;
-            let forcing_2 = -multiply_add(z, pos_1, m * g);
-            let arm_a_z = g * arm_x_x;
-            let forcing_3 = multiply_add(0.495 * m * l, arm_a_z, u);
+            let pos_1 = k * (l - sqrt_0) / sqrt_0;
+            let forcing_0 = -spring_1_span_x * pos_1;
+            let forcing_1 = -spring_1_span_y * pos_1;
+            let forcing_2 = multiply_add(-m, g, z * pos_1);
             let arm_z_x_dot = arm_x_x * q_dot;
             ::lagrange::constraint::redundant_motion(
                 &[
                     [m, 0.0, 0.0, 0.0],
                     [0.0, m, 0.0, 0.0],
                     [0.0, 0.0, m, 0.0],
-                    [0.0, 0.0, 0.0, arm_J_y],
+                    [0.0, 0.0, 0.0, arm_moments_y],
                 ],
-                &[forcing_0, forcing_1, forcing_2, forcing_3],
+                &[forcing_0, forcing_1, forcing_2, u],
                 &[
-                    [-1.0, 0.0, 0.0, -l_arm_z_x],
+                    [-1.0, 0.0, 0.0, tip_origin_z],
                     [0.0, -1.0, 0.0, 0.0],
                     [0.0, 0.0, -1.0, -tip_origin_x],
                 ],
@@ -993,42 +898,32 @@ const _: () = {
             let Self { m, l, r, .. } = *self;
             let [_, _, _, q] = *positions;
             let [hook_x, hook_y, hook_z] = *residuals;
-            let l_sq = l * l;
-            let m_l_sq = m * l_sq;
             let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.25002551020408165 * m_l_sq,
-            );
-            let const_1 = multiply_add(0.08333333333333333 * m, r_sq + l_sq, const_0);
-            let arm_J_y = multiply_add(-0.0012755102040816326, m_l_sq, const_1);
-            let inv_arm_J_y = 1.0 / arm_J_y;
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
+            let inv_arm_moments_y = 1.0 / arm_moments_y;
             let (arm_z_x, arm_x_x) = sin_cos(q);
             let l_arm_z_x = l * arm_z_x;
-            let factor_4_3 = inv_arm_J_y * l_arm_z_x;
+            let factor_4_3 = inv_arm_moments_y * l_arm_z_x;
             let factor_4_0 = 1.0 / m;
             let pivot_4 = -multiply_add(l_arm_z_x, factor_4_3, factor_4_0);
             let inv_pivot_4 = 1.0 / pivot_4;
             let tip_origin_x = l * arm_x_x;
             let pos_0 = tip_origin_x * factor_4_3;
-            let factor_6_4 = -pos_0 * inv_pivot_4;
-            let factor_6_3 = inv_arm_J_y * tip_origin_x;
-            let pos_1 = tip_origin_x * factor_6_3;
-            let pivot_6 = multiply_add(pos_0, factor_6_4, -factor_4_0) - pos_1;
+            let pos_1 = pos_0 * inv_pivot_4;
+            let factor_6_3 = inv_arm_moments_y * tip_origin_x;
+            let pos_2 = multiply_add(tip_origin_x, factor_6_3, factor_4_0);
+            let pivot_6 = -multiply_add(pos_0, pos_1, pos_2);
             let inv_pivot_6 = 1.0 / pivot_6;
-            let acc_0 = inv_pivot_6 * multiply_add(-hook_x, factor_6_4, hook_z);
-            let acc_1 = multiply_add(-hook_x, inv_pivot_4, factor_6_4 * acc_0);
+            let acc_0 = inv_pivot_6 * multiply_add(hook_x, pos_1, hook_z);
+            let acc_1 = multiply_add(pos_1, acc_0, hook_x * inv_pivot_4);
             let values = [
-                factor_4_0 * acc_1,
+                -factor_4_0 * acc_1,
                 hook_y,
                 -factor_4_0 * acc_0,
-                multiply_add(-factor_6_3, acc_0, factor_4_3 * acc_1),
+                -multiply_add(factor_6_3, acc_0, factor_4_3 * acc_1),
             ];
-            if ::lagrange::constraint::are_regular(
-                &values,
-                abs(inv_pivot_6 * (factor_4_0 + pos_1)),
-            ) {
+            if ::lagrange::constraint::are_regular(&values, abs(inv_pivot_6 * pos_2)) {
                 values
             } else {
                 self.redundant_correction(t, positions, v, residuals)
@@ -1040,7 +935,7 @@ const _: () = {
             let [x, y, z, q] = *positions;
             let (arm_z_x, arm_x_x) = sin_cos(q);
             let tip_origin_x = l * arm_x_x;
-            [tip_origin_x - x, -y, multiply_add(-l, arm_z_x, 1.0 - z)]
+            [tip_origin_x - x, -y, -multiply_add(l, arm_z_x, z)]
         }
         #[inline]
         fn mass_times(
@@ -1052,24 +947,10 @@ const _: () = {
         ) -> [f64; 4] {
             let Self { m, l, r, .. } = *self;
             let [x_ddot, y_ddot, z_ddot, q_ddot] = *a;
-            let l_sq = l * l;
             let r_sq = r * r;
-            let const_0 = multiply_add(
-                -0.000625 * m,
-                r_sq,
-                0.08333333333333333 * m * (r_sq + l_sq),
-            );
-            let arm_moments_y = multiply_add(-0.0012755102040816326 * m, l_sq, const_0);
-            [
-                m * x_ddot,
-                m * y_ddot,
-                m * z_ddot,
-                multiply_add(
-                    0.25002551020408165 * l_sq * m,
-                    q_ddot,
-                    arm_moments_y * q_ddot,
-                ),
-            ]
+            let const_0 = 0.08333333333333333 * m * multiply_add(l, l, r_sq);
+            let arm_moments_y = multiply_add(-0.000625 * m, r_sq, const_0);
+            [m * x_ddot, m * y_ddot, m * z_ddot, arm_moments_y * q_ddot]
         }
     }
     #[automatically_derived]
@@ -1091,33 +972,23 @@ const _: () = {
             let r_sq = r * r;
             let m_r_sq = m * r_sq;
             let arm_moments_x = 0.1646875 * m_r_sq;
-            let l_sq = l * l;
-            let const_0 = m * (r_sq + l_sq) * 0.08333333333333333;
-            let const_1 = m * l_sq * 0.0012755102040816326;
-            let arm_moments_y = multiply_add(-0.000625, m_r_sq, const_0) - const_1;
-            let arm_moments_z = multiply_add(-0.001979166666666667, m_r_sq, const_0)
-                - const_1;
-            let arm_centroid_x = 0.5051020408163265 * l;
+            let const_0 = m * multiply_add(l, l, r_sq) * 0.08333333333333333;
+            let arm_moments_y = multiply_add(-0.000625, m_r_sq, const_0);
+            let arm_moments_z = multiply_add(-0.001979166666666667, m_r_sq, const_0);
             let (arm_z_x, arm_x_x) = sin_cos(q);
-            let tip_origin_x = l * arm_x_x;
-            let pos_0 = 0.5051020408163265 * tip_origin_x;
-            let l_arm_z_x = l * arm_z_x;
-            let pos_1 = multiply_add(-0.5051020408163265, l_arm_z_x, 1.0);
             let arm_x_z = -arm_z_x;
-            let const_2 = -0.5051020408163265 * l;
-            let q_dot_sq = q_dot * q_dot;
-            let l_q_ddot = l * q_ddot;
-            let tip_origin_z = 1.0 - l_arm_z_x;
+            let tip_origin_x = l * arm_x_x;
+            let tip_origin_z = -l * arm_z_x;
             let spring_1_span_x = 1.0 - x;
             let spring_1_span_y = 1.0 - y;
             let spring_1_span_x_sq = spring_1_span_x * spring_1_span_x;
-            let pos_2 = multiply_add(
+            let pos_0 = multiply_add(
                 spring_1_span_y,
                 spring_1_span_y,
                 spring_1_span_x_sq,
             );
-            let sqrt_0 = sqrt(multiply_add(z, z, pos_2));
-            let pos_3 = sqrt_0 - 0.5;
+            let sqrt_0 = sqrt(multiply_add(z, z, pos_0));
+            let pos_1 = l - sqrt_0;
             let m_g = m * g;
             let inv_sqrt_0 = 1.0 / sqrt_0;
             visit(::lagrange::scene::SpatialItem::Body {
@@ -1129,38 +1000,28 @@ const _: () = {
                         [0.0, arm_moments_y, 0.0],
                         [0.0, 0.0, arm_moments_z],
                     ],
-                    centroid: [arm_centroid_x, 0.0, 0.0],
-                    center: [pos_0, 0.0, pos_1],
+                    centroid: [0.0, 0.0, 0.0],
+                    center: [0.0, 0.0, 0.0],
                     rotation: [
                         [arm_x_x, 0.0, arm_z_x],
                         [0.0, 1.0, 0.0],
                         [arm_x_z, 0.0, arm_x_x],
                     ],
-                    velocity: [
-                        const_2 * arm_z_x * q_dot,
-                        0.0,
-                        const_2 * arm_x_x * q_dot,
-                    ],
+                    velocity: [0.0, 0.0, 0.0],
                     angular_velocity: [0.0, q_dot, 0.0],
-                    acceleration: [
-                        -0.5051020408163265
-                            * multiply_add(arm_z_x, l_q_ddot, tip_origin_x * q_dot_sq),
-                        0.0,
-                        0.5051020408163265
-                            * multiply_add(-arm_x_x, l_q_ddot, l_arm_z_x * q_dot_sq),
-                    ],
+                    acceleration: [0.0, 0.0, 0.0],
                     angular_acceleration: [0.0, q_ddot, 0.0],
                 },
                 parts: &[
                     ::lagrange::scene::SolidPart {
                         solid: ::lagrange::scene::Solid::Cuboid(l, r, r),
-                        at: [0.5 * l, 0.0, 0.0],
+                        at: [0.0, 0.0, 0.0],
                         rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
                         is_hole: false,
                     },
                     ::lagrange::scene::SolidPart {
                         solid: ::lagrange::scene::Solid::Cylinder(0.25 * r, r),
-                        at: [0.25 * l, 0.0, 0.0],
+                        at: [0.0, 0.0, 0.0],
                         rotation: [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]],
                         is_hole: true,
                     },
@@ -1202,12 +1063,12 @@ const _: () = {
                 kind: ::lagrange::scene::Connector::Spring,
                 from: [x, y, z],
                 to: [1.0, 1.0, 0.0],
-                tension: k * pos_3,
+                tension: -k * pos_1,
             });
             visit(::lagrange::scene::SpatialItem::Joint {
                 name: "q",
                 kind: ::lagrange::scene::SpatialJoint::Revolute,
-                at: [0.0, 0.0, 1.0],
+                at: [0.0, 0.0, 0.0],
                 axis: [0.0, 1.0, 0.0],
                 bodies: [
                     ::core::option::Option::None,
@@ -1238,14 +1099,14 @@ const _: () = {
                 name: "gravity",
                 cause: ::lagrange::scene::LoadOrigin::Gravity,
                 body: ::core::option::Option::Some("arm"),
-                at: [pos_0, 0.0, pos_1],
+                at: [0.0, 0.0, 0.0],
                 force: [0.0, 0.0, -0.98 * m_g],
             });
             visit(::lagrange::scene::SpatialItem::Moment {
                 name: "torque",
                 cause: ::lagrange::scene::LoadOrigin::Applied,
                 body: ::core::option::Option::Some("arm"),
-                at: [0.0, 0.0, 1.0],
+                at: [0.0, 0.0, 0.0],
                 moment: [0.0, u, 0.0],
             });
             visit(::lagrange::scene::SpatialItem::Force {
@@ -1275,9 +1136,9 @@ const _: () = {
                 body: ::core::option::Option::Some("bob"),
                 at: [x, y, z],
                 force: [
-                    k * spring_1_span_x * inv_sqrt_0 * pos_3,
-                    k * spring_1_span_y * inv_sqrt_0 * pos_3,
-                    -k * z * inv_sqrt_0 * pos_3,
+                    -k * spring_1_span_x * inv_sqrt_0 * pos_1,
+                    -k * spring_1_span_y * inv_sqrt_0 * pos_1,
+                    k * z * inv_sqrt_0 * pos_1,
                 ],
             });
         }
