@@ -58,7 +58,7 @@ where
         self.film_of(samples_at(pictures_a_second, trajectory, self.system())?)
     }
 
-    fn film_of(&self, shots: Vec<Shot<M>>) -> Result<SpatialFilm, DrawError> {
+    pub(super) fn film_of(&self, shots: Vec<Shot<M>>) -> Result<SpatialFilm, DrawError> {
         let recording = self.recording(shots)?;
         let timeline = Timeline::new(recording.times.clone())?;
         // What cannot be drawn is refused here, and not when it is written.
@@ -121,6 +121,11 @@ impl SpatialFilm {
         Ok(SpatialFilm { timeline: self.timeline.with_energy(name, trajectory, energy)?, ..self })
     }
 
+    /// Its first picture.
+    pub(super) fn first_picture(&self) -> Result<Picture, DrawError> {
+        Paper::new(&self.recording, &self.look)?.pictures(0..1).pop().ok_or(DrawError::NothingToDraw)
+    }
+
     /// The film as a GIF, as [`Film::gif`] makes it.
     ///
     /// # Errors
@@ -137,6 +142,7 @@ impl SpatialFilm {
         let path = path.as_ref();
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         let bytes = match extension.to_ascii_lowercase().as_str() {
+            "html" => self.html()?.into_bytes(),
             "gif" => self.gif()?,
             _ => return Err(DrawError::extension(path, &["html", "gif", "glb"])),
         };

@@ -8,6 +8,8 @@ mod camera;
 mod drawing;
 mod film;
 mod mesh;
+mod motion;
+mod page;
 mod paper;
 mod recording;
 mod size;
@@ -16,6 +18,7 @@ mod snapshot;
 mod solids;
 mod sort;
 mod stage;
+mod surface;
 mod vector;
 
 pub use drawing::SpatialDrawing;

@@ -1,5 +1,8 @@
 //! Pictures of a scene that is written by hand.
 
+mod page;
+mod walker;
+
 use lagrange_runtime::body::SpatialMotion;
 use lagrange_runtime::scene::{
     Connector, LoadOrigin, Solid, SolidPart, SpatialItem, SpatialJoint, SpatialScene,
