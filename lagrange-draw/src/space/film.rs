@@ -144,6 +144,7 @@ impl SpatialFilm {
         let bytes = match extension.to_ascii_lowercase().as_str() {
             "html" => self.html()?.into_bytes(),
             "gif" => self.gif()?,
+            "glb" => self.glb()?,
             _ => return Err(DrawError::extension(path, &["html", "gif", "glb"])),
         };
         DrawError::written(path, fs::write(path, bytes))

@@ -7,6 +7,7 @@ mod arrows;
 mod camera;
 mod drawing;
 mod film;
+mod glb;
 mod mesh;
 mod motion;
 mod page;
@@ -18,6 +19,7 @@ mod snapshot;
 mod solids;
 mod sort;
 mod stage;
+mod store;
 mod surface;
 mod vector;
 

@@ -1,5 +1,6 @@
 //! Pictures of a scene that is written by hand.
 
+mod glb;
 mod page;
 mod walker;
 

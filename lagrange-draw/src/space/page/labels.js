@@ -1,7 +1,8 @@
 // Places names beside what they name, so that none lies on another.
 function placesLabels(space) {
-  const GAP = 7;
+  const GAPS = [7, 26];
   const around = [[0.8, -0.8], [1, 0], [-1, 0], [0, 1], [0, -1], [-0.8, -0.8], [0.8, 0.8], [-0.8, 0.8]];
+  const places = GAPS.flatMap((gap) => around.map((side) => [side, gap]));
   const labels = [];
   space.things.forEach(({ label }, thing) => { if (label) labels.push({ ...label, thing }); });
   space.traces.forEach(({ label }, trace) => { if (label !== null) labels.push({ number: label, trace }); });
@@ -22,9 +23,9 @@ function placesLabels(space) {
     const length = Math.hypot(...way);
     return [point, length > 1e-3 ? way.map((value) => value / length) : null];
   }
-  function box([x, y], [right, down], [width, height], [wide, high]) {
-    const left = x + right * GAP + 0.5 * width * (right - 1);
-    const top = y + down * GAP + 0.5 * height * (down - 1);
+  function box([x, y], [right, down], gap, [width, height], [wide, high]) {
+    const left = x + right * gap + 0.5 * width * (right - 1);
+    const top = y + down * gap + 0.5 * height * (down - 1);
     const [low, across] = [Math.min(Math.max(left, 2), wide - width - 2), Math.min(Math.max(top, 2), high - height - 2)];
     return [low, across, low + width, across + height];
   }
@@ -40,8 +41,8 @@ function placesLabels(space) {
       if (!isInside) continue;
       label.size ??= [label.span.offsetWidth, label.span.offsetHeight];
       // A label stays on its side as long as it can.
-      const sides = [way ?? around[label.side], ...around];
-      const boxes = sides.map((side) => box(point, side, label.size, window));
+      const sides = [way ? [way, GAPS[0]] : places[label.side], ...places];
+      const boxes = sides.map(([side, gap]) => box(point, side, gap, label.size, window));
       const free = Math.max(boxes.findIndex((one) => !taken.some((other) => meet(one, other))), 0);
       if (free > 0) label.side = free - 1;
       taken.push(boxes[free]);

@@ -9,9 +9,9 @@ use super::walker::{LEGS, Walker, leg};
 use crate::space::vector::{Vector, length, subtract};
 use crate::space::{SpatialDrawing, SpatialFilm};
 
-const NAUGHTY: &str = "</script><!--{{script}} & \"T\"";
+pub(super) const NAUGHTY: &str = "</script><!--{{script}} & \"T\"";
 
-fn crane(moments: usize) -> SpatialFilm {
+pub(super) fn crane(moments: usize) -> SpatialFilm {
     let drawing = SpatialDrawing::of(&Crane).title("A crane's load").perspective().forces().velocities().axes().floor(-0.5);
     let drawing = drawing.trace("tip", |_, _, [angle, _]| [2.0 * angle.cos(), 2.0 * angle.sin(), 0.0]);
     let shots = (0..moments).map(|k| ((0.05 * k as f64, [0.05 * k as f64, 1.0]), None)).collect();
@@ -167,8 +167,12 @@ fn needs_nothing_from_elsewhere_and_has_all_it_uses() {
 }
 
 #[test]
-fn pages_are_written_where_they_are_wanted() {
+fn files_are_written_where_they_are_wanted() {
     let Ok(folder) = std::env::var("LAGRANGE_PICTURES") else { return };
-    crane(121).save(format!("{folder}/crane.html")).expect("is written");
-    walker().save(format!("{folder}/walker.html")).expect("is written");
+    for extension in ["html", "glb", "gif"] {
+        crane(121).save(format!("{folder}/crane.{extension}")).expect("is written");
+        if extension != "gif" {
+            walker().save(format!("{folder}/walker.{extension}")).expect("is written");
+        }
+    }
 }
