@@ -142,6 +142,29 @@ def check_hands(browser, checks):
     key(browser, "0", 48)
 
 
+def check_directions(browser, checks):
+    """Nothing of the picture reaches its border, from wherever it is seen."""
+    border = """(() => {
+      show(now);
+      const gl = canvas.getContext("webgl2");
+      const pixels = new Uint8Array(4 * canvas.width * canvas.height);
+      gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      let ink = 0;
+      for (let k = 0; k < canvas.width * canvas.height; k++) {
+        const [x, y] = [k % canvas.width, Math.floor(k / canvas.width)];
+        const isBorder = x < 4 || y < 4 || x >= canvas.width - 4 || y >= canvas.height - 4;
+        if (isBorder && pixels[4 * k] + pixels[4 * k + 1] + pixels[4 * k + 2] < 740) ink += 1;
+      }
+      return ink;
+    })()"""
+    inks = [browser.evaluate(border)]
+    for by in [(150, 0), (150, 60), (0, 200), (130, 0), (130, -150), (0, -200), (100, -100)]:
+        drag(browser, by)
+        inks.append(browser.evaluate(border))
+    checks.that(not any(inks), f"nothing is cut off in {len(inks)} views")
+    double_click(browser)
+
+
 def check_film(browser, checks):
     first = seen(browser)
     browser.evaluate("canvas.blur(); setPlaying(true)")
@@ -172,6 +195,7 @@ def check(browser, path, checks, pictures):
     settle(browser)
     leave("start")
     check_hands(browser, checks)
+    check_directions(browser, checks)
     check_film(browser, checks)
     browser.evaluate("show(duration * 0.7)")
     settle(browser)

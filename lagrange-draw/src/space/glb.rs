@@ -113,19 +113,24 @@ impl<'a> Model<'a> {
         let Motion { origins, rotations, .. } = Motion::of(thing);
         let origins = self.moments.values(&origins);
         let rotations = self.moments.values(&rotations);
-        let scales: Vec<Vector> = thing.track.iter().map(|placement| {
-            let (scale, stretch_now) = (placement.scale, placement.stretch);
-            // What is hidden is so in all directions.
-            let along = if stretch == Stretch::Scaled && scale > 0.0 { stretch_now } else { scale };
-            [scale, scale, along]
-        }).collect();
+        let scales: Vec<Vector> = thing
+            .track
+            .iter()
+            .map(|placement| {
+                let (scale, stretch_now) = (placement.scale, placement.stretch);
+                // What is hidden is so in all directions.
+                let along = if stretch == Stretch::Scaled && scale > 0.0 { stretch_now } else { scale };
+                [scale, scale, along]
+            })
+            .collect();
         let scales = self.moments.values(&once(scales));
         let mut node = format!("\"name\":{},\"mesh\":{mesh}", quoted(&thing.name));
         node += &self.animated("translation", &origins, NONE);
         node += &self.animated("rotation", &rotations, [0.0, 0.0, 0.0, 1.0]);
         node += &self.animated("scale", &scales, [1.0; 3]);
         if stretch == Stretch::Morphed {
-            let weight = |(scale, stretch): (f64, f64)| if scale > 0.0 { stretch / scale / self.longest } else { 0.0 };
+            let weight =
+                |(scale, stretch): (f64, f64)| if scale > 0.0 { stretch / scale / self.longest } else { 0.0 };
             let weights = thing.track.iter().map(|p| [weight((p.scale, p.stretch))]);
             let weights = self.moments.values(&once(weights.collect()));
             node += &self.animated("weights", &weights, [0.0]);
@@ -157,8 +162,9 @@ impl<'a> Model<'a> {
             let output = self.store.floats(values, Purpose::Track);
             let (sampler, node) = (self.samplers.len(), self.nodes.len());
             self.samplers.push(format!("{{\"input\":{input},\"output\":{output}}}"));
-            self.channels
-                .push(format!("{{\"sampler\":{sampler},\"target\":{{\"node\":{node},\"path\":\"{path}\"}}}}"));
+            self.channels.push(format!(
+                "{{\"sampler\":{sampler},\"target\":{{\"node\":{node},\"path\":\"{path}\"}}}}"
+            ));
         }
         format!(",\"{path}\":{}", list(first.map(exact)))
     }
@@ -195,8 +201,10 @@ impl<'a> Model<'a> {
     fn positions(&mut self, mesh: &Mesh, vertices: &[usize], stretch: Stretch) -> Vec<usize> {
         let corners = vertices.iter().map(|&vertex| mesh.corners[vertex]);
         let scaled = if stretch == Stretch::Scaled { 1.0 } else { 0.0 };
-        let places: Vec<Vector> =
-            corners.clone().map(|corner| [corner.at[0], corner.at[1], corner.at[2] + scaled * corner.share]).collect();
+        let places: Vec<Vector> = corners
+            .clone()
+            .map(|corner| [corner.at[0], corner.at[1], corner.at[2] + scaled * corner.share])
+            .collect();
         let mut accessors = vec![self.store.floats(&places, Purpose::Positions)];
         if stretch == Stretch::Morphed {
             let moved: Vec<Vector> = corners.map(|corner| [0.0, 0.0, self.longest * corner.share]).collect();
@@ -225,7 +233,9 @@ impl<'a> Model<'a> {
             String::new()
         } else {
             let (samplers, channels) = (list(self.samplers), list(self.channels));
-            format!(",\"animations\":[{{\"name\":\"motion\",\"samplers\":{samplers},\"channels\":{channels}}}]")
+            format!(
+                ",\"animations\":[{{\"name\":\"motion\",\"samplers\":{samplers},\"channels\":{channels}}}]"
+            )
         };
         let bytes = self.store.bytes().to_vec();
         let json = format!(
@@ -248,7 +258,13 @@ fn longest(things: &[Thing]) -> f64 {
     if longest > 0.0 { longest } else { 1.0 }
 }
 
-fn primitive(positions: &[usize], normals: Option<usize>, indices: usize, material: usize, mode: u32) -> String {
+fn primitive(
+    positions: &[usize],
+    normals: Option<usize>,
+    indices: usize,
+    material: usize,
+    mode: u32,
+) -> String {
     let normals = normals.map(|normals| format!(",\"NORMAL\":{normals}")).unwrap_or_default();
     let target = positions.get(1).map(|moved| format!(",\"targets\":[{{\"POSITION\":{moved}}}]"));
     format!(
@@ -259,7 +275,8 @@ fn primitive(positions: &[usize], normals: Option<usize>, indices: usize, materi
 }
 
 fn material(Colour([red, green, blue, _]): Colour) -> String {
-    let colour = list([red, green, blue].map(|channel| exact(linear(channel))).into_iter().chain(["1".into()]));
+    let colour =
+        list([red, green, blue].map(|channel| exact(linear(channel))).into_iter().chain(["1".into()]));
     format!(
         "{{\"pbrMetallicRoughness\":{{\"baseColorFactor\":{colour},\"metallicFactor\":0,\"roughnessFactor\":{ROUGHNESS}}}}}"
     )
@@ -277,7 +294,8 @@ fn container((json, numbers): (String, Vec<u8>)) -> Result<Vec<u8>, DrawError> {
     json.resize(json.len().next_multiple_of(4), b' ');
     let mut numbers = numbers;
     numbers.resize(numbers.len().next_multiple_of(4), 0);
-    let length = |count: usize| u32::try_from(count).map_err(|_| refusal("a glTF file has at most four gigabytes"));
+    let length =
+        |count: usize| u32::try_from(count).map_err(|_| refusal("a glTF file has at most four gigabytes"));
     let whole = length(12 + 8 + json.len() + 8 + numbers.len())?;
     let mut file = Vec::with_capacity(whole as usize);
     file.extend(b"glTF");

@@ -81,11 +81,10 @@ mod tests {
 
     #[test]
     fn a_quaternion_turns_as_its_matrix_does() {
-        let half_turns =
-            [[1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]].map(|[x, y, z]| {
-                [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]
-            });
-        let others = [[0.6, 0.0, 0.8], [-0.48, 0.64, -0.6], [0.0, 0.0, -1.0], [0.0, -1.0, 0.0]].map(axes_along);
+        let half_turns = [[1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]]
+            .map(|[x, y, z]| [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]);
+        let others =
+            [[0.6, 0.0, 0.8], [-0.48, 0.64, -0.6], [0.0, 0.0, -1.0], [0.0, -1.0, 0.0]].map(axes_along);
         for rotation in half_turns.into_iter().chain(others) {
             let back = matrix(quaternion(&rotation));
             for (row, wanted) in back.iter().zip(rotation) {

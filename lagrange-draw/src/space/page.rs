@@ -89,9 +89,14 @@ impl Scene<'_> {
     fn picture(&self) -> Result<String, DrawError> {
         let look = &self.film.look;
         let recording = &self.film.recording;
-        let labels = recording.things.iter().filter_map(label_of).chain(recording.traces.iter().map(trace_label));
+        let labels =
+            recording.things.iter().filter_map(label_of).chain(recording.traces.iter().map(trace_label));
         let element = |(index, (text, colour)): (usize, (String, Colour))| {
-            format!("<span id=\"label-{index}\" style=\"color:{}\" hidden>{}</span>", hex(colour), html(&text))
+            format!(
+                "<span id=\"label-{index}\" style=\"color:{}\" hidden>{}</span>",
+                hex(colour),
+                html(&text)
+            )
         };
         let labels: String = labels.enumerate().map(element).collect();
         let caption = |class: &str, text: &str| {
@@ -115,8 +120,10 @@ impl Scene<'_> {
         let recording = &self.film.recording;
         let mut meshes: Vec<&Mesh> = Vec::new();
         let mut label = 0;
-        let things: Vec<String> = recording.things.iter().map(|t| self.thing(t, &mut meshes, &mut label)).collect();
-        let traces: Vec<String> = recording.traces.iter().enumerate().map(|(k, t)| self.trace(t, label + k)).collect();
+        let things: Vec<String> =
+            recording.things.iter().map(|t| self.thing(t, &mut meshes, &mut label)).collect();
+        let traces: Vec<String> =
+            recording.traces.iter().enumerate().map(|(k, t)| self.trace(t, label + k)).collect();
         let direction = self.film.look.direction;
         let near = if direction.is_perspective { 1.0 / DISTANCE } else { 0.0 };
         format!(
@@ -174,7 +181,11 @@ impl Scene<'_> {
         *next += 1;
         let Corner { at, share } = label.at;
         let [x, y, z] = times(1.0 / self.frame.radius, at);
-        format!("{{\"number\":{number},\"at\":{},\"tip\":{}}}", list([x, y, z, share].map(exact)), share == 1.0)
+        format!(
+            "{{\"number\":{number},\"at\":{},\"tip\":{}}}",
+            list([x, y, z, share].map(exact)),
+            share == 1.0
+        )
     }
 
     fn trace(&self, trace: &Trace, label: usize) -> String {
@@ -182,7 +193,9 @@ impl Scene<'_> {
         let label = if trace.label.is_empty() { "null".to_owned() } else { label.to_string() };
         let [past, points] = [&trace.past, &trace.points].map(|points| places(points));
         let colour = colour(trace.colour);
-        format!("{{\"colour\":{colour},\"width\":{LINE},\"label\":{label},\"past\":{past},\"points\":{points}}}")
+        format!(
+            "{{\"colour\":{colour},\"width\":{LINE},\"label\":{label},\"past\":{past},\"points\":{points}}}"
+        )
     }
 }
 
@@ -199,9 +212,8 @@ fn trace_label(trace: &Trace) -> (String, Colour) {
 fn mesh(mesh: &Mesh, radius: f64) -> String {
     let size = mesh.corners.iter().flat_map(|corner| corner.at).fold(0.0, |a: f64, b| a.max(b.abs()));
     let unit = if size > 0.0 { size / MESH } else { 1.0 };
-    let corner = |Corner { at: [x, y, z], share }: &Corner| {
-        whole(&[x / unit, y / unit, z / unit, ONE * share])
-    };
+    let corner =
+        |Corner { at: [x, y, z], share }: &Corner| whole(&[x / unit, y / unit, z / unit, ONE * share]);
     let surface = Surface::of(mesh);
     let pairs = mesh.lines.iter().flat_map(|line| line.windows(2).map(|ends| indices(ends)));
     format!(

@@ -55,7 +55,8 @@ impl Surface {
         while let Some(&one) = fan.get(next) {
             next += 1;
             let has_corner = |other: &usize| around.contains(other);
-            let new: Vec<usize> = edges.behind(one).iter().filter_map(Side::smooth).filter(has_corner).collect();
+            let new: Vec<usize> =
+                edges.behind(one).iter().filter_map(Side::smooth).filter(has_corner).collect();
             for other in new {
                 if !fan.contains(&other) {
                     fan.push(other);

@@ -5,7 +5,8 @@ function turnsAbout(space) {
   const free = { side: 28, above: document.querySelector("#space .title") ? 44 : 28, below: 32 };
   const places = extremes(space);
   let view = { ...first };
-  let [size, middle, fitting] = [[1, 1], [0, 0], 1];
+  // The picture, where its middle is in the first view, and pixels to a length in that view and in this one.
+  let [size, middle, largest, fitting] = [[1, 1], [0, 0], 1, 1];
 
   function axes() {
     const [sin, cos, rise, level] = [Math.sin(view.azimuth), Math.cos(view.azimuth), Math.sin(view.elevation), Math.cos(view.elevation)];
@@ -17,22 +18,31 @@ function turnsAbout(space) {
     const larger = 1 / (1 - space.near * z);
     return [larger * x, larger * y, z];
   }
-  // The largest scale at which all can be seen from the first direction, whatever the film shows.
+  // The largest scale at which all can be seen, whatever the film shows.
+  function fitted() {
+    const directions = axes();
+    const room = [size[0] - 2 * free.side, size[1] - free.above - free.below].map((side) => Math.max(side, 20));
+    const reach = [0.02, 0.02];
+    for (const place of places) {
+      const point = seen(place, directions);
+      reach.forEach((farthest, k) => { reach[k] = Math.max(farthest, Math.abs(point[k] - middle[k])); });
+    }
+    return Math.min(...room.map((side, k) => 0.5 * side / reach[k]));
+  }
   function fit(wanted) {
     size = wanted.map((side) => Math.max(side, 1));
     const now = view;
     view = first;
     const directions = axes();
-    const ends = [[Infinity, -Infinity], [Infinity, -Infinity]];
-    for (const place of places) {
-      const point = seen(place, directions);
-      ends.forEach((range, k) => { range[0] = Math.min(range[0], point[k]); range[1] = Math.max(range[1], point[k]); });
-    }
+    const points = places.map((place) => seen(place, directions));
+    middle = [0, 1].map((k) => points.map((point) => point[k])).map((along) => 0.5 * (Math.min(...along) + Math.max(...along)));
+    largest = fitted();
     view = now;
-    const room = [size[0] - 2 * free.side, size[1] - free.above - free.below].map((side) => Math.max(side, 20));
-    fitting = Math.min(...ends.map(([low, high], k) => room[k] / Math.max(high - low, 0.05)));
-    middle = ends.map(([low, high]) => 0.5 * (low + high));
-    middle[1] += 0.5 * (free.above - free.below) / fitting;
+    turned();
+  }
+  // What is turned is never larger than what fits.
+  function turned() {
+    fitting = Math.min(largest, fitted());
   }
   function zoom(factor, [x, y] = [0.5 * size[0], 0.5 * size[1]]) {
     const wanted = Math.min(Math.max(view.zoom * factor, 0.1), 100);
@@ -47,12 +57,16 @@ function turnsAbout(space) {
     size: () => size,
     // Pixels to a length, and where the middle of the world is, in pixels from the middle of the picture.
     scale: () => fitting * view.zoom,
-    shift: () => middle.map((value, k) => view.shift[k] - fitting * view.zoom * value),
+    shift: () => middle.map((value, k) => view.shift[k] - fitting * view.zoom * value + (k ? 0.5 * (free.below - free.above) : 0)),
     isFirst: () => view.zoom === 1 && view.azimuth === azimuth && view.elevation === elevation && !view.shift.some(Boolean),
-    reset: () => { view = { ...first, shift: [0, 0] }; },
+    reset() {
+      view = { ...first, shift: [0, 0] };
+      turned();
+    },
     turn(about, up) {
       view.azimuth = (view.azimuth + about) % (2 * Math.PI);
       view.elevation = Math.min(Math.max(view.elevation + up, -0.5 * Math.PI), 0.5 * Math.PI);
+      turned();
     },
     move(right, down) { view.shift = [view.shift[0] + right, view.shift[1] - down]; },
     // In pixels from the upper left corner.
@@ -64,30 +78,48 @@ function turnsAbout(space) {
   };
 }
 
-// Places of the farthest corners of things at some moments, and points of traces.
-function extremes(space) {
-  const steps = [-1, 0, 1];
-  const directions = steps.flatMap((x) => steps.flatMap((y) => steps.map((z) => [x, y, z])));
-  const farthest = (mesh) => {
-    const corners = cornersOf(mesh);
-    const height = (corner, [x, y, z]) => x * corner[0] + y * corner[1] + z * (corner[2] + 1e3 * corner[3]);
-    const ends = directions.map((direction) => corners.reduce((a, b) => (height(b, direction) > height(a, direction) ? b : a)));
-    return [...new Set(ends)];
-  };
-  const meshes = space.meshes.map(farthest);
-  const step = Math.max(1, Math.floor(film.times.length / 60));
-  const places = [];
-  for (let index = 0; index < film.times.length; index += step) {
-    const moments = index + step < film.times.length ? [index] : [index, film.times.length - 1];
-    for (const [moment, thing] of moments.flatMap((moment) => space.things.map((thing) => [moment, thing]))) {
-      const pose = placement(thing, moment, 0, space.unit);
-      if (pose.scale > 0) places.push(...meshes[thing.mesh].map((corner) => placed(pose, corner)));
+// Directions all around: R. Swinbank, R. J. Purser, Fibonacci Grids, Quarterly Journal of the Royal Meteorological Society 132 (2006).
+function sphere(count) {
+  const turn = Math.PI * (3 - Math.sqrt(5));
+  return Array.from({ length: count }, (_, k) => {
+    const z = (2 * k + 1) / count - 1;
+    const level = Math.sqrt(1 - z * z);
+    return [level * Math.cos(turn * k), level * Math.sin(turn * k), z];
+  });
+}
+
+// Of some places those that are the farthest in one of these directions.
+function farthest(places, directions) {
+  const found = new Set();
+  for (const [x, y, z] of directions) {
+    let [most, best] = [-Infinity, null];
+    for (const place of places) {
+      const height = x * place[0] + y * place[1] + z * place[2];
+      if (height > most) [most, best] = [height, place];
     }
+    if (best) found.add(best);
   }
-  for (const { past, points } of space.traces) {
-    for (const list of [past, points]) for (let k = 0; k < list.length; k += 3) places.push(at(list, 3, k / 3).map((v) => space.unit * v));
+  return [...found];
+}
+
+// Places that all lies between, at some moments.
+function extremes(space) {
+  const around = sphere(26);
+  const long = 1e3; // a stretch that is long beside all of a mesh
+  const meshes = space.meshes.map((mesh) => {
+    const corners = cornersOf(mesh).map((corner) => [corner[0], corner[1], corner[2] + long * corner[3], corner]);
+    return farthest(corners, around).map(([, , , corner]) => corner);
+  });
+  const last = film.times.length - 1;
+  const count = Math.min(last, 60);
+  const moments = Array.from({ length: count + 1 }, (_, k) => (count ? Math.round(k * last / count) : 0));
+  const poses = moments.flatMap((moment) => space.things.map((thing) => [thing, placement(thing, moment, 0, space.unit)]));
+  const shown = poses.filter(([, { scale }]) => scale > 0);
+  const places = shown.flatMap(([thing, pose]) => meshes[thing.mesh].map((corner) => placed(pose, corner)));
+  for (const list of space.traces.flatMap(({ past, points }) => [past, points])) {
+    for (let k = 0; k < list.length; k += 3) places.push(list.slice(k, k + 3).map((value) => space.unit * value));
   }
-  return places;
+  return farthest(places, sphere(150));
 }
 
 // Drags, wheels, touches and keys.

@@ -29,7 +29,7 @@ function placesLabels(space) {
     const [low, across] = [Math.min(Math.max(left, 2), wide - width - 2), Math.min(Math.max(top, 2), high - height - 2)];
     return [low, across, low + width, across + height];
   }
-  const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+  const meet = (a, b) => a[0] < b[2] + 4 && b[0] < a[2] + 4 && a[1] < b[3] && b[1] < a[3];
 
   function draw(camera, things, traces) {
     const taken = [];

@@ -88,7 +88,9 @@ fn index(value: &Value) -> usize {
 /// q r q* by the vector product: r + 2 w (v × r) + 2 v × (v × r).
 fn turned(four: &[f64], r: Vector) -> Vector {
     let v = [four[0], four[1], four[2]];
-    let cross = |a: Vector, b: Vector| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let cross = |a: Vector, b: Vector| {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    };
     let (once, twice) = (cross(v, r), cross(v, cross(v, r)));
     [0, 1, 2].map(|k| r[k] + 2.0 * four[3] * once[k] + 2.0 * twice[k])
 }
@@ -101,8 +103,10 @@ fn corners_are_where_they_are_at_each_moment() {
         assert_eq!(file.json["nodes"][node]["name"], thing.name);
         for moment in [0, 13, 39] {
             let placement = thing.track[moment];
-            let of_faces: Vec<usize> = Surface::of(&thing.mesh).points.iter().map(|(corner, _)| *corner).collect();
-            let of_lines: Vec<usize> = (0..thing.mesh.corners.len()).filter(|_| !thing.mesh.lines.is_empty()).collect();
+            let of_faces: Vec<usize> =
+                Surface::of(&thing.mesh).points.iter().map(|(corner, _)| *corner).collect();
+            let of_lines: Vec<usize> =
+                (0..thing.mesh.corners.len()).filter(|_| !thing.mesh.lines.is_empty()).collect();
             let parts = [of_faces, of_lines].into_iter().filter(|corners| !corners.is_empty());
             for (primitive, corners) in parts.enumerate() {
                 let places = file.places(node, primitive, moment);
@@ -140,10 +144,14 @@ fn all_that_moves_has_the_times_of_the_film() {
 fn z_points_upwards() {
     let file = File::of(&crane(2));
     let root = &file.json["nodes"][index(&file.json["scenes"][0]["nodes"][0])];
-    let four: Vec<f64> = root["rotation"].as_array().into_iter().flatten().filter_map(Value::as_f64).collect();
+    let four: Vec<f64> =
+        root["rotation"].as_array().into_iter().flatten().filter_map(Value::as_f64).collect();
     let up = turned(&four, [0.0, 0.0, 1.0]);
     assert!(length(subtract(up, [0.0, 1.0, 0.0])) < 1e-15, "{up:?}");
-    assert_eq!(root["children"].as_array().map(Vec::len), file.json["nodes"].as_array().map(|nodes| nodes.len() - 1));
+    assert_eq!(
+        root["children"].as_array().map(Vec::len),
+        file.json["nodes"].as_array().map(|nodes| nodes.len() - 1)
+    );
 }
 
 #[test]

@@ -32,8 +32,12 @@ impl MechanicalSystem for Walker {
     }
 }
 
-pub(super) const LEGS: [(&str, f64, f64); 4] =
-    [("front_left", 0.25, 0.14), ("front_right", 0.25, -0.14), ("rear_left", -0.25, 0.14), ("rear_right", -0.25, -0.14)];
+pub(super) const LEGS: [(&str, f64, f64); 4] = [
+    ("front_left", 0.25, 0.14),
+    ("front_right", 0.25, -0.14),
+    ("rear_left", -0.25, 0.14),
+    ("rear_right", -0.25, -0.14),
+];
 const THIGH: f64 = 0.28;
 const SHANK: f64 = 0.27;
 
@@ -61,9 +65,10 @@ fn trunk(x: f64) -> Vector {
 impl SpatialScene for Walker {
     fn items(&self, _t: f64, [x]: &[f64; 1], [rate]: &[f64; 1], visit: &mut dyn FnMut(SpatialItem<'_, f64>)) {
         let part = |solid, at| [SolidPart { solid, at, rotation: UPRIGHT, is_hole: false }];
-        let body = |name: &str, rotation, center, parts: &[_], visit: &mut dyn FnMut(SpatialItem<'_, f64>)| {
-            visit(SpatialItem::Body { name, motion: motion(rotation, center, [*rate, 0.0, 0.0]), parts });
-        };
+        let body =
+            |name: &str, rotation, center, parts: &[_], visit: &mut dyn FnMut(SpatialItem<'_, f64>)| {
+                visit(SpatialItem::Body { name, motion: motion(rotation, center, [*rate, 0.0, 0.0]), parts });
+            };
         let solid = part(Solid::Cuboid(0.6, 0.2, 0.14), [0.0; 3]);
         body("trunk", UPRIGHT, trunk(*x), &solid, visit);
         for (index, (name, ..)) in LEGS.iter().enumerate() {
@@ -74,10 +79,20 @@ impl SpatialScene for Walker {
             body(&format!("{name}_thigh"), thigh, hip, &cuboid, visit);
             let rod = part(Solid::Cylinder(0.018, SHANK), [0.0, 0.0, -0.5 * SHANK]);
             body(&format!("{name}_shank"), shank, knee, &rod, visit);
-            let pins = [("roll", hip, [1.0, 0.0, 0.0]), ("pitch", hip, [0.0, 1.0, 0.0]), ("knee", knee, [0.0, 1.0, 0.0])];
+            let pins = [
+                ("roll", hip, [1.0, 0.0, 0.0]),
+                ("pitch", hip, [0.0, 1.0, 0.0]),
+                ("knee", knee, [0.0, 1.0, 0.0]),
+            ];
             for (joint, at, axis) in pins {
                 let name = format!("{name}_{joint}");
-                visit(SpatialItem::Joint { name: &name, kind: SpatialJoint::Revolute, at, axis, bodies: [None, None] });
+                visit(SpatialItem::Joint {
+                    name: &name,
+                    kind: SpatialJoint::Revolute,
+                    at,
+                    axis,
+                    bodies: [None, None],
+                });
             }
         }
     }
