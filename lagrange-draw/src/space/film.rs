@@ -4,6 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use super::drawing::SpatialDrawing;
+use super::glb;
+use super::page;
 use super::paper::{Look, Paper};
 use super::recording::Recording;
 use crate::drawing::Shot;
@@ -121,9 +123,24 @@ impl SpatialFilm {
         Ok(SpatialFilm { timeline: self.timeline.with_energy(name, trajectory, energy)?, ..self })
     }
 
-    /// Its first picture.
-    pub(super) fn first_picture(&self) -> Result<Picture, DrawError> {
-        Paper::new(&self.recording, &self.look)?.pictures(0..1).pop().ok_or(DrawError::NothingToDraw)
+    /// The film as an HTML page that needs nothing else: to turn with the mouse and to zoom, to play, pause and scrub, with curves under the
+    /// picture. Where scripts or WebGL 2 are missing it shows the first picture; where less motion is preferred, it waits to be started.
+    ///
+    /// # Errors
+    /// If pictures are too small for their margins.
+    pub fn html(&self) -> Result<String, DrawError> {
+        let first = Paper::new(&self.recording, &self.look)?.pictures(0..1).pop();
+        let first = first.ok_or(DrawError::NothingToDraw)?;
+        Ok(page::html(&self.recording, &self.look, &self.timeline, &first))
+    }
+
+    /// The bodies and their motion as glTF 2.0, binary: a node for each thing, turned, moved and stretched as it is at each moment. Traces are
+    /// there in full length from the beginning; names of bodies are those of nodes, and other labels are left out.
+    ///
+    /// # Errors
+    /// If the file would be larger than its format can tell.
+    pub fn glb(&self) -> Result<Vec<u8>, DrawError> {
+        glb::file(&self.recording, &self.look.title, &self.timeline.elapsed())
     }
 
     /// The film as a GIF, as [`Film::gif`] makes it.

@@ -3,10 +3,9 @@
 //! z points upwards here and y there: a node above all others turns one to the other. What is stretched is scaled along its own z-axis if
 //! nothing else of it has a height; arrows, whose heads keep their length, have a morph target that is their stretch.
 
-use super::film::SpatialFilm;
 use super::mesh::Mesh;
 use super::motion::{Motion, Quaternion, once};
-use super::recording::{Kind, Thing, Trace};
+use super::recording::{Kind, Recording, Thing, Trace};
 use super::store::{Purpose, Store};
 use super::surface::Surface;
 use super::vector::{NONE, Vector};
@@ -25,20 +24,14 @@ const LINES: u32 = 1;
 const LINE_STRIP: u32 = 3;
 const TRIANGLES: u32 = 4;
 
-impl SpatialFilm {
-    /// The bodies and their motion as glTF 2.0, binary: a node for each thing, turned, moved and stretched as it is at each moment. Traces are
-    /// there in full length from the beginning; names of bodies are those of nodes, and other labels are left out.
-    ///
-    /// # Errors
-    /// If the file would be larger than its format can tell.
-    pub fn glb(&self) -> Result<Vec<u8>, DrawError> {
-        let moments = Moments::of(&self.timeline.elapsed());
-        let mut model = Model { longest: longest(&self.recording.things), moments, ..Model::default() };
-        self.recording.things.iter().for_each(|thing| model.thing(thing));
-        self.recording.traces.iter().for_each(|trace| model.trace(trace));
-        let title = text::plain(&self.look.title);
-        container(model.json(if title.is_empty() { "motion" } else { &title }))
-    }
+/// The file of a motion whose moments are so many seconds after its start.
+pub(super) fn file(recording: &Recording, title: &str, elapsed: &[f64]) -> Result<Vec<u8>, DrawError> {
+    let moments = Moments::of(elapsed);
+    let mut model = Model { longest: longest(&recording.things), moments, ..Model::default() };
+    recording.things.iter().for_each(|thing| model.thing(thing));
+    recording.traces.iter().for_each(|trace| model.trace(trace));
+    let title = text::plain(title);
+    container(model.json(if title.is_empty() { "motion" } else { &title }))
 }
 
 /// Moments whose times differ in the precision of the file.

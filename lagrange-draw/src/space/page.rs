@@ -1,17 +1,16 @@
 //! A motion in space as one HTML file, in which it can be turned: things and where they are, in whole numbers, and a viewer by WebGL.
 
 use super::camera::{DISTANCE, LIGHT, SHADE};
-use super::film::SpatialFilm;
 use super::mesh::{Corner, Mesh};
 use super::motion::{Motion, once};
-use super::paper::{DARK, EDGE, LINE};
+use super::paper::{DARK, EDGE, LINE, Look};
 use super::recording::{Kind, Recording, Thing, Trace};
 use super::surface::Surface;
 use super::vector::{Vector, length, subtract, times};
 use crate::colour::{INK, PALE, mixed};
-use crate::error::DrawError;
 use crate::film::page::{Page, exact, list};
-use crate::picture::Colour;
+use crate::film::timeline::Timeline;
+use crate::picture::{Colour, Picture};
 use crate::svg;
 use crate::text;
 
@@ -34,25 +33,19 @@ const AROUND: f64 = 1.0;
 /// Whole numbers to the length of a normal.
 const NORMAL: f64 = 100.0;
 
-impl SpatialFilm {
-    /// The film as an HTML page that needs nothing else: to turn with the mouse and to zoom, to play, pause and scrub, with curves under the
-    /// picture. Where scripts or WebGL are missing it shows the first picture; where less motion is preferred, it waits to be started.
-    ///
-    /// # Errors
-    /// If pictures are too small for their margins.
-    pub fn html(&self) -> Result<String, DrawError> {
-        let scene = Scene { film: self, frame: Frame::of(&self.recording) };
-        let page = Page {
-            title: &self.look.title,
-            timeline: &self.timeline,
-            style: STYLE,
-            picture: scene.picture()?,
-            shown: format!("\"space\":{}", scene.json()),
-            viewer: VIEWER,
-            keys: KEYS,
-        };
-        Ok(page.html())
-    }
+/// The page of a motion; `picture` is its first one.
+pub(super) fn html(recording: &Recording, look: &Look, timeline: &Timeline, picture: &Picture) -> String {
+    let scene = Scene { recording, look, frame: Frame::of(recording) };
+    let page = Page {
+        title: &look.title,
+        timeline,
+        style: STYLE,
+        picture: scene.elements(picture),
+        shown: format!("\"space\":{}", scene.json()),
+        viewer: VIEWER,
+        keys: KEYS,
+    };
+    page.html()
 }
 
 /// Whole numbers stand for places: `middle` is none, and `unit` is one.
@@ -63,7 +56,8 @@ struct Frame {
 }
 
 struct Scene<'a> {
-    film: &'a SpatialFilm,
+    recording: &'a Recording,
+    look: &'a Look,
     frame: Frame,
 }
 
@@ -86,24 +80,24 @@ impl Frame {
 }
 
 impl Scene<'_> {
-    fn picture(&self) -> Result<String, DrawError> {
-        let look = &self.film.look;
-        let recording = &self.film.recording;
+    /// What a viewer needs, and the first picture, which is shown without it.
+    fn elements(&self, picture: &Picture) -> String {
+        let (look, recording) = (self.look, self.recording);
         let labels =
             recording.things.iter().filter_map(label_of).chain(recording.traces.iter().map(trace_label));
         let element = |(index, (text, colour)): (usize, (String, Colour))| {
             format!(
                 "<span id=\"label-{index}\" style=\"color:{}\" hidden>{}</span>",
                 hex(colour),
-                html(&text)
+                rich(&text)
             )
         };
         let labels: String = labels.enumerate().map(element).collect();
         let caption = |class: &str, text: &str| {
-            if text.is_empty() { String::new() } else { format!("<p class=\"{class}\">{}</p>", html(text)) }
+            if text.is_empty() { String::new() } else { format!("<p class=\"{class}\">{}</p>", rich(text)) }
         };
         let name = if look.title.is_empty() { "Motion in space".into() } else { text::plain(&look.title) };
-        Ok(format!(
+        format!(
             "<div id=\"space\" hidden><canvas id=\"canvas\" tabindex=\"0\" role=\"img\" aria-label=\"{}\"></canvas>\
              <div id=\"labels\" aria-hidden=\"true\">{labels}</div>{}{}\
              <button id=\"reset\" type=\"button\" title=\"First view\">Reset view</button></div>\n\
@@ -112,19 +106,19 @@ impl Scene<'_> {
             svg::escape(&name),
             caption("title", &look.title),
             caption("note", &recording.note),
-            self.film.first_picture()?.svg(),
-        ))
+            picture.svg(),
+        )
     }
 
     fn json(&self) -> String {
-        let recording = &self.film.recording;
+        let recording = self.recording;
         let mut meshes: Vec<&Mesh> = Vec::new();
         let mut label = 0;
         let things: Vec<String> =
             recording.things.iter().map(|t| self.thing(t, &mut meshes, &mut label)).collect();
         let traces: Vec<String> =
             recording.traces.iter().enumerate().map(|(k, t)| self.trace(t, label + k)).collect();
-        let direction = self.film.look.direction;
+        let direction = self.look.direction;
         let near = if direction.is_perspective { 1.0 / DISTANCE } else { 0.0 };
         format!(
             "{{\"unit\":{:e},\"view\":[{},{}],\"near\":{near},\"light\":{},\"shade\":{SHADE},\"ink\":{},\"edge\":{EDGE},\n\
@@ -215,7 +209,7 @@ fn mesh(mesh: &Mesh, radius: f64) -> String {
     let corner =
         |Corner { at: [x, y, z], share }: &Corner| whole(&[x / unit, y / unit, z / unit, ONE * share]);
     let surface = Surface::of(mesh);
-    let pairs = mesh.lines.iter().flat_map(|line| line.windows(2).map(|ends| indices(ends)));
+    let pairs = mesh.lines.iter().flat_map(|line| line.windows(2).map(indices));
     format!(
         "{{\"unit\":{:e},\"corners\":{},\n\"points\":{},\n\"triangles\":{},\n\"flat\":{},\n\"sharp\":{},\"smooth\":{},\"lines\":{}}}",
         unit / radius,
@@ -253,7 +247,7 @@ fn hex(Colour([red, green, blue, _]): Colour) -> String {
 }
 
 /// Text as elements of HTML: symbols in italics, subscripts as such.
-fn html(text: &str) -> String {
+fn rich(text: &str) -> String {
     let piece = |run: text::Run| {
         let text = svg::escape(&run.text);
         match (run.is_subscript, run.is_symbol()) {
