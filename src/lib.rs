@@ -46,7 +46,7 @@
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`, and
 //! the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let trajectories save to Parquet and
-//! plot to SVG and PNG. `draw` makes pictures and films of plane rigid bodies. `trade` measures what every digit costs on a system. `differential-equations` and `diffsol` hand
+//! plot to SVG and PNG. `draw` makes pictures and films of rigid bodies, in the plane and in space. `trade` measures what every digit costs on a system. `differential-equations` and `diffsol` hand
 //! systems to these crates. `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run
 //! time.
 #![no_std]

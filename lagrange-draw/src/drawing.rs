@@ -21,7 +21,7 @@ use lagrange_runtime::scene::Scene;
 use lagrange_runtime::system::{OdeSystem, split};
 
 /// A time and a state.
-type Instant<M> = (<M as OdeSystem>::Scalar, <M as OdeSystem>::State);
+pub(super) type Instant<M> = (<M as OdeSystem>::Scalar, <M as OdeSystem>::State);
 /// The same with the system as it is then, if it is another one than that which is drawn: with other inputs.
 pub(super) type Shot<M> = (Instant<M>, Option<M>);
 type Sketched<'a, M> = Rc<dyn Fn(&mut Sketch, &Moment<'_, M>) + 'a>;

@@ -165,6 +165,7 @@ const DRAW: &[Layer] = &[
     Layer { modules: &["layout"], purpose: "all moments of a film with the same marks in the same order" },
     Layer { modules: &["drawing"], purpose: "what is drawn of a system" },
     Layer { modules: &["film"], purpose: "animated SVG, GIF, HTML pages" },
+    Layer { modules: &["space"], purpose: "pictures and films of bodies in space, from meshes that move" },
 ];
 
 const XTASK: &[Layer] = &[Layer {

@@ -5,6 +5,7 @@ mod additions;
 mod cases;
 mod closed_forms;
 mod comparison;
+mod drawing;
 mod models;
 mod motion;
 mod operations;

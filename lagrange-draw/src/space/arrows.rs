@@ -3,7 +3,7 @@
 use super::mesh::{Mesh, Placement};
 use super::recording::{Kind, Label, Thing};
 use super::size::Size;
-use super::snapshot::{Link, Snapshot};
+use super::snapshot::{Link, SpatialSnapshot};
 use super::solids::{self, SHORTEST_ARROW};
 use super::vector::{NONE, Rotation, UPRIGHT, Vector, length, times};
 use crate::colour::{FORCE, PALE};
@@ -18,7 +18,7 @@ const AXIS: f64 = 0.12;
 
 /// Arrows in a motion.
 pub(super) struct Arrows<'a> {
-    pub(super) film: &'a [Snapshot],
+    pub(super) film: &'a [SpatialSnapshot],
     pub(super) size: &'a Size,
 }
 
@@ -26,14 +26,14 @@ impl Arrows<'_> {
     /// An arrow at the centre of mass of each body, called by a letter.
     pub(super) fn rates(
         &self,
-        first: &Snapshot,
+        first: &SpatialSnapshot,
         letter: &str,
         colour: Colour,
         rate: fn(&SpatialMotion<f64>) -> Vector,
     ) -> Vec<Thing> {
         let bodies: Vec<(usize, &Link)> = bodies(first).collect();
         let vectors = bodies.iter().map(|(index, link)| {
-            let vector = |snapshot: &Snapshot| {
+            let vector = |snapshot: &SpatialSnapshot| {
                 let motion = snapshot.links[*index].motion;
                 motion.map_or([NONE; 2], |motion| [motion.center, rate(&motion)])
             };
@@ -44,9 +44,9 @@ impl Arrows<'_> {
     }
 
     /// The own axes of bodies.
-    pub(super) fn own_axes(&self, first: &Snapshot) -> Vec<Thing> {
+    pub(super) fn own_axes(&self, first: &SpatialSnapshot) -> Vec<Thing> {
         let axes = |(index, link): (usize, &Link)| {
-            let pose = |snapshot: &Snapshot| {
+            let pose = |snapshot: &SpatialSnapshot| {
                 let link = &snapshot.links[index];
                 (link.origin, link.rotation)
             };
@@ -62,11 +62,11 @@ impl Arrows<'_> {
     }
 
     /// Forces, then moments, each kind on a scale of its own.
-    pub(super) fn loads(&self, first: &Snapshot) -> Vec<Thing> {
+    pub(super) fn loads(&self, first: &SpatialSnapshot) -> Vec<Thing> {
         let of_kind = |is_moment: bool| {
             let loads = first.loads.iter().enumerate().filter(|(_, load)| load.is_moment == is_moment);
             let vectors = loads.map(|(index, load)| {
-                let vector = |snapshot: &Snapshot| {
+                let vector = |snapshot: &SpatialSnapshot| {
                     let load = &snapshot.loads[index];
                     [load.at, load.value]
                 };
@@ -117,7 +117,7 @@ impl Arrows<'_> {
     fn axes(
         &self,
         name: &str,
-        pose: impl Fn(&Snapshot) -> (Vector, Rotation),
+        pose: impl Fn(&SpatialSnapshot) -> (Vector, Rotation),
         letters: [&str; 3],
     ) -> Vec<Thing> {
         let length = AXIS * self.size.diagonal();
@@ -140,6 +140,6 @@ impl Arrows<'_> {
 }
 
 /// Links with mass, and which ones they are.
-fn bodies(snapshot: &Snapshot) -> impl Iterator<Item = (usize, &Link)> {
+fn bodies(snapshot: &SpatialSnapshot) -> impl Iterator<Item = (usize, &Link)> {
     snapshot.links.iter().enumerate().filter(|(_, link)| link.motion.is_some())
 }

@@ -4,20 +4,19 @@ use std::fmt::{Debug, Formatter};
 use std::rc::Rc;
 
 use super::camera::Direction;
-use super::paper::{Look, Paper};
+use super::projector::{Look, Projector};
 use super::recording::{Recording, Trace};
 use super::size::Size;
-use super::snapshot::Snapshot;
+use super::snapshot::SpatialSnapshot;
 use super::stage::{self, Wanted};
 use super::vector::Vector;
 use crate::colour;
-use crate::drawing::Shot;
+use crate::drawing::{Instant, Shot};
 use crate::error::DrawError;
 use crate::picture::Picture;
 use lagrange_runtime::scene::SpatialScene;
 use lagrange_runtime::system::{OdeSystem, split};
 
-type Instant<M> = (<M as OdeSystem>::Scalar, <M as OdeSystem>::State);
 type Point3<'a, M> =
     Rc<dyn Fn(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State) -> [<M as OdeSystem>::Scalar; 3] + 'a>;
 
@@ -188,7 +187,7 @@ where
     /// Those of [`picture`](Self::picture).
     pub fn pictures(&self, states: impl IntoIterator<Item = Instant<M>>) -> Result<Vec<Picture>, DrawError> {
         let recording = self.recording(states.into_iter().map(|instant| (instant, None)).collect())?;
-        Ok(Paper::new(&recording, &self.look)?.pictures(0..recording.times.len()))
+        Ok(Projector::new(&recording, &self.look)?.pictures(0..recording.times.len()))
     }
 
     /// What is drawn of a motion, in which the system may be another one from instant to instant.
@@ -226,10 +225,10 @@ where
         other.as_ref().unwrap_or(self.system)
     }
 
-    fn snapshot(&self, shot: &Shot<M>) -> Result<Snapshot, DrawError> {
+    fn snapshot(&self, shot: &Shot<M>) -> Result<SpatialSnapshot, DrawError> {
         let (t, y) = &shot.0;
         let (q, v) = split::<M>(y);
-        let snapshot = Snapshot::of(self.system_in(shot), *t, &q, &v);
+        let snapshot = SpatialSnapshot::of(self.system_in(shot), *t, &q, &v);
         for name in &self.hidden {
             if !snapshot.names().any(|known| known == name) {
                 return Err(DrawError::UnknownItem(name.clone()));
@@ -239,7 +238,7 @@ where
     }
 
     /// What is said of loads that act and cannot be drawn, where loads are drawn.
-    fn note(&self, first: Option<&Snapshot>) -> String {
+    fn note(&self, first: Option<&SpatialSnapshot>) -> String {
         let omitted = first.map(|snapshot| snapshot.omitted.as_slice()).unwrap_or_default();
         if omitted.is_empty() || !self.wanted.forces {
             return String::new();

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::drawing::SpatialDrawing;
 use super::glb;
 use super::page;
-use super::paper::{Look, Paper};
+use super::projector::{Look, Projector};
 use super::recording::Recording;
 use crate::drawing::Shot;
 use crate::error::DrawError;
@@ -65,7 +65,7 @@ where
         let timeline = Timeline::new(recording.times.clone())?;
         // What cannot be drawn is refused here, and not when it is written.
         let look = self.look().clone();
-        Paper::new(&recording, &look)?;
+        Projector::new(&recording, &look)?;
         Ok(SpatialFilm { recording, look, timeline })
     }
 }
@@ -81,7 +81,7 @@ impl SpatialFilm {
     /// # Errors
     /// If they are too small for their margins.
     pub fn pictures(&self) -> Result<Vec<Picture>, DrawError> {
-        Ok(Paper::new(&self.recording, &self.look)?.pictures(0..self.recording.times.len()))
+        Ok(Projector::new(&self.recording, &self.look)?.pictures(0..self.recording.times.len()))
     }
 
     /// Adds a curve to the plot under the picture of a page, as [`Film::with_values`] does.
@@ -129,7 +129,7 @@ impl SpatialFilm {
     /// # Errors
     /// If pictures are too small for their margins.
     pub fn html(&self) -> Result<String, DrawError> {
-        let first = Paper::new(&self.recording, &self.look)?.pictures(0..1).pop();
+        let first = Projector::new(&self.recording, &self.look)?.pictures(0..1).pop();
         let first = first.ok_or(DrawError::NothingToDraw)?;
         Ok(page::html(&self.recording, &self.look, &self.timeline, &first))
     }

@@ -74,24 +74,24 @@ const SMOOTH: f64 = 0.84;
 /// The edges of a mesh: for each face and each of its sides which face is behind it, and whether the surface has a corner there.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Edges {
-    sides: Vec<Vec<Side>>,
+    sides: Vec<Vec<Neighbour>>,
 }
 
 /// What there is behind a side of a face.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Side {
+pub(super) enum Neighbour {
     /// Another face, at an angle.
     Sharp,
     /// This face, which goes on smoothly.
     Smooth(usize),
 }
 
-impl Side {
+impl Neighbour {
     /// The face that goes on smoothly.
     pub(super) fn smooth(&self) -> Option<usize> {
         match self {
-            Side::Sharp => None,
-            Side::Smooth(other) => Some(*other),
+            Neighbour::Sharp => None,
+            Neighbour::Smooth(other) => Some(*other),
         }
     }
 }
@@ -111,7 +111,7 @@ impl Edges {
         };
         let behind = |face: usize, side: [usize; 2]| {
             let other = owners[&side].iter().copied().find(|other| *other != face);
-            other.filter(|other| is_smooth(face, *other)).map_or(Side::Sharp, Side::Smooth)
+            other.filter(|other| is_smooth(face, *other)).map_or(Neighbour::Sharp, Neighbour::Smooth)
         };
         let of_face = |(index, face): (usize, &Vec<usize>)| {
             sides(face).map(|side| behind(index, side)).collect::<Vec<_>>()
@@ -120,15 +120,15 @@ impl Edges {
     }
 
     /// What is behind each side of a face.
-    pub(super) fn behind(&self, face: usize) -> &[Side] {
+    pub(super) fn behind(&self, face: usize) -> &[Neighbour] {
         &self.sides[face]
     }
 
     /// Which sides of a face are drawn, if these faces are seen.
     pub(super) fn drawn(&self, face: usize, is_seen: &[bool]) -> Vec<bool> {
-        let is_drawn = |side: &Side| match side {
-            Side::Sharp => true,
-            Side::Smooth(other) => !is_seen[*other],
+        let is_drawn = |side: &Neighbour| match side {
+            Neighbour::Sharp => true,
+            Neighbour::Smooth(other) => !is_seen[*other],
         };
         self.sides[face].iter().map(is_drawn).collect()
     }
@@ -185,7 +185,7 @@ impl Mesh {
         let edges = Edges::of(&self);
         let mut lines = Vec::new();
         for (face, owned) in self.faces.iter().zip(&edges.sides) {
-            let sharp = (0..face.len()).filter(|&side| owned[side] == Side::Sharp);
+            let sharp = (0..face.len()).filter(|&side| owned[side] == Neighbour::Sharp);
             lines.extend(sharp.map(|side| vec![face[side], face[(side + 1) % face.len()]]));
         }
         Mesh { faces: Vec::new(), lines, is_closed: false, ..self }

@@ -3,7 +3,7 @@
 use super::camera::{DISTANCE, LIGHT, SHADE};
 use super::mesh::{Corner, Mesh};
 use super::motion::{Motion, once};
-use super::paper::{DARK, EDGE, LINE, Look};
+use super::projector::{DARK, EDGE, LINE, Look};
 use super::recording::{Kind, Recording, Thing, Trace};
 use super::surface::Surface;
 use super::vector::{Vector, length, subtract, times};

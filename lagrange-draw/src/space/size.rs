@@ -1,6 +1,6 @@
 //! How large a motion is, by which everything is sized that has no size of its own.
 
-use super::snapshot::{Link, Snapshot};
+use super::snapshot::{Link, SpatialSnapshot};
 use super::solids::solid;
 use super::vector::{Vector, length, subtract};
 
@@ -15,8 +15,8 @@ pub(super) struct Size {
 const THIN: f64 = 0.006;
 
 impl Size {
-    pub(super) fn of(snapshots: &[Snapshot]) -> Size {
-        let all = snapshots.iter().flat_map(Snapshot::places);
+    pub(super) fn of(snapshots: &[SpatialSnapshot]) -> Size {
+        let all = snapshots.iter().flat_map(SpatialSnapshot::places);
         let [low, high] =
             all.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], (at, room)| {
                 [0, 1].map(|end| {
@@ -39,7 +39,7 @@ impl Size {
     }
 }
 
-impl Snapshot {
+impl SpatialSnapshot {
     /// Places of what has a size of its own, with the room that it takes around them.
     fn places(&self) -> impl Iterator<Item = (Vector, f64)> + '_ {
         let links = self.links.iter().flat_map(Link::places);

@@ -1,14 +1,14 @@
 //! What bodies look like: their solids or, where a body is given by numbers only, rods between the joints that it carries.
 
 use super::mesh::Mesh;
-use super::snapshot::{Link, Snapshot};
+use super::snapshot::{Link, SpatialSnapshot};
 use super::solids::{ball, cylinder, solid};
 use super::vector::{NONE, Vector, axes_along, length, subtract, unit};
 use lagrange_runtime::scene::SolidPart;
 
 /// Rods of a tree of bodies.
 pub(super) struct Skeleton<'a> {
-    scene: &'a Snapshot,
+    scene: &'a SpatialSnapshot,
     /// The radius of arrows, by which everything is sized.
     thin: f64,
 }
@@ -19,7 +19,7 @@ const CENTER: f64 = 2.6;
 const ROUND: usize = 16;
 
 impl<'a> Skeleton<'a> {
-    pub(super) fn of(scene: &'a Snapshot, thin: f64) -> Self {
+    pub(super) fn of(scene: &'a SpatialSnapshot, thin: f64) -> Self {
         Skeleton { scene, thin }
     }
 

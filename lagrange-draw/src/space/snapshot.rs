@@ -8,11 +8,11 @@ use lagrange_runtime::scene::{
 
 /// A scene in space at one moment.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub(super) struct Snapshot {
+pub(super) struct SpatialSnapshot {
     pub(super) links: Vec<Link>,
     pub(super) connectors: Vec<Span>,
     pub(super) joints: Vec<Joint>,
-    pub(super) loads: Vec<Load>,
+    pub(super) loads: Vec<SpatialLoad>,
     /// What acts and is not known.
     pub(super) omitted: Vec<String>,
 }
@@ -47,7 +47,7 @@ pub(super) struct Joint {
 
 /// A force or moment.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Load {
+pub(super) struct SpatialLoad {
     pub(super) name: String,
     pub(super) cause: LoadOrigin,
     pub(super) body: Option<String>,
@@ -56,12 +56,12 @@ pub(super) struct Load {
     pub(super) is_moment: bool,
 }
 
-impl Snapshot {
+impl SpatialSnapshot {
     pub(super) fn of<M: SpatialScene>(system: &M, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> Self
     where
         M::Scalar: Into<f64>,
     {
-        let mut snapshot = Snapshot::default();
+        let mut snapshot = SpatialSnapshot::default();
         system.items(t, q, v, &mut |item| snapshot.keep(item));
         snapshot
     }
@@ -120,7 +120,7 @@ impl Snapshot {
     ) {
         let [at, value] = values.map(vector);
         let body = body.map(ToOwned::to_owned);
-        self.loads.push(Load { name: name.to_owned(), cause, body, at, value, is_moment });
+        self.loads.push(SpatialLoad { name: name.to_owned(), cause, body, at, value, is_moment });
     }
 
     /// The names of everything.

@@ -11,14 +11,14 @@ use super::vector::{Vector, add, dot, mix, subtract, times};
 
 /// A face or a line in the world.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Piece {
-    pub(super) shape: Shape,
+pub(super) struct Fragment {
+    pub(super) shape: FragmentShape,
     /// The thing that it is a piece of.
     pub(super) thing: usize,
 }
 
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum Shape {
+pub(super) enum FragmentShape {
     /// A plane convex polygon, which of its sides are drawn, and its normal of length one.
     Face { corners: Vec<Vector>, drawn: Vec<bool>, normal: Vector },
     /// A straight line.
@@ -37,17 +37,17 @@ struct Plane {
 }
 
 enum Task {
-    Sort(Vec<Piece>),
-    Paint(Vec<Piece>),
+    Sort(Vec<Fragment>),
+    Paint(Vec<Fragment>),
 }
 
 /// Sorts pieces; `is_convex` says of each thing whether it is a convex body, and lengths below `least` count as none.
 pub(super) fn back_to_front(
-    pieces: Vec<Piece>,
+    pieces: Vec<Fragment>,
     camera: &Camera,
     is_convex: &[bool],
     least: f64,
-) -> Vec<Piece> {
+) -> Vec<Fragment> {
     let mut painted = Vec::with_capacity(pieces.len());
     let mut tasks = vec![Task::Sort(pieces)];
     while let Some(task) = tasks.pop() {
@@ -73,13 +73,13 @@ pub(super) fn back_to_front(
 }
 
 /// Whether nothing of this hides anything else of it.
-fn is_in_order(pieces: &[Piece], is_convex: &[bool]) -> bool {
+fn is_in_order(pieces: &[Fragment], is_convex: &[bool]) -> bool {
     let Some(first) = pieces.first() else { return true };
     pieces.len() == 1 || (is_convex[first.thing] && pieces.iter().all(|piece| piece.thing == first.thing))
 }
 
 /// A plane across an axis with things on both sides and none in between: that which divides them most evenly.
-fn separation(pieces: &[Piece]) -> Option<Plane> {
+fn separation(pieces: &[Fragment]) -> Option<Plane> {
     let things = 1 + pieces.iter().map(|piece| piece.thing).max()?;
     let mut best: Option<(usize, Plane)> = None;
     for axis in 0..3 {
@@ -107,8 +107,8 @@ fn separation(pieces: &[Piece]) -> Option<Plane> {
 }
 
 /// The plane of a face that cuts few others and divides them evenly; none if there are no faces.
-fn best_plane(pieces: &[Piece], least: f64) -> Option<Plane> {
-    let faces: Vec<Plane> = pieces.iter().filter_map(Piece::plane).collect();
+fn best_plane(pieces: &[Fragment], least: f64) -> Option<Plane> {
+    let faces: Vec<Plane> = pieces.iter().filter_map(Fragment::plane).collect();
     let cost = |plane: &Plane| {
         let mut counts = [0; 3];
         for piece in pieces {
@@ -123,7 +123,7 @@ fn best_plane(pieces: &[Piece], least: f64) -> Option<Plane> {
 }
 
 /// What is on the side of the normal, in the plane, and on the other side.
-fn divided(pieces: Vec<Piece>, plane: Plane, least: f64) -> [Vec<Piece>; 3] {
+fn divided(pieces: Vec<Fragment>, plane: Plane, least: f64) -> [Vec<Fragment>; 3] {
     let mut parts = [Vec::new(), Vec::new(), Vec::new()];
     for piece in pieces {
         match piece.sides(plane, least) {
@@ -138,7 +138,7 @@ fn divided(pieces: Vec<Piece>, plane: Plane, least: f64) -> [Vec<Piece>; 3] {
         }
     }
     // Lines lie on faces.
-    parts[1].sort_by_key(|piece| matches!(piece.shape, Shape::Line(_)));
+    parts[1].sort_by_key(|piece| matches!(piece.shape, FragmentShape::Line(_)));
     parts
 }
 
@@ -148,20 +148,20 @@ impl Plane {
     }
 }
 
-impl Piece {
+impl Fragment {
     pub(super) fn corners(&self) -> &[Vector] {
         match &self.shape {
-            Shape::Face { corners, .. } => corners,
-            Shape::Line(ends) => ends,
+            FragmentShape::Face { corners, .. } => corners,
+            FragmentShape::Line(ends) => ends,
         }
     }
 
     fn plane(&self) -> Option<Plane> {
         match &self.shape {
-            Shape::Face { corners, normal, .. } => {
+            FragmentShape::Face { corners, normal, .. } => {
                 Some(Plane { normal: *normal, distance: dot(*normal, corners[0]) })
             }
-            Shape::Line(_) => None,
+            FragmentShape::Line(_) => None,
         }
     }
 
@@ -183,25 +183,25 @@ impl Piece {
     }
 
     /// The parts above and below a plane that cuts it.
-    fn cut(self, plane: Plane, least: f64) -> [Piece; 2] {
+    fn cut(self, plane: Plane, least: f64) -> [Fragment; 2] {
         let thing = self.thing;
         let shapes = match self.shape {
-            Shape::Face { corners, drawn, normal } => {
+            FragmentShape::Face { corners, drawn, normal } => {
                 let heights: Vec<f64> = corners.iter().map(|corner| plane.height(*corner)).collect();
                 [1.0, -1.0].map(|sign| {
                     let heights = heights.iter().map(|height| sign * height).collect::<Vec<_>>();
                     let (corners, drawn) = clipped(&corners, &drawn, &heights, least);
-                    Shape::Face { corners, drawn, normal }
+                    FragmentShape::Face { corners, drawn, normal }
                 })
             }
-            Shape::Line([a, b]) => {
+            FragmentShape::Line([a, b]) => {
                 let heights = [a, b].map(|end| plane.height(end));
                 let between = crossing([a, b], heights);
                 let (above, below) = if heights[0] > 0.0 { (a, b) } else { (b, a) };
-                [above, below].map(|end| Shape::Line([end, between]))
+                [above, below].map(|end| FragmentShape::Line([end, between]))
             }
         };
-        shapes.map(|shape| Piece { shape, thing })
+        shapes.map(|shape| Fragment { shape, thing })
     }
 }
 
@@ -241,15 +241,15 @@ pub(super) fn is_convex(faces: &[(Vec<Vector>, Vector)], least: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Piece, Shape, back_to_front};
+    use super::{Fragment, FragmentShape, back_to_front};
     use crate::space::camera::{Camera, Direction};
     use crate::space::mesh::normal;
     use crate::space::vector::{Vector, cross, dot, subtract};
 
-    fn face(corners: Vec<Vector>, thing: usize) -> Piece {
+    fn face(corners: Vec<Vector>, thing: usize) -> Fragment {
         let drawn = vec![true; corners.len()];
         let normal = normal(&corners).expect("has an area");
-        Piece { shape: Shape::Face { corners, drawn, normal }, thing }
+        Fragment { shape: FragmentShape::Face { corners, drawn, normal }, thing }
     }
 
     /// A multiplicative congruential generator: Park, Miller, *Random Number Generators: Good Ones Are Hard to Find* (1988).
@@ -267,8 +267,8 @@ mod tests {
     }
 
     /// How far along the ray from a place towards the eye it meets a face.
-    fn met(piece: &Piece, from: Vector, ray: Vector) -> Option<f64> {
-        let Shape::Face { corners, normal, .. } = &piece.shape else { return None };
+    fn met(piece: &Fragment, from: Vector, ray: Vector) -> Option<f64> {
+        let FragmentShape::Face { corners, normal, .. } = &piece.shape else { return None };
         let along = dot(*normal, subtract(corners[0], from)) / dot(*normal, ray);
         let at = [0, 1, 2].map(|k| from[k] + along * ray[k]);
         let is_left = |k: usize| {
@@ -283,7 +283,7 @@ mod tests {
         let mut random = Random(7);
         for is_perspective in [false, true] {
             let camera = Camera::new(Direction { is_perspective, ..Direction::default() }, [0.0; 3], 2.0);
-            let triangles: Vec<Piece> = (0..40)
+            let triangles: Vec<Fragment> = (0..40)
                 .map(|thing| face(vec![random.vector(), random.vector(), random.vector()], thing))
                 .collect();
             let sorted = back_to_front(triangles.clone(), &camera, &[false; 40], 1e-12);
@@ -312,9 +312,10 @@ mod tests {
         let camera =
             Camera::new(Direction { azimuth: 0.0, elevation: 0.0, is_perspective: false }, [0.0; 3], 1.0);
         let square = face(vec![[0.0, -1.0, -1.0], [0.0, 1.0, -1.0], [0.0, 1.0, 1.0], [0.0, -1.0, 1.0]], 0);
-        let line = Piece { shape: Shape::Line([[-1.0, 0.0, 0.0], [1.0, 0.2, 0.0]]), thing: 1 };
+        let line = Fragment { shape: FragmentShape::Line([[-1.0, 0.0, 0.0], [1.0, 0.2, 0.0]]), thing: 1 };
         let sorted = back_to_front(vec![line, square], &camera, &[true, false], 1e-12);
-        let kinds: Vec<bool> = sorted.iter().map(|piece| matches!(piece.shape, Shape::Line(_))).collect();
+        let kinds: Vec<bool> =
+            sorted.iter().map(|piece| matches!(piece.shape, FragmentShape::Line(_))).collect();
         assert_eq!(kinds, [true, false, true]);
         assert!(sorted[0].corners().iter().all(|corner| corner[0] <= 0.0), "the part behind comes first");
         assert!(sorted[2].corners().iter().all(|corner| corner[0] >= 0.0));

@@ -5,7 +5,7 @@ use super::mesh::{Corner, Mesh, Placement};
 use super::recording::{Kind, Label, Thing};
 use super::size::Size;
 use super::skeleton::Skeleton;
-use super::snapshot::{Joint, Link, Snapshot, Span};
+use super::snapshot::{Joint, Link, Span, SpatialSnapshot};
 use super::solids;
 use super::vector::{NONE, UPRIGHT, Vector, add, apply, axes_along, length, subtract, unit};
 use crate::colour::{self, ACCELERATION, INK, PALE, VELOCITY};
@@ -27,15 +27,15 @@ pub(super) struct Wanted {
 }
 
 /// Sizes in terms of the radius of rods.
-const PIN: f64 = 2.4;
-const PIN_LENGTH: f64 = 7.0;
+const PIN: f64 = 2.0;
+const PIN_LENGTH: f64 = 5.5;
 const COIL: f64 = 3.0;
-const LANE: f64 = 8.0;
+const LANE: f64 = 7.0;
 /// Fields of a floor along the longer side.
-const FIELDS: f64 = 12.0;
+const FIELDS: f64 = 8.0;
 
 /// All things of a motion; every scene of it hands out the same items.
-pub(super) fn things(film: &[Snapshot], wanted: Wanted, size: &Size) -> Vec<Thing> {
+pub(super) fn things(film: &[SpatialSnapshot], wanted: Wanted, size: &Size) -> Vec<Thing> {
     let Some(first) = film.first() else { return Vec::new() };
     let stage = Stage { film, wanted, size };
     let mut things = Vec::new();
@@ -54,7 +54,7 @@ pub(super) fn things(film: &[Snapshot], wanted: Wanted, size: &Size) -> Vec<Thin
     things
 }
 
-fn arrows(arrows: &Arrows<'_>, first: &Snapshot, wanted: Wanted) -> Vec<Thing> {
+fn arrows(arrows: &Arrows<'_>, first: &SpatialSnapshot, wanted: Wanted) -> Vec<Thing> {
     let mut things = Vec::new();
     if wanted.velocities {
         things.extend(arrows.rates(first, "v", VELOCITY, |motion| motion.velocity));
@@ -75,13 +75,13 @@ fn arrows(arrows: &Arrows<'_>, first: &Snapshot, wanted: Wanted) -> Vec<Thing> {
 }
 
 struct Stage<'a> {
-    film: &'a [Snapshot],
+    film: &'a [SpatialSnapshot],
     wanted: Wanted,
     size: &'a Size,
 }
 
 impl Stage<'_> {
-    fn track(&self, placement: impl Fn(&Snapshot) -> Placement) -> Vec<Placement> {
+    fn track(&self, placement: impl Fn(&SpatialSnapshot) -> Placement) -> Vec<Placement> {
         self.film.iter().map(placement).collect()
     }
 
@@ -162,7 +162,7 @@ impl Stage<'_> {
             mesh,
             track,
         };
-        let at = |snapshot: &Snapshot| {
+        let at = |snapshot: &SpatialSnapshot| {
             let Joint { at, axis, .. } = snapshot.joints[index];
             let rotation = unit(axis).map_or(UPRIGHT, axes_along);
             Placement::rigid(at, rotation)

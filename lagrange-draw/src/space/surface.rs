@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::mesh::{Edges, Mesh, Side, normal};
+use super::mesh::{Edges, Mesh, Neighbour, normal};
 use super::vector::{Vector, add, cross, dot, length, subtract, times, unit};
 
 /// The faces and edges of a mesh. Normals are right for any stretch: what takes part in one has sides along it.
@@ -56,7 +56,7 @@ impl Surface {
             next += 1;
             let has_corner = |other: &usize| around.contains(other);
             let new: Vec<usize> =
-                edges.behind(one).iter().filter_map(Side::smooth).filter(has_corner).collect();
+                edges.behind(one).iter().filter_map(Neighbour::smooth).filter(has_corner).collect();
             for other in new {
                 if !fan.contains(&other) {
                     fan.push(other);
@@ -75,10 +75,10 @@ impl Surface {
             for (side, behind) in edges.behind(face).iter().enumerate() {
                 let ends = [corners[side], corners[(side + 1) % corners.len()]];
                 match behind {
-                    Side::Sharp if known.insert([ends[0].min(ends[1]), ends[0].max(ends[1])]) => {
+                    Neighbour::Sharp if known.insert([ends[0].min(ends[1]), ends[0].max(ends[1])]) => {
                         self.sharp.push(ends);
                     }
-                    Side::Smooth(other) if face < *other => {
+                    Neighbour::Smooth(other) if face < *other => {
                         self.smooth.push([ends[0], ends[1], face, *other]);
                     }
                     _ => {}

@@ -9,6 +9,7 @@ use super::frames::{FrameStep, JointAxis, Pose, TurningAxes};
 use super::inertia::fixed_triple;
 use super::links::Path;
 use super::messages as words;
+use super::motors::draw_damping;
 use super::numbers::{coordinate_axis, frame_along, triple_of_numbers, written};
 use super::orientations::orientation;
 use super::poses::{behind, has_place, named_vector};
@@ -40,6 +41,7 @@ pub(in crate::bodies) fn translate_spatial_mobilizer(
     let way =
         carrier.zip(steps).map(|((carrier, pose), steps)| walk(translation, joint, carrier, pose, steps));
     dampen(translation, joint, &coordinates);
+    draw_damping(translation, joint);
     if let Some(link) = placed {
         let (pose, path) = match way {
             Some((pose, path)) => (pose, Some(path)),

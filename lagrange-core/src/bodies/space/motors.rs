@@ -1,4 +1,4 @@
-//! Forces and moments on the coordinates of joints, such as those of motors.
+//! Forces and moments on the coordinates of joints: those of motors, and damping.
 //!
 //! A load u on a coordinate q has the power u q̇. Where a joint turns by q about the axis e, that of a moment u e on what it places and of
 //! −u e on what carries it is the same; where it moves by q along e, that of forces ±u e at the origin of what it places. A screw does
@@ -9,9 +9,10 @@ use super::links::{Link, Path};
 use super::scene::LoadOnCoordinate;
 use super::vectors::{Triple, scale};
 use crate::bodies::drawing::{Load, draw_force, draw_moment, torque_on};
-use crate::bodies::plain::{Drawn, DrawnKind};
+use crate::bodies::expressions::plain_expression;
+use crate::bodies::plain::{Drawn, DrawnKind, LoadOrigin};
 use crate::bodies::translation::Translation;
-use crate::syntax::ast::{AstId, Expression, StatementKind};
+use crate::syntax::ast::{AstId, Expression, Mobilizer, StatementKind};
 
 /// What a coordinate does at a joint.
 struct JointMotion {
@@ -33,7 +34,7 @@ pub(in crate::bodies) fn draw_force_on_coordinate(
 ) {
     let name = format!("force on `{coordinate}`");
     let coordinate = translation.terms().name(coordinate);
-    keep(translation, name, [coordinate, load]);
+    keep(translation, (name, LoadOrigin::Applied), [coordinate, load]);
 }
 
 /// `torque u on q;`
@@ -43,13 +44,34 @@ pub(in crate::bodies) fn draw_torque_on_angle(
     moment: AstId,
 ) {
     let name = torque_on(translation, angle);
-    keep(translation, name, [angle, moment]);
+    keep(translation, (name, LoadOrigin::Applied), [angle, moment]);
 }
 
-fn keep(translation: &mut Translation<'_>, name: String, [coordinate, load]: [AstId; 2]) {
+/// `damping: c;` of a joint: −c q̇, or −c ω in a ball joint, component by component.
+pub(super) fn draw_damping(translation: &mut Translation<'_>, joint: &Mobilizer) {
+    let Some(damping) = joint.damping.filter(|_| translation.is_drawn) else { return };
+    let damping = plain_expression(translation, damping);
+    let components = joint.quaternion.iter().flat_map(|quaternion| &quaternion.velocities);
+    let is_ball = joint.quaternion.is_some();
+    for name in components.chain(joint.coordinates.iter().filter(|_| !is_ball)) {
+        let mut terms = translation.terms();
+        let coordinate = terms.name(&name.text);
+        let speed = if is_ball { coordinate } else { terms.rate(coordinate) };
+        let product = terms.times(damping, speed);
+        let load = terms.negative(product);
+        let name = format!("damping of `{}`", name.text);
+        keep(translation, (name, LoadOrigin::Connector), [coordinate, load]);
+    }
+}
+
+fn keep(
+    translation: &mut Translation<'_>,
+    (name, cause): (String, LoadOrigin),
+    [coordinate, load]: [AstId; 2],
+) {
     let position = translation.loads.len();
     let Some(space) = &mut translation.space else { return };
-    space.loads_on_coordinates.push(LoadOnCoordinate { position, name, coordinate, load });
+    space.loads_on_coordinates.push(LoadOnCoordinate { position, name, cause, coordinate, load });
 }
 
 /// Puts what was kept in its places among the other loads.
@@ -59,7 +81,7 @@ pub(super) fn draw_loads_on_coordinates(translation: &mut Translation<'_>) {
     for kept in std::mem::take(&mut space.loads_on_coordinates).into_iter().rev() {
         let behind = translation.loads.split_off(kept.position);
         match motion_by(translation, kept.coordinate) {
-            Some(motion) => draw_on_both_sides(translation, &motion, kept.load),
+            Some(motion) => draw_on_both_sides(translation, &motion, (kept.cause, kept.load)),
             None => {
                 let kind = DrawnKind::Omitted { name: kept.name };
                 translation.loads.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
@@ -69,7 +91,16 @@ pub(super) fn draw_loads_on_coordinates(translation: &mut Translation<'_>) {
     }
 }
 
-fn draw_on_both_sides(translation: &mut Translation<'_>, motion: &JointMotion, load: AstId) {
+fn draw_on_both_sides(
+    translation: &mut Translation<'_>,
+    motion: &JointMotion,
+    (cause, load): (LoadOrigin, AstId),
+) {
+    let name = match (cause, motion.turns) {
+        (LoadOrigin::Connector, _) => "damping",
+        (_, true) => "torque",
+        (_, false) => "force",
+    };
     let mut terms = translation.terms();
     let along = scale(&mut terms, load, motion.axis);
     let against = along.map(|component| terms.negative(component));
@@ -80,8 +111,8 @@ fn draw_on_both_sides(translation: &mut Translation<'_>, motion: &JointMotion, l
         let Some(body) = side.and_then(|link| space.loaded_link(link)) else { continue };
         let body = Some(space.name_of(body).to_owned());
         match motion.turns {
-            true => draw_moment(translation, Load::applied("torque", body), [at, vector]),
-            false => draw_force(translation, Load::applied("force", body), [at, vector], &[]),
+            true => draw_moment(translation, Load { name, cause, body }, [at, vector]),
+            false => draw_force(translation, Load { name, cause, body }, [at, vector], &[]),
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::frames::Relative;
 use super::links::Link;
 use super::vectors::Triple;
+use crate::bodies::plain::LoadOrigin;
 use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::syntax::ast::{AstId, Name};
@@ -36,6 +37,7 @@ pub(super) struct LoadOnCoordinate {
     pub(super) position: usize,
     /// Name where it is not known what it acts on.
     pub(super) name: String,
+    pub(super) cause: LoadOrigin,
     pub(super) coordinate: AstId,
     pub(super) load: AstId,
 }

@@ -3,7 +3,7 @@
 use super::camera::{Camera, Direction};
 use super::mesh::{Edges, normal};
 use super::recording::{Kind, Recording, Thing};
-use super::sort::{Piece, Shape, back_to_front, is_convex};
+use super::sort::{Fragment, FragmentShape, back_to_front, is_convex};
 use super::vector::{Vector, dot, length, subtract};
 use crate::colour::{INK, PALE, mixed};
 use crate::error::DrawError;
@@ -23,11 +23,11 @@ pub(crate) struct Look {
 }
 
 /// Pictures of a motion, all from the same place and on the same scale.
-pub(super) struct Paper<'a> {
+pub(super) struct Projector<'a> {
     recording: &'a Recording,
     look: &'a Look,
     camera: Camera,
-    view: View,
+    window: Window,
     heading: [Heading; 2],
     /// Of each thing its edges, and whether it is a convex body.
     meshes: Vec<(Edges, bool)>,
@@ -37,7 +37,7 @@ pub(super) struct Paper<'a> {
 
 /// From what the camera sees to pixels.
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct View {
+struct Window {
     scale: f64,
     from: Point,
     to: Point,
@@ -57,8 +57,8 @@ const NEAR: f64 = 5.0;
 const UNIT: f64 = 0.25;
 const NOTHING: f64 = 1e-9;
 
-impl<'a> Paper<'a> {
-    pub(super) fn new(recording: &'a Recording, look: &'a Look) -> Result<Paper<'a>, DrawError> {
+impl<'a> Projector<'a> {
+    pub(super) fn new(recording: &'a Recording, look: &'a Look) -> Result<Projector<'a>, DrawError> {
         let places: Vec<Vector> = recording.places().collect();
         let bounds = [0, 1, 2].map(|axis| range(places.iter().map(|place| place[axis])));
         let middle = bounds.map(|[low, high]| low + 0.5 * (high - low));
@@ -66,11 +66,11 @@ impl<'a> Paper<'a> {
         let camera = Camera::new(look.direction, middle, if radius > 0.0 { radius } else { 1.0 });
         let heading = [heading::lines(&look.title, look.size), heading::note(&recording.note, look.size)];
         let seen: Vec<Point> = places.iter().map(|place| camera.seen(*place).0).collect();
-        let view = View::new(&seen, look.size, [0, 1].map(|end| heading::height(&heading[end])))?;
+        let window = Window::new(&seen, look.size, [0, 1].map(|end| heading::height(&heading[end])))?;
         let least = NOTHING * if radius > 0.0 { radius } else { 1.0 };
         let meshes =
             recording.things.iter().map(|thing| (Edges::of(&thing.mesh), is_convex_body(thing, least)));
-        Ok(Paper { recording, look, camera, view, heading, meshes: meshes.collect(), least })
+        Ok(Projector { recording, look, camera, window, heading, meshes: meshes.collect(), least })
     }
 
     /// The pictures of some moments; labels stay on their sides.
@@ -95,7 +95,7 @@ impl<'a> Paper<'a> {
     /// The marks of a moment, and what labels there are.
     fn scene(&self, moment: usize) -> (Vec<Mark>, Sheet) {
         let things = &self.recording.things;
-        let mut pieces: Vec<Piece> = Vec::new();
+        let mut pieces: Vec<Fragment> = Vec::new();
         for index in 0..things.len() {
             pieces.extend(self.pieces(index, moment));
         }
@@ -103,11 +103,13 @@ impl<'a> Paper<'a> {
             let points: Vec<Vector> = trace.until(moment).collect();
             pieces.extend(lines(&points, things.len() + index, self.least));
         }
+        let areas = pieces.iter().filter_map(|piece| self.area(piece)).collect();
         let mut convex: Vec<bool> = self.meshes.iter().map(|(_, is_convex)| *is_convex).collect();
         convex.resize(things.len() + self.recording.traces.len(), false);
         // Arrows are not hidden by the bodies that they begin in.
-        let is_arrow = |piece: &Piece| things.get(piece.thing).is_some_and(|thing| thing.kind == Kind::Arrow);
-        let (arrows, scene): (Vec<Piece>, Vec<Piece>) = pieces.into_iter().partition(is_arrow);
+        let is_arrow =
+            |piece: &Fragment| things.get(piece.thing).is_some_and(|thing| thing.kind == Kind::Arrow);
+        let (arrows, scene): (Vec<Fragment>, Vec<Fragment>) = pieces.into_iter().partition(is_arrow);
         let mut marks = Vec::new();
         for pieces in [scene, arrows] {
             let sorted = back_to_front(pieces, &self.camera, &convex, self.least);
@@ -119,11 +121,19 @@ impl<'a> Paper<'a> {
             self.tag(&crate::text::formula(&trace.label), at, Side::Around, trace.colour, false)
         });
         let tags = things.iter().map(|thing| self.label(thing, moment)).chain(traces).collect();
-        (marks, Sheet { tags, lines, areas: Vec::new() })
+        (marks, Sheet { tags, lines, areas })
+    }
+
+    /// What a face of a body covers.
+    fn area(&self, piece: &Fragment) -> Option<(usize, Vec<Point>)> {
+        let is_face = matches!(piece.shape, FragmentShape::Face { .. });
+        let is_body = self.recording.things.get(piece.thing).is_some_and(|thing| thing.kind == Kind::Body);
+        let points = || piece.corners().iter().map(|corner| self.point(*corner)).collect();
+        (is_face && is_body).then(|| (piece.thing, points()))
     }
 
     /// The faces of a thing that are seen, and its lines.
-    fn pieces(&self, index: usize, moment: usize) -> Vec<Piece> {
+    fn pieces(&self, index: usize, moment: usize) -> Vec<Fragment> {
         let (thing, (edges, _)) = (&self.recording.things[index], &self.meshes[index]);
         let placement = thing.track[moment];
         if placement.scale <= 0.0 {
@@ -153,17 +163,17 @@ impl<'a> Paper<'a> {
         for (face, (corners, normal)) in faces.into_iter().enumerate() {
             if let Some(normal) = normal.filter(|_| is_seen[face]) {
                 let drawn = edges.drawn(face, &is_seen);
-                pieces.push(Piece { shape: Shape::Face { corners, drawn, normal }, thing: index });
+                pieces.push(Fragment { shape: FragmentShape::Face { corners, drawn, normal }, thing: index });
             }
         }
         pieces.extend(thing.mesh.lines.iter().flat_map(|line| lines(&at(line), index, self.least)));
         pieces
     }
 
-    fn paint(&self, piece: &Piece, marks: &mut Vec<Mark>) {
+    fn paint(&self, piece: &Fragment, marks: &mut Vec<Mark>) {
         let colour = self.colour(piece.thing);
         match &piece.shape {
-            Shape::Face { corners, drawn, normal } => {
+            FragmentShape::Face { corners, drawn, normal } => {
                 let points: Vec<Point> = corners.iter().map(|corner| self.point(*corner)).collect();
                 let fill = mixed(INK, colour, self.camera.brightness(*normal));
                 let segments = polyline(points.iter().copied(), true);
@@ -173,11 +183,11 @@ impl<'a> Paper<'a> {
                     marks.push(path(sides, Some((mixed(colour, INK, DARK), EDGE)), None));
                 }
             }
-            Shape::Line(ends) => {
+            FragmentShape::Line(ends) => {
                 let segments = polyline(ends.map(|end| self.point(end)), false);
                 let kind = self.recording.things.get(piece.thing).map(|thing| thing.kind);
                 let (colour, width) = match kind {
-                    Some(Kind::Surroundings) => (colour, 0.5 * LINE),
+                    Some(Kind::Surroundings) => (colour, EDGE),
                     // The edges of holes.
                     Some(Kind::Body) => (mixed(colour, INK, DARK), EDGE),
                     _ => (colour, LINE),
@@ -204,7 +214,7 @@ impl<'a> Paper<'a> {
     }
 
     fn point(&self, place: Vector) -> Point {
-        self.view.point(self.camera.seen(place).0)
+        self.window.point(self.camera.seen(place).0)
     }
 
     fn label(&self, thing: &Thing, moment: usize) -> Option<Tag> {
@@ -252,10 +262,10 @@ fn is_convex_body(thing: &Thing, least: f64) -> bool {
 }
 
 /// The pieces of a line through points.
-fn lines(points: &[Vector], thing: usize, least: f64) -> impl Iterator<Item = Piece> + use<> {
+fn lines(points: &[Vector], thing: usize, least: f64) -> impl Iterator<Item = Fragment> + use<> {
     let ends: Vec<[Vector; 2]> = points.windows(2).map(|ends| [ends[0], ends[1]]).collect();
     let is_long = move |ends: &[Vector; 2]| length(subtract(ends[1], ends[0])) > least;
-    ends.into_iter().filter(is_long).map(move |ends| Piece { shape: Shape::Line(ends), thing })
+    ends.into_iter().filter(is_long).map(move |ends| Fragment { shape: FragmentShape::Line(ends), thing })
 }
 
 /// The sides of a polygon that are drawn.
@@ -281,9 +291,9 @@ fn range(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], number| [low.min(number), high.max(number)])
 }
 
-impl View {
+impl Window {
     /// The largest scale at which all that is seen lies within the margins, its middle in the middle.
-    fn new(seen: &[Point], size: [f64; 2], [above, below]: [f64; 2]) -> Result<View, DrawError> {
+    fn new(seen: &[Point], size: [f64; 2], [above, below]: [f64; 2]) -> Result<Window, DrawError> {
         let free = MARGIN + ROOM;
         let window = [[free, free + above], [size[0] - free, size[1] - free - below]];
         let room = geometry::subtract(window[1], window[0]);
@@ -295,7 +305,7 @@ impl View {
         let scale = scale[0].min(scale[1]);
         let scale = if scale.is_finite() { scale } else { UNIT * room[0].min(room[1]) };
         let from = spans.map(|[low, high]| low + 0.5 * (high - low));
-        Ok(View { scale, from, to: geometry::mix(window[0], window[1], 0.5) })
+        Ok(Window { scale, from, to: geometry::mix(window[0], window[1], 0.5) })
     }
 
     fn point(&self, seen: Point) -> Point {

@@ -1,0 +1,95 @@
+//! A gyroscope: a disk on an axle whose end is held, let go at 60° from the vertical.
+//!
+//! It falls, and in falling precesses; that lifts it again. The axis so nods between two angles while it goes around. Both angles, the
+//! time of a nod and how far the axis goes around in it follow from energy and two angular momenta by quadratures (Goldstein, Poole,
+//! Safko, *Classical Mechanics*, §5.7), computed with twenty digits by `tools/spatial_examples.py`. Declared are a body and a ball
+//! joint; the state has a quaternion, so that no position of the axis is special.
+//!
+//! Look for the axis after one nod: at rest again, and turned about the vertical by the precession of the reference. In the picture
+//! its end draws the cusps at which it rests.
+
+#[path = "common/gallery.rs"]
+mod gallery;
+
+mod common;
+
+use std::error::Error;
+use std::f64::consts::FRAC_PI_6;
+
+use common::compare;
+use lagrange::Simulate;
+use lagrange::draw::SpatialDrawing;
+
+lagrange::system! {
+    /// A disk on a thin axle.
+    #[derive(Clone, Debug)]
+    pub struct Gyroscope;
+    param m = 1.0, r = 0.1, h = 0.02, l = 0.12, g = 9.81;
+    /// Mass and length of the axle.
+    param mass = 0.05, length = 0.2;
+    gravity = (0, 0, -g);
+    body disk {
+        compound {
+            solid_cylinder(r, h), mass: m, at: (0, 0, l);
+            slender_rod(length), mass: mass, at: (0, 0, length/2), turned: (0, pi/2, 0);
+        }
+    }
+    ball pivot = ground to disk;
+    output tip = disk.point(0, 0, length);
+    emit { drawing }
+}
+
+/// Angles from the vertical between which the axis nods, the time of a nod, and how far it goes around.
+const LEAST: f64 = 1.047_197_551_196_597_7;
+const MOST: f64 = 1.550_191_274_704_819;
+const PERIOD: f64 = 0.397_596_435_589_004_5;
+const PRECESSION: f64 = 1.633_556_050_800_379_1;
+/// rad/s about the axis.
+const SPIN: f64 = 60.0;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let gyroscope = Gyroscope::default();
+    // Turned by 60° about the x-axis.
+    let (sin, cos) = FRAC_PI_6.sin_cos();
+    let start = GyroscopeState {
+        pivot_qw: cos,
+        pivot_qx: sin,
+        pivot_qy: 0.0,
+        pivot_qz: 0.0,
+        pivot_wx: 0.0,
+        pivot_wy: 0.0,
+        pivot_wz: SPIN,
+    };
+    let axis = |y: &[f64; 7]| {
+        let tip = gyroscope.tip(0.0, &[y[0], y[1], y[2], y[3]], &[y[4], y[5], y[6]]);
+        tip.map(|component| component / gyroscope.length)
+    };
+    let inclination = |y: &[f64; 7]| axis(y)[2].acos();
+    let after = |nods: f64| {
+        let end = nods * PERIOD;
+        gyroscope.simulate(start).until(end).tolerance(1e-13).ends_only().run().map(|motion| motion.last())
+    };
+    let (half, whole) = (after(0.5)?, after(1.0)?);
+    // The axis began above −y.
+    let [x, y, _] = axis(&whole);
+    let rows = [
+        ("lowest, rad", inclination(&half), MOST),
+        ("after a nod, rad", inclination(&whole), LEAST),
+        ("at rest, rad/s", whole[4].hypot(whole[5]), 0.0),
+        ("precession, rad", x.atan2(-y), PRECESSION),
+    ];
+    compare("a gyroscope nods", 1e-10, &rows);
+
+    let motion =
+        gyroscope.simulate(start).until(4.0 * PERIOD).tolerance(1e-10).every(PERIOD / 50.0).energy().run()?;
+    let drawing = SpatialDrawing::of(&gyroscope)
+        .title("A gyroscope nods while it precesses")
+        .view(0.4, 0.35)
+        .nameless()
+        .trace("", |gyroscope, t, y| gyroscope.tip(t, &[y[0], y[1], y[2], y[3]], &[y[4], y[5], y[6]]));
+    let film = drawing.film(&motion)?;
+    film.save(gallery::picture("gyroscope.gif")?)?;
+    let last = film.pictures()?.pop().ok_or("a film has pictures")?;
+    last.save(gallery::picture("gyroscope.svg")?)?;
+    Ok(())
+}
