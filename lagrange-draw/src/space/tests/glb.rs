@@ -49,10 +49,11 @@ impl File {
     /// What a node is told at a moment: by its channel, by itself, or by default.
     fn value(&self, node: usize, path: &str, moment: usize, default: &[f64]) -> Vec<f64> {
         let animation = &self.json["animations"][0];
-        let channels = animation["channels"].as_array().into_iter().flatten();
+        let mut channels = animation["channels"].as_array().into_iter().flatten();
         let is_of_node =
             |channel: &&Value| channel["target"]["node"] == node && channel["target"]["path"] == path;
-        let channel = channels.filter(is_of_node).reduce(|_, _| panic!("two channels for one {path}"));
+        let channel = channels.find(is_of_node);
+        assert!(channels.find(is_of_node).is_none(), "two channels change one {path}");
         let Some(channel) = channel else {
             let own = self.json["nodes"][node][path].as_array();
             return own.map_or(default.to_vec(), |own| own.iter().filter_map(Value::as_f64).collect());
