@@ -53,7 +53,7 @@ CURSOR = "document.querySelector('#cursor').getBoundingClientRect().x"
 class Browser:
     """A browser at the other end of a pipe."""
 
-    def __init__(self, program):
+    def __init__(self, program, flags=FLAGS):
         self.profile = tempfile.mkdtemp()
         commands_out, self.commands = os.pipe()
         self.answers, answers_in = os.pipe()
@@ -64,7 +64,7 @@ class Browser:
             os.dup2(reading, 3)
             os.dup2(writing, 4)
 
-        arguments = [program, *FLAGS, f"--user-data-dir={self.profile}", "about:blank"]
+        arguments = [program, *flags, f"--user-data-dir={self.profile}", "about:blank"]
         self.process = subprocess.Popen(
             arguments, preexec_fn=connect, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )

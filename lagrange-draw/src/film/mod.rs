@@ -16,7 +16,7 @@ mod chart;
 mod gif;
 mod layers;
 mod motion;
-mod page;
+pub(crate) mod page;
 mod palette;
 pub(crate) mod timeline;
 pub(crate) mod trajectory;

@@ -1,6 +1,6 @@
 "use strict";
 
-// The film: `times` in seconds; `layers`, what changes of the picture; `curves` and where the `chart` has them.
+// The film: `times` in seconds; `curves` and where the `chart` has them; and what the viewer shows.
 const film = JSON.parse(document.getElementById("film").textContent);
 const element = (id) => document.getElementById(id);
 const [play, slider, speed, repeat] = ["play", "slider", "speed", "repeat"].map(element);
@@ -10,6 +10,9 @@ const elapsed = film.times.map((time) => Math.abs(time - start));
 const duration = elapsed[elapsed.length - 1];
 const direction = film.times[film.times.length - 1] < start ? -1 : 1;
 const decimals = duration < 1 ? 4 : duration < 100 ? 2 : 1;
+
+// Shows a picture, or what is a part of the way from it to the next.
+const showPicture = viewer();
 
 let now = 0; // seconds since the start of the film
 let isPlaying = false;
@@ -31,48 +34,6 @@ function between(track, index, part) {
   const [a, b] = [track[index], track[index + 1]];
   if (a === null || part === 0 || b === null || b === undefined) return a;
   return Array.isArray(a) ? a.map((value, i) => value + part * (b[i] - value)) : a + part * (b - a);
-}
-
-const counts = { M: 2, L: 2, C: 6, Z: 0 };
-
-function pathData(kinds, numbers) {
-  let next = 0;
-  const piece = (kind) => kind + numbers.slice(next, (next += counts[kind])).join(" ");
-  return [...kinds].map(piece).join("");
-}
-
-// Each kind of layer: the layer, its group, the mark within it, the picture, the way to the next.
-const changes = {
-  shows: (layer, group, mark, index) => layer.track.some(([from, to]) => from <= index && index < to),
-  moves: (layer, group, mark, index, part) => {
-    const pose = between(layer.track, index, part);
-    if (pose === null) return false;
-    const [x, y, angle] = pose;
-    group.setAttribute("transform", `translate(${x} ${y})` + (angle ? ` rotate(${angle})` : ""));
-    return true;
-  },
-  grows: (layer, group, mark, index, part) => {
-    const length = between(layer.track, index, part);
-    if (length === null) return false;
-    mark.setAttribute("stroke-dashoffset", layer.length - length);
-    return true;
-  },
-  bends: (layer, group, mark, index, part) => {
-    const numbers = between(layer.track, index, part);
-    if (numbers === null) return false;
-    mark.setAttribute("d", pathData(layer.kinds, numbers));
-    return true;
-  },
-};
-
-const groups = film.layers.map((layer, number) => element(`layer-${number}`));
-
-function showPicture(index, part) {
-  film.layers.forEach((layer, number) => {
-    const group = groups[number];
-    const isShown = changes[layer.change](layer, group, group.firstElementChild, index, part);
-    group.setAttribute("visibility", isShown ? "visible" : "hidden");
-  });
 }
 
 function showCurves(index, part) {

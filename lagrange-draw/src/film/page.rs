@@ -4,6 +4,7 @@ use crate::film::animation::{full_length, visibility, with_children};
 use crate::film::chart::{Chart, look};
 use crate::film::layers::{Change, Layer, kinds, layers};
 use crate::film::motion::Pose;
+use crate::film::timeline::{Curve, Timeline};
 use crate::film::{Film, points};
 use crate::picture::Segment;
 use crate::svg;
@@ -12,29 +13,44 @@ use crate::text;
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
+/// What shows the layers of pictures.
+const LAYERS: &str = include_str!("layers.js");
 /// What a page without a title is called.
 const UNTITLED: &str = "Film";
+
+/// A page that plays something: its own style, data and script show a moment, the player does the rest.
+pub(crate) struct Page<'a> {
+    /// In the notation of formulas.
+    pub(crate) title: &'a str,
+    pub(crate) timeline: &'a Timeline,
+    /// Rules that are added to those of all pages.
+    pub(crate) style: &'a str,
+    /// What is shown, and changed by the viewer.
+    pub(crate) picture: String,
+    /// Fields of JSON that the viewer reads.
+    pub(crate) shown: String,
+    /// A script with a function `viewer`, which returns one that shows the moment between a picture and the next.
+    pub(crate) viewer: &'a str,
+    /// What else keys do.
+    pub(crate) keys: &'a str,
+}
 
 impl Film {
     /// The film as an HTML page that needs nothing else: to play, pause and scrub, with curves under the picture. Without scripts it
     /// shows the first picture; where less motion is preferred, it waits to be started.
     pub fn html(&self) -> String {
-        let (layers, chart) = (layers(&self.pictures), Chart::of(&self.timeline));
-        fill(PAGE, |name| match name {
-            "title" => Some(self.name()),
-            "style" => Some(STYLE.to_string()),
-            "picture" => Some(self.first_picture(&layers)),
-            "duration" => Some(format!("{}", self.timeline.duration())),
-            "chart" => Some(chart.as_ref().map(|chart| self.figure(chart)).unwrap_or_default()),
-            "film" => Some(self.json(&layers, chart.as_ref())),
-            "script" => Some(SCRIPT.to_string()),
-            _ => None,
-        })
-    }
-
-    fn name(&self) -> String {
-        let title = text::plain(&self.pictures[0].title);
-        if title.is_empty() { UNTITLED.to_string() } else { svg::escape(&title) }
+        let layers = layers(&self.pictures);
+        let changing = layers.iter().filter(|layer| !is_still(layer)).map(layer_json);
+        let page = Page {
+            title: &self.pictures[0].title,
+            timeline: &self.timeline,
+            style: "",
+            picture: self.first_picture(&layers),
+            shown: format!("\"layers\":[\n{}]", changing.collect::<Vec<_>>().join(",\n")),
+            viewer: LAYERS,
+            keys: "",
+        };
+        page.html()
     }
 
     fn first_picture(&self, layers: &[Layer]) -> String {
@@ -49,9 +65,32 @@ impl Film {
         let marks: String = layers.iter().map(mark).collect();
         self.with_marks(&marks)
     }
+}
+
+impl Page<'_> {
+    /// The whole page.
+    pub(crate) fn html(&self) -> String {
+        let chart = Chart::of(self.timeline);
+        fill(PAGE, |name| match name {
+            "title" => Some(self.name()),
+            "style" => Some(format!("{STYLE}{}", self.style)),
+            "picture" => Some(self.picture.clone()),
+            "duration" => Some(format!("{}", self.timeline.duration())),
+            "chart" => Some(chart.as_ref().map(|chart| self.figure(chart)).unwrap_or_default()),
+            "keys" => Some(self.keys.to_string()),
+            "film" => Some(self.json(chart.as_ref())),
+            "script" => Some(format!("{SCRIPT}\n{}", self.viewer)),
+            _ => None,
+        })
+    }
+
+    fn name(&self) -> String {
+        let title = text::plain(self.title);
+        if title.is_empty() { UNTITLED.to_string() } else { svg::escape(&title) }
+    }
 
     fn figure(&self, chart: &Chart<'_>) -> String {
-        let entry = |(index, curve): (usize, &crate::film::timeline::Curve)| {
+        let entry = |(index, curve): (usize, &Curve)| {
             let name = svg::escape(&curve.name);
             format!(
                 "<li><svg viewBox=\"0 0 35 12\" aria-hidden=\"true\"><path class=\"{}\" d=\"M0 8H35\"/></svg> \
@@ -63,15 +102,15 @@ impl Film {
         format!("<div class=\"plot\">{}\n<ul class=\"legend\">{legend}</ul></div>", chart.svg())
     }
 
-    fn json(&self, layers: &[Layer], chart: Option<&Chart<'_>>) -> String {
-        let curve = |curve: &crate::film::timeline::Curve| {
+    fn json(&self, chart: Option<&Chart<'_>>) -> String {
+        let curve = |curve: &Curve| {
             let values = list(curve.values.iter().map(|value| exact(*value)));
             format!("{{\"name\":{},\"values\":{values}}}", quoted(&curve.name))
         };
         format!(
-            "{{\"times\":{},\n\"layers\":[\n{}],\n\"curves\":{},\n\"chart\":{}}}",
+            "{{\"times\":{},\n{},\n\"curves\":{},\n\"chart\":{}}}",
             list(self.timeline.times.iter().map(|time| exact(*time))),
-            layers.iter().filter(|layer| !is_still(layer)).map(layer_json).collect::<Vec<_>>().join(",\n"),
+            self.shown,
             list(self.timeline.curves.iter().map(curve)),
             chart.map_or("null".to_string(), Chart::json),
         )
@@ -150,7 +189,7 @@ fn track<T>(values: &[Option<T>], write: impl Fn(&T) -> String) -> String {
     list(values.iter().map(|value| value.as_ref().map_or("null".to_string(), &write)))
 }
 
-fn list(items: impl IntoIterator<Item = String>) -> String {
+pub(crate) fn list(items: impl IntoIterator<Item = String>) -> String {
     format!("[{}]", items.into_iter().collect::<Vec<_>>().join(","))
 }
 
@@ -162,12 +201,12 @@ fn angle(pose: Pose) -> String {
 }
 
 /// A number with all its digits.
-fn exact(value: f64) -> String {
+pub(crate) fn exact(value: f64) -> String {
     if value.is_finite() { format!("{value:e}") } else { "null".to_string() }
 }
 
 /// A string of JSON that may stand within an element of HTML.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let escaped = |letter: char| match letter {
         '"' | '\\' | '<' | '>' | '&' | '\u{2028}' | '\u{2029}' | '\0'..='\u{1f}' => {
             format!("\\u{:04x}", u32::from(letter))

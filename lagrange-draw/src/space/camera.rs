@@ -35,9 +35,9 @@ impl Default for Direction {
 /// The distance of an eye, in terms of the radius of what it sees.
 pub(crate) const DISTANCE: f64 = 4.0;
 /// Towards the light, to the right, upwards and towards the eye.
-const LIGHT: Vector = [-0.40, 0.55, 0.733];
+pub(super) const LIGHT: Vector = [-0.40, 0.55, 0.733];
 /// How bright faces are that no light falls on.
-const SHADE: f64 = 0.55;
+pub(super) const SHADE: f64 = 0.55;
 
 impl Camera {
     pub(super) fn new(direction: Direction, middle: Vector, radius: f64) -> Camera {

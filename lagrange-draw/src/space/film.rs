@@ -4,6 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use super::drawing::SpatialDrawing;
+use super::glb;
+use super::page;
 use super::projector::{Look, Projector};
 use super::recording::Recording;
 use crate::drawing::Shot;
@@ -58,7 +60,7 @@ where
         self.film_of(samples_at(pictures_a_second, trajectory, self.system())?)
     }
 
-    fn film_of(&self, shots: Vec<Shot<M>>) -> Result<SpatialFilm, DrawError> {
+    pub(super) fn film_of(&self, shots: Vec<Shot<M>>) -> Result<SpatialFilm, DrawError> {
         let recording = self.recording(shots)?;
         let timeline = Timeline::new(recording.times.clone())?;
         // What cannot be drawn is refused here, and not when it is written.
@@ -121,6 +123,26 @@ impl SpatialFilm {
         Ok(SpatialFilm { timeline: self.timeline.with_energy(name, trajectory, energy)?, ..self })
     }
 
+    /// The film as an HTML page that needs nothing else: to turn with the mouse and to zoom, to play, pause and scrub, with curves under the
+    /// picture. Where scripts or WebGL 2 are missing it shows the first picture; where less motion is preferred, it waits to be started.
+    ///
+    /// # Errors
+    /// If pictures are too small for their margins.
+    pub fn html(&self) -> Result<String, DrawError> {
+        let first = Projector::new(&self.recording, &self.look)?.pictures(0..1).pop();
+        let first = first.ok_or(DrawError::NothingToDraw)?;
+        Ok(page::html(&self.recording, &self.look, &self.timeline, &first))
+    }
+
+    /// The bodies and their motion as glTF 2.0, binary: a node for each thing, turned, moved and stretched as it is at each moment. Traces are
+    /// there in full length from the beginning; names of bodies are those of nodes, and other labels are left out.
+    ///
+    /// # Errors
+    /// If the file would be larger than its format can tell.
+    pub fn glb(&self) -> Result<Vec<u8>, DrawError> {
+        glb::file(&self.recording, &self.look.title, &self.timeline.elapsed())
+    }
+
     /// The film as a GIF, as [`Film::gif`] makes it.
     ///
     /// # Errors
@@ -137,7 +159,9 @@ impl SpatialFilm {
         let path = path.as_ref();
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         let bytes = match extension.to_ascii_lowercase().as_str() {
+            "html" => self.html()?.into_bytes(),
             "gif" => self.gif()?,
+            "glb" => self.glb()?,
             _ => return Err(DrawError::extension(path, &["html", "gif", "glb"])),
         };
         DrawError::written(path, fs::write(path, bytes))

@@ -67,8 +67,9 @@ impl Placement {
     }
 }
 
-/// Edges at which the faces of a smooth surface meet at no more than this angle are not drawn, but where they are its outline: cos 30°.
-const SMOOTH: f64 = 0.866;
+/// Edges at which the faces of a smooth surface meet at no more than this angle are not drawn, but where they are its outline: cos 33°,
+/// for balls of few faces.
+const SMOOTH: f64 = 0.84;
 
 /// The edges of a mesh: for each face and each of its sides which face is behind it, and whether the surface has a corner there.
 #[derive(Clone, PartialEq, Debug)]
@@ -83,6 +84,16 @@ pub(super) enum Neighbour {
     Sharp,
     /// This face, which goes on smoothly.
     Smooth(usize),
+}
+
+impl Neighbour {
+    /// The face that goes on smoothly.
+    pub(super) fn smooth(&self) -> Option<usize> {
+        match self {
+            Neighbour::Sharp => None,
+            Neighbour::Smooth(other) => Some(*other),
+        }
+    }
 }
 
 impl Edges {
@@ -106,6 +117,11 @@ impl Edges {
             sides(face).map(|side| behind(index, side)).collect::<Vec<_>>()
         };
         Edges { sides: mesh.faces.iter().enumerate().map(of_face).collect() }
+    }
+
+    /// What is behind each side of a face.
+    pub(super) fn behind(&self, face: usize) -> &[Neighbour] {
+        &self.sides[face]
     }
 
     /// Which sides of a face are drawn, if these faces are seen.

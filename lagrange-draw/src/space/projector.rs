@@ -44,11 +44,11 @@ struct Window {
 }
 
 /// Widths of edges, of lines of their own, and of the line around a face that leaves no gap to the next one.
-const EDGE: f64 = 0.8;
-const LINE: f64 = 1.5;
+pub(super) const EDGE: f64 = 0.8;
+pub(super) const LINE: f64 = 1.5;
 const GAP: f64 = 0.6;
 /// How much ink there is in the edges of coloured faces.
-const DARK: f64 = 0.65;
+pub(super) const DARK: f64 = 0.65;
 /// Room for labels at the borders.
 const ROOM: f64 = 14.0;
 /// From a place to its label.

@@ -1,5 +1,9 @@
 //! Pictures of a scene that is written by hand.
 
+mod glb;
+mod page;
+mod walker;
+
 use lagrange_runtime::body::SpatialMotion;
 use lagrange_runtime::scene::{
     Connector, LoadOrigin, Solid, SolidPart, SpatialItem, SpatialJoint, SpatialScene,

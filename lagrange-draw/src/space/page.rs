@@ -1,0 +1,260 @@
+//! A motion in space as one HTML file, in which it can be turned: things and where they are, in whole numbers, and a viewer by WebGL.
+
+use super::camera::{DISTANCE, LIGHT, SHADE};
+use super::mesh::{Corner, Mesh};
+use super::motion::{Motion, once};
+use super::projector::{DARK, EDGE, LINE, Look};
+use super::recording::{Kind, Recording, Thing, Trace};
+use super::surface::Surface;
+use super::vector::{Vector, length, subtract, times};
+use crate::colour::{INK, PALE, mixed};
+use crate::film::page::{Page, exact, list};
+use crate::film::timeline::Timeline;
+use crate::picture::{Colour, Picture};
+use crate::svg;
+use crate::text;
+
+const STYLE: &str = include_str!("page/space.css");
+const VIEWER: &str = concat!(
+    include_str!("page/viewer.js"),
+    include_str!("page/camera.js"),
+    include_str!("page/painter.js"),
+    include_str!("page/labels.js")
+);
+const KEYS: &str = " Drag to turn, with two fingers or the right button to shift, wheel or pinch to zoom, double click for the first \
+                    view; with the picture in focus, arrow keys turn, + and − zoom, 0 is the first view.";
+
+/// Whole numbers to the radius of the whole, to the size of a mesh, and to one.
+const FINE: f64 = 20_000.0;
+const MESH: f64 = 5_000.0;
+const ONE: f64 = 10_000.0;
+/// The width of floors and paths, in pixels.
+const AROUND: f64 = 1.0;
+/// Whole numbers to the length of a normal.
+const NORMAL: f64 = 100.0;
+
+/// The page of a motion; `picture` is its first one.
+pub(super) fn html(recording: &Recording, look: &Look, timeline: &Timeline, picture: &Picture) -> String {
+    let scene = Scene { recording, look, frame: Frame::of(recording) };
+    let page = Page {
+        title: &look.title,
+        timeline,
+        style: STYLE,
+        picture: scene.elements(picture),
+        shown: format!("\"space\":{}", scene.json()),
+        viewer: VIEWER,
+        keys: KEYS,
+    };
+    page.html()
+}
+
+/// Whole numbers stand for places: `middle` is none, and `unit` is one.
+struct Frame {
+    middle: Vector,
+    radius: f64,
+    unit: f64,
+}
+
+struct Scene<'a> {
+    recording: &'a Recording,
+    look: &'a Look,
+    frame: Frame,
+}
+
+impl Frame {
+    fn of(recording: &Recording) -> Frame {
+        let places: Vec<Vector> = recording.places().collect();
+        let ends = |axis: usize| {
+            let along = places.iter().map(|place| place[axis]);
+            along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
+        };
+        let middle = [0, 1, 2].map(ends).map(|[low, high]| low + 0.5 * (high - low));
+        let radius = places.iter().map(|place| length(subtract(*place, middle))).fold(0.0, f64::max);
+        let radius = if radius > 0.0 { radius } else { 1.0 };
+        Frame { middle, radius, unit: radius / FINE }
+    }
+
+    fn place(&self, place: Vector) -> String {
+        whole(&times(1.0 / self.unit, subtract(place, self.middle)))
+    }
+}
+
+impl Scene<'_> {
+    /// What a viewer needs, and the first picture, which is shown without it.
+    fn elements(&self, picture: &Picture) -> String {
+        let (look, recording) = (self.look, self.recording);
+        let labels =
+            recording.things.iter().filter_map(label_of).chain(recording.traces.iter().map(trace_label));
+        let element = |(index, (text, colour)): (usize, (String, Colour))| {
+            format!(
+                "<span id=\"label-{index}\" style=\"color:{}\" hidden>{}</span>",
+                hex(colour),
+                rich(&text)
+            )
+        };
+        let labels: String = labels.enumerate().map(element).collect();
+        let caption = |class: &str, text: &str| {
+            if text.is_empty() { String::new() } else { format!("<p class=\"{class}\">{}</p>", rich(text)) }
+        };
+        let name = if look.title.is_empty() { "Motion in space".into() } else { text::plain(&look.title) };
+        format!(
+            "<div id=\"space\" hidden><canvas id=\"canvas\" tabindex=\"0\" role=\"img\" aria-label=\"{}\"></canvas>\
+             <div id=\"labels\" aria-hidden=\"true\">{labels}</div>{}{}\
+             <button id=\"reset\" type=\"button\" title=\"First view\">Reset view</button></div>\n\
+             <div id=\"flat\">{}</div>\n\
+             <p id=\"no-space\" hidden>Things can be turned where a browser has WebGL 2; this is the first picture.</p>",
+            svg::escape(&name),
+            caption("title", &look.title),
+            caption("note", &recording.note),
+            picture.svg(),
+        )
+    }
+
+    fn json(&self) -> String {
+        let recording = self.recording;
+        let mut meshes: Vec<&Mesh> = Vec::new();
+        let mut label = 0;
+        let things: Vec<String> =
+            recording.things.iter().map(|t| self.thing(t, &mut meshes, &mut label)).collect();
+        let traces: Vec<String> =
+            recording.traces.iter().enumerate().map(|(k, t)| self.trace(t, label + k)).collect();
+        let direction = self.look.direction;
+        let near = if direction.is_perspective { 1.0 / DISTANCE } else { 0.0 };
+        format!(
+            "{{\"unit\":{:e},\"view\":[{},{}],\"near\":{near},\"light\":{},\"shade\":{SHADE},\"ink\":{},\"edge\":{EDGE},\n\
+             \"meshes\":[\n{}],\n\"things\":[\n{}],\n\"traces\":[\n{}]}}",
+            1.0 / FINE,
+            exact(direction.azimuth),
+            exact(direction.elevation),
+            list(LIGHT.map(exact)),
+            colour(INK),
+            meshes.into_iter().map(|one| mesh(one, self.frame.radius)).collect::<Vec<_>>().join(",\n"),
+            things.join(",\n"),
+            traces.join(",\n"),
+        )
+    }
+
+    /// A thing; its mesh is put to those that are known, if it is none of them.
+    fn thing<'m>(&self, thing: &'m Thing, meshes: &mut Vec<&'m Mesh>, label: &mut usize) -> String {
+        let known = meshes.iter().position(|mesh| **mesh == thing.mesh);
+        let index = known.unwrap_or_else(|| {
+            meshes.push(&thing.mesh);
+            meshes.len() - 1
+        });
+        let Motion { origins, rotations, stretches, scales } = Motion::of(thing);
+        let stretches: Vec<f64> = stretches.iter().map(|stretch| stretch / self.frame.unit).collect();
+        let edge = mixed(thing.colour, INK, DARK);
+        let (line, width) = match thing.kind {
+            // The edges of holes.
+            Kind::Body => (edge, EDGE),
+            Kind::Surroundings => (thing.colour, AROUND),
+            _ => (thing.colour, LINE),
+        };
+        let numbers = [
+            track(origins.iter().map(|origin| self.frame.place(*origin)).collect()),
+            track(rotations.iter().map(|four| whole(&four.map(|part| ONE * part))).collect()),
+            track(stretches.iter().map(|stretch| whole(&[*stretch])).collect()),
+            track(scales.iter().map(|scale| whole(&[ONE * scale])).collect()),
+        ];
+        let [at, turn, stretch, scale] = numbers;
+        format!(
+            "{{\"mesh\":{index},\"colour\":{},\"edge\":{},\"line\":{},\"width\":{width},\"above\":{},\"label\":{},\
+             \"at\":{at},\"turn\":{turn},\"stretch\":{stretch},\"scale\":{scale}}}",
+            colour(thing.colour),
+            colour(edge),
+            colour(line),
+            thing.kind == Kind::Arrow,
+            self.place_of_label(thing, label),
+        )
+    }
+
+    /// Where the label of a thing is, by its number among all labels.
+    fn place_of_label(&self, thing: &Thing, next: &mut usize) -> String {
+        let Some(label) = &thing.label else { return "null".to_owned() };
+        let number = *next;
+        *next += 1;
+        let Corner { at, share } = label.at;
+        let [x, y, z] = times(1.0 / self.frame.radius, at);
+        format!(
+            "{{\"number\":{number},\"at\":{},\"tip\":{}}}",
+            list([x, y, z, share].map(exact)),
+            share == 1.0
+        )
+    }
+
+    fn trace(&self, trace: &Trace, label: usize) -> String {
+        let places = |places: &[Vector]| list(places.iter().map(|place| self.frame.place(*place)));
+        let label = if trace.label.is_empty() { "null".to_owned() } else { label.to_string() };
+        let [past, points] = [&trace.past, &trace.points].map(|points| places(points));
+        let colour = colour(trace.colour);
+        format!(
+            "{{\"colour\":{colour},\"width\":{LINE},\"label\":{label},\"past\":{past},\"points\":{points}}}"
+        )
+    }
+}
+
+fn label_of(thing: &Thing) -> Option<(String, Colour)> {
+    let is_coloured = thing.kind == Kind::Arrow && thing.colour != PALE;
+    thing.label.as_ref().map(|label| (label.text.clone(), if is_coloured { thing.colour } else { INK }))
+}
+
+fn trace_label(trace: &Trace) -> (String, Colour) {
+    (text::formula(&trace.label), trace.colour)
+}
+
+/// A mesh in numbers of its own unit.
+fn mesh(mesh: &Mesh, radius: f64) -> String {
+    let size = mesh.corners.iter().flat_map(|corner| corner.at).fold(0.0, |a: f64, b| a.max(b.abs()));
+    let unit = if size > 0.0 { size / MESH } else { 1.0 };
+    let corner =
+        |Corner { at: [x, y, z], share }: &Corner| whole(&[x / unit, y / unit, z / unit, ONE * share]);
+    let surface = Surface::of(mesh);
+    let pairs = mesh.lines.iter().flat_map(|line| line.windows(2).map(indices));
+    format!(
+        "{{\"unit\":{:e},\"corners\":{},\n\"points\":{},\n\"triangles\":{},\n\"flat\":{},\n\"sharp\":{},\"smooth\":{},\"lines\":{}}}",
+        unit / radius,
+        list(mesh.corners.iter().map(corner)),
+        list(surface.points.iter().map(|(corner, n)| format!("{corner},{}", whole(&times(NORMAL, *n))))),
+        list(surface.triangles.iter().map(|corners| indices(corners))),
+        list(surface.flat.iter().map(|normal| whole(&times(NORMAL, *normal)))),
+        list(surface.sharp.iter().map(|ends| indices(ends))),
+        list(surface.smooth.iter().map(|ends| indices(ends))),
+        list(pairs),
+    )
+}
+
+/// The numbers of all moments one after the other, or those of one.
+fn track(values: Vec<String>) -> String {
+    list(once(values))
+}
+
+fn indices(indices: &[usize]) -> String {
+    indices.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
+}
+
+fn whole(values: &[f64]) -> String {
+    let number = |value: &f64| format!("{}", value.round() + 0.0);
+    values.iter().map(number).collect::<Vec<_>>().join(",")
+}
+
+/// From zero to one.
+fn colour(Colour([red, green, blue, _]): Colour) -> String {
+    list([red, green, blue].map(|part| svg::number(f64::from(part) / 255.0)))
+}
+
+fn hex(Colour([red, green, blue, _]): Colour) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// Text as elements of HTML: symbols in italics, subscripts as such.
+fn rich(text: &str) -> String {
+    let piece = |run: text::Run| {
+        let text = svg::escape(&run.text);
+        match (run.is_subscript, run.is_symbol()) {
+            (true, _) => format!("<sub>{text}</sub>"),
+            (false, true) => format!("<i>{text}</i>"),
+            (false, false) => text,
+        }
+    };
+    text::runs(text).into_iter().map(piece).collect()
+}
