@@ -24,7 +24,7 @@ ARM = [
 
 # The quadruped: anchor and eye of its spring, stiffness, rest; posture, stiffness and damping of its joints.
 ANCHOR, EYE, STIFFNESS, REST = np.array([0.0, 0.0, 1.0]), np.array([0.02, 0.0, 0.06]), 400.0, 0.3
-LEG, ELASTIC, DAMPING = np.array([0.0, 0.8, -1.5]), np.array([3.0, 6.0, 3.0]), 0.04
+LEG, ELASTIC, DAMPING = np.array([0.0, 0.8, -1.5]), np.array([3.0, 6.0, 3.0]), 0.2
 PLACE = [0.0625, -0.125, 0.25]  # of the trunk
 ORIENTATION = np.array([4.0, 1.0, -2.0, 2.0]) / 5.0  # scalar part first
 JOINTS = [0.25, 0.75, -1.25, -0.125, 1.0, -1.5, 0.125, 0.5, -1.75, -0.25, 0.875, -1.0]
