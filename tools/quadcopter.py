@@ -84,10 +84,10 @@ def main():
     for one, other in zip(*ends):
         assert abs(one - other) <= mpf(10) ** -DIGITS * max(1, abs(one)), (one, other)
     mass, height, inertia = geometry()
-    print("mass, height of its centre, moments of inertia:", [nstr(x, 17) for x in (mass, height, *inertia)])
-    print("hover thrust:", nstr(mass * mpf("9.81") / 4, 17))
+    print("mass, height of its centre, moments of inertia:", [float(nstr(x, 25)) for x in (mass, height, *inertia)])
+    print("hover thrust:", float(nstr(mass * mpf("9.81") / 4, 25)))
     for name, x in zip("x y z qw qx qy qz vx vy vz wx wy wz".split(), ends[1]):
-        print(name, nstr(x, 17))
+        print(name, float(nstr(x, 25)))
 
 
 if __name__ == "__main__":

@@ -114,3 +114,25 @@ impl Palette {
 fn pixels(rgba: &[u8]) -> impl Iterator<Item = Rgb> + '_ {
     rgba.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]])
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::{Palette, Rgb};
+
+    #[test]
+    fn the_nearest_colour_is_the_first_of_those_that_a_search_through_all_finds() {
+        let colour = |k: usize| -> Rgb { [37, 101, 53].map(|step| (k * step % 256 / 8 * 8) as u8) };
+        let mut colours: Vec<Rgb> = (0..60).map(colour).collect();
+        colours.sort_unstable();
+        let palette = Palette { colours, known: BTreeMap::new() };
+        for wanted in (0..400).map(|k| [29, 71, 113].map(|step| (k * step % 256) as u8)) {
+            let distance = |other: &Rgb| -> u32 {
+                other.iter().zip(wanted).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
+            };
+            let searched = (0..60).min_by_key(|&index| distance(&palette.colours[index]));
+            assert_eq!(Some(palette.nearest(wanted)), searched, "{wanted:?}");
+        }
+    }
+}
