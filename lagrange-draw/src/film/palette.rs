@@ -26,15 +26,17 @@ impl Histogram {
 
     /// The colours that stand for all, no more than this many: of each box the most frequent, so that areas keep their colour.
     pub(super) fn palette(self, limit: usize) -> Palette {
-        let mut boxes: Vec<Vec<(Rgb, u64)>> = vec![self.counts.into_iter().collect()];
+        // Each with the length of its longest side, which would else be looked for again at every halving of another one.
+        let measured = |colours: Vec<(Rgb, u64)>| (longest_side(&colours).1, colours);
+        let mut boxes = vec![measured(self.counts.into_iter().collect())];
         while boxes.len() < limit {
-            let widest = (0..boxes.len()).max_by_key(|index| longest_side(&boxes[*index]).1);
-            let Some(index) = widest.filter(|index| longest_side(&boxes[*index]).1 > 0) else { break };
-            let halves = halve(boxes.swap_remove(index));
-            boxes.extend(halves);
+            let widest = (0..boxes.len()).max_by_key(|index| boxes[*index].0);
+            let Some(index) = widest.filter(|index| boxes[*index].0 > 0) else { break };
+            let halves = halve(boxes.swap_remove(index).1);
+            boxes.extend(halves.map(measured));
         }
         let most_frequent =
-            |colours: &Vec<(Rgb, u64)>| colours.iter().max_by_key(|(_, count)| *count).copied();
+            |(_, colours): &(u8, Vec<(Rgb, u64)>)| colours.iter().max_by_key(|(_, count)| *count).copied();
         let mut colours: Vec<Rgb> =
             boxes.iter().filter_map(most_frequent).map(|(colour, _)| colour).collect();
         colours.sort_unstable();
@@ -85,16 +87,52 @@ impl Palette {
         if let Some(index) = self.known.get(&colour) {
             return *index;
         }
-        let distance = |other: &Rgb| -> u32 {
-            other.iter().zip(colour).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
-        };
-        let nearest = (0..self.colours.len()).min_by_key(|index| distance(&self.colours[*index]));
-        let index = nearest.unwrap_or(0) as u8;
+        let index = self.nearest(colour) as u8;
         self.known.insert(colour, index);
         index
+    }
+
+    /// The first of the nearest colours. They are sorted by red, so that the search goes on from both sides of that of the colour until the
+    /// reds alone are further apart than the best.
+    fn nearest(&self, colour: Rgb) -> usize {
+        let red = self.colours.partition_point(|other| other[0] < colour[0]);
+        let mut best = (u32::MAX, 0);
+        for side in [&mut (red..self.colours.len()) as &mut dyn Iterator<Item = usize>, &mut (0..red).rev()] {
+            for index in side {
+                let [r, g, b] =
+                    [0, 1, 2].map(|k| u32::from(self.colours[index][k].abs_diff(colour[k])).pow(2));
+                if r > best.0 {
+                    break;
+                }
+                best = best.min((r + g + b, index));
+            }
+        }
+        best.1
     }
 }
 
 fn pixels(rgba: &[u8]) -> impl Iterator<Item = Rgb> + '_ {
     rgba.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]])
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::{Palette, Rgb};
+
+    #[test]
+    fn the_nearest_colour_is_the_first_of_those_that_a_search_through_all_finds() {
+        let colour = |k: usize| -> Rgb { [37, 101, 53].map(|step| (k * step % 256 / 8 * 8) as u8) };
+        let mut colours: Vec<Rgb> = (0..60).map(colour).collect();
+        colours.sort_unstable();
+        let palette = Palette { colours, known: BTreeMap::new() };
+        for wanted in (0..400).map(|k| [29, 71, 113].map(|step| (k * step % 256) as u8)) {
+            let distance = |other: &Rgb| -> u32 {
+                other.iter().zip(wanted).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
+            };
+            let searched = (0..60).min_by_key(|&index| distance(&palette.colours[index]));
+            assert_eq!(Some(palette.nearest(wanted)), searched, "{wanted:?}");
+        }
+    }
 }

@@ -72,6 +72,9 @@ impl Arrows<'_> {
                 };
                 let text = match (load.cause, &load.body) {
                     (LoadOrigin::Gravity, Some(body)) => symbol("G", body, true),
+                    (LoadOrigin::Applied, _) if ["force", "torque"].contains(&&*load.name) => {
+                        if is_moment { "M" } else { "F" }.to_owned()
+                    }
                     _ => formula(&load.name),
                 };
                 (&*load.name, text, self.film.iter().map(vector).collect())

@@ -3,7 +3,7 @@
 use super::mesh::Mesh;
 use super::snapshot::{Link, SpatialSnapshot};
 use super::solids::{ball, cylinder, solid};
-use super::vector::{NONE, Vector, axes_along, length, subtract, unit};
+use super::vector::{NONE, UPRIGHT, Vector, axes_along, dot, length, subtract, times, unit};
 use lagrange_runtime::scene::SolidPart;
 
 /// Rods of a tree of bodies.
@@ -37,7 +37,7 @@ impl<'a> Skeleton<'a> {
         if part.is_hole { mesh.edges_only() } else { mesh }
     }
 
-    /// Rods from the origin of a link to the joints that it carries and, where there are none, to its centre of mass.
+    /// Rods from the origin of a link to the joints that it carries and, where there are none, to its centre of mass, which is a ball.
     fn rods(&self, link: &Link) -> Option<Mesh> {
         let carried = self
             .scene
@@ -51,10 +51,12 @@ impl<'a> Skeleton<'a> {
             ends.extend(center.filter(|center| length(*center) > self.thin));
         }
         let rods = ends.iter().filter_map(|end| self.rod(NONE, *end));
-        let is_leaf = ends.len() <= 1;
+        // A centre of mass beside the rods would hang in the air.
         let mass = center
-            .filter(|_| is_leaf)
-            .map(|center| ball(CENTER * self.thin).placed(center, &super::vector::UPRIGHT));
+            .filter(|center| {
+                ends.is_empty() || ends.iter().any(|end| distance(*center, *end) < CENTER * self.thin)
+            })
+            .map(|center| ball(CENTER * self.thin).placed(center, &UPRIGHT));
         rods.chain(mass).reduce(Mesh::with)
     }
 
@@ -63,4 +65,10 @@ impl<'a> Skeleton<'a> {
         let rod = cylinder(ROD * self.thin, [0.0, length(span)], ROUND);
         Some(rod.placed(from, &axes_along(unit(span)?)))
     }
+}
+
+/// How far a place is from the rod between the origin and its end.
+fn distance(place: Vector, end: Vector) -> f64 {
+    let along = (dot(place, end) / dot(end, end)).clamp(0.0, 1.0);
+    length(subtract(place, times(along, end)))
 }

@@ -1,0 +1,328 @@
+//! A quadcopter that takes off, steps aside while it turns, and flips over.
+//!
+//! A free body has no singular orientation: upside down is a place like any other. It is made of a block, two rods across and four disks,
+//! the rotors, whose thrusts f are its inputs, along its own Z; each rotor turns the frame backwards by a moment d f. By hand, about
+//! the centre of mass,
+//!
+//! ```text
+//! m r̈ = −m g e_z + R e_z Σf,   J ω̇ + ω × J ω = (a (f₂ − f₄), a (f₃ − f₁), d (f₁ − f₂ + f₃ − f₄)).
+//! ```
+//!
+//! The reference is the solution of these equations under scripted thrusts, with twenty digits (`tools/quadcopter.py`). Then 250 times a
+//! second a geometric controller (Lee, Leok, McClamroch, "Geometric tracking control of a quadrotor UAV on SE(3)", 2010) computes the
+//! thrusts: along R e_z the force that leads back to the path, and moments that turn R e_z into its direction. During the flip it follows
+//! a turn about its own X instead.
+//!
+//! Look for thrusts that point downwards while it is upside down, and end at m g/4 each.
+//!
+//! `cargo run --example quadcopter --features draw`
+
+#[path = "common/gallery.rs"]
+mod gallery;
+
+mod common;
+
+use std::error::Error;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use common::compare;
+use lagrange::Simulate;
+use lagrange::body::SpatialMotion;
+use lagrange::draw::SpatialDrawing;
+use lagrange::simulate::Trajectory;
+
+lagrange::system! {
+    /// A block on crossed rods, with a rotor at each end.
+    #[derive(Clone, Debug)]
+    pub struct Quadcopter;
+
+    /// Distance of the rotors from the middle and their height above it, and moment by thrust.
+    param a = 0.25, h = 0.04, d = 0.02, g = 9.81;
+    /// Thrusts ahead, to the left, behind, and to the right.
+    input f1, f2, f3, f4;
+
+    gravity = (0, 0, -g);
+    body copter {
+        compound {
+            cuboid(0.16, 0.16, 0.06), mass: 0.9;
+            slender_rod(2*a), mass: 0.1;
+            slender_rod(2*a), mass: 0.1, turned: (0, 0, pi/2);
+            disk(0.11), mass: 0.03, at: (a, 0, h);
+            disk(0.11), mass: 0.03, at: (0, a, h);
+            disk(0.11), mass: 0.03, at: (-a, 0, h);
+            disk(0.11), mass: 0.03, at: (0, -a, h);
+        }
+    }
+    free copter;
+
+    force copter.vector(0, 0, f1) at copter.point(a, 0, h);
+    force copter.vector(0, 0, f2) at copter.point(0, a, h);
+    force copter.vector(0, 0, f3) at copter.point(-a, 0, h);
+    force copter.vector(0, 0, f4) at copter.point(0, -a, h);
+    torque copter.vector(0, 0, d * (f1 - f2 + f3 - f4)) on copter;
+    output center = copter.center;
+    emit { motion, drawing }
+}
+
+/// Mass, height of its centre above that of the block, and principal moments of inertia.
+const BODY: [f64; 5] =
+    [1.22, 0.003934426229508197, 0.008559448087431695, 0.008559448087431695, 0.016232666666666666];
+/// The centre of mass, orientation, velocity and angular velocity after 1.5 s of scripted thrusts.
+const SCRIPTED: [f64; 13] = [
+    -0.8352206116086041,
+    2.2181069814126997,
+    -7.095112654535997,
+    -0.145323779559975,
+    -0.5769151591456154,
+    -0.6626140089664683,
+    0.4549643649383741,
+    -1.782148847738871,
+    2.2617264730302393,
+    -12.714942138071622,
+    0.4064413162453598,
+    -7.077507796594062,
+    0.43835788234875944,
+];
+
+const PERIOD: f64 = 4e-3;
+const END: f64 = 7.0;
+/// What a rotor can do, in N.
+const STRONGEST: f64 = 9.0;
+/// When it is up, has stepped aside, flips, and holds its place again.
+const PHASES: [f64; 4] = [1.5, 3.0, 3.6, 4.2];
+const HEIGHT: f64 = 1.0;
+const ASIDE: f64 = 1.5;
+/// The speed at which the flip begins, in m/s.
+const JUMP: f64 = 2.5;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let copter = Quadcopter::default();
+    check_body(&copter);
+    check_scripted(&copter)?;
+    let run = fly(&copter)?;
+    check_flight(&run);
+    draw(&copter, &run)
+}
+
+fn check_body(copter: &Quadcopter) {
+    let body = copter.copter_motion(0.0, &REST.coordinates(), &REST.velocities());
+    let computed = [body.mass, body.center[2], body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]];
+    let names = ["mass, kg", "centre, m", "J_x, kg m^2", "J_y", "J_z"];
+    compare("the body", 1e-15, &[0, 1, 2, 3, 4].map(|i| (names[i], computed[i], BODY[i])));
+}
+
+/// At rest in the origin, upright.
+const REST: QuadcopterState = QuadcopterState {
+    copter_x: 0.0,
+    copter_y: 0.0,
+    copter_z: 0.0,
+    copter_qw: 1.0,
+    copter_qx: 0.0,
+    copter_qy: 0.0,
+    copter_qz: 0.0,
+    copter_vx: 0.0,
+    copter_vy: 0.0,
+    copter_vz: 0.0,
+    copter_wx: 0.0,
+    copter_wy: 0.0,
+    copter_wz: 0.0,
+};
+
+/// Compares the end of a fall under thrusts m g/4 (1 + c sin(s t)).
+fn check_scripted(copter: &Quadcopter) -> Result<(), Box<dyn Error>> {
+    let hover = BODY[0] * copter.g / 4.0;
+    let thrusts = |_: &Quadcopter, t: f64, _: QuadcopterState| {
+        let share = |c: f64, s: f64| hover * (1.0 + c * (s * t).sin());
+        QuadcopterInputs {
+            f1: share(0.2, 3.0),
+            f2: share(-0.15, 5.0),
+            f3: share(0.1, 7.0),
+            f4: share(0.25, 4.0),
+        }
+    };
+    let end = copter.simulate(REST).until(1.5).drive(thrusts).tolerance(1e-14).ends_only().run()?.last();
+    let state = QuadcopterState::from(end);
+    let body = copter.copter_motion(1.5, &state.coordinates(), &state.velocities());
+    let names = [
+        "x, m",
+        "y",
+        "z",
+        "q_w",
+        "q_x",
+        "q_y",
+        "q_z",
+        "v_x, m/s",
+        "v_y",
+        "v_z",
+        "omega_x, rad/s",
+        "omega_y",
+        "omega_z",
+    ];
+    let computed = [&body.center[..], &end[3..7], &body.velocity, &end[10..]].concat();
+    let rows: [_; 13] = std::array::from_fn(|i| (names[i], computed[i], SCRIPTED[i]));
+    compare("after 1.5 s of scripted thrusts", 1e-12, &rows);
+    Ok(())
+}
+
+type Vector = [f64; 3];
+type Matrix = [Vector; 3];
+
+/// What the body should do: either its centre of mass, with the azimuth of its X, or a turn about its X.
+#[derive(Clone, Copy)]
+enum Wanted {
+    Place { place: Vector, velocity: Vector, acceleration: Vector, heading: [f64; 2] },
+    Turn { angle: f64, rate: f64, acceleration: f64 },
+}
+
+/// From 0 to 1 with the least jerk, with its first two derivatives.
+fn blend(from: f64, to: f64, t: f64) -> [f64; 3] {
+    let (span, part) = (to - from, ((t - from) / (to - from)).clamp(0.0, 1.0));
+    let rate = 30.0 * part * part * (1.0 - part).powi(2) / span;
+    let bend = 60.0 * part * (1.0 - part) * (1.0 - 2.0 * part) / (span * span);
+    [part.powi(3) * (10.0 - 15.0 * part + 6.0 * part * part), rate, bend]
+}
+
+fn wanted(t: f64) -> Wanted {
+    let [up, aside, flips, holds] = PHASES;
+    let (rise, step) = (blend(0.0, up, t), blend(up, aside, t));
+    if (flips..holds).contains(&t) {
+        let [angle, rate, acceleration] = blend(flips, holds, t).map(|part| TAU * part);
+        return Wanted::Turn { angle, rate, acceleration };
+    }
+    let push = JUMP / (flips - aside);
+    let run_up = if (aside..flips).contains(&t) { t - aside } else { 0.0 };
+    let [z, v, a] =
+        [HEIGHT * rise[0] + 0.5 * push * run_up * run_up, HEIGHT * rise[1] + push * run_up, HEIGHT * rise[2]];
+    Wanted::Place {
+        place: [0.0, ASIDE * step[0], z],
+        velocity: [0.0, ASIDE * step[1], v],
+        acceleration: [0.0, ASIDE * step[2], if run_up > 0.0 { push } else { a }],
+        heading: [FRAC_PI_2 * step[0], FRAC_PI_2 * step[1]],
+    }
+}
+
+/// Rates of the feedback on places and orientations, in 1/s.
+const PLACE_RATE: f64 = 5.0;
+const TURN_RATE: f64 = 24.0;
+
+/// Thrusts by the state: force along the axis of the rotors, and moments by the deviation of the orientation.
+fn thrusts(copter: &Quadcopter, t: f64, body: &SpatialMotion<f64>) -> QuadcopterInputs {
+    let (axes, weight) = (body.rotation, body.mass * copter.g);
+    let (orientation, force, rates, accelerations) = match wanted(t) {
+        Wanted::Place { place, velocity, acceleration, heading: [azimuth, rate] } => {
+            let mut pull: Vector = std::array::from_fn(|i| {
+                let [off, drift] = [place[i] - body.center[i], velocity[i] - body.velocity[i]];
+                body.mass * (acceleration[i] + PLACE_RATE * (PLACE_RATE * off + 2.0 * drift))
+            });
+            pull[2] += weight;
+            let along = inner(pull, column(&axes, 2));
+            (upright(pull, azimuth), along, [0.0, 0.0, rate], [0.0; 3])
+        }
+        Wanted::Turn { angle, rate, acceleration } => {
+            // About X, which points along the world's y after the quarter turn on the way.
+            let (sin, cos) = angle.sin_cos();
+            let orientation = [[0.0, -cos, sin], [1.0, 0.0, 0.0], [0.0, sin, cos]];
+            (orientation, 0.6 * weight, [rate, 0.0, 0.0], [acceleration, 0.0, 0.0])
+        }
+    };
+    let spin = body.to_body(body.angular_velocity);
+    let off = deviation(&orientation, &axes);
+    let turning: Vector = std::array::from_fn(|i| {
+        accelerations[i] - TURN_RATE * (TURN_RATE * off[i] + 2.0 * (spin[i] - rates[i]))
+    });
+    let carried = cross(spin, product(&body.inertia, spin));
+    let inertial = product(&body.inertia, turning);
+    mixed(copter, force, std::array::from_fn(|i| inertial[i] + carried[i]))
+}
+
+/// The thrusts that together have this force and these moments, as far as rotors can.
+fn mixed(copter: &Quadcopter, force: f64, [mx, my, mz]: Vector) -> QuadcopterInputs {
+    let (mean, x, y, z) = (force / 4.0, mx / (2.0 * copter.a), my / (2.0 * copter.a), mz / (4.0 * copter.d));
+    QuadcopterInputs::from(
+        [mean - y + z, mean + x - z, mean + y + z, mean - x - z].map(|f| f.clamp(0.0, STRONGEST)),
+    )
+}
+
+/// The orientation whose Z has this direction and whose X this azimuth, in rows.
+fn upright(direction: Vector, azimuth: f64) -> Matrix {
+    let z = unit(direction);
+    let y = unit(cross(z, [azimuth.cos(), azimuth.sin(), 0.0]));
+    let x = cross(y, z);
+    [0, 1, 2].map(|row| [x[row], y[row], z[row]])
+}
+
+/// Half the vector of the antisymmetric part of Dᵀ R: for small turns the angle from D to R, along the axes of the body.
+fn deviation(wanted: &Matrix, axes: &Matrix) -> Vector {
+    let entry = |i: usize, j: usize| inner(column(wanted, i), column(axes, j));
+    [entry(2, 1) - entry(1, 2), entry(0, 2) - entry(2, 0), entry(1, 0) - entry(0, 1)].map(|twice| 0.5 * twice)
+}
+
+fn fly(copter: &Quadcopter) -> Result<Trajectory<Quadcopter>, Box<dyn Error>> {
+    let control = |copter: &Quadcopter, t: f64, state: QuadcopterState| {
+        thrusts(copter, t, &copter.copter_motion(t, &state.coordinates(), &state.velocities()))
+    };
+    let run = copter.simulate(REST).until(END).sampled(PERIOD, control).every(0.04).tolerance(1e-10);
+    Ok(run.record("center").dense().run()?)
+}
+
+/// Upright again where it should be, hovering.
+fn check_flight(run: &Trajectory<Quadcopter>) {
+    let thrusts = ["f1", "f2", "f3", "f4"].map(|name| run.column(name).unwrap_or_default());
+    let strongest = thrusts.iter().flat_map(|thrust| thrust.iter()).fold(0.0_f64, |a, b| a.max(*b));
+    let lowest = run.copter_qw().iter().zip(run.copter_qx()).zip(run.copter_qy()).zip(run.copter_qz());
+    let tilted = lowest.map(|(((w, x), y), z)| w * w - x * x - y * y + z * z).fold(1.0, f64::min);
+    println!("strongest thrust {strongest:.3} N; upside down: Z is downwards by {:.4}\n", -tilted);
+    let last = |name: &str| run.column(name).and_then(|column| column.last().copied()).unwrap_or(f64::NAN);
+    let hover = BODY[0] * 9.81 / 4.0;
+    let rows = ["f1", "f2", "f3", "f4"].map(|name| (name, last(name), hover));
+    compare("hovering, N", 1e-4, &rows);
+    let rows = [("center.x", 0.0), ("center.y", ASIDE), ("center.z", HEIGHT)]
+        .map(|(name, at)| (name, last(name), at));
+    compare("in its place, m", 1e-4, &rows);
+}
+
+/// The flight with the thrusts at the beginning of the flip, and a film.
+fn draw(copter: &Quadcopter, run: &Trajectory<Quadcopter>) -> Result<(), Box<dyn Error>> {
+    let shown = PHASES[2] + 0.16;
+    let y = run.at(shown)?;
+    let state = QuadcopterState::from(y);
+    let QuadcopterInputs { f1, f2, f3, f4 } =
+        thrusts(copter, shown, &copter.copter_motion(shown, &state.coordinates(), &state.velocities()));
+    let driven = Quadcopter { f1, f2, f3, f4, ..*copter };
+    let drawing = SpatialDrawing::of(&driven)
+        .title("A quadcopter flips")
+        .view(0.5, 0.3)
+        .nameless()
+        .floor(0.0)
+        .forces()
+        .hide("torque")
+        .hide("gravity");
+    let drawing = drawing.trace("", |copter, t, y| {
+        let state = QuadcopterState::from(*y);
+        copter.center(t, &state.coordinates(), &state.velocities())
+    });
+    let still = drawing.clone().past(run.iter().filter(|(t, _)| *t < shown)).picture(shown, &y)?;
+    still.save(gallery::picture("quadcopter.png")?)?;
+    drawing.size(360.0, 360.0).film_at(10.0, run)?.save(gallery::picture("quadcopter.gif")?)?;
+    Ok(())
+}
+
+fn inner(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn unit(a: Vector) -> Vector {
+    a.map(|part| part / inner(a, a).sqrt())
+}
+
+fn product(matrix: &Matrix, vector: Vector) -> Vector {
+    matrix.map(|row| inner(row, vector))
+}
+
+fn column(matrix: &Matrix, index: usize) -> Vector {
+    matrix.map(|row| row[index])
+}
