@@ -7,7 +7,7 @@
 //! |---|---|
 //! | [`scalar`], `linalg` | numbers; vectors and small solvers |
 //! | [`system`] | traits of systems, and what passes between a system and a run |
-//! | [`body`], [`inertia`], [`scene`] | plane rigid bodies and what there is to draw of them |
+//! | [`body`], [`inertia`], [`scene`] | rigid bodies and what there is to draw of them |
 //! | [`constraint`] | residuals, projection, dependent constraints |
 //! | [`integrate`] | methods |
 //! | [`contact`], [`event`] | contacts and friction; zeros within steps |

@@ -15,6 +15,7 @@ const TRIALS: u64 = 40;
 
 lagrange::system! {
     /// Three bodies that fly: by a quaternion, by angles, and as a point.
+    #[accuracy(fast)]
     struct Flock;
 
     param m = 1.3, l = 0.7, k = 20, c = 0.6;
@@ -153,6 +154,7 @@ fn forces_on_free_bodies_are_those_that_move_them() {
 
 lagrange::system! {
     /// A crane: a column that turns, a trolley on its boom, and a load that hangs from a universal joint.
+    #[accuracy(strict)]
     struct Crane<S>;
 
     param m = 2, l = 0.5, k = 30;

@@ -11,9 +11,10 @@
 //! Beside the statements come expressions for motions, frames and drawings ([`Plain`]); `elaborate::scene` evaluates them only if `emit` asks
 //! for them, and they are emitted as values of `lagrange::body` and `lagrange::scene`, which every build has; pictures are behind the feature
 //! `draw`. What is handed out to be drawn is all that acts of what is declared with bodies: `tests/laws/scenes.rs` and
-//! `tests/api/axiom.rs` hold it to F = m a and to the axiom of angular momentum. On a free body the drawing adds the resultant of what has
-//! no name, m a − Σ F, from the motion. Torques on angles find their bodies by proof (`elaborate::torques`); joints without multipliers
-//! and torques that fit no body or several are handed out as omitted, and named below the picture.
+//! `tests/api/axiom.rs` hold it to F = m a and to the axiom of angular momentum, `tests/spatial/drawing.rs` and `tests/api/spatial_axiom.rs` in
+//! space. On a free body the drawing adds the resultant of what has no name, m a − Σ F, from the motion. In space a load on the coordinate of a
+//! joint acts along its axis (`space::motors`); in the plane torques on angles find their bodies by proof (`elaborate::torques`). Joints
+//! without multipliers and torques that fit no body or several are handed out as omitted, and named below the picture.
 //!
 //! Source of the formulas: any textbook of plane rigid-body mechanics, such as Meriam, Kraige, *Engineering Mechanics:
 //! Dynamics*, ch. 5 and 6.

@@ -57,7 +57,7 @@ pub enum SpatialItem<'a, S> {
     },
     /// A joint.
     Joint {
-        /// Its name: that of its first coordinate, of its quaternion, or of what it places.
+        /// Its name: that of its quaternion, of its first coordinate, or of what it places; that of a pin.
         name: &'a str,
         /// What it is.
         kind: SpatialJoint,
@@ -95,9 +95,10 @@ pub enum SpatialItem<'a, S> {
         /// Its components.
         moment: [S; 3],
     },
-    /// A force or moment that acts and is not handed out.
+    /// A force or moment that acts and is not handed out: that of a pin which the coordinates fulfil by themselves, since it has no
+    /// multipliers, or one on a coordinate that does not tell where it acts.
     Omitted {
-        /// What acts.
+        /// The name of the pin, or what acts.
         name: &'a str,
     },
 }

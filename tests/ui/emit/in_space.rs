@@ -2,7 +2,7 @@ lagrange::system! {
     struct Arm;
 
     gravity = (0, 0, -9.81);
-    body arm { mass: 1; inertia: (1, 1, 2); centroid: (0, 0, 0.5); }
+    body arm { mass: 1; inertia: (1, 1, 2); shape: solid_sphere((1, 2, 3)); }
     frame wrist;
     revolute q = ground to arm { axis: (1, 0, 0); }
     weld arm to wrist { at: (0, 0, 1); }
