@@ -72,7 +72,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let film = drawing
         .film(&motion)?
         .with_energy("kinetic", &motion, |t, y| furuta.kinetic_energy(t, &[y[0], y[1]], &[y[2], y[3]]))?;
-    film.save(gallery::picture("furuta.gif")?)?;
+    film.save(gallery::picture("furuta.html")?)?;
     let begin = furuta.simulate(START).until(1.7).every(0.01).run()?;
     let last = drawing.past(begin.iter()).picture(1.7, &begin.last())?;
     last.save(gallery::picture("furuta.svg")?)?;

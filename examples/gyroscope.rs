@@ -88,7 +88,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .nameless()
         .trace("", |gyroscope, t, y| gyroscope.tip(t, &[y[0], y[1], y[2], y[3]], &[y[4], y[5], y[6]]));
     let film = drawing.film(&motion)?;
-    film.save(gallery::picture("gyroscope.gif")?)?;
+    film.save(gallery::picture("gyroscope.html")?)?;
     let last = film.pictures()?.pop().ok_or("a film has pictures")?;
     last.save(gallery::picture("gyroscope.svg")?)?;
     Ok(())

@@ -279,6 +279,7 @@ fn draw(arm: &Panda, run: &Trajectory<Panda>) -> Result<(), Box<dyn Error>> {
     let past = run.iter().filter(|(t, _)| *t < shown).step_by(20);
     let still = drawing.clone().past(past).picture(shown, &run.at(shown)?)?;
     still.save(gallery::picture("panda.png")?)?;
+    drawing.clone().film_at(30.0, run)?.save(gallery::picture("panda.html")?)?;
     drawing.size(360.0, 300.0).film_at(10.0, run)?.save(gallery::picture("panda.gif")?)?;
     Ok(())
 }

@@ -303,6 +303,7 @@ fn draw(copter: &Quadcopter, run: &Trajectory<Quadcopter>) -> Result<(), Box<dyn
     });
     let still = drawing.clone().past(run.iter().filter(|(t, _)| *t < shown)).picture(shown, &y)?;
     still.save(gallery::picture("quadcopter.png")?)?;
+    drawing.clone().film_at(30.0, run)?.save(gallery::picture("quadcopter.html")?)?;
     drawing.size(360.0, 360.0).film_at(10.0, run)?.save(gallery::picture("quadcopter.gif")?)?;
     Ok(())
 }

@@ -180,6 +180,7 @@ fn draw(quadruped: &Quadruped, run: &Trajectory<Quadruped>) -> Result<(), Box<dy
     let drawing = SpatialDrawing::of(quadruped).title("A quadruped on a spring").view(-0.8, 0.3).nameless();
     let still = drawing.clone().picture(1.0, &run.at(1.0)?)?;
     still.save(gallery::picture("quadruped.png")?)?;
+    drawing.clone().film_at(30.0, run)?.save(gallery::picture("quadruped.html")?)?;
     drawing.size(360.0, 400.0).film_at(10.0, run)?.save(gallery::picture("quadruped.gif")?)?;
     Ok(())
 }

@@ -40,7 +40,7 @@ impl Arrows<'_> {
             let text = symbol(letter, &link.name, bodies.len() > 1);
             (&*link.name, text, self.film.iter().map(vector).collect())
         });
-        self.arrows(vectors.collect(), colour, solids::arrow(self.size.thin()))
+        self.arrows(vectors.collect(), colour, &solids::arrow(self.size.thin()))
     }
 
     /// The own axes of bodies.
@@ -81,7 +81,7 @@ impl Arrows<'_> {
             });
             let thin = self.size.thin();
             let mesh = if is_moment { solids::double_arrow(thin) } else { solids::arrow(thin) };
-            self.arrows(vectors.collect(), FORCE, mesh)
+            self.arrows(vectors.collect(), FORCE, &mesh)
         };
         [of_kind(false), of_kind(true)].concat()
     }
@@ -91,7 +91,7 @@ impl Arrows<'_> {
         &self,
         vectors: Vec<(&str, String, Vec<[Vector; 2]>)>,
         colour: Colour,
-        mesh: Mesh,
+        mesh: &Mesh,
     ) -> Vec<Thing> {
         let all = vectors.iter().flat_map(|(_, _, track)| track.iter().map(|[_, vector]| length(*vector)));
         let largest = all.fold(0.0, f64::max);

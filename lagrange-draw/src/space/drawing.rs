@@ -173,7 +173,7 @@ impl<M: SpatialScene> SpatialDrawing<'_, M>
 where
     M::Scalar: Into<f64>,
 {
-    /// The picture at a time and a state.
+    /// The picture at a time and a state, with forces under the inputs that the system has.
     ///
     /// # Errors
     /// If a number is not finite, the scene lacks what is to be hidden, there is nothing to draw, or the picture is too small.
@@ -186,12 +186,13 @@ where
     /// # Errors
     /// Those of [`picture`](Self::picture).
     pub fn pictures(&self, states: impl IntoIterator<Item = Instant<M>>) -> Result<Vec<Picture>, DrawError> {
-        let recording = self.recording(states.into_iter().map(|instant| (instant, None)).collect())?;
+        let shots: Vec<Shot<M>> = states.into_iter().map(|instant| (instant, None)).collect();
+        let recording = self.recording(&shots)?;
         Ok(Projector::new(&recording, &self.look)?.pictures(0..recording.times.len()))
     }
 
     /// What is drawn of a motion, in which the system may be another one from instant to instant.
-    pub(super) fn recording(&self, shots: Vec<Shot<M>>) -> Result<Recording, DrawError> {
+    pub(super) fn recording(&self, shots: &[Shot<M>]) -> Result<Recording, DrawError> {
         let snapshots = shots.iter().map(|shot| self.snapshot(shot)).collect::<Result<Vec<_>, _>>()?;
         // What moves in the past only is seen by its traces.
         let mut things = stage::things(&snapshots, self.wanted, &Size::of(&snapshots));

@@ -43,7 +43,7 @@ where
     /// # Errors
     /// If a picture cannot be made, as [`picture`](SpatialDrawing::picture) says.
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<SpatialFilm, DrawError> {
-        let film = self.film_of(samples(trajectory, self.system()))?;
+        let film = self.film_of(&samples(trajectory, self.system()))?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
@@ -57,10 +57,10 @@ where
         pictures_a_second: f64,
         trajectory: &Trajectory<M>,
     ) -> Result<SpatialFilm, DrawError> {
-        self.film_of(samples_at(pictures_a_second, trajectory, self.system())?)
+        self.film_of(&samples_at(pictures_a_second, trajectory, self.system())?)
     }
 
-    pub(super) fn film_of(&self, shots: Vec<Shot<M>>) -> Result<SpatialFilm, DrawError> {
+    pub(super) fn film_of(&self, shots: &[Shot<M>]) -> Result<SpatialFilm, DrawError> {
         let recording = self.recording(shots)?;
         let timeline = Timeline::new(recording.times.clone())?;
         // What cannot be drawn is refused here, and not when it is written.

@@ -208,18 +208,18 @@ impl Fragment {
 /// The part of a convex polygon at heights above zero. The side along the cut is not drawn.
 fn clipped(corners: &[Vector], drawn: &[bool], heights: &[f64], least: f64) -> (Vec<Vector>, Vec<bool>) {
     let (mut kept, mut sides) = (Vec::new(), Vec::new());
-    for index in 0..corners.len() {
+    for (index, &is_drawn) in drawn.iter().enumerate() {
         let next = (index + 1) % corners.len();
         let ends = [index, next].map(|end| corners[end]);
         let at = [index, next].map(|end| heights[end]);
         if at[0] >= -least {
             kept.push(ends[0]);
             // From a corner in the plane downwards goes the cut.
-            sides.push(drawn[index] && !(at[0] <= least && at[1] < -least));
+            sides.push(is_drawn && !(at[0] <= least && at[1] < -least));
         }
         if at[0].abs() > least && at[1].abs() > least && (at[0] > 0.0) != (at[1] > 0.0) {
             kept.push(crossing(ends, at));
-            sides.push(drawn[index] && at[1] > 0.0);
+            sides.push(is_drawn && at[1] > 0.0);
         }
     }
     (kept, sides)

@@ -105,9 +105,9 @@ fn corners_are_where_they_are_at_each_moment() {
         for moment in [0, 13, 39] {
             let placement = thing.track[moment];
             let of_faces: Vec<usize> =
-                Surface::of(&thing.mesh).points.iter().map(|(corner, _)| *corner).collect();
+                Surface::of(&thing.mesh).points.iter().map(|(corner, _)| *corner).collect::<Vec<_>>();
             let of_lines: Vec<usize> =
-                (0..thing.mesh.corners.len()).filter(|_| !thing.mesh.lines.is_empty()).collect();
+                (0..thing.mesh.corners.len()).filter(|_| !thing.mesh.lines.is_empty()).collect::<Vec<_>>();
             let parts = [of_faces, of_lines].into_iter().filter(|corners| !corners.is_empty());
             for (primitive, corners) in parts.enumerate() {
                 let places = file.places(node, primitive, moment);
@@ -146,7 +146,7 @@ fn z_points_upwards() {
     let file = File::of(&crane(2));
     let root = &file.json["nodes"][index(&file.json["scenes"][0]["nodes"][0])];
     let four: Vec<f64> =
-        root["rotation"].as_array().into_iter().flatten().filter_map(Value::as_f64).collect();
+        root["rotation"].as_array().into_iter().flatten().filter_map(Value::as_f64).collect::<Vec<_>>();
     let up = turned(&four, [0.0, 0.0, 1.0]);
     assert!(length(subtract(up, [0.0, 1.0, 0.0])) < 1e-15, "{up:?}");
     assert_eq!(
@@ -158,7 +158,7 @@ fn z_points_upwards() {
 #[test]
 fn one_moment_is_a_model_without_a_motion_and_names_are_kept() {
     let drawing = SpatialDrawing::of(&Crane).title(NAUGHTY);
-    let film = drawing.film_of(vec![((0.0, [0.3, 1.0]), None)]).expect("draws");
+    let film = drawing.film_of(&[((0.0, [0.3, 1.0]), None)]).expect("draws");
     let file = File::of(&film);
     assert!(file.json["animations"].is_null());
     let nodes = file.json["nodes"].as_array().expect("has nodes");

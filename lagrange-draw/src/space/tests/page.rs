@@ -20,9 +20,9 @@ pub(super) fn crane(moments: usize) -> SpatialFilm {
         .axes()
         .floor(-0.5);
     let drawing = drawing.trace("tip", |_, _, [angle, _]| [2.0 * angle.cos(), 2.0 * angle.sin(), 0.0]);
-    let shots = (0..moments).map(|k| ((0.05 * k as f64, [0.05 * k as f64, 1.0]), None)).collect();
-    let film = drawing.film_of(shots).expect("draws");
-    let height = film.times().iter().map(|time| time.sin()).collect();
+    let shots = (0..moments).map(|k| ((0.05 * k as f64, [0.05 * k as f64, 1.0]), None)).collect::<Vec<_>>();
+    let film = drawing.film_of(&shots).expect("draws");
+    let height = film.times().iter().map(|time| time.sin()).collect::<Vec<_>>();
     film.with_values("energy", height).expect("one for each moment")
 }
 
@@ -49,8 +49,8 @@ fn walk() -> SpatialFilm {
     }
     let shots =
         (0..=600).map(|k| (f64::from(k) / 60.0, [f64::from(k) / 600.0 * 2.0, 0.2])).map(|shot| (shot, None));
-    let film = drawing.film_of(shots.collect()).expect("draws");
-    let energy = film.times().iter().map(|time| 5.0 + 0.2 * (9.0 * time).sin()).collect();
+    let film = drawing.film_of(&shots.collect::<Vec<_>>()).expect("draws");
+    let energy = film.times().iter().map(|time| 5.0 + 0.2 * (9.0 * time).sin()).collect::<Vec<_>>();
     film.with_values("energy", energy).expect("one for each moment")
 }
 
@@ -83,7 +83,7 @@ fn places_are_where_things_are() {
     let things = space["things"].as_array().expect("has things");
     assert_eq!(things.len(), recording.things.len());
     let unit = space["unit"].as_f64().expect("has a unit");
-    let places: Vec<Vector> = recording.places().collect();
+    let places: Vec<Vector> = recording.places().collect::<Vec<_>>();
     let ends = |axis: usize| {
         let along = places.iter().map(|place| place[axis]);
         along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
@@ -164,8 +164,8 @@ fn a_long_film_of_a_machine_with_four_legs_is_below_two_megabytes() {
 fn every_label_has_an_element_and_no_name_breaks_the_page() {
     let drawing =
         SpatialDrawing::of(&Crane).title(NAUGHTY).velocities().trace(NAUGHTY, |_, _, _| [1.0, 0.0, 0.0]);
-    let shots = (0..3).map(|k| ((f64::from(k), [f64::from(k), 1.0]), None)).collect();
-    let html = drawing.film_of(shots).and_then(|film| film.html()).expect("is written");
+    let shots = (0..3).map(|k| ((f64::from(k), [f64::from(k), 1.0]), None)).collect::<Vec<_>>();
+    let html = drawing.film_of(&shots).and_then(|film| film.html()).expect("is written");
     assert_eq!(html.matches("</script>").count(), 2);
     assert!(!html.contains("<!--") && html.contains("&lt;/script&gt;&lt;!--{{script}}"));
     let space = &film(&html)["space"];
@@ -176,7 +176,7 @@ fn every_label_has_an_element_and_no_name_breaks_the_page() {
         .filter_map(|thing| thing["label"]["number"].as_u64());
     let of_traces =
         space["traces"].as_array().into_iter().flatten().filter_map(|trace| trace["label"].as_u64());
-    let labels: Vec<u64> = of_things.chain(of_traces).collect();
+    let labels: Vec<u64> = of_things.chain(of_traces).collect::<Vec<_>>();
     assert_eq!(labels, (0..labels.len() as u64).collect::<Vec<_>>());
     assert!(labels.len() > 2);
     assert_eq!(html.matches("<span id=\"label-").count(), labels.len());
