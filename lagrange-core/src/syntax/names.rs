@@ -120,6 +120,11 @@ impl Parser<'_> {
     }
 }
 
+/// Whether a declaration can introduce this identifier: a keyword, a function or a name with a meaning of its own it cannot.
+pub fn can_be_declared(identifier: &str) -> bool {
+    objection(identifier).is_none()
+}
+
 /// Why a declaration cannot introduce this name, if it cannot.
 fn objection(name: &str) -> Option<String> {
     if keywords::begins_statement(name) {
