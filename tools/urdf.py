@@ -33,7 +33,7 @@ SNAPPED = 1e-9  # distance within which an angle is a number of quarter turns, a
 CASES = {
     "every_joint": ("every_joint.urdf", False, None),
     "tree_of_30": ("tree_of_30.urdf", False, None),
-    "tree_of_30_free": ("tree_of_30.urdf", True, None),
+    "tree_of_5_free": ("tree_of_5.urdf", True, None),
     # Pinocchio takes every plane for that across z: it reads prismatic and revolute joints in the place of the planar one.
     "tilted_plane": ("tilted_plane.urdf", False, "tilted_plane_by_hand.urdf"),
 }
@@ -190,7 +190,8 @@ def references(path, is_free, is_snapped=False, spreads=None):
 
 
 def write_tests():
-    (DATA / "tree_of_30.urdf").write_text(tree(30))
+    for count in (5, 30):
+        (DATA / f"tree_of_{count}.urdf").write_text(tree(count))
     for name, (file, is_free, read) in CASES.items():
         lines = [f"# Written by tools/urdf.py.", *references(DATA / (read or file), is_free)]
         (DATA / f"{name}.txt").write_text("\n".join(lines) + "\n")
@@ -198,9 +199,9 @@ def write_tests():
 
 def tree(count):
     """A robot with random branches, joints and inertia, in numbers of few digits."""
-    rng = np.random.default_rng(30)
+    rng = np.random.default_rng(count)
     text = lambda numbers: " ".join(f"{x:.3g}" for x in numbers)
-    lines = ['<robot name="TreeOf30">', '  <link name="trunk">', *inertial(rng), "  </link>"]
+    lines = [f'<robot name="TreeOf{count}">', '  <link name="trunk">', *inertial(rng), "  </link>"]
     for index in range(1, count):
         parent = rng.integers(max(0, index - 4), index)
         axis = [[1, 0, 0], [0, 1, 0], [0, 0, 1], rng.normal(size=3)][rng.integers(4)]

@@ -109,6 +109,8 @@ mod tests {
             ("sin", "sin_link"),
             ("t", "t_link"),
             ("ground", "ground_link"),
+            ("spring", "spring_link"),
+            ("to", "to_link"),
             ("Gelenk-ä-1", "gelenk_1"),
             ("関節", "link"),
             ("", "link_link"),

@@ -105,3 +105,11 @@ pub(super) fn negative(attribute: &str) -> String {
 pub(super) fn not_accepted(report: &str) -> String {
     format!("the declaration that was made of this is refused: {report}")
 }
+
+pub(super) fn and_others(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => ", here and in one more place".to_owned(),
+        _ => format!(", here and in {count} more places"),
+    }
+}

@@ -23,10 +23,22 @@ impl<'d> Source<'d> {
         self.document.text_pos_at(place).row
     }
 
-    /// Mistakes and warnings, from the first line to the last.
+    /// Mistakes and warnings, from the first line to the last; warnings that say the same of elements of one tag are one.
     pub(super) fn into_mistakes(mut self) -> Vec<Mistake> {
         self.mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
-        self.mistakes
+        let mut told = Vec::<(Mistake, usize)>::new();
+        for mistake in self.mistakes {
+            let is_same = |other: &Mistake| (tag(other), &other.message) == (tag(&mistake), &mistake.message);
+            match told.iter_mut().find(|(other, _)| !mistake.is_error && !other.is_error && is_same(other)) {
+                Some((_, others)) => *others += 1,
+                None => told.push((mistake, 0)),
+            }
+        }
+        let counted = told.into_iter().map(|(mut mistake, others)| {
+            mistake.message.push_str(&messages::and_others(others));
+            mistake
+        });
+        counted.collect()
     }
 
     pub(super) fn error_count(&self) -> usize {
@@ -152,6 +164,12 @@ impl<'d> Source<'d> {
                 .for_each(|near| warning.help(messages::did_you_mean(&format!("<{near}>"))));
         }
     }
+}
+
+/// The last part of an element in words, without names: `<axis>` of `joint "elbow", <axis>`.
+fn tag(mistake: &Mistake) -> &str {
+    let last = mistake.element.rsplit(", ").next().unwrap_or_default();
+    if last.starts_with('<') { last } else { last.split(' ').next().unwrap_or_default() }
 }
 
 /// An element in words: `link "arm", <mass>`.

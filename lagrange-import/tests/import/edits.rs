@@ -9,7 +9,7 @@ use crate::files::read;
 use crate::reference::statements;
 
 /// Damaged files of each kind; `EDITS=10000 cargo test --release -p lagrange-import edits` tries more.
-const COUNT: usize = 200;
+const COUNT: usize = 100;
 /// Accepted files of which the declaration is read again.
 const READ_AGAIN: usize = 20;
 

@@ -88,6 +88,13 @@ const EDITS: &[(&str, &str, &[&str])] = &[
         "<inertail></inertail><inertial>\n",
         &["4:1: warning: link \"arm\", <inertail>: this is not known and left out"],
     ),
+    (
+        "<inertial>\n",
+        "<gravity>1</gravity><inertial>\n<gravity/>",
+        &[
+            "4:1: warning: link \"arm\", <gravity>: this is not known and left out, here and in one more place",
+        ],
+    ),
     ("<parent link=\"base\"/>", "", &["10:1: error: joint \"q\": <parent> is missing"]),
     (
         "<child link=\"arm\"/>",
