@@ -13,10 +13,11 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 8] = [
+pub(crate) const LIBRARIES: [Library; 9] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-core", layers: CORE },
     Library { name: "lagrange-draw", layers: DRAW },
+    Library { name: "lagrange-import", layers: IMPORT },
     Library { name: "lagrange-macro", layers: &[] },
     Library { name: "lagrange-math", layers: MATH },
     Library { name: "lagrange-plot", layers: PLOT },
@@ -176,7 +177,20 @@ const DRAW: &[Layer] = &[
     Layer { modules: &["space"], purpose: "pictures and films of bodies in space, from meshes that move" },
 ];
 
+const IMPORT: &[Layer] = &[
+    Layer {
+        modules: &["decimal", "mistakes"],
+        purpose: "numbers as people wrote them; mistakes with line and element",
+    },
+    Layer {
+        modules: &["names", "robot", "rotation"],
+        purpose: "identifiers; links and joints as data; quarter turns",
+    },
+    Layer { modules: &["declaration"], purpose: "robots as text to be read and edited" },
+    Layer { modules: &["urdf"], purpose: "URDF files to robots, with all mistakes; the front door" },
+];
+
 const XTASK: &[Layer] = &[Layer {
-    modules: &["performance"],
-    purpose: "measures, and rewrites the tables of `docs/performance.md`",
+    modules: &["performance", "urdf"],
+    purpose: "measures, and rewrites the tables of `docs/performance.md`; imports robots",
 }];

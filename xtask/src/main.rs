@@ -1,9 +1,11 @@
 //! `cargo xtask check`: everything that must hold of this workspace, in one command that needs only Rust.
 //! `cargo xtask performance`: measures how fast emitted code is and rewrites the tables of docs/performance.md;
 //! `cargo xtask performance spatial` does so for bodies in space alone.
+//! `cargo xtask urdf robot.urdf`: writes the declaration of a robot.
 #![forbid(unsafe_code)]
 
 mod performance;
+mod urdf;
 
 use std::env;
 use std::path::Path;
@@ -50,8 +52,9 @@ fn main() -> ExitCode {
         ["check"] => check(root),
         ["performance"] => code(performance::performance(root)),
         ["performance", "spatial"] => code(performance::spatial(root)),
+        ["urdf", ref options @ ..] => code(urdf::urdf(options)),
         _ => {
-            eprintln!("usage: cargo xtask check | performance [spatial]");
+            eprintln!("usage: cargo xtask check | performance [spatial]\n       {}", urdf::USAGE);
             ExitCode::from(2)
         }
     }

@@ -51,6 +51,7 @@ use scene::add_scene;
 use statements::add_statement;
 use unknown_names::count_unresolved;
 
+pub use obligations::is_physical;
 pub use reductions::METHODS_OF_REDUCED;
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.

@@ -138,8 +138,10 @@ fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId;
     }
 }
 
-/// Whether the second moments of the mass are positive semidefinite, but for rounding: by the signs of the principal minors.
-fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
+/// Whether a body can have these moments and products of inertia, xx, yy, zz, xy, xz and yz, about its centre of mass.
+///
+/// The second moments of its mass are then positive semidefinite, but for rounding: by the signs of the principal minors.
+pub fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
     let half = 0.5 * (xx + yy + zz);
     let [a, b, c] = [half - xx, half - yy, half - zz];
     let (size, slack) = (half.abs(), ROUNDING * half.abs());

@@ -55,6 +55,7 @@ use ast::{Declaration, DeclaredBody, SceneStatement, StatementKind};
 use cursor::Cursor;
 use header::{default_header, header_ahead};
 pub use keywords::{STRUCTURAL_FUNCTIONS, is_rust_keyword};
+pub use names::can_be_declared;
 use parser::Parser;
 
 /// Reads the input of `system!`.

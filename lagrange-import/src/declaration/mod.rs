@@ -1,0 +1,261 @@
+//! Robots as declarations, to be read and edited.
+//!
+//! The order is that of the tree: a link, then the joint that places it. The printer of the language knows no comments and one line for
+//! each statement, so that text is laid out here ([`layout`]); that it is read as it is meant is checked by whoever asks for it.
+
+mod joints;
+mod layout;
+mod words;
+
+use crate::decimal::Decimal;
+use crate::names::{FREE, GROUND, Identifiers, tells};
+use crate::robot::{Inertial, Joint, Kind, Link, Robot};
+use joints::Placed;
+use layout::{Page, vector};
+
+/// What is not said by the robot.
+pub(crate) struct Style {
+    /// Name of the struct.
+    pub(crate) name: String,
+    /// Whether the base moves freely.
+    pub(crate) is_free: bool,
+    /// Whether each coordinate gets an input that is a force on it.
+    pub(crate) has_inputs: bool,
+}
+
+/// What moves: a joint, or the base.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Motion {
+    /// The name of the joint in the file; `None` of a base that moves freely.
+    pub joint: Option<String>,
+    /// Names of its positions in the state.
+    pub positions: Vec<String>,
+    /// Number of its velocities.
+    pub velocities: usize,
+}
+
+/// A declaration.
+pub(crate) struct Declared {
+    /// With the macro around it.
+    pub(crate) text: String,
+    /// What stands within the macro.
+    pub(crate) statements: String,
+    pub(crate) motions: Vec<Motion>,
+}
+
+/// Statements so far, and the names in them.
+struct Writer<'r> {
+    robot: &'r Robot,
+    page: Page,
+    identifiers: Identifiers,
+    /// Identifiers of links, [`GROUND`] among them.
+    links: Vec<String>,
+    /// Coordinates of joints that have a single one.
+    coordinates: Vec<Option<String>>,
+    motions: Vec<Motion>,
+    /// For each link, whether it never moves.
+    at_rest: Vec<bool>,
+}
+
+pub(crate) fn declaration(robot: &Robot, style: &Style) -> Declared {
+    let mut writer = Writer::new(robot, style);
+    writer.head(style);
+    writer.base(style);
+    for (index, joint) in robot.joints.iter().enumerate() {
+        writer.page.gap();
+        writer.placed_by(index, joint);
+    }
+    writer.mimics();
+    if style.has_inputs {
+        writer.inputs();
+    }
+    let Writer { page, motions, .. } = writer;
+    let statements = page.text();
+    Declared { text: format!("lagrange::system! {{\n{statements}}}\n"), statements, motions }
+}
+
+impl<'r> Writer<'r> {
+    fn new(robot: &'r Robot, style: &Style) -> Writer<'r> {
+        let mut identifiers = Identifiers::default();
+        let is_ground = robot.links[robot.root].inertial.is_none() && !style.is_free;
+        let is_freed = |link: usize| {
+            let mut placing = robot.joints.iter().filter(|joint| joint.child == link);
+            let is_free_joint =
+                placing.any(|joint| is_ground && joint.parent == robot.root && is_plainly_floating(joint));
+            is_free_joint || link == robot.root && style.is_free
+        };
+        let links = robot.links.iter().enumerate().map(|(index, link)| {
+            if index == robot.root && is_ground {
+                return GROUND.to_owned();
+            }
+            identifiers.take(&link.name, "link", if is_freed(index) { &FREE } else { &[] })
+        });
+        let links = links.collect();
+        let at_rest = match style.is_free {
+            true => vec![false; robot.links.len()],
+            false => robot.fixed_in_root(),
+        };
+        let coordinates = vec![None; robot.joints.len()];
+        Writer { robot, page: Page::default(), identifiers, links, coordinates, motions: Vec::new(), at_rest }
+    }
+
+    fn head(&mut self, style: &Style) {
+        let name = self.robot.name.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "'");
+        self.page.comment("///", &format!("Robot `{name}`."));
+        self.page.line("#[derive(Clone, Debug)]");
+        self.page.line(&format!("pub struct {};", style.name));
+        self.page.gap();
+        self.page.line("gravity = (0, 0, -9.81);");
+        self.page.gap();
+    }
+
+    /// The link that no joint places.
+    fn base(&mut self, style: &Style) {
+        let (root, name) = (self.robot.root, self.links[self.robot.root].clone());
+        if name == GROUND {
+            return;
+        }
+        self.link(root);
+        if !style.is_free {
+            self.page.comment("//", &format!("With `free {name};` in the place of this it moves freely."));
+            return self.page.line(&format!("weld {GROUND} to {name};"));
+        }
+        self.page.line(&format!("free {name};"));
+        self.motions.push(free_motion(None, &name));
+    }
+
+    /// A link, and the joint that places it.
+    fn placed_by(&mut self, index: usize, joint: &'r Joint) {
+        self.link(joint.child);
+        let placed = Placed {
+            joint,
+            parent: self.links[joint.parent].clone(),
+            child: self.links[joint.child].clone(),
+        };
+        match joint.kind {
+            Kind::Revolute | Kind::Prismatic => self.coordinates[index] = Some(self.simple(&placed)),
+            Kind::Planar => self.planar(&placed),
+            Kind::Floating => self.floating(&placed),
+            Kind::Fixed => self.weld(&placed),
+            Kind::Held => {
+                self.page
+                    .comment("//", &format!("Joint `{}` moves no mass: it is held.", plain(&joint.name)));
+                self.weld(&placed);
+            }
+        }
+    }
+
+    /// `body` or `frame`; one at rest without its inertia if no body has it.
+    fn link(&mut self, index: usize) {
+        let (link, name) = (&self.robot.links[index], self.links[index].clone());
+        if !tells(&name, &link.name) {
+            self.page.comment("//", &format!("Link `{}` of the file.", plain(&link.name)));
+        }
+        let written = words::shapes(&link.shapes);
+        written.iter().for_each(|shapes| self.page.comment("//", shapes));
+        match &link.inertial {
+            None => self.page.line(&format!("frame {name};")),
+            Some(inertial) if self.at_rest[index] && !inertial.is_physical => {
+                let comment =
+                    format!("At rest, with a mass of {} kg and inertia that no body has.", inertial.mass);
+                self.page.comment("//", &comment);
+                self.page.line(&format!("frame {name};"));
+            }
+            Some(inertial) => self.body(link, &name, inertial),
+        }
+    }
+
+    fn body(&mut self, link: &Link, name: &str, inertial: &Inertial) {
+        let Inertial { mass, centroid, tensor, is_physical, .. } = inertial;
+        let mut properties = vec![format!("mass: {mass};")];
+        if centroid.iter().any(|component| !component.is_zero()) {
+            properties.push(format!("centroid: {};", vector(centroid)));
+        }
+        let mut moments = tensor[..3].iter().map(ToString::to_string).collect::<Vec<_>>();
+        if !is_physical {
+            moments = self.impossible_moments(link, name, &moments);
+        }
+        if tensor[3..].iter().any(|product| !product.is_zero()) {
+            moments.extend(tensor[3..].iter().map(ToString::to_string));
+        }
+        properties.push(format!("inertia: {};", vector(moments)));
+        self.page.block(&format!("body {name}"), &properties);
+    }
+
+    /// Moments as parameters: numbers that no body has are an error, defaults of parameters a warning.
+    fn impossible_moments(&mut self, link: &Link, name: &str, moments: &[String]) -> Vec<String> {
+        let names =
+            ["xx", "yy", "zz"].map(|axes| self.identifiers.take(&format!("{name}_{axes}"), "inertia", &[]));
+        self.page.comment(
+            "///",
+            &format!("No body has the inertia that the file states of `{}`.", plain(&link.name)),
+        );
+        let definitions = names.iter().zip(moments).map(|(name, moment)| format!("{name} = {moment}"));
+        self.page.list("param", &definitions.collect::<Vec<_>>());
+        names.to_vec()
+    }
+
+    /// Coordinates that follow others.
+    fn mimics(&mut self) {
+        let robot = self.robot;
+        self.page.gap();
+        for (index, joint) in robot.joints.iter().enumerate() {
+            let Some(mimic) = &joint.mimic else { continue };
+            let (Some(follower), Some(leader)) = (&self.coordinates[index], &self.coordinates[mimic.joint])
+            else {
+                continue;
+            };
+            let residual = residual(follower, leader, &mimic.multiplier, &mimic.offset);
+            let name = self.identifiers.take(&format!("{follower}_mimic"), "constraint", &[]);
+            self.page.line(&format!("constraint {name} = {residual};"));
+        }
+    }
+
+    /// Motors at all coordinates that do not follow others.
+    fn inputs(&mut self) {
+        let joints = self.robot.joints.iter().zip(self.coordinates.clone());
+        let driven =
+            joints.filter(|(joint, _)| joint.mimic.is_none()).filter_map(|(_, coordinate)| coordinate);
+        let driven = driven
+            .map(|coordinate| (self.identifiers.take(&format!("u_{coordinate}"), "input", &[]), coordinate));
+        let driven = driven.collect::<Vec<_>>();
+        if driven.is_empty() {
+            return;
+        }
+        self.page.gap();
+        self.page.list("input", &driven.iter().map(|(input, _)| input.clone()).collect::<Vec<_>>());
+        driven
+            .iter()
+            .for_each(|(input, coordinate)| self.page.line(&format!("force {coordinate} = {input};")));
+    }
+}
+
+/// What is zero of follower = multiplier · leader + offset.
+fn residual(follower: &str, leader: &str, multiplier: &Decimal, offset: &Decimal) -> String {
+    let sign = |number: &Decimal| if number.value() < 0.0 { "+" } else { "-" };
+    let mut text = follower.to_owned();
+    if !multiplier.is_zero() {
+        let factor = multiplier.magnitude();
+        let factor = if factor.value() == 1.0 { String::new() } else { format!("{factor} * ") };
+        text.push_str(&format!(" {} {factor}{leader}", sign(multiplier)));
+    }
+    if !offset.is_zero() {
+        text.push_str(&format!(" {} {}", sign(offset), offset.magnitude()));
+    }
+    text
+}
+
+fn free_motion(joint: Option<&str>, name: &str) -> Motion {
+    let positions = ["x", "y", "z", "qw", "qx", "qy", "qz"].map(|ending| format!("{name}_{ending}"));
+    Motion { joint: joint.map(str::to_owned), positions: positions.to_vec(), velocities: 6 }
+}
+
+/// Whether a joint puts no frame of its own between what carries it and a link that moves in any way.
+fn is_plainly_floating(joint: &Joint) -> bool {
+    joint.kind == Kind::Floating && joint.at.iter().chain(&joint.turned).all(Decimal::is_zero)
+}
+
+/// A name of a file in a comment.
+fn plain(name: &str) -> String {
+    name.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "'")
+}

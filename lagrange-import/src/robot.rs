@@ -1,0 +1,126 @@
+//! Robots: links and the joints between them, as a tree that has been checked, and nothing of how a file says so.
+
+use crate::decimal::Decimal;
+
+/// A tree of links. Joints stand in an order in which each is carried by the root or by what one before it places.
+#[derive(Clone, Debug)]
+pub(crate) struct Robot {
+    pub(crate) name: String,
+    pub(crate) links: Vec<Link>,
+    /// Index of the link that no joint places.
+    pub(crate) root: usize,
+    pub(crate) joints: Vec<Joint>,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Link {
+    pub(crate) name: String,
+    /// None of a link without mass.
+    pub(crate) inertial: Option<Inertial>,
+    /// What it looks like, in words, as far as that is a primitive.
+    pub(crate) shapes: Vec<Shape>,
+    /// Where the file declares it.
+    pub(crate) place: usize,
+}
+
+/// Mass and its distribution, in the axes of the link.
+#[derive(Clone, Debug)]
+pub(crate) struct Inertial {
+    pub(crate) mass: Decimal,
+    pub(crate) centroid: [Decimal; 3],
+    /// xx, yy, zz, xy, xz, yz about the centre of mass.
+    pub(crate) tensor: [Decimal; 6],
+    /// Whether a body can have this tensor.
+    pub(crate) is_physical: bool,
+    /// Where the file states the tensor.
+    pub(crate) place: usize,
+}
+
+/// A primitive, with its place in the axes of the link.
+#[derive(Clone, Debug)]
+pub(crate) struct Shape {
+    pub(crate) is_visual: bool,
+    pub(crate) solid: String,
+    pub(crate) at: [Decimal; 3],
+    pub(crate) turned: [Decimal; 3],
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Joint {
+    pub(crate) name: String,
+    pub(crate) kind: Kind,
+    pub(crate) parent: usize,
+    pub(crate) child: usize,
+    pub(crate) at: [Decimal; 3],
+    /// Roll, pitch and yaw.
+    pub(crate) turned: [Decimal; 3],
+    /// Of any length but zero.
+    pub(crate) axis: [Decimal; 3],
+    pub(crate) limit: Limit,
+    pub(crate) damping: Option<Decimal>,
+    pub(crate) friction: Option<Decimal>,
+    pub(crate) mimic: Option<Mimic>,
+    /// Where the file declares it.
+    pub(crate) place: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Revolute,
+    Prismatic,
+    Planar,
+    Floating,
+    Fixed,
+    /// One that could move, but moves no mass, so that nothing says how it does.
+    Held,
+}
+
+impl Kind {
+    /// Whether it has a single coordinate.
+    pub(crate) fn is_simple(self) -> bool {
+        matches!(self, Kind::Revolute | Kind::Prismatic)
+    }
+
+    /// Whether what it places is fixed in what carries it.
+    pub(crate) fn is_rigid(self) -> bool {
+        matches!(self, Kind::Fixed | Kind::Held)
+    }
+}
+
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Limit {
+    pub(crate) lower: Option<Decimal>,
+    pub(crate) upper: Option<Decimal>,
+    pub(crate) effort: Option<Decimal>,
+    pub(crate) velocity: Option<Decimal>,
+}
+
+/// Coordinate = multiplier · coordinate of another joint + offset.
+#[derive(Clone, Debug)]
+pub(crate) struct Mimic {
+    /// Index of the other joint.
+    pub(crate) joint: usize,
+    pub(crate) multiplier: Decimal,
+    pub(crate) offset: Decimal,
+}
+
+impl Robot {
+    /// For each link, whether it or anything that it carries has mass.
+    pub(crate) fn carries_mass(&self) -> Vec<bool> {
+        let mut carries = self.links.iter().map(|link| link.inertial.is_some()).collect::<Vec<_>>();
+        for joint in self.joints.iter().rev() {
+            carries[joint.parent] |= carries[joint.child];
+        }
+        carries
+    }
+
+    /// For each link, whether it is fixed in the root.
+    pub(crate) fn fixed_in_root(&self) -> Vec<bool> {
+        let mut fixed = vec![false; self.links.len()];
+        fixed[self.root] = true;
+        for joint in &self.joints {
+            fixed[joint.child] = fixed[joint.parent] && joint.kind.is_rigid();
+        }
+        fixed
+    }
+}

@@ -1,0 +1,145 @@
+//! Joints: where they are, how they move, and what the file says of their limits.
+
+use lagrange_core::diagnostics::nearest;
+use roxmltree::Node;
+
+use super::messages;
+use super::source::Source;
+use crate::decimal::Decimal;
+use crate::robot::{Kind, Limit};
+
+/// Lengths of an axis from this on are not what is left of numbers that cancel.
+const SHORTEST_AXIS: f64 = 1e-6;
+
+/// A joint whose links and whose leader are still names.
+pub(super) struct NamedJoint<'a> {
+    pub(super) name: &'a str,
+    pub(super) kind: Kind,
+    pub(super) parent: NameAt<'a>,
+    pub(super) child: NameAt<'a>,
+    pub(super) at: [Decimal; 3],
+    pub(super) turned: [Decimal; 3],
+    pub(super) axis: [Decimal; 3],
+    pub(super) limit: Limit,
+    pub(super) damping: Option<Decimal>,
+    pub(super) friction: Option<Decimal>,
+    pub(super) mimic: Option<NamedMimic<'a>>,
+    pub(super) place: usize,
+}
+
+/// A name and where it stands, with the element in words.
+pub(super) struct NameAt<'a> {
+    pub(super) name: &'a str,
+    pub(super) place: (usize, String),
+}
+
+pub(super) struct NamedMimic<'a> {
+    pub(super) joint: NameAt<'a>,
+    pub(super) multiplier: Decimal,
+    pub(super) offset: Decimal,
+}
+
+/// What other programs make of a joint.
+const LEFT_OUT: [&str; 2] = ["calibration", "safety_controller"];
+
+/// `None` if nothing says what it connects.
+pub(super) fn joint<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>) -> Option<NamedJoint<'a>> {
+    let known = ["origin", "parent", "child", "axis", "limit", "dynamics", "mimic", LEFT_OUT[0], LEFT_OUT[1]];
+    source.expect(node, &["name", "type"], &known);
+    let kind = kind(source, node);
+    let [at, turned] = source.origin(node);
+    let parent = end(source, node, "parent");
+    let child = end(source, node, "child");
+    let axis = axis(source, node);
+    let (limit, (damping, friction)) = (limit(source, node), dynamics(source, node));
+    let mimic = mimic(source, node);
+    let (parent, child) = (parent?, child?);
+    if damping.is_some() && matches!(kind, Kind::Planar | Kind::Floating) {
+        source.warning(node, messages::DAMPING_LEFT_OUT);
+    }
+    let name = node.attribute("name").unwrap_or_default();
+    let place = node.range().start;
+    Some(NamedJoint { name, kind, parent, child, at, turned, axis, limit, damping, friction, mimic, place })
+}
+
+/// Anything after a mistake.
+fn kind<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Kind {
+    let Some(word) = source.text(node, "type") else { return Kind::Fixed };
+    match word {
+        "revolute" | "continuous" => Kind::Revolute,
+        "prismatic" => Kind::Prismatic,
+        "planar" => Kind::Planar,
+        "floating" => Kind::Floating,
+        "fixed" => Kind::Fixed,
+        _ => {
+            let help = messages::kinds_help(nearest(word, messages::KINDS));
+            source.error(node, messages::unknown_kind(word)).help(help);
+            Kind::Fixed
+        }
+    }
+}
+
+fn end<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>, tag: &str) -> Option<NameAt<'a>> {
+    let end = source.required_child(node, tag, &format!("<{tag} link=\"NAME\"/>"))?;
+    source.expect(end, &["link"], &[]);
+    name_at(source, end, "link")
+}
+
+fn name_at<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>, attribute: &str) -> Option<NameAt<'a>> {
+    let name = source.text(node, attribute)?;
+    Some(NameAt { name, place: (node.range().start, super::source::described(node)) })
+}
+
+/// x if nothing says it.
+fn axis<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> [Decimal; 3] {
+    let x = || [Decimal::of(1.0), Decimal::zero(), Decimal::zero()];
+    let Some(child) = source.child(node, "axis") else { return x() };
+    source.expect(child, &["xyz"], &[]);
+    let Some(axis) = source.text(child, "xyz").and_then(|_| source.triple(child, "xyz")) else { return x() };
+    let is_unused = ["fixed", "floating"].contains(&node.attribute("type").unwrap_or_default());
+    if axis.iter().all(|component| component.value().abs() < SHORTEST_AXIS) && !is_unused {
+        source.error(child, messages::AXIS_ZERO);
+        return x();
+    }
+    axis
+}
+
+fn limit<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Limit {
+    let Some(child) = source.child(node, "limit") else { return Limit::default() };
+    let attributes = ["lower", "upper", "effort", "velocity"];
+    source.expect(child, &attributes, &[]);
+    let [lower, upper, effort, velocity] =
+        attributes.map(|attribute| source.optional_number(child, attribute));
+    let limit = Limit { lower, upper, effort, velocity };
+    if let (Some(lower), Some(upper)) = (&limit.lower, &limit.upper)
+        && lower.value() > upper.value()
+    {
+        source.warning(child, messages::LIMITS_CROSSED);
+    }
+    limit
+}
+
+/// Damping and dry friction, where they are not zero.
+fn dynamics<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> (Option<Decimal>, Option<Decimal>) {
+    let Some(child) = source.child(node, "dynamics") else { return (None, None) };
+    source.expect(child, &["damping", "friction"], &[]);
+    let [damping, friction] =
+        ["damping", "friction"].map(|attribute| source.optional_number(child, attribute));
+    if damping.as_ref().is_some_and(|damping| damping.value() < 0.0) {
+        source.error(child, messages::NEGATIVE_DAMPING);
+    }
+    let not_zero = |number: &Decimal| !number.is_zero();
+    (damping.filter(not_zero), friction.filter(not_zero))
+}
+
+fn mimic<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>) -> Option<NamedMimic<'a>> {
+    let child = source.child(node, "mimic")?;
+    source.expect(child, &["joint", "multiplier", "offset"], &[]);
+    let joint = name_at(source, child, "joint");
+    let mut number = |attribute: &str, default: f64| match child.attribute(attribute) {
+        None => Some(Decimal::of(default)),
+        Some(_) => source.optional_number(child, attribute),
+    };
+    let (multiplier, offset) = (number("multiplier", 1.0), number("offset", 0.0));
+    Some(NamedMimic { joint: joint?, multiplier: multiplier?, offset: offset? })
+}

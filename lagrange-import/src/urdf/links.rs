@@ -1,0 +1,99 @@
+//! Links: mass, its distribution, and shapes for pictures.
+
+use lagrange_core::elaborate::is_physical;
+use roxmltree::Node;
+
+use super::messages;
+use super::source::Source;
+use crate::decimal::Decimal;
+use crate::robot::{Inertial, Link, Shape};
+use crate::rotation::{roll_pitch_yaw, turned_tensor};
+
+const ENTRIES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
+/// Entries of a tensor below this, for each kilogram, belong to distances of a nanometre: what is left of numbers that cancel.
+const NEGLIGIBLE: f64 = 1e-18;
+/// Solids with the attributes of their dimensions and the name that they have in the language.
+const SOLIDS: [(&str, &[&str], &str); 3] = [
+    ("box", &["size"], "cuboid"),
+    ("cylinder", &["radius", "length"], "solid_cylinder"),
+    ("sphere", &["radius"], "solid_sphere"),
+];
+
+pub(super) fn link<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Link {
+    source.expect(node, &["name", "type"], &["inertial", "visual", "collision"]);
+    let inertial = source.child(node, "inertial").and_then(|inertial| self::inertial(source, inertial));
+    let is_shape = |child: &Node<'_, '_>| child.has_tag_name("visual") || child.has_tag_name("collision");
+    let shapes = node.children().filter(is_shape).filter_map(|child| shape(source, child)).collect();
+    let name = node.attribute("name").unwrap_or_default().to_owned();
+    Link { name, inertial, shapes, place: node.range().start }
+}
+
+/// `None` of a link without mass, or after a mistake.
+fn inertial<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Inertial> {
+    source.expect(node, &[], &["origin", "mass", "inertia"]);
+    let [centroid, turned] = source.origin(node);
+    let mass = source.required_child(node, "mass", "<mass value=\"m\"/>");
+    let mass = mass.and_then(|mass| {
+        source.expect(mass, &["value"], &[]);
+        let number = source.number(mass, "value")?;
+        if number.value() < 0.0 {
+            source.error(mass, messages::MASS_NOT_POSITIVE);
+        }
+        Some(number)
+    });
+    let form = "<inertia ixx=\"…\" ixy=\"…\" ixz=\"…\" iyy=\"…\" iyz=\"…\" izz=\"…\"/>";
+    let inertia = source.required_child(node, "inertia", form)?;
+    source.expect(inertia, &ENTRIES, &[]);
+    let [xx, yy, zz, xy, xz, yz] = ENTRIES.map(|entry| source.number(inertia, entry));
+    let (mass, tensor) = (mass?, [xx?, yy?, zz?, xy?, xz?, yz?]);
+    if mass.value() <= 0.0 {
+        if tensor.iter().any(|entry| !entry.is_zero()) && mass.is_zero() {
+            source.error(inertia, messages::MASSLESS_INERTIA).help(messages::MASSLESS_INERTIA_HELP);
+        }
+        return None;
+    }
+    let least = NEGLIGIBLE * mass.value();
+    let tensor = tensor.map(|entry| if entry.value().abs() < least { Decimal::zero() } else { entry });
+    let rotation = roll_pitch_yaw(turned.each_ref().map(Decimal::value));
+    let tensor = turned_tensor(rotation, &tensor);
+    let is_physical = is_physical(tensor.each_ref().map(Decimal::value));
+    Some(Inertial { mass, centroid, tensor, is_physical, place: inertia.range().start })
+}
+
+/// A primitive; nothing of a mesh.
+fn shape<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Shape> {
+    let [at, turned] = source.origin(node);
+    let geometry = source.required_child(node, "geometry", "<geometry><box size=\"x y z\"/></geometry>")?;
+    let kinds = SOLIDS.map(|(tag, ..)| tag);
+    source.expect(geometry, &[], &[kinds[0], kinds[1], kinds[2], "mesh", "capsule"]);
+    let Some((solid, attributes, word)) = SOLIDS.iter().find_map(|(tag, attributes, word)| {
+        Some((geometry.children().find(|child| child.has_tag_name(*tag))?, *attributes, *word))
+    }) else {
+        if !geometry.children().any(|child| child.is_element()) {
+            source.error(geometry, messages::NO_GEOMETRY);
+        }
+        return None;
+    };
+    source.expect(solid, attributes, &[]);
+    let dimensions = dimensions(source, solid, attributes)?;
+    let words = dimensions.iter().map(ToString::to_string).collect::<Vec<_>>();
+    let solid = format!("{word}({})", words.join(", "));
+    Some(Shape { is_visual: node.has_tag_name("visual"), solid, at, turned })
+}
+
+/// Positive numbers, in the order of the attributes.
+fn dimensions<'d>(source: &mut Source<'d>, solid: Node<'_, 'd>, attributes: &[&str]) -> Option<Vec<Decimal>> {
+    let mut dimensions = Vec::new();
+    for &attribute in attributes {
+        source.text(solid, attribute)?;
+        let numbers = match attribute {
+            "size" => source.triple(solid, attribute).map(Vec::from),
+            _ => source.optional_number(solid, attribute).map(|number| vec![number]),
+        }?;
+        if numbers.iter().any(|number| number.value() < 0.0) {
+            source.error(solid, messages::negative(attribute));
+        }
+        dimensions.extend(numbers);
+    }
+    Some(dimensions)
+}

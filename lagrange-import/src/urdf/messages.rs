@@ -1,0 +1,115 @@
+//! Wording of mistakes in URDF files.
+
+pub(super) const NOT_A_ROBOT: &str = "this is not a <robot>";
+pub(super) const XACRO: &str = "this file is one for xacro, which makes URDF files";
+pub(super) const XACRO_HELP: &str = "run `xacro robot.urdf.xacro > robot.urdf` and import what it writes";
+pub(super) const NO_LINKS: &str = "there are no links";
+pub(super) const TWICE: &str = "this stands here twice";
+pub(super) const EMPTY_NAME: &str = "it has no name";
+pub(super) const UNKNOWN_ELEMENT: &str = "this is not known and left out";
+pub(super) const LOOP: &str = "joints form a loop: every link is the child of one";
+pub(super) const TREE_HELP: &str = "joints form a tree; close its loops by `pin P to Q;` in the declaration";
+pub(super) const AXIS_ZERO: &str = "the axis is zero";
+pub(super) const NOTHING_MOVES: &str = "nothing moves: there is no joint that moves a mass";
+pub(super) const NOTHING_MOVES_HELP: &str = "with a free base (`--free`) it moves as one body";
+pub(super) const MASSLESS_INERTIA: &str = "there is inertia without mass";
+pub(super) const MASSLESS_INERTIA_HELP: &str =
+    "give the link a mass; without <inertial> it is a frame, which has neither";
+pub(super) const IMPOSSIBLE_INERTIA: &str = "no body has these moments and products of inertia";
+pub(super) const IMPOSSIBLE_INERTIA_HELP: &str = "about the centre of mass no principal moment exceeds the sum of the other two; `--trust-inertia` takes them as parameters all the same";
+pub(super) const MASS_NOT_POSITIVE: &str = "the mass is negative";
+pub(super) const MIMICS_ITSELF: &str = "the joint mimics itself";
+pub(super) const LIMITS_CROSSED: &str = "the lower limit is above the upper one";
+pub(super) const NEGATIVE_DAMPING: &str = "the damping is negative, so that the motion would gain energy";
+pub(super) const DAMPING_LEFT_OUT: &str = "the damping of a joint with several coordinates is left out";
+pub(super) const NO_GEOMETRY: &str = "there is no <box>, <cylinder>, <sphere> or <mesh>";
+pub(super) const HELD: &str =
+    "it moves no mass, so that nothing says how it moves: it is held where its coordinate is zero";
+pub(super) const MIMIC_LEFT_OUT: &str = "it has no coordinate of its own, so that what it mimics is left out";
+pub(super) const MIMICS_NONE: &str = "the joint that it mimics has no coordinate of its own";
+pub(super) const MIMIC_HELP: &str = "revolute, continuous and prismatic joints that move a mass have one";
+
+pub(super) fn element(tag: &str, name: &str) -> String {
+    format!("{tag} {name:?}")
+}
+
+pub(super) fn missing_element(tag: &str) -> String {
+    format!("<{tag}> is missing")
+}
+
+pub(super) fn missing_attribute(attribute: &str) -> String {
+    format!("the attribute `{attribute}` is missing")
+}
+
+pub(super) fn write(form: &str) -> String {
+    format!("write `{form}`")
+}
+
+pub(super) fn did_you_mean(name: &str) -> String {
+    format!("did you mean `{name}`?")
+}
+
+pub(super) fn no_number(attribute: &str, text: &str) -> String {
+    format!("`{attribute}` must be a number, but this is {text:?}")
+}
+
+pub(super) fn no_triple(attribute: &str, count: usize) -> String {
+    format!("`{attribute}` must be three numbers, but these are {count}")
+}
+
+pub(super) fn unknown_attribute(name: &str) -> String {
+    format!("the attribute `{name}` is not known and left out")
+}
+
+pub(super) fn repeated(tag: &str, line: u32) -> String {
+    format!("there is a {tag} of this name already, in line {line}")
+}
+
+pub(super) fn unknown_link(role: &str, name: &str) -> String {
+    format!("there is no link {name:?} to be the {role}")
+}
+
+pub(super) fn unknown_joint(name: &str) -> String {
+    format!("there is no joint {name:?} to mimic")
+}
+
+pub(super) fn two_parents(link: &str, joint: &str, line: u32) -> String {
+    format!("joint {joint:?} in line {line} places link {link:?} already")
+}
+
+pub(super) fn two_roots(first: &str, line: u32) -> String {
+    format!("no joint places this link, nor link {first:?} in line {line}: only one can be the base")
+}
+
+pub(super) fn in_loop(link: &str) -> String {
+    format!("joints form a loop through link {link:?}, away from the base")
+}
+
+pub(super) fn unknown_kind(kind: &str) -> String {
+    format!("there is no joint of type {kind:?}")
+}
+
+pub(super) const KINDS: [&str; 6] = ["revolute", "continuous", "prismatic", "fixed", "floating", "planar"];
+
+pub(super) fn kinds_help(near: Option<&str>) -> String {
+    match near {
+        Some(near) => did_you_mean(near),
+        None => format!("types are {}", KINDS.join(", ")),
+    }
+}
+
+pub(super) fn negative(attribute: &str) -> String {
+    format!("`{attribute}` is negative")
+}
+
+pub(super) fn not_accepted(report: &str) -> String {
+    format!("the declaration that was made of this is refused: {report}")
+}
+
+pub(super) fn and_others(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => ", here and in one more place".to_owned(),
+        _ => format!(", here and in {count} more places"),
+    }
+}

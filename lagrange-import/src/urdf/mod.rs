@@ -1,0 +1,178 @@
+//! URDF, the format in which robots are described for ROS: XML with `<link>` and `<joint>` elements.
+//!
+//! [`import`] writes a declaration for `lagrange::system!` that a person would go on with:
+//!
+//! ```
+//! use lagrange_import::urdf::{Options, import};
+//!
+//! let robot = r#"<robot name="pendulum">
+//!   <link name="base"/>
+//!   <link name="rod">
+//!     <inertial>
+//!       <origin xyz="0 0 -0.5"/> <mass value="1.50"/>
+//!       <inertia ixx="0.125" iyy="0.125" izz="0.001" ixy="0" ixz="0" iyz="0"/>
+//!     </inertial>
+//!   </link>
+//!   <joint name="Pivot" type="revolute">
+//!     <parent link="base"/> <child link="rod"/> <axis xyz="0 1 0"/>
+//!     <limit lower="-1.2" upper="1.2" effort="20" velocity="3"/> <dynamics damping="0.1"/>
+//!   </joint>
+//! </robot>"#;
+//! let imported = import(robot, &Options::default()).expect("a robot");
+//! assert_eq!(imported.declaration, "\
+//! lagrange::system! {
+//!     /// Robot `pendulum`.
+//!     #[derive(Clone, Debug)]
+//!     pub struct Pendulum;
+//!
+//!     gravity = (0, 0, -9.81);
+//!
+//!     body rod { mass: 1.5; centroid: (0, 0, -0.5); inertia: (0.125, 0.125, 0.001); }
+//!     /// From -1.2 to 1.2 rad; at most 20 N m and 3 rad/s.
+//!     revolute pivot = ground to rod { axis: (0, 1, 0); damping: 0.1; }
+//! }
+//! ");
+//! ```
+//!
+//! # What becomes of a file
+//!
+//! | in the file | in the declaration |
+//! |---|---|
+//! | names | identifiers in small letters; the name of a joint is that of its coordinate. Where a name is taken, or a word of the language, `_link` or `_joint` is put to it |
+//! | numbers | as they are, written short |
+//! | the link that no joint places | `weld ground to base;`, or `free base;` with [`Options::is_free`]; without mass it is the ground |
+//! | `<inertial>` | a `body`, its tensor in the axes of the link; a link without mass is a `frame` |
+//! | `revolute`, `continuous`, `prismatic` | the joints of the language with these coordinates |
+//! | `planar` | `planar` with the coordinates `NAME_x`, `NAME_y`, `NAME_angle` in the plane across the axis: x, y and z of the joint's frame after the smallest turn that takes z to the axis |
+//! | `floating` | `free` if that is the same, otherwise three `prismatic` joints `NAME_x`, `NAME_y`, `NAME_z` and a `ball` joint `NAME` |
+//! | `fixed` | `weld` |
+//! | orientations | `turned`; angles within 1e-9 of quarter turns are fractions of `pi`. Entries of rotations within 1e-9 of 0, 1 and −1 are these numbers where all of their row or column are |
+//! | `<limit>`, friction of `<dynamics>` | documentation of the coordinate: limits of a motion are events, dry friction is a `friction` statement, which are for a person to decide about |
+//! | damping of `<dynamics>` | `damping` |
+//! | `<mimic>` | a constraint between the two coordinates |
+//! | boxes, cylinders and spheres of `<visual>` and `<collision>` | comments, since the language draws scenes in the plane only. Meshes are left out |
+//! | `<material>`, `<transmission>`, `<gazebo>`, `<sensor>`, `<ros2_control>`, `<calibration>`, `<safety_controller>` | left out |
+//!
+//! Anything else is left out with a warning. A joint that moves no mass would have no equation of motion: it is held at zero, with a warning.
+//! Mistakes are collected, each with its line and element: nothing is written then.
+
+mod joints;
+mod links;
+mod messages;
+mod source;
+mod tree;
+
+use lagrange_core::pipeline::parse;
+use roxmltree::{Document, Node};
+
+use crate::declaration::{Declared, Style, declaration};
+use crate::mistakes::Mistake;
+use crate::names::type_name;
+use crate::robot::Robot;
+use source::Source;
+
+pub use crate::declaration::Motion;
+
+/// How a file is imported.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Name of the struct; if it is not given it is made of the robot's.
+    pub name: Option<String>,
+    /// Whether the base moves freely instead of being fixed to the ground.
+    pub is_free: bool,
+    /// Whether each coordinate gets an input that is a force on it, as of a motor.
+    pub has_inputs: bool,
+    /// Whether inertia that no body has becomes parameters, of which the compiler warns, instead of a mistake.
+    pub trusts_inertia: bool,
+}
+
+/// A declaration made of a file.
+#[derive(Clone, Debug)]
+pub struct Import {
+    /// The declaration as a person would write it.
+    pub declaration: String,
+    /// What moves, in the order of the state.
+    pub motions: Vec<Motion>,
+    /// What was left out.
+    pub warnings: Vec<Mistake>,
+}
+
+/// Writes the declaration of the robot in a URDF file.
+///
+/// # Errors
+/// Everything that is wrong with the file, with the warnings.
+pub fn import(text: &str, options: &Options) -> Result<Import, Vec<Mistake>> {
+    let document = Document::parse(text).map_err(|error| vec![malformed(&error)])?;
+    let mut source = Source::new(&document);
+    let Some(robot) = robot(&mut source, document.root_element(), options) else {
+        return Err(source.into_mistakes());
+    };
+    let style = Style {
+        name: options.name.clone().unwrap_or_else(|| type_name(&robot.name)),
+        is_free: options.is_free,
+        has_inputs: options.has_inputs,
+    };
+    let Declared { text, statements, motions } = declaration(&robot, &style);
+    // What is written is read once, so that nobody is handed what the language refuses.
+    if let Err(report) = parse(&statements) {
+        source.error(document.root_element(), messages::not_accepted(&report.to_string()));
+        return Err(source.into_mistakes());
+    }
+    Ok(Import { declaration: text, motions, warnings: source.into_mistakes() })
+}
+
+fn malformed(error: &roxmltree::Error) -> Mistake {
+    let position = error.pos();
+    let (line, column) = (position.row, position.col);
+    Mistake { line, column, element: String::new(), message: error.to_string(), help: None, is_error: true }
+}
+
+/// `None` after a mistake.
+fn robot<'d>(source: &mut Source<'d>, root: Node<'_, 'd>, options: &Options) -> Option<Robot> {
+    if !root.has_tag_name("robot") {
+        source.error(root, messages::NOT_A_ROBOT);
+        return None;
+    }
+    let is_xacro =
+        |node: &Node<'_, '_>| node.tag_name().namespace().is_some_and(|name| name.contains("xacro"));
+    if let Some(macros) = root.descendants().find(is_xacro) {
+        source.error(macros, messages::XACRO).help(messages::XACRO_HELP);
+        return None;
+    }
+    source.expect(root, &["name", "version"], &KNOWN);
+    let name = source.text(root, "name").unwrap_or_default().to_owned();
+    let tagged = |tag: &'static str| root.children().filter(move |child| child.has_tag_name(tag));
+    let links = tagged("link").map(|node| links::link(source, node)).collect::<Vec<_>>();
+    let joints = tagged("joint").map(|node| joints::joint(source, node)).collect::<Vec<_>>();
+    if links.is_empty() {
+        source.error(root, messages::NO_LINKS);
+    }
+    let is_complete = joints.iter().all(Option::is_some);
+    let joints = joints.into_iter().flatten().collect();
+    let mut robot = tree::tree(source, name, (links, joints), is_complete)?;
+    report_impossible_inertia(source, &robot, options);
+    if source.error_count() > 0 {
+        return None;
+    }
+    tree::settle(source, &mut robot, options.is_free);
+    (source.error_count() == 0).then_some(robot)
+}
+
+/// What a robot may hold; from the third on it says nothing about motion.
+const KNOWN: [&str; 7] = ["link", "joint", "material", "transmission", "gazebo", "sensor", "ros2_control"];
+
+/// Inertia of what is fixed to the ground has no effect.
+fn report_impossible_inertia(source: &mut Source<'_>, robot: &Robot, options: &Options) {
+    let fixed = robot.fixed_in_root();
+    for (link, is_fixed) in robot.links.iter().zip(fixed) {
+        let Some(inertial) = link.inertial.as_ref().filter(|inertial| !inertial.is_physical) else {
+            continue;
+        };
+        let place = (inertial.place, format!("{}, <inertia>", messages::element("link", &link.name)));
+        if is_fixed && !options.is_free || options.trusts_inertia {
+            source.warning_at(place, messages::IMPOSSIBLE_INERTIA);
+        } else {
+            source.error_at(place, messages::IMPOSSIBLE_INERTIA).help(messages::IMPOSSIBLE_INERTIA_HELP);
+        }
+    }
+}

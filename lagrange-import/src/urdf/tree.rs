@@ -1,0 +1,209 @@
+//! From links and joints to a tree: names resolved, one base, no loops.
+
+use std::collections::HashMap;
+
+use lagrange_core::diagnostics::nearest;
+
+use super::joints::{NameAt, NamedJoint};
+use super::messages;
+use super::source::Source;
+use crate::robot::{Joint, Kind, Link, Mimic, Robot};
+
+/// Puts joints in order from the base on. `None` after a mistake; `is_complete` if none has made a joint unreadable.
+pub(super) fn tree(
+    source: &mut Source<'_>,
+    name: String,
+    (links, joints): (Vec<Link>, Vec<NamedJoint<'_>>),
+    is_complete: bool,
+) -> Option<Robot> {
+    let before = source.error_count();
+    let link_named = named(source, "link", links.iter().map(|link| (link.name.as_str(), link.place)));
+    let joint_named = named(source, "joint", joints.iter().map(|joint| (joint.name, joint.place)));
+    let mut end = |end: &NameAt<'_>, role: &str| {
+        found(source, end, &link_named, messages::unknown_link(role, end.name))
+    };
+    let ends = joints.iter().map(|joint| end(&joint.parent, "parent").zip(end(&joint.child, "child")));
+    let ends = ends.collect::<Vec<_>>();
+    let leaders = joints.iter().map(|joint| leader(source, joint, &joint_named)).collect::<Vec<_>>();
+    let ends = ends.into_iter().collect::<Option<Vec<_>>>()?;
+    report_placed_twice(source, &links, &joints, &ends);
+    if source.error_count() > before || !is_complete {
+        // What is not connected may be so because of that.
+        return None;
+    }
+    let root = root_of(source, &links, &ends)?;
+    let order = order(root, links.len(), &ends);
+    if order.len() + 1 < links.len() && source.error_count() == before {
+        report_loop(source, &links, &joints, (&ends, &order));
+    }
+    let mut places = vec![0; joints.len()];
+    order.iter().enumerate().for_each(|(place, &index)| places[index] = place);
+    let resolved = order.iter().map(|&index| {
+        let leader = leaders[index].map(|leader| places[leader]);
+        resolve(&joints[index], ends[index], leader)
+    });
+    let joints = resolved.collect();
+    (source.error_count() == before).then_some(Robot { name, links, root, joints })
+}
+
+/// The index of a name; one that is not known is reported.
+fn found(
+    source: &mut Source<'_>,
+    name: &NameAt<'_>,
+    known: &HashMap<&str, usize>,
+    message: String,
+) -> Option<usize> {
+    let found = known.get(name.name).copied();
+    if found.is_none() {
+        let mut names = known.keys().copied().collect::<Vec<_>>();
+        names.sort_unstable();
+        let mistake = source.error_at(name.place.clone(), message);
+        nearest(name.name, names).into_iter().for_each(|near| mistake.help(messages::did_you_mean(near)));
+    }
+    found
+}
+
+/// Indices by name; names that stand twice are reported.
+fn named<'n>(
+    source: &mut Source<'_>,
+    tag: &str,
+    items: impl Iterator<Item = (&'n str, usize)>,
+) -> HashMap<&'n str, usize> {
+    let mut known = HashMap::<&str, (usize, usize)>::new();
+    for (index, (name, place)) in items.enumerate() {
+        let here = (place, messages::element(tag, name));
+        if name.is_empty() {
+            source.error_at(here, messages::EMPTY_NAME);
+        } else if let Some((_, before)) = known.get(name) {
+            let line = source.line(*before);
+            source.error_at(here, messages::repeated(tag, line));
+        } else {
+            known.insert(name, (index, place));
+        }
+    }
+    known.into_iter().map(|(name, (index, _))| (name, index)).collect()
+}
+
+/// The joint that another mimics.
+fn leader(source: &mut Source<'_>, joint: &NamedJoint<'_>, joints: &HashMap<&str, usize>) -> Option<usize> {
+    let name = &joint.mimic.as_ref()?.joint;
+    if name.name == joint.name {
+        source.error_at(name.place.clone(), messages::MIMICS_ITSELF);
+        return None;
+    }
+    found(source, name, joints, messages::unknown_joint(name.name))
+}
+
+fn report_placed_twice(
+    source: &mut Source<'_>,
+    links: &[Link],
+    joints: &[NamedJoint<'_>],
+    ends: &[(usize, usize)],
+) {
+    let mut placed_by = HashMap::<usize, &NamedJoint<'_>>::new();
+    for (joint, (_, child)) in joints.iter().zip(ends) {
+        if let Some(first) = placed_by.get(child) {
+            let message = messages::two_parents(&links[*child].name, first.name, source.line(first.place));
+            source.error_at(joint.child.place.clone(), message).help(messages::TREE_HELP);
+        } else {
+            placed_by.insert(*child, joint);
+        }
+    }
+}
+
+/// The only link that no joint places.
+fn root_of(source: &mut Source<'_>, links: &[Link], ends: &[(usize, usize)]) -> Option<usize> {
+    let mut is_placed = vec![false; links.len()];
+    ends.iter().for_each(|(_, child)| is_placed[*child] = true);
+    let mut roots = (0..links.len()).filter(|link| !is_placed[*link]);
+    let Some(root) = roots.next() else {
+        let first = links.first()?;
+        let place = (first.place, messages::element("link", &first.name));
+        source.error_at(place, messages::LOOP).help(messages::TREE_HELP);
+        return None;
+    };
+    for other in roots {
+        let (first, other) = (&links[root], &links[other]);
+        let message = messages::two_roots(&first.name, source.line(first.place));
+        source.error_at((other.place, messages::element("link", &other.name)), message);
+    }
+    Some(root)
+}
+
+/// Joints from the base on, each branch to its end before the next.
+fn order(root: usize, count: usize, ends: &[(usize, usize)]) -> Vec<usize> {
+    let mut carried = vec![Vec::new(); count];
+    ends.iter().enumerate().for_each(|(joint, (parent, _))| carried[*parent].push(joint));
+    let mut order = Vec::new();
+    let mut waiting = carried[root].iter().rev().copied().collect::<Vec<_>>();
+    while let Some(joint) = waiting.pop().filter(|_| order.len() < ends.len()) {
+        order.push(joint);
+        waiting.extend(carried[ends[joint].1].iter().rev());
+    }
+    order
+}
+
+fn report_loop(
+    source: &mut Source<'_>,
+    links: &[Link],
+    joints: &[NamedJoint<'_>],
+    (ends, order): (&[(usize, usize)], &[usize]),
+) {
+    let unreached = (0..joints.len()).find(|joint| !order.contains(joint));
+    if let Some(joint) = unreached {
+        let message = messages::in_loop(&links[ends[joint].1].name);
+        let place = (joints[joint].place, messages::element("joint", joints[joint].name));
+        source.error_at(place, message).help(messages::TREE_HELP);
+    }
+}
+
+fn resolve(joint: &NamedJoint<'_>, (parent, child): (usize, usize), leader: Option<usize>) -> Joint {
+    let mimic = joint.mimic.as_ref().zip(leader).map(|(mimic, joint)| Mimic {
+        joint,
+        multiplier: mimic.multiplier.clone(),
+        offset: mimic.offset.clone(),
+    });
+    Joint {
+        name: joint.name.to_owned(),
+        kind: joint.kind,
+        parent,
+        child,
+        at: joint.at.clone(),
+        turned: joint.turned.clone(),
+        axis: joint.axis.clone(),
+        limit: joint.limit.clone(),
+        damping: joint.damping.clone(),
+        friction: joint.friction.clone(),
+        mimic,
+        place: joint.place,
+    }
+}
+
+/// Holds joints that move no mass, and leaves out what they mimic; `is_free` if the base moves.
+pub(super) fn settle(source: &mut Source<'_>, robot: &mut Robot, is_free: bool) {
+    let carries = robot.carries_mass();
+    for joint in &mut robot.joints {
+        let here = || (joint.place, messages::element("joint", &joint.name));
+        if !joint.kind.is_rigid() && !carries[joint.child] {
+            source.warning_at(here(), messages::HELD);
+            joint.kind = Kind::Held;
+        }
+        if joint.mimic.is_some() && !joint.kind.is_simple() {
+            source.warning_at(here(), messages::MIMIC_LEFT_OUT);
+            joint.mimic = None;
+        }
+    }
+    for joint in &robot.joints {
+        let leader = joint.mimic.as_ref().map(|mimic| &robot.joints[mimic.joint]);
+        if leader.is_some_and(|leader| !leader.kind.is_simple()) {
+            let here = (joint.place, messages::element("joint", &joint.name));
+            source.error_at(here, messages::MIMICS_NONE).help(messages::MIMIC_HELP);
+        }
+    }
+    let base_moves = is_free && carries[robot.root];
+    if !base_moves && robot.joints.iter().all(|joint| joint.kind.is_rigid()) {
+        let root = &robot.links[robot.root];
+        let here = (root.place, messages::element("link", &root.name));
+        source.error_at(here, messages::NOTHING_MOVES).help(messages::NOTHING_MOVES_HELP);
+    }
+}

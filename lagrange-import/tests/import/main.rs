@@ -1,0 +1,8 @@
+//! Robots of the tests, as declarations: how they are written, how they move, and what is said of files that are wrong.
+
+mod dynamics;
+mod edits;
+mod files;
+mod mistakes;
+mod reference;
+mod writing;
