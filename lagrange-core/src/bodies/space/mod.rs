@@ -24,6 +24,8 @@ mod mobilizers;
 mod numbers;
 mod orientations;
 mod poses;
+mod quantities;
+mod regrouping;
 pub(super) mod scene;
 mod solids;
 mod vectors;
