@@ -2,6 +2,8 @@
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
+use lagrange_core::program::{Labels, OperationCounts, Preparation, Program, lower, optimise};
+use lagrange_core::syntax::ast::Accuracy;
 
 use crate::cases::{Case, cases, read};
 use crate::comparison::{assert_none, failures};
@@ -113,6 +115,37 @@ fn only_what_joints_hide_is_without_effect() {
         assert!(change > 1e-3, "{seen}: {change}");
     }
 }
+
+/// Operations that accelerations take at every call where what is made of parameters alone was prepared, and number of values and
+/// operations of that.
+fn prepared(text: &str) -> [usize; 3] {
+    let derived = derived(text);
+    let program = lower(&derived.model.graph, &derived.equations.accelerations, &Labels::default());
+    let mut preparation = Preparation::new(derived.model.parameters.len() as u32);
+    let total = |program: &Program| OperationCounts::of(&optimise(program, Accuracy::Standard)).total();
+    let each = total(&preparation.prepare(&program));
+    [each, preparation.len(), total(&preparation.finish())]
+}
+
+#[test]
+fn prepared_robots_cost_no_more_operations_than_they_did() {
+    println!("| model | accelerations of a prepared one | values | operations of these |\n|---|---|---|---|");
+    for (name, most) in MOST_PREPARED {
+        let found = prepared(&with_parameters(&model(name), Kind::Inertias));
+        println!("| {name} | {} | {} | {} |", found[0], found[1], found[2]);
+        assert!(found.iter().zip(most).all(|(cost, most)| *cost <= most), "{name}: {found:?}");
+    }
+}
+
+/// Model, and the most that it may cost: what it costs and 2 %.
+const MOST_PREPARED: [(&str, [usize; 3]); 6] = [
+    ("ur5", [528, 33, 72]),
+    ("panda", [1163, 55, 235]),
+    ("universal_5", [1225, 34, 46]),
+    ("universal_10", [2908, 65, 87]),
+    ("go2", [3235, 200, 616]),
+    ("ball_5", [1397, 39, 54]),
+];
 
 /// Model, and the most that its accelerations, inverse dynamics and mass matrix may cost with masses as parameters and with all of
 /// inertia as parameters: what they cost and 2 %.
