@@ -62,9 +62,13 @@ impl Preparation {
         builder.finish(&outputs)
     }
 
-    /// A constant value in a program: numbers and parameters as they are, anything else as an input.
+    /// A constant value in a program: numbers and parameters as they are, anything else as an input. Signs cost nothing.
     fn taken(&mut self, builder: &mut Builder, value: ValueId) -> ValueId {
         match self.builder.op(value) {
+            &Op::Negate(of) => {
+                let of = self.taken(builder, of);
+                builder.negate(of)
+            }
             op @ (Op::Input(_) | Op::Constant(_) | Op::Float(_)) => builder.push(op.clone()),
             _ => {
                 let index = self.kept.index_or_insert_with(value, || ());

@@ -17,18 +17,21 @@ enum Kind {
     Masses,
     /// Masses, centroids and tensors of inertia.
     Inertias,
+    /// These and the places of joints.
+    Everything,
 }
 
-/// A model with every number of its bodies that is not zero as the default of a parameter.
+/// A model with every number of that kind that is not zero as the default of a parameter.
 fn with_parameters(model: &str, kind: Kind) -> String {
     let words: &[&str] = match kind {
         Kind::Masses => &["mass: "],
         Kind::Inertias => &["mass: ", "centroid: (", "inertia: ("],
+        Kind::Everything => &["mass: ", "centroid: (", "inertia: (", "at: ("],
     };
     let mut parameters = Vec::new();
     let statements = model.lines().map(|line| {
         let mut line = line.to_owned();
-        for word in words.iter().filter(|_| line.starts_with("body ")).collect::<Vec<_>>() {
+        for word in words {
             if let Some((before, behind)) = line.split_once(word) {
                 let end = behind.find([';', ')']).expect("an end of the numbers");
                 let numbers = behind[..end].split(", ").map(|number| parameter(number, &mut parameters));
@@ -65,8 +68,10 @@ fn robots_of_parameters_move_as_pinocchio_says() {
     for (name, kind) in [
         ("ur5", Kind::Masses),
         ("ur5", Kind::Inertias),
+        ("ur5", Kind::Everything),
         ("panda", Kind::Masses),
         ("panda", Kind::Inertias),
+        ("panda", Kind::Everything),
         ("universal_5", Kind::Masses),
         ("ball_2", Kind::Inertias),
     ] {

@@ -135,7 +135,7 @@ proptest! {
         let before = run(&program, |role| at(role, 0.0));
         prop_assert!(before.iter().zip(&after).all(same_bits), "{program:?} or {prepared:?}");
         let kinds = Variability::of_values(&prepared);
-        let is_known = |op: &Op| matches!(op, Op::Input(_) | Op::Constant(_) | Op::Float(_));
+        let is_known = |op: &Op| matches!(op, Op::Input(_) | Op::Constant(_) | Op::Float(_) | Op::Negate(_));
         let is_left = |(id, op): (_, &Op)| kinds[id] == Variability::Constant && !is_known(op);
         prop_assert!(!prepared.values().any(is_left), "{prepared:?}");
     }
