@@ -63,7 +63,7 @@ impl Bindings<'_> {
     fn prepared_bindings(&self, fields: &[Ident], used: &[Role], names: &mut Names) -> TokenStream {
         let system = self.shape.name();
         let own = bound_fields(self.shape, self.model, used, names);
-        let own = destructured(self.shape, own, (&quote!(#system), &quote!(self.system)));
+        let own = destructured(self.shape, &own, (&quote!(#system), &quote!(self.system)));
         let symbols = self.model.graph.symbols();
         let first = self.model.parameters.len() as u32;
         let roles = (first..).map(Role::Parameter).zip(fields);
@@ -124,7 +124,7 @@ pub(in crate::emit) fn field_bindings(
     names: &mut Names,
 ) -> TokenStream {
     let bound = bound_fields(shape, model, used, names);
-    destructured(shape, bound, (&quote!(Self), &quote!(*self)))
+    destructured(shape, &bound, (&quote!(Self), &quote!(*self)))
 }
 
 /// The fields that are used, each with the name that the body uses.
@@ -145,7 +145,7 @@ fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Nam
 
 fn destructured(
     shape: &Shape<'_>,
-    bound: Vec<TokenStream>,
+    bound: &[TokenStream],
     (name, value): (&TokenStream, &TokenStream),
 ) -> TokenStream {
     if bound.is_empty() {

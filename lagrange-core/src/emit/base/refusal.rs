@@ -33,7 +33,7 @@ fn report_unprepared(declaration: &Declaration, obstacle: &str, report: &mut Rep
         _ => None,
     });
     let is_demand = |item: &&EmitItem| item.wanted && item.product.text == Product::Prepared.name();
-    let demand = items.flatten().filter(is_demand).last();
+    let demand = items.flatten().rfind(is_demand);
     let place = demand.map_or(declaration.name.span, |item| item.product.span);
     report.error(place, messages::unprepared(obstacle)).help(messages::UNPREPARED_HELP);
 }

@@ -127,11 +127,10 @@ pub(in crate::emit) fn prepared_method(shape: &Shape<'_>, members: &Members) -> 
     let prepared = members.prepared.as_ref()?;
     let (name, generics, fields) = (shape.prepared_name(), shape.generics(), &prepared.fields.names);
     let (statements, values) = &prepared.values;
-    let entries =
-        fields.iter().zip(values).map(|(field, value)| match value.to_string() == field.to_string() {
-            true => quote!(#field),
-            false => quote!(#field: #value),
-        });
+    let entries = fields.iter().zip(values).map(|(field, value)| match *field == value.to_string() {
+        true => quote!(#field),
+        false => quote!(#field: #value),
+    });
     let (others, switches) = (shape.kept_fields(|_| true), kept_switches(shape));
     let others = quote!(#others #switches);
     let system = if others.is_empty() { quote!(Self) } else { quote!(Self { #others }) };
