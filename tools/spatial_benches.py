@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Writes the robots of benches/spatial: `tools/spatial_benches.py` fills benches/spatial/robots/ from the declarations in
-`lagrange-core/tests/spatial/models`, which `tools/spatial_models.py` has written.
+"""Writes the robots of benches/spatial and benches/prepared: `tools/spatial_benches.py` fills benches/spatial/robots/ and
+benches/prepared/robots.rs from the declarations in `lagrange-core/tests/spatial/models`, which `tools/spatial_models.py` has written.
 
-Each file holds a declaration as it is at two levels of accuracy, and the same numbers joint by joint for what is written by hand.
+Each file of the former holds a declaration as it is at two levels of accuracy, and the same numbers joint by joint for what is written by
+hand; the latter holds declarations with the numbers of bodies as parameters.
 """
 
 import math
@@ -12,6 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 MODELS = ROOT / "lagrange-core" / "tests" / "spatial" / "models"
 TARGET = ROOT / "benches" / "spatial" / "robots"
+PREPARED = ROOT / "benches" / "prepared" / "robots.rs"
 ROBOTS = ["ur5", "panda", "universal_5", "universal_10"]
 GRAVITY = "gravity = (0, 0, -9.81);"
 LINK = re.compile(r"body (\w+) \{(.*)\}")
@@ -96,11 +98,42 @@ pub(crate) const JOINTS: [Joint; {len(rows)}] = [
 """
 
 
+def with_parameters(lines):
+    """The statements with every number of a body that is not zero as the default of a parameter, these first."""
+    parameters = []
+
+    def parameter(text):
+        if float(text) == 0:
+            return text
+        parameters.append(f"p{len(parameters)} = {text}")
+        return parameters[-1].split()[0]
+
+    def label(match):
+        entries = [parameter(entry.strip()) for entry in match[2].strip("()").split(",")]
+        return f"{match[1]}: ({', '.join(entries)});" if match[2].startswith("(") else f"{match[1]}: {entries[0]};"
+
+    statements = [LABEL.sub(label, line) if line.startswith("body") else line for line in lines]
+    return [f"param {', '.join(parameters[k:k + 6])};" for k in range(0, len(parameters), 6)] + statements
+
+
+def prepared(name, lines):
+    head = [
+        f"/// `{name}` of `lagrange-core/tests/spatial/models`; what is known of its inertia are parameters.",
+        f"pub(crate) struct {name.title()};",
+    ]
+    only = ["emit { prepared, no momenta, no forcing, no kinetic_energy, no potential_energy, no energy }"]
+    return declaration(head, with_parameters(lines) + only)
+
+
 def main():
     TARGET.mkdir(parents=True, exist_ok=True)
     for name in ROBOTS:
         lines = (MODELS / f"{name}.lag").read_text().splitlines()
         (TARGET / f"{name}.rs").write_text(module(name, lines))
+    robots = [prepared(name, (MODELS / f"{name}.lag").read_text().splitlines()) for name in ["ur5", "panda"]]
+    head = "//! Robots whose inertia is made of parameters. Written by `tools/spatial_benches.py`."
+    PREPARED.parent.mkdir(parents=True, exist_ok=True)
+    PREPARED.write_text("\n\n".join([head, *robots]) + "\n")
     modules = "\n".join(f"pub(crate) mod {name};" for name in sorted(ROBOTS))
     (TARGET / "mod.rs").write_text(f"//! Robots as declarations and as tables. Written by `tools/spatial_benches.py`.\n\n{modules}\n")
 

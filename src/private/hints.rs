@@ -69,6 +69,22 @@ pub trait Bias {
 
 impl<M: EmitsBias> Bias for M {}
 
+/// A system that emits `prepared`.
+#[diagnostic::on_unimplemented(
+    message = "the declaration of `{Self}` does not emit `prepared`",
+    label = "not emitted",
+    note = "add `emit {{ prepared }}` to the declaration"
+)]
+pub trait EmitsPrepared {}
+
+/// The name of that product.
+pub trait Prepared {
+    /// Never called.
+    fn prepared(&self) {}
+}
+
+impl<M: EmitsPrepared> Prepared for M {}
+
 /// A system that emits `momentum_rates`.
 #[diagnostic::on_unimplemented(
     message = "the declaration of `{Self}` does not emit `momentum_rates`",
@@ -339,7 +355,7 @@ macro_rules! __hints {
             Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
             Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _,
             KineticEnergy as _, Latex as _, MassMatrix as _, Momenta as _, MomentumRates as _,
-            ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Statements as _,
+            ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _, Statements as _,
             TangentJacobian as _,
         };
     };

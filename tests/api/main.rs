@@ -21,6 +21,7 @@ mod long_rope;
 mod methods;
 mod orientations;
 mod pivots;
+mod prepared;
 mod product_rows;
 mod products;
 mod projection;

@@ -65,7 +65,9 @@ fn check_type_name(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
     let new = &syntax.name;
     let clashes = |&(name, _): &(&str, Span)| {
         let belongs = |name: &str, to: &str| {
-            ["State", "Columns", "Inputs"].iter().any(|suffix| name.strip_suffix(suffix) == Some(to))
+            ["State", "Columns", "Inputs", "Prepared"]
+                .iter()
+                .any(|suffix| name.strip_suffix(suffix) == Some(to))
         };
         name == new.text || belongs(name, &new.text) || belongs(&new.text, name)
     };

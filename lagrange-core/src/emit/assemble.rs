@@ -16,6 +16,7 @@ use super::features::events::write_events;
 use super::features::frames::write_frames;
 use super::features::indefinite::write_indefinite;
 use super::features::orientations::write_position_rates;
+use super::features::prepared::write_prepared;
 use super::features::product::{Plan, plan};
 use super::features::scene::write_scene;
 use super::features::sparse::{Sparse, lowered_sparse};
@@ -66,6 +67,7 @@ fn assembled(
     write_outputs(&mut writer);
     write_scene(&mut writer);
     write_frames(&mut writer);
+    write_prepared(&mut writer)?;
     if !writer.is_hopeless() {
         describe(&mut writer, statements, counts);
     }

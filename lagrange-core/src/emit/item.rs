@@ -6,12 +6,12 @@ use quote::{ToTokens, quote, quote_spanned};
 use super::base::attributes::{conditions, deprecated_exception, split_attributes};
 use super::base::lints::{name_exception, rounded_exception};
 use super::base::members::Members;
-use super::base::method::ArgumentNames;
-use super::base::shape::{Shape, doc, identifier, length, local};
-use super::base::state::{columns_impls, columns_struct, state_conversions, state_struct, state_variables};
+use super::base::shape::{Shape, doc, identifier, local};
+use super::base::state::{columns_impls, columns_struct, rhs, state_conversions, state_struct};
 use super::features::constrained::projections;
 use super::features::contacts::mode_fields;
 use super::features::ports::{inputs_impls, inputs_struct, outputs_impl};
+use super::features::prepared::{prepared_items, prepared_method, prepared_struct};
 use super::features::switches::switches_declaration;
 use super::traits::trait_impls;
 
@@ -36,6 +36,8 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let default = (members.default.is_none() && !is_derived)
         .then(|| quote!(#conditions #krate::private::bring_hints! { default }));
     let inputs = inputs_struct(shape).map(|inputs| quote!(#conditions #inputs));
+    let prepared = prepared_struct(shape, members).map(|prepared| quote!(#conditions #prepared));
+    let of_prepared = prepared_items(shape, members);
     quote! {
         #system
         #conditions
@@ -43,6 +45,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
         #conditions
         #columns
         #inputs
+        #prepared
         #conditions
         #krate::private::bring_hints! {}
         #default
@@ -57,6 +60,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #(#conversions)*
             #traits
             #(#ports)*
+            #of_prepared
         };
     }
 }
@@ -132,9 +136,10 @@ fn coordinate_list(shape: &Shape<'_>) -> String {
 fn inherent_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
     let methods = members.methods.iter().map(|method| method.tokens(shape, &members.names));
-    let (constants, rhs) = (&members.constants, rhs(shape, &members.names));
+    let (constants, rhs) = (&members.constants, rhs(shape, &members.names, &quote!(self)));
     let (hidden, motions) = (&members.hidden, &members.motions);
     let projections = projections(shape, members);
+    let prepared = prepared_method(shape, members);
     quote! {
         impl #bounds #name #generics {
             #constants
@@ -142,39 +147,8 @@ fn inherent_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #rhs
             #motions
             #projections
+            #prepared
             #hidden
-        }
-    }
-}
-
-/// ẏ = [v, a]
-fn rhs(shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
-    let (scalar, n) = (shape.scalar(), shape.coordinates.len());
-    let (all, variables) = (shape.state_length(), state_variables(shape));
-    let (positions, velocities) = variables.split_at(n);
-    let ArgumentNames { time, state, accelerations, .. } = names;
-    let indices = (0..shape.velocities.len()).map(length);
-    let (rates, line) = match shape.velocities_are_rates() {
-        true => (quote!(#(#velocities,)*), "Rate of the state: velocities, then accelerations."),
-        false => {
-            let (rates, indices) = (local("rates"), (0..n).map(length));
-            (quote!(#(#rates[#indices],)*), "Rate of the state: rates of the positions, then accelerations.")
-        }
-    };
-    let found = (!shape.velocities_are_rates()).then(|| {
-        let rates = local("rates");
-        quote!(let #rates = self.position_rates(#time, &[#(#positions),*], &[#(#velocities),*]);)
-    });
-    let docs = doc(line);
-    quote! {
-        #docs
-        #[must_use]
-        #[inline]
-        pub fn rhs(&self, #time: #scalar, #state: &[#scalar; #all]) -> [#scalar; #all] {
-            let [#(#variables),*] = *#state;
-            let #accelerations = self.acceleration(#time, &[#(#positions),*], &[#(#velocities),*]);
-            #found
-            [#rates #(#accelerations[#indices]),*]
         }
     }
 }

@@ -3,10 +3,11 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::base::members::Members;
+use super::base::members::{Members, Prepared, PreparedFields};
 use super::base::method::{ArgumentNames, Arguments, Method, Returns};
 use super::base::shape::{Shape, identifier, local, method_of, motion_name};
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
+use super::features::prepared::METHODS_OF_PREPARED;
 use super::features::product::signature;
 use super::features::reduced::{placeholder_conversions, reduced_attributes};
 use super::features::scene::motion_method;
@@ -85,6 +86,7 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
         hidden: hidden.iter().map(|method| method.of_trait(&shape, &names)).collect(),
         motions: skeleton_of_motions(&shape, &names),
         items: shape.asks_for(Product::Drawing).then(TokenStream::new),
+        prepared: shape.asks_for(Product::Prepared).then(|| skeleton_of_prepared(&shape)),
         constants: constants.into_iter().collect(),
         is_separable: shape.velocities_are_rates(),
         ..Members::new(names)
@@ -131,6 +133,19 @@ fn skeleton_of_frames(shape: &Shape<'_>) -> Vec<Method> {
     frames.chain(jacobians).map(|(name, returns)| placeholder(name, Arguments::Positions, returns)).collect()
 }
 
+/// With all methods that it may have.
+fn skeleton_of_prepared(shape: &Shape<'_>) -> Prepared {
+    let accelerations = Returns::Vector(shape.velocities.len());
+    let mut methods = vec![placeholder(local("acceleration"), Arguments::State, accelerations)];
+    for product in METHODS_OF_PREPARED {
+        if let Some((arguments, returns)) = signature(product, shape, false) {
+            methods.push(placeholder(local(product.name()), arguments, returns));
+        }
+    }
+    let values = (TokenStream::new(), Vec::new());
+    Prepared { fields: PreparedFields::new(), values, methods, docs: NOT_DERIVED.to_owned() }
+}
+
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
     let docs = quote!(#[doc = #NOT_DERIVED]);
     Method { name, docs, arguments, returns, body: quote!(::core::unreachable!()) }
@@ -145,6 +160,7 @@ fn skeletons_of_reduced(declaration: &Declaration, krate: &TokenStream) -> Token
             & insert(format!("{name}State"))
             & insert(format!("{name}Columns"))
             & insert(format!("{name}Inputs"))
+            & insert(format!("{name}Prepared"))
     };
     is_new(&declaration.name.text);
     if let ScalarType::Generic(name) = &declaration.scalar {

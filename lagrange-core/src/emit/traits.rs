@@ -1,6 +1,6 @@
 //! The traits of `lagrange::system` that an emitted system implements, by way of its methods.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::base::members::Members;
@@ -20,15 +20,24 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let energy = has(members, "energy").then(|| energy_impl(shape, members));
     // Momenta of angular velocities are conjugate to no coordinates.
     let is_canonical = shape.velocities_are_rates() && has(members, "momentum_rates");
-    let canonical = is_canonical.then(|| canonical_impl(shape, members));
+    let name = shape.name();
+    let canonical = is_canonical.then(|| canonical_impl(shape, members, &name));
     let separable = members.is_separable.then(|| match members.constrained.is_empty() {
-        true => separable_impl(shape),
+        true => separable_impl(shape, &name),
         false => leapfrog_impl(shape, members),
     });
     let constrained = constrained_impl(shape, members);
     let (contact, scene) = (contact_impl(shape, members), scene_impl(shape, members));
     let switched = switched_impl(shape, members);
-    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene)
+    // With constraints there is only a skeleton of it.
+    let is_whole = members.prepared.is_some() && members.constrained.is_empty();
+    let prepared = is_whole.then(|| {
+        let name = shape.prepared_name();
+        let canonical = is_canonical.then(|| canonical_impl(shape, members, &name));
+        let separable = members.is_separable.then(|| separable_impl(shape, &name));
+        quote!(#canonical #separable)
+    });
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared)
 }
 
 /// Whether there is a method of this name.
@@ -201,8 +210,8 @@ fn energy_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-fn canonical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
-    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+fn canonical_impl(shape: &Shape<'_>, members: &Members, name: &Ident) -> TokenStream {
+    let (generics, bounds, scalar) = (shape.generics(), shape.bounds(), shape.scalar());
     let (krate, n) = (shape.krate, length(shape.coordinates.len()));
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let mut mass_matrix = members.methods.iter().filter(|method| method.name == "mass_matrix");
@@ -230,8 +239,8 @@ fn canonical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-fn separable_impl(shape: &Shape<'_>) -> TokenStream {
-    let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);
+fn separable_impl(shape: &Shape<'_>, name: &Ident) -> TokenStream {
+    let (generics, bounds, krate) = (shape.generics(), shape.bounds(), shape.krate);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::SeparableSystem for #name #generics {}

@@ -23,6 +23,7 @@ pub enum Product {
     Jacobian,
     TangentJacobian,
     ParameterJacobian,
+    Prepared,
     Latex,
     Motion,
     Frames,
@@ -114,7 +115,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 22] = [
+const ROWS: [ProductRow; 23] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -299,6 +300,7 @@ const ROWS: [ProductRow; 22] = [
             ],
         }),
     },
+    ProductRow { product: Product::Prepared, name: "prepared", when: Availability::Demand, method: None },
     ProductRow { product: Product::Latex, name: "latex", when: Availability::Demand, method: None },
     ProductRow { product: Product::Motion, name: "motion", when: Availability::Bodies, method: None },
     ProductRow { product: Product::Frames, name: "frames", when: Availability::Bodies, method: None },

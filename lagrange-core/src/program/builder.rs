@@ -82,6 +82,11 @@ impl Builder {
         self.push(Op::Call(function, arguments.into()))
     }
 
+    /// The name that a value has.
+    pub fn name(&self, id: ValueId) -> Option<&str> {
+        self.values.value_at(id.index()).as_deref()
+    }
+
     /// Proposes a name for a value; the first proposal counts.
     pub fn propose_name(&mut self, id: ValueId, name: &str) {
         let op = self.op(id).clone();

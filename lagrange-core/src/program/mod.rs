@@ -16,6 +16,7 @@ mod labels;
 mod listing;
 mod lower;
 mod passes;
+mod preparation;
 mod variability;
 mod verify;
 
@@ -31,6 +32,7 @@ pub use lower::lower;
 pub use passes::{
     Pass, batch_sines_and_cosines, fuse_multiply_adds, optimise, pair_sines_and_cosines, passes, schedule,
 };
+pub use preparation::Preparation;
 pub use variability::Variability;
 pub use verify::{Fault, verify};
 

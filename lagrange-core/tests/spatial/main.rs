@@ -10,4 +10,5 @@ mod models;
 mod motion;
 mod operations;
 mod orientations;
+mod parameters;
 mod trees;

@@ -25,14 +25,15 @@ const MOST: [(&str, [usize; 3]); 8] = [
 fn robots_cost_no_more_operations_than_they_did() {
     println!("| model | accelerations | inverse dynamics | mass matrix |\n|---|---|---|---|");
     for (model, most) in MOST {
-        let costs = costs(model);
+        let costs = costs_of(&read(&format!("models/{model}.lag")));
         println!("| {model} | {} | {} | {} |", costs[0], costs[1], costs[2]);
         assert!(costs.iter().zip(most).all(|(cost, most)| *cost <= most), "{model}: {costs:?}");
     }
 }
 
-fn costs(model: &str) -> [usize; 3] {
-    let system = parse(&read(&format!("models/{model}.lag"))).unwrap_or_else(|report| panic!("{report}"));
+/// Operations of accelerations, inverse dynamics and the mass matrix.
+pub(crate) fn costs_of(text: &str) -> [usize; 3] {
+    let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
     let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));
     let count = |roots: &[ExprId]| {
         let program = lower(&derived.model.graph, roots, &Labels::default());

@@ -15,6 +15,7 @@ fn main() {
     println!("{}", bias[0]);
     let _ = pendulum.momentum_rates(0.0, &[0.5], &[0.0]);
     let _ = pendulum.parameter_jacobian(0.0, &[0.5, 0.0]);
+    let _ = pendulum.prepared();
     let energy: f64 = pendulum.energy(0.0, &[0.5], &[0.0]);
     println!("{energy} {:?}", pendulum.mass_matrix(0.0, &[0.5]));
 }

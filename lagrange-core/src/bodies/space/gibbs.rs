@@ -10,25 +10,13 @@
 use super::accelerations::{
     Acceleration, acceleration_behind, acceleration_by_hand, acceleration_of_ground, relative,
 };
-use super::base_parameters::{InertialParameters, NumericStep};
-use super::frames::{FrameStep, JointAxis, Pose, Relative};
-use super::links::{Link, MassProperties, Path};
-use super::numbers::{matrix_of_numbers, triple_of_numbers, value_of_numbers, written_number};
-use super::poses::named_vector;
-use super::vectors::{
-    TENSOR_PLACES, Tensor, Triple, apply, inner, plus, scale, tensor_of_point, tensor_sum, zero_triple,
-};
+use super::frames::{Pose, Relative};
+use super::links::{Link, Path};
+use super::regrouping::{WrittenParameters, link_at, regrouped};
+use super::vectors::{Tensor, Triple, apply, inner, zero_triple};
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{Accuracy, AstId, Statement, StatementKind};
-
-/// Inertial parameters as syntax.
-#[derive(Clone, Copy)]
-struct WrittenParameters {
-    mass: AstId,
-    moment: Triple,
-    tensor: Tensor,
-}
 
 /// Number of freedoms up to which energies are more accurate at the level `strict`: what cancels in their mass matrix is then found.
 const FEW: usize = 3;
@@ -49,7 +37,7 @@ pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) 
     let gravity = space.gravity.map(|(gravity, _)| gravity);
     let gravity = gravity.unwrap_or_else(|| zero_triple(&mut translation.terms()));
     // Of numbers that are too large energies may still tell.
-    let Some(parameters) = parameters(translation, &order) else { return };
+    let Some(parameters) = regrouped(translation, &order) else { return };
     let mut accelerations = vec![None; parameters.len()];
     let (mut functions, mut stated) = (Vec::new(), Vec::new());
     for link in order {
@@ -89,10 +77,6 @@ fn freedoms(translation: &Translation<'_>) -> usize {
 fn sum_of(terms: &mut TermWriter<'_>, values: &[AstId]) -> AstId {
     let zero = terms.number(0);
     values.iter().fold(zero, |sum, &value| terms.plus(sum, value))
-}
-
-fn link_at(translation: &Translation<'_>, link: usize) -> Option<Link> {
-    translation.space.as_ref().map(|space| space.links[link].clone())
 }
 
 /// T − V of a body that a joint carries, by the names of its energies.
@@ -201,178 +185,4 @@ fn rotational_parts(
         parts.push(terms.times(spread, change[z]));
     }
     parts
-}
-
-/// What is left in each frame on the way to each link when base parameters have gone to its carrier; nothing for bodies placed by hand,
-/// whose energies say how they move. `None` if what is computed of numbers is too large for one.
-fn parameters(
-    translation: &mut Translation<'_>,
-    order: &[usize],
-) -> Option<Vec<Vec<Option<WrittenParameters>>>> {
-    let count = translation.space.as_ref().map_or(0, |space| space.links.len());
-    let mut received = vec![InertialParameters::NONE; count];
-    let mut found = vec![Vec::new(); count];
-    for &link in order.iter().rev() {
-        let Some(Link { inertia, path: Some(path), .. }) = link_at(translation, link) else { continue };
-        let own = match inertia {
-            Some(inertia) => numeric_parameters(translation, inertia),
-            None => Some(InertialParameters::NONE),
-        };
-        let own = own.map(|own| own.plus(received[link]));
-        if !own.unwrap_or(received[link]).is_finite() {
-            return None;
-        }
-        let steps = regrouping_steps(translation, &path, &received);
-        found[link] = match (own, inertia, steps) {
-            (Some(own), _, Some(steps)) => {
-                let (rest, hidden) = split(own, &steps);
-                if let Some(carrier) = path.carrier {
-                    received[carrier] = received[carrier].plus(hidden);
-                }
-                let rest =
-                    rest.into_iter().map(|rest| (!rest.is_nothing()).then(|| written(translation, rest)));
-                rest.collect()
-            }
-            (Some(own), ..) if !own.is_nothing() => {
-                let all = written(translation, own);
-                unsplit(translation, &path, all)
-            }
-            (None, Some(inertia), _) => {
-                let all = symbolic_parameters(translation, link, inertia, received[link]);
-                unsplit(translation, &path, all)
-            }
-            _ => vec![None; path.steps.len().max(1)],
-        };
-    }
-    Some(found)
-}
-
-/// The steps to a link in numbers, if its parameters are to be regrouped along them.
-fn regrouping_steps(
-    translation: &Translation<'_>,
-    path: &Path,
-    received: &[InertialParameters],
-) -> Option<Vec<NumericStep>> {
-    numeric_steps(translation, path).filter(|steps| match (path.carrier, motions(steps)) {
-        // What turns in any direction is to accelerate in axes that do not.
-        _ if is_free(path) => true,
-        _ if translation.accuracy == Accuracy::Strict => false,
-        (Some(carrier), _) if !is_carried(translation, carrier) => false,
-        (_, 0) | (None, 1) => true,
-        // A frame without inertia would get some only to carry it.
-        (Some(carrier), 1) => has_inertia(translation, carrier) || !received[carrier].is_nothing(),
-        _ => false,
-    })
-}
-
-/// All parameters in the last frame of a path; of what turns in any direction the mass in the frame before, whose axes do not turn with it:
-/// there it is the same in all directions.
-fn unsplit(
-    translation: &mut Translation<'_>,
-    path: &Path,
-    mut all: WrittenParameters,
-) -> Vec<Option<WrittenParameters>> {
-    let mut kept = vec![None; path.steps.len().max(1)];
-    if let [.., before, _] = &mut kept[..]
-        && turns_freely(path)
-    {
-        let nothing = written(translation, InertialParameters::NONE);
-        let mass = std::mem::replace(&mut all.mass, nothing.mass);
-        *before = Some(WrittenParameters { mass, ..nothing });
-    }
-    kept.last_mut().into_iter().for_each(|place| *place = Some(all));
-    kept
-}
-
-/// True of links that move in any direction and nothing carries.
-fn is_free(path: &Path) -> bool {
-    path.carrier.is_none() && path.steps.len() > 1 && turns_freely(path)
-}
-
-fn turns_freely(path: &Path) -> bool {
-    matches!(path.steps.last(), Some((FrameStep::Orientation(_), _)))
-}
-
-/// True of links that joints carry: only their equations are in the Gibbs function.
-fn is_carried(translation: &Translation<'_>, link: usize) -> bool {
-    translation.space.as_ref().is_some_and(|space| space.links[link].path.is_some())
-}
-
-fn has_inertia(translation: &Translation<'_>, link: usize) -> bool {
-    translation.space.as_ref().is_some_and(|space| space.links[link].inertia.is_some())
-}
-
-fn motions(steps: &[NumericStep]) -> usize {
-    let moves = |step: &&NumericStep| !matches!(step, NumericStep::Shift(_) | NumericStep::Reorientation(_));
-    steps.iter().filter(moves).count()
-}
-
-/// What stays in the frame behind each step, and what goes to the carrier.
-fn split(own: InertialParameters, steps: &[NumericStep]) -> (Vec<InertialParameters>, InertialParameters) {
-    let mut kept = vec![InertialParameters::NONE; steps.len()];
-    let mut moving = own;
-    for (place, &step) in kept.iter_mut().zip(steps).rev() {
-        let hidden = moving.take_hidden(step);
-        *place = moving.without_rounding();
-        moving = hidden;
-    }
-    (kept, moving)
-}
-
-fn numeric_parameters(translation: &Translation<'_>, inertia: MassProperties) -> Option<InertialParameters> {
-    let mass = value_of_numbers(translation, inertia.mass)?;
-    let centroid = triple_of_numbers(translation, inertia.centroid)?;
-    let mut tensor = [0.0; 6];
-    if let Some(given) = inertia.tensor {
-        for (number, component) in tensor.iter_mut().zip(given) {
-            *number = value_of_numbers(translation, component)?;
-        }
-    }
-    Some(InertialParameters::of_body(mass, centroid, tensor))
-}
-
-fn numeric_steps(translation: &Translation<'_>, path: &Path) -> Option<Vec<NumericStep>> {
-    let number = |(step, _): &(FrameStep, Pose)| match *step {
-        FrameStep::Shift(by) => triple_of_numbers(translation, by).map(NumericStep::Shift),
-        FrameStep::Reorientation(by) => matrix_of_numbers(translation, by).map(NumericStep::Reorientation),
-        FrameStep::Turn(JointAxis::Coordinate { axis, .. }, _) => Some(NumericStep::Turn(axis)),
-        FrameStep::Turn(JointAxis::Direction(_), _) => None,
-        FrameStep::Slide(..) => Some(NumericStep::Slide),
-        FrameStep::Orientation(_) => Some(NumericStep::Orientation),
-    };
-    path.steps.iter().map(number).collect()
-}
-
-fn written(translation: &mut Translation<'_>, parameters: InertialParameters) -> WrittenParameters {
-    let mut terms = translation.terms();
-    let InertialParameters { mass, moment, tensor } = parameters;
-    WrittenParameters {
-        mass: written_number(&mut terms, mass),
-        moment: moment.map(|component| written_number(&mut terms, component)),
-        tensor: TENSOR_PLACES.map(|(row, column)| written_number(&mut terms, tensor[row][column])),
-    }
-}
-
-/// m, m c and J + m (c² 1 − c cᵀ), under names, and what was received from bodies further out.
-fn symbolic_parameters(
-    translation: &mut Translation<'_>,
-    link: usize,
-    inertia: MassProperties,
-    received: InertialParameters,
-) -> WrittenParameters {
-    let received = written(translation, received);
-    let name = link_at(translation, link).map_or_else(String::new, |link| link.name.text);
-    let mut terms = translation.terms();
-    let moment = scale(&mut terms, inertia.mass, inertia.centroid);
-    let moment = plus(&mut terms, moment, received.moment);
-    let about_center = inertia.tensor.unwrap_or([terms.number(0); 6]);
-    let moved = tensor_of_point(&mut terms, inertia.mass, inertia.centroid);
-    let own = tensor_sum(&mut terms, about_center, moved);
-    let [xx, yy, zz, xy, xz, yz] = tensor_sum(&mut terms, own, received.tensor);
-    let mass = terms.plus(inertia.mass, received.mass);
-    let moment = named_vector(translation, &format!("{name}_moment"), moment);
-    let moments = named_vector(translation, &format!("{name}_J"), [xx, yy, zz]);
-    let products = named_vector(translation, &format!("{name}_J_products"), [xy, xz, yz]);
-    let tensor = [moments[0], moments[1], moments[2], products[0], products[1], products[2]];
-    WrittenParameters { mass, moment, tensor }
 }

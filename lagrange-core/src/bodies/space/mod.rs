@@ -26,6 +26,8 @@ mod motors;
 mod numbers;
 mod orientations;
 mod poses;
+mod quantities;
+mod regrouping;
 pub(super) mod scene;
 mod solids;
 mod vectors;

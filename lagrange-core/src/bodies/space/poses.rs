@@ -148,28 +148,39 @@ fn named(translation: &mut Translation<'_>, name: &str, pose: Pose) -> Pose {
 
 /// A vector under a name, unless all of its components are numbers or have names. Components that are numbers stay so.
 pub(super) fn named_vector(translation: &mut Translation<'_>, wish: &str, vector: Triple) -> Triple {
-    let is_atom = |id: AstId| {
-        matches!(
-            translation.expressions.get(id),
-            Expression::Number(_) | Expression::Name(_) | Expression::Component(..) | Expression::Invalid
-        )
-    };
-    if vector.iter().all(|&component| is_atom(component)) {
+    if vector.iter().all(|&component| is_atom(translation, component)) {
         return vector;
     }
     let value = translation.terms().vector(&vector);
-    let name = translation.bind(wish, value);
-    if let Expression::Name(name) = translation.expressions.get(name)
-        && let Some(space) = &mut translation.space
-    {
-        space.kinematic.insert(name.clone(), ());
-    }
+    let name = under_name(translation, wish, value);
     let mut terms = translation.terms();
     let components = terms.triple(name);
     [0, 1, 2].map(|axis| match terms.is_number(vector[axis]) {
         true => vector[axis],
         false => components[axis],
     })
+}
+
+/// An expression under a name, unless it needs none; the name is left out in the end if nothing needs it.
+pub(super) fn under_name(translation: &mut Translation<'_>, wish: &str, value: AstId) -> AstId {
+    if is_atom(translation, value) {
+        return value;
+    }
+    let name = translation.bind(wish, value);
+    if let Expression::Name(name) = translation.expressions.get(name)
+        && let Some(space) = &mut translation.space
+    {
+        space.kinematic.insert(name.clone(), ());
+    }
+    name
+}
+
+/// True of an expression that needs no name.
+pub(super) fn is_atom(translation: &Translation<'_>, id: AstId) -> bool {
+    matches!(
+        translation.expressions.get(id),
+        Expression::Number(_) | Expression::Name(_) | Expression::Component(..) | Expression::Invalid
+    )
 }
 
 /// The pose of a link that has its place; one that has none yet is reported.

@@ -1,6 +1,6 @@
 //! Variables of method bodies: parameters, coordinates and the rest that they compute with.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::method::{ArgumentNames, Arguments};
@@ -15,6 +15,8 @@ pub(super) struct Bindings<'a> {
     pub(super) shape: &'a Shape<'a>,
     pub(super) model: &'a Model,
     pub(super) arguments: &'a ArgumentNames,
+    /// The fields of the prepared type, if the body is that of one of its methods.
+    pub(super) prepared: Option<&'a [Ident]>,
 }
 
 impl Bindings<'_> {
@@ -22,7 +24,10 @@ impl Bindings<'_> {
     pub(super) fn of(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
         let ArgumentNames { time, positions, velocities, accelerations, state, residuals, .. } =
             self.arguments;
-        let fields = field_bindings(self.shape, self.model, used, names);
+        let fields = match self.prepared {
+            None => field_bindings(self.shape, self.model, used, names),
+            Some(fields) => self.prepared_bindings(fields, used, names),
+        };
         let sides = self.side_bindings(used, names, arguments);
         let fields = quote!(#fields #sides);
         let (nq, nv) = (self.model.coordinates.len(), self.model.speeds.len());
@@ -52,6 +57,23 @@ impl Bindings<'_> {
         let reactions = quote!(self.reactions(#time, #positions, #velocities));
         let reactions = vector(reactions, self.model.reactions.len(), Role::Reaction);
         quote!(#fields #q #v #a #multipliers #reactions)
+    }
+
+    /// Parameters and inputs of the system that is prepared, and what was prepared.
+    fn prepared_bindings(&self, fields: &[Ident], used: &[Role], names: &mut Names) -> TokenStream {
+        let system = self.shape.name();
+        let own = bound_fields(self.shape, self.model, used, names);
+        let own = destructured(self.shape, &own, (&quote!(#system), &quote!(self.system)));
+        let symbols = self.model.graph.symbols();
+        let first = self.model.parameters.len() as u32;
+        let roles = (first..).map(Role::Parameter).zip(fields);
+        let bound = roles.filter(|(role, _)| used.contains(role)).map(|(role, field)| {
+            let local = names.role(symbols, role);
+            if local == *field { quote!(#local) } else { quote!(#field: #local) }
+        });
+        let bound = bound.collect::<Vec<_>>();
+        let prepared = (!bound.is_empty()).then(|| quote!(let Self { #(#bound,)* .. } = *self;));
+        quote!(#own #prepared)
     }
 
     /// The sides of switches that a body uses.
@@ -101,6 +123,12 @@ pub(in crate::emit) fn field_bindings(
     used: &[Role],
     names: &mut Names,
 ) -> TokenStream {
+    let bound = bound_fields(shape, model, used, names);
+    destructured(shape, &bound, (&quote!(Self), &quote!(*self)))
+}
+
+/// The fields that are used, each with the name that the body uses.
+fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Names) -> Vec<TokenStream> {
     let symbols = model.graph.symbols();
     let used = used.iter().map(|role| (*role, ())).collect::<HashMap<_, _>>();
     let roles = (0..model.parameters.len() as u32).map(Role::Parameter);
@@ -112,11 +140,18 @@ pub(in crate::emit) fn field_bindings(
         // A field can be named from the macro's side, and must be, for the local to be the macro's.
         if local == name.text { quote!(#local) } else { quote!(#field: #local) }
     });
-    let bound = bound.collect::<Vec<_>>();
+    bound.collect()
+}
+
+fn destructured(
+    shape: &Shape<'_>,
+    bound: &[TokenStream],
+    (name, value): (&TokenStream, &TokenStream),
+) -> TokenStream {
     if bound.is_empty() {
         return TokenStream::new();
     }
     let has_others = !shape.switches.is_empty() || shape.fields_of_modes().next().is_some();
     let rest = (has_others || bound.len() < shape.fields.len()).then(|| quote!(..));
-    quote!(let Self { #(#bound,)* #rest } = *self;)
+    quote!(let #name { #(#bound,)* #rest } = #value;)
 }

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 
 use super::method::{ArgumentNames, Method};
+use crate::code::Names;
 
 /// Members of the emitted type, its documentation, and what its traits need to know of them.
 pub(in crate::emit) struct Members {
@@ -31,6 +32,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) motions: TokenStream,
     /// The body of `Scene::items`, if that is asked for.
     pub(in crate::emit) items: Option<TokenStream>,
+    /// What the prepared type consists of, if that is asked for.
+    pub(in crate::emit) prepared: Option<Prepared>,
     /// Associated constants.
     pub(in crate::emit) constants: TokenStream,
     pub(in crate::emit) names: ArgumentNames,
@@ -58,11 +61,47 @@ impl Members {
             hidden: TokenStream::new(),
             motions: TokenStream::new(),
             items: None,
+            prepared: None,
             constants: TokenStream::new(),
             names,
             functions: BTreeSet::new(),
             is_separable: false,
             has_rounded_constants: false,
         }
+    }
+}
+
+/// A type that keeps what is computed of parameters alone.
+pub(in crate::emit) struct Prepared {
+    /// What it keeps.
+    pub(in crate::emit) fields: PreparedFields,
+    /// Statements that compute that, and a value for each field.
+    pub(in crate::emit) values: (TokenStream, Vec<TokenStream>),
+    pub(in crate::emit) methods: Vec<Method>,
+    /// What of it is said in its documentation.
+    pub(in crate::emit) docs: String,
+}
+
+/// Names of the fields of the prepared type beside that of the system.
+pub(in crate::emit) struct PreparedFields {
+    pub(in crate::emit) names: Vec<Ident>,
+    given: Names,
+}
+
+impl PreparedFields {
+    /// None yet.
+    pub(in crate::emit) fn new() -> PreparedFields {
+        PreparedFields { names: Vec::new(), given: Names::new(["system"]) }
+    }
+
+    /// Name of the next field.
+    pub(in crate::emit) fn push(&mut self, wish: Option<&str>) -> String {
+        let name = match wish {
+            Some(wish) => self.given.fresh(wish),
+            None => self.given.numbered("const"),
+        };
+        let text = name.to_string();
+        self.names.push(name);
+        text
     }
 }

@@ -32,3 +32,15 @@ pub(in crate::emit) fn smaller() -> &'static str {
     "leave out methods with `emit { no … }`, or compute forces between many bodies in a loop and hand them in as \
      inputs"
 }
+
+pub(in crate::emit) fn unprepared(obstacle: &str) -> String {
+    format!("`prepared` does not go with {obstacle}")
+}
+
+pub(in crate::emit) const UNPREPARED_HELP: &str = "leave it out; accelerations that are found in one way for all states can be prepared, of systems with events, too";
+pub(in crate::emit) const CONTACTS: &str = "contacts or friction, whose modes change the equations";
+pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are found at run time";
+pub(in crate::emit) const SWITCHES: &str =
+    "jumps or kinks, such as those of `if`, `abs`, `sign`, `min` and `max`, whose sides runs fix";
+pub(in crate::emit) const INDEFINITE: &str =
+    "a mass matrix that is not definite, of which accelerations are found in a second way";

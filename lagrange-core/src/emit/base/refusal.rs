@@ -1,8 +1,10 @@
 //! Why a derived system cannot be written.
 
+use super::messages;
 use super::size::report_hopeless;
 use crate::diagnostics::Report;
-use crate::syntax::ast::{Declaration, ScalarType};
+use crate::model::Product;
+use crate::syntax::ast::{Declaration, EmitItem, ScalarType, StatementKind};
 
 /// Why a system cannot be written.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -11,6 +13,8 @@ pub(in crate::emit) enum Refusal {
     Constants(Vec<String>),
     /// No compiler would get through it.
     Size,
+    /// It cannot be prepared, because of this.
+    Preparation(&'static str),
 }
 
 /// Reports why a system cannot be written.
@@ -18,7 +22,20 @@ pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refus
     match refusal {
         Refusal::Constants(constants) => report_too_large(declaration, constants, report),
         Refusal::Size => report_hopeless(declaration, report),
+        Refusal::Preparation(obstacle) => report_unprepared(declaration, obstacle, report),
     }
+}
+
+/// Reports at the demand for a prepared type that there is none.
+fn report_unprepared(declaration: &Declaration, obstacle: &str, report: &mut Report) {
+    let items = declaration.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Emit(items) => Some(items),
+        _ => None,
+    });
+    let is_demand = |item: &&EmitItem| item.wanted && item.product.text == Product::Prepared.name();
+    let demand = items.flatten().rfind(is_demand);
+    let place = demand.map_or(declaration.name.span, |item| item.product.span);
+    report.error(place, messages::unprepared(obstacle)).help(messages::UNPREPARED_HELP);
 }
 
 /// Reports constants that the scalar cannot represent and that only derivation makes: what the user wrote has been

@@ -232,6 +232,12 @@ impl<'a> Shape<'a> {
         format_ident!("{}Columns", name.text, span = name.span)
     }
 
+    /// The name of the prepared type.
+    pub(in crate::emit) fn prepared_name(&self) -> Ident {
+        let name = &self.declaration.name;
+        format_ident!("{}Prepared", name.text, span = name.span)
+    }
+
     /// The number type where the user's scope decides what a bare name means.
     pub(in crate::emit) fn scalar_path(&self) -> TokenStream {
         match &self.declaration.scalar {

@@ -4,7 +4,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::lints::{name_exception, type_name_exception};
-use super::shape::{Shape, doc, length};
+use super::method::ArgumentNames;
+use super::shape::{Shape, doc, length, local};
 use crate::code::Names;
 
 pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
@@ -167,4 +168,36 @@ fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
         }
     });
     columns.collect()
+}
+
+/// ẏ = [v, a], the rates of the positions being those that `system` says.
+pub(in crate::emit) fn rhs(shape: &Shape<'_>, names: &ArgumentNames, system: &TokenStream) -> TokenStream {
+    let (scalar, n) = (shape.scalar(), shape.coordinates.len());
+    let (all, variables) = (shape.state_length(), state_variables(shape));
+    let (positions, velocities) = variables.split_at(n);
+    let ArgumentNames { time, state, accelerations, .. } = names;
+    let indices = (0..shape.velocities.len()).map(length);
+    let (rates, line) = match shape.velocities_are_rates() {
+        true => (quote!(#(#velocities,)*), "Rate of the state: velocities, then accelerations."),
+        false => {
+            let (rates, indices) = (local("rates"), (0..n).map(length));
+            (quote!(#(#rates[#indices],)*), "Rate of the state: rates of the positions, then accelerations.")
+        }
+    };
+    let found = (!shape.velocities_are_rates()).then(|| {
+        let rates = local("rates");
+        quote!(let #rates = #system.position_rates(#time, &[#(#positions),*], &[#(#velocities),*]);)
+    });
+    let docs = doc(line);
+    quote! {
+        #docs
+        #[must_use]
+        #[inline]
+        pub fn rhs(&self, #time: #scalar, #state: &[#scalar; #all]) -> [#scalar; #all] {
+            let [#(#variables),*] = *#state;
+            let #accelerations = self.acceleration(#time, &[#(#positions),*], &[#(#velocities),*]);
+            #found
+            [#rates #(#accelerations[#indices]),*]
+        }
+    }
 }

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::bindings::Bindings;
 use super::docs::with_counts;
 use super::lints::looks_rounded;
-use super::members::Members;
+use super::members::{Members, PreparedFields};
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::refusal::Refusal;
 use super::shape::{Shape, doc};
@@ -18,7 +18,7 @@ use crate::code::{FunctionBody, Names, body};
 use crate::derive::Equations;
 use crate::expr::ExprId;
 use crate::model::Model;
-use crate::program::{Labels, OperationCounts, Program, lower, optimise};
+use crate::program::{Labels, OperationCounts, Preparation, Program, lower, optimise};
 
 /// Writes the methods of one system. Features add to its members.
 pub(in crate::emit) struct MethodWriter<'a> {
@@ -136,13 +136,52 @@ impl<'a> MethodWriter<'a> {
         let program = optimise(&lower(&self.model.graph, roots, &self.labels), self.model.accuracy);
         let counts = OperationCounts::of(&program);
         self.size.add(counts, roots.len());
-        (self.body(&program, arguments, collect), counts)
+        (self.body(&program, arguments, None, collect), counts)
+    }
+
+    /// The same as a body of the prepared type, which gets a field for whatever is new.
+    pub(in crate::emit) fn lowered_prepared(
+        &mut self,
+        roots: &[ExprId],
+        arguments: Arguments,
+        (preparation, fields): (&mut Preparation, &mut PreparedFields),
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> (TokenStream, OperationCounts) {
+        if self.size.is_hopeless() {
+            return (TokenStream::new(), OperationCounts::default());
+        }
+        let program = preparation.prepare(&lower(&self.model.graph, roots, &self.labels));
+        for index in fields.names.len()..preparation.len() {
+            let name = fields.push(preparation.name(index));
+            self.model.graph.symbol(&name, preparation.role(index));
+        }
+        let program = optimise(&program, self.model.accuracy);
+        let counts = OperationCounts::of(&program);
+        self.size.add(counts, roots.len());
+        (self.body(&program, arguments, Some(&fields.names), collect), counts)
+    }
+
+    /// Statements and values of what is prepared.
+    pub(in crate::emit) fn prepared_values(
+        &mut self,
+        preparation: Preparation,
+    ) -> (TokenStream, Vec<TokenStream>, OperationCounts) {
+        let program = optimise(&preparation.finish(), self.model.accuracy);
+        let counts = OperationCounts::of(&program);
+        self.size.add(counts, program.outputs().len());
+        let mut values = Vec::new();
+        let statements = self.body(&program, Arguments::None, None, |results| {
+            values = results.to_vec();
+            TokenStream::new()
+        });
+        (statements, values, counts)
     }
 
     fn body(
         &mut self,
         program: &Program,
         arguments: Arguments,
+        prepared: Option<&[Ident]>,
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         let argument_names = &self.members.names;
@@ -150,7 +189,8 @@ impl<'a> MethodWriter<'a> {
         let reserved = reserved.map(ToString::to_string).collect::<Vec<_>>();
         let mut names = Names::new(reserved.iter().map(String::as_str));
         let Some(body) = self.written(program, &mut names) else { return TokenStream::new() };
-        let bindings = Bindings { shape: self.shape, model: self.model, arguments: &self.members.names };
+        let bindings =
+            Bindings { shape: self.shape, model: self.model, arguments: &self.members.names, prepared };
         let bindings = bindings.of(&body.used, &mut names, arguments);
         let (statements, result) = (&body.statements, collect(&body.outputs));
         quote!(#bindings #statements #result)

@@ -10,6 +10,7 @@ mod items;
 pub(super) mod jacobian;
 pub(super) mod orientations;
 pub(super) mod ports;
+pub(super) mod prepared;
 pub(super) mod product;
 pub(super) mod reduced;
 pub(super) mod redundant;

@@ -95,13 +95,13 @@ fn inputs<'a>(shape: &Shape<'a>) -> Vec<&'a Name> {
 }
 
 /// The name of the struct of inputs.
-fn inputs_name(shape: &Shape<'_>) -> Ident {
+pub(in crate::emit) fn inputs_name(shape: &Shape<'_>) -> Ident {
     let name = &shape.declaration.name;
     format_ident!("{}Inputs", name.text, span = name.span)
 }
 
-/// `OutputSystem`, if there are outputs.
-pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+/// The outputs that there are methods for.
+fn outputs<'a>(shape: &Shape<'a>, members: &Members) -> Vec<(&'a Name, Returns)> {
     // In a declaration with errors something else may have the name of an output.
     let is_output = |method: &Method| {
         method.arguments == Arguments::State && !matches!(method.returns, Returns::Matrix(..))
@@ -109,12 +109,21 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
     let written = |name: &Name| {
         members.methods.iter().filter(|method| is_output(method)).find(|method| method.name == name.text)
     };
-    let outputs = shape.outputs.iter().filter_map(|(name, _)| Some((*name, written(name)?.returns)));
+    shape.outputs.iter().filter_map(|(name, _)| Some((*name, written(name)?.returns))).collect()
+}
+
+/// Whether there is an implementation of `OutputSystem`.
+pub(in crate::emit) fn has_outputs(shape: &Shape<'_>, members: &Members) -> bool {
+    outputs(shape, members).iter().any(|(_, returns)| returns.count() > 0)
+}
+
+/// `OutputSystem`, if there are outputs.
+pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let (mut texts, mut statements, mut all) = (Vec::new(), TokenStream::new(), Vec::new());
-    for (output, returns) in outputs {
+    for (output, returns) in outputs(shape, members) {
         let (first, count) = (all.len(), returns.count());
         let values = (first..first + count).map(|index| format_ident!("output_{index}")).collect::<Vec<_>>();
         let pattern = match returns {

@@ -10,7 +10,7 @@ use crate::elementary::ROWS;
 use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::functions::apply;
 use crate::number::Number;
-use crate::program::{optimise, passes, run, schedule, verify};
+use crate::program::{Op, Preparation, Variability, optimise, passes, run, schedule, verify};
 use crate::symbol::Role;
 use crate::syntax::ast::Accuracy;
 
@@ -113,6 +113,31 @@ proptest! {
                 prop_assert!(same, "after {}: {program:?}", pass.name);
             }
         }
+    }
+
+    /// Parameters are 0 to 3; what is prepared comes behind them.
+    #[test]
+    fn what_is_prepared_computes_the_same_bits_and_is_no_longer_computed(steps in steps()) {
+        let (mut graph, parameters, coordinates) = letters();
+        let outputs = build(&mut graph, &[parameters.as_slice(), &coordinates].concat(), &steps);
+        let program = lowered(&graph, &outputs);
+        let mut preparation = Preparation::new(4);
+        // Once more, so that what is there is found again.
+        let [prepared, again] = [(); 2].map(|()| preparation.prepare(&program));
+        prop_assert_eq!(&prepared, &again);
+        let values = preparation.finish();
+        prop_assert_eq!((verify(&prepared), verify(&values)), (Ok(()), Ok(())));
+        let values = run(&values, |role| at(role, 0.0));
+        let after = run(&prepared, |role| match role {
+            Role::Parameter(index @ 4..) => values[index as usize - 4],
+            role => at(role, 0.0),
+        });
+        let before = run(&program, |role| at(role, 0.0));
+        prop_assert!(before.iter().zip(&after).all(same_bits), "{program:?} or {prepared:?}");
+        let kinds = Variability::of_values(&prepared);
+        let is_known = |op: &Op| matches!(op, Op::Input(_) | Op::Constant(_) | Op::Float(_) | Op::Negate(_));
+        let is_left = |(id, op): (_, &Op)| kinds[id] == Variability::Constant && !is_known(op);
+        prop_assert!(!prepared.values().any(is_left), "{prepared:?}");
     }
 
     /// `verify` finds operands that stand after their use.

@@ -59,7 +59,7 @@
 /// force craft_wx = roll;
 /// emit { no kinetic_energy, no potential_energy, no energy, no momenta, no forcing }
 /// let load_moment = (0, 0, -(m * l));
-/// let load_J = (0.001 + m * (-l)^2, 0.001 + m * (-l)^2, 0.001);
+/// let load_J = (0.001 + m * l * l, 0.001 + m * l * l, 0.001);
 /// let craft_joint_a = (ddot(craft_x), 0, 9.81);
 /// let craft_joint_a_2 = (craft_joint_a.x, ddot(craft_y), 9.81);
 /// let craft_joint_a_3 = (craft_joint_a_2.x, craft_joint_a_2.y, 9.81 + ddot(craft_z));

@@ -48,12 +48,13 @@
 /// let tool_joint_origin = (arm_joint_origin.x + l * arm_z.x, arm_joint_origin.y + l * arm_z.y, arm_joint_origin.z + l * arm_z.z);
 /// let tool_z = (-base_y.x, -base_y.y, 0);
 /// let arm_moment = (0, 0, m * (l/2));
-/// let arm_J = (m * l^2 / 12 + m * (l/2)^2, m * l^2 / 12 + m * (l/2)^2, 0);
+/// let arm_J = (m * l^2 / 12 + m * (l/2) * (l/2), m * l^2 / 12 + m * (l/2) * (l/2), 0);
+/// let base_J = (0.1 * (0.1 * m), 0.1 * (0.1 * m) + m * r * r, m * r * r);
 /// let base_alpha = (0, 0, ddot(turn));
 /// let base_w_squares = (0, 0, base_w.z^2);
 /// let base_relative_x = (-base_w_squares.z, -base_alpha.z, 0);
 /// let base_relative_y = (base_alpha.z, -base_w_squares.z, 0);
-/// let base_S = 1/2 * (3 * m) * 9.81^2 + 1/2 * 0.01 * base_alpha.z^2;
+/// let base_S = 1/2 * (0.01 + base_J.z) * base_alpha.z^2;
 /// let arm_joint_a = (base_relative_x.x * r, base_relative_y.x * r, 9.81);
 /// let arm_alpha = (-(sin(lift) * base_alpha.z) - arm_w.z * dot(lift), ddot(lift), cos(lift) * base_alpha.z + arm_w.x * dot(lift));
 /// let arm_a = (cos(lift) * arm_joint_a.x - sin(lift) * 9.81, arm_joint_a.y, cos(lift) * 9.81 + sin(lift) * arm_joint_a.x);
@@ -62,7 +63,7 @@
 /// let arm_relative_x = (-(arm_w_squares.y + arm_w_squares.z), arm_w_products.z - arm_alpha.z, arm_w_products.y + arm_alpha.y);
 /// let arm_relative_y = (arm_w_products.z + arm_alpha.z, -(arm_w_squares.z + arm_w_squares.x), arm_w_products.x - arm_alpha.x);
 /// let arm_relative_z = (arm_w_products.y - arm_alpha.y, arm_w_products.x + arm_alpha.x, -(arm_w_squares.x + arm_w_squares.y));
-/// let arm_S = 1/2 * m * arm_a.x^2 + 1/2 * m * arm_a.y^2 + 1/2 * m * arm_a.z^2 + (arm_a.x * (arm_relative_x.z * arm_moment.z) + arm_a.y * (arm_relative_y.z * arm_moment.z) + arm_a.z * (arm_relative_z.z * arm_moment.z)) + 1/2 * arm_J.x * arm_alpha.x^2 - arm_J.y * arm_w_products.x * arm_alpha.x + 1/2 * arm_J.y * arm_alpha.y^2 + arm_J.x * arm_w_products.y * arm_alpha.y + (arm_J.y - arm_J.x) * arm_w_products.z * arm_alpha.z;
+/// let arm_S = arm_a.x * (arm_relative_x.z * arm_moment.z) + arm_a.y * (arm_relative_y.z * arm_moment.z) + arm_a.z * (arm_relative_z.z * arm_moment.z) + 1/2 * arm_J.x * arm_alpha.x^2 - arm_J.y * arm_w_products.x * arm_alpha.x + 1/2 * arm_J.y * arm_alpha.y^2 + arm_J.x * arm_w_products.y * arm_alpha.y + (arm_J.y - arm_J.x) * arm_w_products.z * arm_alpha.z;
 /// gibbs = base_S + arm_S, for: base_T_rotation - base_V + (arm_T_translation + arm_T_rotation - arm_V);
 /// ```
 pub struct SpatialArm {
@@ -99,7 +100,7 @@ const _: () = {
     use ::lagrange::private::{cos, multiply_add, sin, sin_cos};
     impl SpatialArm {
         /// The statements that those about rigid bodies stand for.
-        pub const STATEMENTS: &'static ::core::primitive::str = "param m = 2, l = 0.5, r = 0.05;\ncoord turn;\nlet base_w = (0, 0, dot(turn));\nlet base_x = (cos(turn), sin(turn), 0);\nlet base_y = (-sin(turn), cos(turn), 0);\nlet base_T_rotation = 1/2 * 0.01 * base_w.z^2;\nkinetic = base_T_rotation;\nlet base_V = 3 * m * (9.81 * 0.3);\npotential = base_V;\ncoord lift;\nlet arm_joint_v = (0, base_w.z * r, 0);\nlet arm_joint_origin = (r * base_x.x, r * base_x.y, 0.3 + 0.1);\nlet arm_w = (-(sin(lift) * base_w.z), dot(lift), cos(lift) * base_w.z);\nlet arm_x = (cos(lift) * base_x.x, cos(lift) * base_x.y, -sin(lift));\nlet arm_z = (sin(lift) * base_x.x, sin(lift) * base_x.y, cos(lift));\nlet arm_center_v = (arm_w.y * (l/2), arm_joint_v.y - arm_w.x * (l/2), 0);\nlet arm_T_translation = kinetic_energy(m, (arm_center_v.x, arm_center_v.y, 0));\nkinetic = arm_T_translation;\nlet arm_T_rotation = 1/2 * (m * l^2 / 12) * arm_w.x^2 + 1/2 * (m * l^2 / 12) * arm_w.y^2;\nkinetic = arm_T_rotation;\nlet arm_V = m * (9.81 * (arm_joint_origin.z + l/2 * arm_z.z));\npotential = arm_V;\nlet tool_joint_origin = (arm_joint_origin.x + l * arm_z.x, arm_joint_origin.y + l * arm_z.y, arm_joint_origin.z + l * arm_z.z);\nlet tool_z = (-base_y.x, -base_y.y, 0);\nlet arm_moment = (0, 0, m * (l/2));\nlet arm_J = (m * l^2 / 12 + m * (l/2)^2, m * l^2 / 12 + m * (l/2)^2, 0);\nlet base_alpha = (0, 0, ddot(turn));\nlet base_w_squares = (0, 0, base_w.z^2);\nlet base_relative_x = (-base_w_squares.z, -base_alpha.z, 0);\nlet base_relative_y = (base_alpha.z, -base_w_squares.z, 0);\nlet base_S = 1/2 * (3 * m) * 9.81^2 + 1/2 * 0.01 * base_alpha.z^2;\nlet arm_joint_a = (base_relative_x.x * r, base_relative_y.x * r, 9.81);\nlet arm_alpha = (-(sin(lift) * base_alpha.z) - arm_w.z * dot(lift), ddot(lift), cos(lift) * base_alpha.z + arm_w.x * dot(lift));\nlet arm_a = (cos(lift) * arm_joint_a.x - sin(lift) * 9.81, arm_joint_a.y, cos(lift) * 9.81 + sin(lift) * arm_joint_a.x);\nlet arm_w_squares = (arm_w.x^2, arm_w.y^2, arm_w.z^2);\nlet arm_w_products = (arm_w.y * arm_w.z, arm_w.z * arm_w.x, arm_w.x * arm_w.y);\nlet arm_relative_x = (-(arm_w_squares.y + arm_w_squares.z), arm_w_products.z - arm_alpha.z, arm_w_products.y + arm_alpha.y);\nlet arm_relative_y = (arm_w_products.z + arm_alpha.z, -(arm_w_squares.z + arm_w_squares.x), arm_w_products.x - arm_alpha.x);\nlet arm_relative_z = (arm_w_products.y - arm_alpha.y, arm_w_products.x + arm_alpha.x, -(arm_w_squares.x + arm_w_squares.y));\nlet arm_S = 1/2 * m * arm_a.x^2 + 1/2 * m * arm_a.y^2 + 1/2 * m * arm_a.z^2 + (arm_a.x * (arm_relative_x.z * arm_moment.z) + arm_a.y * (arm_relative_y.z * arm_moment.z) + arm_a.z * (arm_relative_z.z * arm_moment.z)) + 1/2 * arm_J.x * arm_alpha.x^2 - arm_J.y * arm_w_products.x * arm_alpha.x + 1/2 * arm_J.y * arm_alpha.y^2 + arm_J.x * arm_w_products.y * arm_alpha.y + (arm_J.y - arm_J.x) * arm_w_products.z * arm_alpha.z;\ngibbs = base_S + arm_S, for: base_T_rotation - base_V + (arm_T_translation + arm_T_rotation - arm_V);\n";
+        pub const STATEMENTS: &'static ::core::primitive::str = "param m = 2, l = 0.5, r = 0.05;\ncoord turn;\nlet base_w = (0, 0, dot(turn));\nlet base_x = (cos(turn), sin(turn), 0);\nlet base_y = (-sin(turn), cos(turn), 0);\nlet base_T_rotation = 1/2 * 0.01 * base_w.z^2;\nkinetic = base_T_rotation;\nlet base_V = 3 * m * (9.81 * 0.3);\npotential = base_V;\ncoord lift;\nlet arm_joint_v = (0, base_w.z * r, 0);\nlet arm_joint_origin = (r * base_x.x, r * base_x.y, 0.3 + 0.1);\nlet arm_w = (-(sin(lift) * base_w.z), dot(lift), cos(lift) * base_w.z);\nlet arm_x = (cos(lift) * base_x.x, cos(lift) * base_x.y, -sin(lift));\nlet arm_z = (sin(lift) * base_x.x, sin(lift) * base_x.y, cos(lift));\nlet arm_center_v = (arm_w.y * (l/2), arm_joint_v.y - arm_w.x * (l/2), 0);\nlet arm_T_translation = kinetic_energy(m, (arm_center_v.x, arm_center_v.y, 0));\nkinetic = arm_T_translation;\nlet arm_T_rotation = 1/2 * (m * l^2 / 12) * arm_w.x^2 + 1/2 * (m * l^2 / 12) * arm_w.y^2;\nkinetic = arm_T_rotation;\nlet arm_V = m * (9.81 * (arm_joint_origin.z + l/2 * arm_z.z));\npotential = arm_V;\nlet tool_joint_origin = (arm_joint_origin.x + l * arm_z.x, arm_joint_origin.y + l * arm_z.y, arm_joint_origin.z + l * arm_z.z);\nlet tool_z = (-base_y.x, -base_y.y, 0);\nlet arm_moment = (0, 0, m * (l/2));\nlet arm_J = (m * l^2 / 12 + m * (l/2) * (l/2), m * l^2 / 12 + m * (l/2) * (l/2), 0);\nlet base_J = (0.1 * (0.1 * m), 0.1 * (0.1 * m) + m * r * r, m * r * r);\nlet base_alpha = (0, 0, ddot(turn));\nlet base_w_squares = (0, 0, base_w.z^2);\nlet base_relative_x = (-base_w_squares.z, -base_alpha.z, 0);\nlet base_relative_y = (base_alpha.z, -base_w_squares.z, 0);\nlet base_S = 1/2 * (0.01 + base_J.z) * base_alpha.z^2;\nlet arm_joint_a = (base_relative_x.x * r, base_relative_y.x * r, 9.81);\nlet arm_alpha = (-(sin(lift) * base_alpha.z) - arm_w.z * dot(lift), ddot(lift), cos(lift) * base_alpha.z + arm_w.x * dot(lift));\nlet arm_a = (cos(lift) * arm_joint_a.x - sin(lift) * 9.81, arm_joint_a.y, cos(lift) * 9.81 + sin(lift) * arm_joint_a.x);\nlet arm_w_squares = (arm_w.x^2, arm_w.y^2, arm_w.z^2);\nlet arm_w_products = (arm_w.y * arm_w.z, arm_w.z * arm_w.x, arm_w.x * arm_w.y);\nlet arm_relative_x = (-(arm_w_squares.y + arm_w_squares.z), arm_w_products.z - arm_alpha.z, arm_w_products.y + arm_alpha.y);\nlet arm_relative_y = (arm_w_products.z + arm_alpha.z, -(arm_w_squares.z + arm_w_squares.x), arm_w_products.x - arm_alpha.x);\nlet arm_relative_z = (arm_w_products.y - arm_alpha.y, arm_w_products.x + arm_alpha.x, -(arm_w_squares.x + arm_w_squares.y));\nlet arm_S = arm_a.x * (arm_relative_x.z * arm_moment.z) + arm_a.y * (arm_relative_y.z * arm_moment.z) + arm_a.z * (arm_relative_z.z * arm_moment.z) + 1/2 * arm_J.x * arm_alpha.x^2 - arm_J.y * arm_w_products.x * arm_alpha.x + 1/2 * arm_J.y * arm_alpha.y^2 + arm_J.x * arm_w_products.y * arm_alpha.y + (arm_J.y - arm_J.x) * arm_w_products.z * arm_alpha.z;\ngibbs = base_S + arm_S, for: base_T_rotation - base_V + (arm_T_translation + arm_T_rotation - arm_V);\n";
         /// Accelerations in the order of the velocities.
         ///
         /// Takes 6 additions, 29 multiplications, 2 divisions, 1 `sin_cos`.
@@ -119,10 +120,15 @@ const _: () = {
                 m_l_r * arm_z_z * turn_dot * lift_dot,
             );
             let r_sq = r * r;
+            let base_J_z = m * r_sq;
             let sin_lift_sq = sin_lift * sin_lift;
-            let pos_0 = multiply_add(m_l_r, sin_lift, m * r_sq);
-            let m_0_0 = multiply_add(0.3333333333333333 * m * l_sq, sin_lift_sq, pos_0)
-                + 0.01;
+            let const_0 = 0.3333333333333333 * m * l_sq;
+            let pos_0 = multiply_add(
+                const_0,
+                sin_lift_sq,
+                multiply_add(m_l_r, sin_lift, base_J_z),
+            );
+            let m_0_0 = pos_0 + 0.01;
             let turn_ddot = forcing_0 / m_0_0;
             let turn_dot_sq = turn_dot * turn_dot;
             let pos_1 = 0.3333333333333333 * l * sin_lift * arm_z_z;
@@ -140,6 +146,7 @@ const _: () = {
             let Self { m, l, r } = *self;
             let [_, lift] = *q;
             let r_sq = r * r;
+            let base_J_z = m * r_sq;
             let sin_lift = sin(lift);
             let l_sq = l * l;
             let arm_J_x = 0.3333333333333333 * m * l_sq;
@@ -147,7 +154,7 @@ const _: () = {
             let pos_0 = multiply_add(
                 arm_J_x,
                 sin_lift_sq,
-                multiply_add(m * l * r, sin_lift, m * r_sq),
+                multiply_add(m * l * r, sin_lift, base_J_z),
             );
             let m_0_0 = pos_0 + 0.01;
             [[m_0_0, 0.0], [0.0, arm_J_x]]
@@ -284,7 +291,7 @@ const _: () = {
         /// Inverse dynamics: the generalised forces that must act, in addition to the declared ones,
         /// to produce given accelerations.
         ///
-        /// Takes 10 additions, 28 multiplications, 1 `sin_cos`.
+        /// Takes 10 additions, 30 multiplications, 1 `sin_cos`.
         #[must_use]
         #[inline]
         pub fn inverse_dynamics(
@@ -302,16 +309,21 @@ const _: () = {
             let arm_w_z = arm_z_z * turn_dot;
             let arm_w_products_x = lift_dot * arm_w_z;
             let acc_0 = multiply_add(sin_lift, turn_ddot, arm_w_products_x);
-            let arm_relative_y_z = arm_w_products_x + acc_0;
-            let arm_joint_a_y = r * turn_ddot;
-            let m_l = m * l;
-            let const_0 = 0.5 * m_l;
-            let acc_1 = multiply_add(const_0, arm_relative_y_z, m * arm_joint_a_y);
             let arm_alpha_x = -acc_0;
             let l_sq = l * l;
             let m_l_sq = m * l_sq;
-            let acc_2 = multiply_add(-m_l_sq, arm_alpha_x, m_l_sq * arm_w_products_x);
-            let acc_3 = multiply_add(0.3333333333333333, acc_2, const_0 * arm_joint_a_y);
+            let m_l = m * l;
+            let arm_joint_a_y = r * turn_ddot;
+            let acc_1 = multiply_add(-m_l_sq, arm_alpha_x, m_l_sq * arm_w_products_x);
+            let r_sq = r * r;
+            let base_J_z = m * r_sq;
+            let acc_2 = multiply_add(
+                0.3333333333333333,
+                acc_1,
+                0.5 * m_l * arm_joint_a_y,
+            );
+            let arm_relative_y_z = arm_w_products_x + acc_0;
+            let acc_3 = multiply_add(sin_lift, acc_2, (base_J_z + 0.01) * turn_ddot);
             let acc_4 = multiply_add(
                 -m_l_sq * sin_lift * turn_dot,
                 arm_w_z,
@@ -320,7 +332,7 @@ const _: () = {
             let turn_dot_sq = turn_dot * turn_dot;
             let arm_a_x = -multiply_add(r * arm_z_z, turn_dot_sq, 9.81 * sin_lift);
             [
-                multiply_add(sin_lift, acc_3, multiply_add(r, acc_1, 0.01 * turn_ddot)),
+                multiply_add(0.5 * r * m_l, arm_relative_y_z, acc_3),
                 multiply_add(-(-0.5 * m_l), arm_a_x, 0.3333333333333333 * acc_4),
             ]
         }
