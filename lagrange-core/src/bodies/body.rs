@@ -1,6 +1,6 @@
 //! `body` statements.
 
-use super::compound::compound_geometry;
+use super::compound::{compound_geometry, visual_outlines};
 use super::expressions::{plain_expression, turning};
 use super::gravity::weigh;
 use super::mass_geometry::{
@@ -38,6 +38,10 @@ pub(super) fn translate_body(translation: &mut Translation<'_>, statement: &ast:
         mass,
         inertia,
     });
+    let outlines = match statement.visuals.is_empty() {
+        true => outlines,
+        false => visual_outlines(translation, &statement.visuals),
+    };
     let kind = DrawnKind::Body { body: translation.motions.len() - 1, outlines };
     translation.drawing.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
     translation.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, angle, radius });

@@ -65,9 +65,32 @@ pub(super) fn report_beside_compound(translation: &mut Translation<'_>, statemen
     }
 }
 
-fn compound_part(translation: &mut Translation<'_>, body: &str, part: &Part) -> Option<CompoundPart> {
+/// What a body is seen as.
+pub(super) fn visual_outlines(translation: &mut Translation<'_>, visuals: &[Part]) -> Vec<Outline> {
+    report_masses(translation, visuals);
+    let placed = visuals.iter().map(|part| placed_solid(translation, part)).collect::<Vec<_>>();
+    placed.into_iter().flatten().map(|placed| placed.outline).collect()
+}
+
+/// Reports masses of what is only seen.
+pub(super) fn report_masses(translation: &mut Translation<'_>, visuals: &[Part]) {
+    for mass in visuals.iter().filter_map(|part| part.mass) {
+        let error = translation.report.error(translation.expressions.origin(mass), messages::VISUAL_MASS);
+        error.help(messages::VISUAL_MASS_HELP);
+    }
+}
+
+/// A solid with its place in the coordinates of the body.
+struct PlacedSolid {
+    solid: &'static Solid,
+    dimensions: Vec<AstId>,
+    at: Pair,
+    angle: AstId,
+    outline: Outline,
+}
+
+fn placed_solid(translation: &mut Translation<'_>, part: &Part) -> Option<PlacedSolid> {
     let shape = shape_of(translation, &part.shape);
-    let mass = mass_of_part(translation, part);
     let at = match part.at {
         Some(at) => fixed_vector(translation, at, messages::PLACE_OF_PART),
         None => translation.terms().zero_pair(),
@@ -83,15 +106,22 @@ fn compound_part(translation: &mut Translation<'_>, body: &str, part: &Part) -> 
         Some(angle) => property(translation, angle, messages::ANGLE_OF_PART),
         None => translation.terms().number(0),
     };
-    let (solid, dimensions): (&'static Solid, Vec<AstId>) = shape?;
+    let (solid, dimensions) = shape?;
+    let place = vec![translation.terms().tuple(at), angle];
+    let outline =
+        Outline { variant: solid.outline, dimensions: dimensions.clone(), place, is_hole: part.is_hole };
+    Some(PlacedSolid { solid, dimensions, at, angle, outline })
+}
+
+fn compound_part(translation: &mut Translation<'_>, body: &str, part: &Part) -> Option<CompoundPart> {
+    let placed = placed_solid(translation, part);
+    let mass = mass_of_part(translation, part);
+    let PlacedSolid { solid, dimensions, at, angle, outline } = placed?;
     let place = part.shape.origin;
     let (mass, inertia) = (mass?, inertia_of(translation, solid, mass?, &dimensions, place));
     let name = format!("{body}_{}", solid.name);
-    let own = named_centroid(translation, &name, Some(&(solid, dimensions.clone())), place);
+    let own = named_centroid(translation, &name, Some(&(solid, dimensions)), place);
     let centroid = placed_point(translation, &name, own, at, angle);
-    let mut terms = translation.terms();
-    let place = vec![terms.tuple(at), angle];
-    let outline = Outline { variant: solid.outline, dimensions, place, is_hole: part.is_hole };
     Some(CompoundPart { is_hole: part.is_hole, mass, inertia, centroid, outline })
 }
 

@@ -124,6 +124,9 @@ pub(super) fn beside_compound(label: &str) -> String {
 
 pub(super) const BESIDE_COMPOUND_HELP: &str =
     "mass, centre of mass, inertia and shape of a compound follow from its parts: remove one of both";
+pub(super) const VISUAL_MASS: &str = "what is only seen has no mass";
+pub(super) const VISUAL_MASS_HELP: &str =
+    "leave this out, or write `compound { … }` for what the body is made of";
 pub(super) const PART_WITHOUT_MASS: &str = "a part of a compound needs a mass";
 pub(super) const PART_WITHOUT_MASS_HELP: &str =
     "write it behind the shape: `disk(r), mass: m;`, for a hole the mass that is missing";

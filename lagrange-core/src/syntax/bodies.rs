@@ -12,8 +12,10 @@ use super::parser::{Parsed, Parser};
 use super::recovery::Turn;
 
 /// Labels in the description of a body.
-const BODY: &[&str] =
-    &["mass", "inertia", "center", "origin", "centroid", "angle", "angles", "sequence", "shape", "compound"];
+const BODY: &[&str] = &[
+    "mass", "inertia", "center", "origin", "centroid", "angle", "angles", "sequence", "shape", "compound",
+    "visual",
+];
 /// Number of components of a tensor of inertia.
 const TENSOR: usize = 6;
 /// Labels of a part of a compound, behind what it is.
@@ -36,7 +38,11 @@ impl Parser<'_> {
     fn body_line(&mut self, body: &mut Body, labels: &mut BlockLabels, cursor: &mut Cursor) -> Parsed<()> {
         let label = self.label_of(labels, cursor)?;
         if label == "compound" {
-            body.parts = self.compound(cursor)?;
+            body.parts = self.parts(scenes::COMPOUND_HELP, cursor)?;
+            return Ok(());
+        }
+        if label == "visual" {
+            body.visuals = self.parts(scenes::VISUAL_HELP, cursor)?;
             return Ok(());
         }
         self.colon(label, cursor)?;
@@ -127,16 +133,16 @@ impl Parser<'_> {
         Ok(Shape { solid, dimensions, origin: cursor.since(start) })
     }
 
-    /// `compound { disk(r), mass: m; }`, from the brace on.
-    fn compound(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Part>> {
+    /// `compound { disk(r), mass: m; }` or `visual { disk(r); }`, from the brace on.
+    fn parts(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Vec<Part>> {
         if cursor.at(':') {
             let message = messages::expected("`{`", cursor.peek());
-            self.report.error(cursor.skip_one(), message).help(scenes::COMPOUND_HELP);
+            self.report.error(cursor.skip_one(), message).help(help);
         }
-        let group = self.braces(scenes::COMPOUND_HELP, cursor)?;
+        let group = self.braces(help, cursor)?;
         if group.stream().is_empty() {
             let error = self.report.error(group_origin(&group), scenes::EMPTY_COMPOUND);
-            error.help(scenes::COMPOUND_HELP);
+            error.help(help);
         }
         let mut parts = Vec::new();
         self.lines(&group, |parser, cursor| {
@@ -219,5 +225,6 @@ fn empty_body(name: Name) -> Body {
         sequence: None,
         shape: None,
         parts: Vec::new(),
+        visuals: Vec::new(),
     }
 }

@@ -1,6 +1,6 @@
 //! Bodies and frames in space: declared first, then placed by a joint or by hand, which is when their energies are written.
 
-use super::compound::compound_properties;
+use super::compound::{compound_properties, visual_outlines};
 use super::frames::{FrameStep, JointAxis, Pose};
 use super::inertia::{mass_properties, triple_of};
 use super::links::{Link, MassProperties, NamedEnergies, Path};
@@ -35,6 +35,10 @@ pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_
         let invalid = translation.terms().invalid();
         (MassProperties { mass: invalid, centroid: [invalid; 3], tensor: Some([invalid; 6]) }, Vec::new())
     });
+    let outlines = match statement.visuals.is_empty() {
+        true => outlines,
+        false => visual_outlines(translation, &statement.visuals),
+    };
     let link = declare(translation, name, Some(inertia), outlines);
     if !is_wrong && is_placed_by_hand(translation, statement) {
         let (pose, center) = pose_by_hand(translation, statement, inertia);

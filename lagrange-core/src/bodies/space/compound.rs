@@ -7,10 +7,12 @@ use super::links::MassProperties;
 use super::messages as words;
 use super::orientations::orientation;
 use super::poses::named_vector;
+use super::solids::SolidInSpace;
 use super::vectors::{
-    Tensor, Triple, apply, minus, plus, scale, tensor_of_point, tensor_sum, turned_tensor, unit, zero_triple,
+    Matrix, Tensor, Triple, apply, minus, plus, scale, tensor_of_point, tensor_sum, turned_tensor, unit,
+    zero_triple,
 };
-use crate::bodies::compound::{mass_of_part, report_beside_compound};
+use crate::bodies::compound::{mass_of_part, report_beside_compound, report_masses};
 use crate::bodies::messages;
 use crate::bodies::plain::{Obligation, Outline};
 use crate::bodies::terms::TermWriter;
@@ -90,9 +92,25 @@ fn named_tensor(translation: &mut Translation<'_>, name: &str, tensor: Tensor) -
     [moments[0], moments[1], moments[2], products[0], products[1], products[2]]
 }
 
-fn spatial_part(translation: &mut Translation<'_>, part: &Part) -> Option<SpatialPart> {
+/// What a body is seen as.
+pub(super) fn visual_outlines(translation: &mut Translation<'_>, visuals: &[Part]) -> Vec<Outline> {
+    report_masses(translation, visuals);
+    let placed = visuals.iter().map(|part| placed_solid(translation, part)).collect::<Vec<_>>();
+    placed.into_iter().flatten().map(|placed| placed.outline).collect()
+}
+
+/// A solid with its place in the axes of the body.
+struct PlacedSolid {
+    solid: &'static SolidInSpace,
+    dimensions: Vec<AstId>,
+    at: Triple,
+    /// None where it is not turned.
+    rotation: Option<Matrix>,
+    outline: Outline,
+}
+
+fn placed_solid(translation: &mut Translation<'_>, part: &Part) -> Option<PlacedSolid> {
     let shape = shape_of(translation, &part.shape);
-    let mass = mass_of_part(translation, part);
     let at = match part.at {
         Some(at) => fixed_triple(translation, at, messages::PLACE_OF_PART),
         None => zero_triple(&mut translation.terms()),
@@ -102,7 +120,18 @@ fn spatial_part(translation: &mut Translation<'_>, part: &Part) -> Option<Spatia
         translation.report.error(origin, words::PART_ANGLE).help(words::PART_ANGLE_HELP);
     }
     let rotation = part.turned.map(|turned| orientation(translation, turned, words::ORIENTATION_OF_PART));
-    let ((solid, dimensions), mass) = (shape?, mass?);
+    let (solid, dimensions) = shape?;
+    let mut terms = translation.terms();
+    let axes = rotation.unwrap_or_else(|| [0, 1, 2].map(|axis| unit(&mut terms, axis)));
+    let outline = Outline { is_hole: part.is_hole, ..outline_of(solid, dimensions.clone(), at, axes) };
+    Some(PlacedSolid { solid, dimensions, at, rotation, outline })
+}
+
+fn spatial_part(translation: &mut Translation<'_>, part: &Part) -> Option<SpatialPart> {
+    let placed = placed_solid(translation, part);
+    let mass = mass_of_part(translation, part);
+    let PlacedSolid { solid, dimensions, at, rotation, outline } = placed?;
+    let mass = mass?;
     let own = tensor_of_solid(translation, solid, &dimensions, mass);
     let mut terms = translation.terms();
     let center = (solid.centroid)(&mut terms, &dimensions);
@@ -111,7 +140,5 @@ fn spatial_part(translation: &mut Translation<'_>, part: &Part) -> Option<Spatia
         None => (center, own),
     };
     let centroid = plus(&mut terms, at, arm);
-    let rotation = rotation.unwrap_or_else(|| [0, 1, 2].map(|axis| unit(&mut terms, axis)));
-    let outline = Outline { is_hole: part.is_hole, ..outline_of(solid, dimensions, at, rotation) };
     Some(SpatialPart { is_hole: part.is_hole, mass, centroid, tensor, outline })
 }

@@ -129,15 +129,31 @@ pub struct Body {
     pub shape: Option<Shape>,
     /// `compound { … }`; empty if there is none.
     pub parts: Vec<Part>,
+    /// `visual { … }`, what pictures show in the place of shape or compound; empty if there is none.
+    pub visuals: Vec<Part>,
 }
 
 impl Body {
     fn expressions_mut(&mut self) -> Vec<&mut AstId> {
-        let Body { mass, inertia, tensor, center, origin, centroid, angle, angles, shape, parts, .. } = self;
+        let Body {
+            mass,
+            inertia,
+            tensor,
+            center,
+            origin,
+            centroid,
+            angle,
+            angles,
+            shape,
+            parts,
+            visuals,
+            ..
+        } = self;
         let properties = [mass, inertia, center, origin, centroid, angle, angles].into_iter().flatten();
         let properties = properties.chain(tensor.iter_mut().flatten());
         let dimensions = shape.iter_mut().flat_map(|shape| &mut shape.dimensions);
-        properties.chain(dimensions).chain(parts.iter_mut().flat_map(Part::expressions_mut)).collect()
+        let parts = parts.iter_mut().chain(visuals).flat_map(Part::expressions_mut);
+        properties.chain(dimensions).chain(parts).collect()
     }
 }
 
@@ -159,7 +175,7 @@ pub struct Part {
     pub is_hole: bool,
     /// Shape of the part.
     pub shape: Shape,
-    /// Its mass; for a hole the mass that is missing.
+    /// Its mass; for a hole the mass that is missing. What is only seen has none.
     pub mass: Option<AstId>,
     /// Origin of its own coordinates in those of the body.
     pub at: Option<AstId>,

@@ -12,6 +12,8 @@ pub(in crate::syntax) const SEQUENCE_HELP: &str =
     "write three of the letters x, y and z, such as `sequence: zxz;`, no letter twice in a row";
 pub(in crate::syntax) const SOLID_HELP: &str =
     "write the name of a solid with its dimensions, such as `disk(r)` or `rectangle(a, b)`";
+pub(in crate::syntax) const VISUAL_HELP: &str =
+    "write `visual { disk(r), at: (a, b); }`, in space with `turned: (roll, pitch, yaw)` if need be";
 pub(in crate::syntax) const EMPTY_COMPOUND: &str = "this body has no parts";
 pub(in crate::syntax) const LINE_HELP_END: &str = "what is said between the braces ends in `;`";
 pub(in crate::syntax) const NEXT_LABEL: &str = "the next line begins here";

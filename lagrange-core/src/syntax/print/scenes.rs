@@ -53,10 +53,12 @@ impl Printer<'_> {
             self.shape(shape);
             self.text(";");
         }
-        if !body.parts.is_empty() {
-            self.text(" compound {");
-            body.parts.iter().for_each(|part| self.part(part));
-            self.text(" }");
+        for (label, parts) in [("compound", &body.parts), ("visual", &body.visuals)] {
+            if !parts.is_empty() {
+                self.text(&format!(" {label} {{"));
+                parts.iter().for_each(|part| self.part(part));
+                self.text(" }");
+            }
         }
         self.text(" }");
     }
