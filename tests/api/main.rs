@@ -40,6 +40,7 @@ mod wrappers;
 #[path = "../references/mod.rs"]
 mod references;
 mod user_functions;
+mod visuals;
 
 /// Whether two numbers agree to a few units in the last place of `f64`.
 #[track_caller]

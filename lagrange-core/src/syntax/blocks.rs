@@ -148,6 +148,9 @@ impl Parser<'_> {
 
     /// Takes the colon behind a label. With another sign in its place the value is read all the same.
     pub(super) fn colon(&mut self, label: &str, cursor: &mut Cursor) -> Parsed<()> {
+        if cursor.at_same_word() {
+            self.fail_with_help(cursor.skip_one(), habits::TWICE_IN_A_ROW, messages::REPEATED_ATTRIBUTE_HELP);
+        }
         if cursor.eat(':').is_some() {
             return Ok(());
         }

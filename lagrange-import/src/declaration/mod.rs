@@ -151,7 +151,9 @@ impl<'r> Writer<'r> {
         if !tells(&name, &link.name) {
             self.page.comment("//", &format!("Link `{}` of the file.", plain(&link.name)));
         }
-        let written = words::shapes(&link.shapes);
+        let is_body =
+            link.inertial.as_ref().is_some_and(|inertial| !self.at_rest[index] || inertial.is_physical);
+        let written = words::shapes(&link.shapes, is_body);
         written.iter().for_each(|shapes| self.page.comment("//", shapes));
         match &link.inertial {
             None => self.page.line(&format!("frame {name};")),
@@ -179,6 +181,7 @@ impl<'r> Writer<'r> {
             moments.extend(tensor[3..].iter().map(ToString::to_string));
         }
         properties.push(format!("inertia: {};", vector(moments)));
+        properties.extend(words::visual(&link.shapes));
         self.page.block(&format!("body {name}"), &properties);
     }
 

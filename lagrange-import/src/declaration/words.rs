@@ -36,30 +36,40 @@ fn sentence(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), letters.as_str()))
 }
 
-/// Primitives as the language would write them, those that are both drawn and collided with once.
-pub(super) fn shapes(shapes: &[Shape]) -> Vec<String> {
-    let text = |shape: &Shape| {
-        let is_zero = |triple: &[Decimal; 3]| triple.iter().all(Decimal::is_zero);
-        let at = if is_zero(&shape.at) { String::new() } else { format!(" at {}", vector(&shape.at)) };
-        let turned = if is_zero(&shape.turned) {
-            String::new()
-        } else {
-            format!(" turned {}", vector(shape.turned.each_ref().map(angle)))
-        };
-        format!("{}{at}{turned}", shape.solid)
-    };
+/// What pictures show of a link, as a property of its body.
+pub(super) fn visual(shapes: &[Shape]) -> Option<String> {
+    let visuals = shapes.iter().filter(|shape| shape.is_visual);
+    let parts =
+        visuals.map(|shape| format!("{};", placed(shape, [", at: ", ", turned: "]))).collect::<Vec<_>>();
+    (!parts.is_empty()).then(|| format!("visual {{ {} }}", parts.join(" ")))
+}
+
+/// Primitives that have no part in the declaration, as comments: those that are collided with and, without a body, those that are seen.
+pub(super) fn shapes(shapes: &[Shape], has_body: bool) -> Vec<String> {
     let of = |is_visual: bool| {
-        shapes.iter().filter(move |shape| shape.is_visual == is_visual).map(text).collect::<Vec<_>>()
+        let shapes = shapes.iter().filter(move |shape| shape.is_visual == is_visual);
+        shapes.map(|shape| placed(shape, [" at ", " turned "])).collect::<Vec<_>>()
     };
     let (visual, collision) = (of(true), of(false));
     if visual == collision {
-        return if visual.is_empty() {
-            Vec::new()
-        } else {
-            vec![format!("Visual and collision: {}.", visual.join(", "))]
+        return match visual.is_empty() {
+            true => Vec::new(),
+            false if has_body => vec!["Collides as it is seen.".to_owned()],
+            false => vec![format!("Visual and collision: {}.", visual.join(", "))],
         };
     }
-    let named =
-        [("Visual", visual), ("Collision", collision)].into_iter().filter(|(_, list)| !list.is_empty());
+    let named = [("Visual", if has_body { Vec::new() } else { visual }), ("Collision", collision)];
+    let named = named.into_iter().filter(|(_, list)| !list.is_empty());
     named.map(|(name, list)| format!("{name}: {}.", list.join(", "))).collect()
+}
+
+/// A primitive with its place, as far as that is not the origin, behind these words.
+fn placed(shape: &Shape, [at, turned]: [&str; 2]) -> String {
+    let given = |word: &str, triple: &[Decimal; 3], text: String| match triple.iter().all(Decimal::is_zero) {
+        true => String::new(),
+        false => format!("{word}{text}"),
+    };
+    let at = given(at, &shape.at, vector(&shape.at));
+    let turned = given(turned, &shape.turned, vector(shape.turned.each_ref().map(angle)));
+    format!("{}{at}{turned}", shape.solid)
 }

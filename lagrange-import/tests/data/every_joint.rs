@@ -5,17 +5,22 @@ lagrange::system! {
 
     gravity = (0, 0, -9.81);
 
-    // Visual and collision: cuboid(0.6, 0.4, 0.2).
-    body sled { mass: 12.5; centroid: (0.05, -0.02, 0.11); inertia: (0.4, 0.5, 0.7, 0.01, -0.02, 0.03); }
+    // Collides as it is seen.
+    body sled {
+        mass: 12.5;
+        centroid: (0.05, -0.02, 0.11);
+        inertia: (0.4, 0.5, 0.7, 0.01, -0.02, 0.03);
+        visual { cuboid(0.6, 0.4, 0.2); }
+    }
     // Joint `drift` of the file.
     planar (drift_x, drift_y, drift_angle) = ground to sled { at: (0.1, 0.2, 0.3); turned: (0.2, -0.3, 0.4); }
 
-    // Visual: solid_cylinder(0.04, 0.8) at (0, 0, 0.4).
     body mast_1 {
         mass: 3;
         centroid: (0, 0, 0.4);
         inertia: (0.16407439075975544, 0.14781709367400223, 0.038108515566242396,
             0.0023705238316391684, 0.007839437037218828, 0.047661776316719646);
+        visual { solid_cylinder(0.04, 0.8), at: (0, 0, 0.4); }
     }
     /// Joint `sled` of the file. From -1.2 to 2.5 rad; at most 87 N m and 2.175 rad/s; dry friction of 0.1 N m.
     revolute sled_joint = sled to mast_1 { at: (0.2, 0, 0.1); turned: (0.1, 0, pi/2); axis: (1, 2, -2); damping: 0.35; }
@@ -23,11 +28,11 @@ lagrange::system! {
     frame bracket;
     weld mast_1 to bracket { at: (0, 0, 0.8); turned: (pi/2, 0, -pi/2); }
 
-    // Visual: solid_sphere(0.05).
     body camera_head {
         mass: 0.75;
         centroid: (0.01, 0.02, 0.03);
         inertia: (0.002, 0.001, 0.0025, -0.0001, 0.0003, 0.0002);
+        visual { solid_sphere(0.05); }
     }
     weld bracket to camera_head { at: (0.05, 0, 0); }
 

@@ -317,7 +317,7 @@ coord z;";
 error at 4:5: `mas` says nothing about a body
   help: did you mean `mass`?
 error at 5:5: `colour` says nothing about a body
-  help: what can be said of a body: `mass`, `inertia`, `center`, `origin`, `centroid`, `angle`, `angles`, `sequence`, `shape`, `compound`
+  help: what can be said of a body: `mass`, `inertia`, `center`, `origin`, `centroid`, `angle`, `angles`, `sequence`, `shape`, `compound`, `visual`
 error at 6:16: expected an operator or `;`, found `3`
   help: write `*` between the factors of a product
 error at 7:18: missing `;` behind this

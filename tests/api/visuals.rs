@@ -1,0 +1,55 @@
+//! What pictures show of bodies in the place of what these are made of.
+
+use lagrange::scene::{Item, Outline, Scene, Solid, SpatialItem, SpatialScene};
+
+lagrange::system! {
+    /// Inertia is stated; seen are a cylinder beside the centre of mass, and a sphere with a hole.
+    struct Link;
+    param r = 0.1, h = 0.5;
+    body link {
+        mass: 2;
+        centroid: (0, 0, 0.2);
+        inertia: (0.1, 0.1, 0.02);
+        visual { solid_cylinder(r, h), at: (0, 0, h/2), turned: (pi/2, 0, 0); hole solid_sphere(r/2); }
+    }
+    revolute q = ground to link;
+    emit { drawing }
+}
+
+lagrange::system! {
+    /// A disk that is seen as a rod.
+    struct Wheel;
+    coord phi;
+    body wheel { mass: 1; shape: disk(1); center: (0, 0); angle: phi; visual { slender_rod(2), angle: pi/2; } }
+    emit { drawing }
+}
+
+#[test]
+fn a_body_in_space_is_seen_as_its_visuals() {
+    let mut parts = Vec::new();
+    Link::default().items(0.0, &[0.3], &[0.0], &mut |item| {
+        if let SpatialItem::Body { parts: of_body, .. } = item {
+            parts.extend_from_slice(of_body);
+        }
+    });
+    assert_eq!(parts.len(), 2);
+    assert_eq!(
+        (parts[0].solid, parts[0].at, parts[0].is_hole),
+        (Solid::Cylinder(0.1, 0.5), [0.0, 0.0, 0.25], false)
+    );
+    // A quarter turn about x takes z to −y.
+    assert_eq!(parts[0].rotation.map(|row| row[2].round()), [0.0, -1.0, 0.0]);
+    assert_eq!((parts[1].solid, parts[1].at, parts[1].is_hole), (Solid::Sphere(0.05), [0.0; 3], true));
+}
+
+#[test]
+fn a_body_in_the_plane_is_seen_as_its_visuals_and_moves_as_before() {
+    let mut inertia = 0.0;
+    Wheel::default().items(0.0, &[0.0], &[0.0], &mut |item| {
+        if let Item::Body { motion, parts, .. } = item {
+            assert_eq!(parts.iter().map(|part| part.outline).collect::<Vec<_>>(), [Outline::SlenderRod(2.0)]);
+            inertia = motion.inertia;
+        }
+    });
+    assert_eq!(inertia, 0.5);
+}
