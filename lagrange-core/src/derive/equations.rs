@@ -6,7 +6,7 @@ use super::elimination::record::Elimination;
 use super::elimination::solution::{Solution, push_down};
 use super::forms::{Forms, Rows};
 use super::frame_jacobians::frame_jacobians;
-use super::indefinite::pivot_growth;
+use super::indefinite::{largest, pivot_growth};
 use super::inverse_dynamics::residual;
 use super::jacobian::Derivatives;
 use super::least_constraint::{SplitLagrangian, Terms};
@@ -72,15 +72,18 @@ impl Equations {
         let (mut solution, strategy, costs) =
             Candidates { model, split: &split, forms: &mut forms }.solve(choice)?;
         let is_free = model.constraints.is_empty() && model.reactions.is_empty();
-        let may_be_indefinite = is_free && matches!(model.energies, Energies::Lagrangian);
-        let pivot_growth = may_be_indefinite
+        let may_be_indefinite = matches!(model.energies, Energies::Lagrangian);
+        let growth = may_be_indefinite
             .then(|| pivot_growth(&mut model.graph, forms.mass_matrix(), &solution))
             .flatten();
+        let (pivot_growth, of_constraints) = if is_free { (growth, None) } else { (None, growth) };
         let multipliers = solution.values.split_off(velocities.len());
         let (reactions, constraints) = match kept_elimination(model, &mut forms, &mut solution)? {
             Some(steps) => {
                 let reactions = ReactionEquations::new(model, &steps, &multipliers);
-                let found = (multipliers, solution.condition);
+                let conditions = [solution.condition, of_constraints].into_iter().flatten();
+                let condition = conditions.reduce(|a, b| largest(&mut model.graph, a, b));
+                let found = (multipliers, condition);
                 let pushed = forms.pushed(model);
                 (reactions, ConstraintEquations::new(model, pushed, &steps, found))
             }

@@ -3,7 +3,7 @@
 //! No pivot of a positive definite matrix vanishes, in whatever order it is factorised, and a kinetic energy has no other. A
 //! Lagrangian may: of ½ sin x ẋ² + ẋ ẏ the matrix [sin x, 1; 1, 0] is regular everywhere, and its first pivot is zero at x = 0. What
 //! has a coupled diagonal entry without a sure sign gets a test at run time, and a second way to its accelerations. That is asked of what is
-//! declared as a Lagrangian only: in the axes of bodies the signs of kinetic energies hide in sums of products.
+//! declared as a Lagrangian only, with constraints, too: in the axes of bodies the signs of kinetic energies hide in sums of products.
 //! Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite systems).
 
 use super::elimination::solution::Solution;
@@ -34,9 +34,13 @@ pub(super) fn pivot_growth(
         let sizes = sizes.collect::<Vec<_>>();
         let size = graph.total(sizes);
         let square = graph.square(size);
-        growth = functions::apply(graph, Function::Max, &[growth, square]);
+        growth = largest(graph, growth, square);
     }
     Some(growth)
+}
+
+pub(super) fn largest(graph: &mut Graph, a: ExprId, b: ExprId) -> ExprId {
+    functions::apply(graph, Function::Max, &[a, b])
 }
 
 /// Whether an expression is taken to have one sign where a system is regular: parameters are positive, even powers do not vanish,

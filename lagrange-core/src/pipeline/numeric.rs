@@ -1,7 +1,7 @@
 //! A derived system that can be evaluated without compiling it: for tests, tools and build scripts.
 
 use super::phases::DerivedPart;
-use super::second_way::motion;
+use super::second_way::{is_regular, motion};
 use super::system::Derived;
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
@@ -30,6 +30,8 @@ pub struct NumericSystem {
     switches: Program,
     accelerations: Program,
     multipliers: Program,
+    /// By how much rounding grows on the way to them; nothing if it does not.
+    growth: Program,
     /// Matrices and vectors that the second way starts from; nothing for large systems.
     undivided: Program,
     products: Vec<(Product, Program)>,
@@ -57,6 +59,10 @@ fn undivided(equations: &Equations) -> Vec<ExprId> {
     }
     let matrices = [mass_matrix.concat(), constraints.jacobian.concat()].concat();
     [&matrices[..], forcing, &constraints.drifts].concat()
+}
+
+fn are_finite(values: &[f64]) -> bool {
+    values.iter().all(|value| value.is_finite())
 }
 
 impl NumericSystem {
@@ -89,9 +95,17 @@ impl NumericSystem {
         let named = parameters.map(|(i, p)| (p.name.clone(), Role::Parameter(i as u32)));
         let named = named.chain(inputs.map(|(i, p)| (p.name.clone(), Role::Input(i as u32))));
         let rates = model.position_rates();
-        let [accelerations, multipliers, undivided, position_rates] =
-            [&equations.accelerations, &equations.constraints.multipliers, &undivided(equations), &rates]
-                .map(|roots| lowered(roots));
+        let growth: Vec<ExprId> =
+            equations.constraints.condition.into_iter().chain(equations.pivot_growth).collect();
+        let roots = [
+            &equations.accelerations,
+            &equations.constraints.multipliers,
+            &growth,
+            &undivided(equations),
+            &rates,
+        ];
+        let [accelerations, multipliers, growth, undivided, position_rates] =
+            roots.map(|roots| lowered(roots));
         let is_free = |product: &Product| !product.is_of_constraints();
         let products = Product::ALL.into_iter().filter(is_free);
         let products =
@@ -106,6 +120,7 @@ impl NumericSystem {
             switches,
             accelerations,
             multipliers,
+            growth,
             undivided,
             products,
             outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
@@ -152,10 +167,9 @@ impl NumericSystem {
     /// q̈
     pub fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let at = Instant { t, q, v, a: &[], multipliers: &[] };
-        let found = self.run(&self.accelerations, at);
-        match found.iter().all(|a| a.is_finite()) {
-            true => found,
-            false => self.second_way(at).0,
+        match self.straight_way(at) {
+            Some(found) => found,
+            None => self.second_way(at).0,
         }
     }
 
@@ -163,11 +177,17 @@ impl NumericSystem {
     pub fn multipliers(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let at = Instant { t, q, v, a: &[], multipliers: &[] };
         let found = self.run(&self.multipliers, at);
-        let are_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
-        match found.is_empty() || are_finite(&found) && are_finite(&self.run(&self.accelerations, at)) {
+        match found.is_empty() || are_finite(&found) && self.straight_way(at).is_some() {
             true => found,
             false => self.second_way(at).1,
         }
+    }
+
+    /// The accelerations by elimination, if they are finite and their digits can be trusted.
+    fn straight_way(&self, at: Instant<'_>) -> Option<Vec<f64>> {
+        let found = self.run(&self.accelerations, at);
+        let is_trusted = || self.run(&self.growth, at).iter().all(|&growth| is_regular(growth));
+        (are_finite(&found) && is_trusted()).then_some(found)
     }
 
     /// Accelerations and multipliers from the undivided equations.

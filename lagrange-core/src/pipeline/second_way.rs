@@ -7,6 +7,12 @@
 /// Number of roundings, of rows scaled to one, below which a coefficient is zero.
 const ROUNDINGS: f64 = 32.0;
 
+/// True if digits can be trusted whose rounding errors grow so: below ε^(−5/8), as emitted code has it
+/// (`lagrange::constraint::are_regular`).
+pub(super) fn is_regular(growth: f64) -> bool {
+    growth * f64::EPSILON.powf(0.625) < 1.0
+}
+
 /// The accelerations and multipliers of `n` coordinates and `m` constraints; `values` holds M and A in rows, then f and b.
 pub(super) fn motion(n: usize, m: usize, values: &[f64]) -> Vec<f64> {
     let (mass, rest) = values.split_at(n * n);

@@ -70,6 +70,20 @@ fn what_is_not_determined_is_not_a_number() {
     }
 }
 
+/// At x = 0 the pivot of the first multiplier, 1/3 − 2/3·1/2, is a rounding error, and the accelerations are (2, 10, −4)/9.
+#[test]
+fn pivots_of_multipliers_may_vanish_where_mass_is_indefinite() {
+    let system = numeric(
+        "coord x, y, z;
+         lagrangian = 1/2*sin(x)*dot(x)^2 + 1/2*dot(y)^2 + 1/2*dot(z)^2
+             + 2*dot(x)*dot(y) + sin(x)*dot(x)*dot(z) + 2*dot(y)*dot(z);
+         force z = -1; constraint a = 2*x + z; constraint b = -x + y + 2*z;",
+    );
+    let found = system.acceleration(0.0, &[0.0; 3], &[0.0; 3]);
+    let expected = [2.0, 10.0, -4.0].map(|ninths| ninths / 9.0);
+    assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
+}
+
 /// Determinant by expansion along the first row.
 fn determinant(m: &[Vec<f64>]) -> f64 {
     if m.is_empty() {
