@@ -7,6 +7,7 @@ pub(super) const OTHER_NAME_HELP: &str = "choose another name";
 pub(super) const DEFINED_HERE: &str = "defined here";
 pub(super) const ORDER_HELP: &str = "define it further up; a function cannot call itself";
 pub(super) const NEVER_CALLED_HELP: &str = "call it, or leave it out";
+pub(super) const UNUSED_PARAMETER_HELP: &str = "leave it out, or begin its name with `_`";
 pub(super) const DECLARE_HELP: &str = "declare it, or make it a parameter of the function";
 pub(super) const TOO_LONG_HELP: &str = "give what is used repeatedly a name by `let name = e;`";
 
@@ -28,8 +29,12 @@ pub(super) fn called_too_early(name: &str) -> String {
     format!("`{name}` is called before it is defined")
 }
 
-pub(super) fn too_long(name: &str, most: usize) -> String {
-    format!("with this call of `{name}` there are more than {most} terms in the place of calls")
+pub(super) fn too_long(name: &str, most: u64) -> String {
+    format!("with this call of `{name}` calls stand for more than {most} terms")
+}
+
+pub(super) fn unused_parameter(name: &str) -> String {
+    format!("the parameter `{name}` is never used, nor are arguments for it")
 }
 
 pub(super) fn never_called(name: &str) -> String {

@@ -4,7 +4,7 @@
 //! else is known of the declaration, so that arguments may be numbers, vectors, points or bodies, and what follows knows of no such
 //! functions. Inside a function its parameters hide names of the declaration.
 //!
-//! A function may call those before it, never itself: a chain of n functions that each call the one before twice would have 2ⁿ terms, for
+//! A function may call those before it, never itself: a chain of n functions that each call the one before twice stands for 2ⁿ terms, for
 //! which there is a bound, [`MOST`].
 
 mod messages;
@@ -20,8 +20,8 @@ use crate::syntax::ast::{
     AstId, Declaration, Expression, Expressions, FunctionDefinition, Name, StatementKind,
 };
 
-/// Terms that calls may be replaced by, all together.
-const MOST: usize = 200_000;
+/// Terms that calls may stand for, each and all together.
+const MOST: u64 = 200_000;
 
 /// The declaration without functions of its own. Mistakes in their calls are reported, those in what they stand for later.
 pub fn without_functions(mut declaration: Declaration, report: &mut Report) -> Declaration {
@@ -32,15 +32,24 @@ pub fn without_functions(mut declaration: Declaration, report: &mut Report) -> D
     report_repeated(&declaration, report);
     let expressions = std::mem::take(&mut declaration.expressions);
     let known = names_of(&declaration);
-    let mut inliner =
-        Inliner { expressions, report, defined: HashMap::default(), all: Vec::new(), known, added: 0 };
+    let mut inliner = Inliner {
+        expressions,
+        report,
+        defined: HashMap::default(),
+        all: Vec::new(),
+        known,
+        added: 0,
+        sizes: HashMap::default(),
+        is_too_long: false,
+    };
     inliner.all = functions(&declaration).map(|function| function.name.clone()).collect();
     for statement in &mut declaration.statements {
-        for id in statement.kind.expressions_mut() {
-            *id = inliner.inlined(*id);
-        }
         if let StatementKind::Function(function) = &statement.kind {
             inliner.define(function);
+            continue;
+        }
+        for id in statement.kind.expressions_mut() {
+            *id = inliner.inlined(*id);
         }
     }
     inliner.report_unused();
@@ -64,7 +73,7 @@ fn names_of(declaration: &Declaration) -> BTreeSet<String> {
 
 /// Reports functions with the name of something else, and parameters with the name of another.
 fn report_repeated(declaration: &Declaration, report: &mut Report) {
-    let mut first: HashMap<String, Origin> = HashMap::default();
+    let mut first: HashMap<String, (Origin, bool)> = HashMap::default();
     for statement in &declaration.statements {
         let function = match &statement.kind {
             StatementKind::Function(function) => Some(function),
@@ -73,10 +82,11 @@ fn report_repeated(declaration: &Declaration, report: &mut Report) {
         let names = function.map_or_else(|| statement.kind.declared_names(), |function| vec![&function.name]);
         for name in names {
             match first.get(&name.text) {
-                Some(before) if function.is_some() => {
+                // Two plain names are reported where names are resolved.
+                Some((before, is_function)) if *is_function || function.is_some() => {
                     report_twice(report, name, *before);
                 }
-                _ => drop(first.insert(name.text.clone(), name.span.into())),
+                _ => drop(first.insert(name.text.clone(), (name.span.into(), function.is_some()))),
             }
         }
         let mut own: HashMap<String, Origin> = HashMap::default();
@@ -96,6 +106,8 @@ fn report_twice(report: &mut Report, name: &Name, before: Origin) {
 /// A function whose own calls are replaced.
 struct Defined {
     function: FunctionDefinition,
+    /// Which parameters stand where in its own text; names in functions that it calls are others.
+    places: HashMap<AstId, usize>,
     /// What its value is made of, operands first.
     parts: Vec<AstId>,
     is_called: bool,
@@ -110,16 +122,37 @@ struct Inliner<'a> {
     all: Vec<Name>,
     /// Names of everything else.
     known: BTreeSet<String>,
-    /// How many terms have been added.
-    added: usize,
+    /// How many terms have been added, and how many expressions have written out.
+    added: u64,
+    sizes: HashMap<AstId, u64>,
+    is_too_long: bool,
 }
 
 impl Inliner<'_> {
     fn define(&mut self, function: &FunctionDefinition) {
+        let mut function = function.clone();
+        let mut places = HashMap::default();
+        let mut is_used = vec![false; function.parameters.len()];
+        for id in parts(&self.expressions, function.value) {
+            let Expression::Name(name) = self.expressions.get(id) else { continue };
+            if let Some(place) = function.parameters.iter().position(|parameter| parameter.text == *name) {
+                places.insert(id, place);
+                is_used[place] = true;
+            }
+        }
+        let unused = function
+            .parameters
+            .iter()
+            .zip(is_used)
+            .filter(|(name, is_used)| !is_used && !name.text.starts_with('_'));
+        for (name, _) in unused {
+            let warning = self.report.unused(&name.text, name.span, messages::unused_parameter(&name.text));
+            warning.help(messages::UNUSED_PARAMETER_HELP);
+        }
+        function.value = self.inlined(function.value);
         let parts = parts(&self.expressions, function.value);
-        let function = function.clone();
         let name = function.name.text.clone();
-        self.defined.insert(name, Defined { function, parts, is_called: false });
+        self.defined.insert(name, Defined { function, places, parts, is_called: false });
     }
 
     /// An expression with the values of functions in the place of their calls.
@@ -166,33 +199,33 @@ impl Inliner<'_> {
             };
         };
         defined.is_called = true;
-        let (function, parts) = (defined.function.clone(), defined.parts.clone());
+        let (function, places, parts) =
+            (defined.function.clone(), defined.places.clone(), defined.parts.clone());
         if function.parameters.len() != arguments.len() {
             let message = messages::wrong_count(&name.text, function.parameters.len(), arguments.len());
             let error = self.report.error(origin, message);
             error.related(function.name.span.into(), messages::DEFINED_HERE).help(messages::usage(&function));
             return self.expressions.add(Expression::Invalid, origin);
         }
-        if self.added + parts.len() > MOST {
+        let value = self.instance(&function, (&places, &parts), arguments, origin);
+        if self.added > MOST || self.size(value) > MOST {
             self.report_too_long(&function.name, origin);
             return self.expressions.add(Expression::Invalid, origin);
         }
-        self.instance(&function, &parts, arguments, origin)
+        value
     }
 
     /// The value of a function for arguments. What is wrong about it as a whole is wrong about the call.
     fn instance(
         &mut self,
         function: &FunctionDefinition,
-        parts: &[AstId],
+        (places, parts): (&HashMap<AstId, usize>, &[AstId]),
         arguments: &[AstId],
         call: Origin,
     ) -> AstId {
         let mut replaced: HashMap<AstId, AstId> = HashMap::default();
         for &id in parts {
-            if let Expression::Name(name) = self.expressions.get(id)
-                && let Some(place) = function.parameters.iter().position(|parameter| parameter.text == *name)
-            {
+            if let Some(&place) = places.get(&id) {
                 replaced.insert(id, arguments[place]);
                 continue;
             }
@@ -209,6 +242,19 @@ impl Inliner<'_> {
         self.expressions.add(expression, call)
     }
 
+    /// The number of terms of an expression when it is written out.
+    fn size(&mut self, root: AstId) -> u64 {
+        for id in parts(&self.expressions, root) {
+            if !self.sizes.contains(&id) {
+                let operands = self.expressions.get(id).operands();
+                let sizes = operands.iter().map(|operand| self.sizes.get(operand).copied().unwrap_or(1));
+                let size = sizes.fold(1, u64::saturating_add);
+                self.sizes.insert(id, size);
+            }
+        }
+        self.sizes.get(&root).copied().unwrap_or(1)
+    }
+
     fn report_too_early(&mut self, name: &Name) -> bool {
         let Some(function) = self.all.iter().find(|function| function.text == name.text) else {
             return false;
@@ -220,17 +266,16 @@ impl Inliner<'_> {
 
     /// Once is enough.
     fn report_too_long(&mut self, name: &Name, origin: Origin) {
-        if self.added <= MOST {
+        if !std::mem::replace(&mut self.is_too_long, true) {
             let error = self.report.error(origin, messages::too_long(&name.text, MOST));
             error.help(messages::TOO_LONG_HELP);
-            self.added = MOST + 1;
         }
     }
 
     /// Reports functions that are never called, and in these the names that mean nothing.
     fn report_unused(&mut self) {
         for name in std::mem::take(&mut self.all) {
-            let Some(Defined { function, parts, is_called: false }) = self.defined.get(&name.text) else {
+            let Some(Defined { function, parts, is_called: false, .. }) = self.defined.get(&name.text) else {
                 continue;
             };
             let is_known = |name: &String| {

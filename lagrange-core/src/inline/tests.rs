@@ -38,12 +38,16 @@ fn parameters_hide_names_of_the_declaration() {
         "param x = 1; let f(x) = x; coord q; potential = f(q) + x;",
         "param x = 1; coord q; potential = q + x;",
     );
+    assert_same(
+        "param a = 2; coord q; let f(x) = a*x; let g(a) = f(a) + a; potential = g(q);",
+        "param a = 2; coord q; potential = a*q + q;",
+    );
     assert_same("coord a, b; let f(a, b) = a - b; potential = f(b, a);", "coord a, b; potential = b - a;");
 }
 
 #[test]
 fn values_without_parameters_are_shared() {
-    assert_same("coord q; let c(x) = q^2; potential = c(1) + c(2);", "coord q; potential = q^2 + q^2;");
+    assert_same("coord q; let c(_x) = q^2; potential = c(1) + c(2);", "coord q; potential = q^2 + q^2;");
 }
 
 #[test]
@@ -53,6 +57,21 @@ fn calls_that_double_each_time_come_to_an_end() {
         text += &format!("let f{k}(x) = f{}(x) + f{}(x + 1);", k - 1, k - 1);
     }
     text += "potential = f63(q);";
+    let mut report = Report::default();
+    let declaration = parse_text(&text, &mut report).expect("consists of tokens");
+    drop(without_functions(declaration, &mut report));
+    let errors: Vec<String> = report.diagnostics().iter().map(ToString::to_string).collect();
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    assert!(errors[0].contains("more than 200000 terms"), "{errors:?}");
+}
+
+#[test]
+fn calls_of_calls_that_double_each_time_come_to_an_end() {
+    let mut text = "coord q; let d0(x) = x*x;".to_owned();
+    for k in 1..9 {
+        text += &format!("let d{k}(x) = d{}(d{}(x));", k - 1, k - 1);
+    }
+    text += "potential = d8(q);";
     let mut report = Report::default();
     let declaration = parse_text(&text, &mut report).expect("consists of tokens");
     drop(without_functions(declaration, &mut report));
