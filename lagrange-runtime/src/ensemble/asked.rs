@@ -68,7 +68,7 @@ pub(super) struct Asked<'a, M: MechanicalSystem> {
     pub(super) reporter: Option<Reporter<'a>>,
 }
 
-/// Half a minute of a double pendulum on one thread; 3 MB in a file.
+/// Some ten seconds of double pendulums on one thread; 3 MB in a file.
 const MOTIONS_PER_PART: usize = 1 << 16;
 
 impl<'a, M: SharedSystem> Asked<'a, M> {

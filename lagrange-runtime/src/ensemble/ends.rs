@@ -170,17 +170,25 @@ impl<M: MechanicalSystem> Rows<M> {
 
     /// Adds a motion.
     fn push(&mut self, index: usize, ran: Ran<M>) {
-        let failed = ran.is_err();
-        let trajectory = ran.unwrap_or_else(|error| {
-            let trajectory = (*error.trajectory).clone();
-            self.failures.push(Failure::new(index, error));
-            trajectory
-        });
-        let table = self.table.get_or_insert_with(|| Table::new(trajectory.names().to_vec()));
-        let last = trajectory.table().columns().filter_map(|column| column.last().copied());
-        let (nan, time) = (M::Scalar::NAN, trajectory.end_time());
-        let row: Vec<_> = last.map(|value| if failed { nan } else { value }).collect();
-        table.push(if failed { nan } else { time }, &row);
+        match ran {
+            Ok(trajectory) => self.push_row(trajectory.table(), |value| value, trajectory.end_time()),
+            Err(error) => {
+                self.push_row(error.trajectory.table(), |_| M::Scalar::NAN, M::Scalar::NAN);
+                self.failures.push(Failure::new(index, error));
+            }
+        }
+    }
+
+    /// Adds what is made of the last sample of a table.
+    fn push_row(
+        &mut self,
+        samples: &Table<M::Scalar>,
+        made: impl Fn(M::Scalar) -> M::Scalar,
+        time: M::Scalar,
+    ) {
+        let table = self.table.get_or_insert_with(|| Table::new(samples.names().to_vec()));
+        let row: Vec<_> = samples.columns().filter_map(|column| column.last().copied().map(&made)).collect();
+        table.push(time, &row);
     }
 
     /// Adds the motions that follow.
