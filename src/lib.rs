@@ -33,6 +33,7 @@
 //! | [`system!`] | the language of declarations and what is emitted for one |
 //! | [`mod@system`] | traits that the emitted types implement, for code that takes any system |
 //! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
+//! | `ensemble` (feature) | many motions: over threads and processes, reduced or saved |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
@@ -46,7 +47,8 @@
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`, and
 //! the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let trajectories save to Parquet and
-//! plot to SVG and PNG. `draw` makes pictures and films of rigid bodies, in the plane and in space. `trade` measures what every digit costs on a system. `differential-equations` and `diffsol` hand
+//! plot to SVG and PNG. `ensemble` computes many motions over threads and processes. `draw` makes pictures and films of rigid bodies,
+//! in the plane and in space. `trade` measures what every digit costs on a system. `differential-equations` and `diffsol` hand
 //! systems to these crates. `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run
 //! time.
 #![no_std]
@@ -68,6 +70,9 @@ pub mod private;
 #[cfg(feature = "draw")]
 #[doc(inline)]
 pub use lagrange_draw as draw;
+#[cfg(feature = "ensemble")]
+#[doc(inline)]
+pub use lagrange_runtime::ensemble::{self, Ensembles};
 #[cfg(feature = "std")]
 #[doc(inline)]
 pub use lagrange_runtime::simulate::{self, Simulate};

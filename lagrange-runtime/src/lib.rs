@@ -13,6 +13,7 @@
 //! | [`contact`], [`event`] | contacts and friction; zeros within steps |
 //! | [`run`] | the one loop |
 //! | `simulate` (`std`) | the front door |
+//! | `ensemble` (feature) | many motions |
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -22,6 +23,8 @@ extern crate std;
 pub mod body;
 pub mod constraint;
 pub mod contact;
+#[cfg(feature = "ensemble")]
+pub mod ensemble;
 pub mod event;
 pub mod inertia;
 pub mod integrate;

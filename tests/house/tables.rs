@@ -124,6 +124,10 @@ const RUNTIME: &[Layer] = &[
         modules: &["simulate"],
         purpose: "the front door (`std`): a builder, what is kept in columns, CSV and Parquet",
     },
+    Layer {
+        modules: &["ensemble"],
+        purpose: "many runs of the front door: over threads, in an order that does not show; ends, sums, files that are gone on with",
+    },
 ];
 
 const PLOT: &[Layer] = &[

@@ -168,7 +168,7 @@ fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
 
 fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, columns) = (shape.krate, shape.columns_name());
+    let (krate, columns, state) = (shape.krate, shape.columns_name(), shape.state_name());
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let coordinates = shape.coordinates.iter().map(|name| &name.text);
@@ -191,6 +191,10 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             }
             #rates
             #oriented
+        }
+        #[automatically_derived]
+        impl #bounds #krate::system::NamedSystem for #name #generics {
+            type NamedState = #state #generics;
         }
     }
 }

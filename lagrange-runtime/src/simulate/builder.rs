@@ -27,7 +27,7 @@ pub struct Start<'a, M: MechanicalSystem> {
 }
 
 impl<'a, M: MechanicalSystem> Start<'a, M> {
-    pub(super) fn new(system: &'a M, time: M::Scalar, state: M::State) -> Self {
+    pub(crate) fn of(system: &'a M, time: M::Scalar, state: M::State) -> Self {
         Start { system, time, state }
     }
 
@@ -141,8 +141,14 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
         self.exchange(|_, drive| (method, drive))
     }
 
+    /// The method, as it is set.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn into_method(self) -> K {
+        self.method
+    }
+
     /// The same with another method, another drive.
-    pub(super) fn exchange<N, E>(self, exchange: impl FnOnce(K, D) -> (N, E)) -> Simulation<'a, M, N, E> {
+    pub(crate) fn exchange<N, E>(self, exchange: impl FnOnce(K, D) -> (N, E)) -> Simulation<'a, M, N, E> {
         let (method, drive) = exchange(self.method, self.drive);
         Simulation {
             system: self.system,

@@ -2,7 +2,7 @@
 
 use std::boxed::Box;
 use std::fmt::{Debug, Formatter};
-use std::rc::Rc;
+use std::sync::Arc;
 use std::vec::Vec;
 
 use crate::scalar::Scalar;
@@ -28,17 +28,17 @@ pub trait Drive<M: MechanicalSystem>: Clone {
 pub struct Undriven;
 
 /// A law that gives the inputs for each time and state.
-pub struct Law<F>(Rc<F>);
+pub struct Law<F>(Arc<F>);
 
 impl<F> Law<F> {
-    pub(super) fn new(law: F) -> Self {
-        Law(Rc::new(law))
+    pub(crate) fn new(law: F) -> Self {
+        Law(Arc::new(law))
     }
 }
 
 impl<F> Clone for Law<F> {
     fn clone(&self) -> Self {
-        Law(Rc::clone(&self.0))
+        Law(Arc::clone(&self.0))
     }
 }
 
@@ -64,7 +64,7 @@ where
     type Closed = Driven<M, F>;
 
     fn close<R>(&self, system: &M, run: impl FnOnce(&Driven<M, F>) -> R) -> R {
-        run(&Driven { plant: system.with_inputs(system.inputs()), law: Rc::clone(&self.0) })
+        run(&Driven { plant: system.with_inputs(system.inputs()), law: Arc::clone(&self.0) })
     }
 }
 
@@ -115,7 +115,7 @@ impl<M: MechanicalSystem> ClosedLoop<M> for M {
 /// A system whose inputs follow a law.
 pub struct Driven<M, F> {
     plant: M,
-    law: Rc<F>,
+    law: Arc<F>,
 }
 
 impl<M, F> ClosedLoop<M> for Driven<M, F>
@@ -128,7 +128,7 @@ where
     }
 
     fn with_plant(&self, plant: M) -> Self {
-        Driven { plant, law: Rc::clone(&self.law) }
+        Driven { plant, law: Arc::clone(&self.law) }
     }
 
     fn into_plant(self) -> M {

@@ -63,15 +63,23 @@ impl<M: MechanicalSystem> Debug for SimulationError<M> {
 
 impl<M: MechanicalSystem> Display for SimulationError<M> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        match &self.name {
-            Some(name) if self.cause == StepFailure::RepeatedColumn => {
-                write!(f, "two columns are called `{name}`")?;
-            }
-            Some(name) => explain(&self.cause, &format!("event `{name}`"), f)?,
-            None => write!(f, "{}", self.cause)?,
-        }
-        write!(f, " (at time {:?})", self.time())
+        explain_run(&self.cause, self.name.as_deref(), self.time(), f)
     }
+}
+
+/// Writes why and when a run stopped, and what the event or the column is called that the cause is about.
+pub(crate) fn explain_run<S: Copy + Debug + PartialEq>(
+    cause: &StepFailure<S>,
+    name: Option<&str>,
+    time: S,
+    f: &mut Formatter<'_>,
+) -> Result {
+    match name {
+        Some(name) if *cause == StepFailure::RepeatedColumn => write!(f, "two columns are called `{name}`")?,
+        Some(name) => explain(cause, &format!("event `{name}`"), f)?,
+        None => write!(f, "{cause}")?,
+    }
+    write!(f, " (at time {time:?})")
 }
 
 impl<M: MechanicalSystem> Error for SimulationError<M> {}

@@ -71,6 +71,8 @@ use crate::system::MechanicalSystem;
 pub use self::builder::{Simulation, Start};
 pub use self::control::{ClosedLoop, Drive, Driven, Law, Undriven};
 pub use self::error::SimulationError;
+#[cfg(feature = "ensemble")]
+pub(crate) use self::error::explain_run;
 pub use self::events::Event;
 pub use self::progress::{Progress, Verdict};
 pub use self::start::InitialState;
@@ -101,7 +103,7 @@ pub trait Simulate: MechanicalSystem + Sized {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     fn simulate(&self, start: impl InitialState<Self::State>) -> Start<'_, Self> {
-        Start::new(self, Self::Scalar::ZERO, start.into_state())
+        Start::of(self, Self::Scalar::ZERO, start.into_state())
     }
 }
 

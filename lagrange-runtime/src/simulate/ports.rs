@@ -94,7 +94,7 @@ impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     }
 
     /// Adds a column for each input, if there is none yet.
-    fn recording_inputs(mut self) -> Self {
+    pub(crate) fn recording_inputs(mut self) -> Self {
         if self.inputs.is_some() {
             return self;
         }

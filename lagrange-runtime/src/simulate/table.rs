@@ -18,18 +18,26 @@ pub struct Table<S> {
 
 impl<S: Copy> Table<S> {
     /// A table without samples.
-    pub(super) fn new(names: Vec<String>) -> Self {
+    pub(crate) fn new(names: Vec<String>) -> Self {
         let columns = names.iter().map(|_| Vec::new()).collect();
         Table { times: Vec::new(), names, columns }
     }
 
     /// Adds a sample with one number for each column.
-    pub(super) fn push(&mut self, time: S, row: &[S]) {
+    pub(crate) fn push(&mut self, time: S, row: &[S]) {
         debug_assert_eq!(row.len(), self.columns.len());
         self.times.push(time);
         for (column, value) in self.columns.iter_mut().zip(row) {
             column.push(*value);
         }
+    }
+
+    /// Adds the samples of a table with the same columns.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn append(&mut self, later: Self) {
+        debug_assert_eq!(self.names, later.names);
+        self.times.extend(later.times);
+        self.columns.iter_mut().zip(later.columns).for_each(|(column, later)| column.extend(later));
     }
 
     /// Takes the last sample away.

@@ -210,6 +210,29 @@ pub trait MechanicalSystem: OdeSystem {
     }
 }
 
+/// A system with a type for its state that has a field for each position and velocity. Emitted types implement it.
+///
+/// ```
+/// use lagrange::system::NamedSystem;
+///
+/// lagrange::system! {
+///     struct Particle;
+///     coord x;
+///     kinetic = 1/2 * dot(x)^2;
+/// }
+///
+/// let state: <Particle as NamedSystem>::NamedState = [1.0, 2.0].into();
+/// assert_eq!(state.x_dot, 2.0);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "the state of `{Self}` has no names",
+    note = "emitted types have them; of a system that is written by hand implement `NamedSystem`, or read the state as an array"
+)]
+pub trait NamedSystem: MechanicalSystem {
+    /// The state under the names of positions and velocities.
+    type NamedState: From<Self::State>;
+}
+
 /// A table of states that is kept in columns, one for each entry of the state.
 pub trait Columns {
     /// The number type.

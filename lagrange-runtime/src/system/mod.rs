@@ -20,7 +20,7 @@ pub use self::canonical::{CanonicalSystem, LeapfrogSystem, SeparableSystem};
 pub use self::constraint_values::ConstraintValues;
 pub(crate) use self::event::MOST_LOCATED;
 pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MOST_DECLARED, Response};
-pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, Unnamed};
+pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]
 pub(crate) use self::message::explain;
 pub use self::ports::{ControlledSystem, OutputSystem};

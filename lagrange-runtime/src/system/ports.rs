@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use super::{MechanicalSystem, OdeSystem, StateVector};
+use super::{MechanicalSystem, NamedSystem, OdeSystem, StateVector};
 
 /// A system with inputs: numbers that a control sets while it moves.
 ///
@@ -32,13 +32,11 @@ use super::{MechanicalSystem, OdeSystem, StateVector};
     message = "`{Self}` has no inputs that a control could set",
     note = "declare them as `input u;` and use them in a force, as in `force x = u;`"
 )]
-pub trait ControlledSystem: MechanicalSystem + Sized {
+pub trait ControlledSystem: NamedSystem + Sized {
     /// A number for each input under its name.
     type Inputs: Copy + Debug + Into<Self::InputVector> + From<Self::InputVector>;
     /// The same in the order of the declaration, such as `[S; K]`.
     type InputVector: StateVector<Self::Scalar>;
-    /// The state under the names of coordinates and velocities.
-    type NamedState: From<Self::State>;
 
     /// The names of the inputs in the order of the declaration.
     const INPUTS: &'static [&'static str];

@@ -44,7 +44,7 @@ pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
     let inputs = inputs(shape);
     let (system, name, krate) = (shape.name(), inputs_name(shape), shape.krate);
     let (generics, bounds, scalar) = (shape.generics(), shape.bounds(), shape.scalar());
-    let (state, k) = (shape.state_name(), length(inputs.len()));
+    let k = length(inputs.len());
     let texts = inputs.iter().map(|input| input.text.as_str());
     let fields = inputs.iter().map(|input| identifier(input)).collect::<Vec<_>>();
     let mut names = Names::default();
@@ -74,7 +74,6 @@ pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
         impl #bounds #krate::system::ControlledSystem for #system #generics {
             type Inputs = #name #generics;
             type InputVector = [#scalar; #k];
-            type NamedState = #state #generics;
             const INPUTS: &'static [&'static ::core::primitive::str] = &[#(#texts),*];
             #[inline]
             fn inputs(&self) -> #name #generics {

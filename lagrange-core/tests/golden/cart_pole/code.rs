@@ -366,6 +366,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for CartPole {
+        type NamedState = CartPoleState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for CartPole {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
@@ -390,7 +394,6 @@ const _: () = {
     impl ::lagrange::system::ControlledSystem for CartPole {
         type Inputs = CartPoleInputs;
         type InputVector = [f64; 1];
-        type NamedState = CartPoleState;
         const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
         #[inline]
         fn inputs(&self) -> CartPoleInputs {

@@ -295,6 +295,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for ChargedParticle {
+        type NamedState = ChargedParticleState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for ChargedParticle {
         #[inline]
         fn energy(&self, t: f32, positions: &[f32; 3], v: &[f32; 3]) -> f32 {

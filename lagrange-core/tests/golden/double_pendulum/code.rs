@@ -389,6 +389,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for DoublePendulum {
+        type NamedState = DoublePendulumState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for DoublePendulum {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {

@@ -474,6 +474,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for ShakenDoublePendulum {
+        type NamedState = ShakenDoublePendulumState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for ShakenDoublePendulum {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {

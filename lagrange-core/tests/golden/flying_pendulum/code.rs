@@ -1517,6 +1517,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for FlyingPendulum {
+        type NamedState = FlyingPendulumState;
+    }
+    #[automatically_derived]
     impl ::core::convert::From<[f64; 2]> for FlyingPendulumInputs {
         #[inline]
         fn from([thrust, roll]: [f64; 2]) -> Self {
@@ -1534,7 +1538,6 @@ const _: () = {
     impl ::lagrange::system::ControlledSystem for FlyingPendulum {
         type Inputs = FlyingPendulumInputs;
         type InputVector = [f64; 2];
-        type NamedState = FlyingPendulumState;
         const INPUTS: &'static [&'static ::core::primitive::str] = &["thrust", "roll"];
         #[inline]
         fn inputs(&self) -> FlyingPendulumInputs {

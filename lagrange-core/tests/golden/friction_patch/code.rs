@@ -363,6 +363,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for FrictionPatch {
+        type NamedState = FrictionPatchState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for FrictionPatch {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {

@@ -395,6 +395,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for HeavyTop {
+        type NamedState = HeavyTopState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for HeavyTop {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> f64 {

@@ -806,6 +806,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for HungArm {
+        type NamedState = HungArmState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for HungArm {
         #[inline]
         fn energy(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> f64 {
@@ -1160,7 +1164,6 @@ const _: () = {
     impl ::lagrange::system::ControlledSystem for HungArm {
         type Inputs = HungArmInputs;
         type InputVector = [f64; 1];
-        type NamedState = HungArmState;
         const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
         #[inline]
         fn inputs(&self) -> HungArmInputs {

@@ -354,6 +354,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl<S: ::lagrange::Scalar> ::lagrange::system::NamedSystem for Kepler<S> {
+        type NamedState = KeplerState<S>;
+    }
+    #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::EnergyFunction for Kepler<S> {
         #[inline]
         fn energy(&self, t: S, q: &[S; 2], v: &[S; 2]) -> S {

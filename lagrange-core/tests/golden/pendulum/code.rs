@@ -250,6 +250,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for Pendulum {
+        type NamedState = PendulumState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for Pendulum {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {

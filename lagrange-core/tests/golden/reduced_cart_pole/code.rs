@@ -290,6 +290,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for CartPole {
+        type NamedState = CartPoleState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for CartPole {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
@@ -314,7 +318,6 @@ const _: () = {
     impl ::lagrange::system::ControlledSystem for CartPole {
         type Inputs = CartPoleInputs;
         type InputVector = [f64; 1];
-        type NamedState = CartPoleState;
         const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
         #[inline]
         fn inputs(&self) -> CartPoleInputs {
@@ -597,6 +600,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for Parked {
+        type NamedState = ParkedState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for Parked {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {
@@ -621,7 +628,6 @@ const _: () = {
     impl ::lagrange::system::ControlledSystem for Parked {
         type Inputs = ParkedInputs;
         type InputVector = [f64; 1];
-        type NamedState = ParkedState;
         const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
         #[inline]
         fn inputs(&self) -> ParkedInputs {
@@ -1005,6 +1011,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for Linear {
+        type NamedState = LinearState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for Linear {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
@@ -1029,7 +1039,6 @@ const _: () = {
     impl ::lagrange::system::ControlledSystem for Linear {
         type Inputs = LinearInputs;
         type InputVector = [f64; 1];
-        type NamedState = LinearState;
         const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
         #[inline]
         fn inputs(&self) -> LinearInputs {

@@ -569,6 +569,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for RelativeChain {
+        type NamedState = RelativeChainState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for RelativeChain {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> f64 {

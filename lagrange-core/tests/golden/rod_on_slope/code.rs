@@ -757,6 +757,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for RodOnSlope {
+        type NamedState = RodOnSlopeState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for RodOnSlope {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> f64 {
@@ -1023,7 +1027,6 @@ const _: () = {
     impl ::lagrange::system::ControlledSystem for RodOnSlope {
         type Inputs = RodOnSlopeInputs;
         type InputVector = [f64; 1];
-        type NamedState = RodOnSlopeState;
         const INPUTS: &'static [&'static ::core::primitive::str] = &["u"];
         #[inline]
         fn inputs(&self) -> RodOnSlopeInputs {

@@ -743,6 +743,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for SpatialArm {
+        type NamedState = SpatialArmState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for SpatialArm {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {

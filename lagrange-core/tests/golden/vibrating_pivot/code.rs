@@ -306,6 +306,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::NamedSystem for Kapitza {
+        type NamedState = KapitzaState;
+    }
+    #[automatically_derived]
     impl ::lagrange::system::EnergyFunction for Kapitza {
         #[inline]
         fn energy(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> f64 {

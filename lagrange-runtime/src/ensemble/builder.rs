@@ -1,0 +1,178 @@
+//! What is asked of an ensemble: where its motions start, when they end, and by which method they go.
+
+use core::marker::PhantomData;
+use std::boxed::Box;
+use std::format;
+
+use super::asked::{Asked, SharedSystem};
+use super::progress::{Done, Reporter};
+use super::random::Random;
+use super::shard::Shard;
+use super::starts::Starts;
+use crate::integrate::{Method, Verner98};
+use crate::scalar::Scalar;
+use crate::simulate::{Drive, InitialState, Law, Start, Undriven, Verdict};
+use crate::system::{ControlledSystem, MechanicalSystem, StateVector};
+
+/// Motions of one system. They want to know when they end.
+#[must_use = "say when the motions end: `.until(time)`"]
+pub struct Motions<'a, M: MechanicalSystem> {
+    asked: Asked<'a, M>,
+    has_starts: bool,
+}
+
+impl<'a, M: SharedSystem> Motions<'a, M> {
+    pub(super) fn new(system: &'a M, starts: impl Starts<M>) -> Self {
+        let (number, starts) = starts.into_starts();
+        let has_starts = starts.is_some();
+        let start = starts.map(|starts| Box::new(move |index: usize, _: &mut Random| starts[index]) as _);
+        Motions { asked: Asked::new(system, number, start, M::Scalar::ZERO), has_starts }
+    }
+
+    /// Starts each motion from a state: a function of its index, counted from zero, and of [random numbers](Random) of its own. It may
+    /// be called several times for a motion, and by several threads.
+    pub fn start<Y: InitialState<M::State>>(
+        mut self,
+        start: impl Fn(usize, &mut Random) -> Y + Send + Sync + 'a,
+    ) -> Self {
+        if self.has_starts {
+            let twice = "motions were given a list of starts and `.start(…)`, too: give a number of motions";
+            self.asked.fault = self.asked.fault.or(Some(twice));
+        }
+        self.asked.start = Some(Box::new(move |index, random| start(index, random).into_state()));
+        self
+    }
+
+    /// Gives each motion a system of its own: a copy of that of all, which is changed by its index. Parameters drawn at random take
+    /// numbers from [`Random::new`] with another seed than that of the starts.
+    ///
+    /// What parameters a motion had is kept if it is [observed](Ensemble::observe).
+    pub fn parameters(mut self, change: impl Fn(usize, &mut M) + Send + Sync + 'a) -> Self
+    where
+        M: Clone,
+    {
+        self.asked.variation = Some(Box::new(move |index, system: &M| {
+            let mut system = system.clone();
+            change(index, &mut system);
+            system
+        }));
+        self
+    }
+
+    /// Starts at this time instead of 0.
+    pub fn from(mut self, time: M::Scalar) -> Self {
+        self.asked.from = time;
+        self
+    }
+
+    /// Ends at this time, which may lie before the start.
+    pub fn until(mut self, end: M::Scalar) -> Ensemble<'a, M, Verner98<M::Scalar>> {
+        self.asked.end = end;
+        // The method of a single run with the tolerance of one.
+        let zero = M::State::ZERO;
+        let method = Start::of(self.asked.system, self.asked.from, zero).until(end).into_method();
+        Ensemble { asked: self.asked, method, drive: Undriven, kept: PhantomData }
+    }
+}
+
+/// Of every motion its end is kept.
+#[derive(Clone, Copy, Debug)]
+pub struct KeepEnds;
+
+/// Of every motion samples are kept.
+#[derive(Clone, Copy, Debug)]
+pub struct KeepSamples;
+
+/// An ensemble that can be computed: which motions, by which method, and what to keep of them.
+///
+/// Every motion is a [run of its own](crate::simulate::Simulation), with the same bits: methods, inputs, events, contacts and
+/// constraints are those of runs, and settings mean what they mean there. K is the method, D what drives the inputs, P what is kept of a
+/// motion, [`KeepEnds`] or [`KeepSamples`]. `.tolerance(…)` exists for the default method only.
+#[must_use = "nothing happens before `.run()`, `.reduce(…)` or `.save_parquet(…)`"]
+pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
+    pub(super) asked: Asked<'a, M>,
+    pub(super) method: K,
+    pub(super) drive: D,
+    kept: PhantomData<fn() -> P>,
+}
+
+impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
+    /// The error that is tolerated in a step, as [in a single run](crate::simulate::Simulation::tolerance): 1e-9 by default for `f64`.
+    pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
+        self.method.relative = tolerance;
+        self.method.absolute = tolerance;
+        self
+    }
+
+    /// The error that is tolerated in a step in the units of the state, to be given after [`tolerance`](Self::tolerance), which then is
+    /// relative only.
+    pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
+        self.method.absolute = tolerance;
+        self
+    }
+}
+
+impl<'a, M: SharedSystem + ControlledSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
+    /// Sets the inputs at every instant by a law, as [in a single run](crate::simulate::Simulation::drive). Every input becomes a column.
+    pub fn drive<F>(mut self, law: F) -> Ensemble<'a, M, K, Law<F>, P>
+    where
+        F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs + Send + Sync,
+    {
+        self.asked.request("driven by a law", |_, _, run| run.recording_inputs());
+        let Ensemble { asked, method, kept, .. } = self;
+        Ensemble { asked, method, drive: Law::new(law), kept }
+    }
+}
+
+impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
+    /// Integrates by this method instead of the adaptive one.
+    pub fn method<N: Method<D::Closed>>(self, method: N) -> Ensemble<'a, M, N, D, P> {
+        let Ensemble { asked, drive, kept, .. } = self;
+        Ensemble { asked, method, drive, kept }
+    }
+
+    /// Keeps samples of every motion, at its start, at its end and so often between them: `.run()` then hands out a trajectory for each,
+    /// and `.reduce(…)` sees it. All samples of all motions lie in memory in the end, but for those that are reduced.
+    pub fn every(mut self, interval: M::Scalar) -> Ensemble<'a, M, K, D, KeepSamples> {
+        self.asked.request(format!("every {interval:?}"), move |_, _, run| run.every(interval));
+        let Ensemble { asked, method, drive, .. } = self;
+        Ensemble { asked, method, drive, kept: PhantomData }
+    }
+
+    /// The seed of the [random numbers](Random) of all motions; 0 by default.
+    pub fn seed(mut self, seed: u64) -> Self {
+        self.asked.seed = seed;
+        self
+    }
+
+    /// Computes on so many threads, instead of those of rayon's pool, which are as many as the machine has. Results do not depend on it.
+    pub fn threads(mut self, threads: usize) -> Self {
+        if threads == 0 {
+            self.asked.fault = self.asked.fault.or(Some("an ensemble needs a thread at least"));
+        }
+        self.asked.threads = Some(threads);
+        self
+    }
+
+    /// Calls back about twenty times a second, from whichever thread, and once at the end, as for a progress bar.
+    ///
+    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble: motions that have begun go on to their end, and
+    /// [`Cancelled`](super::EnsembleError::Cancelled) comes back. What was saved is kept.
+    pub fn progress<V: Verdict>(mut self, callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
+        self.asked.reporter = Some(Reporter::new(callback));
+        self
+    }
+
+    /// Computes this share of the motions only, for one of several processes.
+    pub fn shard(mut self, shard: Shard) -> Self {
+        self.asked.shard = shard;
+        self
+    }
+
+    /// How many motions a [shard](Shard) has at least, and a file that is saved; 65 536 by default. As much is lost if a process is
+    /// killed, and as much lies in memory while it is saved.
+    pub fn motions_per_part(mut self, motions: usize) -> Self {
+        self.asked.motions_per_part = motions;
+        self
+    }
+}

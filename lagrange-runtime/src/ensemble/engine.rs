@@ -1,0 +1,76 @@
+//! Motions over threads, in chunks of fixed size whose results are merged in their order.
+
+use core::ops::Range;
+use std::string::ToString;
+use std::vec::Vec;
+
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use super::error::EnsembleError;
+use super::progress::Counter;
+
+/// Motions that one thread computes one after the other. Reductions are merged by chunks, so that their bits depend on it.
+pub(super) const CHUNK: usize = 64;
+/// Chunks of a thread that are computed before they are merged: so much lies in memory.
+const CHUNKS_PER_THREAD: usize = 64;
+
+/// Threads of one's own, or those that everybody has.
+pub(super) struct Engine {
+    /// None for the calling thread alone, or for everybody's.
+    pool: Option<ThreadPool>,
+    threads: usize,
+    pub(super) chunk: usize,
+}
+
+impl Engine {
+    /// So many threads, or everybody's.
+    pub(super) fn new(threads: Option<usize>) -> Result<Self, EnsembleError> {
+        let pool = match threads {
+            None | Some(1) => None,
+            Some(number) => Some(ThreadPoolBuilder::new().num_threads(number).build()),
+        };
+        let pool = pool.transpose().map_err(|error| EnsembleError::Threads(error.to_string()))?;
+        let threads = threads.unwrap_or_else(rayon::current_num_threads);
+        Ok(Engine { pool, threads, chunk: CHUNK })
+    }
+
+    /// Computes all chunks of the motions and hands their results over in their order.
+    ///
+    /// # Errors
+    /// Of several that of the first motion.
+    pub(super) fn chunks<R: Send>(
+        &self,
+        motions: Range<usize>,
+        counter: &Counter<'_, '_>,
+        compute: impl Fn(Range<usize>) -> Result<R, EnsembleError> + Sync,
+        mut merge: impl FnMut(R),
+    ) -> Result<(), EnsembleError> {
+        let chunks = motions.clone().step_by(self.chunk);
+        let chunks = chunks.map(|start| start..start.saturating_add(self.chunk).min(motions.end));
+        let mut chunks = chunks.peekable();
+        while chunks.peek().is_some() {
+            let wave: Vec<_> = chunks.by_ref().take(CHUNKS_PER_THREAD * self.threads).collect();
+            for result in self.wave(wave, &compute) {
+                merge(result?);
+            }
+            if counter.is_cancelled() {
+                return Err(EnsembleError::Cancelled { motions: counter.motions() });
+            }
+        }
+        Ok(())
+    }
+
+    /// The results of some chunks in their order.
+    fn wave<R: Send>(
+        &self,
+        chunks: Vec<Range<usize>>,
+        compute: &(impl Fn(Range<usize>) -> R + Sync),
+    ) -> Vec<R> {
+        match &self.pool {
+            _ if self.threads == 1 => chunks.into_iter().map(compute).collect(),
+            Some(pool) => pool.install(|| chunks.into_par_iter().map(compute).collect()),
+            None => chunks.into_par_iter().map(compute).collect(),
+        }
+    }
+}

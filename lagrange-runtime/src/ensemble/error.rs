@@ -1,0 +1,88 @@
+//! Why an ensemble was not computed, or not to its end.
+
+use core::fmt::{Display, Formatter};
+use std::error::Error;
+use std::io;
+use std::path::PathBuf;
+use std::string::String;
+
+/// An ensemble was not computed, or not to its end. Motions that fail are no such error: they are in its failures.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum EnsembleError {
+    /// Something that was asked for makes no sense, in words.
+    Setting(String),
+    /// A closure that was given panicked.
+    Panicked {
+        /// In which motion; the first of those in which one did.
+        motion: usize,
+        /// What it said.
+        message: String,
+    },
+    /// The progress callback cancelled it.
+    Cancelled {
+        /// How many motions were done.
+        motions: u64,
+    },
+    /// The operating system did not start as many threads.
+    Threads(String),
+    /// A file could not be read or written. What was finished before is kept.
+    File {
+        /// Which file.
+        path: PathBuf,
+        /// What the operating system or the format says.
+        source: io::Error,
+    },
+    /// The folder holds a file that belongs to no ensemble.
+    ForeignFile(PathBuf),
+    /// The folder holds a part of another ensemble.
+    OtherEnsemble {
+        /// Which file.
+        path: PathBuf,
+        /// What it says of its ensemble, and what is so of this one; nothing where the other has nothing to set against it.
+        differs: [String; 2],
+    },
+    /// Another process writes the same parts into the folder, or one was killed on another machine.
+    Locked {
+        /// The file that says so.
+        path: PathBuf,
+        /// Which process, as it says.
+        holder: String,
+    },
+}
+
+impl Display for EnsembleError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        match self {
+            EnsembleError::Setting(what) => f.write_str(what),
+            EnsembleError::Panicked { motion, message } => write!(f, "motion {motion} panicked: {message}"),
+            EnsembleError::Cancelled { motions } => write!(f, "cancelled after {motions} motions"),
+            EnsembleError::Threads(what) => write!(f, "threads could not be started: {what}"),
+            EnsembleError::File { path, source } => write!(f, "`{}`: {source}", path.display()),
+            EnsembleError::ForeignFile(path) => write!(
+                f,
+                "`{}` is not a part of an ensemble: save into a folder of its own, or into that of the same ensemble to go on",
+                path.display()
+            ),
+            EnsembleError::OtherEnsemble { path, differs: [there, here] } => write!(
+                f,
+                "`{}` is a part of another ensemble: it says `{there}`, here it is `{here}`; save into another folder",
+                path.display()
+            ),
+            EnsembleError::Locked { path, holder } => write!(
+                f,
+                "`{}` says that {holder} writes into this folder; if it was killed and nothing does, delete that file and start again",
+                path.display()
+            ),
+        }
+    }
+}
+
+impl Error for EnsembleError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            EnsembleError::File { source, .. } => Some(source),
+            _ => None,
+        }
+    }
+}

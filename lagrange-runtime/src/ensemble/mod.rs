@@ -1,0 +1,99 @@
+//! Ensembles: many motions of one declaration, from starts and with parameters of their own, over threads and processes.
+//!
+//! ```
+//! use lagrange::Ensembles;
+//! use lagrange::ensemble::Histogram;
+//!
+//! lagrange::system! {
+//!     /// A point mass on a massless rod.
+//!     #[derive(Clone)]
+//!     pub struct Pendulum;
+//!     param m = 1.0, l = 1.0, g = 9.81;
+//!     coord theta;
+//!     kinetic = 1/2 * m * (l * dot(theta))^2;
+//!     potential = -m * g * l * cos(theta);
+//! }
+//!
+//! let pendulum = Pendulum::default();
+//! let ends = pendulum
+//!     .ensemble(1000)
+//!     .start(|_, random| [2.0 + 0.1 * random.normal(), 0.0])
+//!     .parameters(|i, pendulum| pendulum.l = 0.5 + 1e-3 * i as f64)
+//!     .until(1.0)
+//!     .tolerance(1e-8)
+//!     .seed(7)
+//!     .run()?;
+//! assert_eq!((ends.theta().len(), ends.failures().len()), (1000, 0));
+//!
+//! let starts: Vec<[f64; 2]> = (0..1000).map(|i| [1e-3 * i as f64, 0.0]).collect();
+//! let ensemble = pendulum.ensemble(starts).until(1.0);
+//! let angles = ensemble.reduce(Histogram::new(64), |histogram, motion| histogram.add(motion.end().theta))?;
+//! assert_eq!(angles.count(), 1000);
+//! # Ok::<(), lagrange::ensemble::EnsembleError>(())
+//! ```
+//!
+//! | to | say |
+//! |---|---|
+//! | say which motions | [`ensemble`](Ensembles::ensemble) of a number or a list of starts, [`start`](Motions::start), [`parameters`](Motions::parameters), [`until`](Motions::until), [`seed`](Ensemble::seed) |
+//! | say how they go | [`tolerance`](Ensemble::tolerance), [`method`](Ensemble::method), [`drive`](Ensemble::drive), [`sampled`](Ensemble::sampled), [`stop_at`](Ensemble::stop_at), [`max_steps`](Ensemble::max_steps) as in single runs |
+//! | keep ends | [`run`](Ensemble::run), which hands out [`Ends`]; [`observe`](Ensemble::observe) and [`energy`](Ensemble::energy) add columns |
+//! | keep samples | [`every`](Ensemble::every); `run` then hands out [`Samples`] |
+//! | keep a sum | [`reduce`](Ensemble::reduce) to [`Moments`], a [`Histogram`] or what implements [`Reduce`] |
+//! | keep files | `save_parquet` with the feature `parquet`, which goes on where it was killed |
+//! | look at one motion | [`motion`](Ensemble::motion) |
+//! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard) |
+//!
+//! Every motion is a run of [`simulate`](mod@crate::simulate) by itself, and has the bits of one: they depend neither on threads nor on
+//! shards, restarts or the other motions. The sum of all is put together in an order that does not depend on threads either.
+//!
+//! This needs the feature `ensemble`.
+
+mod asked;
+mod builder;
+mod ends;
+mod engine;
+mod error;
+mod histogram;
+mod moments;
+mod motion;
+mod progress;
+mod random;
+mod reduce;
+mod reduction;
+mod requests;
+mod samples;
+#[cfg(feature = "parquet")]
+mod save;
+mod shard;
+mod starts;
+#[cfg(test)]
+mod tests;
+#[cfg(not(feature = "parquet"))]
+mod without_parquet;
+
+pub use self::asked::SharedSystem;
+pub use self::builder::{Ensemble, KeepEnds, KeepSamples, Motions};
+pub use self::ends::{Ends, Failure};
+pub use self::error::EnsembleError;
+pub use self::histogram::Histogram;
+pub use self::moments::Moments;
+pub use self::motion::Motion;
+pub use self::progress::Done;
+pub use self::random::Random;
+pub use self::reduce::Reduce;
+pub use self::reduction::Reduced;
+pub use self::samples::Samples;
+#[cfg(feature = "parquet")]
+pub use self::save::Saved;
+pub use self::shard::Shard;
+pub use self::starts::Starts;
+
+/// Lets every mechanical system that threads may share move many times.
+pub trait Ensembles: SharedSystem + Sized {
+    /// Motions of this system: so many, or one from each start of a list.
+    fn ensemble(&self, starts: impl Starts<Self>) -> Motions<'_, Self> {
+        Motions::new(self, starts)
+    }
+}
+
+impl<M: SharedSystem> Ensembles for M {}

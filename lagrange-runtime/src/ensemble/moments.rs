@@ -1,0 +1,100 @@
+//! Mean and variance.
+
+use super::reduce::Reduce;
+
+/// How many numbers there were, their mean, variance, least and greatest. A number that is NaN makes all but the count NaN.
+///
+/// Sources: Welford, Technometrics 4 (1962), of a number more; Chan, Golub, LeVeque, *Algorithms for computing the sample variance*, The
+/// American Statistician 37 (1983), eq. 2.1, of two parts.
+///
+/// ```
+/// use lagrange::ensemble::Moments;
+///
+/// let mut moments = Moments::new();
+/// [1.0, 2.0, 6.0].into_iter().for_each(|value| moments.add(value));
+/// assert_eq!((moments.mean(), moments.variance(), moments.max()), (3.0, 7.0, 6.0));
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Moments {
+    count: u64,
+    mean: f64,
+    /// The sum of squares of deviations from the mean.
+    squares: f64,
+    min: f64,
+    max: f64,
+}
+
+impl Moments {
+    /// Those of no number.
+    pub fn new() -> Self {
+        Moments { count: 0, mean: 0.0, squares: 0.0, min: f64::INFINITY, max: f64::NEG_INFINITY }
+    }
+
+    /// Those with a number more.
+    pub fn add(&mut self, value: f64) {
+        self.count += 1;
+        let deviation = value - self.mean;
+        self.mean += deviation / self.count as f64;
+        self.squares += deviation * (value - self.mean);
+        self.min = least(self.min, value);
+        self.max = -least(-self.max, -value);
+    }
+
+    /// How many numbers there were.
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// Their mean; NaN if there was none.
+    pub fn mean(&self) -> f64 {
+        if self.count == 0 { f64::NAN } else { self.mean }
+    }
+
+    /// Their variance as an estimate of that of what they were drawn from: with one less than their number below the sum. NaN of fewer
+    /// than two.
+    pub fn variance(&self) -> f64 {
+        if self.count < 2 { f64::NAN } else { self.squares / (self.count - 1) as f64 }
+    }
+
+    /// The root of the variance.
+    pub fn standard_deviation(&self) -> f64 {
+        libm::sqrt(self.variance())
+    }
+
+    /// The least of them; infinite if there was none.
+    pub fn min(&self) -> f64 {
+        self.min
+    }
+
+    /// The greatest of them; minus infinity if there was none.
+    pub fn max(&self) -> f64 {
+        self.max
+    }
+}
+
+impl Default for Moments {
+    fn default() -> Self {
+        Moments::new()
+    }
+}
+
+impl Reduce for Moments {
+    fn merge(&mut self, later: Self) {
+        if self.count == 0 || later.count == 0 {
+            *self = if self.count == 0 { later } else { *self };
+            return;
+        }
+        let count = self.count + later.count;
+        let (part, deviation) = (later.count as f64 / count as f64, later.mean - self.mean);
+        self.squares += later.squares + deviation * deviation * part * self.count as f64;
+        self.mean += deviation * part;
+        self.min = least(self.min, later.min);
+        self.max = -least(-self.max, -later.max);
+        self.count = count;
+    }
+}
+
+/// The lesser, and NaN if one is.
+fn least(one: f64, other: f64) -> f64 {
+    if one.is_nan() || one < other { one } else { other }
+}

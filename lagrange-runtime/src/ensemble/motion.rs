@@ -1,0 +1,149 @@
+//! One motion of an ensemble.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::string::{String, ToString};
+
+use super::asked::{SharedSystem, Unasked};
+use super::builder::Ensemble;
+use super::error::EnsembleError;
+use crate::integrate::Method;
+use crate::simulate::{Drive, SimulationError, Trajectory};
+use crate::system::{MechanicalSystem, NamedSystem, StepFailure};
+
+/// A motion of an ensemble, as those who reduce it see it.
+#[derive(Debug)]
+pub struct Motion<'m, M: MechanicalSystem> {
+    index: usize,
+    system: &'m M,
+    trajectory: &'m Trajectory<M>,
+}
+
+impl<'m, M: MechanicalSystem> Motion<'m, M> {
+    pub(super) fn new(index: usize, system: &'m M, trajectory: &'m Trajectory<M>) -> Self {
+        Motion { index, system, trajectory }
+    }
+
+    /// Its place in the ensemble, counted from zero.
+    pub fn index(&self) -> usize {
+        self.index
+    }
+
+    /// The system that moved, with the parameters of this motion.
+    pub fn system(&self) -> &'m M {
+        self.system
+    }
+
+    /// The state where it ended, by the names of positions and velocities.
+    pub fn end(&self) -> M::NamedState
+    where
+        M: NamedSystem,
+    {
+        self.trajectory.last().into()
+    }
+
+    /// The time at which it ended: that which was asked for unless an event stopped it.
+    pub fn end_time(&self) -> M::Scalar {
+        self.trajectory.end_time()
+    }
+
+    /// All that was kept of it: samples if they were asked for, events, columns that were observed.
+    pub fn trajectory(&self) -> &'m Trajectory<M> {
+        self.trajectory
+    }
+}
+
+/// What came of a motion.
+pub(super) type Ran<M> = Result<Trajectory<M>, SimulationError<M>>;
+
+impl<M, K, D, P> Ensemble<'_, M, K, D, P>
+where
+    M: SharedSystem,
+    D: Drive<M> + Sync,
+    K: Method<D::Closed> + Clone + Sync,
+{
+    /// Runs one motion of the ensemble again, or for the first time: with the same bits, and every step kept if samples were not asked for.
+    ///
+    /// ```
+    /// # lagrange::system! {
+    /// #     struct Pendulum;
+    /// #     param l = 1.0, g = 9.81;
+    /// #     coord theta;
+    /// #     kinetic = 1/2 * (l * dot(theta))^2;
+    /// #     potential = -g * l * cos(theta);
+    /// # }
+    /// use lagrange::Ensembles;
+    ///
+    /// let pendulum = Pendulum::default();
+    /// let ensemble = pendulum.ensemble(100).start(|i, _| [i as f64 / 100.0, 0.0]).until(2.0);
+    /// let motion = ensemble.motion(41)?.expect("does not fail");
+    /// assert_eq!(motion.first(), [0.41, 0.0]);
+    /// assert_eq!(motion.len() as u64, motion.work().steps + 1);
+    /// assert_eq!(ensemble.run()?.state(41), Some(motion.last()));
+    /// # Ok::<(), lagrange::ensemble::EnsembleError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there is no such motion, what was asked for makes no sense, or a closure panics.
+    pub fn motion(&self, index: usize) -> Result<Ran<M>, EnsembleError> {
+        self.asked.parts()?;
+        if index >= self.asked.number {
+            let number = self.asked.number;
+            return Err(EnsembleError::Setting(std::format!(
+                "there is no motion {index} in an ensemble of {number}: they are counted from zero"
+            )));
+        }
+        self.ran_with(index, Unasked::EveryStep, |_, ran| ran)
+    }
+
+    /// Runs a motion of which no samples are kept unless they were asked for, and makes something of what came of it.
+    ///
+    /// # Errors
+    /// If a closure that was given panics, or a setting makes no sense.
+    pub(super) fn ran<R>(
+        &self,
+        index: usize,
+        then: impl FnOnce(&M, Ran<M>) -> R,
+    ) -> Result<R, EnsembleError> {
+        self.ran_with(index, Unasked::EndsOnly, then)
+    }
+
+    fn ran_with<R>(
+        &self,
+        index: usize,
+        unasked: Unasked,
+        then: impl FnOnce(&M, Ran<M>) -> R,
+    ) -> Result<R, EnsembleError> {
+        // What a panic leaves behind is not looked at again: the ensemble ends with it.
+        let ran = catch_unwind(AssertUnwindSafe(|| {
+            let (varied, state) = self.asked.origin(index);
+            let system = varied.as_ref().unwrap_or(self.asked.system);
+            let run = self.asked.plain(index, (system, state), unasked);
+            let ran = run.exchange(|_, _| (self.method.clone(), self.drive.clone())).run();
+            if let Err(error) = &ran
+                && is_setting(error.cause)
+            {
+                return Err(EnsembleError::Setting(std::format!("motion {index}: {error}")));
+            }
+            Ok(then(system, ran))
+        }));
+        ran.unwrap_or_else(|panic| Err(EnsembleError::Panicked { motion: index, message: message(&*panic) }))
+    }
+}
+
+/// Whether what failed was not the motion but what was asked of all.
+fn is_setting<S: Copy>(cause: StepFailure<S>) -> bool {
+    matches!(
+        cause,
+        StepFailure::Setting(_)
+            | StepFailure::RepeatedColumn
+            | StepFailure::UnknownOutput { .. }
+            | StepFailure::TooManySamples { .. }
+    )
+}
+
+/// What a panic says.
+pub(super) fn message(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(ToString::to_string);
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "without a message".into())
+}

@@ -1,0 +1,85 @@
+//! How far an ensemble has come, told now and then.
+
+use std::boxed::Box;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use crate::simulate::Verdict;
+
+/// How far an ensemble has come.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub struct Done {
+    /// Motions that are done, failed ones and those that were found saved among them.
+    pub motions: u64,
+    /// Motions of the ensemble, or of this shard of it.
+    pub of: u64,
+}
+
+/// What is called back.
+type Callback<'a> = Box<dyn FnMut(Done) -> bool + Send + 'a>;
+
+/// A callback and when it was called.
+pub(super) struct Reporter<'a>(Mutex<(Callback<'a>, Option<Instant>)>);
+
+/// Time between two reports.
+const INTERVAL: Duration = Duration::from_millis(50);
+
+impl<'a> Reporter<'a> {
+    pub(super) fn new<V: Verdict>(mut callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
+        Reporter(Mutex::new((Box::new(move |done| callback(done).go_on()), None)))
+    }
+}
+
+/// Counts motions over all threads.
+pub(super) struct Counter<'r, 'a> {
+    reporter: Option<&'r Reporter<'a>>,
+    motions: AtomicU64,
+    of: u64,
+    is_cancelled: AtomicBool,
+}
+
+impl<'r, 'a> Counter<'r, 'a> {
+    pub(super) fn new(reporter: Option<&'r Reporter<'a>>, of: usize) -> Self {
+        Counter { reporter, motions: AtomicU64::new(0), of: of as u64, is_cancelled: AtomicBool::new(false) }
+    }
+
+    pub(super) fn is_cancelled(&self) -> bool {
+        self.is_cancelled.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn motions(&self) -> u64 {
+        self.motions.load(Ordering::Relaxed)
+    }
+
+    /// Counts so many motions more, and reports them if the last report is some time ago. A thread does not wait for another's report.
+    pub(super) fn count(&self, motions: usize) {
+        self.motions.fetch_add(motions as u64, Ordering::Relaxed);
+        let Some(Reporter(callback)) = self.reporter else { return };
+        let Ok(mut callback) = callback.try_lock() else { return };
+        let (call, last) = &mut *callback;
+        if last.is_none_or(|last| last.elapsed() >= INTERVAL) {
+            *last = Some(Instant::now());
+            self.tell(call);
+        }
+    }
+
+    /// Reports what is done in the end.
+    pub(super) fn finish(&self) {
+        if let Some(Reporter(callback)) = self.reporter {
+            let mut callback = callback.lock().unwrap_or_else(PoisonError::into_inner);
+            (callback.0)(self.done());
+        }
+    }
+
+    fn tell(&self, call: &mut Callback<'_>) {
+        if !call(self.done()) {
+            self.is_cancelled.store(true, Ordering::Relaxed);
+        }
+    }
+
+    fn done(&self) -> Done {
+        Done { motions: self.motions(), of: self.of }
+    }
+}

@@ -1,0 +1,118 @@
+//! Random numbers that are a function of a seed and of the index of a motion.
+//!
+//! Philox4x32-10: a counter goes through ten rounds of multiplication and exclusive or, keyed by the seed. Nothing is carried from motion
+//! to motion, so that every motion has its numbers whoever computes it, and when.
+//!
+//! Source: Salmon, Moraes, Dror, Shaw, *Parallel random numbers: as easy as 1, 2, 3*, SC'11, §3.3, and the vectors of Random123.
+
+use core::f64::consts::TAU;
+use core::ops::Range;
+
+/// The random numbers of one motion: a sequence that its index and the seed of the ensemble determine, on every platform.
+///
+/// A sequence is never changed within a version of this crate that is compatible: the generator is Philox4x32-10, keyed by the seed, with
+/// the index in the upper half of its counter; uniform numbers are the upper 53 bits of 64; normal ones are those of Box and Muller by the
+/// elementary functions of the crate `libm`, and not by those of the platform.
+///
+/// ```
+/// use lagrange::ensemble::Random;
+///
+/// let mut random = Random::new(7, 41);
+/// let (angle, noise) = (random.uniform(-1.0..1.0), random.normal());
+/// let mut again = Random::new(7, 41);
+/// assert_eq!((again.uniform(-1.0..1.0), again.normal()), (angle, noise));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Random {
+    key: [u32; 2],
+    index: u64,
+    /// How many blocks were taken.
+    blocks: u64,
+    /// The second half of the last block, if it is still to come.
+    word: Option<u64>,
+    /// The second of a pair of normal numbers, if it is still to come.
+    normal: Option<f64>,
+}
+
+const ROUNDS: u32 = 10;
+const MULTIPLIERS: [u32; 2] = [0xD251_1F53, 0xCD9E_8D57];
+/// The golden ratio and √3 − 1, which are added to the key between rounds.
+const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
+/// 2⁻⁵³
+const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
+
+impl Random {
+    /// The numbers of the motion `index` of an ensemble with this seed, from the first on.
+    pub fn new(seed: u64, index: usize) -> Self {
+        Random { key: halves(seed), index: index as u64, blocks: 0, word: None, normal: None }
+    }
+
+    /// The next 64 bits.
+    pub fn bits(&mut self) -> u64 {
+        if let Some(word) = self.word.take() {
+            return word;
+        }
+        let ([low, high], [index, above]) = (halves(self.blocks), halves(self.index));
+        self.blocks += 1;
+        let [a, b, c, d] = philox([low, high, index, above], self.key);
+        self.word = Some(joined(c, d));
+        joined(a, b)
+    }
+
+    /// A number from the range, its end excluded, each part of it as likely as any other of its length.
+    ///
+    /// # Panics
+    /// If the range is empty, or an end of it is not finite.
+    pub fn uniform(&mut self, range: Range<f64>) -> f64 {
+        let Range { start, end } = range;
+        assert!(
+            start < end && (end - start).is_finite(),
+            "no random number lies in {start:?}..{end:?}: its start must lie below its end, and both be finite"
+        );
+        // Rounding may lead to the end itself.
+        (start + (end - start) * self.unit()).min(end.next_down())
+    }
+
+    /// A number of the normal distribution with mean 0 and standard deviation 1; its magnitude is below 8.6.
+    ///
+    /// Source: Box, Muller, *A note on the generation of random normal deviates*, Ann. Math. Stat. 29 (1958).
+    pub fn normal(&mut self) -> f64 {
+        if let Some(normal) = self.normal.take() {
+            return normal;
+        }
+        // From zero excluded to one included, so that the logarithm is finite.
+        let radius = libm::sqrt(-2.0 * libm::log(self.unit() + UNIT));
+        let (sin, cos) = libm::sincos(TAU * self.unit());
+        self.normal = Some(radius * sin);
+        radius * cos
+    }
+
+    /// From 0 included to 1 excluded.
+    fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 * UNIT
+    }
+}
+
+/// Ten rounds.
+fn philox(counter: [u32; 4], key: [u32; 2]) -> [u32; 4] {
+    let ([mut a, mut b, mut c, mut d], [mut left, mut right]) = (counter, key);
+    for _ in 0..ROUNDS {
+        let [low, high] = halves(u64::from(MULTIPLIERS[0]) * u64::from(a));
+        let [lower, higher] = halves(u64::from(MULTIPLIERS[1]) * u64::from(c));
+        [a, b, c, d] = [higher ^ b ^ left, lower, high ^ d ^ right, low];
+        (left, right) = (left.wrapping_add(WEYL[0]), right.wrapping_add(WEYL[1]));
+    }
+    [a, b, c, d]
+}
+
+/// Lower and upper half.
+fn halves(word: u64) -> [u32; 2] {
+    [word as u32, (word >> 32) as u32]
+}
+
+fn joined(low: u32, high: u32) -> u64 {
+    u64::from(low) | u64::from(high) << 32
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,74 @@
+//! Philox against its published vectors, and what is made of it against what it should be.
+
+use super::{Random, philox};
+use crate::ensemble::{Moments, Reduce};
+
+/// The rows `philox4x32 10` of `kat_vectors` in Random123: counter, key, result.
+const KNOWN: [([u32; 4], [u32; 2], [u32; 4]); 3] = [
+    ([0; 4], [0; 2], [0x6627_e8d5, 0xe169_c58d, 0xbc57_ac4c, 0x9b00_dbd8]),
+    ([u32::MAX; 4], [u32::MAX; 2], [0x408f_276d, 0x41c8_3b0e, 0xa20b_c7c6, 0x6d54_51fd]),
+    (
+        [0x243f_6a88, 0x85a3_08d3, 0x1319_8a2e, 0x0370_7344],
+        [0xa409_3822, 0x299f_31d0],
+        [0xd16c_fe09, 0x94fd_cceb, 0x5001_e420, 0x2412_6ea1],
+    ),
+];
+
+#[test]
+fn ten_rounds_give_the_published_vectors() {
+    for (counter, key, expected) in KNOWN {
+        assert_eq!(philox(counter, key), expected);
+    }
+}
+
+#[test]
+fn the_first_bits_are_those_of_the_published_vector() {
+    let mut random = Random::new(0, 0);
+    assert_eq!([random.bits(), random.bits()], [0xe169_c58d_6627_e8d5, 0x9b00_dbd8_bc57_ac4c]);
+}
+
+/// Bits that must be the same everywhere and forever.
+#[test]
+fn numbers_are_the_same_on_every_platform() {
+    let mut random = Random::new(7, 41);
+    let numbers = [random.normal(), random.normal(), random.normal(), random.uniform(-1.0..3.0)];
+    assert_eq!(numbers.map(f64::to_bits), NUMBERS, "{numbers:?}");
+}
+
+const NUMBERS: [u64; 4] =
+    [0x3fd6_aa8d_1f8b_450c, 0x3fb0_52c1_ef21_7c34, 0xbf8c_46a2_04a1_da3c, 0x3fb3_8292_3c32_c480];
+
+#[test]
+fn motions_and_seeds_have_numbers_of_their_own() {
+    let firsts = |seed| (0..100).map(move |index| Random::new(seed, index).bits());
+    let mut all: std::vec::Vec<u64> = (0..100).flat_map(firsts).collect();
+    all.sort_unstable();
+    all.dedup();
+    assert_eq!(all.len(), 10_000);
+}
+
+#[test]
+fn moments_are_those_of_the_distributions() {
+    let mut random = Random::new(3, 0);
+    let (mut uniform, mut normal, mut cubes) = (Moments::new(), Moments::new(), Moments::new());
+    for _ in 0..200_000 {
+        uniform.add(random.uniform(2.0..5.0));
+        let value = random.normal();
+        normal.add(value);
+        cubes.add(value.powi(4));
+    }
+    // Five standard deviations of each.
+    assert!((uniform.mean() - 3.5).abs() < 0.01, "{uniform:?}");
+    assert!((uniform.variance() - 0.75).abs() < 0.008, "{uniform:?}");
+    assert!(uniform.min() >= 2.0 && uniform.max() < 5.0, "{uniform:?}");
+    assert!(normal.mean().abs() < 0.0112 && (normal.variance() - 1.0).abs() < 0.016, "{normal:?}");
+    assert!((cubes.mean() - 3.0).abs() < 0.11, "{cubes:?}");
+    normal.merge(Moments::new());
+    assert_eq!(normal.count(), 200_000);
+}
+
+#[test]
+fn a_range_of_neighbours_gives_its_start() {
+    let (start, end) = (1.0_f64, 1.0_f64.next_up());
+    assert!((0..100).all(|index| Random::new(0, index).uniform(start..end) == start));
+}

@@ -1,0 +1,76 @@
+//! What a whole ensemble comes down to, so that no motion is kept.
+
+use std::vec::Vec;
+
+/// Something that sums up motions, and that can be put together from parts.
+///
+/// An ensemble is summed up in blocks of 64 motions, each from a clone of what [`reduce`](crate::ensemble::Ensemble::reduce) was given, and
+/// the blocks are merged from left to right, whichever thread computed them: the result has the same bits for any number of threads. It is
+/// that of one block if
+///
+/// - merging with what was given changes nothing, and
+/// - adding motions to a part and then merging it is adding them one after the other, up to rounding.
+///
+/// Numbers (a count), tuples, arrays and vectors (put one after the other, so that memory grows) are reductions, besides
+/// [`Moments`](crate::ensemble::Moments) and [`Histogram`](crate::ensemble::Histogram).
+///
+/// ```
+/// use lagrange::ensemble::Reduce;
+///
+/// /// The largest number.
+/// #[derive(Clone)]
+/// struct Largest(f64);
+///
+/// impl Reduce for Largest {
+///     fn merge(&mut self, later: Self) {
+///         self.0 = self.0.max(later.0);
+///     }
+/// }
+///
+/// let mut largest = Largest(1.0);
+/// largest.merge(Largest(2.0));
+/// assert_eq!(largest.0, 2.0);
+/// ```
+pub trait Reduce: Clone + Send + Sync {
+    /// Adds what sums up the motions that come after those summed up here.
+    fn merge(&mut self, later: Self);
+}
+
+impl Reduce for u64 {
+    fn merge(&mut self, later: Self) {
+        *self += later;
+    }
+}
+
+impl Reduce for usize {
+    fn merge(&mut self, later: Self) {
+        *self += later;
+    }
+}
+
+impl<T: Clone + Send + Sync> Reduce for Vec<T> {
+    fn merge(&mut self, later: Self) {
+        self.extend(later);
+    }
+}
+
+impl<R: Reduce, const N: usize> Reduce for [R; N] {
+    fn merge(&mut self, later: Self) {
+        self.iter_mut().zip(later).for_each(|(reduction, later)| reduction.merge(later));
+    }
+}
+
+impl<A: Reduce, B: Reduce> Reduce for (A, B) {
+    fn merge(&mut self, later: Self) {
+        self.0.merge(later.0);
+        self.1.merge(later.1);
+    }
+}
+
+impl<A: Reduce, B: Reduce, C: Reduce> Reduce for (A, B, C) {
+    fn merge(&mut self, later: Self) {
+        self.0.merge(later.0);
+        self.1.merge(later.1);
+        self.2.merge(later.2);
+    }
+}

@@ -1,0 +1,123 @@
+//! Ensembles of which only a sum is kept.
+
+use core::fmt::{Debug, Formatter};
+use core::ops::{Deref, Range};
+use std::vec::Vec;
+
+use super::asked::SharedSystem;
+use super::builder::Ensemble;
+use super::ends::Failure;
+use super::engine::Engine;
+use super::error::EnsembleError;
+use super::motion::Motion;
+use super::reduce::Reduce;
+use crate::integrate::Method;
+use crate::simulate::Drive;
+use crate::system::MechanicalSystem;
+
+/// What an ensemble came down to, and which motions are not in it because they failed. It is used as what it holds.
+pub struct Reduced<M: MechanicalSystem, R> {
+    value: R,
+    failed: u64,
+    failures: Vec<Failure<M>>,
+}
+
+/// Of more failed motions it is only known how many there were, so that memory is bounded.
+const MOST_FAILURES: usize = 1000;
+
+impl<M: MechanicalSystem, R> Reduced<M, R> {
+    /// What the motions that did not fail came down to.
+    pub fn into_value(self) -> R {
+        self.value
+    }
+
+    /// How many motions failed.
+    pub fn failed(&self) -> u64 {
+        self.failed
+    }
+
+    /// The first thousand of the motions that failed.
+    pub fn failures(&self) -> &[Failure<M>] {
+        &self.failures
+    }
+
+    fn fail(&mut self, failed: u64, failures: impl IntoIterator<Item = Failure<M>>) {
+        self.failed += failed;
+        let room = MOST_FAILURES - self.failures.len();
+        self.failures.extend(failures.into_iter().take(room));
+    }
+}
+
+impl<M: MechanicalSystem, R> Deref for Reduced<M, R> {
+    type Target = R;
+
+    fn deref(&self) -> &R {
+        &self.value
+    }
+}
+
+impl<M: MechanicalSystem, R: Debug> Debug for Reduced<M, R> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Reduced")
+            .field("value", &self.value)
+            .field("failed", &self.failed)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<M, K, D, P> Ensemble<'_, M, K, D, P>
+where
+    M: SharedSystem,
+    D: Drive<M> + Sync,
+    K: Method<D::Closed> + Clone + Sync,
+{
+    /// Computes all motions and keeps what they come down to, and nothing of themselves, so that memory does not depend on their number.
+    ///
+    /// `add` is asked for every motion that did not fail. What [`Reduce`] asks for makes the result the same bits for any number of threads.
+    ///
+    /// ```
+    /// # lagrange::system! {
+    /// #     struct Pendulum;
+    /// #     param l = 1.0, g = 9.81;
+    /// #     coord theta;
+    /// #     kinetic = 1/2 * (l * dot(theta))^2;
+    /// #     potential = -g * l * cos(theta);
+    /// # }
+    /// use lagrange::Ensembles;
+    /// use lagrange::ensemble::Moments;
+    ///
+    /// let pendulum = Pendulum::default();
+    /// let ensemble = pendulum.ensemble(1000).start(|_, random| [0.1 * random.normal(), 0.0]).until(1.0);
+    /// let angles = ensemble.reduce(Moments::new(), |moments, motion| moments.add(motion.end().theta))?;
+    /// assert_eq!((angles.count(), angles.failed()), (1000, 0));
+    /// assert!(angles.mean().abs() < 0.01);
+    /// # Ok::<(), lagrange::ensemble::EnsembleError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If what was asked for makes no sense, a closure that was given panics, or the progress callback cancels.
+    pub fn reduce<R: Reduce>(
+        self,
+        identity: R,
+        add: impl Fn(&mut R, &Motion<'_, M>) + Sync,
+    ) -> Result<Reduced<M, R>, EnsembleError> {
+        let motions = self.asked.motions()?;
+        let counter = self.counter(&motions);
+        let none = move || Reduced { value: identity.clone(), failed: 0, failures: Vec::new() };
+        let compute = |chunk: Range<usize>| {
+            let mut part = none();
+            self.each(chunk, &counter, |index, system, ran| match ran {
+                Ok(trajectory) => add(&mut part.value, &Motion::new(index, system, &trajectory)),
+                Err(error) => part.fail(1, [Failure::new(index, error)]),
+            })?;
+            Ok(part)
+        };
+        let mut all = none();
+        Engine::new(self.asked.threads)?.chunks(motions, &counter, compute, |part: Reduced<M, R>| {
+            all.value.merge(part.value);
+            all.fail(part.failed, part.failures);
+        })?;
+        counter.finish();
+        Ok(all)
+    }
+}

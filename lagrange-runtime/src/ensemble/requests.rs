@@ -1,0 +1,108 @@
+//! What is asked of every run of an ensemble, as it is asked of a single one.
+
+use std::format;
+use std::sync::Arc;
+use std::vec::Vec;
+
+use super::asked::SharedSystem;
+use super::builder::Ensemble;
+use crate::simulate::{Drive, Event};
+use crate::system::{Action, ControlledSystem, Direction, EnergyFunction, OutputSystem};
+
+impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
+    /// Adds a column: a value computed from time and state, at the end of each motion or for each sample. The function is given the
+    /// system of the motion, so that this keeps parameters, too: `.observe("m2", |system, _, _| system.m2)`.
+    pub fn observe(
+        mut self,
+        name: &str,
+        value: impl Fn(&M, M::Scalar, &M::State) -> M::Scalar + Send + Sync + 'a,
+    ) -> Self {
+        let (name, value) = (Arc::<str>::from(name), Arc::new(value));
+        self.asked.request(format!("observe {name}"), move |_, _, run| {
+            let value = Arc::clone(&value);
+            run.observe(&name, move |system, t, y| value(system, t, y))
+        });
+        self
+    }
+
+    /// Adds the column `energy`, as [in a single run](crate::simulate::Simulation::energy).
+    pub fn energy(mut self) -> Self
+    where
+        M: EnergyFunction,
+    {
+        self.asked.request("energy", |_, _, run| run.energy());
+        self
+    }
+
+    /// Adds a column for each component of each output, such as `height`, `tip.x` and `tip.y`.
+    pub fn outputs(mut self) -> Self
+    where
+        M: OutputSystem,
+    {
+        self.asked.request("outputs", |_, _, run| run.outputs());
+        self
+    }
+
+    /// Ends a motion at the first zero of a function of time and state that is passed in this direction. Its row then holds the time and
+    /// the state there.
+    pub fn stop_at(
+        self,
+        name: &str,
+        direction: Direction,
+        value: impl Fn(&M, M::Scalar, &M::State) -> M::Scalar + Send + Sync + 'a,
+    ) -> Self {
+        self.event_with(name, direction, value, |_, _| Action::Stop)
+    }
+
+    /// Records each such zero in the trajectory of a motion, and then goes on, stops, or goes on from another state, as after an impact.
+    pub fn event_with(
+        mut self,
+        name: &str,
+        direction: Direction,
+        value: impl Fn(&M, M::Scalar, &M::State) -> M::Scalar + Send + Sync + 'a,
+        react: impl Fn(&M, &Event<M::Scalar, M::State>) -> Action<M::State> + Send + Sync + 'a,
+    ) -> Self {
+        let (name, value, react) = (Arc::<str>::from(name), Arc::new(value), Arc::new(react));
+        self.asked.request(format!("event {name} {direction:?}"), move |_, _, run| {
+            let (value, react) = (Arc::clone(&value), Arc::clone(&react));
+            let value = move |system: &M, t, y: &M::State| value(system, t, y);
+            run.event_with(&name, direction, value, move |system, event| react(system, event))
+        });
+        self
+    }
+
+    /// Sets the inputs by a controller that is asked at the start and then every `period`, as
+    /// [in a single run](crate::simulate::Simulation::sampled). Every motion has one of its own, which is made for its index.
+    pub fn sampled<C>(mut self, period: M::Scalar, controller: impl Fn(usize) -> C + Send + Sync + 'a) -> Self
+    where
+        M: ControlledSystem,
+        C: FnMut(&M, M::Scalar, M::NamedState) -> M::Inputs + 'a,
+    {
+        self.asked.request(format!("sampled every {period:?}"), move |_, index, run| {
+            run.sampled(period, controller(index))
+        });
+        self
+    }
+
+    /// Gives a motion up as failed after this many steps, rejected ones included.
+    pub fn max_steps(mut self, limit: u64) -> Self {
+        self.asked.request(format!("at most {limit} steps"), move |_, _, run| run.max_steps(limit));
+        self
+    }
+
+    /// Takes no step longer than this, as [in a single run](crate::simulate::Simulation::longest_step).
+    pub fn longest_step(mut self, longest: M::Scalar) -> Self {
+        self.asked
+            .request(format!("no step longer than {longest:?}"), move |_, _, run| run.longest_step(longest));
+        self
+    }
+
+    /// Ends a step of every motion at each of these times and starts another one there, for a force that jumps or has a kink.
+    pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
+        let times: Vec<_> = times.into_iter().collect();
+        self.asked.request(format!("restarts at {times:?}"), move |_, _, run| {
+            run.restart_at(times.iter().copied())
+        });
+        self
+    }
+}

@@ -1,0 +1,76 @@
+//! Motions with samples.
+
+use core::ops::Range;
+use std::vec::Vec;
+
+use super::asked::SharedSystem;
+use super::builder::{Ensemble, KeepSamples};
+use super::engine::Engine;
+use super::error::EnsembleError;
+use super::motion::Ran;
+use crate::integrate::Method;
+use crate::simulate::{Drive, SimulationError, Table, Trajectory};
+use crate::system::MechanicalSystem;
+
+/// A trajectory for each motion of an ensemble, or why it failed, with its trajectory until then.
+#[derive(Debug)]
+pub struct Samples<M: MechanicalSystem> {
+    motions: Range<usize>,
+    ran: Vec<Ran<M>>,
+}
+
+impl<M: MechanicalSystem> Samples<M> {
+    /// How many motions there are, failed ones among them; at least one.
+    #[expect(clippy::len_without_is_empty, reason = "there is at least one motion")]
+    pub fn len(&self) -> usize {
+        self.ran.len()
+    }
+
+    /// Which motions these are: all, or those of a shard.
+    pub fn motions(&self) -> Range<usize> {
+        self.motions.clone()
+    }
+
+    /// The motion with this index; `None` if it is not among these.
+    pub fn motion(&self, index: usize) -> Option<Result<&Trajectory<M>, &SimulationError<M>>> {
+        self.ran.get(index.checked_sub(self.motions.start)?).map(Result::as_ref)
+    }
+
+    /// The motions that did not fail, by their index.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, &Trajectory<M>)> {
+        self.motions().zip(&self.ran).filter_map(|(index, ran)| Some((index, ran.as_ref().ok()?)))
+    }
+
+    /// The motions that failed, by their index.
+    pub fn failures(&self) -> impl Iterator<Item = (usize, &SimulationError<M>)> {
+        self.motions().zip(&self.ran).filter_map(|(index, ran)| Some((index, ran.as_ref().err()?)))
+    }
+}
+
+impl<M, K, D> Ensemble<'_, M, K, D, KeepSamples>
+where
+    M: SharedSystem,
+    M::Columns<Table<M::Scalar>>: Send,
+    D: Drive<M> + Sync,
+    K: Method<D::Closed> + Clone + Sync,
+{
+    /// Computes all motions and keeps their samples.
+    ///
+    /// # Errors
+    /// If what was asked for makes no sense, a closure that was given panics, or the progress callback cancels. A motion that fails is
+    /// among the [`failures`](Samples::failures), and the others go on.
+    pub fn run(self) -> Result<Samples<M>, EnsembleError> {
+        let motions = self.asked.motions()?;
+        let counter = self.counter(&motions);
+        let mut all = Vec::new();
+        let compute = |chunk: Range<usize>| {
+            let mut ran = Vec::with_capacity(chunk.len());
+            self.each(chunk, &counter, |_, _, motion| ran.push(motion))?;
+            Ok(ran)
+        };
+        let engine = Engine::new(self.asked.threads)?;
+        engine.chunks(motions.clone(), &counter, compute, |chunk| all.extend(chunk))?;
+        counter.finish();
+        Ok(Samples { motions, ran: all })
+    }
+}

@@ -1,0 +1,77 @@
+//! What an ensemble is, in lines of text, so that its parts are not mixed with those of another.
+
+use core::fmt::Debug;
+use std::any::type_name;
+use std::format;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use crate::ensemble::asked::SharedSystem;
+use crate::ensemble::builder::Ensemble;
+use crate::ensemble::error::EnsembleError;
+use crate::ensemble::motion::message;
+use crate::integrate::Method;
+use crate::simulate::Drive;
+use crate::system::OdeSystem;
+
+/// The number of what follows, to be raised when it changes.
+const FORMAT: u32 = 1;
+
+impl<M, K, D, P> Ensemble<'_, M, K, D, P>
+where
+    M: SharedSystem,
+    M::Scalar: Into<f64>,
+    D: Drive<M>,
+    K: Method<D::Closed> + Debug,
+{
+    /// What this ensemble is, but for how it is computed: lines of text.
+    ///
+    /// # Errors
+    /// If a closure that was given panics.
+    pub(super) fn settings(&self) -> Result<String, EnsembleError> {
+        let asked = &self.asked;
+        let mut lines = Vec::from([
+            format!("ensemble of lagrange {}, format {FORMAT}", env!("CARGO_PKG_VERSION")),
+            format!("system {}", type_name::<M>()),
+            format!("motions {}", asked.number),
+            format!("motions per part {}", asked.motions_per_part),
+            format!("seed {}", asked.seed),
+            format!("from {:?} until {:?}", asked.from, asked.end),
+            format!("method {} {:?}", self.method.name(), self.method),
+        ]);
+        lines.extend(asked.words.iter().map(|words| format!("run {}", words.escape_debug())));
+        for index in [0, asked.number / 2, asked.number - 1] {
+            let probe = catch_unwind(AssertUnwindSafe(|| self.probe(index)));
+            lines.push(
+                probe
+                    .map_err(|panic| EnsembleError::Panicked { motion: index, message: message(&*panic) })?,
+            );
+        }
+        Ok(lines.join("\n"))
+    }
+
+    /// The bits of state and rates with which a motion starts.
+    fn probe(&self, index: usize) -> String {
+        let (varied, state) = self.asked.origin(index);
+        let system = varied.as_ref().unwrap_or(self.asked.system);
+        let rates = self.drive.close(system, |closed| closed.rhs(self.asked.from, &state));
+        let bits = [state.as_ref(), rates.as_ref()].map(|values| {
+            let bits = values.iter().map(|value| format!("{:016x}", Into::<f64>::into(*value).to_bits()));
+            bits.collect::<Vec<_>>().join(" ")
+        });
+        format!("motion {index} starts at {} with rates {}", bits[0], bits[1])
+    }
+}
+
+/// The first lines that are not the same, if there are such.
+pub(super) fn difference(there: &str, here: &str) -> Option<[String; 2]> {
+    let (mut there, mut here) = (there.lines(), here.lines());
+    loop {
+        match (there.next(), here.next()) {
+            (None, None) => return None,
+            (one, other) if one == other => {}
+            (one, other) => return Some([one, other].map(|line| line.unwrap_or_default().to_string())),
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! The share of one of several processes.
+
+use core::ops::Range;
+use std::format;
+use std::string::String;
+
+use super::error::EnsembleError;
+
+/// One of several shares of an ensemble, each computed by a process of its own: motions that follow each other, in whole parts of what is
+/// saved.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Shard {
+    index: u64,
+    count: u64,
+}
+
+/// Looks up a variable.
+type Lookup<'a> = &'a dyn Fn(&str) -> Option<String>;
+
+/// Variables with the index of a process and with the number of processes, in the order in which they are asked for.
+const LAUNCHERS: [[&str; 2]; 3] = [
+    // Open MPI's mpirun.
+    ["OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"],
+    // MPICH's, Intel MPI's.
+    ["PMI_RANK", "PMI_SIZE"],
+    // srun, which alone says this; a batch script has SLURM_PROCID and SLURM_NTASKS, too, but is one process.
+    ["SLURM_PROCID", "SLURM_STEP_NUM_TASKS"],
+];
+const ARRAY_TASK: &str = "SLURM_ARRAY_TASK_ID";
+const HYPER_QUEUE_TASK: &str = "HQ_TASK_ID";
+/// By hand: `3/8` is the fourth of eight.
+const BY_HAND: &str = "LAGRANGE_SHARD";
+/// How many tasks there are, where the launcher does not say it.
+const COUNT: &str = "LAGRANGE_SHARDS";
+
+impl Shard {
+    /// Everything.
+    pub const WHOLE: Shard = Shard::of(0, 1);
+
+    /// The share `index`, counted from zero, of `count`. One beyond the count is an error of the run.
+    pub const fn of(index: u64, count: u64) -> Self {
+        Shard { index, count }
+    }
+
+    /// The share that the launcher of this process gave it by its environment.
+    ///
+    /// | launcher | variables |
+    /// |---|---|
+    /// | by hand | `LAGRANGE_SHARD=3/8`, which goes before all others |
+    /// | `mpirun` of Open MPI, of MPICH | `OMPI_COMM_WORLD_RANK`, `_SIZE`; `PMI_RANK`, `PMI_SIZE` |
+    /// | `srun` | `SLURM_PROCID`, `SLURM_STEP_NUM_TASKS` |
+    /// | a Slurm array, each of whose tasks may start one of the above | `SLURM_ARRAY_TASK_ID`, `_COUNT`, `_MIN`, `_STEP`, none left out |
+    /// | HyperQueue | `HQ_TASK_ID`, counted from zero, and `LAGRANGE_SHARDS` for their number, which it does not say |
+    ///
+    /// Without any of them it is [everything](Shard::WHOLE).
+    ///
+    /// # Errors
+    /// If variables are incomplete, are no numbers, or lie beyond their count.
+    pub fn from_environment() -> Result<Self, EnsembleError> {
+        Shard::from_variables(&|name| {
+            std::env::var_os(name).map(|value| value.to_string_lossy().into_owned())
+        })
+    }
+
+    fn from_variables(lookup: Lookup<'_>) -> Result<Self, EnsembleError> {
+        let shard = match lookup(BY_HAND) {
+            Some(text) => by_hand(&text)?,
+            None => from_launchers(lookup)?,
+        };
+        shard.check()?;
+        Ok(shard)
+    }
+
+    /// Its place, counted from zero.
+    pub fn index(self) -> u64 {
+        self.index
+    }
+
+    /// How many there are.
+    pub fn count(self) -> u64 {
+        self.count
+    }
+
+    /// # Errors
+    /// If it is beyond the count.
+    pub(super) fn check(self) -> Result<(), EnsembleError> {
+        if self.index < self.count {
+            return Ok(());
+        }
+        let Shard { index, count } = self;
+        Err(EnsembleError::Setting(format!(
+            "there is no shard {index} of {count}: they are counted from zero"
+        )))
+    }
+
+    /// Its share of so many things.
+    pub(super) fn share(self, number: usize) -> Range<usize> {
+        let before = |index: u64| (number as u128 * u128::from(index) / u128::from(self.count)) as usize;
+        before(self.index)..before(self.index + 1)
+    }
+}
+
+impl Default for Shard {
+    fn default() -> Self {
+        Shard::WHOLE
+    }
+}
+
+fn by_hand(text: &str) -> Result<Shard, EnsembleError> {
+    let numbers = text
+        .split_once('/')
+        .and_then(|(index, count)| Some(Shard::of(index.trim().parse().ok()?, count.trim().parse().ok()?)));
+    numbers.ok_or_else(|| {
+        EnsembleError::Setting(format!("{BY_HAND} is `{text}`; it must be like `3/8`, the fourth of eight"))
+    })
+}
+
+fn from_launchers(lookup: Lookup<'_>) -> Result<Shard, EnsembleError> {
+    let array = array(lookup)?;
+    let mut inner = Shard::WHOLE;
+    for [index, count] in LAUNCHERS {
+        if let (Some(_), Some(_)) = (lookup(index), lookup(count)) {
+            inner = Shard::of(number(lookup, index)?, number(lookup, count)?);
+            break;
+        }
+    }
+    inner.check()?;
+    array.check()?;
+    let count = array.count.checked_mul(inner.count);
+    let count = count.ok_or_else(|| EnsembleError::Setting("there are more shards than numbers".into()))?;
+    Ok(Shard::of(array.index * inner.count + inner.index, count))
+}
+
+/// The place in an array of jobs.
+fn array(lookup: Lookup<'_>) -> Result<Shard, EnsembleError> {
+    if lookup(ARRAY_TASK).is_some() {
+        let (id, count) = (number(lookup, ARRAY_TASK)?, number(lookup, "SLURM_ARRAY_TASK_COUNT")?);
+        let (first, step) =
+            (number(lookup, "SLURM_ARRAY_TASK_MIN")?, number(lookup, "SLURM_ARRAY_TASK_STEP")?);
+        return Ok(Shard::of(id.saturating_sub(first) / step.max(1), count));
+    }
+    if lookup(HYPER_QUEUE_TASK).is_some() {
+        return Ok(Shard::of(number(lookup, HYPER_QUEUE_TASK)?, number(lookup, COUNT)?));
+    }
+    Ok(Shard::WHOLE)
+}
+
+fn number(lookup: Lookup<'_>, name: &str) -> Result<u64, EnsembleError> {
+    let text = lookup(name).ok_or_else(|| {
+        EnsembleError::Setting(format!("the environment does not say which shard this is: {name} is not set"))
+    })?;
+    let wrong = || EnsembleError::Setting(format!("the environment has {name}=`{text}`, which is no number"));
+    text.trim().parse().map_err(|_| wrong())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,68 @@
+//! Shares, and environments as launchers make them.
+
+use std::string::{String, ToString};
+
+use super::Shard;
+
+/// The shard of an environment, or what is said about it.
+fn shard(variables: &[(&str, &str)]) -> Result<(u64, u64), String> {
+    let lookup = |name: &str| {
+        variables.iter().find(|(known, _)| *known == name).map(|(_, value)| (*value).to_string())
+    };
+    let found = Shard::from_variables(&lookup).map(|shard| (shard.index(), shard.count()));
+    found.map_err(|error| error.to_string())
+}
+
+#[test]
+fn launchers_say_the_share() {
+    assert_eq!(shard(&[]), Ok((0, 1)));
+    assert_eq!(shard(&[("OMPI_COMM_WORLD_RANK", "2"), ("OMPI_COMM_WORLD_SIZE", "4")]), Ok((2, 4)));
+    assert_eq!(shard(&[("PMI_RANK", "0"), ("PMI_SIZE", "3")]), Ok((0, 3)));
+    assert_eq!(shard(&[("SLURM_PROCID", "5"), ("SLURM_STEP_NUM_TASKS", "6")]), Ok((5, 6)));
+    assert_eq!(shard(&[("HQ_TASK_ID", "1"), ("LAGRANGE_SHARDS", "2")]), Ok((1, 2)));
+    assert_eq!(shard(&[("LAGRANGE_SHARD", "3/8"), ("PMI_RANK", "0"), ("PMI_SIZE", "3")]), Ok((3, 8)));
+}
+
+#[test]
+fn a_batch_script_is_one_process() {
+    assert_eq!(shard(&[("SLURM_PROCID", "0"), ("SLURM_NTASKS", "6")]), Ok((0, 1)));
+}
+
+#[test]
+fn tasks_of_an_array_start_several_processes() {
+    let array = [
+        ("SLURM_ARRAY_TASK_ID", "14"),
+        ("SLURM_ARRAY_TASK_COUNT", "3"),
+        ("SLURM_ARRAY_TASK_MIN", "10"),
+        ("SLURM_ARRAY_TASK_STEP", "2"),
+    ];
+    assert_eq!(shard(&array), Ok((2, 3)));
+    let ranks = [("OMPI_COMM_WORLD_RANK", "1"), ("OMPI_COMM_WORLD_SIZE", "4")];
+    assert_eq!(shard(&[&array[..], &ranks].concat()), Ok((9, 12)));
+}
+
+#[test]
+fn what_is_wrong_with_an_environment_is_said() {
+    let beyond = shard(&[("PMI_RANK", "3"), ("PMI_SIZE", "3")]).expect_err("is beyond");
+    assert!(beyond.contains("no shard 3 of 3"), "{beyond}");
+    let incomplete = shard(&[("HQ_TASK_ID", "1")]).expect_err("has no count");
+    assert!(incomplete.contains("LAGRANGE_SHARDS is not set"), "{incomplete}");
+    let text = shard(&[("PMI_RANK", "one"), ("PMI_SIZE", "3")]).expect_err("is text");
+    assert!(text.contains("PMI_RANK=`one`"), "{text}");
+    let by_hand = shard(&[("LAGRANGE_SHARD", "3 of 8")]).expect_err("is text");
+    assert!(by_hand.contains("like `3/8`"), "{by_hand}");
+    assert!(shard(&[("LAGRANGE_SHARD", "0/0")]).is_err());
+}
+
+#[test]
+fn shares_follow_each_other_and_are_everything() {
+    for (number, count) in [(10, 3), (2, 5), (0, 2), (usize::MAX, 7)] {
+        let mut end = 0;
+        for index in 0..count {
+            let share = Shard::of(index, count).share(number);
+            assert_eq!(share.start, end);
+            end = share.end;
+        }
+        assert_eq!(end, number);
+    }
+}

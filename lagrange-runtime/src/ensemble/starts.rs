@@ -1,0 +1,47 @@
+//! How many motions there are, and where they start.
+
+use std::vec::Vec;
+
+use crate::simulate::InitialState;
+use crate::system::MechanicalSystem;
+
+/// What an ensemble is made of: a number of motions, whose starts are then said by [`start`](crate::ensemble::Motions::start), or a list
+/// of starts, a vector, slice or array. Of an iterator collect a vector.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is neither a number of motions nor a list of starts",
+    note = "for example `system.ensemble(1000)`, or `system.ensemble(starts)` of a vector of states; collect an iterator into one"
+)]
+pub trait Starts<M: MechanicalSystem> {
+    /// Their number, and their starts if these are given.
+    fn into_starts(self) -> (usize, Option<Vec<M::State>>);
+}
+
+impl<M: MechanicalSystem> Starts<M> for usize {
+    fn into_starts(self) -> (usize, Option<Vec<M::State>>) {
+        (self, None)
+    }
+}
+
+impl<M: MechanicalSystem, Y: InitialState<M::State>> Starts<M> for Vec<Y> {
+    fn into_starts(self) -> (usize, Option<Vec<M::State>>) {
+        (self.len(), Some(self.into_iter().map(InitialState::into_state).collect()))
+    }
+}
+
+impl<M: MechanicalSystem, Y: InitialState<M::State>, const N: usize> Starts<M> for [Y; N] {
+    fn into_starts(self) -> (usize, Option<Vec<M::State>>) {
+        (N, Some(self.into_iter().map(InitialState::into_state).collect()))
+    }
+}
+
+impl<M: MechanicalSystem, Y: InitialState<M::State> + Clone> Starts<M> for &[Y] {
+    fn into_starts(self) -> (usize, Option<Vec<M::State>>) {
+        Starts::<M>::into_starts(self.to_vec())
+    }
+}
+
+impl<M: MechanicalSystem, Y: InitialState<M::State> + Clone> Starts<M> for &Vec<Y> {
+    fn into_starts(self) -> (usize, Option<Vec<M::State>>) {
+        Starts::<M>::into_starts(self.to_vec())
+    }
+}

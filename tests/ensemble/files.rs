@@ -1,0 +1,244 @@
+//! Folders of parts: what is finished is kept, whatever happens, and nothing is mixed.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+use std::{env, fs, thread};
+
+use lagrange::Ensembles;
+use lagrange::ensemble::{Ensemble, EnsembleError, Shard};
+use lagrange::integrate::{RungeKutta4, Verner98};
+
+use crate::{DoublePendulum, start};
+
+const NUMBER: usize = 2000;
+const PER_PART: usize = 64;
+/// The last one is not full.
+const PARTS: usize = 32;
+
+/// An empty folder that is deleted in the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = env::temp_dir().join(format!("lagrange_ensemble_{name}_{}", std::process::id()));
+        drop(fs::remove_dir_all(&path));
+        fs::create_dir_all(&path).expect("can be made");
+        Folder(path)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        drop(fs::remove_dir_all(&self.0));
+    }
+}
+
+fn ensemble(pendulum: &DoublePendulum) -> Ensemble<'_, DoublePendulum, Verner98<f64>> {
+    let motions = pendulum.ensemble(NUMBER).start(|i, random| {
+        let [a, b, c, d] = start(i, random);
+        if i == 5 { [f64::NAN; 4] } else { [a, b, c, d] }
+    });
+    let ensemble = motions.parameters(|i, p| p.m2 = 0.5 + 1e-3 * i as f64).until(0.3).seed(7);
+    ensemble.observe("m2", |system, _, _| system.m2).motions_per_part(PER_PART).threads(2)
+}
+
+/// The files of a folder with what is in them.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = fs::read_dir(folder).expect("is there").map(|entry| entry.expect("can be read").path());
+    let name = |path: &Path| path.file_name().expect("has a name").to_string_lossy().into_owned();
+    entries.map(|path| (name(&path), fs::read(&path).expect("can be read"))).collect()
+}
+
+/// What all parts are in the end.
+fn expected(name: &str) -> BTreeMap<String, Vec<u8>> {
+    let folder = Folder::new(&format!("{name}_whole"));
+    let saved = ensemble(&DoublePendulum::default()).threads(1).save_parquet(&folder.0).expect("saves");
+    assert_eq!((saved.written, saved.found, saved.missing, saved.failed), (PARTS, 0, 0, 1));
+    files(&folder.0)
+}
+
+/// Saves until two parts or three are there.
+fn begin(folder: &Path) {
+    let pendulum = DoublePendulum::default();
+    let is_enough = || files(folder).len() > 2;
+    let ensemble = ensemble(&pendulum).progress(|_| match is_enough() {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    });
+    let error = ensemble.save_parquet(folder).expect_err("is cancelled");
+    assert!(matches!(error, EnsembleError::Cancelled { .. }), "{error}");
+    let parts = files(folder).len();
+    assert!((2..PARTS).contains(&parts), "{parts}");
+}
+
+#[test]
+fn parts_are_the_same_bytes_from_any_number_of_threads_and_shards() {
+    let (folder, expected) = (Folder::new("shards"), expected("shards"));
+    assert_eq!(expected.keys().next_back().map(String::as_str), Some("part-000031.parquet"));
+    for index in [2, 0, 1] {
+        let pendulum = DoublePendulum::default();
+        let saved = ensemble(&pendulum).shard(Shard::of(index, 3)).save_parquet(&folder.0).expect("saves");
+        assert_eq!((saved.found, saved.missing), (0, PARTS - files(&folder.0).len()));
+    }
+    assert_eq!(files(&folder.0), expected);
+}
+
+#[test]
+fn a_cancelled_ensemble_goes_on() {
+    let (folder, expected) = (Folder::new("cancelled"), expected("cancelled"));
+    begin(&folder.0);
+    let found = files(&folder.0).len();
+    let saved = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect("saves");
+    assert_eq!((saved.found, saved.written), (found, PARTS - found));
+    assert_eq!(files(&folder.0), expected);
+    let again = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect("has nothing to do");
+    assert_eq!((again.found, again.written, again.missing), (PARTS, 0, 0));
+}
+
+const CHILD: &str = "LAGRANGE_TEST_FOLDER";
+
+/// This test once more as a process of its own, which is told the folder.
+fn child(command: &mut Command, test: &str, folder: &Path) -> Child {
+    command.args(["--exact", test]).env(CHILD, folder).spawn().expect("starts")
+}
+
+#[test]
+fn a_killed_ensemble_goes_on() {
+    if let Some(folder) = env::var_os(CHILD) {
+        // Slowly enough to be killed.
+        let pendulum = DoublePendulum::default();
+        let slowly = ensemble(&pendulum);
+        slowly.progress(|_| thread::sleep(Duration::from_millis(20))).save_parquet(folder).expect("saves");
+        return;
+    }
+    let (folder, expected) = (Folder::new("killed"), expected("killed"));
+    let this = env::current_exe().expect("is known");
+    let mut child = child(&mut Command::new(this), "files::a_killed_ensemble_goes_on", &folder.0);
+    while !folder.0.join("part-000002.parquet").exists() {
+        assert_eq!(child.try_wait().expect("is a child"), None, "ended before it could be killed");
+        thread::sleep(Duration::from_millis(1));
+    }
+    let error = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect_err("has a writer");
+    assert!(matches!(error, EnsembleError::Locked { .. }), "{error}");
+    child.kill().expect("can be killed");
+    assert!(!child.wait().expect("is a child").success());
+    let left = files(&folder.0);
+    assert!(left.contains_key("shard-0-of-1.lock"));
+    assert!(left.len() < PARTS, "all was done before it was killed");
+    if !Path::new("/proc/self").exists() {
+        fs::remove_file(folder.0.join("shard-0-of-1.lock")).expect("is there");
+    }
+    let saved = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect("goes on");
+    assert!(saved.found >= 3 && saved.found + saved.written == PARTS, "{saved:?}");
+    assert_eq!(files(&folder.0), expected);
+}
+
+/// Files may not grow beyond a kilobyte, as on a full disk.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_is_an_error_that_loses_nothing() {
+    if let Some(folder) = env::var_os(CHILD) {
+        let error = ensemble(&DoublePendulum::default()).save_parquet(folder).expect_err("has no room");
+        assert!(matches!(error, EnsembleError::File { .. }), "{error}");
+        assert!(error.to_string().contains(".parquet`: "), "{error}");
+        return;
+    }
+    let (folder, expected) = (Folder::new("full"), expected("full"));
+    begin(&folder.0);
+    let before = files(&folder.0);
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "trap '' XFSZ; ulimit -f 2; exec \"$0\" \"$@\""]);
+    shell.arg(env::current_exe().expect("is known"));
+    let mut child = child(&mut shell, "files::a_full_disk_is_an_error_that_loses_nothing", &folder.0);
+    assert!(child.wait().expect("is a child").success());
+    assert_eq!(files(&folder.0), before);
+    ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect("has room");
+    assert_eq!(files(&folder.0), expected);
+}
+
+#[test]
+fn a_second_writer_is_kept_off() {
+    let folder = Folder::new("writers");
+    let (first, second) = (DoublePendulum::default(), DoublePendulum::default());
+    let was_refused = AtomicBool::new(false);
+    let ensemble_with_other = ensemble(&first).threads(1).progress(|_| {
+        for shard in [Shard::WHOLE, Shard::of(1, 2)] {
+            let error = ensemble(&second).shard(shard).save_parquet(&folder.0).expect_err("is kept off");
+            assert!(matches!(error, EnsembleError::Locked { .. }), "{error}");
+        }
+        was_refused.store(true, Ordering::Relaxed);
+        ControlFlow::<()>::Break(())
+    });
+    let error = ensemble_with_other.save_parquet(&folder.0).expect_err("is cancelled");
+    assert!(matches!(error, EnsembleError::Cancelled { .. }), "{error}");
+    assert!(was_refused.into_inner());
+    assert_eq!(files(&folder.0).len(), 0, "locks are gone");
+}
+
+#[test]
+fn a_lock_from_another_machine_is_explained() {
+    let folder = Folder::new("lock");
+    let lock = folder.0.join("shard-0-of-1.lock");
+    fs::write(&lock, "process 4711 on elsewhere\n").expect("writes");
+    let error = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect_err("is locked");
+    let text = error.to_string();
+    assert!(text.contains("process 4711 on elsewhere") && text.contains("delete that file"), "{text}");
+    assert!(lock.exists());
+}
+
+#[test]
+fn foreign_files_are_refused() {
+    for (name, text) in [("notes.txt", "mine"), ("part-1.parquet", "mine"), ("part-000000.parquet", "mine")] {
+        let folder = Folder::new("foreign");
+        fs::write(folder.0.join(name), text).expect("writes");
+        let error = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect_err("is foreign");
+        assert!(matches!(&error, EnsembleError::ForeignFile(path) if path.ends_with(name)), "{error}");
+        assert_eq!(files(&folder.0), BTreeMap::from([(name.to_string(), text.as_bytes().to_vec())]));
+    }
+    let folder = Folder::new("foreign");
+    let file = folder.0.join("file");
+    fs::write(&file, "mine").expect("writes");
+    let error = ensemble(&DoublePendulum::default()).save_parquet(&file).expect_err("is no folder");
+    assert!(matches!(error, EnsembleError::File { .. }), "{error}");
+}
+
+#[test]
+fn parts_of_another_ensemble_are_refused() {
+    let folder = Folder::new("other");
+    begin(&folder.0);
+    let before = files(&folder.0);
+    let pendulum = DoublePendulum::default();
+    let lighter = DoublePendulum { l2: 0.9, ..DoublePendulum::default() };
+    #[track_caller]
+    fn assert_refused(result: Result<lagrange::ensemble::Saved, EnsembleError>, says: &str) {
+        let error = result.expect_err("is another");
+        assert!(
+            matches!(&error, EnsembleError::OtherEnsemble { differs, .. } if differs[1].contains(says)),
+            "{error}"
+        );
+    }
+    assert_refused(ensemble(&pendulum).seed(8).save_parquet(&folder.0), "seed 8");
+    assert_refused(ensemble(&pendulum).tolerance(1e-8).save_parquet(&folder.0), "1e-8");
+    assert_refused(ensemble(&pendulum).motions_per_part(10).save_parquet(&folder.0), "per part 10");
+    assert_refused(ensemble(&pendulum).max_steps(10).save_parquet(&folder.0), "10 steps");
+    assert_refused(ensemble(&lighter).save_parquet(&folder.0), "motion 0 starts at");
+    let method = RungeKutta4 { step: 0.1 };
+    assert_refused(ensemble(&pendulum).method(method).save_parquet(&folder.0), "RungeKutta4");
+    let fewer = pendulum.ensemble(NUMBER - 1).start(start).until(0.3).seed(7);
+    assert_refused(fewer.motions_per_part(PER_PART).save_parquet(&folder.0), "motions 1999");
+    assert_eq!(files(&folder.0), before);
+}
+
+#[test]
+fn a_column_that_is_called_like_another_is_an_error() {
+    let folder = Folder::new("column");
+    let pendulum = DoublePendulum::default();
+    let ensemble = pendulum.ensemble(3).start(start).until(0.1).observe("cause", |_, t, _| t);
+    let error = ensemble.save_parquet(&folder.0).expect_err("has two").to_string();
+    assert!(error.contains("a column is called `cause`"), "{error}");
+    assert_eq!(files(&folder.0).len(), 0);
+}

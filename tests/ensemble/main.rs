@@ -1,0 +1,27 @@
+//! Many motions of one declaration: the same bits however they are computed, and what is said when something is wrong.
+#![cfg(feature = "ensemble")]
+
+mod bits;
+#[cfg(feature = "parquet")]
+mod files;
+mod refusals;
+mod runs;
+
+lagrange::system! {
+    /// Two point masses on massless rods.
+    #[derive(Clone, Debug)]
+    pub(crate) struct DoublePendulum;
+
+    param m1 = 1.0, m2 = 1.0, l1 = 1.0, l2 = 1.0, g = 9.81;
+    coord theta1, theta2;
+
+    let (x1, y1) = (l1 * sin(theta1), -l1 * cos(theta1));
+    let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));
+    kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
+    potential = m1 * g * y1 + m2 * g * y2;
+}
+
+/// A start of the double pendulum.
+pub(crate) fn start(_: usize, random: &mut lagrange::ensemble::Random) -> [f64; 4] {
+    [2.0 + 0.1 * random.normal(), random.uniform(1.0..2.0), 0.0, 0.0]
+}

@@ -1,0 +1,104 @@
+//! What is wrong is said, and takes nothing else with it.
+
+use std::ops::ControlFlow;
+
+use lagrange::Ensembles;
+use lagrange::ensemble::{EnsembleError, Moments, Shard};
+use lagrange::integrate::{RungeKutta4, StepFailure};
+
+use crate::{DoublePendulum, start};
+
+#[track_caller]
+fn assert_says<T>(result: Result<T, EnsembleError>, text: &str) {
+    let error = result.err().expect("is wrong").to_string();
+    assert!(error.contains(text), "{error}");
+}
+
+#[test]
+fn settings_that_make_no_sense_are_errors() {
+    let pendulum = DoublePendulum::default();
+    let ensemble = |number| pendulum.ensemble(number).start(start).until(1.0);
+    assert_says(ensemble(0).run(), "no motions");
+    assert_says(pendulum.ensemble(Vec::<[f64; 4]>::new()).until(1.0).run(), "no motions");
+    assert_says(pendulum.ensemble(10).until(1.0).run(), ".start(");
+    assert_says(pendulum.ensemble([[0.0; 4]]).start(start).until(1.0).run(), "a list of starts and");
+    assert_says(ensemble(10).threads(0).run(), "a thread at least");
+    assert_says(ensemble(10).motions_per_part(0).run(), "a part must hold");
+    assert_says(ensemble(10).shard(Shard::of(2, 2)).run(), "no shard 2 of 2");
+    assert_says(ensemble(10).shard(Shard::of(0, 2)).run(), "more than there are parts, 1");
+    assert_says(ensemble(10).motion(10).map(drop), "no motion 10");
+    assert_says(ensemble(10).tolerance(-1.0).run(), "motion 0: ");
+    assert_says(ensemble(10).method(RungeKutta4 { step: 0.0 }).run(), "motion 0: ");
+    assert_says(ensemble(10).energy().energy().run(), "two columns are called `energy`");
+    assert_says(ensemble(10).every(-1.0).run(), "interval of sampling");
+    assert_says(ensemble(10).every(1e-12).run().map(drop), "samples would be kept");
+}
+
+#[test]
+fn a_motion_that_fails_is_a_row_and_the_others_go_on() {
+    let pendulum = DoublePendulum::default();
+    let nan =
+        |i: usize, random: &mut _| if i % 3 == 1 { [f64::NAN, 0.0, 0.0, 0.0] } else { start(i, random) };
+    let ends = pendulum.ensemble(100).start(nan).until(1.0).threads(2).run().expect("runs");
+    assert_eq!((ends.len(), ends.failures().len()), (100, 33));
+    let failure = &ends.failures()[1];
+    assert_eq!((failure.index, failure.time), (4, 0.0));
+    assert!(failure.state[0].is_nan() && ends.theta1()[4].is_nan() && ends.times()[4].is_nan());
+    assert_eq!(failure.to_string(), "motion 4: `theta1` of the state is NaN (at time 0.0)");
+    assert_eq!(ends.state(4), None);
+    assert!(ends.state(5).is_some_and(|state| state.iter().all(|value| value.is_finite())));
+    let reduced = pendulum.ensemble(100).start(nan).until(1.0);
+    let reduced = reduced.reduce(Moments::new(), |moments, motion| moments.add(motion.end().theta1));
+    let reduced = reduced.expect("runs");
+    assert_eq!((reduced.count(), reduced.failed(), reduced.failures().len()), (67, 33, 33));
+    assert!(reduced.mean().is_finite());
+}
+
+#[test]
+fn parameters_outside_their_domain_are_failures() {
+    let pendulum = DoublePendulum::default();
+    let ensemble = pendulum.ensemble(3).start(start).parameters(|i, p| p.l1 = i as f64).until(1.0);
+    let ends = ensemble.run().expect("runs");
+    let failed: Vec<_> = ends.failures().iter().map(|failure| failure.index).collect();
+    assert_eq!(failed, [0]);
+}
+
+#[test]
+fn motions_fail_where_they_fail() {
+    let pendulum = DoublePendulum::default();
+    let ends = pendulum.ensemble(10).start(start).until(1e6).max_steps(50).run().expect("runs");
+    let failure = &ends.failures()[9];
+    assert_eq!(failure.cause, StepFailure::TooManySteps { limit: 50 });
+    assert!(failure.time > 0.0 && failure.state.iter().all(|value| value.is_finite()));
+}
+
+#[test]
+fn a_panic_is_an_error_that_says_in_which_motion() {
+    let pendulum = DoublePendulum::default();
+    for threads in [1, 2] {
+        let panics = |i: usize, _: &mut _| if i >= 70 { panic!("no start for {i}") } else { [0.0; 4] };
+        let result = pendulum.ensemble(1000).start(panics).until(0.1).threads(threads).run();
+        assert_says(result, "motion 70 panicked: no start for 70");
+        let ensemble = pendulum.ensemble(1000).start(|_, _| [0.0; 4]).until(0.1).threads(threads);
+        let reduced = ensemble.reduce(0_u64, |_, motion| assert!(motion.index() < 70, "is beyond"));
+        assert_says(reduced, "motion 70 panicked: is beyond");
+    }
+}
+
+#[test]
+fn an_empty_range_says_so() {
+    let pendulum = DoublePendulum::default();
+    let ensemble = pendulum.ensemble(10).start(|_, random| [random.uniform(1.0..1.0), 0.0, 0.0, 0.0]);
+    assert_says(ensemble.until(0.1).run(), "motion 0 panicked: no random number lies in 1.0..1.0");
+}
+
+#[test]
+fn progress_cancels() {
+    let pendulum = DoublePendulum::default();
+    for threads in [1, 2] {
+        let ensemble = pendulum.ensemble(1_000_000).start(start).until(1.0).threads(threads);
+        let result = ensemble.progress(|_| ControlFlow::<()>::Break(())).run();
+        let Err(EnsembleError::Cancelled { motions }) = result else { panic!("{result:?}") };
+        assert!(motions < 1000, "{motions}");
+    }
+}

@@ -1,0 +1,151 @@
+//! Whatever a single run can do motions of an ensemble can.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use lagrange::Ensembles;
+use lagrange::ensemble::Moments;
+use lagrange::integrate::RungeKutta4;
+use lagrange::simulate::{Simulate, Trajectory};
+use lagrange::system::Direction;
+
+use crate::{DoublePendulum, start};
+
+lagrange::system! {
+    /// A cart that is pushed.
+    #[derive(Clone, Debug)]
+    struct Cart;
+    param m = 1.0;
+    coord x;
+    input u;
+    kinetic = 1/2 * m * dot(x)^2;
+    force x = u;
+    output twice = 2 * x;
+}
+
+lagrange::system! {
+    /// A ball that bounces on the ground.
+    #[derive(Clone, Debug)]
+    struct Ball;
+    param g = 10.0, e = 0.5;
+    coord y;
+    kinetic = 1/2 * dot(y)^2;
+    potential = g * y;
+    event bounce = y, falling => impact(e);
+}
+
+#[test]
+fn another_method_is_that_of_a_single_run() {
+    let pendulum = DoublePendulum::default();
+    let method = RungeKutta4 { step: 0.01 };
+    let starts = [[1.0, 2.0, 0.0, 0.0], [0.5, 0.0, 0.0, 1.0]];
+    let ends = pendulum.ensemble(starts).until(2.0).method(method).energy().run().expect("runs");
+    assert_eq!(ends.names(), ["theta1", "theta2", "theta1_dot", "theta2_dot", "energy"]);
+    for (index, start) in starts.into_iter().enumerate() {
+        let trajectory = pendulum.simulate(start).until(2.0).method(method).energy().run().expect("runs");
+        assert_eq!(ends.state(index), Some(trajectory.last()));
+        let energy =
+            |found: &Trajectory<DoublePendulum>| found.column("energy").expect("known").last().copied();
+        assert_eq!(ends.column("energy").expect("known").get(index).copied(), energy(&trajectory));
+    }
+}
+
+#[test]
+fn samples_are_trajectories() {
+    let pendulum = DoublePendulum::default();
+    let samples = pendulum.ensemble(70).start(start).until(1.0).every(0.25).threads(2).run().expect("runs");
+    assert_eq!((samples.len(), samples.iter().count(), samples.failures().count()), (70, 70, 0));
+    let trajectory = samples.motion(69).expect("is there").expect("does not fail");
+    assert_eq!(trajectory.times(), [0.0, 0.25, 0.5, 0.75, 1.0]);
+    let single = pendulum.simulate(trajectory.first()).until(1.0).every(0.25).run().expect("runs");
+    assert_eq!(single.theta1(), trajectory.theta1());
+    assert!(samples.motion(70).is_none());
+}
+
+#[test]
+fn a_law_drives_every_motion() {
+    let cart = Cart::default();
+    let ensemble = cart.ensemble(10).start(|i, _| [i as f64, 0.0]).until(3.0);
+    let ends = ensemble.drive(|_, _, state| CartInputs { u: -4.0 * state.x }).outputs().run().expect("runs");
+    assert_eq!(ends.names(), ["x", "x_dot", "u", "twice"]);
+    for (i, x) in ends.x().iter().enumerate() {
+        assert!((x - i as f64 * 6.0_f64.cos()).abs() < 1e-7, "{i}: {x}");
+        assert_eq!(ends.column("u").expect("known")[i], -4.0 * x);
+    }
+}
+
+#[test]
+fn every_motion_has_a_controller_of_its_own() {
+    let cart = Cart::default();
+    let controller = |index: usize| {
+        let mut pushes = index as f64;
+        move |_: &Cart, _: f64, _: CartState| {
+            pushes += 1.0;
+            CartInputs { u: pushes }
+        }
+    };
+    let ensemble = cart.ensemble(100).start(|_, _| [0.0, 0.0]).until(3.0);
+    let ends = ensemble.sampled(1.0, controller).threads(2).run().expect("runs");
+    for (i, v) in ends.x_dot().iter().enumerate() {
+        assert!((v - (6.0 + 3.0 * i as f64)).abs() < 1e-9, "{i}: {v}");
+    }
+}
+
+#[test]
+fn events_stop_motions_at_their_time() {
+    let ball = Ball::default();
+    let ensemble = ball.ensemble(20).start(|i, _| [5.0 + i as f64, 0.0]).until(9.0);
+    let ends = ensemble.stop_at("low", Direction::Falling, |_, _, [y, _]| y - 1.0).run().expect("runs");
+    for (i, time) in ends.times().iter().enumerate() {
+        let expected = ((4.0 + i as f64) / 5.0).sqrt();
+        assert!((time - expected).abs() < 1e-9, "{i}: {time}");
+    }
+}
+
+#[test]
+fn declared_events_happen_in_motions() {
+    let ball = Ball::default();
+    let bounces = ball.ensemble(8).start(|i, _| [5.0 + i as f64, 0.0]).until(2.0);
+    let bounces = bounces.reduce(0_u64, |sum, motion| *sum += motion.trajectory().events().len() as u64);
+    let single = |i| ball.simulate([5.0 + f64::from(i), 0.0]).until(2.0).run().expect("runs").events().len();
+    assert_eq!(*bounces.expect("runs"), (0..8).map(|i| single(i) as u64).sum());
+    assert!(single(0) > 0);
+}
+
+#[test]
+fn parameters_are_observed() {
+    let pendulum = DoublePendulum::default();
+    let ensemble = pendulum.ensemble(5).start(start).parameters(|i, p| p.m2 = 1.0 + i as f64).until(0.1);
+    let ends = ensemble.observe("m2", |system, _, _| system.m2).run().expect("runs");
+    assert_eq!(ends.column("m2").expect("known"), [1.0, 2.0, 3.0, 4.0, 5.0]);
+}
+
+#[test]
+fn times_run_from_where_they_are_told_and_backwards() {
+    let cart = Cart::default();
+    let ends = cart.ensemble([[0.0, 1.0]]).from(5.0).until(2.0).run().expect("runs");
+    assert_eq!(ends.times(), [2.0]);
+    assert!((ends.x()[0] + 3.0).abs() < 1e-12);
+}
+
+#[test]
+fn progress_counts_to_the_end() {
+    let pendulum = DoublePendulum::default();
+    let (last, calls) = (AtomicU64::new(0), AtomicU64::new(0));
+    let ensemble = pendulum.ensemble(300).start(start).until(1.0).threads(2).progress(|done| {
+        assert!(done.motions >= last.swap(done.motions, Ordering::Relaxed));
+        assert_eq!(done.of, 300);
+        calls.fetch_add(1, Ordering::Relaxed);
+    });
+    let moments = ensemble.reduce(Moments::new(), |moments, motion| moments.add(motion.end_time()));
+    assert_eq!(moments.expect("runs").mean(), 1.0);
+    assert_eq!(last.into_inner(), 300);
+    assert!(calls.into_inner() >= 2);
+}
+
+#[test]
+fn motions_are_run_again_one_by_one() {
+    let pendulum = DoublePendulum::default();
+    let ensemble = pendulum.ensemble(10).start(start).until(1.0).seed(3);
+    let motion = ensemble.motion(4).expect("is there").expect("does not fail");
+    assert_eq!(ensemble.run().expect("runs").state(4), Some(motion.last()));
+}
