@@ -23,6 +23,8 @@ pub enum DrawError {
     UnknownItem(String),
     /// There is no moment, or nothing in it that has a place.
     NothingToDraw,
+    /// The azimuth or the elevation from which a scene in space is to be seen is not finite.
+    View([f64; 2]),
     /// The picture is too small for its margins, or larger than an image can be.
     Size([f64; 2]),
     /// The extension of the file is none of those that can be written.
@@ -63,6 +65,9 @@ impl Display for DrawError {
             DrawError::UnknownBody(name) => write!(f, "the scene has no body `{name}`"),
             DrawError::UnknownItem(name) => write!(f, "the scene has nothing named `{name}`"),
             DrawError::NothingToDraw => f.write_str("there is nothing to draw"),
+            DrawError::View([azimuth, elevation]) => {
+                write!(f, "a scene cannot be seen from azimuth {azimuth} and elevation {elevation}")
+            }
             DrawError::Size([width, height]) => {
                 write!(f, "a picture cannot be {width} by {height} pixels large")
             }

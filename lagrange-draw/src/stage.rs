@@ -109,7 +109,7 @@ fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], lane: f64, wan
 }
 
 /// Whether a connector was declared without a name: it is called by its kind and a number then.
-fn is_made_up(name: &str, kind: Connector) -> bool {
+pub(super) fn is_made_up(name: &str, kind: Connector) -> bool {
     let kind = match kind {
         Connector::Spring => "spring_",
         Connector::Damper => "damper_",

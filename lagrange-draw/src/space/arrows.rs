@@ -103,17 +103,19 @@ impl Arrows<'_> {
             colour,
             kind: Kind::Arrow,
             mesh: mesh.clone(),
-            track: track.into_iter().map(|[at, vector]| self.arrow(at, times(scale, vector))).collect(),
+            track: self.track(track.into_iter().map(|[at, vector]| [at, times(scale, vector)])),
         };
         vectors.into_iter().map(thing).collect()
     }
 
-    /// An arrow that is smaller as a whole if it is short, and vanishes if it has no length to be seen.
-    fn arrow(&self, at: Vector, vector: Vector) -> Placement {
+    /// Arrows that are smaller as a whole if they are short, and vanish if they have no length to be seen.
+    fn track(&self, vectors: impl Iterator<Item = [Vector; 2]>) -> Vec<Placement> {
         const SEEN: f64 = 0.05;
-        let placement = Placement::spanned(at, vector);
-        let part = placement.stretch / (SHORTEST_ARROW * self.size.thin());
-        Placement { scale: if part < SEEN { 0.0 } else { part.min(1.0) }, ..placement }
+        let sized = |placement: Placement| {
+            let part = placement.stretch / (SHORTEST_ARROW * self.size.thin());
+            Placement { scale: if part < SEEN { 0.0 } else { part.min(1.0) }, ..placement }
+        };
+        Placement::spanned(vectors).into_iter().map(sized).collect()
     }
 
     /// Three axes.
@@ -127,7 +129,7 @@ impl Arrows<'_> {
         let axis = |(axis, letter): (usize, &str)| {
             let track = self.film.iter().map(|snapshot| {
                 let (origin, rotation) = pose(snapshot);
-                Placement::spanned(origin, rotation.map(|row| length * row[axis]))
+                [origin, rotation.map(|row| length * row[axis])]
             });
             Thing {
                 name: format!("{letter} {name}").trim_end().to_owned(),
@@ -135,7 +137,7 @@ impl Arrows<'_> {
                 colour: PALE,
                 kind: Kind::Arrow,
                 mesh: solids::arrow(0.6 * self.size.thin()),
-                track: track.collect(),
+                track: Placement::spanned(track),
             }
         };
         letters.into_iter().enumerate().map(axis).collect()

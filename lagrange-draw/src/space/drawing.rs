@@ -13,6 +13,7 @@ use super::vector::Vector;
 use crate::colour;
 use crate::drawing::{Instant, Shot};
 use crate::error::DrawError;
+use crate::film::refusal;
 use crate::picture::Picture;
 use lagrange_runtime::scene::SpatialScene;
 use lagrange_runtime::system::{OdeSystem, split};
@@ -156,7 +157,7 @@ impl<'a, M: SpatialScene> SpatialDrawing<'a, M> {
         self
     }
 
-    /// A line through points that do not move, such as a path to follow.
+    /// A line through at least two points that do not move, such as a path to follow.
     pub fn path(mut self, label: &str, points: impl IntoIterator<Item = [f64; 3]>) -> Self {
         self.paths.push((label.to_owned(), points.into_iter().collect()));
         self
@@ -194,9 +195,14 @@ where
     /// What is drawn of a motion, in which the system may be another one from instant to instant.
     pub(super) fn recording(&self, shots: &[Shot<M>]) -> Result<Recording, DrawError> {
         let snapshots = shots.iter().map(|shot| self.snapshot(shot)).collect::<Result<Vec<_>, _>>()?;
+        let differing = snapshots.iter().find_map(|snapshot| snapshots[0].difference(snapshot));
+        if let Some(name) = differing {
+            return Err(refusal(&format!("`{name}` is not the same at all moments")));
+        }
         // What moves in the past only is seen by its traces.
         let mut things = stage::things(&snapshots, self.wanted, &Size::of(&snapshots));
-        things.extend(self.paths.iter().enumerate().map(|(index, (label, points))| {
+        let paths = self.paths.iter().enumerate().filter(|(_, (_, points))| points.len() > 1);
+        things.extend(paths.map(|(index, (label, points))| {
             stage::path(label, points, colour::ink(index + 1), snapshots.len())
         }));
         let trace = |(index, (label, point)): (usize, &(String, Point3<'_, M>))| {

@@ -5,7 +5,7 @@
 
 use super::mesh::Mesh;
 use super::motion::{Motion, Quaternion, once};
-use super::recording::{Kind, Recording, Thing, Trace};
+use super::recording::{Recording, Thing, Trace};
 use super::store::{Purpose, Store};
 use super::surface::Surface;
 use super::vector::{NONE, Vector};
@@ -245,7 +245,7 @@ impl<'a> Model<'a> {
 
 /// The largest stretch of things with a morph target, beside their scale.
 fn longest(things: &[Thing]) -> f64 {
-    let arrows = things.iter().filter(|thing| thing.kind == Kind::Arrow);
+    let arrows = things.iter().filter(|thing| matches!(Stretch::of(&thing.mesh), Stretch::Morphed));
     let shown = arrows.flat_map(|thing| &thing.track).filter(|placement| placement.scale > 0.0);
     let longest = shown.map(|placement| placement.stretch / placement.scale).fold(0.0, f64::max);
     if longest > 0.0 { longest } else { 1.0 }

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::vector::{
-    Rotation, UPRIGHT, Vector, add, apply, axes_along, cross, dot, length, subtract, times, unit,
+    Rotation, UPRIGHT, Vector, add, apply, axes_along, axes_near, cross, dot, length, subtract, times, unit,
 };
 
 /// A corner in axes of its own.
@@ -48,10 +48,22 @@ impl Placement {
         Placement { origin, rotation, stretch: 0.0, scale: 1.0 }
     }
 
-    /// Stretched from a point along a vector.
-    pub(super) fn spanned(from: Vector, vector: Vector) -> Placement {
-        let rotation = unit(vector).map_or(UPRIGHT, axes_along);
-        Placement { stretch: length(vector), ..Placement::rigid(from, rotation) }
+    /// Stretched from a point along a vector, moment by moment; about the vector it turns as little as it can.
+    pub(super) fn spanned(spans: impl IntoIterator<Item = [Vector; 2]>) -> Vec<Placement> {
+        let mut before: Option<Rotation> = None;
+        let placed = |[from, vector]: [Vector; 2]| {
+            let rotation = match (before, unit(vector)) {
+                (Some(before), Some(along)) => {
+                    let first = before.map(|row| row[0]);
+                    axes_near(first, along).unwrap_or_else(|| axes_along(along))
+                }
+                (None, Some(along)) => axes_along(along),
+                (before, None) => before.unwrap_or(UPRIGHT),
+            };
+            before = unit(vector).map(|_| rotation).or(before);
+            Placement { stretch: length(vector), ..Placement::rigid(from, rotation) }
+        };
+        spans.into_iter().map(placed).collect()
     }
 
     /// Where a corner is in the world.
@@ -189,5 +201,26 @@ impl Mesh {
             lines.extend(sharp.map(|side| vec![face[side], face[(side + 1) % face.len()]]));
         }
         Mesh { faces: Vec::new(), lines, is_closed: false, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Placement;
+    use crate::space::vector::{length, subtract};
+
+    #[test]
+    fn what_is_stretched_turns_about_itself_as_little_as_it_can() {
+        // The end goes up and down through the plane of x and y, by a rounding error now and then, and back upside down.
+        let heights = [0.4, 0.1, 1e-17, -1e-17, 0.0, -0.0, -0.1, -0.6];
+        let ends = heights
+            .map(|z| [[0.0; 3], [1.0, 0.2, z]])
+            .into_iter()
+            .chain([[[0.0; 3]; 2], [[0.0; 3], [0.8, 0.0, -0.6]]]);
+        let track = Placement::spanned(ends);
+        for pair in track.windows(2) {
+            let [before, now] = [pair[0], pair[1]].map(|placement| placement.rotation.map(|row| row[0]));
+            assert!(length(subtract(before, now)) < 0.6, "{before:?} {now:?}");
+        }
     }
 }

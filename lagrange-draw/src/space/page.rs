@@ -6,7 +6,7 @@ use super::motion::{Motion, once};
 use super::projector::{DARK, EDGE, LINE, Look};
 use super::recording::{Kind, Recording, Thing, Trace};
 use super::surface::Surface;
-use super::vector::{Vector, length, subtract, times};
+use super::vector::{Vector, subtract, times};
 use crate::colour::{INK, PALE, mixed};
 use crate::film::page::{Page, exact, list};
 use crate::film::timeline::Timeline;
@@ -63,14 +63,7 @@ struct Scene<'a> {
 
 impl Frame {
     fn of(recording: &Recording) -> Frame {
-        let places: Vec<Vector> = recording.places().collect();
-        let ends = |axis: usize| {
-            let along = places.iter().map(|place| place[axis]);
-            along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
-        };
-        let middle = [0, 1, 2].map(ends).map(|[low, high]| low + 0.5 * (high - low));
-        let radius = places.iter().map(|place| length(subtract(*place, middle))).fold(0.0, f64::max);
-        let radius = if radius > 0.0 { radius } else { 1.0 };
+        let (middle, radius) = recording.ball();
         Frame { middle, radius, unit: radius / FINE }
     }
 

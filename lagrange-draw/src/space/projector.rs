@@ -59,15 +59,16 @@ const NOTHING: f64 = 1e-9;
 
 impl<'a> Projector<'a> {
     pub(super) fn new(recording: &'a Recording, look: &'a Look) -> Result<Projector<'a>, DrawError> {
-        let places: Vec<Vector> = recording.places().collect();
-        let bounds = [0, 1, 2].map(|axis| range(places.iter().map(|place| place[axis])));
-        let middle = bounds.map(|[low, high]| low + 0.5 * (high - low));
-        let radius = places.iter().map(|place| length(subtract(*place, middle))).fold(0.0, f64::max);
-        let camera = Camera::new(look.direction, middle, if radius > 0.0 { radius } else { 1.0 });
+        let angles = [look.direction.azimuth, look.direction.elevation];
+        if !angles.iter().all(|angle| angle.is_finite()) {
+            return Err(DrawError::View(angles));
+        }
+        let (middle, radius) = recording.ball();
+        let camera = Camera::new(look.direction, middle, radius);
         let heading = [heading::lines(&look.title, look.size), heading::note(&recording.note, look.size)];
-        let seen: Vec<Point> = places.iter().map(|place| camera.seen(*place).0).collect();
+        let seen: Vec<Point> = recording.places().map(|place| camera.seen(place).0).collect();
         let window = Window::new(&seen, look.size, [0, 1].map(|end| heading::height(&heading[end])))?;
-        let least = NOTHING * if radius > 0.0 { radius } else { 1.0 };
+        let least = NOTHING * radius;
         let meshes =
             recording.things.iter().map(|thing| (Edges::of(&thing.mesh), is_convex_body(thing, least)));
         Ok(Projector { recording, look, camera, window, heading, meshes: meshes.collect(), least })

@@ -1,7 +1,7 @@
 //! A motion in space as things: what each looks like, and where it is at each moment.
 
 use super::mesh::{Corner, Mesh, Placement};
-use super::vector::Vector;
+use super::vector::{Vector, length, subtract};
 use crate::error::DrawError;
 use crate::picture::Colour;
 
@@ -70,18 +70,32 @@ impl Recording {
     /// Refuses numbers that are not finite.
     pub(super) fn checked(self) -> Result<Recording, DrawError> {
         for (moment, &time) in self.times.iter().enumerate() {
-            let wrong = self.things.iter().find(|thing| !thing.track[moment].is_finite());
+            let wrong = self.things.iter().find(|thing| !thing.is_finite_at(moment));
             let wrong = wrong.map(|thing| (thing.name.clone(), thing.kind.what()));
-            let is_off = |trace: &&Trace| !trace.points[moment].iter().all(|number| number.is_finite());
+            let is_off = |trace: &&Trace| !trace.until(moment).flatten().all(f64::is_finite);
             let wrong = wrong.or_else(|| self.traces.iter().find(is_off).map(|t| (t.label.clone(), "path")));
             if let Some((item, what)) = wrong {
                 return Err(DrawError::NotFinite { item, what, time });
             }
         }
-        if self.things.is_empty() && self.traces.is_empty() {
+        if self.places().next().is_none() {
             return Err(DrawError::NothingToDraw);
         }
         Ok(self)
+    }
+
+    /// The middle of all that is ever seen, and how far it reaches from there; 1 if all is in one place.
+    pub(super) fn ball(&self) -> (Vector, f64) {
+        let places: Vec<Vector> = self.places().collect();
+        let bounds = |axis: usize, extreme: fn(f64, f64) -> f64| {
+            places.iter().map(|place| place[axis]).reduce(extreme).unwrap_or(0.0)
+        };
+        let middle = [0, 1, 2].map(|axis| {
+            let (low, high) = (bounds(axis, f64::min), bounds(axis, f64::max));
+            low + 0.5 * (high - low)
+        });
+        let radius = places.iter().map(|place| length(subtract(*place, middle))).fold(0.0, f64::max);
+        (middle, if radius > 0.0 { radius } else { 1.0 })
     }
 
     /// The places of all corners at all moments, for what must be seen of it.
@@ -92,6 +106,13 @@ impl Recording {
         };
         let traces = self.traces.iter().flat_map(|trace| trace.past.iter().chain(&trace.points).copied());
         self.things.iter().flat_map(of_thing).chain(traces)
+    }
+}
+
+impl Thing {
+    fn is_finite_at(&self, moment: usize) -> bool {
+        let corners = || self.mesh.corners.iter().flat_map(|corner| corner.at);
+        self.track[moment].is_finite() && (moment > 0 || corners().all(f64::is_finite))
     }
 }
 

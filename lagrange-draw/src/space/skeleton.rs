@@ -1,10 +1,10 @@
 //! What bodies look like: their solids or, where a body is given by numbers only, rods between the joints that it carries.
 
 use super::mesh::Mesh;
-use super::snapshot::{Link, SpatialSnapshot};
+use super::snapshot::{Joint, Link, SpatialSnapshot};
 use super::solids::{ball, cylinder, solid};
 use super::vector::{NONE, UPRIGHT, Vector, axes_along, dot, length, subtract, times, unit};
-use lagrange_runtime::scene::SolidPart;
+use lagrange_runtime::scene::{SolidPart, SpatialJoint};
 
 /// Rods of a tree of bodies.
 pub(super) struct Skeleton<'a> {
@@ -39,11 +39,12 @@ impl<'a> Skeleton<'a> {
 
     /// Rods from the origin of a link to the joints that it carries and, where there are none, to its centre of mass, which is a ball.
     fn rods(&self, link: &Link) -> Option<Mesh> {
-        let carried = self
-            .scene
-            .joints
-            .iter()
-            .filter(|joint| joint.links.iter().flatten().any(|name| *name == link.name));
+        let is_carried = |joint: &&Joint| {
+            let [carrier, other] = joint.links.each_ref().map(|name| name.as_ref() == Some(&link.name));
+            // A pin is fixed in both.
+            carrier || (other && joint.kind == SpatialJoint::Pin)
+        };
+        let carried = self.scene.joints.iter().filter(is_carried);
         let mut ends: Vec<Vector> = carried.map(|joint| link.own(joint.at)).collect();
         ends.retain(|end| length(*end) > self.thin);
         let center = link.motion.map(|motion| motion.centroid);

@@ -135,6 +135,18 @@ impl SpatialSnapshot {
             .chain(&self.omitted)
     }
 
+    /// The name of the first thing that is not the same in another scene but for where it is.
+    pub(super) fn difference(&self, other: &SpatialSnapshot) -> Option<String> {
+        let names = [self, other].map(|scene| scene.names().cloned().collect::<Vec<_>>());
+        let [own, others] = &names;
+        let renamed = own.iter().zip(others).find(|(a, b)| a != b).map(|(name, _)| name);
+        let missing = own.get(others.len()).or_else(|| others.get(own.len()));
+        let reshaped = self.links.iter().zip(&other.links).find(|(a, b)| a.parts != b.parts);
+        let changed = self.joints.iter().zip(&other.joints).find(|(a, b)| a.kind != b.kind);
+        let of_things = reshaped.map(|(a, _)| &a.name).or_else(|| changed.map(|(a, _)| &a.name));
+        renamed.or(missing).or(of_things).cloned()
+    }
+
     /// Without what has one of these names.
     pub(super) fn without(mut self, hidden: &[String]) -> Self {
         self.links.retain(|link| !hidden.contains(&link.name));

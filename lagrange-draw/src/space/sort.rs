@@ -54,14 +54,19 @@ pub(super) fn back_to_front(
         match task {
             Task::Paint(pieces) => painted.extend(pieces),
             Task::Sort(pieces) if is_in_order(&pieces, is_convex) => painted.extend(pieces),
-            Task::Sort(mut pieces) => {
+            Task::Sort(pieces) => {
                 let plane = separation(&pieces).or_else(|| best_plane(&pieces, least));
                 let Some(plane) = plane else {
-                    pieces.sort_by(|a, b| a.nearness(camera).total_cmp(&b.nearness(camera)));
-                    painted.extend(pieces);
+                    painted.extend(by_nearness(pieces, camera));
                     continue;
                 };
+                let count = pieces.len();
                 let [front, within, behind] = divided(pieces, plane, least);
+                // Of faces so thin that rounding moves them out of their own planes none divides the others.
+                if within.is_empty() && count <= front.len().max(behind.len()) {
+                    painted.extend(by_nearness(if front.is_empty() { behind } else { front }, camera));
+                    continue;
+                }
                 let towards = camera.towards(times(plane.distance, plane.normal));
                 let (near, far) =
                     if dot(plane.normal, towards) > 0.0 { (front, behind) } else { (behind, front) };
@@ -70,6 +75,12 @@ pub(super) fn back_to_front(
         }
     }
     painted
+}
+
+/// As far as their middles tell.
+fn by_nearness(mut pieces: Vec<Fragment>, camera: &Camera) -> Vec<Fragment> {
+    pieces.sort_by(|a, b| a.nearness(camera).total_cmp(&b.nearness(camera)));
+    pieces
 }
 
 /// Whether nothing of this hides anything else of it.
@@ -305,6 +316,20 @@ mod tests {
             }
             assert!(seen > 500, "{seen} rays met something");
         }
+    }
+
+    #[test]
+    fn faces_too_thin_for_their_planes_come_to_an_end() {
+        let camera = Camera::new(Direction::default(), [0.0; 3], 1.0);
+        let mut random = Random(11);
+        let sliver = |thing: usize, random: &mut Random| {
+            let [a, b, normal] = [random.vector(), random.vector(), random.vector()];
+            let corners = vec![a, b, [b[0] + 1e-9, b[1], b[2]]];
+            let shape = FragmentShape::Face { drawn: vec![true; 3], corners, normal };
+            Fragment { shape, thing }
+        };
+        let pieces: Vec<Fragment> = (0..30).map(|thing| sliver(thing, &mut random)).collect();
+        assert!(back_to_front(pieces, &camera, &[false; 30], 1e-15).len() >= 30);
     }
 
     #[test]

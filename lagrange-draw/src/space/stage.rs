@@ -10,6 +10,7 @@ use super::solids;
 use super::vector::{NONE, UPRIGHT, Vector, add, apply, axes_along, length, subtract, unit};
 use crate::colour::{self, ACCELERATION, INK, PALE, VELOCITY};
 use crate::picture::Colour;
+use crate::stage::is_made_up;
 use crate::text::formula;
 use lagrange_runtime::scene::{Connector, SpatialJoint};
 
@@ -31,6 +32,8 @@ const PIN: f64 = 2.0;
 const PIN_LENGTH: f64 = 5.5;
 const COIL: f64 = 3.0;
 const LANE: f64 = 7.0;
+/// Ends no farther from each other than this part of the diagonal are in one place.
+const TOUCHING: f64 = 1e-6;
 /// Fields of a floor along the longer side.
 const FIELDS: f64 = 8.0;
 
@@ -112,22 +115,25 @@ impl Stage<'_> {
             Connector::Damper | Connector::TorsionDamper => (solids::damper(COIL * thin), PALE),
             Connector::Spring | Connector::TorsionSpring => (solids::spring(COIL * thin), INK),
         };
-        let aside = LANE * thin * self.lane(index);
-        let track = self.track(|snapshot| {
-            let [from, to] = snapshot.connectors[index].ends;
-            let placement = Placement::spanned(from, subtract(to, from));
-            let aside = apply(&placement.rotation, [aside, 0.0, 0.0]);
+        let (leader, lane) = self.lane(index);
+        let spanned = |index: usize| {
+            let ends = self.film.iter().map(|snapshot| snapshot.connectors[index].ends);
+            Placement::spanned(ends.map(|[from, to]| [from, subtract(to, from)]))
+        };
+        // To the same side also of one that goes the other way.
+        let beside = |(placement, leader): (Placement, Placement)| {
+            let aside = apply(&leader.rotation, [LANE * thin * lane, 0.0, 0.0]);
             Placement { origin: add(placement.origin, aside), ..placement }
-        });
-        let is_made_up = span.name.starts_with("spring_") || span.name.starts_with("damper_");
-        let text = if is_made_up { String::new() } else { self.name(&span.name) };
+        };
+        let track = spanned(index).into_iter().zip(spanned(leader)).map(beside).collect();
+        let text = if is_made_up(&span.name, span.kind) { String::new() } else { self.name(&span.name) };
         let label = Label::new(text, [COIL * thin, 0.0, 0.0], 0.5);
         Thing { name: span.name.clone(), label, colour, kind: Kind::Connector, mesh, track }
     }
 
-    /// How far beside the line between its ends a connector lies: those between the same points lie side by side.
-    fn lane(&self, index: usize) -> f64 {
-        let near = 1e-9 * self.size.diagonal();
+    /// Which connector between the same points is the first, and how far beside the line between them this one lies: side by side.
+    fn lane(&self, index: usize) -> (usize, f64) {
+        let near = TOUCHING * self.size.diagonal();
         let are_one = |other: usize| {
             self.film.iter().all(|snapshot| {
                 let [a, b] = [index, other].map(|index| snapshot.connectors[index].ends);
@@ -138,7 +144,8 @@ impl Stage<'_> {
         let count = self.film.first().map_or(0, |snapshot| snapshot.connectors.len());
         let together: Vec<usize> = (0..count).filter(|&other| are_one(other)).collect();
         let place = together.iter().position(|&other| other == index).unwrap_or(0);
-        place as f64 - 0.5 * (together.len().max(1) - 1) as f64
+        let lane = place as f64 - 0.5 * (together.len().max(1) - 1) as f64;
+        (together.first().copied().unwrap_or(index), lane)
     }
 
     fn joint(&self, index: usize, joint: &Joint) -> Vec<Thing> {
@@ -169,11 +176,11 @@ impl Stage<'_> {
         };
         let mut things = vec![thing(mesh, self.track(at))];
         if joint.kind == SpatialJoint::Prismatic {
-            let rod = self.track(|snapshot| {
+            let rod = Placement::spanned(self.film.iter().map(|snapshot| {
                 let Joint { at, links, .. } = &snapshot.joints[index];
                 let outer = snapshot.links.iter().find(|link| links[1].as_ref() == Some(&link.name));
-                Placement::spanned(*at, outer.map_or(NONE, |link| subtract(link.origin, *at)))
-            });
+                [*at, outer.map_or(NONE, |link| subtract(link.origin, *at))]
+            }));
             things.push(thing(solids::stick(thin), rod));
         }
         things

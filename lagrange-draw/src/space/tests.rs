@@ -11,6 +11,8 @@ use lagrange_runtime::scene::{
 use lagrange_runtime::system::{MechanicalSystem, OdeSystem, Unnamed};
 
 use super::SpatialDrawing;
+use super::skeleton::Skeleton;
+use super::snapshot::{Joint, Link, SpatialSnapshot};
 use crate::DrawError;
 use crate::picture::{Mark, Picture};
 
@@ -126,6 +128,52 @@ fn what_is_asked_for_is_drawn_and_named() {
 }
 
 #[test]
+fn rods_go_to_joints_that_a_body_carries_only() {
+    let joint = |name: &str, at, links: [Option<&str>; 2]| Joint {
+        name: name.to_owned(),
+        kind: SpatialJoint::Prismatic,
+        at,
+        axis: [0.0, 0.0, 1.0],
+        links: links.map(|link| link.map(str::to_owned)),
+    };
+    let link = |name: &str, origin| Link {
+        name: name.to_owned(),
+        origin,
+        rotation: UPRIGHT,
+        motion: Some(motion(UPRIGHT, origin, [0.0; 3])),
+        parts: Vec::new(),
+    };
+    let scene = SpatialSnapshot {
+        links: vec![link("slide", [0.0, 0.0, 0.5]), link("tip", [1.0, 0.0, 0.5])],
+        joints: vec![
+            joint("s", [0.0; 3], [None, Some("slide")]),
+            joint("q", [1.0, 0.0, 0.5], [Some("slide"), Some("tip")]),
+        ],
+        ..SpatialSnapshot::default()
+    };
+    let reach = |link: &Link| {
+        let mesh = Skeleton::of(&scene, 0.01).mesh(link).expect("is drawn");
+        let along = |axis: usize| mesh.corners.iter().map(|corner| corner.at[axis].abs()).fold(0.0, f64::max);
+        [along(0), along(2)]
+    };
+    let [across, down] = reach(&scene.links[0]);
+    assert!(
+        (across - 1.0).abs() < 1e-12 && down < 0.1,
+        "to the joint that it carries, not to the one that carries it"
+    );
+    assert!(reach(&scene.links[1]).iter().all(|reach| *reach < 0.1));
+}
+
+#[test]
+fn things_that_change_during_a_film_are_refused_by_name() {
+    let before = SpatialSnapshot { omitted: vec!["torque".to_owned()], ..SpatialSnapshot::default() };
+    let now = SpatialSnapshot { omitted: vec!["force".to_owned()], ..SpatialSnapshot::default() };
+    assert_eq!(before.difference(&before), None);
+    assert_eq!(before.difference(&now), Some("torque".to_owned()));
+    assert_eq!(SpatialSnapshot::default().difference(&now), Some("force".to_owned()));
+}
+
+#[test]
 fn what_is_hidden_or_not_finite_is_refused_by_name() {
     let drawing = SpatialDrawing::of(&Crane);
     assert!(matches!(drawing.clone().hide("wheel").picture(0.0, &[0.0; 2]), Err(DrawError::UnknownItem(_))));
@@ -139,4 +187,15 @@ fn what_is_hidden_or_not_finite_is_refused_by_name() {
         SpatialDrawing::of(&Crane).size(20.0, 20.0).picture(0.0, &[0.0; 2]),
         Err(DrawError::Size(_))
     ));
+    assert!(matches!(
+        SpatialDrawing::of(&Crane).view(f64::NAN, 0.0).picture(0.0, &[0.0; 2]),
+        Err(DrawError::View(_))
+    ));
+    let astray = SpatialDrawing::of(&Crane).path("way", [[0.0; 3], [f64::INFINITY, 0.0, 0.0]]);
+    match astray.picture(0.0, &[0.0; 2]) {
+        Err(DrawError::NotFinite { item, .. }) => assert_eq!(item, "way"),
+        other => panic!("{other:?}"),
+    }
+    let dot = SpatialDrawing::of(&Crane).path("way", [[0.0; 3]]);
+    assert!(dot.picture(0.0, &[0.0; 2]).is_ok(), "a path of one point is none");
 }

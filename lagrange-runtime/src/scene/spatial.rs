@@ -12,6 +12,7 @@ use crate::system::MechanicalSystem;
 pub trait SpatialScene: MechanicalSystem {
     /// Hands out everything that is to be drawn at time `t`, coordinates `q` and velocities `v`: bodies and frames, then connectors,
     /// joints, and then forces and moments, each in the order of the declaration. Everything is in the axes of the world.
+    /// At all moments these are the same things of the same shape, but for where they are.
     fn items(
         &self,
         t: Self::Scalar,

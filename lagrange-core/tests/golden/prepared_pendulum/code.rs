@@ -279,6 +279,10 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl<S: ::lagrange::Scalar> ::lagrange::system::NamedSystem for Rod<S> {
+        type NamedState = RodState<S>;
+    }
+    #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::EnergyFunction for Rod<S> {
         #[inline]
         fn energy(&self, t: S, q: &[S; 1], v: &[S; 1]) -> S {
@@ -307,7 +311,6 @@ const _: () = {
     impl<S: ::lagrange::Scalar> ::lagrange::system::ControlledSystem for Rod<S> {
         type Inputs = RodInputs<S>;
         type InputVector = [S; 1];
-        type NamedState = RodState<S>;
         const INPUTS: &'static [&'static ::core::primitive::str] = &["motor"];
         #[inline]
         fn inputs(&self) -> RodInputs<S> {
