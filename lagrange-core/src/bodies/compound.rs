@@ -81,7 +81,7 @@ pub(super) fn report_masses(translation: &mut Translation<'_>, visuals: &[Part])
 }
 
 /// A solid with its place in the coordinates of the body.
-struct PlacedSolid {
+struct PlacedShape {
     solid: &'static Solid,
     dimensions: Vec<AstId>,
     at: Pair,
@@ -89,7 +89,7 @@ struct PlacedSolid {
     outline: Outline,
 }
 
-fn placed_solid(translation: &mut Translation<'_>, part: &Part) -> Option<PlacedSolid> {
+fn placed_solid(translation: &mut Translation<'_>, part: &Part) -> Option<PlacedShape> {
     let shape = shape_of(translation, &part.shape);
     let at = match part.at {
         Some(at) => fixed_vector(translation, at, messages::PLACE_OF_PART),
@@ -110,13 +110,13 @@ fn placed_solid(translation: &mut Translation<'_>, part: &Part) -> Option<Placed
     let place = vec![translation.terms().tuple(at), angle];
     let outline =
         Outline { variant: solid.outline, dimensions: dimensions.clone(), place, is_hole: part.is_hole };
-    Some(PlacedSolid { solid, dimensions, at, angle, outline })
+    Some(PlacedShape { solid, dimensions, at, angle, outline })
 }
 
 fn compound_part(translation: &mut Translation<'_>, body: &str, part: &Part) -> Option<CompoundPart> {
     let placed = placed_solid(translation, part);
     let mass = mass_of_part(translation, part);
-    let PlacedSolid { solid, dimensions, at, angle, outline } = placed?;
+    let PlacedShape { solid, dimensions, at, angle, outline } = placed?;
     let place = part.shape.origin;
     let (mass, inertia) = (mass?, inertia_of(translation, solid, mass?, &dimensions, place));
     let name = format!("{body}_{}", solid.name);

@@ -19,6 +19,7 @@ pub(super) const IMPOSSIBLE_INERTIA: &str = "no body has these moments and produ
 pub(super) const IMPOSSIBLE_INERTIA_HELP: &str = "about the centre of mass no principal moment exceeds the sum of the other two; `--trust-inertia` takes them as parameters all the same";
 pub(super) const MASS_NOT_POSITIVE: &str = "the mass is negative";
 pub(super) const MIMICS_ITSELF: &str = "the joint mimics itself";
+pub(super) const MIMIC_CIRCLE: &str = "the joint mimics one that mimics it, be it by way of others";
 pub(super) const LIMITS_CROSSED: &str = "the lower limit is above the upper one";
 pub(super) const NEGATIVE_DAMPING: &str = "the damping is negative, so that the motion would gain energy";
 pub(super) const DAMPING_LEFT_OUT: &str = "the damping of a joint with several coordinates is left out";

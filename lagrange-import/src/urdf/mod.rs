@@ -50,7 +50,7 @@
 //! | `<limit>`, friction of `<dynamics>` | documentation of the coordinate: limits of a motion are events, dry friction is a `friction` statement, which are for a person to decide about |
 //! | damping of `<dynamics>` | `damping` |
 //! | `<mimic>` | a constraint between the two coordinates |
-//! | boxes, cylinders and spheres of `<visual>` and `<collision>` | comments, since the language draws scenes in the plane only. Meshes are left out |
+//! | boxes, cylinders and spheres of `<visual>` and `<collision>` | `visual` of a body, which is what pictures show of it; what is collided with, and what is seen of a link without mass, are comments. Meshes are left out |
 //! | `<material>`, `<transmission>`, `<gazebo>`, `<sensor>`, `<ros2_control>`, `<calibration>`, `<safety_controller>` | left out |
 //!
 //! Anything else is left out with a warning. A joint that moves no mass would have no equation of motion: it is held at zero, with a warning.

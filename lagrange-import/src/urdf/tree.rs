@@ -25,6 +25,7 @@ pub(super) fn tree(
     let ends = joints.iter().map(|joint| end(&joint.parent, "parent").zip(end(&joint.child, "child")));
     let ends = ends.collect::<Vec<_>>();
     let leaders = joints.iter().map(|joint| leader(source, joint, &joint_named)).collect::<Vec<_>>();
+    report_mimic_circles(source, &joints, &leaders);
     let ends = ends.into_iter().collect::<Option<Vec<_>>>()?;
     report_placed_twice(source, &links, &joints, &ends);
     if source.error_count() > before || !is_complete {
@@ -92,6 +93,19 @@ fn leader(source: &mut Source<'_>, joint: &NamedJoint<'_>, joints: &HashMap<&str
         return None;
     }
     found(source, name, joints, messages::unknown_joint(name.name))
+}
+
+/// Reports joints that mimic each other in a circle, each circle at its first joint.
+fn report_mimic_circles(source: &mut Source<'_>, joints: &[NamedJoint<'_>], leaders: &[Option<usize>]) {
+    for (index, joint) in joints.iter().enumerate() {
+        let Some(mimic) = &joint.mimic else { continue };
+        let chain = std::iter::successors(leaders[index], |&leader| leaders[leader]).take(joints.len());
+        let circle: Vec<usize> = chain.take_while(|&leader| leader > index).collect();
+        let last = circle.last().copied().unwrap_or(index);
+        if leaders[last] == Some(index) && !circle.is_empty() {
+            source.error_at(mimic.joint.place.clone(), messages::MIMIC_CIRCLE);
+        }
+    }
 }
 
 fn report_placed_twice(

@@ -150,6 +150,13 @@ const EDITS: &[(&str, &str, &[&str])] = &[
         &["16:1: error: joint \"q\", <mimic>: the joint mimics itself"],
     ),
     (
+        "</joint>",
+        "<mimic joint=\"p\"/></joint><link name=\"leg\"><inertial><mass value=\"1\"/>\
+         <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
+         <joint name=\"p\" type=\"continuous\"><parent link=\"arm\"/><child link=\"leg\"/><mimic joint=\"q\"/></joint>",
+        &["16:1: error: joint \"q\", <mimic>: the joint mimics one that mimics it, be it by way of others"],
+    ),
+    (
         "</robot>",
         "<link name=\"arm\"/></robot>",
         &["17:1: error: link \"arm\": there is a link of this name already, in line 3"],

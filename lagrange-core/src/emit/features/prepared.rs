@@ -2,7 +2,7 @@
 //!
 //! It wraps the system (`lagrange::system::Wrapper`), so that it has the system's events, normalisation and energy from there, and has
 //! methods of its own for what equations of motion are made of. Its fields are private and it hands out the system behind a shared
-//! reference: parameters cannot be changed after they were prepared.
+//! reference: outside the module of the declaration parameters cannot be changed after they were prepared.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};

@@ -6,6 +6,7 @@ use serde_json::Value;
 
 use super::Crane;
 use super::walker::{LEGS, Walker, leg};
+use crate::DrawError;
 use crate::space::vector::{Vector, length, subtract};
 use crate::space::{SpatialDrawing, SpatialFilm};
 
@@ -198,11 +199,26 @@ fn needs_nothing_from_elsewhere_and_has_all_it_uses() {
 
 #[test]
 fn files_are_written_where_they_are_wanted() {
+    let folder = std::env::temp_dir().join(format!("lagrange-films-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for (extension, start) in [("html", "<!DOCTYPE html>"), ("glb", "glTF"), ("gif", "GIF89a")] {
+        let path = folder.join(format!("crane.{extension}"));
+        crane(3).save(&path).expect("is written");
+        let bytes = std::fs::read(&path).expect("is there");
+        assert!(bytes.starts_with(start.as_bytes()), "{extension}");
+    }
+    let refused = crane(3).save(folder.join("crane.png"));
+    assert!(matches!(refused, Err(DrawError::Extension { .. })), "{refused:?}");
+    std::fs::remove_dir_all(&folder).expect("is removed");
+}
+
+/// Pages for `tools/space_check.py`, and what is to be looked at, where a folder is named for them.
+#[test]
+fn samples_are_left_where_they_are_asked_for() {
     let Ok(folder) = std::env::var("LAGRANGE_PICTURES") else { return };
-    for extension in ["html", "glb", "gif"] {
-        crane(121).save(format!("{folder}/crane.{extension}")).expect("is written");
-        if extension != "gif" {
-            walker().save(format!("{folder}/walker.{extension}")).expect("is written");
+    for (name, film) in [("crane", &crane(121)), ("walker", walker())] {
+        for extension in ["html", "glb"] {
+            film.save(format!("{folder}/{name}.{extension}")).expect("is written");
         }
     }
 }
