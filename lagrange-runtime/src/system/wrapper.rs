@@ -1,8 +1,8 @@
 //! Systems that contain another and change its equations.
 
 use super::{
-    Component, EnergyFunction, MechanicalSystem, OdeSystem, Reacted, StateMatrix, StateVector, Undefined,
-    join, split,
+    Component, EnergyFunction, MechanicalSystem, NamedSystem, OdeSystem, Reacted, StateMatrix, StateVector,
+    Undefined, join, split,
 };
 use crate::system::{Action, DeclaredEvent, Response, StepFailure};
 
@@ -239,6 +239,15 @@ where
     fn energy(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Scalar {
         self.present(t, &join::<M>(q, v), |inner| inner.energy(t, q, v))
     }
+}
+
+/// A wrapper has the state of what it wraps.
+impl<W, M> NamedSystem for W
+where
+    W: Wrapper<Inner = M, State = <M as OdeSystem>::State>,
+    M: NamedSystem,
+{
+    type NamedState = M::NamedState;
 }
 
 /// The state of the inner system.

@@ -228,7 +228,6 @@ fn inputs_impl(shape: &Shape<'_>, prepared: &Prepared) -> Option<TokenStream> {
             impl #bounds #krate::system::ControlledSystem for #name #generics {
                 type Inputs = #inputs #generics;
                 type InputVector = #inner::InputVector;
-                type NamedState = #inner::NamedState;
                 const INPUTS: &'static [&'static ::core::primitive::str] = #inner::INPUTS;
                 #[inline]
                 fn inputs(&self) -> #inputs #generics {

@@ -418,7 +418,6 @@ const _: () = {
     impl<S: ::lagrange::Scalar> ::lagrange::system::ControlledSystem for RodPrepared<S> {
         type Inputs = RodInputs<S>;
         type InputVector = <Rod<S> as ::lagrange::system::ControlledSystem>::InputVector;
-        type NamedState = <Rod<S> as ::lagrange::system::ControlledSystem>::NamedState;
         const INPUTS: &'static [&'static ::core::primitive::str] = <Rod<
             S,
         > as ::lagrange::system::ControlledSystem>::INPUTS;
