@@ -45,7 +45,7 @@ fn a_body_in_space_is_seen_as_its_visuals() {
 #[test]
 fn a_body_in_the_plane_is_seen_as_its_visuals_and_moves_as_before() {
     let mut inertia = 0.0;
-    Wheel::default().items(0.0, &[0.0], &[0.0], &mut |item| {
+    Wheel.items(0.0, &[0.0], &[0.0], &mut |item| {
         if let Item::Body { motion, parts, .. } = item {
             assert_eq!(parts.iter().map(|part| part.outline).collect::<Vec<_>>(), [Outline::SlenderRod(2.0)]);
             inertia = motion.inertia;
