@@ -107,7 +107,7 @@ fn declared_events_happen_in_motions() {
     let bounces = ball.ensemble(8).start(|i, _| [5.0 + i as f64, 0.0]).until(2.0);
     let bounces = bounces.reduce(0_u64, |sum, motion| *sum += motion.trajectory().events().len() as u64);
     let single = |i| ball.simulate([5.0 + f64::from(i), 0.0]).until(2.0).run().expect("runs").events().len();
-    assert_eq!(*bounces.expect("runs"), (0..8).map(|i| single(i) as u64).sum());
+    assert_eq!(*bounces.expect("runs"), (0..8).map(|i| single(i) as u64).sum::<u64>());
     assert!(single(0) > 0);
 }
 
