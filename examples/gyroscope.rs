@@ -43,7 +43,7 @@ lagrange::system! {
 const LEAST: f64 = 1.047_197_551_196_597_7;
 const MOST: f64 = 1.550_191_274_704_819;
 const PERIOD: f64 = 0.397_596_435_589_004_5;
-const PRECESSION: f64 = 1.633_556_050_800_379_1;
+const PRECESSION: f64 = 1.633_556_050_800_379;
 /// rad/s about the axis.
 const SPIN: f64 = 60.0;
 
