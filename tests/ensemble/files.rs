@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command};
+use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use std::{env, fs, thread};
@@ -103,6 +103,8 @@ const CHILD: &str = "LAGRANGE_TEST_FOLDER";
 
 /// This test once more as a process of its own, which is told the folder.
 fn child(command: &mut Command, test: &str, folder: &Path) -> Child {
+    // What it says could go to a file that may not grow.
+    command.stdout(Stdio::null()).stderr(Stdio::null());
     command.args(["--exact", test]).env(CHILD, folder).spawn().expect("starts")
 }
 
