@@ -5,7 +5,7 @@
 //! functions. Inside a function its parameters hide names of the declaration.
 //!
 //! A function may call those before it, never itself: a chain of n functions that each call the one before twice stands for 2ⁿ terms, for
-//! which there is a bound, [`MOST`].
+//! which there is a bound.
 
 mod messages;
 
