@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-// Validates glTF files: `npm install --prefix /tmp/gltf gltf-validator && NODE_PATH=/tmp/gltf/node_modules tools/glb_check.js film.glb …`
+// Validates glTF files, where `npm install gltf-validator` was run in this folder or one above: `tools/glb_check.js film.glb …`
 //
 // Fails if the validator of the Khronos Group finds an error or a warning in one of the files.
 "use strict";

@@ -45,7 +45,7 @@ const LEFT_OUT: [&str; 2] = ["calibration", "safety_controller"];
 /// `None` if nothing says what it connects.
 pub(super) fn joint<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>) -> Option<NamedJoint<'a>> {
     let known = ["origin", "parent", "child", "axis", "limit", "dynamics", "mimic", LEFT_OUT[0], LEFT_OUT[1]];
-    source.expect(node, &["name", "type"], &known);
+    source.allow_only(node, &["name", "type"], &known);
     let kind = kind(source, node);
     let [at, turned] = source.origin(node);
     let parent = end(source, node, "parent");
@@ -81,7 +81,7 @@ fn kind<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Kind {
 
 fn end<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>, tag: &str) -> Option<NameAt<'a>> {
     let end = source.required_child(node, tag, &format!("<{tag} link=\"NAME\"/>"))?;
-    source.expect(end, &["link"], &[]);
+    source.allow_only(end, &["link"], &[]);
     name_at(source, end, "link")
 }
 
@@ -94,7 +94,7 @@ fn name_at<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>, attribute: &str)
 fn axis<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> [Decimal; 3] {
     let x = || [Decimal::of(1.0), Decimal::zero(), Decimal::zero()];
     let Some(child) = source.child(node, "axis") else { return x() };
-    source.expect(child, &["xyz"], &[]);
+    source.allow_only(child, &["xyz"], &[]);
     let Some(axis) = source.text(child, "xyz").and_then(|_| source.triple(child, "xyz")) else { return x() };
     let is_unused = ["fixed", "floating"].contains(&node.attribute("type").unwrap_or_default());
     if axis.iter().all(|component| component.value().abs() < SHORTEST_AXIS) && !is_unused {
@@ -107,7 +107,7 @@ fn axis<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> [Decimal; 3] {
 fn limit<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Limit {
     let Some(child) = source.child(node, "limit") else { return Limit::default() };
     let attributes = ["lower", "upper", "effort", "velocity"];
-    source.expect(child, &attributes, &[]);
+    source.allow_only(child, &attributes, &[]);
     let [lower, upper, effort, velocity] =
         attributes.map(|attribute| source.optional_number(child, attribute));
     let limit = Limit { lower, upper, effort, velocity };
@@ -122,7 +122,7 @@ fn limit<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Limit {
 /// Damping and dry friction, where they are not zero.
 fn dynamics<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> (Option<Decimal>, Option<Decimal>) {
     let Some(child) = source.child(node, "dynamics") else { return (None, None) };
-    source.expect(child, &["damping", "friction"], &[]);
+    source.allow_only(child, &["damping", "friction"], &[]);
     let [damping, friction] =
         ["damping", "friction"].map(|attribute| source.optional_number(child, attribute));
     if damping.as_ref().is_some_and(|damping| damping.value() < 0.0) {
@@ -134,7 +134,7 @@ fn dynamics<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> (Option<Decimal>
 
 fn mimic<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>) -> Option<NamedMimic<'a>> {
     let child = source.child(node, "mimic")?;
-    source.expect(child, &["joint", "multiplier", "offset"], &[]);
+    source.allow_only(child, &["joint", "multiplier", "offset"], &[]);
     let joint = name_at(source, child, "joint");
     let mut number = |attribute: &str, default: f64| match child.attribute(attribute) {
         None => Some(Decimal::of(default)),

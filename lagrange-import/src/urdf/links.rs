@@ -20,7 +20,7 @@ const SOLIDS: [(&str, &[&str], &str); 3] = [
 ];
 
 pub(super) fn link<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Link {
-    source.expect(node, &["name", "type"], &["inertial", "visual", "collision"]);
+    source.allow_only(node, &["name", "type"], &["inertial", "visual", "collision"]);
     let inertial = source.child(node, "inertial").and_then(|inertial| self::inertial(source, inertial));
     let is_shape = |child: &Node<'_, '_>| child.has_tag_name("visual") || child.has_tag_name("collision");
     let shapes = node.children().filter(is_shape).filter_map(|child| shape(source, child)).collect();
@@ -30,11 +30,11 @@ pub(super) fn link<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Link {
 
 /// `None` of a link without mass, or after a mistake.
 fn inertial<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Inertial> {
-    source.expect(node, &[], &["origin", "mass", "inertia"]);
+    source.allow_only(node, &[], &["origin", "mass", "inertia"]);
     let [centroid, turned] = source.origin(node);
     let mass = source.required_child(node, "mass", "<mass value=\"m\"/>");
     let mass = mass.and_then(|mass| {
-        source.expect(mass, &["value"], &[]);
+        source.allow_only(mass, &["value"], &[]);
         let number = source.number(mass, "value")?;
         if number.value() < 0.0 {
             source.error(mass, messages::MASS_NOT_POSITIVE);
@@ -43,7 +43,7 @@ fn inertial<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Inertial>
     });
     let form = "<inertia ixx=\"…\" ixy=\"…\" ixz=\"…\" iyy=\"…\" iyz=\"…\" izz=\"…\"/>";
     let inertia = source.required_child(node, "inertia", form)?;
-    source.expect(inertia, &ENTRIES, &[]);
+    source.allow_only(inertia, &ENTRIES, &[]);
     let [xx, yy, zz, xy, xz, yz] = ENTRIES.map(|entry| source.number(inertia, entry));
     let (mass, tensor) = (mass?, [xx?, yy?, zz?, xy?, xz?, yz?]);
     if mass.value() <= 0.0 {
@@ -65,7 +65,7 @@ fn shape<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Shape> {
     let [at, turned] = source.origin(node);
     let geometry = source.required_child(node, "geometry", "<geometry><box size=\"x y z\"/></geometry>")?;
     let kinds = SOLIDS.map(|(tag, ..)| tag);
-    source.expect(geometry, &[], &[kinds[0], kinds[1], kinds[2], "mesh", "capsule"]);
+    source.allow_only(geometry, &[], &[kinds[0], kinds[1], kinds[2], "mesh", "capsule"]);
     let Some((solid, attributes, word)) = SOLIDS.iter().find_map(|(tag, attributes, word)| {
         Some((geometry.children().find(|child| child.has_tag_name(*tag))?, *attributes, *word))
     }) else {
@@ -74,7 +74,7 @@ fn shape<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Shape> {
         }
         return None;
     };
-    source.expect(solid, attributes, &[]);
+    source.allow_only(solid, attributes, &[]);
     let dimensions = dimensions(source, solid, attributes)?;
     let words = dimensions.iter().map(ToString::to_string).collect::<Vec<_>>();
     let solid = format!("{word}({})", words.join(", "));

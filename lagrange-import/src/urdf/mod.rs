@@ -18,7 +18,7 @@
 //!     <limit lower="-1.2" upper="1.2" effort="20" velocity="3"/> <dynamics damping="0.1"/>
 //!   </joint>
 //! </robot>"#;
-//! let imported = import(robot, &Options::default()).expect("a robot");
+//! let imported = import(robot, &Options::default()).allow_only("a robot");
 //! assert_eq!(imported.declaration, "\
 //! lagrange::system! {
 //!     /// Robot `pendulum`.
@@ -139,7 +139,7 @@ fn robot<'d>(source: &mut Source<'d>, root: Node<'_, 'd>, options: &Options) -> 
         source.error(macros, messages::XACRO).help(messages::XACRO_HELP);
         return None;
     }
-    source.expect(root, &["name", "version"], &KNOWN);
+    source.allow_only(root, &["name", "version"], &KNOWN);
     let name = source.text(root, "name").unwrap_or_default().to_owned();
     let tagged = |tag: &'static str| root.children().filter(move |child| child.has_tag_name(tag));
     let links = tagged("link").map(|node| links::link(source, node)).collect::<Vec<_>>();

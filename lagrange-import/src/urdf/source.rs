@@ -142,12 +142,12 @@ impl<'d> Source<'d> {
     pub(super) fn origin(&mut self, node: Node<'_, 'd>) -> [[Decimal; 3]; 2] {
         let zero = || [Decimal::zero(), Decimal::zero(), Decimal::zero()];
         let Some(origin) = self.child(node, "origin") else { return [zero(), zero()] };
-        self.expect(origin, &["xyz", "rpy"], &[]);
+        self.allow_only(origin, &["xyz", "rpy"], &[]);
         ["xyz", "rpy"].map(|attribute| self.triple(origin, attribute).unwrap_or_else(zero))
     }
 
     /// Warns of attributes and elements that are none of these: what is misspelt would go unnoticed.
-    pub(super) fn expect(&mut self, node: Node<'_, 'd>, attributes: &[&str], elements: &[&str]) {
+    pub(super) fn allow_only(&mut self, node: Node<'_, 'd>, attributes: &[&str], elements: &[&str]) {
         for attribute in node.attributes().filter(|attribute| !attributes.contains(&attribute.name())) {
             let (place, name) = (attribute.range().start, attribute.name());
             let warning = self.warning_at((place, described(node)), messages::unknown_attribute(name));
