@@ -142,33 +142,26 @@ impl<'a> Projector<'a> {
         }
         let places: Vec<Vector> = thing.mesh.corners.iter().map(|corner| placement.of(corner)).collect();
         let at = |corners: &[usize]| corners.iter().map(|&corner| places[corner]).collect::<Vec<_>>();
-        let faces: Vec<(Vec<Vector>, Option<Vector>)> = thing
-            .mesh
-            .faces
-            .iter()
-            .map(|face| {
-                let corners = at(face);
-                let normal = normal(&corners);
-                (corners, normal)
-            })
-            .collect();
-        let is_seen: Vec<bool> = faces
-            .iter()
-            .map(|(corners, normal)| {
-                normal.is_some_and(|normal| {
-                    !thing.mesh.is_closed || dot(normal, self.camera.towards(corners[0])) > 0.0
-                })
-            })
-            .collect();
+        let faces = thing.mesh.faces.iter().map(|face| at(face));
+        let seen: Vec<Option<(Vec<Vector>, Vector)>> =
+            faces.map(|corners| self.seen(corners, thing.mesh.is_closed)).collect();
+        let is_seen: Vec<bool> = seen.iter().map(Option::is_some).collect();
         let mut pieces = Vec::new();
-        for (face, (corners, normal)) in faces.into_iter().enumerate() {
-            if let Some(normal) = normal.filter(|_| is_seen[face]) {
+        for (face, seen) in seen.into_iter().enumerate() {
+            if let Some((corners, normal)) = seen {
                 let drawn = edges.drawn(face, &is_seen);
                 pieces.push(Fragment { shape: FragmentShape::Face { corners, drawn, normal }, thing: index });
             }
         }
         pieces.extend(thing.mesh.lines.iter().flat_map(|line| lines(&at(line), index, self.least)));
         pieces
+    }
+
+    /// A face with its normal, unless it has no area or, being one of a closed surface, is turned away from the eye.
+    fn seen(&self, corners: Vec<Vector>, is_closed: bool) -> Option<(Vec<Vector>, Vector)> {
+        let normal = normal(&corners)?;
+        let is_seen = !is_closed || dot(normal, self.camera.towards(corners[0])) > 0.0;
+        is_seen.then_some((corners, normal))
     }
 
     fn paint(&self, piece: &Fragment, marks: &mut Vec<Mark>) {
