@@ -18,7 +18,7 @@
 //!     <limit lower="-1.2" upper="1.2" effort="20" velocity="3"/> <dynamics damping="0.1"/>
 //!   </joint>
 //! </robot>"#;
-//! let imported = import(robot, &Options::default()).allow_only("a robot");
+//! let imported = import(robot, &Options::default()).expect("a robot");
 //! assert_eq!(imported.declaration, "\
 //! lagrange::system! {
 //!     /// Robot `pendulum`.
