@@ -14,7 +14,7 @@ use std::error::Error;
 
 use common::compare;
 use counted::{Counted, Counts, counted};
-use lagrange::Scalar;
+use lagrange::Number;
 use lagrange::integrate::{Method, Stepper, Verner98};
 use lagrange::system::{OdeSystem, Wrapper};
 

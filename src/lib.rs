@@ -77,7 +77,7 @@ pub use lagrange_runtime::ensemble::{self, Ensembles};
 #[doc(inline)]
 pub use lagrange_runtime::simulate::{self, Simulate};
 #[doc(inline)]
-pub use lagrange_runtime::{Scalar, body, constraint, contact, inertia, scalar, scene, system};
+pub use lagrange_runtime::{Number, Scalar, body, constraint, contact, inertia, scalar, scene, system};
 
 /// Keeps the example of the README true.
 #[cfg(doctest)]

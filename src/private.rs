@@ -5,11 +5,11 @@ pub mod hints;
 pub use crate::__hints as bring_hints;
 pub use lagrange_macro::system;
 
-use crate::Scalar;
+use crate::scalar::Number;
 
 /// Sine and cosine of several angles, under its bare name.
 #[inline(always)]
-pub fn sin_cos_each<S: Scalar, const N: usize>(angles: [S; N]) -> [(S, S); N] {
+pub fn sin_cos_each<S: Number, const N: usize>(angles: [S; N]) -> [(S, S); N] {
     S::sin_cos_each(angles)
 }
 
@@ -18,7 +18,7 @@ pub fn sin_cos_each<S: Scalar, const N: usize>(angles: [S; N]) -> [(S, S); N] {
 /// # Panics
 /// If an index is too large.
 #[inline]
-pub fn matrix<S: Scalar, const N: usize, const M: usize>(entries: &[(usize, usize, S)]) -> [[S; N]; M] {
+pub fn matrix<S: Number, const N: usize, const M: usize>(entries: &[(usize, usize, S)]) -> [[S; N]; M] {
     let mut matrix = [[S::ZERO; N]; M];
     for &(row, column, entry) in entries {
         matrix[row][column] = entry;
@@ -31,7 +31,7 @@ macro_rules! functions {
     ($($name:ident($first:ident $(, $other:ident: $kind:ty)*) -> $result:ty;)*) => {
         $(
             #[inline(always)]
-            pub fn $name<S: Scalar>($first: S $(, $other: $kind)*) -> $result {
+            pub fn $name<S: Number>($first: S $(, $other: $kind)*) -> $result {
                 $first.$name($($other),*)
             }
         )*

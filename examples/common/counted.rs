@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use lagrange::Scalar;
+use lagrange::{Number, Scalar};
 
 /// Operations on numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -97,6 +97,14 @@ macro_rules! functions {
 }
 
 impl Scalar for Counted {
+    fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+}
+
+impl Number for Counted {
+    type Mask = bool;
+
     const ZERO: Counted = Counted(0.0);
     const ONE: Counted = Counted(1.0);
     const NAN: Counted = Counted(f64::NAN);
@@ -105,8 +113,16 @@ impl Scalar for Counted {
         Counted(value)
     }
 
-    fn is_finite(self) -> bool {
-        self.0.is_finite()
+    fn less(self, other: Counted) -> bool {
+        self < other
+    }
+
+    fn less_equal(self, other: Counted) -> bool {
+        self <= other
+    }
+
+    fn select(mask: bool, then: Counted, otherwise: Counted) -> Counted {
+        if mask { then } else { otherwise }
     }
 
     fn sin_cos(self) -> (Counted, Counted) {
@@ -129,6 +145,6 @@ impl Scalar for Counted {
     }
 
     fn powf(self, exponent: Counted) -> Counted {
-        function(Scalar::powf(self.0, exponent.0))
+        function(Number::powf(self.0, exponent.0))
     }
 }

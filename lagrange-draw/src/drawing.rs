@@ -16,7 +16,7 @@ use crate::snapshot::Snapshot;
 use crate::stage::{self, Fixed, Wanted};
 use crate::stretch::stretches;
 use crate::text::{formula, plain};
-use lagrange_runtime::scalar::Scalar;
+use lagrange_runtime::scalar::{Number, Scalar};
 use lagrange_runtime::scene::Scene;
 use lagrange_runtime::system::{OdeSystem, split};
 

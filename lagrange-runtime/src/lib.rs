@@ -37,4 +37,4 @@ pub mod simulate;
 pub mod system;
 mod tolerance;
 
-pub use crate::scalar::Scalar;
+pub use crate::scalar::{Number, Scalar};

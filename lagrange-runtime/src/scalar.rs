@@ -1,23 +1,28 @@
 //! Numbers that emitted code can compute with.
 //!
-//! [`Scalar`] is the contract between emitted code and a number type. It is no general numeric
-//! abstraction: it holds what the language of `system!` can express and integrators
-//! need, nothing else. `f64` and `f32` implement it, with the functions of the platform under the `std`
-//! feature and those of `libm` without it.
+//! [`Number`] is the contract between emitted formulas and a number type. It is no general numeric
+//! abstraction: it holds what the language of `system!` can express, nothing else. [`Scalar`] adds what runs, events
+//! and contacts need beside: an order, so that a program may branch. `f64` and `f32` are both, with the functions of
+//! the platform under the `std` feature and those of `libm` without it.
+
+mod mask;
+
+pub use self::mask::Mask;
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number with elementary functions.
+/// A real number with elementary functions, or several that go through the same formulas side by side.
 ///
 /// Angles are in radians. Outside the domain of a function the result is NaN. NaN in gives NaN out, save
 /// for `hypot` with an infinite and `powi` with a zero argument, as stated there; emitted code relies on
 /// this to never hide a failed computation. Zeros keep their sign where IEEE 754 says so.
-pub trait Scalar:
+///
+/// Numbers side by side cannot branch, each may want another way: they compute both and [`select`](Number::select).
+/// For those that can branch a [mask](Mask) is a `bool`, and they are [`Scalar`]s.
+pub trait Number:
     Copy
     + Debug
-    + PartialEq
-    + PartialOrd
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
@@ -25,6 +30,9 @@ pub trait Scalar:
     + Neg<Output = Self>
     + 'static
 {
+    /// What a comparison gives: `bool`, or as many truth values as there are numbers side by side.
+    type Mask: Mask;
+
     /// Zero.
     const ZERO: Self;
     /// One.
@@ -35,17 +43,14 @@ pub trait Scalar:
     /// The nearest number; infinite if the magnitude is out of range.
     fn from_f64(value: f64) -> Self;
 
-    /// Whether this is neither NaN nor infinite.
-    fn is_finite(self) -> bool;
+    /// Whether this is less than the other; false where one is NaN.
+    fn less(self, other: Self) -> Self::Mask;
 
-    /// The distance from one to the next number, as [`f64::EPSILON`].
-    #[inline]
-    fn epsilon() -> Self {
-        // A third has no finite binary expansion; rounding it leaves this much.
-        let three = Self::from_f64(3.0);
-        let rounded = three * (Self::from_f64(4.0) / three - Self::ONE) - Self::ONE;
-        if rounded < Self::ZERO { -rounded } else { rounded }
-    }
+    /// Whether this is less than the other or equal; false where one is NaN.
+    fn less_equal(self, other: Self) -> Self::Mask;
+
+    /// The first number where the mask is true, the second elsewhere.
+    fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
     /// Sine and cosine; NaN at infinity.
     fn sin_cos(self) -> (Self, Self);
@@ -54,11 +59,11 @@ pub trait Scalar:
     ///
     /// For `f64` and `f32` this is [`lagrange_math`]'s: computed several at a time where the target can, the
     /// error below 0.9 units in the last place for `f64` up to 10⁵ rad, and 0.5000001 for `f32`. For other
-    /// numbers it is [`sin_cos`](Scalar::sin_cos) unless their implementation knows better; what comes of an
+    /// numbers it is [`sin_cos`](Number::sin_cos) unless their implementation knows better; what comes of an
     /// angle must not depend on the others.
     ///
     /// ```
-    /// use lagrange::Scalar;
+    /// use lagrange::Number;
     ///
     /// let [(sin_a, cos_a), (sin_b, cos_b)] = f64::sin_cos_each([0.3, 0.5]);
     /// assert!((sin_a * cos_b + cos_a * sin_b - 0.8_f64.sin()).abs() < 1e-15);
@@ -123,39 +128,24 @@ pub trait Scalar:
     fn powf(self, exponent: Self) -> Self;
 
     /// −1, 0 or +1; zeros keep their sign, NaN stays NaN.
-    #[inline]
+    #[inline(always)]
     fn sign(self) -> Self {
-        if self > Self::ZERO {
-            Self::ONE
-        } else if self < Self::ZERO {
-            -Self::ONE
-        } else {
-            self
-        }
+        let or_negative = Self::select(self.less(Self::ZERO), -Self::ONE, self);
+        Self::select(Self::ZERO.less(self), Self::ONE, or_negative)
     }
 
     /// The smaller of two numbers, `self` if they are equal; NaN if either is, unlike [`f64::min`].
-    #[inline]
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
-        if self <= other {
-            self
-        } else if other < self {
-            other
-        } else {
-            Self::NAN
-        }
+        let or_other = Self::select(other.less(self), other, Self::NAN);
+        Self::select(self.less_equal(other), self, or_other)
     }
 
     /// The larger of two numbers, `self` if they are equal; NaN if either is, unlike [`f64::max`].
-    #[inline]
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
-        if self >= other {
-            self
-        } else if other > self {
-            other
-        } else {
-            Self::NAN
-        }
+        let or_other = Self::select(self.less(other), other, Self::NAN);
+        Self::select(other.less_equal(self), self, or_other)
     }
 
     /// `self` to an integer power, by repeated squaring; the empty product, one, for exponent zero.
@@ -190,6 +180,22 @@ pub trait Scalar:
     }
 }
 
+/// A single real number, which programs may compare and branch on: what methods of integration, events and contacts
+/// compute with.
+pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
+    /// Whether this is neither NaN nor infinite.
+    fn is_finite(self) -> bool;
+
+    /// The distance from one to the next number, as [`f64::EPSILON`].
+    #[inline]
+    fn epsilon() -> Self {
+        // A third has no finite binary expansion; rounding it leaves this much.
+        let three = Self::from_f64(3.0);
+        let rounded = three * (Self::from_f64(4.0) / three - Self::ONE) - Self::ONE;
+        if rounded < Self::ZERO { -rounded } else { rounded }
+    }
+}
+
 /// Calls the method of the standard library or, without it, the function of `libm`.
 macro_rules! platform {
     ($scalar:ident :: $method:ident | $libm:ident ($($argument:expr),*)) => {{
@@ -201,13 +207,22 @@ macro_rules! platform {
     }};
 }
 
-/// Implements `Scalar`; each row is a method with its further arguments and its name in `libm`.
+/// Implements `Number` and `Scalar`; each row is a method with its further arguments and its name in `libm`.
 macro_rules! implement_scalar {
     (
         $scalar:ident, sin_cos: $sin_cos:ident, sin_cos_each: $sin_cos_each:ident, powf: $powf:ident, mul_add: $mul_add:ident;
         $($method:ident($($argument:ident)?): $libm:ident;)*
     ) => {
         impl Scalar for $scalar {
+            #[inline]
+            fn is_finite(self) -> bool {
+                $scalar::is_finite(self)
+            }
+        }
+
+        impl Number for $scalar {
+            type Mask = bool;
+
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const NAN: Self = $scalar::NAN;
@@ -217,9 +232,19 @@ macro_rules! implement_scalar {
                 value as $scalar
             }
 
-            #[inline]
-            fn is_finite(self) -> bool {
-                $scalar::is_finite(self)
+            #[inline(always)]
+            fn less(self, other: Self) -> bool {
+                self < other
+            }
+
+            #[inline(always)]
+            fn less_equal(self, other: Self) -> bool {
+                self <= other
+            }
+
+            #[inline(always)]
+            fn select(mask: bool, then: Self, otherwise: Self) -> Self {
+                if mask { then } else { otherwise }
             }
 
             #[inline]

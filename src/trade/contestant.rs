@@ -6,7 +6,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use crate::integrate::{Method, Stepper, Work};
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::system::{OdeSystem, StateVector};
 
 /// What a method is told.

@@ -38,7 +38,7 @@ use crate::integrate::{
     BlanesMoan4, GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4,
     StormerVerlet, SymplecticEuler, Variational, Verner98,
 };
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem};
 
 pub use self::measurement::{Measurement, Row};

@@ -1,6 +1,6 @@
 //! Methods of fixed step on emitted types.
 
-use lagrange::Scalar;
+use lagrange::Number;
 use lagrange::integrate::{BlanesMoan4, Method, RungeKutta4, StormerVerlet, SymplecticEuler, integrate};
 use lagrange::system::OdeSystem;
 

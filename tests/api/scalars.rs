@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use lagrange::Scalar;
+use lagrange::{Number, Scalar};
 
 lagrange::system! {
     #[derive(Clone, Copy, Debug)]
@@ -119,6 +119,14 @@ macro_rules! elementary {
 }
 
 impl Scalar for Dual {
+    fn is_finite(self) -> bool {
+        self.0.is_finite() && self.1.is_finite()
+    }
+}
+
+impl Number for Dual {
+    type Mask = bool;
+
     const ZERO: Dual = Dual(0.0, 0.0);
     const ONE: Dual = Dual(1.0, 0.0);
     const NAN: Dual = Dual(f64::NAN, f64::NAN);
@@ -127,8 +135,16 @@ impl Scalar for Dual {
         Dual(value, 0.0)
     }
 
-    fn is_finite(self) -> bool {
-        self.0.is_finite() && self.1.is_finite()
+    fn less(self, other: Dual) -> bool {
+        self < other
+    }
+
+    fn less_equal(self, other: Dual) -> bool {
+        self <= other
+    }
+
+    fn select(mask: bool, then: Dual, otherwise: Dual) -> Dual {
+        if mask { then } else { otherwise }
     }
 
     fn sin_cos(self) -> (Dual, Dual) {

@@ -1,6 +1,6 @@
 //! Emitted types through the traits of `lagrange::system`.
 
-use lagrange::Scalar;
+use lagrange::Number;
 use lagrange::integrate::{RungeKutta4, integrate};
 use lagrange::system::{EnergyFunction, MechanicalSystem, OdeSystem};
 

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use lagrange::Scalar;
+use lagrange::{Number, Scalar};
 
 /// A complex number whose imaginary part is so small that its square is nothing beside the real part: elementary
 /// functions are taken to first order in it. Order and branches are those of the real part.
@@ -80,6 +80,14 @@ macro_rules! elementary {
 }
 
 impl Scalar for Complex {
+    fn is_finite(self) -> bool {
+        self.real.is_finite() && self.imaginary.is_finite()
+    }
+}
+
+impl Number for Complex {
+    type Mask = bool;
+
     const ZERO: Complex = Complex { real: 0.0, imaginary: 0.0 };
     const ONE: Complex = Complex { real: 1.0, imaginary: 0.0 };
     const NAN: Complex = Complex { real: f64::NAN, imaginary: f64::NAN };
@@ -88,8 +96,16 @@ impl Scalar for Complex {
         Complex::from_real(value)
     }
 
-    fn is_finite(self) -> bool {
-        self.real.is_finite() && self.imaginary.is_finite()
+    fn less(self, other: Complex) -> bool {
+        self < other
+    }
+
+    fn less_equal(self, other: Complex) -> bool {
+        self <= other
+    }
+
+    fn select(mask: bool, then: Complex, otherwise: Complex) -> Complex {
+        if mask { then } else { otherwise }
     }
 
     fn sin_cos(self) -> (Complex, Complex) {

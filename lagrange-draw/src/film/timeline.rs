@@ -2,7 +2,7 @@
 
 use crate::error::DrawError;
 use crate::film::refusal;
-use lagrange_runtime::scalar::Scalar;
+use lagrange_runtime::scalar::Number;
 use lagrange_runtime::simulate::Trajectory;
 use lagrange_runtime::system::MechanicalSystem;
 

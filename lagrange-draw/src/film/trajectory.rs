@@ -3,7 +3,7 @@
 use crate::drawing::{Drawing, Shot};
 use crate::error::DrawError;
 use crate::film::{Film, refusal};
-use lagrange_runtime::scalar::Scalar;
+use lagrange_runtime::scalar::Number;
 use lagrange_runtime::scene::Scene;
 use lagrange_runtime::simulate::Trajectory;
 use lagrange_runtime::system::MechanicalSystem;

@@ -10,8 +10,8 @@
 use super::ConstrainedSystem;
 use super::residuals::largest;
 use crate::linalg::vector::{add, difference};
-use crate::scalar::Scalar;
-use crate::system::{Number, Positions, StateVector, Velocities, displaced};
+use crate::scalar::{Number, Scalar};
+use crate::system::{Positions, ScalarOf, StateVector, Velocities, displaced};
 use crate::tolerance::PULL;
 
 /// More steps than this are no use.
@@ -51,7 +51,7 @@ struct End<S, Q, V> {
 }
 
 type PointOf<M> = SearchPoint<Positions<M>, Velocities<M>>;
-type EndOf<M> = End<Number<M>, Positions<M>, Velocities<M>>;
+type EndOf<M> = End<ScalarOf<M>, Positions<M>, Velocities<M>>;
 
 impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     /// The nearest positions, from `found` on the constraints, to which `onto` brings others if it can.
@@ -62,13 +62,13 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     ) -> Positions<M> {
         let mut point = self.point(found);
         let mut direction = point.pull;
-        let mut length = Number::<M>::ONE;
+        let mut length = ScalarOf::<M>::ONE;
         for _ in 0..MOST {
             let size = largest(point.q.as_ref()).max(largest(self.from.as_ref()));
-            let is_pulled = largest(point.pull.as_ref()) > PULL.part::<Number<M>>() * size;
+            let is_pulled = largest(point.pull.as_ref()) > PULL.part::<ScalarOf<M>>() * size;
             let slope = self.product(&point.q, &point.pull, &direction);
             // Neither may be something that is not a number.
-            if !(is_pulled && slope > Number::<M>::ZERO) {
+            if !(is_pulled && slope > ScalarOf::<M>::ZERO) {
                 break;
             }
             let Some(end) = self.step(&point, &direction, (slope, length), &onto) else { break };
@@ -93,18 +93,18 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         &self,
         start: &PointOf<M>,
         direction: &Velocities<M>,
-        (slope, first): (Number<M>, Number<M>),
+        (slope, first): (ScalarOf<M>, ScalarOf<M>),
         onto: impl Fn(&mut Positions<M>) -> bool,
     ) -> Option<EndOf<M>> {
         // The longest length that is too short and the shortest that is too long, with the slopes there.
-        let (mut short, mut long) = ((Number::<M>::ZERO, slope), None);
+        let (mut short, mut long) = ((ScalarOf::<M>::ZERO, slope), None);
         let (mut length, mut nearer) = (first, None);
         for _ in 0..MOST_LENGTHS {
             let mut q = displaced(self.system, self.t, &start.q, [(length, direction)]);
             let end = onto(&mut q).then(|| self.end(q, direction, length));
             match end.filter(|end| !self.is_farther(&start.q, &end.point.q)) {
-                Some(end) if end.slope.abs() <= Number::<M>::from_f64(LEFT) * slope => return Some(end),
-                Some(end) if end.slope > Number::<M>::ZERO => {
+                Some(end) if end.slope.abs() <= ScalarOf::<M>::from_f64(LEFT) * slope => return Some(end),
+                Some(end) if end.slope > ScalarOf::<M>::ZERO => {
                     short = (length, end.slope);
                     nearer = Some(end);
                 }
@@ -116,7 +116,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         nearer
     }
 
-    fn end(&self, q: Positions<M>, direction: &Velocities<M>, length: Number<M>) -> EndOf<M> {
+    fn end(&self, q: Positions<M>, direction: &Velocities<M>, length: ScalarOf<M>) -> EndOf<M> {
         let point = self.point(q);
         let direction = self.tangential(&q, direction);
         let slope = self.product(&q, &point.pull, &direction);
@@ -129,7 +129,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
             let way = self.way_back(q);
             self.product(start, &way, &way)
         });
-        let rounding = PULL.part::<Number<M>>();
+        let rounding = PULL.part::<ScalarOf<M>>();
         // What is not a number is nowhere.
         let is_near = after <= before + rounding * before;
         !is_near
@@ -142,10 +142,10 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         let change = difference(&point.pull, &self.tangential(&point.q, &start.pull));
         let part = self.product(&point.q, &point.pull, &change) / before;
         let mut next = point.pull;
-        if part > Number::<M>::ZERO {
+        if part > ScalarOf::<M>::ZERO {
             add(&mut next, part, direction);
         }
-        let is_nearer = self.product(&point.q, &point.pull, &next) > Number::<M>::ZERO;
+        let is_nearer = self.product(&point.q, &point.pull, &next) > ScalarOf::<M>::ZERO;
         if is_nearer { next } else { point.pull }
     }
 
@@ -161,10 +161,10 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     }
 
     /// aᵀM b
-    fn product(&self, q: &Positions<M>, a: &Velocities<M>, b: &Velocities<M>) -> Number<M> {
+    fn product(&self, q: &Positions<M>, a: &Velocities<M>, b: &Velocities<M>) -> ScalarOf<M> {
         let weighed = self.system.mass_times(self.t, q, self.v, b);
         let products = a.as_ref().iter().zip(weighed.as_ref());
-        products.fold(Number::<M>::ZERO, |sum, (a, b)| a.multiply_add(*b, sum))
+        products.fold(ScalarOf::<M>::ZERO, |sum, (a, b)| a.multiply_add(*b, sum))
     }
 }
 

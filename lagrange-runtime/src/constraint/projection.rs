@@ -11,14 +11,14 @@ use super::residuals::{
     beyond, largest, of_positions_together, of_velocities, of_velocities_together, size, worst,
 };
 use crate::linalg::vector::combined;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{
-    MechanicalSystem, Number, Positions, StateVector, StepFailure, Velocities, Violation, displaced, join,
+    MechanicalSystem, Positions, ScalarOf, StateVector, StepFailure, Velocities, Violation, displaced, join,
     normalise, split,
 };
 
 type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
-type StepOf<M> = Correction<Number<M>, Positions<M>, Velocities<M>>;
+type StepOf<M> = Correction<ScalarOf<M>, Positions<M>, Velocities<M>>;
 
 /// More corrections than this are no use within a motion,
 const MOST: u32 = 20;

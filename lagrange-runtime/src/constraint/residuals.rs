@@ -1,7 +1,7 @@
 //! How large residuals are.
 
 use super::ConstrainedSystem;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{StateVector, Violated, Violation, reach};
 use crate::tolerance::RESIDUAL;
 

@@ -5,7 +5,7 @@ use core::array;
 use super::reaction_forces::{Balance, reactions};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::split;
 use crate::tolerance::BOUND;
 

@@ -8,7 +8,7 @@ use super::reaction_forces::{Balance, Rule};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
 use crate::linalg::vector::dot;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{StateVector, StepFailure, Violation, reach, split};
 use crate::tolerance::TOUCHING;
 

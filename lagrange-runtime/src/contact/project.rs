@@ -5,7 +5,7 @@ use core::array;
 use super::initial_modes::{holds, lengths};
 use super::reaction_forces::{Balance, Rule};
 use super::{Contact, ContactSystem, Mode, Terms};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{StateVector, StepFailure, Violation, displaced, join, normalise, reach, split};
 use crate::tolerance::{CLOSED_GAP, SLIT};
 

@@ -20,7 +20,7 @@ use super::initial_modes::{Position, holds};
 use super::project::{energy, halt};
 use super::reaction_forces::{Balance, Rule, reactions};
 use super::{ContactSystem, Mode, Terms};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{StepFailure, reach};
 use crate::tolerance::{HOP, HOP_TIME};
 

@@ -5,7 +5,7 @@ use super::project::{close, correct, halt, part};
 use super::reaction_forces::{Rule, reactions};
 use super::resume::Instant;
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
 
 /// What the declared event of this index, which belongs to a reaction, does to the state at which it happened: an impact, a

@@ -13,7 +13,7 @@ use super::random::Random;
 use super::shard::Shard;
 use crate::integrate::Verner98;
 use crate::simulate::{Simulation, Start};
-use crate::system::{MechanicalSystem, Number, OdeSystem, StateVector};
+use crate::system::{MechanicalSystem, OdeSystem, ScalarOf, StateVector};
 
 /// A system that threads may share. Every system whose fields, numbers and states they may is one.
 #[diagnostic::on_unimplemented(
@@ -25,7 +25,7 @@ pub trait SharedSystem: MechanicalSystem<Scalar: Send + Sync, State: Send + Sync
 impl<M: MechanicalSystem<Scalar: Send + Sync, State: Send + Sync> + Send + Sync> SharedSystem for M {}
 
 /// A run before its method and drive are chosen.
-pub(super) type Plain<'s, M> = Simulation<'s, M, Verner98<Number<M>>>;
+pub(super) type Plain<'s, M> = Simulation<'s, M, Verner98<ScalarOf<M>>>;
 
 /// Says that 'a outlives 's, the time of one run.
 pub(super) struct Within<'s, 'a: 's>(PhantomData<&'s &'a ()>);

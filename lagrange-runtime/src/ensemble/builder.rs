@@ -10,7 +10,7 @@ use super::random::Random;
 use super::shard::Shard;
 use super::starts::Starts;
 use crate::integrate::{Method, Verner98};
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::simulate::{Drive, InitialState, Law, Start, Undriven, Verdict};
 use crate::system::{ControlledSystem, MechanicalSystem, StateVector};
 

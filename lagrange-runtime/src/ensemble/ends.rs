@@ -12,7 +12,7 @@ use super::error::EnsembleError;
 use super::motion::Ran;
 use super::progress::Counter;
 use crate::integrate::Method;
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::simulate::{Drive, SimulationError, Table, explain_run};
 use crate::system::{MechanicalSystem, StateVector, StepFailure};
 

@@ -14,7 +14,7 @@ use core::array::from_fn;
 
 use crate::system::{Action, OdeSystem, Reacted, Response};
 
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 /// The sides of its switches on which a system is computed: fixed, as during a run, or free, which is as its state says.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]

@@ -4,7 +4,7 @@ use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected, is_same};
 use crate::integrate::method::{Stepper, Work};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StepFailure};
 
 /// A formula that advances the state by a step of given length.

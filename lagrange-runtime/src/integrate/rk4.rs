@@ -17,7 +17,7 @@ use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, Work};
 use crate::integrate::stability::{EVALUATIONS, Watch, eigenvalue_at, largest_eigenvalue};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
 /// The state after one step of length `h` from `y` at time `t`, by the classical Runge–Kutta method.

@@ -7,7 +7,7 @@
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::ranked::RankedFactors;
 use crate::linalg::vector::combined;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{Component, MechanicalSystem, OdeSystem, StepFailure, Undefined, VelocityMatrix, split};
 
 /// Steps that became too short for times to be told apart were stopped by what lies within this part of the way.

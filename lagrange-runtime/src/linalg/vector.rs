@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 /// A vector whose length is part of its type, such as `[S; K]`.
 pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
@@ -19,7 +19,7 @@ pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
     const ZERO_INDICES: Self::Indices;
 }
 
-impl<S: Scalar, const K: usize> StateVector<S> for [S; K] {
+impl<S: Number, const K: usize> StateVector<S> for [S; K] {
     type Square = [[S; K]; K];
     type Indices = [usize; K];
 

@@ -4,7 +4,7 @@ use super::events::{Events, Found, Next, Origin};
 use super::pending::Pending;
 use crate::event::{Detector, Occurrence, locate};
 use crate::integrate::Stepper;
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::system::{Direction, MOST_LOCATED, OdeSystem, Reacted, StepFailure};
 use crate::tolerance::SURFACE;
 

@@ -2,7 +2,7 @@
 
 use crate::event::Occurrence;
 use crate::integrate::Stepper;
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::system::{OdeSystem, Reacted, StepFailure};
 
 /// Whose event it is.

@@ -4,7 +4,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::Scalar;
+use super::{Number, Scalar};
 
 /// The numbers at which functions are most often wrong.
 struct Special<S> {
@@ -248,9 +248,9 @@ mod checks {
 fn multiply_add_is_fused_exactly_where_the_target_has_the_instruction() {
     let fused = cfg!(target_feature = "fma");
     // (1 + ε)² = 1 + 2ε + ε², of which a rounded product loses the last term.
-    let double = Scalar::multiply_add(1.0 + f64::EPSILON, 1.0 + f64::EPSILON, -(1.0 + 2.0 * f64::EPSILON));
+    let double = Number::multiply_add(1.0 + f64::EPSILON, 1.0 + f64::EPSILON, -(1.0 + 2.0 * f64::EPSILON));
     assert_eq!(double, if fused { f64::EPSILON * f64::EPSILON } else { 0.0 });
-    let single = Scalar::multiply_add(1.0 + f32::EPSILON, 1.0 + f32::EPSILON, -(1.0 + 2.0 * f32::EPSILON));
+    let single = Number::multiply_add(1.0 + f32::EPSILON, 1.0 + f32::EPSILON, -(1.0 + 2.0 * f32::EPSILON));
     assert_eq!(single, if fused { f32::EPSILON * f32::EPSILON } else { 0.0 });
 }
 
@@ -259,7 +259,7 @@ fn angles_together_give_what_each_gives_alone() {
     let angles = [0.3, -2.0, 1e7, f64::INFINITY, -0.0];
     let singles = f32::sin_cos_each(angles.map(|angle| angle as f32));
     for ((together, angle), single) in f64::sin_cos_each(angles).into_iter().zip(angles).zip(singles) {
-        let ([alone], platform) = (f64::sin_cos_each([angle]), Scalar::sin_cos(angle));
+        let ([alone], platform) = (f64::sin_cos_each([angle]), Number::sin_cos(angle));
         expect(together.0, alone.0);
         expect(together.1, alone.1);
         assert!((together.0 - platform.0).abs() < 2e-16 || angle.is_infinite());

@@ -5,7 +5,7 @@ use std::fmt::{Debug, Formatter};
 use std::sync::Arc;
 use std::vec::Vec;
 
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::simulate::sampling::Grid;
 use crate::simulate::table::Table;
 use crate::system::{

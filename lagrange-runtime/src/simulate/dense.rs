@@ -12,7 +12,7 @@
 
 use std::vec::Vec;
 
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::StateVector;
 
 /// The steps of a run, each as a polynomial.
@@ -35,7 +35,7 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         let degree = LEAST_DEGREE.max(order + 1);
         let angle = |j: u32| core::f64::consts::PI * f64::from(j) / f64::from(degree);
         // Exact at both ends and at the middle, unlike (1 − cos)/2.
-        let points = (0..=degree).map(|j| S::from_f64(Scalar::powi(Scalar::sin(angle(j) / 2.0), 2)));
+        let points = (0..=degree).map(|j| S::from_f64(Number::powi(Number::sin(angle(j) / 2.0), 2)));
         Dense { points: points.collect(), steps: Vec::new(), states: Vec::new() }
     }
 

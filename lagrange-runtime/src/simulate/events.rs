@@ -7,7 +7,7 @@ use std::vec::Vec;
 use crate::event::{Detector, Occurrence};
 use crate::integrate::Stepper;
 use crate::run::{Events, Found, Next, Origin, Pending};
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::simulate::control::ClosedLoop;
 use crate::system::{
     Action, Direction, EventKind, EventSource, MechanicalSystem, OdeSystem, Reacted, Response,

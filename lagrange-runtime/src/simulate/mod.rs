@@ -65,7 +65,7 @@ mod without_features;
 
 #[cfg(doc)]
 use crate::integrate::Verner98;
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::system::MechanicalSystem;
 
 pub use self::builder::{Simulation, Start};

@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use crate::integrate::{Stepper, Work};
 use crate::run::Current;
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::simulate::control::ClosedLoop;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;

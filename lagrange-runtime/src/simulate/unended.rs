@@ -10,8 +10,8 @@ use super::events::Event;
 use super::progress::{Progress, Verdict};
 use super::trajectory::Trajectory;
 use crate::integrate::{Method, Verner98};
-use crate::scalar::Scalar;
-use crate::system::{Action, ControlledSystem, Direction, MechanicalSystem, Number, State};
+use crate::scalar::Number;
+use crate::system::{Action, ControlledSystem, Direction, MechanicalSystem, ScalarOf, State};
 
 /// A run that knows when it ends.
 #[doc(hidden)]
@@ -23,7 +23,7 @@ use crate::system::{Action, ControlledSystem, Direction, MechanicalSystem, Numbe
 pub trait KnowsItsEnd {}
 
 /// The run with the default method, as it would be after `.until(…)`.
-type Ended<'a, M> = Simulation<'a, M, Verner98<Number<M>>>;
+type Ended<'a, M> = Simulation<'a, M, Verner98<ScalarOf<M>>>;
 
 #[doc(hidden)]
 impl<'a, M: MechanicalSystem> Start<'a, M> {
@@ -34,14 +34,14 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
         self.until(M::Scalar::NAN).run()
     }
 
-    pub fn tolerance(self, tolerance: Number<M>) -> Ended<'a, M>
+    pub fn tolerance(self, tolerance: ScalarOf<M>) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
     {
         self.until(M::Scalar::NAN).tolerance(tolerance)
     }
 
-    pub fn absolute_tolerance(self, tolerance: Number<M>) -> Ended<'a, M>
+    pub fn absolute_tolerance(self, tolerance: ScalarOf<M>) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
     {
@@ -62,7 +62,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
         self.until(M::Scalar::NAN).every_step()
     }
 
-    pub fn every(self, interval: Number<M>) -> Ended<'a, M>
+    pub fn every(self, interval: ScalarOf<M>) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
     {
@@ -86,7 +86,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
     pub fn observe(
         self,
         name: &str,
-        value: impl FnMut(&M, Number<M>, &State<M>) -> Number<M> + 'a,
+        value: impl FnMut(&M, ScalarOf<M>, &State<M>) -> ScalarOf<M> + 'a,
     ) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
@@ -98,7 +98,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
         self,
         name: &str,
         direction: Direction,
-        value: impl FnMut(&M, Number<M>, &State<M>) -> Number<M> + 'a,
+        value: impl FnMut(&M, ScalarOf<M>, &State<M>) -> ScalarOf<M> + 'a,
     ) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
@@ -110,7 +110,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
         self,
         name: &str,
         direction: Direction,
-        value: impl FnMut(&M, Number<M>, &State<M>) -> Number<M> + 'a,
+        value: impl FnMut(&M, ScalarOf<M>, &State<M>) -> ScalarOf<M> + 'a,
     ) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
@@ -122,8 +122,8 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
         self,
         name: &str,
         direction: Direction,
-        value: impl FnMut(&M, Number<M>, &State<M>) -> Number<M> + 'a,
-        react: impl FnMut(&M, &Event<Number<M>, State<M>>) -> Action<State<M>> + 'a,
+        value: impl FnMut(&M, ScalarOf<M>, &State<M>) -> ScalarOf<M> + 'a,
+        react: impl FnMut(&M, &Event<ScalarOf<M>, State<M>>) -> Action<State<M>> + 'a,
     ) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
@@ -145,41 +145,41 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
         self.until(M::Scalar::NAN).max_steps(limit)
     }
 
-    pub fn longest_step(self, longest: Number<M>) -> Ended<'a, M>
+    pub fn longest_step(self, longest: ScalarOf<M>) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
     {
         self.until(M::Scalar::NAN).longest_step(longest)
     }
 
-    pub fn restart_at(self, times: impl IntoIterator<Item = Number<M>>) -> Ended<'a, M>
+    pub fn restart_at(self, times: impl IntoIterator<Item = ScalarOf<M>>) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
     {
         self.until(M::Scalar::NAN).restart_at(times)
     }
 
-    pub fn progress<V: Verdict>(self, callback: impl FnMut(Progress<Number<M>>) -> V + 'a) -> Ended<'a, M>
+    pub fn progress<V: Verdict>(self, callback: impl FnMut(Progress<ScalarOf<M>>) -> V + 'a) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
     {
         self.until(M::Scalar::NAN).progress(callback)
     }
 
-    pub fn drive<F>(self, law: F) -> Simulation<'a, M, Verner98<Number<M>>, Law<F>>
+    pub fn drive<F>(self, law: F) -> Simulation<'a, M, Verner98<ScalarOf<M>>, Law<F>>
     where
         Self: KnowsItsEnd,
         M: ControlledSystem,
-        F: Fn(&M, Number<M>, M::NamedState) -> M::Inputs,
+        F: Fn(&M, ScalarOf<M>, M::NamedState) -> M::Inputs,
     {
         self.until(M::Scalar::NAN).drive(law)
     }
 
-    pub fn sampled<F>(self, period: Number<M>, control: F) -> Ended<'a, M>
+    pub fn sampled<F>(self, period: ScalarOf<M>, control: F) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,
         M: ControlledSystem,
-        F: FnMut(&M, Number<M>, M::NamedState) -> M::Inputs + 'a,
+        F: FnMut(&M, ScalarOf<M>, M::NamedState) -> M::Inputs + 'a,
     {
         self.until(M::Scalar::NAN).sampled(period, control)
     }
@@ -215,7 +215,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
     pub fn observe_each<const N: usize>(
         self,
         names: [&str; N],
-        values: impl FnMut(&M, Number<M>, &State<M>) -> [Number<M>; N] + 'a,
+        values: impl FnMut(&M, ScalarOf<M>, &State<M>) -> [ScalarOf<M>; N] + 'a,
     ) -> Ended<'a, M>
     where
         Self: KnowsItsEnd,

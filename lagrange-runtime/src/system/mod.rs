@@ -39,7 +39,7 @@ pub use crate::linalg::vector::StateVector;
 use crate::scalar::Scalar;
 
 /// The scalar of a system.
-pub(crate) type Number<M> = <M as OdeSystem>::Scalar;
+pub(crate) type ScalarOf<M> = <M as OdeSystem>::Scalar;
 
 /// Positions of a system.
 pub(crate) type Positions<M> = <M as MechanicalSystem>::Coordinates;

@@ -2,7 +2,7 @@
 
 use super::{MechanicalSystem, StateVector, StepFailure};
 use crate::linalg::vector::add;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 /// Positions and velocities of a state.
 #[inline]

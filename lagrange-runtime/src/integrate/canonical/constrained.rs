@@ -17,7 +17,7 @@ use crate::integrate::newton::{self, Equations, finite};
 use crate::linalg::pivoted::{Factors, Matrix};
 use crate::linalg::ranked::RankedFactors;
 use crate::linalg::vector::{add, dot};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{
     CanonicalSystem, ConstraintValues, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split,
 };

@@ -20,7 +20,7 @@ use crate::integrate::method::Work;
 use crate::integrate::newton::finite;
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::vector::add;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
 
 pub(super) use self::constrained::{stiffened, stiffness};

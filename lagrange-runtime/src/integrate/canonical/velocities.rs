@@ -4,7 +4,7 @@ use crate::integrate::canonical::magnitude;
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations, finite};
 use crate::linalg::pivoted::{Factors, Matrix};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{CanonicalSystem, StateVector, StepFailure};
 
 /// The velocities v with ∂L/∂v = p, from a guess and the mass matrix there.

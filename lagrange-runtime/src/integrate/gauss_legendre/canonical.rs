@@ -18,37 +18,37 @@ use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::{Prediction, sum, weights};
 use crate::linalg::vector::add;
-use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, Number, StateVector, StepFailure, Vector, join, split};
+use crate::scalar::{Number, Scalar};
+use crate::system::{CanonicalSystem, ScalarOf, StateVector, StepFailure, Vector, join, split};
 
 type CanonicalStages<M, const K: usize> = [Vector<M>; K];
 
 /// The formula of [`GaussLegendre`](crate::integrate::GaussLegendre) with K stages.
 #[derive(Debug)]
 pub struct Canonical<M: CanonicalSystem + ?Sized, const K: usize> {
-    tableau: Tableau<Number<M>, K>,
-    rounding: Number<M>,
+    tableau: Tableau<ScalarOf<M>, K>,
+    rounding: ScalarOf<M>,
     /// How the velocity at the end of a step follows from its stages and its start.
-    end: ([Number<M>; K], Number<M>),
-    prediction: Prediction<Number<M>, Vector<M>, K>,
+    end: ([ScalarOf<M>; K], ScalarOf<M>),
+    prediction: Prediction<ScalarOf<M>, Vector<M>, K>,
     reached: Reached<M>,
     /// Velocities at the stages of the step that is being taken, and its length.
-    stages: (CanonicalStages<M, K>, Number<M>),
+    stages: (CanonicalStages<M, K>, ScalarOf<M>),
 }
 
 impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K>
 where
-    Tableau<Number<M>, K>: Coefficients,
+    Tableau<ScalarOf<M>, K>: Coefficients,
 {
     pub(super) fn new() -> Self {
-        let tableau = Tableau::<Number<M>, K>::coefficients();
+        let tableau = Tableau::<ScalarOf<M>, K>::coefficients();
         Canonical {
             tableau,
             rounding: Scalar::epsilon(),
-            end: weights(&tableau.c, Number::<M>::ZERO, Number::<M>::ONE),
+            end: weights(&tableau.c, ScalarOf::<M>::ZERO, ScalarOf::<M>::ONE),
             prediction: Prediction::new(tableau.c, tableau.c),
             reached: Reached::NOTHING,
-            stages: ([Vector::<M>::ZERO; K], Number::<M>::ONE),
+            stages: ([Vector::<M>::ZERO; K], ScalarOf::<M>::ONE),
         }
     }
 }

@@ -7,7 +7,7 @@
 use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
 use crate::integrate::method::Work;
 use crate::linalg::vector::combined;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{CanonicalSystem, OdeSystem, StateVector, join, split};
 
 /// A state with its time.

@@ -13,33 +13,33 @@ use crate::integrate::newton::{self, Equations, finite};
 use crate::integrate::prediction::Prediction;
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::vector::add;
-use crate::scalar::Scalar;
-use crate::system::{Number, OdeSystem, State, StateVector, StepFailure};
+use crate::scalar::{Number, Scalar};
+use crate::system::{OdeSystem, ScalarOf, State, StateVector, StepFailure};
 
 type Stages<M, const K: usize> = [State<M>; K];
-type StageDerivatives<M> = Pencil<Number<M>, State<M>>;
+type StageDerivatives<M> = Pencil<ScalarOf<M>, State<M>>;
 
 /// The formula of [`PlainGaussLegendre`](crate::integrate::PlainGaussLegendre) with K stages.
 #[derive(Debug)]
 pub struct Plain<M: OdeSystem + ?Sized, const K: usize> {
-    tableau: Tableau<Number<M>, K>,
-    rounding: Number<M>,
-    prediction: Prediction<Number<M>, State<M>, K>,
+    tableau: Tableau<ScalarOf<M>, K>,
+    rounding: ScalarOf<M>,
+    prediction: Prediction<ScalarOf<M>, State<M>, K>,
     /// Slopes of the step that is being taken, and its length.
-    stages: (Stages<M, K>, Number<M>),
+    stages: (Stages<M, K>, ScalarOf<M>),
 }
 
 impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K>
 where
-    Tableau<Number<M>, K>: Coefficients,
+    Tableau<ScalarOf<M>, K>: Coefficients,
 {
     pub(super) fn new() -> Self {
-        let tableau = Tableau::<Number<M>, K>::coefficients();
+        let tableau = Tableau::<ScalarOf<M>, K>::coefficients();
         Plain {
             tableau,
             rounding: Scalar::epsilon(),
             prediction: Prediction::new(tableau.c, tableau.c),
-            stages: ([State::<M>::ZERO; K], Number::<M>::ONE),
+            stages: ([State::<M>::ZERO; K], ScalarOf::<M>::ONE),
         }
     }
 }

@@ -20,7 +20,7 @@ use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::splitting::{Composition, Trial};
 use crate::linalg::vector::{add, combined};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{LeapfrogSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure};
 
 /// A trial step with the change of the velocities.

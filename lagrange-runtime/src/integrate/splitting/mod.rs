@@ -25,7 +25,7 @@ use crate::integrate::interpolation::{Motion, Place, quintic};
 use crate::integrate::method::Work;
 use crate::integrate::stability::{self, Watch};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{LeapfrogSystem, StateVector, StepFailure, join, split};
 
 pub use self::blanes_moan::BlanesMoan4;

@@ -24,9 +24,9 @@ use crate::integrate::newton::{self, Equations};
 use crate::integrate::variational::coupled::{Coupled, FORCES, PARTS, Values, combined};
 use crate::integrate::variational::{Configuration, balance, places};
 use crate::linalg::vector::add;
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::system::{
-    CanonicalSystem, MechanicalSystem, Number, StateVector, StepFailure, Vector, join, split,
+    CanonicalSystem, MechanicalSystem, ScalarOf, StateVector, StepFailure, Vector, join, split,
 };
 
 /// The equations for the velocities at both ends of a step, with the multipliers at the start and in the middle.
@@ -133,7 +133,7 @@ impl<M: CanonicalSystem + ?Sized> Equations<M::Scalar, M::State, 2> for Constrai
         let terms = magnitude(velocities, &self.step.q, self.step.h);
         let mut momenta = self.derivatives.magnitude(&terms);
         let loads = self.start.0.load(&multipliers);
-        add(&mut momenta, self.step.h.abs() * Number::<M>::from_f64(FORCES[1][1]), &loads);
+        add(&mut momenta, self.step.h.abs() * ScalarOf::<M>::from_f64(FORCES[1][1]), &loads);
         join::<M>(&momenta, &self.start.0.sizes(&terms))
     }
 }

@@ -6,7 +6,7 @@ use crate::integrate::variational::linearised::{Linearised, turned};
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::ranked::RankedFactors;
 use crate::linalg::vector::{add, dot};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{
     CanonicalSystem, ConstraintValues, MechanicalSystem, OdeSystem, StateVector, StepFailure, Vector, join,
     split,

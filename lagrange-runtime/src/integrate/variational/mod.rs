@@ -33,8 +33,8 @@ use crate::integrate::prediction::Prediction;
 use crate::integrate::variational::constrained::{ConstrainedEquations, Solved};
 use crate::integrate::variational::linearised::Linearised;
 use crate::linalg::vector::add;
-use crate::scalar::Scalar;
-use crate::system::{CanonicalSystem, Number, StateVector, StepFailure, Vector, join, split};
+use crate::scalar::{Number, Scalar};
+use crate::system::{CanonicalSystem, ScalarOf, StateVector, StepFailure, Vector, join, split};
 
 /// A variational integrator of order four in equal steps, for any Lagrangian and any force.
 ///
@@ -86,33 +86,36 @@ impl<M: CanonicalSystem + ?Sized> Method<M> for Variational<M::Scalar> {
 /// The formula of [`Variational`].
 #[derive(Debug)]
 pub struct Discrete<M: CanonicalSystem + ?Sized> {
-    rounding: Number<M>,
+    rounding: ScalarOf<M>,
     /// Velocities at both ends of the next step, from those at the start and in the middle of the last one.
-    prediction: Prediction<Number<M>, Vector<M>, 2>,
+    prediction: Prediction<ScalarOf<M>, Vector<M>, 2>,
     /// By how much the velocities of the parabola differ from those of the motion, for a step of the length one.
     excess: [Vector<M>; 2],
     reached: Reached<M>,
     /// Velocities of the parabola of the step that is being taken, and its length.
-    ends: ([Vector<M>; 2], Number<M>),
+    ends: ([Vector<M>; 2], ScalarOf<M>),
     /// Multipliers of constraints at the start and in the middle of the step that is being taken.
     multipliers: [Vector<M>; 2],
 }
 
 impl<M: CanonicalSystem + ?Sized> Discrete<M> {
     fn new() -> Self {
-        let half = Number::<M>::from_f64(0.5);
+        let half = ScalarOf::<M>::from_f64(0.5);
         Discrete {
             rounding: Scalar::epsilon(),
-            prediction: Prediction::new([Number::<M>::ZERO, half], [Number::<M>::ZERO, Number::<M>::ONE]),
+            prediction: Prediction::new(
+                [ScalarOf::<M>::ZERO, half],
+                [ScalarOf::<M>::ZERO, ScalarOf::<M>::ONE],
+            ),
             excess: [Vector::<M>::ZERO; 2],
             reached: Reached::NOTHING,
-            ends: ([Vector::<M>::ZERO; 2], Number::<M>::ONE),
+            ends: ([Vector::<M>::ZERO; 2], ScalarOf::<M>::ONE),
             multipliers: [Vector::<M>::ZERO; 2],
         }
     }
 
     /// The velocities at both ends of the parabola of a step of the length `h`.
-    fn predict(&mut self, h: Number<M>) -> [Vector<M>; 2] {
+    fn predict(&mut self, h: ScalarOf<M>) -> [Vector<M>; 2] {
         let mut ends = self.prediction.slopes(&self.reached.velocities, h);
         for (end, excess) in ends.iter_mut().zip(&self.excess) {
             add(end, h * h, excess);
@@ -126,7 +129,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         step: &Step<'_, M>,
         mut ends: [Vector<M>; 2],
         work: &mut Work,
-    ) -> Result<M::State, StepFailure<Number<M>>> {
+    ) -> Result<M::State, StepFailure<ScalarOf<M>>> {
         let derivatives = self.reached.derivatives(step, &mean(&ends), work)?;
         if M::SAYS_CONSTRAINTS {
             return self.solve_held(step, derivatives, &ends, work);
@@ -149,11 +152,11 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         derivatives: Derivatives<M>,
         ends: &[Vector<M>; 2],
         work: &mut Work,
-    ) -> Result<M::State, StepFailure<Number<M>>> {
+    ) -> Result<M::State, StepFailure<ScalarOf<M>>> {
         let equations = ConstrainedEquations::new(step, derivatives, ends)?;
         let Solved { ends, multipliers, mut change } =
             equations.solve(ends, &self.multipliers, self.rounding, work)?;
-        let (one, (t, q, v)) = (Number::<M>::ONE, places(step, &ends)[2]);
+        let (one, (t, q, v)) = (ScalarOf::<M>::ONE, places(step, &ends)[2]);
         let mut p = step.p;
         add(&mut p, one, &change);
         let reaction = self.reached.hold(step.system, t, (&q, &p), v, step.h, work)?;
@@ -259,7 +262,7 @@ fn mean<S: Scalar, Y: StateVector<S>>(ends: &[Y; 2]) -> Y {
 }
 
 /// A time with coordinates and velocities.
-type Configuration<M> = (Number<M>, Vector<M>, Vector<M>);
+type Configuration<M> = (ScalarOf<M>, Vector<M>, Vector<M>);
 
 /// The start, the middle and the end of the parabola with these velocities at its ends.
 #[inline]

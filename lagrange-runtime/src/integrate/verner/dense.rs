@@ -5,7 +5,7 @@ use super::interpolant::{
 };
 use super::stage::{RATES, weighted};
 use super::tableau::ADVANCE;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector};
 
 /// A step of length `h` from `y` at `t`.

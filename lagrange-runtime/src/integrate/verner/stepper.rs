@@ -16,7 +16,7 @@ use crate::integrate::corrected::{admitted, check_finite, corrected};
 use crate::integrate::method::{Stepper, Work};
 use crate::integrate::stability::{EVALUATIONS, largest_eigenvalue};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 use crate::tolerance::DEFECT;
 

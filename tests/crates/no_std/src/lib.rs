@@ -2,9 +2,9 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-use lagrange::Scalar;
 use lagrange::integrate::{RungeKutta4, integrate};
 use lagrange::scene::{Item, LoadOrigin, Scene};
+use lagrange::{Number, Scalar};
 
 lagrange::system! {
     /// A point mass on a massless rod.
@@ -88,11 +88,11 @@ lagrange::system! {
 /// How hard the ground holds a rod at rest at an angle.
 #[must_use]
 pub fn grip(beam: &Beam, angle: f32) -> f32 {
-    let (sin, cos) = Scalar::sin_cos(angle);
+    let (sin, cos) = Number::sin_cos(angle);
     let mut grip = 0.0;
     beam.items(0.0, &[0.5 * beam.l * cos, 0.5 * beam.l * sin, angle], &[0.0; 3], &mut |item| {
         if let Item::Force { cause: LoadOrigin::Joint, force: [x, y], .. } = item {
-            grip = Scalar::hypot(x, y);
+            grip = Number::hypot(x, y);
         }
     });
     grip

@@ -3,7 +3,7 @@
 pub(crate) mod checks;
 
 use crate::linalg::pivoted::{Factors, Matrix};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{
     CanonicalSystem, EnergyFunction, MechanicalSystem, OdeSystem, StateMatrix, StateVector, join, split,
 };
