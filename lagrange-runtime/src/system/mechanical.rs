@@ -1,5 +1,6 @@
 //! Systems of mechanics: positions, velocities, accelerations.
 
+use super::lanes::LanesVisitor;
 use super::{OdeSystem, StateVector};
 
 /// A system described by positions q and velocities v, to which accelerations a = v̇ belong.
@@ -207,6 +208,19 @@ pub trait MechanicalSystem: OdeSystem {
             *entry = *to - *from;
         }
         displacement
+    }
+
+    /// Lets a visitor do what it does with systems whose equations can be evaluated side by side, those that are
+    /// [`LanesSystem`](super::LanesSystem)s.
+    ///
+    /// # Errors
+    /// The visitor comes back if this is none.
+    #[inline]
+    fn with_lanes<V: LanesVisitor<Self>>(visitor: V) -> Result<V::Output, V>
+    where
+        Self: Sized,
+    {
+        Err(visitor)
     }
 }
 

@@ -1,0 +1,52 @@
+//! Systems whose equations can be evaluated for several motions side by side.
+
+use super::{MechanicalSystem, StateVector};
+use crate::scalar::Number;
+
+/// Numbers side by side, one in each lane.
+pub trait SideBySide: Number {
+    /// The number in a lane.
+    type Element: Number;
+    /// How many lanes there are.
+    const LANES: usize;
+
+    /// The number in this lane, counted from zero.
+    fn lane(self, lane: usize) -> Self::Element;
+
+    /// Puts a number into this lane and leaves the others.
+    fn set_lane(&mut self, lane: usize, value: Self::Element);
+}
+
+/// The equations of a system for numbers of another type, with parameters of that type.
+pub trait Equations<S: Number>: Copy {
+    /// The state `[q…, v…]`.
+    type State: StateVector<S>;
+
+    /// The right-hand side ẏ = f(t, y), as that of [`OdeSystem`](super::OdeSystem::rhs).
+    fn rhs(&self, t: S, y: &Self::State) -> Self::State;
+}
+
+/// A system that hands out its equations for numbers side by side: emitted types do with `emit { lanes }`.
+///
+/// Every motion has parameters of its own, so that they are numbers side by side, too.
+pub trait LanesSystem: MechanicalSystem {
+    /// The equations in numbers of the type S.
+    type Lanes<S: Number>: Equations<S>;
+
+    /// The equations with the parameters of this system in every lane.
+    fn lanes<S: Number>(&self, splat: impl Fn(Self::Scalar) -> S) -> Self::Lanes<S>;
+
+    /// Puts the parameters of this system into one lane.
+    fn set_lane<S: SideBySide<Element = Self::Scalar>>(&self, lanes: &mut Self::Lanes<S>, lane: usize);
+}
+
+/// Something to do with a system if its equations can be evaluated side by side.
+pub trait LanesVisitor<M> {
+    /// What comes of it.
+    type Output;
+
+    /// Does it.
+    fn visit(self) -> Self::Output
+    where
+        M: LanesSystem;
+}
