@@ -1,6 +1,6 @@
 //! Systems whose equations can be evaluated for several motions side by side.
 
-use super::{MechanicalSystem, StateVector};
+use super::{OdeSystem, StateVector};
 use crate::scalar::Number;
 
 /// Numbers side by side, one in each lane.
@@ -29,7 +29,7 @@ pub trait Equations<S: Number>: Copy {
 /// A system that hands out its equations for numbers side by side: emitted types do with `emit { lanes }`.
 ///
 /// Every motion has parameters of its own, so that they are numbers side by side, too.
-pub trait LanesSystem: MechanicalSystem {
+pub trait LanesSystem: OdeSystem {
     /// The equations in numbers of the type S.
     type Lanes<S: Number>: Equations<S>;
 
