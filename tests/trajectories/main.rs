@@ -1,7 +1,7 @@
 //! Long motions, whose many steps only optimised code takes in reasonable time.
 //!
-//! `cargo test -p lagrange-tests --release --test trajectories` runs them; without optimisation there is nothing here.
-#![cfg(not(debug_assertions))]
+//! `cargo test -p lagrange-tests --release --test trajectories` runs them; without optimisation there is nothing here but for lints.
+#![cfg(any(not(debug_assertions), clippy))]
 
 mod adaptive;
 #[path = "../mechanisms/bricard.rs"]
