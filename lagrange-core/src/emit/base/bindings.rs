@@ -91,7 +91,7 @@ impl Bindings<'_> {
             // What does not depend on velocities may be given any.
             Arguments::Positions => {
                 let scalar = self.shape.scalar();
-                quote!(let #pattern = self.sides(#time, #positions, &[<#scalar as #krate::Scalar>::ZERO; #n]);)
+                quote!(let #pattern = self.sides(#time, #positions, &[<#scalar as #krate::Number>::ZERO; #n]);)
             }
             _ => quote!(let #pattern = self.sides(#time, #positions, #velocities);),
         })
