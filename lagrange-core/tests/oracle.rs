@@ -1,6 +1,9 @@
 //! Interpreted systems against reference values that an independent derivation computed with many digits;
 //! see `tests/oracle/README.md`.
 
+#[cfg(unix)]
+#[path = "oracle/kernels.rs"]
+mod kernels;
 #[path = "../../tests/oracle/reference.rs"]
 mod reference;
 

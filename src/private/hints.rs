@@ -296,6 +296,38 @@ pub trait Statements {
 
 impl<M: EmitsStatements> Statements for M {}
 
+/// A system that emits `KERNEL_F64`.
+#[diagnostic::on_unimplemented(
+    message = "the declaration of `{Self}` does not emit `KERNEL_F64`",
+    label = "not emitted",
+    note = "add `emit {{ kernel }}` to the declaration"
+)]
+pub trait EmitsKernelF64 {}
+
+/// The name of that product.
+pub trait KernelF64 {
+    /// Never read.
+    const KERNEL_F64: () = ();
+}
+
+impl<M: EmitsKernelF64> KernelF64 for M {}
+
+/// A system that emits `KERNEL_F32`.
+#[diagnostic::on_unimplemented(
+    message = "the declaration of `{Self}` does not emit `KERNEL_F32`",
+    label = "not emitted",
+    note = "add `emit {{ kernel }}` to the declaration"
+)]
+pub trait EmitsKernelF32 {}
+
+/// The name of that product.
+pub trait KernelF32 {
+    /// Never read.
+    const KERNEL_F32: () = ();
+}
+
+impl<M: EmitsKernelF32> KernelF32 for M {}
+
 /// A system that emits `EQUATIONS_LATEX`.
 #[diagnostic::on_unimplemented(
     message = "the declaration of `{Self}` does not emit `EQUATIONS_LATEX`",
@@ -353,10 +385,10 @@ macro_rules! __hints {
         #[allow(unused_imports, reason = "they are for what the compiler says of what is not emitted")]
         use $crate::private::hints::{
             Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
-            Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _,
-            KineticEnergy as _, Latex as _, MassMatrix as _, Momenta as _, MomentumRates as _,
-            ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _, Statements as _,
-            TangentJacobian as _,
+            Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _, KernelF32 as _,
+            KernelF64 as _, KineticEnergy as _, Latex as _, MassMatrix as _, Momenta as _,
+            MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
+            Statements as _, TangentJacobian as _,
         };
     };
     (default) => {

@@ -8,6 +8,7 @@ const LANGUAGE: &str = include_str!("../../src/language.md");
 /// Name of what a product adds to the emitted type; of bodies it adds no member of its own name.
 fn member(product: Product) -> Option<&'static str> {
     match product {
+        Product::Kernel => Some("KERNEL_F64"),
         Product::Latex => Some("EQUATIONS_LATEX"),
         Product::Statements => Some("STATEMENTS"),
         Product::Motion | Product::Frames | Product::FrameJacobians | Product::Drawing => None,

@@ -1,4 +1,4 @@
-//! Programs as the body of a Rust function.
+//! Programs as the body of a function: of Rust, and by [`statements`] of C.
 //!
 //! The statements read like code written by hand: what has a name or is used several times becomes a
 //! `let`, everything else is written where it is used, up to a bounded length. Names are the labels of the
@@ -9,6 +9,7 @@
 //! Elementary functions are called by their bare names; a body says which of them it needs in scope.
 
 mod body;
+mod c;
 mod fragment;
 mod literal;
 mod names;
@@ -20,6 +21,7 @@ mod values;
 mod writer;
 
 pub use body::{FunctionBody, Scalar, Unrepresentable};
+pub use c::{Precision, prelude, statements};
 pub use names::Names;
 
 use crate::program::{Op, Program};

@@ -19,8 +19,17 @@ use crate::model::{Output, Product};
 use crate::syntax::ast::{AstId, EmitItem, Name, Statement, StatementKind};
 
 /// Methods that every system has; no output may take their names.
-const GENERATED_METHODS: [&str; 7] =
-    ["acceleration", "rhs", "multipliers", "constraints", "EQUATIONS_LATEX", "PARAMETERS", "STATEMENTS"];
+const GENERATED_METHODS: [&str; 9] = [
+    "acceleration",
+    "rhs",
+    "multipliers",
+    "constraints",
+    "EQUATIONS_LATEX",
+    "KERNEL_F32",
+    "KERNEL_F64",
+    "PARAMETERS",
+    "STATEMENTS",
+];
 
 pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Statement) {
     let keyword = statement.origin.start;

@@ -15,6 +15,7 @@ use super::features::contacts::{default_modes, write_touching};
 use super::features::events::write_events;
 use super::features::frames::write_frames;
 use super::features::indefinite::write_indefinite;
+use super::features::kernel::{self as kernels, write_kernel};
 use super::features::orientations::write_position_rates;
 use super::features::prepared::write_prepared;
 use super::features::product::{Plan, plan};
@@ -22,6 +23,7 @@ use super::features::scene::write_scene;
 use super::features::sparse::{Sparse, lowered_sparse};
 use super::features::switches::{derived_shape, free_switches, report_unlocated, write_switches};
 use super::item::items;
+use crate::code::Precision;
 use crate::derive::Equations;
 use crate::diagnostics::Report;
 use crate::expr::ExprId;
@@ -49,6 +51,16 @@ pub fn system(
     Some(items)
 }
 
+/// The equations of motion as C, as `emit { kernel }` keeps them; `None` if there are none, which is reported.
+pub fn kernel(
+    (declaration, model, equations): (&Declaration, &Model, &Equations),
+    precision: Precision,
+    report: &mut Report,
+) -> Option<String> {
+    let refused = |refusal: &Refusal| report_refusal(declaration, refusal, report);
+    kernels::kernel(model, equations, precision).inspect_err(refused).ok()
+}
+
 /// The items, and how large the methods are.
 fn assembled(
     declaration: &Declaration,
@@ -68,6 +80,7 @@ fn assembled(
     write_scene(&mut writer);
     write_frames(&mut writer);
     write_prepared(&mut writer)?;
+    write_kernel(&mut writer)?;
     if !writer.is_hopeless() {
         describe(&mut writer, statements, counts);
     }

@@ -136,13 +136,15 @@ fn coordinate_list(shape: &Shape<'_>) -> String {
 fn inherent_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
     let methods = members.methods.iter().map(|method| method.tokens(shape, &members.names));
-    let (constants, rhs) = (&members.constants, rhs(shape, &members.names, &quote!(self)));
+    let (constants, kernel, rhs) =
+        (&members.constants, &members.kernel, rhs(shape, &members.names, &quote!(self)));
     let (hidden, motions) = (&members.hidden, &members.motions);
     let projections = projections(shape, members);
     let prepared = prepared_method(shape, members);
     quote! {
         impl #bounds #name #generics {
             #constants
+            #kernel
             #(#methods)*
             #rhs
             #motions

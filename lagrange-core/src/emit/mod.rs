@@ -11,7 +11,7 @@ mod item;
 mod skeleton;
 mod traits;
 
-pub use assemble::system;
+pub use assemble::{kernel, system};
 pub use base::attributes::attributes_of_struct;
 pub use base::docs::{documentation, equations_latex};
 pub use base::sides::on_sides;

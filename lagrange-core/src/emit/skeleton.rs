@@ -7,6 +7,7 @@ use super::base::members::{Members, Prepared, PreparedFields};
 use super::base::method::{ArgumentNames, Arguments, Method, Returns};
 use super::base::shape::{Shape, identifier, local, method_of, motion_name};
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
+use super::features::kernel::kernel_constants;
 use super::features::prepared::METHODS_OF_PREPARED;
 use super::features::product::signature;
 use super::features::reduced::{placeholder_conversions, reduced_attributes};
@@ -18,9 +19,11 @@ use crate::model::Product;
 use crate::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
 
 /// Members that do not come from products; an output of such a name is a mistake.
-const TAKEN: [&str; 8] = [
+const TAKEN: [&str; 10] = [
     "rhs",
     "EQUATIONS_LATEX",
+    "KERNEL_F32",
+    "KERNEL_F64",
     "PARAMETERS",
     "STATEMENTS",
     "project",
@@ -87,6 +90,7 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
         motions: skeleton_of_motions(&shape, &names),
         items: shape.asks_for(Product::Drawing).then(TokenStream::new),
         prepared: shape.asks_for(Product::Prepared).then(|| skeleton_of_prepared(&shape)),
+        kernel: shape.asks_for(Product::Kernel).then(|| kernel_constants("", "")),
         constants: constants.into_iter().collect(),
         is_separable: shape.velocities_are_rates(),
         ..Members::new(names)

@@ -9,6 +9,7 @@ use super::base::shape::{Shape, identifier, length, local};
 use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
 use super::features::contacts::contact_impl;
 use super::features::events::event_members;
+use super::features::kernel::kernel_impl;
 use super::features::orientations::{orientation_members, position_rates};
 use super::features::scene::scene_impl;
 use super::features::switches::switched_impl;
@@ -28,7 +29,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     });
     let constrained = constrained_impl(shape, members);
     let (contact, scene) = (contact_impl(shape, members), scene_impl(shape, members));
-    let switched = switched_impl(shape, members);
+    let (switched, kernel) = (switched_impl(shape, members), kernel_impl(shape, members));
     // With constraints there is only a skeleton of it.
     let is_whole = members.prepared.is_some() && members.constrained.is_empty();
     let prepared = is_whole.then(|| {
@@ -37,7 +38,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
         let separable = members.is_separable.then(|| separable_impl(shape, &name));
         quote!(#canonical #separable)
     });
-    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared)
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel)
 }
 
 /// Whether there is a method of this name.

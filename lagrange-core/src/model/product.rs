@@ -24,6 +24,7 @@ pub enum Product {
     TangentJacobian,
     ParameterJacobian,
     Prepared,
+    Kernel,
     Latex,
     Motion,
     Frames,
@@ -115,7 +116,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 23] = [
+const ROWS: [ProductRow; 24] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -301,6 +302,7 @@ const ROWS: [ProductRow; 23] = [
         }),
     },
     ProductRow { product: Product::Prepared, name: "prepared", when: Availability::Demand, method: None },
+    ProductRow { product: Product::Kernel, name: "kernel", when: Availability::Demand, method: None },
     ProductRow { product: Product::Latex, name: "latex", when: Availability::Demand, method: None },
     ProductRow { product: Product::Motion, name: "motion", when: Availability::Bodies, method: None },
     ProductRow { product: Product::Frames, name: "frames", when: Availability::Bodies, method: None },

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 
 use super::phases::{DerivedPart, equations_of, items_of, model_of};
+use crate::code::Precision;
 use crate::derive::{Equations, StrategyChoice};
 use crate::diagnostics::Report;
 use crate::emit;
@@ -76,6 +77,16 @@ impl Derived {
     pub fn emit(self, krate: &TokenStream) -> Result<TokenStream, Report> {
         let Derived { declaration, mut model, equations, reduced, mut report } = self;
         items_of((&declaration, &mut model, &equations), reduced, krate, &mut report).ok_or(report)
+    }
+
+    /// The equations of motion as C, as `emit { kernel }` keeps them.
+    ///
+    /// # Errors
+    /// If the system has what a kernel does not go with, or a constant is too large for the numbers.
+    pub fn kernel(&self, precision: Precision) -> Result<String, Report> {
+        let mut report = Report::default();
+        let text = emit::kernel((&self.declaration, &self.model, &self.equations), precision, &mut report);
+        text.ok_or(report)
     }
 
     /// The equations, the structure and the cost of the system in lines of Markdown, as they stand in the

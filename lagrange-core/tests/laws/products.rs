@@ -98,6 +98,7 @@ fn system_with(product: Product) -> &'static str {
 /// The methods and constants of a product.
 fn added_by(product: Product) -> Vec<&'static str> {
     match product {
+        Product::Kernel => vec!["KERNEL_F32", "KERNEL_F64"],
         Product::Latex => vec!["EQUATIONS_LATEX"],
         Product::ParameterJacobian => vec![product.name(), "PARAMETERS"],
         Product::Motion => vec!["bob_motion"],

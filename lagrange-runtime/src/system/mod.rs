@@ -6,6 +6,7 @@
 mod canonical;
 mod constraint_values;
 mod event;
+mod kernel;
 mod lanes;
 mod mechanical;
 mod message;
@@ -21,6 +22,7 @@ pub use self::canonical::{CanonicalSystem, LeapfrogSystem, SeparableSystem};
 pub use self::constraint_values::ConstraintValues;
 pub(crate) use self::event::MOST_LOCATED;
 pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MOST_DECLARED, Response};
+pub use self::kernel::KernelSystem;
 pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]

@@ -8,6 +8,7 @@ lagrange::system! {
 
 fn main() {
     println!("{}", Pendulum::EQUATIONS_LATEX);
+    println!("{}", Pendulum::KERNEL_F64);
     println!("{:?}", Pendulum::PARAMETERS);
     println!("{}", Pendulum::STATEMENTS);
 }

@@ -34,6 +34,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) items: Option<TokenStream>,
     /// What the prepared type consists of, if that is asked for.
     pub(in crate::emit) prepared: Option<Prepared>,
+    /// The constants with the text of the kernel, if that is asked for.
+    pub(in crate::emit) kernel: Option<TokenStream>,
     /// Associated constants.
     pub(in crate::emit) constants: TokenStream,
     pub(in crate::emit) names: ArgumentNames,
@@ -62,6 +64,7 @@ impl Members {
             motions: TokenStream::new(),
             items: None,
             prepared: None,
+            kernel: None,
             constants: TokenStream::new(),
             names,
             functions: BTreeSet::new(),

@@ -1,5 +1,8 @@
 //! Diagnostics for systems that are hard to compile or to integrate.
 
+use crate::code::Precision;
+use crate::model::Product;
+
 pub(in crate::emit) fn expensive(size: usize, checking: f64, optimising: f64, bytes: f64) -> String {
     format!(
         "the methods of this system take {size} operations: checking them takes the compiler roughly {checking:.0} s \
@@ -33,11 +36,35 @@ pub(in crate::emit) fn smaller() -> &'static str {
      inputs"
 }
 
-pub(in crate::emit) fn unprepared(obstacle: &str) -> String {
-    format!("`prepared` does not go with {obstacle}")
+pub(in crate::emit) fn obstacle(product: Product, obstacle: &str) -> String {
+    format!("`{}` does not go with {obstacle}", product.name())
 }
 
-pub(in crate::emit) const UNPREPARED_HELP: &str = "leave it out; accelerations that are found in one way for all states can be prepared, of systems with events, too";
+/// What a product that does not go with a system is for.
+pub(in crate::emit) fn without(product: Product) -> &'static str {
+    match product {
+        Product::Kernel => {
+            "leave it out; a device computes motions of systems without constraints, contacts, friction and events"
+        }
+        _ => {
+            "leave it out; accelerations that are found in one way for all states can be prepared, of systems with events, too"
+        }
+    }
+}
+
+pub(in crate::emit) fn large_in_kernel(precision: Precision, constants: &[String]) -> String {
+    let scalar = match precision {
+        Precision::Double => "f64",
+        Precision::Single => "f32",
+    };
+    format!(
+        "`kernel` is emitted in `{scalar}`, too, for which these numbers are too large: {}",
+        constants.join(", ")
+    )
+}
+
+pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or leave it out";
+pub(in crate::emit) const EVENTS: &str = "events, which runs look for";
 pub(in crate::emit) const CONTACTS: &str = "contacts or friction, whose modes change the equations";
 pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are found at run time";
 pub(in crate::emit) const SWITCHES: &str =

@@ -1,7 +1,10 @@
 //! Why a derived system cannot be written.
 
+use proc_macro2::Span;
+
 use super::messages;
 use super::size::report_hopeless;
+use crate::code::Precision;
 use crate::diagnostics::Report;
 use crate::model::Product;
 use crate::syntax::ast::{Declaration, EmitItem, ScalarType, StatementKind};
@@ -13,8 +16,10 @@ pub(in crate::emit) enum Refusal {
     Constants(Vec<String>),
     /// No compiler would get through it.
     Size,
-    /// It cannot be prepared, because of this.
-    Preparation(&'static str),
+    /// This product does not go with that of the system, in words.
+    Obstacle(Product, &'static str),
+    /// A kernel in this precision cannot hold these constants, in words.
+    KernelConstants(Precision, Vec<String>),
 }
 
 /// Reports why a system cannot be written.
@@ -22,20 +27,25 @@ pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refus
     match refusal {
         Refusal::Constants(constants) => report_too_large(declaration, constants, report),
         Refusal::Size => report_hopeless(declaration, report),
-        Refusal::Preparation(obstacle) => report_unprepared(declaration, obstacle, report),
+        Refusal::Obstacle(product, obstacle) => {
+            let error = report.error(demand(declaration, *product), messages::obstacle(*product, obstacle));
+            error.help(messages::without(*product));
+        }
+        Refusal::KernelConstants(precision, constants) => {
+            let message = messages::large_in_kernel(*precision, constants);
+            report.error(demand(declaration, Product::Kernel), message).help(messages::LARGE_IN_KERNEL_HELP);
+        }
     }
 }
 
-/// Reports at the demand for a prepared type that there is none.
-fn report_unprepared(declaration: &Declaration, obstacle: &str, report: &mut Report) {
+/// Where a product is asked for.
+fn demand(declaration: &Declaration, product: Product) -> Span {
     let items = declaration.statements.iter().filter_map(|statement| match &statement.kind {
         StatementKind::Emit(items) => Some(items),
         _ => None,
     });
-    let is_demand = |item: &&EmitItem| item.wanted && item.product.text == Product::Prepared.name();
-    let demand = items.flatten().rfind(is_demand);
-    let place = demand.map_or(declaration.name.span, |item| item.product.span);
-    report.error(place, messages::unprepared(obstacle)).help(messages::UNPREPARED_HELP);
+    let is_demand = |item: &&EmitItem| item.wanted && item.product.text == product.name();
+    items.flatten().rfind(is_demand).map_or(declaration.name.span, |item| item.product.span)
 }
 
 /// Reports constants that the scalar cannot represent and that only derivation makes: what the user wrote has been

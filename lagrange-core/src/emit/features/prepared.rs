@@ -42,7 +42,7 @@ pub(in crate::emit) fn write_prepared(writer: &mut MethodWriter<'_>) -> Result<(
         return Ok(());
     }
     if let Some(obstacle) = obstacle(writer.shape, writer.model, writer.equations) {
-        return Err(Refusal::Preparation(obstacle));
+        return Err(Refusal::Obstacle(Product::Prepared, obstacle));
     }
     let mut preparation = Preparation::new(writer.model.parameters.len() as u32);
     let mut fields = PreparedFields::new();

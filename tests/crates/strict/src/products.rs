@@ -20,7 +20,7 @@ lagrange::system! {
     torque c * sin(t) on q5 - q4;
     output tip = p5;
     output reach = norm(p5);
-    emit { bias, latex, momentum_rates, jacobian, prepared }
+    emit { bias, latex, momentum_rates, jacobian, prepared, kernel }
 }
 
 lagrange::system! {
@@ -44,7 +44,7 @@ lagrange::system! {
     kinetic = 1/2 * m * dot(x)^2 * (1 + x^2);
     potential = 1/2 * k * x^2;
     emit { no mass_matrix, no forcing, no momenta, no kinetic_energy, no potential_energy, no energy }
-    emit { no inverse_dynamics, jacobian }
+    emit { no inverse_dynamics, jacobian, kernel }
 }
 
 #[cfg(test)]

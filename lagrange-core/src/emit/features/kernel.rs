@@ -1,0 +1,165 @@
+//! The equations of motion as C, for graphics processors: constants with the text, and the trait by which a driver finds what belongs to it.
+//!
+//! A text is whole: whoever compiles it, for OpenCL, CUDA or a processor, needs nothing else. Conditions, kinks and jumps are decided as the
+//! state says, since nobody there looks for the places where they change.
+
+use std::fmt::Write;
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::code::{Precision, Unrepresentable, prelude, statements};
+use crate::derive::Equations;
+use crate::emit::base::members::Members;
+use crate::emit::base::messages;
+use crate::emit::base::refusal::Refusal;
+use crate::emit::base::shape::{Shape, identifier, length};
+use crate::emit::base::writer::MethodWriter;
+use crate::expr::ExprId;
+use crate::model::{Model, Product};
+use crate::program::{Labels, lower, optimise};
+use crate::symbol::Role;
+
+/// Writes the constants of the kernel, if it is asked for.
+pub(in crate::emit) fn write_kernel(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
+    if !writer.model.products.contains(&Product::Kernel) || writer.is_hopeless() {
+        return Ok(());
+    }
+    let text = |precision| kernel(writer.model, writer.equations, precision);
+    let (double, single) = (text(Precision::Double)?, text(Precision::Single)?);
+    writer.members.kernel = Some(kernel_constants(&double, &single));
+    Ok(())
+}
+
+/// What of a system keeps it from being computed by a kernel, in words.
+fn obstacle(model: &Model, equations: &Equations) -> Option<&'static str> {
+    let obstacles = [
+        (!model.reactions.is_empty(), messages::CONTACTS),
+        (!model.constraints.is_empty(), messages::CONSTRAINTS),
+        (!model.events.is_empty(), messages::EVENTS),
+        (equations.pivot_growth.is_some(), messages::INDEFINITE),
+    ];
+    obstacles.into_iter().find(|(is_there, _)| *is_there).map(|(_, words)| words)
+}
+
+/// The whole text: prelude, sizes, accelerations, rates of the positions, normalisation.
+pub(in crate::emit) fn kernel(
+    model: &Model,
+    equations: &Equations,
+    precision: Precision,
+) -> Result<String, Refusal> {
+    if let Some(obstacle) = obstacle(model, equations) {
+        return Err(Refusal::Obstacle(Product::Kernel, obstacle));
+    }
+    let mut out = prelude(precision);
+    let fields = model.parameters.iter().chain(&model.inputs).map(|field| field.name.escape_default());
+    let fields = fields.map(|name| name.to_string()).collect::<Vec<_>>();
+    let sizes = [
+        ("POSITIONS", model.coordinates.len()),
+        ("VELOCITIES", model.speeds.len()),
+        ("PARAMETERS", fields.len()),
+    ];
+    for (what, count) in sizes {
+        write!(out, "\n#define LAGRANGE_{what} {count}").expect("strings take all text");
+    }
+    let fields = if fields.is_empty() { "of which there are none".to_owned() } else { fields.join(", ") };
+    write!(out, "\n\n// p: parameters, then inputs: {fields}\n").expect("strings take all text");
+    let mut function = |name: &str, result: &str, docs: &str, roots: &[ExprId]| {
+        let body = body(model, equations, roots, precision, result);
+        let body = body.map_err(|error| Refusal::KernelConstants(precision, error.constants))?;
+        write!(
+            out,
+            "\n// {docs}\nLAGRANGE_FUNCTION void {name}(REAL t, const REAL *q, const REAL *v, const REAL *p, REAL *{result})\n\
+             {{\n    (void)t, (void)q, (void)v, (void)p;\n{body}}}\n"
+        )
+        .expect("strings take all text");
+        Ok(())
+    };
+    function(
+        "lagrange_acceleration",
+        "a",
+        "Accelerations in the order of the velocities.",
+        &equations.accelerations,
+    )?;
+    function("lagrange_position_rates", "rates", "Rates of the positions.", &model.position_rates())?;
+    out.push_str(&normalise(model));
+    Ok(out)
+}
+
+/// Statements that store the values of `roots`.
+fn body(
+    model: &Model,
+    equations: &Equations,
+    roots: &[ExprId],
+    precision: Precision,
+    results: &str,
+) -> Result<String, Unrepresentable> {
+    let mut labels = Labels::default();
+    equations.labels.iter().for_each(|(id, name)| labels.insert(*id, name.as_str()));
+    let program = optimise(&lower(&model.graph, roots, &labels), model.accuracy);
+    let parameters = model.parameters.len();
+    let place = |role| match role {
+        Role::Time => "t".to_owned(),
+        Role::Coordinate(index) => format!("q[{index}]"),
+        Role::Velocity(index) => format!("v[{index}]"),
+        Role::Parameter(index) => format!("p[{index}]"),
+        Role::Input(index) => format!("p[{}]", parameters + index as usize),
+        _ => unreachable!("accelerations are found in one way, of the state and the parameters: {role:?}"),
+    };
+    statements(&program, model.graph.symbols(), precision, place, results)
+}
+
+/// The function that brings quaternions to length one, by which their rates do not hold them.
+fn normalise(model: &Model) -> String {
+    let mut out = "\n// Brings quaternions among the positions to length one.\nLAGRANGE_FUNCTION void lagrange_normalise(REAL *q)\n{\n    (void)q;\n".to_owned();
+    for (number, orientation) in model.orientations.iter().enumerate() {
+        let [w, x, y, z] = [0, 1, 2, 3].map(|part| format!("q[{}]", orientation.position + part));
+        writeln!(
+            out,
+            "    const REAL length{number} = LAGRANGE_HYPOT(LAGRANGE_HYPOT({w}, {x}), LAGRANGE_HYPOT({y}, {z}));"
+        )
+        .expect("strings take all text");
+        for part in [w, x, y, z] {
+            writeln!(out, "    {part} /= length{number};").expect("strings take all text");
+        }
+    }
+    out.push_str("}\n");
+    out
+}
+
+/// The constants with the text.
+pub(in crate::emit) fn kernel_constants(double: &str, single: &str) -> TokenStream {
+    let [double, single] = [double, single].map(raw);
+    quote! {
+        /// The equations of motion as C in double precision, for OpenCL, CUDA and processors.
+        pub const KERNEL_F64: &'static ::core::primitive::str = #double;
+        /// The equations of motion as C in single precision, for OpenCL, CUDA and processors.
+        pub const KERNEL_F32: &'static ::core::primitive::str = #single;
+    }
+}
+
+/// Text as a literal of several lines, in which names and prelude are ASCII and no quotation mark is followed by a hash.
+fn raw(text: &str) -> Literal {
+    format!("r#\"{text}\"#").parse().unwrap_or_else(|_| Literal::string(text))
+}
+
+/// `KernelSystem`, if there is a kernel.
+pub(in crate::emit) fn kernel_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    members.kernel.as_ref()?;
+    let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);
+    let (scalar, count) = (shape.scalar(), length(shape.fields.len()));
+    let names = shape.fields.iter().map(|name| &name.text);
+    let fields = shape.fields.iter().map(|name| identifier(name));
+    Some(quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::KernelSystem for #name #generics {
+            type Parameters = [#scalar; #count];
+            const KERNEL_F64: &'static ::core::primitive::str = Self::KERNEL_F64;
+            const KERNEL_F32: &'static ::core::primitive::str = Self::KERNEL_F32;
+            const PARAMETERS: &'static [&'static ::core::primitive::str] = &[#(#names),*];
+            fn parameters(&self) -> [#scalar; #count] {
+                [#(self.#fields),*]
+            }
+        }
+    })
+}
