@@ -13,9 +13,10 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 9] = [
+pub(crate) const LIBRARIES: [Library; 10] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-core", layers: CORE },
+    Library { name: "lagrange-device", layers: DEVICE },
     Library { name: "lagrange-draw", layers: DRAW },
     Library { name: "lagrange-import", layers: IMPORT },
     Library { name: "lagrange-macro", layers: &[] },
@@ -128,6 +129,18 @@ const RUNTIME: &[Layer] = &[
         modules: &["ensemble"],
         purpose: "many runs of the front door: over threads, in an order that does not show; ends, sums, files that are gone on with",
     },
+];
+
+const DEVICE: &[Layer] = &[
+    Layer { modules: &["error"], purpose: "why a device computes nothing" },
+    Layer {
+        modules: &["backend"],
+        purpose: "OpenCL and CUDA: columns of motions to a device, calls of a kernel, and back",
+    },
+    Layer { modules: &["number"], purpose: "`f64` and `f32`: what is different in them" },
+    Layer { modules: &["ends"], purpose: "where motions ended, and which failed" },
+    Layer { modules: &["ensemble"], purpose: "what is asked of motions, and the text of methods" },
+    Layer { modules: &["device"], purpose: "devices, and how one is found" },
 ];
 
 const PLOT: &[Layer] = &[

@@ -1,0 +1,52 @@
+//! Ways to a device: OpenCL and CUDA.
+
+#[cfg(feature = "cuda")]
+mod cuda;
+#[cfg(feature = "opencl")]
+mod opencl;
+mod work;
+
+pub(crate) use self::work::{Method, Status, Work};
+
+use crate::error::DeviceError;
+
+/// A device as one of the two ways leads to it.
+pub(crate) trait Backend {
+    fn name(&self) -> &str;
+
+    /// Whether it is a graphics processor, and not a processor that plays one.
+    fn is_graphics(&self) -> bool;
+
+    fn has_doubles(&self) -> bool;
+
+    fn run_double(&self, text: &str, work: &mut Work<f64>) -> Result<(), DeviceError>;
+
+    fn run_single(&self, text: &str, work: &mut Work<f32>) -> Result<(), DeviceError>;
+}
+
+/// The devices that one way leads to, or why it leads to none.
+type Found = Result<Vec<Box<dyn Backend>>, String>;
+
+/// All devices, and why there are no others.
+pub(crate) fn devices() -> (Vec<Box<dyn Backend>>, Vec<String>) {
+    let ways: &[fn() -> Found] = &[
+        #[cfg(feature = "cuda")]
+        cuda::devices,
+        #[cfg(feature = "opencl")]
+        opencl::devices,
+    ];
+    let (mut found, mut missing) = (Vec::new(), Vec::new());
+    for way in ways {
+        match way() {
+            Ok(devices) => found.extend(devices),
+            Err(reason) => missing.push(reason),
+        }
+    }
+    (found, missing)
+}
+
+/// Threads of a group; the number of threads is a multiple of it.
+const GROUP: u32 = 64;
+
+/// Steps of one call: short enough for devices that also drive a screen and end what takes seconds.
+const BUDGET: u32 = 1000;

@@ -1,0 +1,68 @@
+//! What a device is given and hands back, in columns.
+
+/// A method of integration by its kernel in `methods.c`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Method {
+    RungeKutta4,
+    DormandPrince,
+}
+
+impl Method {
+    pub(crate) fn kernel(self) -> &'static str {
+        match self {
+            Method::RungeKutta4 => "lagrange_runge_kutta_4",
+            Method::DormandPrince => "lagrange_dormand_prince",
+        }
+    }
+}
+
+/// What becomes of a motion, by its number in `methods.c`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Status {
+    Running,
+    Done,
+    NotFinite,
+    TooManySteps,
+    StepUnderflow,
+}
+
+impl Status {
+    pub(crate) fn of(number: u32) -> Status {
+        match number {
+            0 => Status::Running,
+            1 => Status::Done,
+            2 => Status::NotFinite,
+            3 => Status::TooManySteps,
+            _ => Status::StepUnderflow,
+        }
+    }
+
+    /// Whether any motion has steps to go.
+    pub(crate) fn any_running(numbers: &[u32]) -> bool {
+        numbers.iter().any(|number| Status::of(*number) == Status::Running)
+    }
+}
+
+/// Motions in columns: every column has an entry for each of them.
+pub(crate) struct Work<T> {
+    pub(crate) method: Method,
+    pub(crate) motions: u32,
+    /// Positions, then velocities.
+    pub(crate) states: Vec<T>,
+    /// Parameters, then inputs; never empty, since buffers may not be.
+    pub(crate) parameters: Vec<T>,
+    pub(crate) times: Vec<T>,
+    /// The length of the next step, zero before the first, and the error of the last.
+    pub(crate) controls: Vec<T>,
+    /// Steps so far.
+    pub(crate) taken: Vec<u32>,
+    /// Numbers of [`Status`].
+    pub(crate) statuses: Vec<u32>,
+    pub(crate) end: T,
+    /// Length of a step, of the method that has equal ones; the longest, of the other.
+    pub(crate) step: T,
+    pub(crate) relative: T,
+    pub(crate) absolute: T,
+    /// The most steps of a motion.
+    pub(crate) most: u32,
+}

@@ -1,0 +1,72 @@
+//! Devices, and how one is found.
+
+use lagrange_runtime::simulate::InitialState;
+use lagrange_runtime::system::KernelSystem;
+
+use crate::backend::{Backend, devices};
+use crate::ensemble::Motions;
+use crate::error::DeviceError;
+use crate::number::DeviceNumber;
+
+/// A device that computes many motions at a time.
+pub struct Device {
+    backend: Box<dyn Backend>,
+}
+
+impl Device {
+    /// The first device: a graphics processor if there is one, by CUDA rather than by OpenCL, else another device of OpenCL.
+    ///
+    /// # Errors
+    /// [`NotFound`](DeviceError::NotFound), which says what is missing and how it is installed.
+    pub fn open() -> Result<Device, DeviceError> {
+        let mut all = Device::all()?;
+        let first = all.iter().position(|device| device.backend.is_graphics()).unwrap_or(0);
+        Ok(all.swap_remove(first))
+    }
+
+    /// All devices, at least one; a device that CUDA and OpenCL both know is there twice.
+    ///
+    /// # Errors
+    /// [`NotFound`](DeviceError::NotFound), which says what is missing and how it is installed.
+    pub fn all() -> Result<Vec<Device>, DeviceError> {
+        let (found, missing) = devices();
+        if found.is_empty() {
+            return Err(DeviceError::NotFound(missing));
+        }
+        Ok(found.into_iter().map(|backend| Device { backend }).collect())
+    }
+
+    /// What the driver calls it, and which way leads to it.
+    pub fn name(&self) -> &str {
+        self.backend.name()
+    }
+
+    /// Whether it computes in `f64`.
+    pub fn has_double_precision(&self) -> bool {
+        self.backend.has_doubles()
+    }
+
+    #[cfg(test)]
+    pub(crate) fn backend(&self) -> &dyn Backend {
+        &*self.backend
+    }
+
+    /// Motions of a system from each of these states, to be asked for more and run.
+    pub fn ensemble<'a, M>(
+        &'a self,
+        system: &'a M,
+        starts: impl IntoIterator<Item: InitialState<M::State>>,
+    ) -> Motions<'a, M>
+    where
+        M: KernelSystem<Scalar: DeviceNumber>,
+    {
+        let starts = starts.into_iter().map(InitialState::into_state).collect();
+        Motions::new(&*self.backend, system, starts)
+    }
+}
+
+impl std::fmt::Debug for Device {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_tuple("Device").field(&self.name()).finish()
+    }
+}

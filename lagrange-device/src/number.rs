@@ -1,0 +1,81 @@
+//! Numbers that devices compute with.
+
+use lagrange_runtime::Scalar;
+use lagrange_runtime::system::KernelSystem;
+
+use crate::backend::{Backend, Work};
+use crate::error::DeviceError;
+
+/// A number of devices: `f64` or `f32`.
+pub trait DeviceNumber: Scalar + sealed::Sealed {
+    /// The same in double precision.
+    fn to_f64(self) -> f64;
+}
+
+pub(crate) mod sealed {
+    /// What only this crate implements.
+    pub trait Sealed {
+        /// Whether motions of systems in these numbers are computed in single precision unless it is said otherwise.
+        const IS_SINGLE: bool;
+    }
+}
+
+impl sealed::Sealed for f64 {
+    const IS_SINGLE: bool = false;
+}
+
+impl DeviceNumber for f64 {
+    fn to_f64(self) -> f64 {
+        self
+    }
+}
+
+impl sealed::Sealed for f32 {
+    const IS_SINGLE: bool = true;
+}
+
+impl DeviceNumber for f32 {
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+}
+
+/// What a device computes in.
+pub(crate) trait Precision: DeviceNumber {
+    /// The error that is tolerated unless another is asked for.
+    const TOLERANCE: f64;
+    /// The smallest relative error that can be asked for.
+    const LEAST_TOLERANCE: f64;
+
+    /// The equations of motion of a system.
+    fn text<M: KernelSystem>() -> &'static str;
+
+    /// Computes all motions.
+    fn run(backend: &dyn Backend, text: &str, work: &mut Work<Self>) -> Result<(), DeviceError>;
+}
+
+impl Precision for f64 {
+    const TOLERANCE: f64 = 1e-9;
+    const LEAST_TOLERANCE: f64 = 1e-14;
+
+    fn text<M: KernelSystem>() -> &'static str {
+        M::KERNEL_F64
+    }
+
+    fn run(backend: &dyn Backend, text: &str, work: &mut Work<f64>) -> Result<(), DeviceError> {
+        backend.run_double(text, work)
+    }
+}
+
+impl Precision for f32 {
+    const TOLERANCE: f64 = 1e-5;
+    const LEAST_TOLERANCE: f64 = 1e-6;
+
+    fn text<M: KernelSystem>() -> &'static str {
+        M::KERNEL_F32
+    }
+
+    fn run(backend: &dyn Backend, text: &str, work: &mut Work<f32>) -> Result<(), DeviceError> {
+        backend.run_single(text, work)
+    }
+}
