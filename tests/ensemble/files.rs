@@ -43,7 +43,7 @@ fn ensemble(pendulum: &DoublePendulum) -> Ensemble<'_, DoublePendulum, Verner98<
         if i == 5 { [f64::NAN; 4] } else { [a, b, c, d] }
     });
     let ensemble = motions.parameters(|i, p| p.m2 = 0.5 + 1e-3 * i as f64).until(0.3).seed(7);
-    ensemble.observe("m2", |system, _, _| system.m2).motions_per_part(PER_PART).threads(2)
+    ensemble.motions_per_part(PER_PART).threads(2)
 }
 
 /// The files of a folder with what is in them.
@@ -64,7 +64,7 @@ fn expected(name: &str) -> BTreeMap<String, Vec<u8>> {
 /// Saves until two parts or three are there.
 fn begin(folder: &Path) {
     let pendulum = DoublePendulum::default();
-    let is_enough = || files(folder).len() > 2;
+    let is_enough = || files(folder).keys().filter(|name| name.ends_with(".parquet")).count() > 1;
     let ensemble = ensemble(&pendulum).progress(|_| match is_enough() {
         true => ControlFlow::Break(()),
         false => ControlFlow::Continue(()),
@@ -85,6 +85,25 @@ fn parts_are_the_same_bytes_from_any_number_of_threads_and_shards() {
         assert_eq!((saved.found, saved.missing), (0, PARTS - files(&folder.0).len()));
     }
     assert_eq!(files(&folder.0), expected);
+}
+
+#[test]
+fn parts_with_samples_are_the_same_bytes_and_go_on() {
+    let (whole, pieces) = (Folder::new("samples_whole"), Folder::new("samples"));
+    let pendulum = DoublePendulum::default();
+    let samples = || ensemble(&pendulum).every(0.1);
+    let saved = samples().threads(1).save_parquet(&whole.0).expect("saves");
+    assert_eq!((saved.written, saved.found, saved.missing, saved.failed), (PARTS, 0, 0, 1));
+    samples().shard(Shard::of(1, 2)).save_parquet(&pieces.0).expect("saves");
+    fs::remove_file(pieces.0.join("part-000017.parquet")).expect("is there");
+    let saved = samples().save_parquet(&pieces.0).expect("goes on");
+    assert_eq!((saved.found, saved.written, saved.missing), (PARTS / 2 - 1, PARTS / 2 + 1, 0));
+    assert!(files(&pieces.0) == files(&whole.0));
+    let error = ensemble(&pendulum).save_parquet(&pieces.0).expect_err("keeps ends");
+    assert!(
+        matches!(&error, EnsembleError::OtherEnsemble { differs, .. } if differs[0].contains("every 0.1")),
+        "{error}"
+    );
 }
 
 #[test]
@@ -239,8 +258,10 @@ fn parts_of_another_ensemble_are_refused() {
 fn a_column_that_is_called_like_another_is_an_error() {
     let folder = Folder::new("column");
     let pendulum = DoublePendulum::default();
-    let ensemble = pendulum.ensemble(3).start(start).until(0.1).observe("cause", |_, t, _| t);
-    let error = ensemble.save_parquet(&folder.0).expect_err("has two").to_string();
-    assert!(error.contains("a column is called `cause`"), "{error}");
+    for name in ["index", "cause"] {
+        let ensemble = pendulum.ensemble(3).start(start).until(0.1).observe(name, |_, t, _| t);
+        let error = ensemble.save_parquet(&folder.0).expect_err("has two").to_string();
+        assert!(error.contains(&format!("a column is called `{name}`")), "{error}");
+    }
     assert_eq!(files(&folder.0).len(), 0);
 }

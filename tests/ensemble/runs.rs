@@ -112,11 +112,25 @@ fn declared_events_happen_in_motions() {
 }
 
 #[test]
-fn parameters_are_observed() {
+fn parameters_of_motions_are_columns() {
     let pendulum = DoublePendulum::default();
-    let ensemble = pendulum.ensemble(5).start(start).parameters(|i, p| p.m2 = 1.0 + i as f64).until(0.1);
-    let ends = ensemble.observe("m2", |system, _, _| system.m2).run().expect("runs");
+    let ensemble = || {
+        let start = |i: usize, random: &mut _| if i == 3 { [f64::NAN; 4] } else { start(i, random) };
+        let motions = pendulum.ensemble(5).start(start).parameters(|i, p| p.m2 = 1.0 + i as f64);
+        motions.until(0.1).threads(2)
+    };
+    let ends = ensemble().energy().run().expect("runs");
+    let state = ["theta1", "theta2", "theta1_dot", "theta2_dot"];
+    assert_eq!(ends.names(), [&state[..], &["energy", "m1", "m2", "l1", "l2", "g"]].concat());
     assert_eq!(ends.column("m2").expect("known"), [1.0, 2.0, 3.0, 4.0, 5.0]);
+    assert_eq!(ends.column("g").expect("known"), [9.81; 5]);
+    assert!(ends.theta1()[3].is_nan());
+    // What is observed under the name of a parameter stands in its place.
+    let ends = ensemble().observe("m2", |system, _, _| 2.0 * system.m2).run().expect("runs");
+    assert_eq!(ends.names(), [&state[..], &["m2", "m1", "l1", "l2", "g"]].concat());
+    assert_eq!(ends.column("m2").expect("known")[4], 10.0);
+    let alike = pendulum.ensemble(5).start(start).until(0.1).run().expect("runs");
+    assert_eq!(alike.names(), state);
 }
 
 #[test]

@@ -89,12 +89,7 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar) = (shape.krate, shape.scalar());
     let ArgumentNames { time, state, positions, velocities, .. } = &members.names;
     let (all, rates) = (shape.state_length(), local("rates"));
-    let named = |name: &&Name| {
-        let (text, field) = (&name.text, identifier(name));
-        quote!((#text, self.#field))
-    };
-    let (inputs, parameters): (Vec<_>, Vec<_>) = shape.fields.iter().partition(|name| shape.is_input(name));
-    let (inputs, parameters) = (inputs.iter().map(named), parameters.iter().map(named));
+    let inputs = shape.fields.iter().copied().filter(|name| shape.is_input(name)).map(named);
     // Under constraints a singular mass matrix may be as good as any.
     let determines = shape.constraints.is_empty() && shape.velocities.len() <= LARGEST_MASS_MATRIX;
     let mass_matrix = members.methods.iter().find(|method| determines && method.name == "mass_matrix");
@@ -114,9 +109,15 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #state: &[#scalar; #all],
             #rates: &[#scalar; #all],
         ) -> ::core::option::Option<#krate::system::Undefined<#scalar>> {
-            #krate::integrate::undefined::<Self>((#time, #state, #rates), &[#(#parameters),*], &[#(#inputs),*], #mass_matrix)
+            #krate::integrate::undefined(self, (#time, #state, #rates), &[#(#inputs),*], #mass_matrix)
         }
     }
+}
+
+/// A field with its name.
+fn named(name: &Name) -> TokenStream {
+    let (text, field) = (&name.text, identifier(name));
+    quote!((#text, self.#field))
 }
 
 /// The members of `OdeSystem` that bring a state back onto what holds it.
@@ -174,6 +175,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let coordinates = shape.coordinates.iter().map(|name| &name.text);
     let (rates, oriented) = (position_rates(shape, members), orientation_members(shape, members));
+    let parameter = parameter_member(shape);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::MechanicalSystem for #name #generics {
@@ -192,12 +194,30 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             }
             #rates
             #oriented
+            #parameter
         }
         #[automatically_derived]
         impl #bounds #krate::system::NamedSystem for #name #generics {
             type NamedState = #state #generics;
         }
     }
+}
+
+/// The member of `MechanicalSystem` that hands out the parameters.
+fn parameter_member(shape: &Shape<'_>) -> Option<TokenStream> {
+    let (scalar, index) = (shape.scalar(), local("index"));
+    let parameters = shape.fields.iter().copied().filter(|name| !shape.is_input(name)).map(named);
+    let parameters: Vec<_> = parameters.collect();
+    (!parameters.is_empty()).then(|| {
+        quote! {
+            fn parameter(
+                &self,
+                #index: ::core::primitive::usize,
+            ) -> ::core::option::Option<(&'static ::core::primitive::str, #scalar)> {
+                [#(#parameters),*].get(#index).copied()
+            }
+        }
+    })
 }
 
 fn energy_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {

@@ -105,6 +105,10 @@ impl<M: MechanicalSystem> MechanicalSystem for Unprojected<M> {
     fn displacement(&self, t: M::Scalar, from: &M::Coordinates, to: &M::Coordinates) -> M::Velocities {
         self.0.displacement(t, from, to)
     }
+
+    fn parameter(&self, index: usize) -> Option<(&'static str, M::Scalar)> {
+        self.0.parameter(index)
+    }
 }
 
 impl<M: EnergyFunction> EnergyFunction for Unprojected<M> {

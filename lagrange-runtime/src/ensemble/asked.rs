@@ -126,6 +126,15 @@ impl<'a, M: SharedSystem> Asked<'a, M> {
         (varied, start.unwrap_or(M::State::ZERO))
     }
 
+    /// The parameters of a motion that become columns: all but those that one of these columns is called like, if motions have their own.
+    pub(super) fn parameters(&self, system: &M, columns: &[String]) -> Vec<(&'static str, M::Scalar)> {
+        if self.variation.is_none() {
+            return Vec::new();
+        }
+        let parameters = (0..).map_while(|index| system.parameter(index));
+        parameters.filter(|(name, _)| !columns.iter().any(|column| column == name)).collect()
+    }
+
     /// The motions of this shard.
     ///
     /// # Errors

@@ -46,7 +46,9 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
     /// Gives each motion a system of its own: a copy of that of all, which is changed by its index. Parameters drawn at random take
     /// numbers from [`Random::new`] with another seed than that of the starts.
     ///
-    /// What parameters a motion had is kept if it is [observed](Ensemble::observe).
+    /// Every parameter of the system, changed or not, then becomes a column of [`Ends`](super::Ends) and of files under its name, unless
+    /// something is [observed](Ensemble::observe) under that. What else a motion had of its own, such as inputs, or the fields of a system
+    /// that is written by hand, is kept if it is observed.
     pub fn parameters(mut self, change: impl Fn(usize, &mut M) + Send + Sync + 'a) -> Self
     where
         M: Clone,
@@ -132,7 +134,7 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     }
 
     /// Keeps samples of every motion, at its start, at its end and so often between them: `.run()` then hands out a trajectory for each,
-    /// and `.reduce(…)` sees it. All samples of all motions lie in memory in the end, but for those that are reduced.
+    /// `.reduce(…)` sees it, and `.save_parquet(…)` writes a row for each sample. After `.run()` all samples of all motions lie in memory.
     pub fn every(mut self, interval: M::Scalar) -> Ensemble<'a, M, K, D, KeepSamples> {
         self.asked.request(format!("every {interval:?}"), move |_, _, run| run.every(interval));
         let Ensemble { asked, method, drive, .. } = self;

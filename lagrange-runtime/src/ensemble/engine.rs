@@ -38,13 +38,13 @@ impl Engine {
     /// Computes all chunks of the motions and hands their results over in their order.
     ///
     /// # Errors
-    /// Of several that of the first motion.
+    /// Of several that of the first motion; that of handing over at once.
     pub(super) fn chunks<R: Send>(
         &self,
         motions: Range<usize>,
         counter: &Counter<'_, '_>,
         compute: impl Fn(Range<usize>) -> Result<R, EnsembleError> + Sync,
-        mut merge: impl FnMut(R),
+        mut merge: impl FnMut(R) -> Result<(), EnsembleError>,
     ) -> Result<(), EnsembleError> {
         let chunks = motions.clone().step_by(self.chunk);
         let chunks = chunks.map(|start| start..start.saturating_add(self.chunk).min(motions.end));
@@ -52,7 +52,7 @@ impl Engine {
         while chunks.peek().is_some() {
             let wave: Vec<_> = chunks.by_ref().take(CHUNKS_PER_THREAD * self.threads).collect();
             for result in self.wave(wave, &compute) {
-                merge(result?);
+                merge(result?)?;
             }
             if counter.is_cancelled() {
                 return Err(EnsembleError::Cancelled { motions: counter.motions() });

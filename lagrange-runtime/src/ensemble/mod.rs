@@ -53,6 +53,7 @@ mod builder;
 mod ends;
 mod engine;
 mod error;
+mod failure;
 mod histogram;
 mod moments;
 mod motion;
@@ -61,6 +62,7 @@ mod random;
 mod reduce;
 mod reduction;
 mod requests;
+mod rows;
 mod samples;
 #[cfg(feature = "parquet")]
 mod save;
@@ -73,8 +75,9 @@ mod without_parquet;
 
 pub use self::asked::SharedSystem;
 pub use self::builder::{Ensemble, KeepEnds, KeepSamples, Motions};
-pub use self::ends::{Ends, Failure};
+pub use self::ends::Ends;
 pub use self::error::EnsembleError;
+pub use self::failure::Failure;
 pub use self::histogram::Histogram;
 pub use self::moments::Moments;
 pub use self::motion::Motion;

@@ -6,9 +6,9 @@ use std::vec::Vec;
 
 use super::asked::SharedSystem;
 use super::builder::Ensemble;
-use super::ends::Failure;
 use super::engine::Engine;
 use super::error::EnsembleError;
+use super::failure::Failure;
 use super::motion::Motion;
 use super::reduce::Reduce;
 use crate::integrate::Method;
@@ -116,6 +116,7 @@ where
         Engine::new(self.asked.threads)?.chunks(motions, &counter, compute, |part: Reduced<M, R>| {
             all.value.merge(part.value);
             all.fail(part.failed, part.failures);
+            Ok(())
         })?;
         counter.finish();
         Ok(all)

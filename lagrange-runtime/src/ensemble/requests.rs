@@ -11,7 +11,7 @@ use crate::system::{Action, ControlledSystem, Direction, EnergyFunction, OutputS
 
 impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     /// Adds a column: a value computed from time and state, at the end of each motion or for each sample. The function is given the
-    /// system of the motion, so that this keeps parameters, too: `.observe("m2", |system, _, _| system.m2)`.
+    /// system of the motion; its parameters are columns by themselves where motions have [their own](super::Motions::parameters).
     pub fn observe(
         mut self,
         name: &str,

@@ -69,7 +69,10 @@ where
             Ok(ran)
         };
         let engine = Engine::new(self.asked.threads)?;
-        engine.chunks(motions.clone(), &counter, compute, |chunk| all.extend(chunk))?;
+        engine.chunks(motions.clone(), &counter, compute, |chunk| {
+            all.extend(chunk);
+            Ok(())
+        })?;
         counter.finish();
         Ok(Samples { motions, ran: all })
     }

@@ -6,15 +6,19 @@ use super::engine::Engine;
 use super::{Ends, Ensembles, Histogram, Moments, Random, Reduce};
 use crate::system::{MechanicalSystem, OdeSystem, Unnamed};
 
-/// ẍ = −sin x
-pub(super) struct Pendulum;
+/// ẍ = −g sin x, and not a number beyond x = 100
+#[derive(Clone)]
+pub(super) struct Pendulum {
+    pub(super) g: f64,
+}
 
 impl OdeSystem for Pendulum {
     type Scalar = f64;
     type State = [f64; 2];
 
-    fn rhs(&self, _t: f64, [x, v]: &[f64; 2]) -> [f64; 2] {
-        [*v, -libm::sin(*x)]
+    fn rhs(&self, t: f64, [x, v]: &[f64; 2]) -> [f64; 2] {
+        let [a] = self.acceleration(t, &[*x], &[*v]);
+        [*v, a]
     }
 }
 
@@ -25,11 +29,15 @@ impl MechanicalSystem for Pendulum {
     const COORDINATES: &'static [&'static str] = &["x"];
 
     fn acceleration(&self, _t: f64, [x]: &[f64; 1], _v: &[f64; 1]) -> [f64; 1] {
-        [-libm::sin(*x)]
+        if *x > 100.0 { [f64::NAN] } else { [-self.g * libm::sin(*x)] }
     }
 
     fn position_rates(&self, _t: f64, _q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
         *v
+    }
+
+    fn parameter(&self, index: usize) -> Option<(&'static str, f64)> {
+        (index == 0).then_some(("g", self.g))
     }
 }
 
@@ -41,7 +49,8 @@ fn bits(ends: &Ends<Pendulum>) -> Vec<Vec<u64>> {
 #[test]
 fn rows_do_not_depend_on_chunks() {
     let found = [(1, 64), (1, 1), (2, 7), (3, 1000), (3, 64)].map(|(threads, chunk)| {
-        let ensemble = Pendulum.ensemble(301).start(|_, random| [random.uniform(-3.0..3.0), 0.0]).until(5.0);
+        let pendulum = Pendulum { g: 1.0 };
+        let ensemble = pendulum.ensemble(301).start(|_, random| [random.uniform(-3.0..3.0), 0.0]).until(5.0);
         let mut engine = Engine::new(Some(threads)).expect("threads");
         engine.chunk = chunk;
         bits(&ensemble.run_in(&engine).expect("runs"))

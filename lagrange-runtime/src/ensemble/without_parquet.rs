@@ -5,7 +5,7 @@
 use core::convert::Infallible;
 use std::path::Path;
 
-use super::builder::{Ensemble, KeepEnds};
+use super::builder::Ensemble;
 use super::error::EnsembleError;
 use crate::system::MechanicalSystem;
 
@@ -19,7 +19,7 @@ use crate::system::MechanicalSystem;
 pub trait SavesParquet {}
 
 #[doc(hidden)]
-impl<M: MechanicalSystem, K, D> Ensemble<'_, M, K, D, KeepEnds> {
+impl<M: MechanicalSystem, K, D, P> Ensemble<'_, M, K, D, P> {
     pub fn save_parquet(self, _: impl AsRef<Path>) -> Result<Infallible, EnsembleError>
     where
         Self: SavesParquet,

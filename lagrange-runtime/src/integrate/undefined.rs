@@ -65,14 +65,14 @@ fn ahead<M: OdeSystem + ?Sized>(
     None
 }
 
-/// The first of the components of the state and of its rates at a time that is not finite, where rates are blamed on parameters and
-/// inputs that are not, or else on a singular mass matrix, if there is one that determines accelerations.
+/// The first of the components of the state and of its rates at a time that is not finite, where rates are blamed on [parameters](MechanicalSystem::parameter)
+/// and inputs that are not, or else on a singular mass matrix, if there is one that determines accelerations.
 ///
 /// What emitted types answer to [`OdeSystem::undefined`].
 #[cold]
 pub fn undefined<M: MechanicalSystem>(
+    system: &M,
     (time, y, rates): (M::Scalar, &M::State, &M::State),
-    parameters: &[(&'static str, M::Scalar)],
     inputs: &[(&'static str, M::Scalar)],
     mass_matrix: impl FnOnce(&M::Coordinates, &M::Velocities) -> Option<VelocityMatrix<M>>,
 ) -> Option<Undefined<M::Scalar>> {
@@ -80,8 +80,8 @@ pub fn undefined<M: MechanicalSystem>(
     if let Undefined::State { .. } = found {
         return Some(found);
     }
-    let bad = parameters.iter().find(|(_, value)| !value.is_finite());
-    if let Some(&(name, value)) = bad {
+    let mut parameters = (0..).map_while(|index| system.parameter(index));
+    if let Some((name, value)) = parameters.find(|(_, value)| !value.is_finite()) {
         return Some(Undefined::Parameter { name, value });
     }
     let bad = inputs.iter().find(|(_, value)| !value.is_finite());

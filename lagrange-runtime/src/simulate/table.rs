@@ -40,6 +40,15 @@ impl<S: Copy> Table<S> {
         self.columns.iter_mut().zip(later.columns).for_each(|(column, later)| column.extend(later));
     }
 
+    /// Adds samples of the first columns, with one number of each further column for all of them.
+    #[cfg(all(feature = "ensemble", feature = "parquet"))]
+    pub(crate) fn extend(&mut self, samples: &Self, further: impl Iterator<Item = S>) {
+        self.times.extend_from_slice(&samples.times);
+        let (own, others) = self.columns.split_at_mut(samples.columns.len());
+        own.iter_mut().zip(&samples.columns).for_each(|(column, samples)| column.extend_from_slice(samples));
+        others.iter_mut().zip(further).for_each(|(column, value)| column.resize(self.times.len(), value));
+    }
+
     /// Takes the last sample away.
     pub(super) fn pop(&mut self) {
         self.times.pop();

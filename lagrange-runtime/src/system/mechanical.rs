@@ -222,6 +222,26 @@ pub trait MechanicalSystem: OdeSystem {
     {
         Err(visitor)
     }
+
+    /// The parameter with this place among those that are declared, counted from zero, by its name: what is blamed where rates are not
+    /// finite, and what ensembles keep of each motion. There is none by default, which emitted types with parameters replace.
+    ///
+    /// ```
+    /// use lagrange::system::MechanicalSystem;
+    ///
+    /// lagrange::system! {
+    ///     struct Particle;
+    ///     param m = 2.0;
+    ///     coord x;
+    ///     kinetic = 1/2 * m * dot(x)^2;
+    /// }
+    ///
+    /// let particle = Particle::default();
+    /// assert_eq!((particle.parameter(0), particle.parameter(1)), (Some(("m", 2.0)), None));
+    /// ```
+    fn parameter(&self, _index: usize) -> Option<(&'static str, Self::Scalar)> {
+        None
+    }
 }
 
 /// A system with a type for its state that has a field for each position and velocity. Emitted types implement it.

@@ -228,6 +228,10 @@ where
     fn displacement(&self, t: M::Scalar, from: &M::Coordinates, to: &M::Coordinates) -> M::Velocities {
         self.inner().displacement(t, from, to)
     }
+
+    fn parameter(&self, index: usize) -> Option<(&'static str, M::Scalar)> {
+        self.inner().parameter(index)
+    }
 }
 
 impl<W, M> EnergyFunction for W

@@ -334,17 +334,9 @@ const _: () = {
             y: &[f64; 4],
             rates: &[f64; 4],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("mc", self.mc),
-                    ("mp", self.mp),
-                    ("l", self.l),
-                    ("c", self.c),
-                    ("g", self.g),
-                ],
                 &[("u", self.u)],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -363,6 +355,20 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("mc", self.mc),
+                ("mp", self.mp),
+                ("l", self.l),
+                ("c", self.c),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

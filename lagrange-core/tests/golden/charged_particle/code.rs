@@ -267,11 +267,9 @@ const _: () = {
             state: &[f32; 6],
             rates: &[f32; 6],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f32>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, state, rates),
-                &[("m", self.m), ("q", self.q), ("b", self.b), ("e", self.e)],
                 &[],
                 |positions, _| ::core::option::Option::Some(
                     self.mass_matrix(t, positions),
@@ -292,6 +290,14 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f32, _: &[f32; 3], v: &[f32; 3]) -> [f32; 3] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f32)> {
+            [("m", self.m), ("q", self.q), ("b", self.b), ("e", self.e)]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

@@ -354,17 +354,9 @@ const _: () = {
             y: &[f64; 4],
             rates: &[f64; 4],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("m1", self.m1),
-                    ("m2", self.m2),
-                    ("l1", self.l1),
-                    ("l2", self.l2),
-                    ("g", self.g),
-                ],
                 &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -386,6 +378,20 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("m1", self.m1),
+                ("m2", self.m2),
+                ("l1", self.l1),
+                ("l2", self.l2),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

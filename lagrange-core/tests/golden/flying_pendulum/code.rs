@@ -1426,11 +1426,9 @@ const _: () = {
             y: &[f64; 20],
             rates: &[f64; 20],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[("m", self.m), ("l", self.l)],
                 &[("thrust", self.thrust), ("roll", self.roll)],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -1514,6 +1512,12 @@ const _: () = {
                 turn_1[1],
                 turn_1[2],
             ]
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [("m", self.m), ("l", self.l)].get(index).copied()
         }
     }
     #[automatically_derived]

@@ -359,17 +359,9 @@ const _: () = {
             y: &[f64; 6],
             rates: &[f64; 6],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("i1", self.i1),
-                    ("i3", self.i3),
-                    ("m", self.m),
-                    ("h", self.h),
-                    ("g", self.g),
-                ],
                 &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -392,6 +384,20 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("i1", self.i1),
+                ("i3", self.i3),
+                ("m", self.m),
+                ("h", self.h),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

@@ -741,17 +741,9 @@ const _: () = {
             state: &[f64; 8],
             rates: &[f64; 8],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, state, rates),
-                &[
-                    ("m", self.m),
-                    ("l", self.l),
-                    ("r", self.r),
-                    ("k", self.k),
-                    ("g", self.g),
-                ],
                 &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
@@ -803,6 +795,14 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [("m", self.m), ("l", self.l), ("r", self.r), ("k", self.k), ("g", self.g)]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

@@ -324,11 +324,9 @@ const _: () = {
             y: &[S; 4],
             rates: &[S; 4],
         ) -> ::core::option::Option<::lagrange::system::Undefined<S>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[("m", self.m), ("mu", self.mu)],
                 &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -351,6 +349,12 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: S, _: &[S; 2], v: &[S; 2]) -> [S; 2] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, S)> {
+            [("m", self.m), ("mu", self.mu)].get(index).copied()
         }
     }
     #[automatically_derived]

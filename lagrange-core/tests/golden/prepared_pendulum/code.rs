@@ -253,11 +253,9 @@ const _: () = {
             y: &[S; 2],
             rates: &[S; 2],
         ) -> ::core::option::Option<::lagrange::system::Undefined<S>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[("m", self.m), ("l", self.l), ("i", self.i), ("g", self.g)],
                 &[("motor", self.motor)],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -276,6 +274,14 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: S, _: &[S; 1], v: &[S; 1]) -> [S; 1] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, S)> {
+            [("m", self.m), ("l", self.l), ("i", self.i), ("g", self.g)]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

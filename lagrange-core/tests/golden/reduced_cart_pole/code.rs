@@ -258,17 +258,9 @@ const _: () = {
             y: &[f64; 4],
             rates: &[f64; 4],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("mc", self.mc),
-                    ("mp", self.mp),
-                    ("l", self.l),
-                    ("c", self.c),
-                    ("g", self.g),
-                ],
                 &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
@@ -287,6 +279,20 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("mc", self.mc),
+                ("mp", self.mp),
+                ("l", self.l),
+                ("c", self.c),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]
@@ -568,17 +574,9 @@ const _: () = {
             y: &[f64; 2],
             rates: &[f64; 2],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("mc", self.mc),
-                    ("mp", self.mp),
-                    ("l", self.l),
-                    ("c", self.c),
-                    ("g", self.g),
-                ],
                 &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
@@ -597,6 +595,20 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("mc", self.mc),
+                ("mp", self.mp),
+                ("l", self.l),
+                ("c", self.c),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]
@@ -979,17 +991,9 @@ const _: () = {
             y: &[f64; 4],
             rates: &[f64; 4],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("mc", self.mc),
-                    ("mp", self.mp),
-                    ("l", self.l),
-                    ("c", self.c),
-                    ("g", self.g),
-                ],
                 &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
@@ -1008,6 +1012,20 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("mc", self.mc),
+                ("mp", self.mp),
+                ("l", self.l),
+                ("c", self.c),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

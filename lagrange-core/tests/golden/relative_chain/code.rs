@@ -531,19 +531,9 @@ const _: () = {
             y: &[f64; 6],
             rates: &[f64; 6],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("m1", self.m1),
-                    ("m2", self.m2),
-                    ("m3", self.m3),
-                    ("l1", self.l1),
-                    ("l2", self.l2),
-                    ("l3", self.l3),
-                    ("g", self.g),
-                ],
                 &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -566,6 +556,22 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("m1", self.m1),
+                ("m2", self.m2),
+                ("m3", self.m3),
+                ("l1", self.l1),
+                ("l2", self.l2),
+                ("l3", self.l3),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

@@ -697,17 +697,9 @@ const _: () = {
             state: &[f64; 6],
             rates: &[f64; 6],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, state, rates),
-                &[
-                    ("m", self.m),
-                    ("l", self.l),
-                    ("k", self.k),
-                    ("g", self.g),
-                    ("slope", self.slope),
-                ],
                 &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
@@ -754,6 +746,20 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("m", self.m),
+                ("l", self.l),
+                ("k", self.k),
+                ("g", self.g),
+                ("slope", self.slope),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

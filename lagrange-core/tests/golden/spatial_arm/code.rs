@@ -714,11 +714,9 @@ const _: () = {
             y: &[f64; 4],
             rates: &[f64; 4],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[("m", self.m), ("l", self.l), ("r", self.r)],
                 &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -740,6 +738,12 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [("m", self.m), ("l", self.l), ("r", self.r)].get(index).copied()
         }
     }
     #[automatically_derived]

@@ -97,25 +97,28 @@ impl Folder {
 
     /// Writes a part under another name and renames it when it is whole.
     ///
+    /// `write` is given the file, and what makes an error of what the operating system says about it.
+    ///
     /// # Errors
-    /// What the operating system says. What was written is deleted.
-    pub(super) fn write(
+    /// Those of `write`, and what the operating system says. What was written is deleted.
+    pub(super) fn write<T>(
         &self,
         index: usize,
-        write: impl FnOnce(&File) -> io::Result<()>,
-    ) -> Result<(), EnsembleError> {
+        write: impl FnOnce(&File, &dyn Fn(io::Error) -> EnsembleError) -> Result<T, EnsembleError>,
+    ) -> Result<T, EnsembleError> {
         let [path, unfinished] =
             [ENDING, UNFINISHED].map(|ending| self.path.join(format!("{PART}{index:06}{ending}")));
-        let written = File::create(&unfinished).and_then(|file| {
-            write(&file)?;
-            file.sync_all()
+        let wrong = |source| EnsembleError::File { path: path.clone(), source };
+        let written = File::create(&unfinished).map_err(wrong).and_then(|file| {
+            let written = write(&file, &wrong)?;
+            file.sync_all().and_then(|()| fs::rename(&unfinished, &path)).map_err(wrong)?;
+            Ok(written)
         });
-        let written = written.and_then(|()| fs::rename(&unfinished, &path));
-        written.map_err(|source| {
+        if written.is_err() {
             // The first error is the one that matters.
             drop(fs::remove_file(&unfinished));
-            EnsembleError::File { path, source }
-        })
+        }
+        written
     }
 
     /// The files in the order of their names.

@@ -4,18 +4,23 @@ mod folder;
 mod lock;
 mod part;
 mod settings;
+mod sheet;
 #[cfg(test)]
 mod tests;
 
 use core::fmt::Debug;
+use core::ops::Range;
 use std::path::Path;
 use std::vec::Vec;
 
 use self::folder::Folder;
+use self::part::Part;
+use self::sheet::{Kept, Sheet};
 use super::asked::SharedSystem;
-use super::builder::{Ensemble, KeepEnds};
+use super::builder::Ensemble;
 use super::engine::Engine;
 use super::error::EnsembleError;
+use super::progress::Counter;
 use crate::integrate::Method;
 use crate::simulate::Drive;
 
@@ -33,22 +38,32 @@ pub struct Saved {
     pub failed: u64,
 }
 
-impl<M, K, D> Ensemble<'_, M, K, D, KeepEnds>
+impl<M, K, D, P> Ensemble<'_, M, K, D, P>
 where
     M: SharedSystem,
     M::Scalar: Into<f64>,
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Debug + Sync,
+    P: Kept,
 {
-    /// Computes all motions and saves their ends to Parquet files in a folder, `part-000000.parquet` and so on, in the order of motions.
+    /// Computes all motions and saves their ends, or their samples if [`every`](Self::every) asks for them, to Parquet files in a folder,
+    /// `part-000000.parquet` and so on, in the order of motions.
     ///
-    /// A file has a row for each motion and the columns `index`, `t`, the time at which it ended, those of [`Ends`](super::Ends), and
-    /// `cause`, text where the motion failed and null elsewhere; the numbers of a motion that failed are NaN. Parameters become columns
-    /// if they are [observed](Self::observe). A file is written under another name and renamed when it is whole. Files that are there are
-    /// not computed again: an ensemble that was cancelled or killed goes on where it was, and the files in the end have the same bytes.
+    /// A file has a row for each motion, or for each of its samples. Columns are
     ///
-    /// Files say which ensemble they are of: the type of the system, what was asked for, the seed, and the bits of start and rates of the
-    /// first, the middle and the last motion, by which other closures and parameters are told apart. While a shard is written a file
+    /// - `index`, the place of the motion, counted from zero;
+    /// - all parameters, if motions were given [parameters](super::Motions::parameters) of their own;
+    /// - `t`, the time, of an end that at which the motion ended;
+    /// - positions, velocities and what was [observed](Self::observe);
+    /// - `cause`, text where the motion failed and null elsewhere. The end of a motion that failed is NaN but for its parameters; of samples
+    ///   there are those until it failed, the last of which has the cause.
+    ///
+    /// Rows are written in groups of 131 072 or some more, so that what lies in memory are as many and what threads have computed ahead, at
+    /// most a part. A file is written under another name and renamed when it is whole. Files that are there are not computed again: an
+    /// ensemble that was cancelled or killed goes on where it was, and the files in the end have the same bytes.
+    ///
+    /// Files say which ensemble they are of: the type of the system, what was asked for, the seed, and the bits of start, rates and
+    /// parameters of the first, the middle and the last motion, by which closures are told apart. While a shard is written a file
     /// `shard-0-of-1.lock` keeps other processes off; what a killed process left is taken over where Linux says that the process is gone.
     ///
     /// # Errors
@@ -68,13 +83,34 @@ where
         parts.filter(|part| is_found[*part]).for_each(|part| counter.count(self.asked.part(part).len()));
         for part in missing {
             let motions = self.asked.part(part);
-            let rows = self.rows(&engine, &counter, motions.clone())?;
-            folder.write(part, |file| part::write(file, motions.start, &rows, &settings))?;
+            let failed = folder.write(part, |file, wrong| {
+                let mut part = Part::new(file, &settings);
+                self.sheets(&engine, &counter, motions, |sheet| part.add(sheet).map_err(wrong))?;
+                part.finish().map_err(wrong)
+            })?;
             saved.written += 1;
-            saved.failed += rows.failures.len() as u64;
+            saved.failed += failed as u64;
         }
         counter.finish();
         saved.missing = number - folder.count()?;
         Ok(saved)
+    }
+
+    /// Computes motions and hands their rows over, chunk by chunk in their order.
+    fn sheets(
+        &self,
+        engine: &Engine,
+        counter: &Counter<'_, '_>,
+        motions: Range<usize>,
+        then: impl FnMut(Sheet<M>) -> Result<(), EnsembleError>,
+    ) -> Result<(), EnsembleError> {
+        let compute = |chunk: Range<usize>| {
+            let mut sheet = Sheet::new();
+            self.each(chunk, counter, |index, system, ran| {
+                sheet.push::<P>(&self.asked, index, system, ran);
+            })?;
+            Ok(sheet)
+        };
+        engine.chunks(motions, counter, compute, then)
     }
 }

@@ -1,50 +1,80 @@
 //! One Parquet file.
 
+use std::format;
 use std::fs::File;
-use std::io::{self, BufWriter};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::Path;
 use std::string::{String, ToString};
 use std::sync::Arc;
+use std::vec;
 use std::vec::Vec;
-use std::{format, vec};
 
-use parquet::basic::{LogicalType, Repetition, Type as Physical};
-use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
+use parquet::basic::{Encoding, LogicalType, Repetition, Type as Physical};
+use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
+use parquet::file::properties::{WriterProperties, WriterPropertiesBuilder};
 use parquet::file::reader::{FileReader, SerializedFileReader};
-use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::types::{Type, TypePtr};
+use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
+use parquet::schema::types::{ColumnPath, Type, TypePtr};
 
-use crate::ensemble::ends::Rows;
-use crate::simulate::Table;
-use crate::system::MechanicalSystem;
+use super::sheet::Sheet;
+use crate::ensemble::asked::SharedSystem;
 
 /// What the schema is called.
-const SCHEMA: &str = "ends";
+const SCHEMA: &str = "motions";
 /// Under which name the settings are kept.
 const SETTINGS: &str = "lagrange.ensemble";
 const INDEX: &str = "index";
 const TIME: &str = "t";
 const CAUSE: &str = "cause";
+/// A row group is written when so many rows wait: a megabyte a column.
+const ROWS_PER_GROUP: usize = 1 << 17;
 
-/// Writes the rows of motions from `first` on.
-pub(super) fn write<M: MechanicalSystem>(
-    file: &File,
-    first: usize,
-    rows: &Rows<M>,
-    settings: &str,
-) -> io::Result<()>
+/// A file that rows are added to, of which only a row group lies in memory.
+pub(super) struct Part<'f, M: SharedSystem> {
+    file: &'f File,
+    settings: &'f str,
+    /// None before the first row group.
+    writer: Option<SerializedFileWriter<BufWriter<&'f File>>>,
+    waiting: Sheet<M>,
+    failed: usize,
+}
+
+impl<'f, M: SharedSystem> Part<'f, M>
 where
     M::Scalar: Into<f64>,
 {
-    let Some(table) = &rows.table else { return Ok(()) };
-    if let Some(taken) = table.names().iter().find(|name| [INDEX, TIME, CAUSE].contains(&name.as_str())) {
-        let text = format!("a column is called `{taken}`, which is the name of another column of the file");
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, text));
+    pub(super) fn new(file: &'f File, settings: &'f str) -> Self {
+        Part { file, settings, writer: None, waiting: Sheet::new(), failed: 0 }
     }
-    write_columns(file, first, rows, table, settings).map_err(into_io)
+
+    /// Adds the rows of the motions that follow.
+    pub(super) fn add(&mut self, sheet: Sheet<M>) -> io::Result<()> {
+        self.waiting.merge(sheet);
+        if self.waiting.len() >= ROWS_PER_GROUP { self.write_group() } else { Ok(()) }
+    }
+
+    /// Writes what waits and the end of the file. How many motions failed.
+    pub(super) fn finish(mut self) -> io::Result<usize> {
+        if self.waiting.len() > 0 {
+            self.write_group()?;
+        }
+        if let Some(writer) = self.writer {
+            writer.into_inner().map_err(into_io)?.flush()?;
+        }
+        Ok(self.failed)
+    }
+
+    fn write_group(&mut self) -> io::Result<()> {
+        let sheet = core::mem::replace(&mut self.waiting, Sheet::new());
+        self.failed += sheet.failed();
+        let writer = match &mut self.writer {
+            Some(writer) => writer,
+            none => none.insert(writer(self.file, &sheet, self.settings)?),
+        };
+        write_group(writer, &sheet).map_err(into_io)
+    }
 }
 
 /// The settings that a file holds; `None` if it is not a part.
@@ -54,61 +84,81 @@ pub(super) fn settings(path: &Path) -> Option<String> {
     pairs.iter().find(|pair| pair.key == SETTINGS)?.value.clone()
 }
 
-fn write_columns<M: MechanicalSystem>(
-    file: &File,
-    first: usize,
-    rows: &Rows<M>,
-    table: &Table<M::Scalar>,
+/// A file with the columns of these rows.
+fn writer<'f, M: SharedSystem>(
+    file: &'f File,
+    sheet: &Sheet<M>,
     settings: &str,
+) -> io::Result<SerializedFileWriter<BufWriter<&'f File>>> {
+    let columns = sheet.columns(TIME);
+    let names: Vec<_> = columns.iter().map(|(name, _)| *name).collect();
+    let others = || names.iter().enumerate().filter(|(place, _)| *place != sheet.parameters());
+    if let Some((_, taken)) = others().find(|(_, name)| [INDEX, TIME, CAUSE].contains(name)) {
+        let text = format!("a column is called `{taken}`, which is the name of another column of the file");
+        return Err(io::Error::new(ErrorKind::InvalidInput, text));
+    }
+    let schema = schema(&names).map_err(into_io)?;
+    let properties = properties(&names[..=sheet.parameters()], settings);
+    SerializedFileWriter::new(BufWriter::new(file), Arc::new(schema), Arc::new(properties)).map_err(into_io)
+}
+
+fn write_group<M: SharedSystem>(
+    writer: &mut SerializedFileWriter<BufWriter<&File>>,
+    sheet: &Sheet<M>,
 ) -> Result<(), ParquetError>
 where
     M::Scalar: Into<f64>,
 {
-    let (schema, properties) = (Arc::new(schema(table.names())?), Arc::new(properties(settings)));
-    let mut writer = SerializedFileWriter::new(BufWriter::new(file), schema, properties)?;
     let mut group = writer.next_row_group()?;
-    let fewer = || ParquetError::General("fewer columns than the schema has".into());
-    let indices: Vec<i64> = (first..first + table.len()).map(|index| index as i64).collect();
-    let mut column = group.next_column()?.ok_or_else(fewer)?;
-    column.typed::<Int64Type>().write_batch(&indices, None, None)?;
-    column.close()?;
-    for values in std::iter::once(table.times()).chain(table.columns()) {
+    write_column::<Int64Type>(&mut group, &sheet.motions, None)?;
+    for (_, values) in sheet.columns(TIME) {
         let values: Vec<f64> = values.iter().map(|value| (*value).into()).collect();
-        let mut column = group.next_column()?.ok_or_else(fewer)?;
-        column.typed::<DoubleType>().write_batch(&values, None, None)?;
-        column.close()?;
+        write_column::<DoubleType>(&mut group, &values, None)?;
     }
-    let (causes, is_there) = causes(first, rows, table.len());
+    let (causes, is_there) = sheet.causes();
+    let causes: Vec<ByteArray> = causes.into_iter().map(|cause| cause.into_bytes().into()).collect();
+    let is_there: Vec<i16> = is_there.into_iter().map(i16::from).collect();
+    write_column::<ByteArrayType>(&mut group, &causes, Some(&is_there))?;
+    group.close().map(drop)
+}
+
+/// Writes the next column: values, and for each row whether there is one.
+fn write_column<T: DataType>(
+    group: &mut SerializedRowGroupWriter<'_, BufWriter<&File>>,
+    values: &[T::T],
+    is_there: Option<&[i16]>,
+) -> Result<(), ParquetError> {
+    let fewer = || ParquetError::General("fewer columns than the schema has".into());
     let mut column = group.next_column()?.ok_or_else(fewer)?;
-    column.typed::<ByteArrayType>().write_batch(&causes, Some(&is_there), None)?;
-    column.close()?;
-    group.close()?;
-    let mut buffer = writer.into_inner()?;
-    io::Write::flush(&mut buffer).map_err(|error| ParquetError::External(error.into()))
+    column.typed::<T>().write_batch(values, is_there, None)?;
+    column.close()
 }
 
-/// Why motions failed, and for each whether it did.
-fn causes<M: MechanicalSystem>(first: usize, rows: &Rows<M>, number: usize) -> (Vec<ByteArray>, Vec<i16>) {
-    let mut is_there = vec![0; number];
-    rows.failures.iter().for_each(|failure| is_there[failure.index - first] = 1);
-    let causes = rows.failures.iter().map(|failure| failure.why().to_string().into_bytes().into());
-    (causes.collect(), is_there)
-}
-
-/// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time.
-fn properties(settings: &str) -> WriterProperties {
+/// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time. Times and parameters do, the `repeating` ones, and
+/// indices are one more than those before, or the same.
+fn properties(repeating: &[&str], settings: &str) -> WriterProperties {
     let settings = KeyValue::new(SETTINGS.to_string(), settings.to_string());
-    let builder = WriterProperties::builder().set_dictionary_enabled(false);
-    builder.set_key_value_metadata(Some(vec![settings])).build()
+    let builder = WriterProperties::builder()
+        .set_dictionary_enabled(false)
+        .set_column_encoding(path(INDEX), Encoding::DELTA_BINARY_PACKED)
+        .set_key_value_metadata(Some(vec![settings]));
+    let repeat = |builder: WriterPropertiesBuilder, name: &&str| {
+        builder.set_column_dictionary_enabled(path(name), true)
+    };
+    repeating.iter().fold(builder, repeat).build()
 }
 
-fn schema(names: &[String]) -> Result<Type, ParquetError> {
+/// A column whose name may hold dots.
+fn path(name: &str) -> ColumnPath {
+    ColumnPath::new(vec![name.to_string()])
+}
+
+fn schema(names: &[&str]) -> Result<Type, ParquetError> {
     let required = |name: &str, physical| {
         let builder = Type::primitive_type_builder(name, physical);
         builder.with_repetition(Repetition::REQUIRED).build().map(Arc::new)
     };
-    let mut columns: Vec<TypePtr> =
-        vec![required(INDEX, Physical::INT64)?, required(TIME, Physical::DOUBLE)?];
+    let mut columns: Vec<TypePtr> = vec![required(INDEX, Physical::INT64)?];
     for name in names {
         columns.push(required(name, Physical::DOUBLE)?);
     }

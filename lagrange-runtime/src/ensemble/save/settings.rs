@@ -16,7 +16,7 @@ use crate::simulate::Drive;
 use crate::system::OdeSystem;
 
 /// The number of what follows, to be raised when it changes.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
 where
@@ -51,16 +51,18 @@ where
         Ok(lines.join("\n"))
     }
 
-    /// The bits of state and rates with which a motion starts.
+    /// The bits of state, rates and parameters with which a motion starts.
     fn probe(&self, index: usize) -> String {
         let (varied, state) = self.asked.origin(index);
         let system = varied.as_ref().unwrap_or(self.asked.system);
         let rates = self.drive.close(system, |closed| closed.rhs(self.asked.from, &state));
-        let bits = [state.as_ref(), rates.as_ref()].map(|values| {
+        let parameters: Vec<_> =
+            (0..).map_while(|index| system.parameter(index)).map(|(_, value)| value).collect();
+        let bits = [state.as_ref(), rates.as_ref(), &parameters].map(|values| {
             let bits = values.iter().map(|value| format!("{:016x}", Into::<f64>::into(*value).to_bits()));
             bits.collect::<Vec<_>>().join(" ")
         });
-        format!("motion {index} starts at {} with rates {}", bits[0], bits[1])
+        format!("motion {index} starts at {} with rates {} and parameters {}", bits[0], bits[1], bits[2])
     }
 }
 

@@ -1,0 +1,82 @@
+//! Motions as rows of a table.
+
+use std::vec::Vec;
+
+use super::asked::{Asked, SharedSystem};
+use super::failure::Failure;
+use super::motion::Ran;
+use crate::scalar::Number;
+use crate::simulate::Table;
+use crate::system::MechanicalSystem;
+
+/// The rows of motions that follow each other: state, what was observed, and parameters if motions have their own.
+pub(super) struct Rows<M: MechanicalSystem> {
+    /// None before the first.
+    pub(super) table: Option<Table<M::Scalar>>,
+    /// How many of the columns are parameters, the last ones.
+    pub(super) parameters: usize,
+    pub(super) failures: Vec<Failure<M>>,
+}
+
+impl<M: SharedSystem> Rows<M> {
+    pub(super) fn new() -> Self {
+        Rows { table: None, parameters: 0, failures: Vec::new() }
+    }
+
+    /// Adds the end of a motion; not a number where it failed.
+    pub(super) fn push_end(&mut self, asked: &Asked<'_, M>, index: usize, system: &M, ran: Ran<M>) {
+        let (samples, is_good) = samples(&ran);
+        let parameters = asked.parameters(system, samples.names());
+        let end = |values: &[M::Scalar]| if is_good { values.last().copied() } else { Some(M::Scalar::NAN) };
+        let time = end(samples.times()).unwrap_or(M::Scalar::NAN);
+        let row = samples.columns().filter_map(end).chain(parameters.iter().map(|(_, value)| *value));
+        let row: Vec<_> = row.collect();
+        self.table(samples, &parameters).push(time, &row);
+        self.fail(index, ran);
+    }
+
+    /// Adds all samples of a motion, of a failed one those until it failed.
+    #[cfg(feature = "parquet")]
+    pub(super) fn push_samples(&mut self, asked: &Asked<'_, M>, index: usize, system: &M, ran: Ran<M>) {
+        let (samples, _) = samples(&ran);
+        let parameters = asked.parameters(system, samples.names());
+        self.table(samples, &parameters).extend(samples, parameters.iter().map(|(_, value)| *value));
+        self.fail(index, ran);
+    }
+
+    /// Adds the motions that follow.
+    pub(super) fn merge(&mut self, later: Self) {
+        match (&mut self.table, later.table) {
+            (Some(table), Some(later)) => table.append(later),
+            (table, later) => *table = table.take().or(later),
+        }
+        self.parameters = self.parameters.max(later.parameters);
+        self.failures.extend(later.failures);
+    }
+
+    /// The table, made with the columns of these samples and parameters if there is none.
+    fn table(
+        &mut self,
+        samples: &Table<M::Scalar>,
+        parameters: &[(&'static str, M::Scalar)],
+    ) -> &mut Table<M::Scalar> {
+        self.parameters = parameters.len();
+        self.table.get_or_insert_with(|| {
+            let parameters = parameters.iter().map(|(name, _)| (*name).into());
+            Table::new(samples.names().iter().cloned().chain(parameters).collect())
+        })
+    }
+
+    /// Keeps why a motion failed if it did.
+    fn fail(&mut self, index: usize, ran: Ran<M>) {
+        self.failures.extend(ran.err().map(|error| Failure::new(index, error)));
+    }
+}
+
+/// What was kept of a motion, and whether it came to its end.
+fn samples<M: MechanicalSystem>(ran: &Ran<M>) -> (&Table<M::Scalar>, bool) {
+    match ran {
+        Ok(trajectory) => (trajectory.table(), true),
+        Err(error) => (error.trajectory.table(), false),
+    }
+}

@@ -1,0 +1,89 @@
+//! Rows of a file.
+
+use std::string::{String, ToString};
+use std::vec;
+use std::vec::Vec;
+
+use crate::ensemble::asked::{Asked, SharedSystem};
+use crate::ensemble::builder::{KeepEnds, KeepSamples};
+use crate::ensemble::motion::Ran;
+use crate::ensemble::rows::Rows;
+use crate::simulate::Table;
+
+/// What may be kept of motions.
+#[doc(hidden)]
+pub trait Kept {
+    const IS_EVERY_SAMPLE: bool;
+}
+
+impl Kept for KeepEnds {
+    const IS_EVERY_SAMPLE: bool = false;
+}
+
+impl Kept for KeepSamples {
+    const IS_EVERY_SAMPLE: bool = true;
+}
+
+/// The rows of motions that follow each other, and to which motion each belongs.
+pub(super) struct Sheet<M: SharedSystem> {
+    rows: Rows<M>,
+    /// The index of the motion of each row.
+    pub(super) motions: Vec<i64>,
+}
+
+impl<M: SharedSystem> Sheet<M> {
+    pub(super) fn new() -> Self {
+        Sheet { rows: Rows::new(), motions: Vec::new() }
+    }
+
+    /// Adds the end or the samples of a motion.
+    pub(super) fn push<P: Kept>(&mut self, asked: &Asked<'_, M>, index: usize, system: &M, ran: Ran<M>) {
+        match P::IS_EVERY_SAMPLE {
+            true => self.rows.push_samples(asked, index, system, ran),
+            false => self.rows.push_end(asked, index, system, ran),
+        }
+        self.motions.resize(self.rows.table.as_ref().map_or(0, Table::len), index as i64);
+    }
+
+    /// Adds the motions that follow.
+    pub(super) fn merge(&mut self, later: Self) {
+        self.rows.merge(later.rows);
+        self.motions.extend(later.motions);
+    }
+
+    /// How many rows there are.
+    pub(super) fn len(&self) -> usize {
+        self.motions.len()
+    }
+
+    /// How many motions failed.
+    pub(super) fn failed(&self) -> usize {
+        self.rows.failures.len()
+    }
+
+    /// The columns with their names: parameters, time under the name that is given, and the rest.
+    pub(super) fn columns<'s>(&'s self, time: &'s str) -> Vec<(&'s str, &'s [M::Scalar])> {
+        let Some(table) = &self.rows.table else { return Vec::new() };
+        let named = table.names().iter().map(String::as_str).zip(table.columns());
+        let mut columns: Vec<_> = named.chain([(time, table.times())]).collect();
+        // Behind the state and what was observed lie the parameters, and then the time.
+        columns.rotate_right(self.rows.parameters + 1);
+        columns
+    }
+
+    /// How many of the columns are parameters, the first ones.
+    pub(super) fn parameters(&self) -> usize {
+        self.rows.parameters
+    }
+
+    /// Why motions failed, and for each row whether it is the last of one that did.
+    pub(super) fn causes(&self) -> (Vec<String>, Vec<bool>) {
+        let mut is_there = vec![false; self.len()];
+        let rows = &self.rows.failures;
+        for failure in rows {
+            let behind = self.motions.partition_point(|motion| *motion <= failure.index as i64);
+            is_there[behind - 1] = true;
+        }
+        (rows.iter().map(|failure| failure.why().to_string()).collect(), is_there)
+    }
+}
