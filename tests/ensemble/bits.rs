@@ -1,6 +1,6 @@
 //! Bits depend on the seed and on nothing else.
 
-use lagrange::ensemble::{Ends, Histogram, Moments, Random, Shard};
+use lagrange::ensemble::{Ends, Histogram, Moments, Motion, Random, Reduce, Reduced, Shard};
 use lagrange::{Ensembles, Simulate};
 
 use crate::{DoublePendulum, start};
@@ -83,4 +83,22 @@ fn reductions_do_not_depend_on_threads() {
     assert!(found.iter().all(|other| *other == found[0]));
     let text = found.each_ref().map(|(moments, ..)| format!("{moments:?}"));
     assert!(text.iter().all(|other| *other == text[0]));
+}
+
+#[test]
+fn parts_put_together_are_the_reduction() {
+    let pendulum = DoublePendulum::default();
+    let ensemble = || pendulum.ensemble(NUMBER).start(start).until(1.0).motions_per_part(30);
+    let add = |moments: &mut Moments, motion: &Motion<'_, DoublePendulum>| moments.add(motion.end().theta1);
+    let whole = ensemble().threads(2).reduce(Moments::new(), add).expect("runs");
+    let (mut found, mut parts) = (Moments::new(), 0);
+    for shard in 0..3 {
+        let merge = |part: Reduced<DoublePendulum, Moments>| {
+            found.merge(part.into_value());
+            parts += 1;
+        };
+        ensemble().shard(Shard::of(shard, 3)).reduce_parts(Moments::new(), add, merge).expect("runs");
+    }
+    assert_eq!((parts, found.count()), (7, NUMBER as u64));
+    assert_eq!(found, *whole);
 }

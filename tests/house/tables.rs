@@ -13,7 +13,7 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 10] = [
+pub(crate) const LIBRARIES: [Library; 11] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-core", layers: CORE },
     Library { name: "lagrange-device", layers: DEVICE },
@@ -21,6 +21,7 @@ pub(crate) const LIBRARIES: [Library; 10] = [
     Library { name: "lagrange-import", layers: IMPORT },
     Library { name: "lagrange-macro", layers: &[] },
     Library { name: "lagrange-math", layers: MATH },
+    Library { name: "lagrange-mpi", layers: MPI },
     Library { name: "lagrange-plot", layers: PLOT },
     Library { name: "lagrange-runtime", layers: RUNTIME },
     Library { name: "xtask", layers: XTASK },
@@ -141,6 +142,12 @@ const DEVICE: &[Layer] = &[
     Layer { modules: &["ends"], purpose: "where motions ended, and which failed" },
     Layer { modules: &["ensemble"], purpose: "what is asked of motions, and the text of methods" },
     Layer { modules: &["device"], purpose: "devices, and how one is found" },
+];
+
+const MPI: &[Layer] = &[
+    Layer { modules: &["error", "sum"], purpose: "failures; what all processes come down to" },
+    Layer { modules: &["processes"], purpose: "the share of a process" },
+    Layer { modules: &["collect"], purpose: "parts of all processes, merged in their order" },
 ];
 
 const PLOT: &[Layer] = &[

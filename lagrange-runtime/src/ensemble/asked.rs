@@ -144,7 +144,6 @@ impl<'a, M: SharedSystem> Asked<'a, M> {
     }
 
     /// The motions of a part.
-    #[cfg(feature = "parquet")]
     pub(super) fn part(&self, part: usize) -> Range<usize> {
         self.start_of(part)..self.start_of(part + 1)
     }

@@ -21,12 +21,12 @@ use super::reduce::Reduce;
 /// ```
 #[derive(Clone, PartialEq, Debug)]
 pub struct Histogram {
-    most: usize,
+    pub(super) most: usize,
     /// The width is two to the power of this.
-    exponent: i32,
+    pub(super) exponent: i32,
     /// By lower edge in widths, where there is something.
-    counts: BTreeMap<i64, u64>,
-    not_finite: u64,
+    pub(super) counts: BTreeMap<i64, u64>,
+    pub(super) not_finite: u64,
 }
 
 /// Bins are no narrower than the largest magnitude by this power of two, so that their places are exact.

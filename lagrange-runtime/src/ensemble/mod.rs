@@ -41,7 +41,7 @@
 //! | keep a sum | [`reduce`](Ensemble::reduce) to [`Moments`], a [`Histogram`] or what implements [`Reduce`] |
 //! | keep files | `save_parquet` with the feature `parquet`, which goes on where it was killed |
 //! | look at one motion | [`motion`](Ensemble::motion) |
-//! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard) |
+//! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard); sums over processes by MPI: the crate `lagrange-mpi` |
 //!
 //! Every motion is a run of [`simulate`](mod@crate::simulate) by itself, and has the bits of one: they depend neither on threads nor on
 //! shards, restarts or the other motions. The sum of all is put together in an order that does not depend on threads either.
@@ -57,6 +57,7 @@ mod failure;
 mod histogram;
 mod moments;
 mod motion;
+mod pack;
 mod progress;
 mod random;
 mod reduce;
@@ -81,6 +82,7 @@ pub use self::failure::Failure;
 pub use self::histogram::Histogram;
 pub use self::moments::Moments;
 pub use self::motion::Motion;
+pub use self::pack::Pack;
 pub use self::progress::Done;
 pub use self::random::Random;
 pub use self::reduce::Reduce;

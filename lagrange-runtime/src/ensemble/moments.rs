@@ -16,12 +16,12 @@ use super::reduce::Reduce;
 /// ```
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Moments {
-    count: u64,
-    mean: f64,
+    pub(super) count: u64,
+    pub(super) mean: f64,
     /// The sum of squares of deviations from the mean.
-    squares: f64,
-    min: f64,
-    max: f64,
+    pub(super) squares: f64,
+    pub(super) min: f64,
+    pub(super) max: f64,
 }
 
 impl Moments {

@@ -26,6 +26,11 @@ pub struct Reduced<M: MechanicalSystem, R> {
 const MOST_FAILURES: usize = 1000;
 
 impl<M: MechanicalSystem, R> Reduced<M, R> {
+    /// Of no motion.
+    fn new(value: R) -> Self {
+        Reduced { value, failed: 0, failures: Vec::new() }
+    }
+
     /// What the motions that did not fail came down to.
     pub fn into_value(self) -> R {
         self.value
@@ -45,6 +50,15 @@ impl<M: MechanicalSystem, R> Reduced<M, R> {
         self.failed += failed;
         let room = MOST_FAILURES - self.failures.len();
         self.failures.extend(failures.into_iter().take(room));
+    }
+
+    /// Adds what the motions that follow came down to.
+    fn merge(&mut self, later: Self)
+    where
+        R: Reduce,
+    {
+        self.value.merge(later.value);
+        self.fail(later.failed, later.failures);
     }
 }
 
@@ -101,24 +115,41 @@ where
         identity: R,
         add: impl Fn(&mut R, &Motion<'_, M>) + Sync,
     ) -> Result<Reduced<M, R>, EnsembleError> {
-        let motions = self.asked.motions()?;
-        let counter = self.counter(&motions);
-        let none = move || Reduced { value: identity.clone(), failed: 0, failures: Vec::new() };
-        let compute = |chunk: Range<usize>| {
-            let mut part = none();
-            self.each(chunk, &counter, |index, system, ran| match ran {
-                Ok(trajectory) => add(&mut part.value, &Motion::new(index, system, &trajectory)),
-                Err(error) => part.fail(1, [Failure::new(index, error)]),
-            })?;
-            Ok(part)
-        };
-        let mut all = none();
-        Engine::new(self.asked.threads)?.chunks(motions, &counter, compute, |part: Reduced<M, R>| {
-            all.value.merge(part.value);
-            all.fail(part.failed, part.failures);
-            Ok(())
-        })?;
-        counter.finish();
+        let mut all = Reduced::new(identity.clone());
+        self.reduce_parts(identity, add, |part| all.merge(part))?;
         Ok(all)
+    }
+
+    /// Computes all motions as [`reduce`](Self::reduce) does, and hands over what each part comes down to, one after the other: for sums
+    /// over processes, whose bits do not depend on the number of processes if parts are merged in their order.
+    ///
+    /// # Errors
+    /// As of [`reduce`](Self::reduce).
+    pub fn reduce_parts<R: Reduce>(
+        self,
+        identity: R,
+        add: impl Fn(&mut R, &Motion<'_, M>) + Sync,
+        mut then: impl FnMut(Reduced<M, R>),
+    ) -> Result<(), EnsembleError> {
+        let counter = self.counter(&self.asked.motions()?);
+        let engine = Engine::new(self.asked.threads)?;
+        let compute = |chunk: Range<usize>| {
+            let mut some = Reduced::new(identity.clone());
+            self.each(chunk, &counter, |index, system, ran| match ran {
+                Ok(trajectory) => add(&mut some.value, &Motion::new(index, system, &trajectory)),
+                Err(error) => some.fail(1, [Failure::new(index, error)]),
+            })?;
+            Ok(some)
+        };
+        for part in self.asked.parts()? {
+            let mut whole = Reduced::new(identity.clone());
+            engine.chunks(self.asked.part(part), &counter, compute, |some| {
+                whole.merge(some);
+                Ok(())
+            })?;
+            then(whole);
+        }
+        counter.finish();
+        Ok(())
     }
 }

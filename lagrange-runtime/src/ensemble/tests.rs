@@ -3,7 +3,7 @@
 use std::vec::Vec;
 
 use super::engine::Engine;
-use super::{Ends, Ensembles, Histogram, Moments, Random, Reduce};
+use super::{Ends, Ensembles, Histogram, Moments, Pack, Random, Reduce};
 use crate::system::{MechanicalSystem, OdeSystem, Unnamed};
 
 /// ẍ = −g sin x, and not a number beyond x = 100
@@ -105,6 +105,24 @@ fn quantiles_are_off_by_less_than_a_bin() {
     for part in [0.0, 0.1, 0.5, 0.9, 1.0] {
         let found = histogram.quantile(part).expect("has numbers");
         assert!((found - part).abs() < 1.0 / 64.0, "{part}: {found}");
+    }
+}
+
+#[test]
+fn reductions_are_unpacked_as_they_were_packed() {
+    let mut reduction = ((Moments::new(), Histogram::new(16)), [3_u64, 4], Vec::from([5.0]));
+    let ((moments, histogram), ..) = &mut reduction;
+    numbers().iter().chain([&f64::NAN]).for_each(|value| histogram.add(*value));
+    numbers().iter().for_each(|value| moments.add(*value));
+    let mut words = Vec::new();
+    reduction.pack(&mut words);
+    words.push(7);
+    let mut iterator = words.iter().copied();
+    assert_eq!(Pack::unpack(&mut iterator), Some(reduction.clone()));
+    assert_eq!((iterator.next(), iterator.next()), (Some(7), None));
+    for length in 0..words.len() - 1 {
+        let mut short = words.iter().copied().take(length);
+        assert!(<((Moments, Histogram), [u64; 2], Vec<f64>)>::unpack(&mut short).is_none());
     }
 }
 

@@ -50,8 +50,7 @@ impl Folder {
             if let Kind::Lock(Some(other)) = kind
                 && other != count
             {
-                let holder = fs::read_to_string(&path).unwrap_or_default();
-                return Err(EnsembleError::Locked { path, holder: holder.trim().into() });
+                Lock::clear(&path)?;
             }
         }
         Ok(folder)
