@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
-use std::{env, fs, thread};
+use std::{env, fs, io, thread};
 
 use lagrange::Ensembles;
 use lagrange::ensemble::{Ensemble, EnsembleError, Shard};
@@ -37,13 +38,22 @@ impl Drop for Folder {
     }
 }
 
+fn masses(i: usize, pendulum: &mut DoublePendulum) {
+    pendulum.m2 = 0.5 + 1e-3 * i as f64;
+}
+
 fn ensemble(pendulum: &DoublePendulum) -> Ensemble<'_, DoublePendulum, Verner98<f64>> {
-    let motions = pendulum.ensemble(NUMBER).start(|i, random| {
-        let [a, b, c, d] = start(i, random);
-        if i == 5 { [f64::NAN; 4] } else { [a, b, c, d] }
-    });
-    let ensemble = motions.parameters(|i, p| p.m2 = 0.5 + 1e-3 * i as f64).until(0.3).seed(7);
-    ensemble.motions_per_part(PER_PART).threads(2)
+    motions(pendulum, masses)
+}
+
+/// Motions with parameters, of which one fails.
+fn motions<'a>(
+    pendulum: &'a DoublePendulum,
+    change: impl Fn(usize, &mut DoublePendulum) + Send + Sync + 'a,
+) -> Ensemble<'a, DoublePendulum, Verner98<f64>> {
+    let motions =
+        pendulum.ensemble(NUMBER).start(|i, random| if i == 5 { [f64::NAN; 4] } else { start(i, random) });
+    motions.parameters(change).until(0.3).seed(7).motions_per_part(PER_PART).threads(2)
 }
 
 /// The files of a folder with what is in them.
@@ -54,11 +64,14 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
 }
 
 /// What all parts are in the end.
-fn expected(name: &str) -> BTreeMap<String, Vec<u8>> {
-    let folder = Folder::new(&format!("{name}_whole"));
-    let saved = ensemble(&DoublePendulum::default()).threads(1).save_parquet(&folder.0).expect("saves");
-    assert_eq!((saved.written, saved.found, saved.missing, saved.failed), (PARTS, 0, 0, 1));
-    files(&folder.0)
+fn expected() -> &'static BTreeMap<String, Vec<u8>> {
+    static EXPECTED: OnceLock<BTreeMap<String, Vec<u8>>> = OnceLock::new();
+    EXPECTED.get_or_init(|| {
+        let folder = Folder::new("whole");
+        let saved = ensemble(&DoublePendulum::default()).threads(1).save_parquet(&folder.0).expect("saves");
+        assert_eq!((saved.written, saved.found, saved.missing, saved.failed), (PARTS, 0, 0, 1));
+        files(&folder.0)
+    })
 }
 
 /// Saves until two parts or three are there.
@@ -77,14 +90,14 @@ fn begin(folder: &Path) {
 
 #[test]
 fn parts_are_the_same_bytes_from_any_number_of_threads_and_shards() {
-    let (folder, expected) = (Folder::new("shards"), expected("shards"));
-    assert_eq!(expected.keys().next_back().map(String::as_str), Some("part-000031.parquet"));
+    let folder = Folder::new("shards");
+    assert_eq!(expected().keys().next_back().map(String::as_str), Some("part-000031.parquet"));
     for index in [2, 0, 1] {
         let pendulum = DoublePendulum::default();
         let saved = ensemble(&pendulum).shard(Shard::of(index, 3)).save_parquet(&folder.0).expect("saves");
         assert_eq!((saved.found, saved.missing), (0, PARTS - files(&folder.0).len()));
     }
-    assert_eq!(files(&folder.0), expected);
+    assert_eq!(files(&folder.0), *expected());
 }
 
 #[test]
@@ -108,12 +121,12 @@ fn parts_with_samples_are_the_same_bytes_and_go_on() {
 
 #[test]
 fn a_cancelled_ensemble_goes_on() {
-    let (folder, expected) = (Folder::new("cancelled"), expected("cancelled"));
+    let folder = Folder::new("cancelled");
     begin(&folder.0);
     let found = files(&folder.0).len();
     let saved = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect("saves");
     assert_eq!((saved.found, saved.written), (found, PARTS - found));
-    assert_eq!(files(&folder.0), expected);
+    assert_eq!(files(&folder.0), *expected());
     let again = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect("has nothing to do");
     assert_eq!((again.found, again.written, again.missing), (PARTS, 0, 0));
 }
@@ -136,7 +149,7 @@ fn a_killed_ensemble_goes_on() {
         slowly.progress(|_| thread::sleep(Duration::from_millis(20))).save_parquet(folder).expect("saves");
         return;
     }
-    let (folder, expected) = (Folder::new("killed"), expected("killed"));
+    let folder = Folder::new("killed");
     let this = env::current_exe().expect("is known");
     let mut child = child(&mut Command::new(this), "files::a_killed_ensemble_goes_on", &folder.0);
     while !folder.0.join("part-000002.parquet").exists() {
@@ -160,7 +173,7 @@ fn a_killed_ensemble_goes_on() {
         assert!(index == 1 || saved.found >= 3, "{saved:?}");
         assert_eq!(saved.found + saved.written, PARTS / 2);
     }
-    assert_eq!(files(&folder.0), expected);
+    assert_eq!(files(&folder.0), *expected());
 }
 
 /// Files may not grow beyond a kilobyte, as on a full disk.
@@ -173,7 +186,7 @@ fn a_full_disk_is_an_error_that_loses_nothing() {
         assert!(error.to_string().contains(".parquet`: "), "{error}");
         return;
     }
-    let (folder, expected) = (Folder::new("full"), expected("full"));
+    let folder = Folder::new("full");
     begin(&folder.0);
     let before = files(&folder.0);
     let mut shell = Command::new("sh");
@@ -183,7 +196,67 @@ fn a_full_disk_is_an_error_that_loses_nothing() {
     assert!(child.wait().expect("is a child").success());
     assert_eq!(files(&folder.0), before);
     ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect("has room");
-    assert_eq!(files(&folder.0), expected);
+    assert_eq!(files(&folder.0), *expected());
+}
+
+/// A disk of a hundred kilobytes, in a namespace of its own, which ends with the process.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_that_grows_is_gone_on_with() {
+    if let Some(folder) = env::var_os(CHILD) {
+        let (folder, pendulum) = (PathBuf::from(folder), DoublePendulum::default());
+        let error = ensemble(&pendulum).save_parquet(&folder).expect_err("has no room");
+        let is_full = |source: &io::Error| source.kind() == io::ErrorKind::StorageFull;
+        assert!(matches!(&error, EnsembleError::File { source, .. } if is_full(source)), "{error:?}");
+        let before = files(&folder);
+        assert!((2..PARTS).contains(&before.len()) && before.keys().all(|name| name.ends_with(".parquet")));
+        let mut mount = Command::new("mount");
+        assert!(mount.args(["-o", "remount,size=10m"]).arg(&folder).status().expect("starts").success());
+        let saved = ensemble(&pendulum).save_parquet(&folder).expect("has room");
+        assert_eq!((saved.found, saved.written), (before.len(), PARTS - before.len()));
+        assert!(files(&folder) == *expected());
+        return;
+    }
+    let folder = Folder::new("disk");
+    let namespace = |script: &str| {
+        let mut command = Command::new("unshare");
+        command.args(["--mount", "--map-root-user", "sh", "-c"]);
+        command
+            .arg(format!("mount -t tmpfs -o size=100k tmpfs '{}' && {script}", folder.0.display()))
+            .arg("sh");
+        command
+    };
+    if !namespace("true").status().is_ok_and(|status| status.success()) {
+        eprintln!("not tested: nothing can be mounted here");
+        return;
+    }
+    let mut inside = namespace("exec \"$@\"");
+    inside.arg(env::current_exe().expect("is known"));
+    let mut child = child(&mut inside, "files::a_full_disk_that_grows_is_gone_on_with", &folder.0);
+    assert!(child.wait().expect("is a child").success());
+}
+
+#[test]
+fn a_panic_keeps_the_parts_before_it() {
+    let (folder, pendulum) = (Folder::new("panic"), DoublePendulum::default());
+    let is_wrong = AtomicBool::new(true);
+    let ensemble = || {
+        let change = |i: usize, p: &mut DoublePendulum| {
+            assert!(
+                i < 400 || i == NUMBER / 2 || i == NUMBER - 1 || !is_wrong.load(Ordering::Relaxed),
+                "too heavy"
+            );
+            masses(i, p);
+        };
+        motions(&pendulum, change)
+    };
+    let error = ensemble().save_parquet(&folder.0).expect_err("panics").to_string();
+    assert_eq!(error, "motion 400 panicked: too heavy");
+    assert_eq!(files(&folder.0).len(), 400 / PER_PART);
+    is_wrong.store(false, Ordering::Relaxed);
+    let saved = ensemble().save_parquet(&folder.0).expect("goes on");
+    assert_eq!((saved.found, saved.missing), (400 / PER_PART, 0));
+    assert_eq!(files(&folder.0), *expected());
 }
 
 #[test]
