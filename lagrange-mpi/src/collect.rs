@@ -44,7 +44,7 @@ where
     ) -> Result<Sum<R>, MpiError> {
         let mut parts = Vec::new();
         let ensemble = self.shard(shard(processes));
-        let result = ensemble.reduce_parts(identity.clone(), add, |part| parts.push(Sum::of_part(part)));
+        let result = ensemble.reduce_parts(&identity, add, |part| parts.push(Sum::of_part(part)));
         all_ok(processes, result)?;
         collect(processes, Sum::new(identity), parts)
     }

@@ -97,7 +97,7 @@ fn parts_put_together_are_the_reduction() {
             found.merge(part.into_value());
             parts += 1;
         };
-        ensemble().shard(Shard::of(shard, 3)).reduce_parts(Moments::new(), add, merge).expect("runs");
+        ensemble().shard(Shard::of(shard, 3)).reduce_parts(&Moments::new(), add, merge).expect("runs");
     }
     assert_eq!((parts, found.count()), (7, NUMBER as u64));
     assert_eq!(found, *whole);

@@ -115,8 +115,8 @@ where
         identity: R,
         add: impl Fn(&mut R, &Motion<'_, M>) + Sync,
     ) -> Result<Reduced<M, R>, EnsembleError> {
-        let mut all = Reduced::new(identity.clone());
-        self.reduce_parts(identity, add, |part| all.merge(part))?;
+        let (none, mut all) = (identity.clone(), Reduced::new(identity));
+        self.reduce_parts(&none, add, |part| all.merge(part))?;
         Ok(all)
     }
 
@@ -127,7 +127,7 @@ where
     /// As of [`reduce`](Self::reduce).
     pub fn reduce_parts<R: Reduce>(
         self,
-        identity: R,
+        identity: &R,
         add: impl Fn(&mut R, &Motion<'_, M>) + Sync,
         mut then: impl FnMut(Reduced<M, R>),
     ) -> Result<(), EnsembleError> {
