@@ -14,7 +14,7 @@ use std::path::Path;
 use std::vec::Vec;
 
 use self::folder::Folder;
-use self::part::Part;
+use self::part::PartFile;
 use self::sheet::{Kept, Sheet};
 use super::asked::SharedSystem;
 use super::builder::Ensemble;
@@ -84,7 +84,7 @@ where
         for part in missing {
             let motions = self.asked.part(part);
             let failed = folder.write(part, |file, wrong| {
-                let mut part = Part::new(file, &settings);
+                let mut part = PartFile::new(file, &settings);
                 self.sheets(&engine, &counter, motions, |sheet| part.add(sheet).map_err(wrong))?;
                 part.finish().map_err(wrong)
             })?;

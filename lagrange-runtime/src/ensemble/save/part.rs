@@ -32,7 +32,7 @@ const CAUSE: &str = "cause";
 const ROWS_PER_GROUP: usize = 1 << 17;
 
 /// A file that rows are added to, of which only a row group lies in memory.
-pub(super) struct Part<'f, M: SharedSystem> {
+pub(super) struct PartFile<'f, M: SharedSystem> {
     file: &'f File,
     settings: &'f str,
     /// None before the first row group.
@@ -41,12 +41,12 @@ pub(super) struct Part<'f, M: SharedSystem> {
     failed: usize,
 }
 
-impl<'f, M: SharedSystem> Part<'f, M>
+impl<'f, M: SharedSystem> PartFile<'f, M>
 where
     M::Scalar: Into<f64>,
 {
     pub(super) fn new(file: &'f File, settings: &'f str) -> Self {
-        Part { file, settings, writer: None, waiting: Sheet::new(), failed: 0 }
+        PartFile { file, settings, writer: None, waiting: Sheet::new(), failed: 0 }
     }
 
     /// Adds the rows of the motions that follow.
