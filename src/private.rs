@@ -26,6 +26,20 @@ pub fn matrix<S: Number, const N: usize, const M: usize>(entries: &[(usize, usiz
     matrix
 }
 
+/// One value where a number is less than another, a second one where it is not, and NaN where one of the two is.
+#[inline(always)]
+pub fn if_less<S: Number>(left: S, right: S, then: S, otherwise: S) -> S {
+    let or_otherwise = S::select(right.less_equal(left), otherwise, S::NAN);
+    S::select(left.less(right), then, or_otherwise)
+}
+
+/// The same where a number is less than another or equal.
+#[inline(always)]
+pub fn if_less_equal<S: Number>(left: S, right: S, then: S, otherwise: S) -> S {
+    let or_otherwise = S::select(right.less(left), otherwise, S::NAN);
+    S::select(left.less_equal(right), then, or_otherwise)
+}
+
 /// Functions under their bare names, so that generated formulas read like formulas.
 macro_rules! functions {
     ($($name:ident($first:ident $(, $other:ident: $kind:ty)*) -> $result:ty;)*) => {

@@ -18,6 +18,8 @@ use reference::{Reference, Subject, names};
 /// What the references do not hold of a system.
 trait Compiled: Subject {
     fn momentum_rates(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64>;
+    /// The right-hand side, and what the type for numbers side by side has for it with one number.
+    fn both_rhs(&self, t: f64, y: &[f64]) -> [Vec<f64>; 2];
 }
 
 /// A system, compiled at two levels of accuracy, as tests of its own: `declare! { name, energies: …,
@@ -41,7 +43,7 @@ macro_rules! declare {
     };
     (@level $level:ident, $energies:ident, $mass_matrix:ident; $($declaration:tt)*) => {
         mod $level {
-            use lagrange::system::CanonicalSystem;
+            use lagrange::system::{CanonicalSystem, Equations, LanesSystem};
 
             use super::{DECLARATION, NAME, array};
 
@@ -49,7 +51,7 @@ macro_rules! declare {
                 #[accuracy($level)]
                 pub(crate) struct Compiled;
                 $($declaration)*
-                emit { momentum_rates }
+                emit { momentum_rates, lanes }
             }
 
             impl crate::Compiled for Compiled {
@@ -57,6 +59,11 @@ macro_rules! declare {
                     let matrix = CanonicalSystem::mass_matrix(self, t, &array(q), &array(v));
                     assert_eq!(matrix, declare!(@$mass_matrix self, t, &array(q), &array(v)));
                     CanonicalSystem::momentum_rates(self, t, &array(q), &array(v)).to_vec()
+                }
+
+                fn both_rhs(&self, t: f64, y: &[f64]) -> [Vec<f64>; 2] {
+                    let lanes = self.lanes(|parameter| parameter);
+                    [self.rhs(t, &array(y)).to_vec(), lanes.rhs(t, &array(y)).to_vec()]
                 }
             }
 
@@ -170,6 +177,23 @@ fn check(name: &str, level: &str, declaration: &str, compiled: &impl Compiled) {
             bits(compiled.momentum_rates(state.t, &state.q, &state.v)),
             bits(rates.expect("it is asked for")),
         );
+        check_lanes(compiled, state.t, &[state.q.clone(), state.v.clone()].concat());
+    }
+}
+
+/// Holds the type for numbers side by side to the bits of the system at a state, and where one of its entries is zero or no number.
+fn check_lanes(compiled: &impl Compiled, t: f64, y: &[f64]) {
+    let others =
+        (0..y.len()).flat_map(|entry| [0.0, -0.0, f64::NAN, f64::INFINITY].map(|value| (entry, value)));
+    let states = others.map(|(entry, value)| {
+        let mut other = y.to_vec();
+        other[entry] = value;
+        other
+    });
+    for y in states.chain([y.to_vec(), vec![0.0; y.len()]]) {
+        let [alone, lanes] = compiled.both_rhs(t, &y);
+        let is_same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
+        assert!(alone.iter().zip(&lanes).all(is_same), "{lanes:?} is not {alone:?} at {y:?}");
     }
 }
 

@@ -85,6 +85,22 @@ pub trait Prepared {
 
 impl<M: EmitsPrepared> Prepared for M {}
 
+/// A system that emits `lanes`.
+#[diagnostic::on_unimplemented(
+    message = "the declaration of `{Self}` does not emit `lanes`",
+    label = "not emitted",
+    note = "add `emit {{ lanes }}` to the declaration"
+)]
+pub trait EmitsLanes {}
+
+/// The name of that product.
+pub trait Lanes {
+    /// Never called.
+    fn lanes(&self) {}
+}
+
+impl<M: EmitsLanes> Lanes for M {}
+
 /// A system that emits `momentum_rates`.
 #[diagnostic::on_unimplemented(
     message = "the declaration of `{Self}` does not emit `momentum_rates`",
@@ -386,7 +402,7 @@ macro_rules! __hints {
         use $crate::private::hints::{
             Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
             Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _, KernelF32 as _,
-            KernelF64 as _, KineticEnergy as _, Latex as _, MassMatrix as _, Momenta as _,
+            KernelF64 as _, KineticEnergy as _, Lanes as _, Latex as _, MassMatrix as _, Momenta as _,
             MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
             Statements as _, TangentJacobian as _,
         };

@@ -17,6 +17,7 @@ mod functions;
 mod hints;
 mod hybrid;
 mod inertia;
+mod lanes;
 mod long_rope;
 mod methods;
 mod orientations;

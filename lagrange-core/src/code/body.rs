@@ -16,6 +16,14 @@ pub enum Scalar {
     F32,
     /// A type parameter bounded by `Scalar`; literals are converted from `f64`.
     Generic(Ident),
+    /// A type parameter bounded by `Number`, which may be several numbers side by side: choices compute both of their values and
+    /// select. Literals are converted from `f64`.
+    SideBySide {
+        /// The type parameter.
+        number: Ident,
+        /// Whether each number is an `f32`, to which literals are rounded before they are converted.
+        is_single: bool,
+    },
 }
 
 /// A program as Rust.

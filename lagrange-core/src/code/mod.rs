@@ -26,7 +26,7 @@ pub use names::Names;
 
 use crate::program::{Op, Program};
 use crate::symbol::{Role, Symbols};
-use values::write;
+use values::{SELECTIONS, write};
 use writer::BodyWriter;
 
 /// Writes a program as Rust.
@@ -41,6 +41,9 @@ pub fn body(
 ) -> Result<FunctionBody, Unrepresentable> {
     // Every other function is a word of the language, which no symbol can be called.
     ["sin_cos", "sin_cos_each", "multiply_add"].into_iter().for_each(|function| names.reserve(function));
+    if matches!(scalar, Scalar::SideBySide { .. }) {
+        SELECTIONS.into_iter().for_each(|function| names.reserve(function));
+    }
     let used = used_roles(program);
     // Symbols get their names before anything else can take them.
     used.iter().for_each(|&role| drop(names.role(symbols, role)));

@@ -14,6 +14,9 @@ use crate::expr::Relation;
 use crate::program::{Op, Program, ValueId, ValueTable};
 use crate::symbol::Role;
 
+/// Functions that choose without a branch, by whether a number is less than another, and less or equal.
+pub(super) const SELECTIONS: [&str; 2] = ["if_less", "if_less_equal"];
+
 /// The statements, and an expression for each output.
 pub(super) fn write(mut writer: BodyWriter<'_>, used: Vec<Role>) -> Result<FunctionBody, Unrepresentable> {
     let program = writer.program;
@@ -46,7 +49,7 @@ fn value(writer: &mut BodyWriter<'_>, id: ValueId, op: &Op, is_branch: bool) -> 
         Op::CosOf(pair) => part(writer, *pair, 0, 1),
         Op::SinIn(batch, place) => part(writer, *batch, *place, 0),
         Op::CosIn(batch, place) => part(writer, *batch, *place, 1),
-        Op::Select { relation, left, right, then, otherwise } => {
+        Op::Select { relation, left, right, then, otherwise } if writer.may_branch() => {
             let [left, right] = [*left, *right].map(|operand| writer.take_variable(operand));
             let [then, otherwise] = [*then, *otherwise].map(|operand| writer.take(operand));
             let chosen = selection(writer, *relation, [left, right], [then, otherwise]);
@@ -92,6 +95,13 @@ fn expression(writer: &mut BodyWriter<'_>, op: &Op) -> Fragment {
             writer.call("powi", operands)
         }
         Op::Call(function, _) => writer.call(row(*function).rust, operands),
+        Op::Select { relation, .. } => {
+            let (function, is_swapped) = selection_without_branch(*relation);
+            if is_swapped {
+                operands.swap(0, 1);
+            }
+            writer.call(function, operands)
+        }
         _ => unreachable!("{op:?} is not written as an expression"),
     }
 }
@@ -103,8 +113,8 @@ fn constant(
     unrepresentable: &mut Vec<String>,
 ) -> Written {
     let text = match writer.scalar {
-        Scalar::F32 => constant.single(),
-        Scalar::F64 | Scalar::Generic(_) => constant.double(),
+        Scalar::F32 | Scalar::SideBySide { is_single: true, .. } => constant.single(),
+        Scalar::F64 | Scalar::Generic(_) | Scalar::SideBySide { .. } => constant.double(),
     };
     let Some(text) = text else {
         let words = constant.describe();
@@ -114,7 +124,7 @@ fn constant(
         return Written::Expression(Fragment::number("0.0"));
     };
     let number = Fragment::number(&text);
-    if !matches!(writer.scalar, Scalar::Generic(_)) {
+    if matches!(writer.scalar, Scalar::F64 | Scalar::F32) {
         return Written::Expression(number);
     }
     let converted = match text.as_str() {
@@ -153,6 +163,17 @@ fn selection(
     };
     quote_spanned! {Span::mixed_site()=>
         if #left #holds #right { #then } else if #left #fails #right { #otherwise } else { #nan }
+    }
+}
+
+/// The function that chooses without a branch, and whether it takes the sides of the relation the other way round.
+fn selection_without_branch(relation: Relation) -> (&'static str, bool) {
+    let [less, less_equal] = SELECTIONS;
+    match relation {
+        Relation::Less => (less, false),
+        Relation::LessEqual => (less_equal, false),
+        Relation::Greater => (less, true),
+        Relation::GreaterEqual => (less_equal, true),
     }
 }
 

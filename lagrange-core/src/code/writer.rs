@@ -120,6 +120,7 @@ impl<'a> BodyWriter<'a> {
             Op::Call(function, _) => row(*function).rust.len(),
             Op::MultiplyAdd(..) | Op::MultiplySubtract(..) | Op::SubtractProduct(..) => "multiply_add".len(),
             Op::SinCosEach(_) => "sin_cos_each".len(),
+            Op::Select { .. } => "if_less_equal".len(),
             _ => 0,
         }
     }
@@ -162,6 +163,11 @@ impl<'a> BodyWriter<'a> {
         name
     }
 
+    /// Whether a choice may be an `if`.
+    pub(super) fn may_branch(&self) -> bool {
+        !matches!(self.scalar, Scalar::SideBySide { .. })
+    }
+
     pub(super) fn call(&mut self, function: &'static str, arguments: Vec<Fragment>) -> Fragment {
         Fragment::call(&self.function(function), arguments)
     }
@@ -179,7 +185,7 @@ impl<'a> BodyWriter<'a> {
         let scalar = match self.scalar {
             Scalar::F64 => quote_spanned!(Span::mixed_site()=> f64),
             Scalar::F32 => quote_spanned!(Span::mixed_site()=> f32),
-            Scalar::Generic(scalar) => scalar.to_token_stream(),
+            Scalar::Generic(scalar) | Scalar::SideBySide { number: scalar, .. } => scalar.to_token_stream(),
         };
         Fragment::atom(
             quote_spanned!(Span::mixed_site()=> #scalar::#item),

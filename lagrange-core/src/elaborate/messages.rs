@@ -324,7 +324,7 @@ pub(super) const ALL_FROZEN_HELP: &str = "leave at least one coordinate free, or
 pub(super) const PINNED_VALUE: &str = "the value of a coordinate that is frozen or small";
 pub(super) const CONSTANT_IN_MOTION_HELP: &str =
     "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
-pub(super) const TYPE_NAME_HELP: &str = "each declared type `Name` comes with `NameState`, `NameColumns`, `NameInputs` and `NamePrepared`: choose a name that is none of them";
+pub(super) const TYPE_NAME_HELP: &str = "each declared type `Name` comes with `NameState`, `NameColumns`, `NameInputs`, `NamePrepared` and `NameLanes`: choose a name that is none of them";
 
 pub(super) fn reduced_twice(name: &str) -> String {
     format!("`{name}` is named twice in this reduction")

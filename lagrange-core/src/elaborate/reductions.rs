@@ -65,7 +65,7 @@ fn check_type_name(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
     let new = &syntax.name;
     let clashes = |&(name, _): &(&str, Span)| {
         let belongs = |name: &str, to: &str| {
-            ["State", "Columns", "Inputs", "Prepared"]
+            ["State", "Columns", "Inputs", "Prepared", "Lanes"]
                 .iter()
                 .any(|suffix| name.strip_suffix(suffix) == Some(to))
         };

@@ -16,6 +16,7 @@ use super::features::events::write_events;
 use super::features::frames::write_frames;
 use super::features::indefinite::write_indefinite;
 use super::features::kernel::{self as kernels, write_kernel};
+use super::features::lanes::write_lanes;
 use super::features::orientations::write_position_rates;
 use super::features::prepared::write_prepared;
 use super::features::product::{Plan, plan};
@@ -81,6 +82,7 @@ fn assembled(
     write_frames(&mut writer);
     write_prepared(&mut writer)?;
     write_kernel(&mut writer)?;
+    write_lanes(&mut writer)?;
     if !writer.is_hopeless() {
         describe(&mut writer, statements, counts);
     }

@@ -4,12 +4,13 @@ use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
 use super::base::attributes::{conditions, deprecated_exception, split_attributes};
-use super::base::lints::{name_exception, rounded_exception};
+use super::base::lints::{name_exception, rounded_exception, unused_exception};
 use super::base::members::Members;
 use super::base::shape::{Shape, doc, identifier, local};
 use super::base::state::{columns_impls, columns_struct, rhs, state_conversions, state_struct};
 use super::features::constrained::projections;
 use super::features::contacts::mode_fields;
+use super::features::lanes::{lanes_items, lanes_struct};
 use super::features::ports::{inputs_impls, inputs_struct, outputs_impl};
 use super::features::prepared::{prepared_items, prepared_method, prepared_struct};
 use super::features::switches::switches_declaration;
@@ -37,7 +38,8 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
         .then(|| quote!(#conditions #krate::private::bring_hints! { default }));
     let inputs = inputs_struct(shape).map(|inputs| quote!(#conditions #inputs));
     let prepared = prepared_struct(shape, members).map(|prepared| quote!(#conditions #prepared));
-    let of_prepared = prepared_items(shape, members);
+    let lanes = lanes_struct(shape, members).map(|lanes| quote!(#conditions #lanes));
+    let (of_prepared, of_lanes) = (prepared_items(shape, members), lanes_items(shape, members));
     quote! {
         #system
         #conditions
@@ -46,6 +48,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
         #columns
         #inputs
         #prepared
+        #lanes
         #conditions
         #krate::private::bring_hints! {}
         #default
@@ -61,6 +64,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #traits
             #(#ports)*
             #of_prepared
+            #of_lanes
         };
     }
 }
@@ -110,12 +114,7 @@ fn system_struct(shape: &Shape<'_>, members: &Members) -> TokenStream {
             body.into_token_stream()
         }
     };
-    let names = name_exception(shape);
-    let touching = shape.touching.iter().map(|(name, _)| name);
-    let unused = shape.fields.iter().chain(touching).any(|name| name.text.starts_with('_'));
-    let unused = unused.then(|| {
-        quote!(#[allow(clippy::pub_underscore_fields, reason = "the user marked the parameter as unused")])
-    });
+    let (names, unused) = (name_exception(shape), unused_exception(shape));
     quote! {
         #(#docs)*
         #(#attributes)*

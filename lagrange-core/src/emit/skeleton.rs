@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::base::members::{Members, Prepared, PreparedFields};
+use super::base::members::{Lanes, Members, Prepared, PreparedFields};
 use super::base::method::{ArgumentNames, Arguments, Method, Returns};
 use super::base::shape::{Shape, identifier, local, method_of, motion_name};
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
@@ -91,6 +91,7 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
         items: shape.asks_for(Product::Drawing).then(TokenStream::new),
         prepared: shape.asks_for(Product::Prepared).then(|| skeleton_of_prepared(&shape)),
         kernel: shape.asks_for(Product::Kernel).then(|| kernel_constants("", "")),
+        lanes: shape.asks_for(Product::Lanes).then(skeleton_of_lanes),
         constants: constants.into_iter().collect(),
         is_separable: shape.velocities_are_rates(),
         ..Members::new(names)
@@ -150,6 +151,10 @@ fn skeleton_of_prepared(shape: &Shape<'_>) -> Prepared {
     Prepared { fields: PreparedFields::new(), values, methods, docs: NOT_DERIVED.to_owned() }
 }
 
+fn skeleton_of_lanes() -> Lanes {
+    Lanes { rhs: quote!(::core::unreachable!()), sides: None, docs: NOT_DERIVED.to_owned() }
+}
+
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
     let docs = quote!(#[doc = #NOT_DERIVED]);
     Method { name, docs, arguments, returns, body: quote!(::core::unreachable!()) }
@@ -165,6 +170,7 @@ fn skeletons_of_reduced(declaration: &Declaration, krate: &TokenStream) -> Token
             & insert(format!("{name}Columns"))
             & insert(format!("{name}Inputs"))
             & insert(format!("{name}Prepared"))
+            & insert(format!("{name}Lanes"))
     };
     is_new(&declaration.name.text);
     if let ScalarType::Generic(name) = &declaration.scalar {

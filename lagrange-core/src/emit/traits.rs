@@ -10,6 +10,7 @@ use super::features::constrained::{canonical_constraints, constrained_impl, leap
 use super::features::contacts::contact_impl;
 use super::features::events::event_members;
 use super::features::kernel::kernel_impl;
+use super::features::lanes::with_lanes;
 use super::features::orientations::{orientation_members, position_rates};
 use super::features::scene::scene_impl;
 use super::features::switches::switched_impl;
@@ -176,6 +177,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let coordinates = shape.coordinates.iter().map(|name| &name.text);
     let (rates, oriented) = (position_rates(shape, members), orientation_members(shape, members));
     let parameter = parameter_member(shape);
+    let lanes = with_lanes(shape, members);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::MechanicalSystem for #name #generics {
@@ -195,6 +197,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #rates
             #oriented
             #parameter
+            #lanes
         }
         #[automatically_derived]
         impl #bounds #krate::system::NamedSystem for #name #generics {

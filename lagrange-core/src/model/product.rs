@@ -25,6 +25,7 @@ pub enum Product {
     ParameterJacobian,
     Prepared,
     Kernel,
+    Lanes,
     Latex,
     Motion,
     Frames,
@@ -116,7 +117,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 24] = [
+const ROWS: [ProductRow; 25] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -303,6 +304,7 @@ const ROWS: [ProductRow; 24] = [
     },
     ProductRow { product: Product::Prepared, name: "prepared", when: Availability::Demand, method: None },
     ProductRow { product: Product::Kernel, name: "kernel", when: Availability::Demand, method: None },
+    ProductRow { product: Product::Lanes, name: "lanes", when: Availability::Demand, method: None },
     ProductRow { product: Product::Latex, name: "latex", when: Availability::Demand, method: None },
     ProductRow { product: Product::Motion, name: "motion", when: Availability::Bodies, method: None },
     ProductRow { product: Product::Frames, name: "frames", when: Availability::Bodies, method: None },

@@ -104,8 +104,8 @@ fn added_by(product: Product) -> Vec<&'static str> {
         Product::Motion => vec!["bob_motion"],
         Product::Frames => vec!["bob_frame"],
         Product::FrameJacobians => vec!["bob_jacobian"],
-        // That is a trait.
-        Product::Drawing => Vec::new(),
+        // These are traits.
+        Product::Drawing | Product::Lanes => Vec::new(),
         Product::Statements => vec!["STATEMENTS"],
         _ => vec![product.name()],
     }

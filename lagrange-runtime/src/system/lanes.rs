@@ -29,6 +29,10 @@ pub trait Equations<S: Number>: Copy {
 /// A system that hands out its equations for numbers side by side: emitted types do with `emit { lanes }`.
 ///
 /// Every motion has parameters of its own, so that they are numbers side by side, too.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not hand out its equations for numbers side by side",
+    note = "add `emit {{ lanes }}` to its declaration"
+)]
 pub trait LanesSystem: OdeSystem {
     /// The equations in numbers of the type S.
     type Lanes<S: Number>: Equations<S>;

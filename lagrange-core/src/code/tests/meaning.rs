@@ -5,6 +5,7 @@ use proptest::prelude::{ProptestConfig, prop_assert, proptest};
 use quote::quote;
 use syn::{BinOp, Block, Expr, ExprIf, Lit, Local, Pat, PatSlice, PatTuple, Stmt, UnOp};
 
+use super::{generic, side_by_side};
 use crate::code::{Names, Scalar, body};
 use crate::collections::HashMap;
 use crate::elementary::ROWS;
@@ -80,7 +81,12 @@ impl Machine {
             },
             Expr::Path(path) => {
                 let name = path.path.segments.last().expect("a name").ident.to_string();
-                if name == "NAN" { f64::NAN } else { *self.variables.get(&name).expect("defined before use") }
+                match name.as_str() {
+                    "NAN" => f64::NAN,
+                    "ZERO" => 0.0,
+                    "ONE" => 1.0,
+                    _ => *self.variables.get(&name).expect("defined before use"),
+                }
             }
             Expr::Paren(inner) => self.value(&inner.expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => -self.value(&unary.expr),
@@ -133,13 +139,19 @@ fn call_function(name: &str, x: &[f64]) -> f64 {
         "multiply_add" if cfg!(target_feature = "fma") => x[0].mul_add(x[1], x[2]),
         "multiply_add" => x[0] * x[1] + x[2],
         "powi" => integer_power(x[0], x[1] as i32),
+        "from_f64" => x[0],
+        "if_less" if x[0] < x[1] => x[2],
+        "if_less" if x[1] <= x[0] => x[3],
+        "if_less_equal" if x[0] <= x[1] => x[2],
+        "if_less_equal" if x[1] < x[0] => x[3],
+        "if_less" | "if_less_equal" => f64::NAN,
         _ => (ROWS.iter().find(|row| row.rust == name).expect("a function of the language").value)(x),
     }
 }
 
-fn execute(graph: &Graph, program: &Program) -> Option<Vec<f64>> {
+fn execute(graph: &Graph, program: &Program, scalar: &Scalar) -> Option<Vec<f64>> {
     let mut names = Names::default();
-    let body = body(program, graph.symbols(), &Scalar::F64, &mut names).ok()?;
+    let body = body(program, graph.symbols(), scalar, &mut names).ok()?;
     let mut machine = Machine::default();
     for &role in &body.used {
         machine.define(&names.role(graph.symbols(), role).to_string(), at(role, 0.0));
@@ -161,10 +173,12 @@ proptest! {
         let lowered = lowered(&graph, &outputs);
         let optimised = Accuracy::ALL.map(|accuracy| optimise(&lowered, accuracy));
         for program in optimised.into_iter().chain([lowered]) {
-            // Constants out of range are a mistake of the formula.
-            let Some(written) = execute(&graph, &program) else { return Ok(()) };
             let expected = run(&program, |role| at(role, 0.0));
-            prop_assert!(written.iter().zip(&expected).all(same_bits), "{written:?} for {expected:?}: {program:?}");
+            for scalar in [Scalar::F64, generic(), side_by_side()] {
+                // Constants out of range are a mistake of the formula.
+                let Some(written) = execute(&graph, &program, &scalar) else { return Ok(()) };
+                prop_assert!(written.iter().zip(&expected).all(same_bits), "{written:?} for {expected:?}: {program:?}");
+            }
         }
     }
 }
@@ -190,7 +204,7 @@ fn long_bodies_in_parts_compute_what_the_interpreter_computes() {
         let block: Block = syn::parse2(quote!({ #statements })).expect("statements");
         assert!(block.stmts.len() > 2 && longest_block(&block) <= 1001);
         let expected = run(&program, |role| at(role, 0.0));
-        let written = execute(&graph, &program).expect("moderate numbers");
+        let written = execute(&graph, &program, &Scalar::F64).expect("moderate numbers");
         assert!(written.iter().zip(&expected).all(same_bits), "{written:?} for {expected:?}");
     }
 }

@@ -15,6 +15,10 @@ fn generic() -> Scalar {
     Scalar::Generic(Ident::new("S", Span::call_site()))
 }
 
+fn side_by_side() -> Scalar {
+    Scalar::SideBySide { number: Ident::new("S", Span::call_site()), is_single: false }
+}
+
 /// The body as a formatted function.
 fn function(graph: &Graph, outputs: &[ExprId], labels: &Labels, scalar: &Scalar) -> String {
     let program = optimise(&lower(graph, outputs, labels), Accuracy::Standard);
@@ -175,6 +179,26 @@ fn a_choice_is_not_a_number_where_its_condition_is_none() {
 fn generic_code_converts_its_constants() {
     let (graph, outputs, labels) = contact();
     insta::assert_snapshot!("contact_generic", function(&graph, &outputs, &labels, &generic()));
+}
+
+#[test]
+fn numbers_side_by_side_take_no_branch() {
+    let (graph, outputs, labels) = contact();
+    insta::assert_snapshot!("contact_side_by_side", function(&graph, &outputs, &labels, &side_by_side()));
+}
+
+#[test]
+fn constants_are_those_of_the_numbers_that_stand_side_by_side() {
+    let mut graph = Graph::new();
+    let third = graph.number(Number::ratio(1, 3).expect("no zero"));
+    let program = lower(&graph, &[third], &Labels::default());
+    let number = Ident::new("S", Span::call_site());
+    let written = [false, true].map(|is_single| {
+        let scalar = Scalar::SideBySide { number: number.clone(), is_single };
+        body(&program, graph.symbols(), &scalar, &mut Names::default()).expect("a third").outputs[0]
+            .to_string()
+    });
+    assert_eq!(written, ["S :: from_f64 (0.3333333333333333)", "S :: from_f64 (0.33333334)"]);
 }
 
 #[test]

@@ -15,8 +15,18 @@ pub(super) struct Bindings<'a> {
     pub(super) shape: &'a Shape<'a>,
     pub(super) model: &'a Model,
     pub(super) arguments: &'a ArgumentNames,
-    /// The fields of the prepared type, if the body is that of one of its methods.
-    pub(super) prepared: Option<&'a [Ident]>,
+    pub(super) emitted_type: EmittedType<'a>,
+}
+
+/// Type whose method a body is.
+#[derive(Clone, Copy)]
+pub(super) enum EmittedType<'a> {
+    /// The system.
+    System,
+    /// The prepared type, with these fields.
+    Prepared(&'a [Ident]),
+    /// The type for numbers side by side.
+    Lanes,
 }
 
 impl Bindings<'_> {
@@ -24,9 +34,10 @@ impl Bindings<'_> {
     pub(super) fn of(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> TokenStream {
         let ArgumentNames { time, positions, velocities, accelerations, state, residuals, .. } =
             self.arguments;
-        let fields = match self.prepared {
-            None => field_bindings(self.shape, self.model, used, names),
-            Some(fields) => self.prepared_bindings(fields, used, names),
+        let fields = match self.emitted_type {
+            EmittedType::System => field_bindings(self.shape, self.model, used, names),
+            EmittedType::Prepared(fields) => self.prepared_bindings(fields, used, names),
+            EmittedType::Lanes => self.lanes_bindings(used, names),
         };
         let sides = self.side_bindings(used, names, arguments);
         let fields = quote!(#fields #sides);
@@ -63,7 +74,7 @@ impl Bindings<'_> {
     fn prepared_bindings(&self, fields: &[Ident], used: &[Role], names: &mut Names) -> TokenStream {
         let system = self.shape.name();
         let own = bound_fields(self.shape, self.model, used, names);
-        let own = destructured(self.shape, &own, (&quote!(#system), &quote!(self.system)));
+        let own = destructured(&own, has_others(self.shape, &own), (&quote!(#system), &quote!(self.system)));
         let symbols = self.model.graph.symbols();
         let first = self.model.parameters.len() as u32;
         let roles = (first..).map(Role::Parameter).zip(fields);
@@ -76,12 +87,22 @@ impl Bindings<'_> {
         quote!(#own #prepared)
     }
 
+    /// Parameters and inputs of numbers side by side, which have no other fields.
+    fn lanes_bindings(&self, used: &[Role], names: &mut Names) -> TokenStream {
+        let bound = bound_fields(self.shape, self.model, used, names);
+        let has_others = bound.len() < self.shape.fields.len();
+        destructured(&bound, has_others, (&quote!(Self), &quote!(*self)))
+    }
+
     /// The sides of switches that a body uses.
     fn side_bindings(&self, used: &[Role], names: &mut Names, arguments: Arguments) -> Option<TokenStream> {
         let ArgumentNames { time, positions, velocities, state, .. } = self.arguments;
         let pattern = self.pattern((0..self.shape.switches.len() as u32).map(Role::Side), used, names)?;
         let (krate, n) = (self.shape.krate, length(self.model.speeds.len()));
         Some(match arguments {
+            _ if matches!(self.emitted_type, EmittedType::Lanes) => {
+                quote!(let #pattern = self.sides(#time, #state);)
+            }
             Arguments::Whole => quote! {
                 let #pattern = {
                     let (positions, velocities) = #krate::system::split::<Self>(#state);
@@ -124,7 +145,7 @@ pub(in crate::emit) fn field_bindings(
     names: &mut Names,
 ) -> TokenStream {
     let bound = bound_fields(shape, model, used, names);
-    destructured(shape, &bound, (&quote!(Self), &quote!(*self)))
+    destructured(&bound, has_others(shape, &bound), (&quote!(Self), &quote!(*self)))
 }
 
 /// The fields that are used, each with the name that the body uses.
@@ -143,15 +164,19 @@ fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Nam
     bound.collect()
 }
 
+/// Whether the system has fields beside these.
+fn has_others(shape: &Shape<'_>, bound: &[TokenStream]) -> bool {
+    !shape.switches.is_empty() || shape.fields_of_modes().next().is_some() || bound.len() < shape.fields.len()
+}
+
 fn destructured(
-    shape: &Shape<'_>,
     bound: &[TokenStream],
+    has_others: bool,
     (name, value): (&TokenStream, &TokenStream),
 ) -> TokenStream {
     if bound.is_empty() {
         return TokenStream::new();
     }
-    let has_others = !shape.switches.is_empty() || shape.fields_of_modes().next().is_some();
-    let rest = (has_others || bound.len() < shape.fields.len()).then(|| quote!(..));
+    let rest = has_others.then(|| quote!(..));
     quote!(let #name { #(#bound,)* #rest } = #value;)
 }

@@ -67,3 +67,12 @@ pub(in crate::emit) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> 
         quote!(#[allow(non_snake_case, reason = "symbols keep the letters they have in formulas")]);
     (!{ names }.all(|name| is_snake_case(&name))).then_some(exception)
 }
+
+/// Lets public fields begin with an underscore.
+pub(in crate::emit) fn unused_exception(shape: &Shape<'_>) -> Option<TokenStream> {
+    let touching = shape.touching.iter().map(|(name, _)| name);
+    let is_unused = shape.fields.iter().chain(touching).any(|name| name.text.starts_with('_'));
+    is_unused.then(|| {
+        quote!(#[allow(clippy::pub_underscore_fields, reason = "the user marked the parameter as unused")])
+    })
+}

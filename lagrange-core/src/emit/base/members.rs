@@ -36,6 +36,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) prepared: Option<Prepared>,
     /// The constants with the text of the kernel, if that is asked for.
     pub(in crate::emit) kernel: Option<TokenStream>,
+    /// What the type for numbers side by side consists of, if that is asked for.
+    pub(in crate::emit) lanes: Option<Lanes>,
     /// Associated constants.
     pub(in crate::emit) constants: TokenStream,
     pub(in crate::emit) names: ArgumentNames,
@@ -65,6 +67,7 @@ impl Members {
             items: None,
             prepared: None,
             kernel: None,
+            lanes: None,
             constants: TokenStream::new(),
             names,
             functions: BTreeSet::new(),
@@ -81,6 +84,16 @@ pub(in crate::emit) struct Prepared {
     /// Statements that compute that, and a value for each field.
     pub(in crate::emit) values: (TokenStream, Vec<TokenStream>),
     pub(in crate::emit) methods: Vec<Method>,
+    /// What of it is said in its documentation.
+    pub(in crate::emit) docs: String,
+}
+
+/// The equations for numbers side by side.
+pub(in crate::emit) struct Lanes {
+    /// The body of `Equations::rhs`.
+    pub(in crate::emit) rhs: TokenStream,
+    /// The body of the method that says on which sides of its switches each motion is, if there are any.
+    pub(in crate::emit) sides: Option<TokenStream>,
     /// What of it is said in its documentation.
     pub(in crate::emit) docs: String,
 }

@@ -36,8 +36,8 @@ pub(in crate::emit) fn smaller() -> &'static str {
      inputs"
 }
 
-pub(in crate::emit) fn obstacle(product: Product, obstacle: &str) -> String {
-    format!("`{}` does not go with {obstacle}", product.name())
+pub(in crate::emit) fn excluded(product: Product, exclusion: &str) -> String {
+    format!("`{}` does not go with {exclusion}", product.name())
 }
 
 /// What a product that does not go with a system is for.
@@ -46,6 +46,7 @@ pub(in crate::emit) fn without(product: Product) -> &'static str {
         Product::Kernel => {
             "leave it out; a device computes motions of systems without constraints, contacts, friction and events"
         }
+        Product::Lanes => "leave it out; ensembles compute such systems motion by motion, over all threads",
         _ => {
             "leave it out; accelerations that are found in one way for all states can be prepared, of systems with events, too"
         }
@@ -71,3 +72,5 @@ pub(in crate::emit) const SWITCHES: &str =
     "jumps or kinks, such as those of `if`, `abs`, `sign`, `min` and `max`, whose sides runs fix";
 pub(in crate::emit) const INDEFINITE: &str =
     "a mass matrix that is not definite, of which accelerations are found in a second way";
+pub(in crate::emit) const ORIENTATIONS: &str =
+    "orientations, whose quaternions runs bring back to length one after every step";

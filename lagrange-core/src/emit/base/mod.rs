@@ -3,6 +3,8 @@
 pub(super) mod attributes;
 pub(super) mod bindings;
 pub(super) mod docs;
+pub(super) mod exclusion;
+pub(super) mod lanes_shape;
 pub(super) mod lints;
 pub(super) mod members;
 pub(super) mod messages;

@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::exclusion::Exclusion;
 use super::messages;
 use super::size::report_hopeless;
 use crate::code::Precision;
@@ -16,8 +17,8 @@ pub(in crate::emit) enum Refusal {
     Constants(Vec<String>),
     /// No compiler would get through it.
     Size,
-    /// This product does not go with that of the system, in words.
-    Obstacle(Product, &'static str),
+    /// This product does not go with that of the system.
+    Exclusion(Product, Exclusion),
     /// A kernel in this precision cannot hold these constants, in words.
     KernelConstants(Precision, Vec<String>),
 }
@@ -27,9 +28,9 @@ pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refus
     match refusal {
         Refusal::Constants(constants) => report_too_large(declaration, constants, report),
         Refusal::Size => report_hopeless(declaration, report),
-        Refusal::Obstacle(product, obstacle) => {
-            let error = report.error(demand(declaration, *product), messages::obstacle(*product, obstacle));
-            error.help(messages::without(*product));
+        Refusal::Exclusion(product, exclusion) => {
+            let message = messages::excluded(*product, exclusion.words());
+            report.error(demand(declaration, *product), message).help(messages::without(*product));
         }
         Refusal::KernelConstants(precision, constants) => {
             let message = messages::large_in_kernel(*precision, constants);

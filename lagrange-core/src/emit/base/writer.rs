@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::bindings::Bindings;
+use super::bindings::{Bindings, EmittedType};
 use super::docs::with_counts;
 use super::lints::looks_rounded;
 use super::members::{Members, PreparedFields};
@@ -14,7 +14,7 @@ use super::refusal::Refusal;
 use super::shape::{Shape, doc};
 use super::sides::on_sides;
 use super::size::Size;
-use crate::code::{FunctionBody, Names, body};
+use crate::code::{FunctionBody, Names, Scalar, body};
 use crate::derive::Equations;
 use crate::expr::ExprId;
 use crate::model::Model;
@@ -118,14 +118,38 @@ impl<'a> MethodWriter<'a> {
         arguments: Arguments,
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> (TokenStream, OperationCounts) {
-        let switches = &self.equations.switches[..self.shape.switches.len()];
-        let roots = on_sides(&mut self.model.graph, &mut self.labels, switches, roots);
+        let roots = self.on_sides(roots);
         self.lowered_as_declared(&roots, arguments, collect)
+    }
+
+    /// Expressions on the sides of the switches that the system is on.
+    pub(in crate::emit) fn on_sides(&mut self, roots: &[ExprId]) -> Vec<ExprId> {
+        let switches = &self.equations.switches[..self.shape.switches.len()];
+        on_sides(&mut self.model.graph, &mut self.labels, switches, roots)
     }
 
     /// Program with conditions, kinks and jumps as they are declared.
     pub(in crate::emit) fn lowered_as_declared(
         &mut self,
+        roots: &[ExprId],
+        arguments: Arguments,
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> (TokenStream, OperationCounts) {
+        self.lowered_for(EmittedType::System, roots, arguments, collect)
+    }
+
+    /// The same as a body of the type for numbers side by side.
+    pub(in crate::emit) fn lowered_in_lanes(
+        &mut self,
+        roots: &[ExprId],
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> (TokenStream, OperationCounts) {
+        self.lowered_for(EmittedType::Lanes, roots, Arguments::Whole, collect)
+    }
+
+    fn lowered_for(
+        &mut self,
+        emitted_type: EmittedType<'_>,
         roots: &[ExprId],
         arguments: Arguments,
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
@@ -136,7 +160,7 @@ impl<'a> MethodWriter<'a> {
         let program = optimise(&lower(&self.model.graph, roots, &self.labels), self.model.accuracy);
         let counts = OperationCounts::of(&program);
         self.size.add(counts, roots.len());
-        (self.body(&program, arguments, None, collect), counts)
+        (self.body(&program, arguments, emitted_type, collect), counts)
     }
 
     /// The same as a body of the prepared type, which gets a field for whatever is new.
@@ -158,7 +182,7 @@ impl<'a> MethodWriter<'a> {
         let program = optimise(&program, self.model.accuracy);
         let counts = OperationCounts::of(&program);
         self.size.add(counts, roots.len());
-        (self.body(&program, arguments, Some(&fields.names), collect), counts)
+        (self.body(&program, arguments, EmittedType::Prepared(&fields.names), collect), counts)
     }
 
     /// Statements and values of what is prepared.
@@ -170,7 +194,7 @@ impl<'a> MethodWriter<'a> {
         let counts = OperationCounts::of(&program);
         self.size.add(counts, program.outputs().len());
         let mut values = Vec::new();
-        let statements = self.body(&program, Arguments::None, None, |results| {
+        let statements = self.body(&program, Arguments::None, EmittedType::System, |results| {
             values = results.to_vec();
             TokenStream::new()
         });
@@ -181,25 +205,29 @@ impl<'a> MethodWriter<'a> {
         &mut self,
         program: &Program,
         arguments: Arguments,
-        prepared: Option<&[Ident]>,
+        emitted_type: EmittedType<'_>,
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         let argument_names = &self.members.names;
         let reserved = arguments.vectors(argument_names).into_iter().chain([&argument_names.visit]);
         let reserved = reserved.map(ToString::to_string).collect::<Vec<_>>();
         let mut names = Names::new(reserved.iter().map(String::as_str));
-        let Some(body) = self.written(program, &mut names) else { return TokenStream::new() };
+        let scalar = match emitted_type {
+            EmittedType::Lanes => self.shape.lanes_computed_with(),
+            _ => self.shape.computed_with(),
+        };
+        let Some(body) = self.written(program, &scalar, &mut names) else { return TokenStream::new() };
         let bindings =
-            Bindings { shape: self.shape, model: self.model, arguments: &self.members.names, prepared };
+            Bindings { shape: self.shape, model: self.model, arguments: &self.members.names, emitted_type };
         let bindings = bindings.of(&body.used, &mut names, arguments);
         let (statements, result) = (&body.statements, collect(&body.outputs));
         quote!(#bindings #statements #result)
     }
 
     /// A program as statements and results; `None` if it holds constants that are too large, which is kept in mind.
-    fn written(&mut self, program: &Program, names: &mut Names) -> Option<FunctionBody> {
+    fn written(&mut self, program: &Program, scalar: &Scalar, names: &mut Names) -> Option<FunctionBody> {
         self.members.has_rounded_constants |= program.values().any(|(_, op)| looks_rounded(op));
-        match body(program, self.model.graph.symbols(), &self.shape.computed_with(), names) {
+        match body(program, self.model.graph.symbols(), scalar, names) {
             Ok(body) => {
                 self.members.functions.extend(&body.functions);
                 Some(body)
@@ -214,6 +242,6 @@ impl<'a> MethodWriter<'a> {
     /// Statements and values of constant expressions under names of their own.
     pub(in crate::emit) fn constants(&mut self, values: &[ExprId]) -> Option<FunctionBody> {
         let program = optimise(&lower(&self.model.graph, values, &Labels::default()), self.model.accuracy);
-        self.written(&program, &mut Names::default())
+        self.written(&program, &self.shape.computed_with(), &mut Names::default())
     }
 }

@@ -10,8 +10,8 @@ use quote::quote;
 
 use crate::code::{Precision, Unrepresentable, prelude, statements};
 use crate::derive::Equations;
+use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::members::Members;
-use crate::emit::base::messages;
 use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::{Shape, identifier, length};
 use crate::emit::base::writer::MethodWriter;
@@ -19,6 +19,10 @@ use crate::expr::ExprId;
 use crate::model::{Model, Product};
 use crate::program::{Labels, lower, optimise};
 use crate::symbol::Role;
+
+/// What a kernel does not compute.
+const EXCLUSIONS: [Exclusion; 4] =
+    [Exclusion::Contacts, Exclusion::Constraints, Exclusion::Events, Exclusion::Indefinite];
 
 /// Writes the constants of the kernel, if it is asked for.
 pub(in crate::emit) fn write_kernel(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
@@ -31,25 +35,14 @@ pub(in crate::emit) fn write_kernel(writer: &mut MethodWriter<'_>) -> Result<(),
     Ok(())
 }
 
-/// What of a system keeps it from being computed by a kernel, in words.
-fn obstacle(model: &Model, equations: &Equations) -> Option<&'static str> {
-    let obstacles = [
-        (!model.reactions.is_empty(), messages::CONTACTS),
-        (!model.constraints.is_empty(), messages::CONSTRAINTS),
-        (!model.events.is_empty(), messages::EVENTS),
-        (equations.pivot_growth.is_some(), messages::INDEFINITE),
-    ];
-    obstacles.into_iter().find(|(is_there, _)| *is_there).map(|(_, words)| words)
-}
-
 /// The whole text: prelude, sizes, accelerations, rates of the positions, normalisation.
 pub(in crate::emit) fn kernel(
     model: &Model,
     equations: &Equations,
     precision: Precision,
 ) -> Result<String, Refusal> {
-    if let Some(obstacle) = obstacle(model, equations) {
-        return Err(Refusal::Obstacle(Product::Kernel, obstacle));
+    if let Some(exclusion) = Exclusion::first(&EXCLUSIONS, model, equations) {
+        return Err(Refusal::Exclusion(Product::Kernel, exclusion));
     }
     let mut out = prelude(precision);
     let fields = model.parameters.iter().chain(&model.inputs).map(|field| field.name.escape_default());

@@ -9,6 +9,7 @@ pub(super) mod indefinite;
 mod items;
 pub(super) mod jacobian;
 pub(super) mod kernel;
+pub(super) mod lanes;
 pub(super) mod orientations;
 pub(super) mod ports;
 pub(super) mod prepared;

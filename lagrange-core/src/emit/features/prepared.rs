@@ -10,17 +10,16 @@ use quote::{format_ident, quote};
 use super::ports::{has_outputs, inputs_name};
 use super::product::{Plan, plan};
 use super::switches::kept_switches;
-use crate::derive::Equations;
 use crate::emit::base::docs;
+use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::lints::type_name_exception;
 use crate::emit::base::members::{Members, Prepared, PreparedFields};
-use crate::emit::base::messages;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::{Shape, doc, local};
 use crate::emit::base::state::rhs;
 use crate::emit::base::writer::MethodWriter;
-use crate::model::{Model, Product};
+use crate::model::Product;
 use crate::program::Preparation;
 
 /// What the prepared type has methods for, beside `acceleration` and `rhs`, if the system has them.
@@ -36,13 +35,17 @@ pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 9] = [
     Product::ParameterJacobian,
 ];
 
+/// What cannot be prepared.
+const EXCLUSIONS: [Exclusion; 4] =
+    [Exclusion::Contacts, Exclusion::Constraints, Exclusion::Switches, Exclusion::Indefinite];
+
 /// Writes the methods of the prepared type, if it is asked for.
 pub(in crate::emit) fn write_prepared(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
     if !writer.model.products.contains(&Product::Prepared) || writer.is_hopeless() {
         return Ok(());
     }
-    if let Some(obstacle) = obstacle(writer.shape, writer.model, writer.equations) {
-        return Err(Refusal::Obstacle(Product::Prepared, obstacle));
+    if let Some(exclusion) = Exclusion::first(&EXCLUSIONS, writer.model, writer.equations) {
+        return Err(Refusal::Exclusion(Product::Prepared, exclusion));
     }
     let mut preparation = Preparation::new(writer.model.parameters.len() as u32);
     let mut fields = PreparedFields::new();
@@ -71,17 +74,6 @@ pub(in crate::emit) fn write_prepared(writer: &mut MethodWriter<'_>) -> Result<(
     };
     writer.members.prepared = Some(Prepared { fields, values: (statements, values), methods, docs });
     Ok(())
-}
-
-/// What of a system keeps it from being prepared, in words.
-fn obstacle(shape: &Shape<'_>, model: &Model, equations: &Equations) -> Option<&'static str> {
-    let obstacles = [
-        (!model.reactions.is_empty(), messages::CONTACTS),
-        (!model.constraints.is_empty(), messages::CONSTRAINTS),
-        (!shape.switches.is_empty(), messages::SWITCHES),
-        (equations.pivot_growth.is_some(), messages::INDEFINITE),
-    ];
-    obstacles.into_iter().find(|(is_there, _)| *is_there).map(|(_, words)| words)
 }
 
 fn method(

@@ -19,7 +19,7 @@ lagrange::system! {
     kinetic = 1/2 * M * (λ^2 * dot(θ)^2 + dot(X)^2 + dot(Y_1)^2 + größe * dot(x_)^2);
     potential = M * G * λ * sin(θ) * cos(X) + a__b * sin(Y_1)^2 + sin(x_) * Y_1;
     output L = Lz^2 + G;
-    emit { bias, latex, prepared }
+    emit { bias, latex, prepared, lanes }
 }
 
 lagrange::system! {

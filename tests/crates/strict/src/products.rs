@@ -20,7 +20,7 @@ lagrange::system! {
     torque c * sin(t) on q5 - q4;
     output tip = p5;
     output reach = norm(p5);
-    emit { bias, latex, momentum_rates, jacobian, prepared, kernel }
+    emit { bias, latex, momentum_rates, jacobian, prepared, kernel, lanes }
 }
 
 lagrange::system! {

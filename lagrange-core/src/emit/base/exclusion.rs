@@ -1,0 +1,47 @@
+//! What of a system keeps a product from being emitted.
+
+use super::messages;
+use crate::derive::Equations;
+use crate::model::Model;
+
+/// Part of a system that some products do not go with.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(in crate::emit) enum Exclusion {
+    Contacts,
+    Constraints,
+    Switches,
+    Indefinite,
+    Events,
+    Orientations,
+}
+
+impl Exclusion {
+    /// The first of these that a system has.
+    pub(in crate::emit) fn first(
+        exclusions: &[Exclusion],
+        model: &Model,
+        equations: &Equations,
+    ) -> Option<Exclusion> {
+        let is_there = |exclusion: &&Exclusion| match exclusion {
+            Exclusion::Contacts => !model.reactions.is_empty(),
+            Exclusion::Constraints => !model.constraints.is_empty(),
+            Exclusion::Switches => !equations.switches.is_empty(),
+            Exclusion::Indefinite => equations.pivot_growth.is_some(),
+            Exclusion::Events => !model.events.is_empty(),
+            Exclusion::Orientations => !model.orientations.is_empty(),
+        };
+        exclusions.iter().find(is_there).copied()
+    }
+
+    /// Its name in messages, and why.
+    pub(in crate::emit) fn words(self) -> &'static str {
+        match self {
+            Exclusion::Contacts => messages::CONTACTS,
+            Exclusion::Constraints => messages::CONSTRAINTS,
+            Exclusion::Switches => messages::SWITCHES,
+            Exclusion::Indefinite => messages::INDEFINITE,
+            Exclusion::Events => messages::EVENTS,
+            Exclusion::Orientations => messages::ORIENTATIONS,
+        }
+    }
+}

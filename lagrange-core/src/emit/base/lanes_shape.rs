@@ -1,0 +1,38 @@
+//! Shape of the type for numbers side by side: its name and its type parameter.
+
+use proc_macro2::Ident;
+use quote::format_ident;
+
+use super::shape::{Shape, identifier, local};
+use crate::code::Scalar;
+use crate::syntax::ast::ScalarType;
+
+impl Shape<'_> {
+    /// The name of the type for numbers side by side.
+    pub(in crate::emit) fn lanes_name(&self) -> Ident {
+        let name = &self.declaration.name;
+        format_ident!("{}Lanes", name.text, span = name.span)
+    }
+
+    /// Its type parameter: that of the system, if it has one.
+    pub(in crate::emit) fn lanes_number(&self) -> Ident {
+        match &self.declaration.scalar {
+            ScalarType::Generic(name) => identifier(name),
+            ScalarType::F64 | ScalarType::F32 => local("S"),
+        }
+    }
+
+    /// The number type that bodies of its methods compute with.
+    pub(in crate::emit) fn lanes_computed_with(&self) -> Scalar {
+        let is_single = matches!(self.declaration.scalar, ScalarType::F32);
+        Scalar::SideBySide { number: self.lanes_number(), is_single }
+    }
+
+    /// A type parameter that is not that of the system.
+    pub(in crate::emit) fn other_type_parameter(&self, wish: &str) -> Ident {
+        match &self.declaration.scalar {
+            ScalarType::Generic(name) if name.text == wish => local(&format!("{wish}_")),
+            _ => local(wish),
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! The type for numbers side by side: right-hand side, and parameters of as many motions.
+//!
+//! Where equations have switches it is on the side that each motion is on at that state, as the system is while its switches are free.
+//! Runs fix sides and stop at each surface, which motions side by side do at different times: such a system does not offer its type
+//! to ensembles.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::emit::base::docs;
+use crate::emit::base::exclusion::Exclusion;
+use crate::emit::base::lints::{name_exception, type_name_exception, unused_exception};
+use crate::emit::base::members::{Lanes, Members};
+use crate::emit::base::method::Returns;
+use crate::emit::base::refusal::Refusal;
+use crate::emit::base::shape::{Shape, doc, identifier, length, local};
+use crate::emit::base::writer::MethodWriter;
+use crate::model::Product;
+
+/// What a loop of many motions side by side cannot do.
+const EXCLUSIONS: [Exclusion; 5] = [
+    Exclusion::Contacts,
+    Exclusion::Constraints,
+    Exclusion::Events,
+    Exclusion::Orientations,
+    Exclusion::Indefinite,
+];
+
+/// Writes the right-hand side for numbers side by side, if it is asked for.
+pub(in crate::emit) fn write_lanes(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
+    if !writer.model.products.contains(&Product::Lanes) || writer.is_hopeless() {
+        return Ok(());
+    }
+    if let Some(exclusion) = Exclusion::first(&EXCLUSIONS, writer.model, writer.equations) {
+        return Err(Refusal::Exclusion(Product::Lanes, exclusion));
+    }
+    let rates = [writer.model.position_rates(), writer.equations.accelerations.clone()].concat();
+    let roots = writer.on_sides(&rates);
+    let (rhs, counts) =
+        writer.lowered_in_lanes(&roots, |results| Returns::Vector(roots.len()).collect(results));
+    let sides = write_sides(writer);
+    let docs = format!("An evaluation takes {}.", docs::counts_text(counts));
+    writer.members.lanes = Some(Lanes { rhs, sides, docs });
+    Ok(())
+}
+
+/// Sides of the switches: signs of what vanishes on them.
+fn write_sides(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
+    let switches = &writer.equations.switches[..writer.shape.switches.len()];
+    if switches.is_empty() {
+        return None;
+    }
+    let values = switches.iter().map(|switch| switch.value).collect::<Vec<_>>();
+    let (sides, _) = writer.lowered_in_lanes(&values, |results| {
+        let sign = local("sign");
+        quote!([#(#sign(#results)),*])
+    });
+    writer.members.functions.insert("sign");
+    Some(sides)
+}
+
+/// The type, if it is asked for.
+pub(in crate::emit) fn lanes_struct(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let lanes = members.lanes.as_ref()?;
+    let (name, number, visibility) =
+        (shape.lanes_name(), shape.lanes_number(), &shape.declaration.visibility);
+    let title = doc(&format!(
+        "Equations of [`{}`] for numbers side by side, with parameters of as many motions.",
+        shape.declaration.name.text
+    ));
+    let (counts, names, unused) = (doc(&lanes.docs), name_exception(shape), unused_exception(shape));
+    let type_name = type_name_exception(shape);
+    let fields = shape.fields.iter().map(|field| {
+        let docs = shape.docs(field, &format!("{} `{}`.", shape.kind_of_field(field), field.text));
+        let field = identifier(field);
+        quote!(#docs pub #field: #number,)
+    });
+    let marker = shape.fields.is_empty().then(|| {
+        quote! {
+            /// The number type.
+            pub scalar: ::core::marker::PhantomData<#number>,
+        }
+    });
+    Some(quote! {
+        #title
+        ///
+        #counts
+        #names
+        #unused
+        #type_name
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
+        #visibility struct #name<#number> {
+            #(#fields)*
+            #marker
+        }
+    })
+}
+
+/// Traits of the type, and that by which the system hands it out.
+pub(in crate::emit) fn lanes_items(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let lanes = members.lanes.as_ref()?;
+    let (name, number, krate, all) =
+        (shape.lanes_name(), shape.lanes_number(), shape.krate, shape.state_length());
+    let (time, state, rhs) = (&members.names.time, &members.names.state, &lanes.rhs);
+    let sides = lanes.sides.as_ref().map(|sides| {
+        let k = length(shape.switches.len());
+        quote! {
+            impl<#number: #krate::Number> #name<#number> {
+                #[inline(always)]
+                fn sides(&self, #time: #number, #state: &[#number; #all]) -> [#number; #k] {
+                    #sides
+                }
+            }
+        }
+    });
+    let system = system_impl(shape);
+    Some(quote! {
+        #sides
+        #[automatically_derived]
+        impl<#number: #krate::Number> #krate::system::Equations<#number> for #name<#number> {
+            type State = [#number; #all];
+            #[inline(always)]
+            fn rhs(&self, #time: #number, #state: &[#number; #all]) -> [#number; #all] {
+                #rhs
+            }
+        }
+        #system
+    })
+}
+
+/// `LanesSystem`
+fn system_impl(shape: &Shape<'_>) -> TokenStream {
+    let (system, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (name, krate, number) = (shape.lanes_name(), shape.krate, shape.other_type_parameter("L"));
+    let fields = shape.fields.iter().map(|field| identifier(field)).collect::<Vec<_>>();
+    let [splat, lanes, lane] = match fields.is_empty() {
+        true => ["_"; 3].map(local),
+        false => ["splat", "lanes", "lane"].map(local),
+    };
+    let marker = fields.is_empty().then(|| quote!(scalar: ::core::marker::PhantomData,));
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::LanesSystem for #system #generics {
+            type Lanes<#number: #krate::Number> = #name<#number>;
+            fn lanes<#number: #krate::Number>(
+                &self,
+                #splat: impl ::core::ops::Fn(#scalar) -> #number,
+            ) -> #name<#number> {
+                #name { #(#fields: #splat(self.#fields),)* #marker }
+            }
+            fn set_lane<#number: #krate::system::SideBySide<Element = #scalar>>(
+                &self,
+                #lanes: &mut #name<#number>,
+                #lane: ::core::primitive::usize,
+            ) {
+                #(#krate::system::SideBySide::set_lane(&mut #lanes.#fields, #lane, self.#fields);)*
+            }
+        }
+    }
+}
+
+/// `MechanicalSystem::with_lanes`, unless there are surfaces at which each motion would stop at a time of its own.
+pub(in crate::emit) fn with_lanes(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let (krate, visitor_type, visitor) = (shape.krate, shape.other_type_parameter("V"), local("visitor"));
+    let is_offered = members.lanes.is_some() && shape.switches.is_empty();
+    is_offered.then(|| {
+        quote! {
+            #[inline]
+            fn with_lanes<#visitor_type: #krate::system::LanesVisitor<Self>>(
+                #visitor: #visitor_type,
+            ) -> ::core::result::Result<#visitor_type::Output, #visitor_type> {
+                ::core::result::Result::Ok(#visitor.visit())
+            }
+        }
+    })
+}

@@ -1,0 +1,167 @@
+//! Systems whose equations are evaluated for several motions side by side. Bits of more declarations are held in `tests/oracle.rs`.
+
+mod pair;
+
+use lagrange::system::{Equations, LanesSystem, LanesVisitor, MechanicalSystem};
+
+use pair::Pair;
+
+lagrange::system! {
+    /// All conditions there are: in motion, at kinks, at jumps, and on parameters alone.
+    struct Winch;
+
+    param m = 2, r = 0.5, k = 300, limit = 40, stop = 1.2, if_less = 0.25, g = 9.81;
+    coord x, theta;
+    input u = 40;
+    kinetic = 1/2 * m * dot(x)^2 + 1/4 * m * r^2 * dot(theta)^2;
+    potential = m * g * r * sin(theta);
+    force x = min(u * x, limit) - if x < stop { 0 } else { k * sqrt(x - stop) };
+    force x = -max(0, dot(x) - dot(theta)) * sign(x);
+    force theta = -abs(dot(theta)) * dot(theta) * if r > 1 { r } else if if_less >= r { 1 / (r - if_less) } else { 1 };
+    force theta = -if x <= theta { min(k, limit) } else { x / (x - theta) };
+    emit { lanes }
+}
+
+lagrange::system! {
+    /// A type parameter that is called like one that is emitted.
+    #[accuracy(fast)]
+    struct Crane<L>;
+
+    param trolley = 800, load = 450, l = 8, g = 9.81, c = 1/3;
+    coord x, theta;
+    velocity u = dot(x);
+    input drive = 10;
+    kinetic = 1/2 * trolley * u^2 + kinetic_energy(load, dot((x + l*sin(theta), -l*cos(theta))));
+    potential = -load * g * l * cos(theta);
+    force x = drive * if load > 400 { c } else { 1 } - c * u;
+    emit { lanes, prepared }
+    reduce Braked { freeze x = 0; }
+}
+
+lagrange::system! {
+    struct Plain<V>;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = 1/2 * x^2;
+    emit { lanes }
+}
+
+lagrange::system! {
+    /// A type that is called like the type parameter.
+    #[scalar(f32)]
+    struct S;
+
+    param c = 0.1;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = 1/3 * x^2 + c * ln(x);
+    // Close to halfway between two numbers in single precision, it must not be rounded twice.
+    force x = 1.000000059604644775390625000000001 * x^3;
+    emit { lanes }
+}
+
+lagrange::system! {
+    struct Unasked;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+}
+
+/// Values at which something happens, the borders of the winch among them.
+const VALUES: [f64; 9] = [0.0, -0.0, 1.0, 1.2, -0.7, 40.0, 1e-300, f64::NAN, f64::INFINITY];
+
+fn same_bits(found: &[f64], expected: &[f64]) -> bool {
+    let is_same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
+    found.len() == expected.len() && found.iter().zip(expected).all(is_same)
+}
+
+/// All states of four entries that are made of the values.
+fn states() -> impl Iterator<Item = [f64; 4]> {
+    let count = VALUES.len();
+    (0..count.pow(4))
+        .map(move |index| [1, count, count.pow(2), count.pow(3)].map(|n| VALUES[index / n % count]))
+}
+
+#[test]
+fn conditions_select_what_branches_choose() {
+    let winches = [
+        Winch::default(),
+        Winch { r: 0.25, stop: -0.0, ..Winch::default() },
+        Winch { r: 1.5, u: -3.0, ..Winch::default() },
+    ];
+    for winch in winches {
+        let lanes = winch.lanes(|parameter| parameter);
+        for y in states() {
+            let (found, expected) = (lanes.rhs(0.0, &y), winch.rhs(0.0, &y));
+            assert!(same_bits(&found, &expected), "{found:?} is not {expected:?} at {y:?}");
+        }
+    }
+}
+
+/// Neighbours are on other sides of conditions, or no numbers.
+#[test]
+fn what_stands_beside_a_motion_does_not_change_it() {
+    let (left, right) = (Winch::default(), Winch { m: 3.0, r: 1.5, limit: 2.0, u: 5.0, ..Winch::default() });
+    let mut lanes = left.lanes(|parameter| Pair([parameter; 2]));
+    right.set_lane(&mut lanes, 1);
+    for (y, z) in states().zip(states().skip(2477)) {
+        let side_by_side = [0, 1, 2, 3].map(|entry| Pair([y[entry], z[entry]]));
+        let rates = lanes.rhs(Pair([0.0, 1.0]), &side_by_side);
+        let expected = [left.rhs(0.0, &y), right.rhs(1.0, &z)];
+        for (lane, expected) in expected.iter().enumerate() {
+            let found = rates.map(|rate| rate.0[lane]);
+            assert!(
+                same_bits(&found, expected),
+                "{found:?} is not {expected:?} in {lane} at {y:?} beside {z:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn systems_of_any_number_type_have_lanes() {
+    let (crane, y) = (Crane::<f64>::default(), [0.5, 0.3, 0.2, 0.1]);
+    let lanes: CraneLanes<f64> = crane.lanes(|parameter| parameter);
+    assert!(same_bits(&lanes.rhs(0.0, &y), &crane.rhs(0.0, &y)));
+    let braked = Braked { l: 3.0, ..Braked::default() };
+    assert!(same_bits(
+        &braked.lanes(|parameter| parameter).rhs(0.0, &[0.3, 0.1]),
+        &braked.rhs(0.0, &[0.3, 0.1])
+    ));
+    let narrow = Crane::<f32>::default();
+    let narrowed = y.map(|entry| entry as f32);
+    assert_eq!(narrow.lanes(|parameter| parameter).rhs(0.0, &narrowed), narrow.rhs(0.0, &narrowed));
+    assert_eq!(Plain::<f64>::default().lanes(|_| 0.0).rhs(0.0, &[2.0, 1.0]), [1.0, -2.0]);
+}
+
+/// Constants are rounded to single precision first, as those of the system are.
+#[test]
+fn constants_are_those_of_the_scalar() {
+    let single = S::default();
+    for y in [[1.0, 0.1], [3.0e-20, 0.0], [-1.0, 2.0]] {
+        let found: [f32; 2] = single.lanes(|parameter| parameter).rhs(0.0, &y);
+        assert_eq!(found.map(f32::to_bits), single.rhs(0.0, &y).map(f32::to_bits));
+    }
+    let lanes: SLanes<f64> = single.lanes(f64::from);
+    assert_eq!(lanes.c, f64::from(0.1_f32));
+}
+
+/// Whether a system is one that can be evaluated side by side.
+struct Offered;
+
+impl<M> LanesVisitor<M> for Offered {
+    type Output = ();
+    fn visit(self) {}
+}
+
+#[test]
+fn a_system_offers_lanes_unless_runs_stop_at_its_surfaces() {
+    assert!(Crane::<f64>::with_lanes(Offered).is_ok());
+    assert!(Plain::<f32>::with_lanes(Offered).is_ok());
+    assert!(Winch::with_lanes(Offered).is_err());
+    fn offers<M: MechanicalSystem>() -> bool {
+        M::with_lanes(Offered).is_ok()
+    }
+    assert!(offers::<Braked<f64>>() && !offers::<Unasked>());
+}
