@@ -37,6 +37,7 @@
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
+//! | [`mod@table`] | tables in declarations, as they are evaluated |
 //! | [`mod@scene`], `draw` (feature) | what there is to draw of a system; pictures and films of it |
 //! | [`mod@constraint`] | residuals of constraints, and projection onto them |
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |
@@ -77,7 +78,9 @@ pub use lagrange_runtime::ensemble::{self, Ensembles};
 #[doc(inline)]
 pub use lagrange_runtime::simulate::{self, Simulate};
 #[doc(inline)]
-pub use lagrange_runtime::{Number, Scalar, body, constraint, contact, inertia, scalar, scene, system};
+pub use lagrange_runtime::{
+    Number, Scalar, body, constraint, contact, inertia, scalar, scene, system, table,
+};
 
 /// Keeps the example of the README true.
 #[cfg(doctest)]

@@ -402,3 +402,8 @@ pub fn row(function: Function) -> &'static Row {
 pub fn by_name(name: &str) -> Option<&'static Row> {
     ROWS.iter().find(|row| row.name == name)
 }
+
+/// `a * b + c`, rounded once where emitted code rounds once.
+pub(crate) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
+    if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
+}

@@ -42,7 +42,8 @@
 //! 5. [`emit`] writes them as Rust: [`program`] lowers expressions to straight-line [`Program`](program::Program)s, [`code`]
 //!    writes those as the body of a function, [`formula`] writes expressions as text, LaTeX or graphs.
 //!
-//! They stand on [`elementary`], one row for each elementary function, and [`solids`], one row for each solid; [`expr`], the graph
+//! They stand on [`elementary`], one row for each elementary function, [`opaque`], functions without a formula, of which [`tables`] may be
+//! read from files, and [`solids`], one row for each solid; [`expr`], the graph
 //! that owns every expression of a system; [`functions`], their values as expressions; [`calculus`] and [`simplify`], algorithms
 //! that take the graph; and on [`number`], [`symbol`], [`diagnostics`] and [`collections`]. `ARCHITECTURE.md` says which may import
 //! which, and `docs/tour.md` shows what each phase makes of a double pendulum.
@@ -63,12 +64,14 @@ pub mod functions;
 pub mod inline;
 pub mod model;
 pub mod number;
+pub mod opaque;
 pub mod pipeline;
 pub mod program;
 pub mod simplify;
 pub mod solids;
 pub mod symbol;
 pub mod syntax;
+pub mod tables;
 
 /// `docs/tour.md`, compiled and run.
 #[cfg(doctest)]

@@ -1,8 +1,9 @@
-//! The whole of it on one screen: text or tokens → declaration → (functions inlined, bodies translated) plain statements → model → equations → items.
+//! The whole of it on one screen: text or tokens → declaration → (files of tables read, functions inlined, bodies translated) plain statements → model → equations → items.
 //!
 //! Text and tokens go the same way. What is wrong is collected in a report; after an error the skeleton takes the place of what was
 //! asked for, so that only the mistake is reported.
 
+mod callables;
 mod numeric;
 mod phases;
 mod second_way;
@@ -16,16 +17,25 @@ use crate::diagnostics::Report;
 use crate::emit;
 use crate::syntax::ast::Declaration;
 use crate::syntax::parse_tokens;
+use crate::tables::{Reader, no_files, read_files};
 use phases::{equations_of, items_of, model_of};
 
 pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
-pub use system::{Derived, System, parse};
+pub use system::{Derived, System, parse, parse_with};
 
 /// The macro: everything emitted for a declaration, mistakes included.
 pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
+    expand_with(tokens, krate, &no_files)
+}
+
+/// The same where tables may be files.
+pub fn expand_with(tokens: TokenStream, krate: &TokenStream, read: Reader<'_>) -> TokenStream {
     let mut report = Report::default();
-    let declaration = parse_tokens(tokens, &mut report);
+    let mut declaration = parse_tokens(tokens, &mut report);
+    if let Some(declaration) = &mut declaration {
+        read_files(declaration, read, &mut report);
+    }
     let attributes = declaration.as_ref().map(|declaration| declaration.attributes.clone());
     let items = declaration.map(|declaration| items(declaration, krate, &mut report));
     let diagnostics = emit::diagnostics(report.diagnostics(), &attributes.unwrap_or_default());

@@ -8,6 +8,7 @@
 //! | [`scalar`], `linalg` | numbers; vectors and small solvers |
 //! | [`system`] | traits of systems, and what passes between a system and a run |
 //! | [`body`], [`inertia`], [`scene`] | rigid bodies and what there is to draw of them |
+//! | [`table`] | splines of tables in declarations |
 //! | [`constraint`] | residuals, projection, dependent constraints |
 //! | [`integrate`] | methods |
 //! | [`contact`], [`event`] | contacts and friction; zeros within steps |
@@ -35,6 +36,7 @@ pub mod scene;
 #[cfg(feature = "std")]
 pub mod simulate;
 pub mod system;
+pub mod table;
 mod tolerance;
 
 pub use crate::scalar::{Number, Scalar};

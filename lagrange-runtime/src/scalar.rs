@@ -52,6 +52,14 @@ pub trait Number:
     /// The first number where the mask is true, the second elsewhere.
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
+    /// The largest whole number that is not above this one, but at least 0 and below `count`; 0 for NaN. `None` of numbers side by side,
+    /// and where an implementation does not know better: then tables search for what they know otherwise.
+    #[inline]
+    fn floor_below(self, count: usize) -> Option<usize> {
+        let _ = count;
+        None
+    }
+
     /// Sine and cosine; NaN at infinity.
     fn sin_cos(self) -> (Self, Self);
 
@@ -245,6 +253,12 @@ macro_rules! implement_scalar {
             #[inline(always)]
             fn select(mask: bool, then: Self, otherwise: Self) -> Self {
                 if mask { then } else { otherwise }
+            }
+
+            #[inline]
+            fn floor_below(self, count: usize) -> Option<usize> {
+                // What is negative or NaN becomes 0, what is too large the largest number.
+                Some((self as usize).min(count.saturating_sub(1)))
             }
 
             #[inline]

@@ -48,6 +48,7 @@ const CORE: &[Layer] = &[
         modules: &["elementary", "symbol"],
         purpose: "one row per elementary function; names with roles",
     },
+    Layer { modules: &["opaque"], purpose: "functions without a formula: those of the user's crate, tables" },
     Layer {
         modules: &["expr"],
         purpose: "the graph, typed ids, and the only constructors of sums, products and choices",
@@ -64,8 +65,8 @@ const CORE: &[Layer] = &[
                   tokens to syntax tree, and back to text",
     },
     Layer {
-        modules: &["inline"],
-        purpose: "functions that a declaration defines, put in the place of their calls",
+        modules: &["inline", "tables"],
+        purpose: "functions that a declaration defines, put in the place of their calls; files of tables, read by who can",
     },
     Layer {
         modules: &["bodies", "program"],
@@ -99,8 +100,8 @@ const RUNTIME: &[Layer] = &[
         purpose: "how many roundings count as none: one table, with reasons and the tests that tell",
     },
     Layer {
-        modules: &["body", "inertia", "linalg"],
-        purpose: "how a rigid body moves; how its mass is distributed; small matrices and vectors",
+        modules: &["body", "inertia", "linalg", "table"],
+        purpose: "how a rigid body moves; how its mass is distributed; small matrices and vectors; tables of declarations",
     },
     Layer {
         modules: &["system"],

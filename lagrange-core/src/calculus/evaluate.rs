@@ -8,7 +8,7 @@ use crate::symbol::Role;
 
 /// The values of `roots` where symbols have the values that `value_of` gives.
 ///
-/// A condition that compares with NaN makes the whole choice NaN.
+/// A condition that compares with NaN makes the whole choice NaN. Functions of the user's have values that stand for any others.
 pub fn evaluate(graph: &Graph, roots: &[ExprId], value_of: impl Fn(Role) -> f64) -> Vec<f64> {
     let mut values: HashMap<ExprId, f64> = HashMap::default();
     for id in graph.reachable(roots) {
@@ -38,6 +38,10 @@ pub fn node_value(
         }
         Node::Call(function, arguments) => {
             (row(*function).value)(&arguments.iter().map(at).collect::<Vec<_>>())
+        }
+        Node::Opaque(function, arguments) => {
+            let arguments = arguments.iter().map(at).collect::<Vec<_>>();
+            function.known_value(&arguments).unwrap_or_else(|| function.stand_in(&arguments))
         }
         Node::Choose { relation, left, right, then, otherwise } => {
             let (left, right) = (at(left), at(right));

@@ -176,7 +176,17 @@ impl Expansion {
             _ if !varies => Some(Series::constant(graph, value)),
             Node::Sum { constant, terms } => self.sum(graph, &constant, &terms),
             Node::Product(factors) => self.product(graph, &factors),
-            Node::Call(function, arguments) => self.call(graph, id, function, &arguments),
+            Node::Call(function, arguments) => {
+                let series = self.all_known(&arguments)?;
+                match at_kink(graph, function, &series) {
+                    Some(at_kink) => at_kink,
+                    None => self.smooth(graph, id, &series),
+                }
+            }
+            Node::Opaque(_, arguments) => {
+                let series = self.all_known(&arguments)?;
+                self.smooth(graph, id, &series)
+            }
             Node::Choose { .. } => self.choice(graph, &node),
             Node::Number(_) | Node::Pi | Node::Symbol(_) => Some(Series::constant(graph, value)),
         }
@@ -235,18 +245,7 @@ impl Expansion {
     }
 
     /// f(a + δ) = f(a) + Σ fᵢ δᵢ + ½ Σ fᵢⱼ δᵢ δⱼ
-    fn call(
-        &mut self,
-        graph: &mut Graph,
-        id: ExprId,
-        function: Function,
-        arguments: &[ExprId],
-    ) -> Option<Series> {
-        let series = arguments.iter().map(|&argument| self.known(argument));
-        let series = series.collect::<Option<Vec<_>>>()?;
-        if let Some(at_kink) = at_kink(graph, function, &series) {
-            return at_kink;
-        }
+    fn smooth(&mut self, graph: &mut Graph, id: ExprId, arguments: &[Series]) -> Option<Series> {
         let (mut first, mut second) = (Vec::new(), Vec::new());
         for (operand, slope) in partials(graph, id) {
             let Some(operand) = self.known(operand).filter(|series| series.varies) else { continue };
@@ -264,8 +263,12 @@ impl Expansion {
             }
         }
         let parts = [self.known_value(id)?, graph.total(first), graph.total(second)];
-        let order = series.iter().map(|series| series.order).min().unwrap_or(HIGHEST);
+        let order = arguments.iter().map(|series| series.order).min().unwrap_or(HIGHEST);
         Some(Series::new(graph, parts, order))
+    }
+
+    fn all_known(&self, arguments: &[ExprId]) -> Option<Vec<Series>> {
+        arguments.iter().map(|&argument| self.known(argument)).collect()
     }
 }
 

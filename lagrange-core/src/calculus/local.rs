@@ -30,6 +30,10 @@ fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
             let partials = functions::partials(graph, function, &arguments, id);
             arguments.iter().copied().zip(partials).collect()
         }
+        Node::Opaque(function, arguments) => {
+            let slope = |(i, argument)| (argument, graph.opaque(function.derivative(i), &arguments));
+            arguments.iter().copied().enumerate().map(slope).collect()
+        }
         Node::Choose { relation, left, right, then, otherwise } => {
             let (zero, one) = (graph.number(0), graph.number(1));
             vec![
@@ -75,6 +79,15 @@ fn pairs_of_places(graph: &mut Graph, id: ExprId) -> Vec<((usize, usize), Second
                 }
             }
             found
+        }
+        Node::Opaque(function, arguments) => {
+            let places = 0..arguments.len();
+            let pairs = places.flat_map(|i| (i..arguments.len()).map(move |j| (i, j)));
+            let second = |(i, j): (usize, usize)| {
+                let second = graph.opaque(function.derivative(i).derivative(j), &arguments);
+                ((i, j), (arguments[i], arguments[j], second))
+            };
+            pairs.map(second).collect()
         }
         _ => Vec::new(),
     }

@@ -47,6 +47,10 @@ pub(super) fn construct(graph: &mut Graph, node: Node, id: ExprId, map: impl Fn(
             let arguments = arguments.iter().map(|argument| map(*argument)).collect::<Vec<_>>();
             apply(graph, function, &arguments)
         }
+        Node::Opaque(function, arguments) => {
+            let arguments = arguments.iter().map(|argument| map(*argument)).collect::<Vec<_>>();
+            graph.opaque(function, &arguments)
+        }
         Node::Choose { relation, left, right, then, otherwise } => {
             graph.choose(relation, map(left), map(right), map(then), map(otherwise))
         }

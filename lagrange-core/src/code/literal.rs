@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-use proc_macro2::Literal;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
 use crate::number::Number;
 use crate::program::Float;
@@ -53,6 +54,15 @@ impl Constant<'_> {
             }
         }
     }
+}
+
+/// A number as it stands in code of any scalar, NaN included.
+pub fn float(value: f64) -> TokenStream {
+    if value.is_nan() {
+        return quote!(::core::primitive::f64::NAN);
+    }
+    let magnitude = literal(&format!("{:?}", value.abs()));
+    if value.is_sign_negative() { quote!(-#magnitude) } else { quote!(#magnitude) }
 }
 
 /// A literal from the text of a finite number without a sign.

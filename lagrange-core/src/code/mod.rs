@@ -22,6 +22,7 @@ mod writer;
 
 pub use body::{FunctionBody, Scalar, Unrepresentable};
 pub use c::{Precision, prelude, statements};
+pub use literal::float;
 pub use names::Names;
 
 use crate::program::{Op, Program};
@@ -43,6 +44,11 @@ pub fn body(
     ["sin_cos", "sin_cos_each", "multiply_add"].into_iter().for_each(|function| names.reserve(function));
     if matches!(scalar, Scalar::SideBySide { .. }) {
         SELECTIONS.into_iter().for_each(|function| names.reserve(function));
+    }
+    for (_, op) in program.values() {
+        if let Op::Opaque(function, _) = op {
+            names.reserve(&function.rust_name());
+        }
     }
     let used = used_roles(program);
     // Symbols get their names before anything else can take them.

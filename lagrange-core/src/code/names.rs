@@ -3,7 +3,9 @@
 use proc_macro2::{Ident, Span};
 
 use crate::collections::HashMap;
+use crate::opaque::Opaque;
 use crate::symbol::{Role, Symbols};
+use crate::syntax::ast::Name;
 use crate::syntax::is_rust_keyword;
 
 /// Gives out local names, each once.
@@ -14,6 +16,8 @@ pub struct Names {
     taken: HashMap<String, ()>,
     roles: HashMap<Role, Ident>,
     next: HashMap<String, usize>,
+    /// Where the user names functions of the user's crate.
+    callees: HashMap<String, Span>,
 }
 
 impl Names {
@@ -26,6 +30,19 @@ impl Names {
     /// Keeps a name from being given out.
     pub fn reserve(&mut self, name: &str) {
         self.taken.insert(name.to_owned(), ());
+    }
+
+    /// Says where the user names a function.
+    pub fn place_callee(&mut self, name: &Name) {
+        self.callees.insert(name.text.clone(), name.span);
+    }
+
+    /// A function of the user's crate. Unlike variables it is looked up where the user names it, or the function that it is a
+    /// derivative of.
+    pub fn callee(&self, function: &Opaque) -> Ident {
+        let name = function.rust_name();
+        let place = self.callees.get(&name).or_else(|| self.callees.get(&function.function().name));
+        Ident::new(&name, place.copied().unwrap_or_else(Span::call_site))
     }
 
     /// The variable that holds the symbol in `role`: its own name, `x_dot` and `x_ddot` for the rates of

@@ -5,6 +5,7 @@ use proc_macro2::{Ident, Span};
 use super::names::Names;
 use crate::elementary::row;
 use crate::number::Number;
+use crate::opaque::Opaque;
 use crate::program::{Op, Program, ValueId, ValueTable, Variability};
 use crate::symbol::{Role, Symbols};
 
@@ -38,6 +39,11 @@ impl<'a> VariableNames<'a> {
     /// The variable of a symbol.
     pub(super) fn role(&mut self, symbols: &Symbols, role: Role) -> Ident {
         self.names.role(symbols, role)
+    }
+
+    /// A function of the user's crate, which no variable can be called.
+    pub(super) fn callee(&self, function: &Opaque) -> Ident {
+        self.names.callee(function)
     }
 
     /// Remembers the variable that a value is in.
@@ -83,6 +89,10 @@ impl<'a> VariableNames<'a> {
                 let (function, argument) = (row(*function).rust, self.known_name(arguments[0]));
                 Some((function, argument.map(|argument| format!("{function}_{argument}"))))
             }
+            Op::Opaque(function, arguments) => {
+                let (function, argument) = (function.rust_name(), self.known_name(*arguments.first()?));
+                Some(("value", argument.map(|argument| format!("{function}_{argument}"))))
+            }
             Op::Multiply(a, b) => self.joined_name(*a, "_", *b).map(|name| ("", Some(name))),
             Op::Add(a, b) => self.joined_name(*a, "_plus_", *b).map(|name| ("", Some(name))),
             Op::Subtract(a, b) => self.joined_name(*a, "_minus_", *b).map(|name| ("", Some(name))),
@@ -124,7 +134,7 @@ impl<'a> VariableNames<'a> {
     /// is written in place is bounded, and so is the depth of this recursion.
     fn known_name(&self, id: ValueId) -> Option<String> {
         self.name_of(id).or_else(|| match self.program.op(id) {
-            Op::Call(..) => self.derived_name(id)?.1,
+            Op::Call(..) | Op::Opaque(..) => self.derived_name(id)?.1,
             _ => None,
         })
     }

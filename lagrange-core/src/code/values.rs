@@ -102,6 +102,7 @@ fn expression(writer: &mut BodyWriter<'_>, op: &Op) -> Fragment {
             }
             writer.call(function, operands)
         }
+        Op::Opaque(function, _) => writer.call_opaque(function, operands),
         _ => unreachable!("{op:?} is not written as an expression"),
     }
 }

@@ -12,6 +12,7 @@ use super::naming::VariableNames;
 use super::parts::LetStatement;
 use super::sine_cosine::{SinesAndCosines, sines_and_cosines};
 use crate::elementary::row;
+use crate::opaque::Opaque;
 use crate::program::{Op, Program, ValueId, ValueTable};
 use crate::symbol::Symbols;
 
@@ -118,6 +119,7 @@ impl<'a> BodyWriter<'a> {
     fn width_of_callee(&self, op: &Op) -> usize {
         match op {
             Op::Call(function, _) => row(*function).rust.len(),
+            Op::Opaque(function, _) => function.rust_name().len(),
             Op::MultiplyAdd(..) | Op::MultiplySubtract(..) | Op::SubtractProduct(..) => "multiply_add".len(),
             Op::SinCosEach(_) => "sin_cos_each".len(),
             Op::Select { .. } => "if_less_equal".len(),
@@ -170,6 +172,11 @@ impl<'a> BodyWriter<'a> {
 
     pub(super) fn call(&mut self, function: &'static str, arguments: Vec<Fragment>) -> Fragment {
         Fragment::call(&self.function(function), arguments)
+    }
+
+    /// A function that the user's crate has, as it is called there.
+    pub(super) fn call_opaque(&mut self, function: &Opaque, arguments: Vec<Fragment>) -> Fragment {
+        Fragment::call(&Fragment::name(&self.names.callee(function)), arguments)
     }
 
     /// A function of the scalar, imported under its bare name.

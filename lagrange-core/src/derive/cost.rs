@@ -51,7 +51,7 @@ fn weight(node: &Node) -> Weight {
             Weight { operations: (additions + scaled) as u32, latency }
         }
         Node::Product(factors) => product(factors),
-        Node::Call(..) => Weight { operations: FUNCTION, latency: FUNCTION },
+        Node::Call(..) | Node::Opaque(..) => Weight { operations: FUNCTION, latency: FUNCTION },
         Node::Choose { .. } => Weight { operations: 2, latency: ARITHMETIC },
     }
 }

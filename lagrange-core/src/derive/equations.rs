@@ -179,7 +179,7 @@ impl Equations {
     }
 
     /// What determines how a motion goes on, whichever method integrates it.
-    fn of_motion(&self, model: &Model) -> Vec<ExprId> {
+    pub fn of_motion(&self, model: &Model) -> Vec<ExprId> {
         let (constraints, reactions) = (&self.constraints, &self.reactions);
         let vectors = [&self.accelerations, &self.forcing, &constraints.multipliers, &constraints.drifts];
         let vectors =

@@ -55,7 +55,7 @@ fn has_sure_sign(graph: &Graph, root: ExprId) -> bool {
             Node::Sum { constant, terms } => !constant.is_zero() || terms.iter().any(|(term, _)| of(term)),
             Node::Product(factors) => factors.iter().all(|(base, exponent)| exponent.is_even() || of(base)),
             Node::Choose { then, otherwise, .. } => of(then) && of(otherwise),
-            Node::Pi | Node::Symbol(_) | Node::Call(..) => graph.is_nonnegative(id),
+            Node::Pi | Node::Symbol(_) | Node::Call(..) | Node::Opaque(..) => graph.is_nonnegative(id),
         };
         known.insert(id, is_sure);
     }

@@ -5,6 +5,7 @@ use super::evaluator::Evaluator;
 use super::function_names::{arity, function_names, mass_function, usage};
 use super::inertia::evaluate_mass_function;
 use super::messages;
+use super::opaque::evaluate_callable;
 use super::operand::{Operand, cross, half_square, inner, norm};
 use super::scope::NameKind;
 use crate::calculus::evaluate;
@@ -23,6 +24,9 @@ pub(super) fn evaluate_call(
 ) -> Option<Operand> {
     if let Some(function) = mass_function(&name.text) {
         return evaluate_mass_function(evaluator, function, name, arguments, call);
+    }
+    if let Some(value) = evaluate_callable(evaluator, name, arguments, call) {
+        return value;
     }
     let Some(arity) = arity(&name.text) else {
         let is_read = |&id: &AstId| !matches!(evaluator.syntax(id), Expression::Invalid);
@@ -122,13 +126,27 @@ fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[A
         evaluator.report.error(name.span, message).help(help);
         return;
     }
-    let help = match (meant_function(evaluator, &name.text, arguments), nearest(&name.text, function_names()))
-    {
+    if report_too_early(evaluator, name) {
+        return;
+    }
+    let known = evaluator.callables.iter().map(|(name, _)| name.clone());
+    let known = known.chain(function_names().map(str::to_owned)).collect::<Vec<_>>();
+    let nearest = nearest(&name.text, known.iter().map(String::as_str));
+    let help = match (meant_function(evaluator, &name.text, arguments), nearest) {
         (Some(meant), _) => messages::names::write_call(&meant),
         (None, Some(nearest)) => messages::names::did_you_mean(nearest),
         (None, None) => messages::names::FUNCTIONS_ARE_LISTED.to_owned(),
     };
     evaluator.report.error(name.span, messages::names::unknown_function(&name.text)).help(help);
+}
+
+/// Reports a function that is declared further down, if it is.
+fn report_too_early(evaluator: &mut Evaluator<'_>, name: &Name) -> bool {
+    let mut declared = evaluator.declaration.statements.iter().filter_map(|one| one.kind.declared_function());
+    let Some(declared) = declared.find(|declared| declared.text == name.text) else { return false };
+    let error = evaluator.report.error(name.span, messages::names::used_too_early(&name.text));
+    error.related(declared.span.into(), messages::names::DECLARED_HERE).help(messages::names::ORDER_HELP);
+    true
 }
 
 fn evaluate_vector_function(

@@ -7,12 +7,14 @@ use super::events::{check_event_count, check_reduced_events};
 use super::gibbs::total_gibbs;
 use super::magnitudes::check_magnitudes;
 use super::messages::{self, scene};
+use super::opaque::report_uncalled;
 use super::reductions::check_reductions;
 use super::scalar_range::largest;
 use super::scene::check_names_of_bodies;
 use super::signs::check_signs;
 use super::smoothness::{check_smoothness, without_kinks};
 use super::stabilisation::check_stabilisation;
+use super::tables::{check_names_of_derivatives, check_tables};
 use crate::calculus::{AccelerationTerms, Rates, gradient};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
@@ -37,6 +39,7 @@ pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduc
         return None;
     }
     elaborator.evaluator.scope.report_unused(elaborator.evaluator.report);
+    report_uncalled(&mut elaborator.evaluator);
     let reductions = std::mem::take(&mut elaborator.reductions);
     Some((into_model(elaborator, energies, lagrangian), reductions))
 }
@@ -48,6 +51,8 @@ fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_reductions(elaborator);
     check_energies(elaborator);
     check_magnitudes(elaborator);
+    check_tables(elaborator);
+    check_names_of_derivatives(elaborator);
     check_products(elaborator);
     check_output_names(elaborator);
     check_names_of_bodies(elaborator);

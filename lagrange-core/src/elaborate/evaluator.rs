@@ -1,5 +1,6 @@
 //! State of the evaluation of a declaration's expressions.
 
+use super::callable::Callable;
 use super::constants::Constants;
 use super::messages;
 use super::operand::Operand;
@@ -28,6 +29,8 @@ pub(super) struct Evaluator<'a> {
     pub(super) unresolved: Unresolved,
     /// Operands by expression; `None` where something was wrong and has been reported.
     pub(super) values: HashMap<AstId, Option<Operand>>,
+    /// Functions without a formula that calls may mention.
+    pub(super) callables: OrderedMap<String, Callable>,
     /// Expressions with an obligation to be a vector: that one is none is reported there, not for each of its components.
     pub(super) obliged_vectors: HashMap<AstId, ()>,
     /// Expressions with the obligations of a mass or a moment of inertia: that one is negative is reported there.
@@ -54,6 +57,7 @@ impl<'a> Evaluator<'a> {
             constants: Constants::default(),
             unresolved: Unresolved::default(),
             values: HashMap::default(),
+            callables: OrderedMap::default(),
             obliged_vectors: HashMap::default(),
             obliged_masses: HashMap::default(),
         }

@@ -83,7 +83,7 @@ fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> O
         evaluator.report.error(origin, message).help(help);
         return None;
     }
-    if is_function(name) {
+    if is_function(name) || evaluator.callables.contains(&name.to_owned()) {
         evaluator
             .report
             .error(origin, messages::names::function_as_value(name))

@@ -7,6 +7,7 @@ pub(super) mod events;
 pub(super) mod inertia;
 pub(super) mod names;
 pub(super) mod scene;
+pub(super) mod tables;
 
 pub(super) fn scalar_needed(what: &str, found: &str) -> String {
     format!("{what} must be a scalar, but this is {found}")

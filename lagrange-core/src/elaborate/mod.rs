@@ -2,6 +2,7 @@
 //!
 //! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], holds energies and loads as expressions.
 
+mod callable;
 mod calls;
 mod chains;
 mod check;
@@ -22,6 +23,7 @@ mod magnitudes;
 mod messages;
 mod numbers;
 mod obligations;
+mod opaque;
 mod operand;
 mod reactions;
 mod reduce;
@@ -35,6 +37,7 @@ mod smoothness;
 mod stabilisation;
 mod staged;
 mod statements;
+mod tables;
 mod torques;
 mod unknown_names;
 mod unresolved;
@@ -42,10 +45,12 @@ mod unresolved;
 use crate::bodies::{Obligation, Plain};
 use crate::diagnostics::Report;
 use crate::model::Model;
+use crate::syntax::ast::StatementKind;
 use check::finish;
 use elaborator::Elaborator;
 use expression::value_of;
 use obligations::check_obligations;
+use opaque::define_external;
 use reduce::reduce;
 use scene::add_scene;
 use statements::add_statement;
@@ -66,6 +71,11 @@ pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
                 elaborator.evaluator.obliged_masses.insert(*obliged, ());
             }
             _ => {}
+        }
+    }
+    for statement in &plain.declaration.statements {
+        if let StatementKind::External(function) = &statement.kind {
+            define_external(&mut elaborator.evaluator, function);
         }
     }
     for (number, statement) in plain.declaration.statements.iter().enumerate() {

@@ -9,6 +9,7 @@ use super::operand::Operand;
 use crate::elementary;
 use crate::expr::{Dependencies, ExprId, Node};
 use crate::number::Number;
+use crate::opaque::Axis;
 use crate::syntax::ast::{AstId, Expression};
 
 /// Whether one can go on with a value; reports it if not.
@@ -47,7 +48,9 @@ fn is_real(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
     if !is_real {
         let help = match evaluator.syntax(id) {
             Expression::Call(function, _) => {
-                elementary::by_name(&function.text).map(|row| messages::defined_where(row.name, row.domain))
+                let row = elementary::by_name(&function.text);
+                row.map(|row| messages::defined_where(row.name, row.domain))
+                    .or_else(|| reach_of_table(evaluator, &function.text))
             }
             _ => None,
         };
@@ -55,4 +58,12 @@ fn is_real(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
         error.help(help.unwrap_or_else(|| messages::NEGATIVE_BASE_HELP.to_owned()));
     }
     is_real
+}
+
+/// From where to where a table is defined, in words; nothing of what is no table.
+fn reach_of_table(evaluator: &Evaluator<'_>, name: &str) -> Option<String> {
+    let function = evaluator.callables.get(&name.to_owned())?.function.as_ref()?;
+    let ends = |axis: &Axis| [axis.knots[0], axis.knots[axis.knots.len() - 1]];
+    let reach = function.table()?.axes.iter().map(ends).collect::<Vec<_>>();
+    Some(messages::tables::reaches(name, &reach))
 }

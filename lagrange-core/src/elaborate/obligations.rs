@@ -8,7 +8,7 @@ use crate::bodies::Obligation;
 use crate::calculus::evaluate;
 use crate::collections::HashMap;
 use crate::diagnostics::{Diagnostic, Origin};
-use crate::expr::{Dependencies, ExprId, Graph};
+use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::symbol::Role;
 use crate::syntax::ast::{AstId, Name};
 
@@ -184,7 +184,7 @@ fn difference(
     stated: ExprId,
     of_shape: ExprId,
 ) -> Option<([f64; 2], String)> {
-    if stated == of_shape {
+    if stated == of_shape || ![stated, of_shape].iter().all(|&value| has_formula(graph, value)) {
         return None;
     }
     let both = [stated, of_shape];
@@ -219,6 +219,14 @@ fn differ(a: f64, b: f64) -> bool {
     error > ROUNDING * a.abs().max(b.abs()) || error.is_nan()
 }
 
+/// Whether an expression holds no function whose values are known at run time only.
+fn has_formula(graph: &Graph, value: ExprId) -> bool {
+    !graph
+        .reachable(&[value])
+        .into_iter()
+        .any(|id| matches!(graph.node(id), Node::Opaque(function, _) if function.table().is_none()))
+}
+
 /// The symbols of an expression, in the order in which the graph met them.
 fn symbols(graph: &Graph, value: ExprId) -> Vec<(String, Role)> {
     let symbols = graph.reachable(&[value]).into_iter().filter_map(|id| graph.symbol_of(id));
@@ -241,7 +249,8 @@ impl Defaults {
 
     /// The value with these defaults, if it depends on nothing else.
     fn evaluate(&self, graph: &Graph, value: ExprId) -> Option<f64> {
-        let is_known = symbols(graph, value).iter().all(|(_, role)| self.0.contains(role));
+        let is_known =
+            has_formula(graph, value) && symbols(graph, value).iter().all(|(_, role)| self.0.contains(role));
         is_known.then(|| evaluate(graph, &[value], |role| self.0.get(&role).copied().unwrap_or(f64::NAN))[0])
     }
 }

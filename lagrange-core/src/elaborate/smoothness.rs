@@ -142,6 +142,10 @@ fn local(graph: &mut Graph, id: ExprId, factor: ExprId, known: &HashMap<ExprId, 
                 jumps: arguments.iter().any(|argument| of(argument).jumps) || switches && is_step,
             }
         }
+        // It is taken to be smooth, and not to vanish where its arguments do.
+        Node::Opaque(_, arguments) => {
+            Local { vanishes: false, jumps: arguments.iter().any(|argument| of(argument).jumps) }
+        }
         Node::Choose { left, right, then, otherwise, .. } => {
             let difference = graph.subtract(left, right);
             let switches = moving_factors(graph, difference).contains(&factor);

@@ -13,6 +13,7 @@ use super::reactions::add_friction;
 use super::reductions::add_reduction;
 use super::scope::NameKind;
 use super::stabilisation::set_stabilisation;
+use super::tables::define_table;
 use crate::diagnostics::nearest;
 use crate::expr::Dependencies;
 use crate::model::{Output, Product};
@@ -76,8 +77,9 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Output(name, value) => add_output(elaborator, name, *value),
         StatementKind::Emit(items) => items.iter().for_each(|item| add_product(elaborator, item)),
         StatementKind::Reduce(reduction) => add_reduction(elaborator, reduction),
-        // Plain statements have taken the place of scenes, values that of calls.
-        StatementKind::Scene(_) | StatementKind::Function(_) => {}
+        StatementKind::Table(table) => define_table(elaborator, table),
+        // Plain statements have taken the place of scenes, values that of calls; functions of the user's crate are known already.
+        StatementKind::Scene(_) | StatementKind::Function(_) | StatementKind::External(_) => {}
     }
 }
 

@@ -17,6 +17,7 @@ use super::features::frames::write_frames;
 use super::features::indefinite::write_indefinite;
 use super::features::kernel::{self as kernels, write_kernel};
 use super::features::lanes::write_lanes;
+use super::features::missing::missing_derivatives;
 use super::features::orientations::write_position_rates;
 use super::features::prepared::write_prepared;
 use super::features::product::{Plan, plan};
@@ -85,6 +86,10 @@ fn assembled(
     write_lanes(&mut writer)?;
     if !writer.is_hopeless() {
         describe(&mut writer, statements, counts);
+    }
+    let missing = missing_derivatives(&mut writer);
+    if !missing.is_empty() {
+        return Err(Refusal::Derivatives(missing));
     }
     let (members, size) = writer.finish()?;
     Ok((items(&shape, &members), size))

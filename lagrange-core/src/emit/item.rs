@@ -14,6 +14,7 @@ use super::features::lanes::{lanes_items, lanes_struct};
 use super::features::ports::{inputs_impls, inputs_struct, outputs_impl};
 use super::features::prepared::{prepared_items, prepared_method, prepared_struct};
 use super::features::switches::switches_declaration;
+use super::features::tables::tables;
 use super::traits::trait_impls;
 
 /// All items. The implementations stand in an anonymous constant, so that the names they import and the
@@ -29,6 +30,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let import = shape.generics().is_empty().then(|| quote!(use #scalar;));
     let (krate, functions) = (shape.krate, members.functions.iter().map(|name| local(name)));
     let functions = (!members.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
+    let tables = tables(shape, members);
     let names = name_exception(shape);
     let rounded = rounded_exception(members.has_rounded_constants);
     let attributes = &shape.declaration.attributes;
@@ -59,6 +61,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
         const _: () = {
             #import
             #functions
+            #tables
             #(#implementations)*
             #(#conversions)*
             #traits

@@ -87,6 +87,8 @@ impl Facts {
     pub(super) fn of(graph: &Graph, node: &Node) -> Facts {
         let mut dependencies = match node {
             Node::Symbol(symbol) => Dependencies::of_role(graph.symbols.get(*symbol).role),
+            // What it is worth is known at run time only.
+            Node::Opaque(function, _) if function.table().is_none() => Dependencies::PARAMETER,
             _ => Dependencies::NONE,
         };
         node.for_each_child(|child| dependencies = dependencies | graph.dependencies(child));
@@ -104,7 +106,7 @@ fn is_nonnegative(graph: &Graph, node: &Node) -> bool {
     match node {
         Node::Number(value) => !value.is_negative(),
         Node::Pi => true,
-        Node::Symbol(_) => false,
+        Node::Symbol(_) | Node::Opaque(..) => false,
         Node::Sum { constant, terms } => {
             !constant.is_negative() && terms.iter().all(|(term, c)| !c.is_negative() && known(term))
         }

@@ -12,6 +12,7 @@
 
 mod combine;
 mod facts;
+mod reach;
 mod weighted;
 
 use indexmap::IndexSet;
@@ -22,6 +23,7 @@ pub use facts::Dependencies;
 
 use crate::collections::HashMap;
 use crate::number::Number;
+use crate::opaque::Opaque;
 use crate::symbol::{Role, Symbol, SymbolId, Symbols};
 use facts::Facts;
 
@@ -90,6 +92,8 @@ pub enum Node {
     Product(Box<[(ExprId, Number)]>),
     /// An elementary function; square roots and powers with numeric exponents are products instead.
     Call(Function, Box<[ExprId]>),
+    /// The value or a derivative of a function without a formula.
+    Opaque(Opaque, Box<[ExprId]>),
     /// `if left relation right { then } else { otherwise }`, the relation being `<` or `<=`.
     Choose {
         /// `<` or `<=`.
@@ -112,7 +116,9 @@ impl Node {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
             Node::Sum { terms, .. } => terms.iter().for_each(|(term, _)| visit(*term)),
             Node::Product(factors) => factors.iter().for_each(|(base, _)| visit(*base)),
-            Node::Call(_, arguments) => arguments.iter().copied().for_each(visit),
+            Node::Call(_, arguments) | Node::Opaque(_, arguments) => {
+                arguments.iter().copied().for_each(visit);
+            }
             Node::Choose { left, right, then, otherwise, .. } => {
                 [*left, *right, *then, *otherwise].into_iter().for_each(visit);
             }
@@ -303,6 +309,14 @@ impl Graph {
         self.intern(Node::Call(function, arguments.into()))
     }
 
+    /// The value or a derivative of a function without a formula, for as many arguments as it has.
+    pub fn opaque(&mut self, function: Opaque, arguments: &[ExprId]) -> ExprId {
+        if function.vanishes() {
+            return self.number(0);
+        }
+        self.intern(Node::Opaque(function, arguments.into()))
+    }
+
     /// `if left relation right { then } else { otherwise }`; the condition is decided here if both sides
     /// are numbers, and dropped if both values are the same expression.
     pub fn choose(
@@ -326,47 +340,6 @@ impl Graph {
             return if holds { then } else { otherwise };
         }
         self.intern(Node::Choose { relation, left, right, then, otherwise })
-    }
-
-    /// Expressions that the roots are made of, themselves included, children before parents.
-    pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
-        self.reachable_until(roots, |_| false)
-    }
-
-    /// Expressions as of [`reachable`](Graph::reachable), but without what is only reached through those that
-    /// `stop` accepts; those themselves are included.
-    pub fn reachable_until(&self, roots: &[ExprId], stop: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
-        let mut seen = vec![false; roots.iter().map(|root| root.index() + 1).max().unwrap_or(0)];
-        let mut pending = roots.to_vec();
-        let mut found = Vec::new();
-        while let Some(id) = pending.pop() {
-            if !std::mem::replace(&mut seen[id.index()], true) {
-                found.push(id);
-                if !stop(id) {
-                    self.node(id).for_each_child(|child| pending.push(child));
-                }
-            }
-        }
-        found.sort_unstable();
-        found
-    }
-
-    /// Whether an expression is made of more than `limit` expressions, itself included. Looks at no more than
-    /// that many, however large the expression is.
-    pub fn is_larger_than(&self, root: ExprId, limit: usize) -> bool {
-        let mut seen = HashMap::from_iter([(root, ())]);
-        let mut pending = vec![root];
-        while let Some(id) = pending.pop() {
-            if seen.len() > limit {
-                return true;
-            }
-            self.node(id).for_each_child(|child| {
-                if seen.insert(child, ()).is_none() {
-                    pending.push(child);
-                }
-            });
-        }
-        seen.len() > limit
     }
 }
 

@@ -36,6 +36,7 @@ fn label(graph: &Graph, node: &Node) -> String {
         Node::Sum { constant, .. } => format!("{constant} +"),
         Node::Product(_) => "*".to_owned(),
         Node::Call(function, _) => row(*function).name.to_owned(),
+        Node::Opaque(function, _) => function.text(),
         Node::Choose { relation, .. } => format!("if {}", relation.symbol()),
     }
 }
@@ -50,7 +51,9 @@ fn edges(node: &Node) -> Vec<(ExprId, String)> {
         Node::Number(_) | Node::Pi | Node::Symbol(_) => Vec::new(),
         Node::Sum { terms, .. } => weighted(terms, ""),
         Node::Product(factors) => weighted(factors, "^"),
-        Node::Call(_, arguments) => arguments.iter().map(|id| (*id, String::new())).collect(),
+        Node::Call(_, arguments) | Node::Opaque(_, arguments) => {
+            arguments.iter().map(|id| (*id, String::new())).collect()
+        }
         Node::Choose { left, right, then, otherwise, .. } => {
             let operands = [(*left, "left"), (*right, "right"), (*then, "then"), (*otherwise, "else")];
             operands.map(|(id, label)| (id, label.to_owned())).to_vec()

@@ -11,6 +11,7 @@ use super::numerals::numeral;
 use crate::elementary::row;
 use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
+use crate::opaque::Opaque;
 use crate::symbol::Symbol;
 use names::latex_name;
 
@@ -41,6 +42,7 @@ fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
         (_, Node::Symbol(symbol)) => atom(symbol_latex(view.graph.symbols().get(*symbol))),
         (_, Node::Pi) => atom(r"\pi".to_owned()),
         (_, Node::Call(function, arguments)) => call(*function, arguments),
+        (_, Node::Opaque(function, arguments)) => opaque(function, arguments),
         (_, Node::Choose { .. }) => (Strength::Choice, cases(view, id)),
         (_, Node::Number(_) | Node::Sum { .. } | Node::Product(_)) => {
             sum(&view.terms(id), |term| product(view, term))
@@ -68,6 +70,18 @@ fn call(function: Function, arguments: &[ExprId]) -> (Strength, Vec<Piece>) {
         return (Strength::Power, fill(template, arguments, Strength::Atom));
     }
     (Strength::Atom, fill(template, arguments, Strength::Choice))
+}
+
+fn opaque(function: &Opaque, arguments: &[ExprId]) -> (Strength, Vec<Piece>) {
+    let mut pieces = vec![Piece::text(function.latex()), Piece::text(r"\left(")];
+    for (position, &argument) in arguments.iter().enumerate() {
+        if position > 0 {
+            pieces.push(Piece::text(", "));
+        }
+        pieces.push(Piece::Expr(argument, Strength::Choice));
+    }
+    pieces.push(Piece::text(r"\right)"));
+    (Strength::Atom, pieces)
 }
 
 /// The template with `#1` replaced by the first argument, as tightly bound as `first`, and `#2` by the second.

@@ -92,6 +92,7 @@ fn length(graph: &Graph, id: ExprId, known: &HashMap<ExprId, usize>) -> usize {
         Node::Sum { terms, .. } => 3 * terms.len() + 2 * shown(terms),
         Node::Product(factors) => factors.len() + 2 * shown(factors),
         Node::Call(function, _) => row(*function).name.len() + 2,
+        Node::Opaque(function, _) => function.text().len() + 2,
         Node::Choose { .. } => 20,
     };
     let mut length = own;

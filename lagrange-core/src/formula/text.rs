@@ -3,6 +3,8 @@
 //! The text of an expression is written out in full unless names are given for shared parts. A graph can
 //! stand for a text that is exponentially longer; [`definitions`] never writes that.
 
+use std::borrow::Cow;
+
 use super::layout::{Piece, Strength, View, WrittenTerm, sum, write as write_pieces};
 use super::naming::define;
 use super::numerals::numeral;
@@ -42,6 +44,7 @@ fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
         }
         (_, Node::Pi) => (Strength::Atom, vec![Piece::text("pi")]),
         (_, Node::Call(function, arguments)) => (Strength::Atom, call(row(*function).name, arguments)),
+        (_, Node::Opaque(function, arguments)) => (Strength::Atom, call(function.text(), arguments)),
         (_, Node::Choose { .. }) => (Strength::Choice, choice(view, id)),
         (_, Node::Number(_) | Node::Sum { .. } | Node::Product(_)) => sum(&view.terms(id), product),
     };
@@ -56,7 +59,7 @@ fn parenthesised(needed: bool, mut pieces: Vec<Piece>) -> Vec<Piece> {
     pieces
 }
 
-fn call(name: &'static str, arguments: &[ExprId]) -> Vec<Piece> {
+fn call(name: impl Into<Cow<'static, str>>, arguments: &[ExprId]) -> Vec<Piece> {
     let mut pieces = vec![Piece::text(name), Piece::text("(")];
     for (position, &argument) in arguments.iter().enumerate() {
         if position > 0 {

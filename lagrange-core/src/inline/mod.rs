@@ -26,7 +26,7 @@ const MOST: u64 = 200_000;
 /// The declaration without functions of its own. Mistakes in their calls are reported, those in what they stand for later.
 pub fn without_functions(mut declaration: Declaration, report: &mut Report) -> Declaration {
     let is_function = |kind: &StatementKind| matches!(kind, StatementKind::Function(_));
-    if !declaration.statements.iter().any(|statement| is_function(&statement.kind)) {
+    if declaration.statements.iter().all(|statement| statement.kind.declared_function().is_none()) {
         return declaration;
     }
     report_repeated(&declaration, report);
@@ -75,11 +75,8 @@ fn names_of(declaration: &Declaration) -> BTreeSet<String> {
 fn report_repeated(declaration: &Declaration, report: &mut Report) {
     let mut first: HashMap<String, (Origin, bool)> = HashMap::default();
     for statement in &declaration.statements {
-        let function = match &statement.kind {
-            StatementKind::Function(function) => Some(function),
-            _ => None,
-        };
-        let names = function.map_or_else(|| statement.kind.declared_names(), |function| vec![&function.name]);
+        let function = statement.kind.declared_function();
+        let names = function.map_or_else(|| statement.kind.declared_names(), |name| vec![name]);
         for name in names {
             match first.get(&name.text) {
                 // Two plain names are reported where names are resolved.
@@ -90,7 +87,11 @@ fn report_repeated(declaration: &Declaration, report: &mut Report) {
             }
         }
         let mut own: HashMap<String, Origin> = HashMap::default();
-        for name in function.iter().flat_map(|function| &function.parameters) {
+        let parameters = match &statement.kind {
+            StatementKind::Function(function) => &function.parameters[..],
+            _ => &[],
+        };
+        for name in parameters {
             if let Some(before) = own.insert(name.text.clone(), name.span.into()) {
                 report_twice(report, name, before);
             }

@@ -1,5 +1,6 @@
 //! A derived system that can be evaluated without compiling it: for tests, tools and build scripts.
 
+use super::callables::{Callables, calls};
 use super::phases::DerivedPart;
 use super::second_way::{is_regular, motion};
 use super::system::Derived;
@@ -10,7 +11,7 @@ use crate::elementary::row;
 use crate::emit::on_sides;
 use crate::expr::{ExprId, Function};
 use crate::model::{Model, Product};
-use crate::program::{Labels, Program, lower, optimise, run};
+use crate::program::{Labels, Program, lower, optimise, run_with};
 use crate::symbol::Role;
 
 /// A system as interpreted programs, with values for its parameters and inputs.
@@ -36,6 +37,7 @@ pub struct NumericSystem {
     undivided: Program,
     products: Vec<(Product, Program)>,
     outputs: Vec<(String, Program)>,
+    callables: Callables,
 }
 
 /// Time, coordinates, velocities and, where they matter, accelerations.
@@ -124,6 +126,7 @@ impl NumericSystem {
             undivided,
             products,
             outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
+            callables: Callables::default(),
         }
     }
 
@@ -135,6 +138,38 @@ impl NumericSystem {
             _ => return false,
         }
         true
+    }
+
+    /// Computes a function of the user's crate, or a derivative of one, by the name under which emitted code calls it; whether anything
+    /// calls it. What is not computed is NaN.
+    ///
+    /// ```
+    /// use lagrange_core::derive::StrategyChoice;
+    /// use lagrange_core::pipeline::{NumericSystem, parse};
+    ///
+    /// let bead = "function height(x); coord x; kinetic = 1/2 * (dot(x)^2 + dot(height(x))^2); potential = 9.81 * height(x);";
+    /// let mut bead = NumericSystem::new(&parse(bead)?.derive(StrategyChoice::Cheapest)?);
+    /// bead.define("height", |x| x[0] * x[0] / 2.0);
+    /// bead.define("height_derivative", |x| x[0]);
+    /// bead.define("height_second_derivative", |_| 1.0);
+    ///
+    /// let (x, v) = (0.5, 0.3);
+    /// let acceleration = bead.acceleration(0.0, &[x], &[v])[0];
+    /// assert!((acceleration + x * (v * v + 9.81) / (1.0 + x * x)).abs() < 1e-15);
+    /// # Ok::<(), lagrange_core::diagnostics::Report>(())
+    /// ```
+    pub fn define(&mut self, name: &str, value: impl Fn(&[f64]) -> f64 + Send + Sync + 'static) -> bool {
+        let is_called = self.programs().any(|program| calls(program, name));
+        self.callables.define(name, value);
+        is_called
+    }
+
+    fn programs(&self) -> impl Iterator<Item = &Program> {
+        let of_motion = [&self.position_rates, &self.switches, &self.accelerations, &self.multipliers];
+        let of_second_way = [&self.growth, &self.undivided];
+        let products = self.products.iter().map(|(_, program)| program);
+        let outputs = self.outputs.iter().map(|(_, program)| program);
+        of_motion.into_iter().chain(of_second_way).chain(products).chain(outputs)
     }
 
     /// The number of velocities.
@@ -151,7 +186,7 @@ impl NumericSystem {
 
     fn run_on(&self, program: &Program, at: Instant<'_>, sides: &[f64]) -> Vec<f64> {
         let entry = |values: &[f64], i: u32| values.get(i as usize).copied().unwrap_or(f64::NAN);
-        run(program, |role| match role {
+        let value_of = |role| match role {
             Role::Parameter(i) => entry(&self.parameters, i),
             Role::Input(i) => entry(&self.inputs, i),
             Role::Time => at.t,
@@ -161,7 +196,8 @@ impl NumericSystem {
             Role::Multiplier(i) => entry(at.multipliers, i),
             Role::Side(i) => entry(sides, i),
             Role::Reaction(_) | Role::Placeholder(_) => f64::NAN,
-        })
+        };
+        run_with(program, value_of, |function, arguments| self.callables.call(function, arguments))
     }
 
     /// q̈

@@ -10,6 +10,7 @@ use crate::emit;
 use crate::model::Model;
 use crate::syntax::ast::Declaration;
 use crate::syntax::parse_text;
+use crate::tables::{Reader, no_files, read_files};
 
 /// A declaration with its checked model.
 #[derive(Clone, Debug)]
@@ -42,8 +43,17 @@ pub struct Derived {
 /// # Errors
 /// Everything that is wrong with the declaration.
 pub fn parse(text: &str) -> Result<System, Report> {
+    parse_with(text, &no_files)
+}
+
+/// The same where tables may be files.
+///
+/// # Errors
+/// Everything that is wrong with the declaration or with its files.
+pub fn parse_with(text: &str, read: Reader<'_>) -> Result<System, Report> {
     let mut report = Report::default();
-    let Some(declaration) = parse_text(text, &mut report) else { return Err(report) };
+    let Some(mut declaration) = parse_text(text, &mut report) else { return Err(report) };
+    read_files(&mut declaration, read, &mut report);
     match model_of(declaration, &mut report) {
         (declaration, Some(model)) => Ok(System { declaration, model, report }),
         (_, None) => Err(report),

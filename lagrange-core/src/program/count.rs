@@ -19,7 +19,7 @@ pub struct OperationCounts {
     pub divisions: usize,
     /// Square roots.
     pub square_roots: usize,
-    /// Elementary functions other than those counted below, and large integer powers.
+    /// Elementary functions other than those counted below, large integer powers, and functions of the user's.
     pub functions: usize,
     /// Sines and cosines of the same argument computed together, one for each argument of a batch.
     pub sin_cos: usize,
@@ -47,7 +47,7 @@ impl OperationCounts {
                 self.multiplications += 1;
             }
             Op::Call(Function::Sqrt, _) => self.square_roots += 1,
-            Op::Power(..) | Op::Call(..) => self.functions += 1,
+            Op::Power(..) | Op::Call(..) | Op::Opaque(..) => self.functions += 1,
             Op::SinCos(_) => self.sin_cos += 1,
             Op::SinCosEach(angles) => self.sin_cos += angles.len(),
             Op::Select { .. } => self.selections += 1,

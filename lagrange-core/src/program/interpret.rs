@@ -4,16 +4,32 @@
 //! so both give the same bits.
 
 use super::ir::{Op, Program, ValueId, ValueTable};
-use crate::elementary::row;
+use crate::elementary::{multiply_add, row};
+use crate::opaque::Opaque;
 use crate::symbol::Role;
 
 /// The outputs where symbols have the values that `value_of` gives.
 ///
-/// A selection whose condition compares with NaN is NaN.
+/// A selection whose condition compares with NaN is NaN, and so is a function of the user's.
 pub fn run(program: &Program, value_of: impl Fn(Role) -> f64) -> Vec<f64> {
+    run_with(program, value_of, |_, _| f64::NAN)
+}
+
+/// The same, where functions of the user's have the values that `call` gives.
+pub fn run_with(
+    program: &Program,
+    value_of: impl Fn(Role) -> f64,
+    call: impl Fn(&Opaque, &[f64]) -> f64,
+) -> Vec<f64> {
     let mut values: ValueTable<f64> = ValueTable::with_capacity(program.len());
     for (_, op) in program.values() {
-        let value = evaluate(program, op, &values, &value_of);
+        let value = match op {
+            Op::Opaque(function, arguments) => {
+                let arguments = arguments.iter().map(|argument| values[*argument]).collect::<Vec<_>>();
+                function.known_value(&arguments).unwrap_or_else(|| call(function, &arguments))
+            }
+            _ => evaluate(program, op, &values, &value_of),
+        };
         values.push(value);
     }
     program.outputs().iter().map(|&output| values[output]).collect()
@@ -38,6 +54,8 @@ fn evaluate(program: &Program, op: &Op, values: &ValueTable<f64>, value_of: impl
             let arguments = arguments.iter().map(at).collect::<Vec<_>>();
             (row(*function).value)(&arguments)
         }
+        // Who runs the program knows it.
+        Op::Opaque(..) => f64::NAN,
         // A pair is carried as its argument; what is wanted of it is computed where it is taken apart.
         Op::SinCos(a) => at(a),
         Op::SinOf(pair) => argument_of(program, *pair, values).sin(),
@@ -68,11 +86,6 @@ fn in_batch(program: &Program, batch: ValueId, place: u32, values: &ValueTable<f
     };
     let [pair] = lagrange_math::sin_cos_each([angle.unwrap_or(f64::NAN)]);
     pair
-}
-
-/// `a * b + c`, rounded once where emitted code rounds once.
-fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
-    if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
 }
 
 /// Repeated squaring from the lowest bit of the exponent, as `Scalar::powi` does it.

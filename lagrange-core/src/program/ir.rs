@@ -4,6 +4,7 @@ use std::ops::{Index, IndexMut};
 
 use crate::expr::{Function, Relation};
 use crate::number::Number;
+use crate::opaque::Opaque;
 use crate::symbol::Role;
 
 /// Identifies a value of one [`Program`].
@@ -71,6 +72,8 @@ pub enum Op {
     Power(ValueId, i32),
     /// An elementary function.
     Call(Function, Box<[ValueId]>),
+    /// The value or a derivative of a function without a formula.
+    Opaque(Opaque, Box<[ValueId]>),
     /// Sine and cosine of `a` together: a pair, of use only to [`Op::SinOf`] and [`Op::CosOf`].
     SinCos(ValueId),
     /// The sine in a pair.
@@ -112,7 +115,9 @@ impl Op {
                 [*a, *b, *c].into_iter().for_each(visit);
             }
             Op::SinIn(batch, _) | Op::CosIn(batch, _) => visit(*batch),
-            Op::Call(_, arguments) | Op::SinCosEach(arguments) => arguments.iter().copied().for_each(visit),
+            Op::Call(_, arguments) | Op::Opaque(_, arguments) | Op::SinCosEach(arguments) => {
+                arguments.iter().copied().for_each(visit);
+            }
             Op::Select { left, right, then, otherwise, .. } => {
                 [*left, *right, *then, *otherwise].into_iter().for_each(visit);
             }
@@ -137,7 +142,9 @@ impl Op {
                 [a, b, c].into_iter().for_each(visit);
             }
             Op::SinIn(batch, _) | Op::CosIn(batch, _) => visit(batch),
-            Op::Call(_, arguments) | Op::SinCosEach(arguments) => arguments.iter_mut().for_each(visit),
+            Op::Call(_, arguments) | Op::Opaque(_, arguments) | Op::SinCosEach(arguments) => {
+                arguments.iter_mut().for_each(visit);
+            }
             Op::Select { left, right, then, otherwise, .. } => {
                 [left, right, then, otherwise].into_iter().for_each(visit);
             }

@@ -67,6 +67,7 @@ impl Listing<'_> {
             (Op::Call(function, _), arguments) => {
                 format!("{}({})", row(*function).name, arguments.join(", "))
             }
+            (Op::Opaque(function, _), arguments) => format!("{}({})", function.text(), arguments.join(", ")),
             (op, _) => format!("{op:?}"),
         }
     }

@@ -24,7 +24,7 @@ pub use builder::Builder;
 pub use count::OperationCounts;
 #[cfg(test)]
 pub(crate) use interpret::integer_power;
-pub use interpret::run;
+pub use interpret::{run, run_with};
 pub use ir::{Float, Op, Program, ValueId, ValueTable};
 pub use labels::Labels;
 pub use listing::{Listing, listing};

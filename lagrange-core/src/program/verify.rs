@@ -69,9 +69,12 @@ fn verify_order(program: &Program) -> Result<(), Fault> {
 fn verify_operands(program: &Program) -> Result<(), Fault> {
     let kind_of = |id| ValueKind::of_result(program.op(id));
     for (id, op) in program.values() {
-        if let Op::Call(function, arguments) = op
-            && arguments.len() != row(*function).arity
-        {
+        let has_arity = match op {
+            Op::Call(function, arguments) => arguments.len() == row(*function).arity,
+            Op::Opaque(function, arguments) => arguments.len() == function.arity(),
+            _ => true,
+        };
+        if !has_arity {
             return Err(Fault::Arity(id));
         }
         let wanted = ValueKind::of_operands(op);

@@ -157,6 +157,11 @@ impl Expander {
                 let call = apply(graph, function, &arguments);
                 Some(Polynomial::atom(graph, call))
             }
+            Node::Opaque(function, arguments) => {
+                let arguments = arguments.iter().map(|x| self.readable(graph, *x)).collect::<Vec<_>>();
+                let call = graph.opaque(function, &arguments);
+                Some(Polynomial::atom(graph, call))
+            }
             Node::Choose { .. } => Some(self.closed(graph, id)),
         }
     }

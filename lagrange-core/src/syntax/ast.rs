@@ -4,6 +4,7 @@
 //! built, walked and dropped without recursion. Children have smaller ids than their parents.
 
 pub mod bodies;
+mod callables;
 mod events;
 mod expressions;
 mod keywords;
@@ -15,14 +16,16 @@ use proc_macro2::{Span, TokenStream};
 
 use crate::collections::HashMap;
 pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
+pub use callables::{
+    ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableSource,
+};
 pub use events::{Action, Assignment, Direction, Event, Friction};
 pub use expressions::{AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES};
 pub use keywords::{Keyword, Soft};
 pub use mobilizers::{Mobilizer, MobilizerKind};
 pub use quaternion::Quaternion;
 pub use statements::{
-    Definition, EmitItem, FunctionDefinition, Reduction, ReductionItem, ReductionKind, Statement,
-    StatementKind,
+    Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Statement, StatementKind,
 };
 
 /// A whole `system!` declaration.

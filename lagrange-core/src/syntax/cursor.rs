@@ -259,6 +259,7 @@ impl Cursor {
             Soft::Braces => as_group(self.peek_past(1), Delimiter::Brace).is_some_and(is_labelled),
             Soft::Joint => name.is_some_and(|name| !keywords::is_connective(&name)),
             Soft::Alone => name.is_some() && is_punct(self.peek_past(2), ';'),
+            Soft::Function => name.is_some() && as_group(self.peek_past(2), Delimiter::Parenthesis).is_some(),
             Soft::Coordinates => {
                 let is_list = as_group(self.peek_past(1), Delimiter::Parenthesis).is_some();
                 (name.is_some() || is_list) && self.equals_past(2)

@@ -172,7 +172,7 @@ impl Parser<'_> {
                 Ok(StatementKind::Let(name, self.assigned(help, cursor)?))
             }
             Some(group) => {
-                let names = self.inside(&group, Self::component_names);
+                let names = self.inside(&group, |parser, cursor| parser.component_names("let", cursor));
                 let value = self.assigned(help, cursor)?;
                 Ok(StatementKind::LetTuple(self.two_or_three(names?, &group)?, value))
             }
@@ -181,12 +181,13 @@ impl Parser<'_> {
 
     /// `(x, y) = e` behind the name of a function.
     fn function(&mut self, name: Name, group: &Group, cursor: &mut Cursor) -> Parsed<StatementKind> {
-        let parameters = self.inside(group, Self::component_names)?;
+        let parameters = self.inside(group, |parser, cursor| parser.component_names("let", cursor))?;
         let value = self.assigned(form("let"), cursor)?;
         Ok(StatementKind::Function(Box::new(FunctionDefinition { name, parameters, value })))
     }
 
-    fn component_names(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Name>> {
+    /// `x, y` between parentheses.
+    pub(super) fn component_names(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<Vec<Name>> {
         let mut names = Vec::new();
         self.turns(cursor, |parser, cursor| {
             names.push(parser.declared_name(cursor)?);
@@ -196,7 +197,7 @@ impl Parser<'_> {
             return Ok(names);
         }
         let message = messages::expected("`,` or `)`", cursor.peek());
-        Err(self.fail_with_help(cursor.here(), message, form("let")))
+        Err(self.fail_with_help(cursor.here(), message, form(keyword)))
     }
 
     fn two_or_three(&mut self, names: Vec<Name>, group: &Group) -> Parsed<Vec<Name>> {

@@ -1,8 +1,10 @@
 //! Diagnostics for mistakes of writing, with what helps against them.
 
 pub(super) mod forms;
+pub(super) mod functions;
 pub(super) mod habits;
 pub(super) mod scenes;
+pub(super) mod tables;
 
 use proc_macro2::{Delimiter, TokenTree};
 

@@ -29,6 +29,7 @@ mod events;
 mod expressions;
 pub mod foreign;
 mod friction;
+mod functions;
 mod habits;
 mod header;
 mod joints;
@@ -42,6 +43,7 @@ pub mod print;
 mod recovery;
 mod reductions;
 mod statements;
+mod tables;
 #[cfg(test)]
 mod tests;
 mod text;

@@ -3,6 +3,7 @@
 //! One statement stands on a line, and parentheses stand only where operators need them. Comments, documentation
 //! and the head of the declaration are left out.
 
+mod callables;
 mod expressions;
 mod numbers;
 mod scenes;
@@ -85,6 +86,8 @@ impl Printer<'_> {
                 self.list(&function.parameters, |printer, name| printer.text(&name.text));
                 self.between(") = ", function.value, ";");
             }
+            StatementKind::External(function) => self.external(function),
+            StatementKind::Table(table) => self.table(table),
             StatementKind::Kinetic(value) => self.between("kinetic = ", *value, ";"),
             StatementKind::Potential(value) => self.between("potential = ", *value, ";"),
             StatementKind::Lagrangian(value) => self.between("lagrangian = ", *value, ";"),

@@ -87,6 +87,8 @@ impl Parser<'_> {
                 Ok(StatementKind::Velocity(name, self.assigned(help, cursor)?))
             }
             "let" => self.binding(cursor),
+            "table" => Ok(StatementKind::Table(Box::new(self.table(cursor)?))),
+            "function" => Ok(StatementKind::External(Box::new(self.external(cursor)?))),
             "kinetic" => Ok(StatementKind::Kinetic(self.assigned(help, cursor)?)),
             "potential" => Ok(StatementKind::Potential(self.assigned(help, cursor)?)),
             "lagrangian" => Ok(StatementKind::Lagrangian(self.assigned(help, cursor)?)),
@@ -204,6 +206,7 @@ impl Parser<'_> {
 fn ends_in_braces(kind: &StatementKind) -> bool {
     match kind {
         StatementKind::Emit(_) | StatementKind::Reduce(_) => true,
+        StatementKind::External(function) => function.derivatives.is_some(),
         StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),
         StatementKind::Scene(statement) => {
             use SceneStatement::{Body, Connector, Line, Mobilizer};

@@ -1,6 +1,7 @@
 mod bodies;
 mod expressions;
 mod facts;
+mod functions;
 mod habits;
 mod header;
 mod limits;
@@ -152,6 +153,7 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
             };
             format!("reduce {}{}", name.text, items.iter().map(item).collect::<String>())
         }
+        StatementKind::External(_) | StatementKind::Table(_) => functions::callable(declaration, kind),
         StatementKind::Scene(scene) => bodies::scene(declaration, scene),
     }
 }

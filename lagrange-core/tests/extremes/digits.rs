@@ -100,6 +100,9 @@ impl Arithmetic {
                     let arguments = arguments.iter().map(at).collect::<Vec<_>>();
                     self.call(*function, &arguments)
                 }
+                Node::Opaque(function, _) => {
+                    panic!("{} is known in double precision at most", function.text())
+                }
                 Node::Choose { relation, left, right, then, otherwise } => {
                     let chosen = if holds(*relation, &at(left), &at(right)) { then } else { otherwise };
                     at(chosen)

@@ -16,7 +16,7 @@ use quote::quote;
 use crate::machines::machines;
 use crate::trees::trees;
 
-fn read(text: &str) -> Declaration {
+pub(crate) fn read(text: &str) -> Declaration {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report);
     assert!(!report.has_errors(), "{text}\n{report}");
@@ -24,7 +24,7 @@ fn read(text: &str) -> Declaration {
 }
 
 /// The code for a declaration, or what is wrong with it.
-fn emitted(declaration: Declaration) -> Result<String, String> {
+pub(crate) fn emitted(declaration: Declaration) -> Result<String, String> {
     let mut report = Report::default();
     let plain = plain(declaration, &mut report);
     let Some(model) = elaborate(&plain, &mut report) else { return Err(messages(&report)) };
@@ -42,7 +42,7 @@ fn messages(report: &Report) -> String {
 }
 
 /// The declaration with its statements printed and read; head and documentation are not printed.
-fn printed_and_read(declaration: &Declaration) -> Declaration {
+pub(crate) fn printed_and_read(declaration: &Declaration) -> Declaration {
     let again = read(&print::statements(declaration));
     assert_eq!(again.statements.len(), declaration.statements.len());
     let documented = again.statements.into_iter().zip(&declaration.statements);

@@ -60,7 +60,7 @@ mod both {
     for_both! {
         constants_and_conversion nan_is_never_hidden odd_functions_keep_signed_zeros
         circular_functions_at_the_edges hyperbolic_functions_at_the_edges roots_and_logarithms_at_the_edges
-        atan2_follows_signs_of_zero signs_and_magnitudes extrema_propagate_nan powers multiply_add_is_a_product_and_a_sum
+        atan2_follows_signs_of_zero signs_and_magnitudes extrema_propagate_nan powers multiply_add_is_a_product_and_a_sum whole_numbers_below
     }
 }
 
@@ -75,6 +75,14 @@ mod checks {
         expect(S::from_f64(f64::NAN), nan);
         assert!(zero.is_finite() && one.is_finite());
         assert!(!infinity.is_finite() && !(-infinity).is_finite() && !nan.is_finite());
+    }
+
+    pub(super) fn whole_numbers_below<S: Scalar>() {
+        let Special { infinity, nan, .. } = special::<S>();
+        let found = [-3.5, -0.0, 0.9, 1.0, 6.99, 7.0, 1e30].map(|x| S::from_f64(x).floor_below(7));
+        assert_eq!(found, [0, 0, 0, 1, 6, 6, 6].map(Some));
+        assert_eq!([infinity, -infinity, nan].map(|x| x.floor_below(7)), [6, 0, 0].map(Some));
+        assert_eq!(S::from_f64(2.5).floor_below(1), Some(0));
     }
 
     pub(super) fn nan_is_never_hidden<S: Scalar>() {

@@ -38,6 +38,9 @@ pub fn prelude(precision: Precision) -> String {
 ///
 /// # Errors
 /// If a constant of the program is out of the range of the numbers.
+///
+/// # Panics
+/// If the program calls a function without a formula, which C does not have.
 pub fn statements(
     program: &Program,
     symbols: &Symbols,

@@ -13,6 +13,12 @@ pub(in crate::elaborate) fn unused(kind: &str, name: &str) -> String {
     format!("{kind} `{name}` is never used")
 }
 
+pub(in crate::elaborate) fn never_called(name: &str) -> String {
+    format!("the function `{name}` is never called")
+}
+
+pub(in crate::elaborate) const NEVER_CALLED_HELP: &str = "call it, or leave it out";
+
 pub(in crate::elaborate) fn unused_help(name: &str) -> String {
     format!("remove it, or call it `_{name}` if that is intended")
 }

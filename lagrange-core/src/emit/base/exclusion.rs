@@ -2,6 +2,7 @@
 
 use super::messages;
 use crate::derive::Equations;
+use crate::expr::Node;
 use crate::model::Model;
 
 /// Part of a system that some products do not go with.
@@ -13,6 +14,7 @@ pub(in crate::emit) enum Exclusion {
     Indefinite,
     Events,
     Orientations,
+    Functions,
 }
 
 impl Exclusion {
@@ -29,6 +31,7 @@ impl Exclusion {
             Exclusion::Indefinite => equations.pivot_growth.is_some(),
             Exclusion::Events => !model.events.is_empty(),
             Exclusion::Orientations => !model.orientations.is_empty(),
+            Exclusion::Functions => calls_functions(model, equations),
         };
         exclusions.iter().find(is_there).copied()
     }
@@ -42,6 +45,14 @@ impl Exclusion {
             Exclusion::Indefinite => messages::INDEFINITE,
             Exclusion::Events => messages::EVENTS,
             Exclusion::Orientations => messages::ORIENTATIONS,
+            Exclusion::Functions => messages::FUNCTIONS,
         }
     }
+}
+
+/// Whether the equations of motion hold functions without a formula.
+fn calls_functions(model: &Model, equations: &Equations) -> bool {
+    let roots = [&equations.accelerations[..], &model.position_rates()].concat();
+    let nodes = model.graph.reachable(&roots);
+    nodes.into_iter().any(|id| matches!(model.graph.node(id), Node::Opaque(..)))
 }

@@ -62,6 +62,7 @@ pub(in crate::emit) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> 
     // In names of their methods an underscore follows.
     let bodies = shape.bodies.iter().chain(&shape.frames).chain(&shape.frames_with_jacobian);
     let names = names.map(|name| name.text.clone()).chain(bodies.map(|name| format!("{}_", name.text)));
+    let names = names.chain(shape.callees.iter().map(|name| name.text.clone()));
     let is_snake_case = |name: &str| !name.contains(char::is_uppercase) && !name.contains("__");
     let exception =
         quote!(#[allow(non_snake_case, reason = "symbols keep the letters they have in formulas")]);

@@ -6,6 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use super::method::{ArgumentNames, Method};
 use crate::code::Names;
+use crate::opaque::Opaque;
 
 /// Members of the emitted type, its documentation, and what its traits need to know of them.
 pub(in crate::emit) struct Members {
@@ -43,6 +44,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) names: ArgumentNames,
     /// Functions of `lagrange::private` that the methods call.
     pub(in crate::emit) functions: BTreeSet<&'static str>,
+    /// Functions without a formula that the methods call, tables among them.
+    pub(in crate::emit) callees: Vec<Opaque>,
     /// Whether explicit symplectic methods take the system.
     pub(in crate::emit) is_separable: bool,
     /// Whether the methods hold rounded values of irrational constants.
@@ -71,6 +74,7 @@ impl Members {
             constants: TokenStream::new(),
             names,
             functions: BTreeSet::new(),
+            callees: Vec::new(),
             is_separable: false,
             has_rounded_constants: false,
         }

@@ -40,6 +40,20 @@ pub(in crate::emit) fn excluded(product: Product, exclusion: &str) -> String {
     format!("`{}` does not go with {exclusion}", product.name())
 }
 
+pub(in crate::emit) fn missing_derivative(derivative: &str, needed_by: &str) -> String {
+    format!("{needed_by} needs {derivative}, which has no name").replacen("motion needs", "motion need", 1)
+}
+
+pub(in crate::emit) fn missing_derivative_help(label: &str, product: Option<&str>) -> String {
+    let named = format!("name the function that computes it: `{label}: name;`");
+    match product {
+        Some(product) => format!("{named}; or leave that method out by `emit {{ no {product} }}`"),
+        None => named,
+    }
+}
+
+pub(in crate::emit) const CALLED_HERE: &str = "the function is called here";
+
 /// What a product that does not go with a system is for.
 pub(in crate::emit) fn without(product: Product) -> &'static str {
     match product {
@@ -66,6 +80,7 @@ pub(in crate::emit) fn large_in_kernel(precision: Precision, constants: &[String
 
 pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or leave it out";
 pub(in crate::emit) const EVENTS: &str = "events, which runs look for";
+pub(in crate::emit) const FUNCTIONS: &str = "functions of the crate or tables, which a device does not have";
 pub(in crate::emit) const CONTACTS: &str = "contacts or friction, whose modes change the equations";
 pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are found at run time";
 pub(in crate::emit) const SWITCHES: &str =

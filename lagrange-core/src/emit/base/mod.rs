@@ -2,6 +2,7 @@
 
 pub(super) mod attributes;
 pub(super) mod bindings;
+pub(in crate::emit) mod callees;
 pub(super) mod docs;
 pub(super) mod exclusion;
 pub(super) mod lanes_shape;

@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::callees::{MissingDerivative, report_missing};
 use super::exclusion::Exclusion;
 use super::messages;
 use super::size::report_hopeless;
@@ -15,6 +16,8 @@ use crate::syntax::ast::{Declaration, EmitItem, ScalarType, StatementKind};
 pub(in crate::emit) enum Refusal {
     /// These constants, in words, cannot be represented by the scalar.
     Constants(Vec<String>),
+    /// These derivatives of functions of the user's crate are called and not named.
+    Derivatives(Vec<MissingDerivative>),
     /// No compiler would get through it.
     Size,
     /// This product does not go with that of the system.
@@ -27,6 +30,7 @@ pub(in crate::emit) enum Refusal {
 pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refusal, report: &mut Report) {
     match refusal {
         Refusal::Constants(constants) => report_too_large(declaration, constants, report),
+        Refusal::Derivatives(missing) => report_missing(declaration, missing, report),
         Refusal::Size => report_hopeless(declaration, report),
         Refusal::Exclusion(product, exclusion) => {
             let message = messages::excluded(*product, exclusion.words());

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::callees::callees;
 use crate::code::Scalar;
 use crate::collections::HashMap;
 use crate::model::Product;
@@ -40,6 +41,8 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) switches: Vec<String>,
     /// Declared outputs with their number of components; one for a scalar.
     pub(in crate::emit) outputs: Vec<(&'a Name, usize)>,
+    /// The names of functions of the user's crate, where the user says them.
+    pub(in crate::emit) callees: Vec<Name>,
     /// The user's documentation of fields, coordinates and outputs.
     docs: HashMap<&'a str, &'a TokenStream>,
 }
@@ -73,6 +76,7 @@ impl<'a> Shape<'a> {
             touching: Vec::new(),
             switches: Vec::new(),
             outputs: Vec::new(),
+            callees: callees(declaration),
             docs: documentation(declaration),
         };
         let (mut inputs, components) = (Vec::new(), component_counts(declaration));

@@ -18,7 +18,7 @@ use crate::code::{FunctionBody, Names, Scalar, body};
 use crate::derive::Equations;
 use crate::expr::ExprId;
 use crate::model::Model;
-use crate::program::{Labels, OperationCounts, Preparation, Program, lower, optimise};
+use crate::program::{Labels, Op, OperationCounts, Preparation, Program, lower, optimise};
 
 /// Writes the methods of one system. Features add to its members.
 pub(in crate::emit) struct MethodWriter<'a> {
@@ -227,6 +227,8 @@ impl<'a> MethodWriter<'a> {
     /// A program as statements and results; `None` if it holds constants that are too large, which is kept in mind.
     fn written(&mut self, program: &Program, scalar: &Scalar, names: &mut Names) -> Option<FunctionBody> {
         self.members.has_rounded_constants |= program.values().any(|(_, op)| looks_rounded(op));
+        self.shape.callees.iter().for_each(|callee| names.place_callee(callee));
+        self.note_callees(program);
         match body(program, self.model.graph.symbols(), scalar, names) {
             Ok(body) => {
                 self.members.functions.extend(&body.functions);
@@ -235,6 +237,19 @@ impl<'a> MethodWriter<'a> {
             Err(error) => {
                 self.unrepresentable.extend(error.constants);
                 None
+            }
+        }
+    }
+
+    /// Keeps in mind which functions without a formula are called.
+    fn note_callees(&mut self, program: &Program) {
+        for (_, op) in program.values() {
+            if let Op::Opaque(function, _) = op
+                && !self.members.callees.contains(function)
+            {
+                // Among the coefficients of a table any number may be.
+                self.members.has_rounded_constants |= function.table().is_some();
+                self.members.callees.push(function.clone());
             }
         }
     }

@@ -21,8 +21,13 @@ use crate::program::{Labels, lower, optimise};
 use crate::symbol::Role;
 
 /// What a kernel does not compute.
-const EXCLUSIONS: [Exclusion; 4] =
-    [Exclusion::Contacts, Exclusion::Constraints, Exclusion::Events, Exclusion::Indefinite];
+const EXCLUSIONS: [Exclusion; 5] = [
+    Exclusion::Contacts,
+    Exclusion::Constraints,
+    Exclusion::Events,
+    Exclusion::Indefinite,
+    Exclusion::Functions,
+];
 
 /// Writes the constants of the kernel, if it is asked for.
 pub(in crate::emit) fn write_kernel(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {

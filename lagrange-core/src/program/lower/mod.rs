@@ -82,6 +82,10 @@ fn lower_node(lowering: &mut Lowering<'_>, id: ExprId) -> Signed {
             };
             lowering.builder.push(Op::Call(function, arguments))
         }
+        Node::Opaque(function, arguments) => {
+            let arguments = arguments.iter().map(|&argument| lowering.plain(argument)).collect();
+            lowering.builder.push(Op::Opaque(function.clone(), arguments))
+        }
         Node::Choose { relation, left, right, then, otherwise } => {
             let [left, right] = [lowering.plain(*left), lowering.plain(*right)];
             let [then, otherwise] = [lowering.plain(*then), lowering.plain(*otherwise)];

@@ -5,6 +5,7 @@
 use proc_macro2::TokenStream;
 
 use super::bodies::SceneStatement;
+use super::callables::{ExternalFunction, FunctionDefinition, TableDefinition, TableSource};
 use super::events::{Event, Friction};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
@@ -31,6 +32,9 @@ pub struct Statement {
 ///           | "quaternion" NAME ";"
 ///           | "velocity" NAME "=" sum ";"
 ///           | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
+///           | "let" NAME "(" NAME { "," NAME } ")" "=" sum ";"
+///           | "function" NAME "(" NAME { "," NAME } ")" ( ";" | "{" { derivative } "}" [ ";" ] )
+///           | "table" NAME "(" NAME [ "," NAME ] ")" "=" ( STRING | "[" point { "," point } "]" ) { "," option } ";"
 ///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
 ///           | "gibbs" "=" sum "," "for" ":" sum ";"
 ///           | "force" NAME "=" sum ";"
@@ -43,6 +47,9 @@ pub struct Statement {
 ///           | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
 ///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
 ///           | scene
+/// derivative = ( "derivative" | "second_derivative" | "third_derivative" | "by" NAME { "," NAME } ) ":" NAME ";"
+/// point     = "(" sum "," sum [ "," sum ] ")"
+/// option    = "interpolation" ":" ( "linear" | "monotone" | "natural" ) | "outside" ":" ( "error" | "clamp" | "extend" )
 /// reduction = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
 ///           | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 /// action    = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
@@ -71,6 +78,10 @@ pub enum StatementKind {
     LetTuple(Vec<Name>, AstId),
     /// `let f(x, y) = e;`
     Function(Box<FunctionDefinition>),
+    /// `function f(x, y);`
+    External(Box<ExternalFunction>),
+    /// `table f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend;`
+    Table(Box<TableDefinition>),
     /// `kinetic = e;`
     Kinetic(AstId),
     /// `potential = e;`
@@ -128,7 +139,7 @@ pub enum StatementKind {
 }
 
 /// Words that begin statements, but for those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 21] = [
+pub const KEYWORDS: [Keyword; 23] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`"),
@@ -139,6 +150,16 @@ pub const KEYWORDS: [Keyword; 21] = [
         "let",
         "write `let name = e;`, `let (a, b) = (e, f);` for the components of a vector, or `let f(x, y) = e;` for a function",
     ),
+    Keyword::new(
+        "function",
+        "write `function f(x, y);` for a function of your crate, or `function f(x) { derivative: slope; second_derivative: curvature; }`",
+    )
+    .before(Soft::Function),
+    Keyword::new(
+        "table",
+        "write `table f(x) = [(0, 1), (2, 5)], interpolation: natural, outside: error;`, or `\"points.csv\"` for the list",
+    )
+    .before(Soft::Function),
     Keyword::new("kinetic", "write `kinetic = e;`"),
     Keyword::new("potential", "write `potential = e;`"),
     Keyword::new("lagrangian", "write `lagrangian = e;`"),
@@ -177,7 +198,9 @@ impl StatementKind {
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
             StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
             // Its name can be called, and means nothing by itself.
-            StatementKind::Function(_) => (Vec::new(), Reach::Expressions),
+            StatementKind::Function(_) | StatementKind::External(_) | StatementKind::Table(_) => {
+                (Vec::new(), Reach::Expressions)
+            }
             StatementKind::Constraint(name, _) => (vec![name], Reach::Both),
             StatementKind::Event(event) => (vec![&event.name], Reach::Both),
             StatementKind::Friction(friction) => (vec![&friction.name], Reach::Both),
@@ -216,6 +239,10 @@ impl StatementKind {
             | StatementKind::Stabilise(value)
             | StatementKind::Output(_, value) => vec![value],
             StatementKind::Function(function) => vec![&mut function.value],
+            StatementKind::Table(table) => match &mut table.source {
+                TableSource::Points(points) => points.iter_mut().flat_map(|(point, _)| point).collect(),
+                TableSource::File { .. } => Vec::new(),
+            },
             StatementKind::Gibbs { function, stated } => vec![function, stated],
             StatementKind::ForceAt { force, point } => vec![force, point],
             StatementKind::ForceAlong { force, velocity } => vec![force, velocity],
@@ -226,9 +253,10 @@ impl StatementKind {
                 reduction.items.iter_mut().filter_map(|item| item.value.as_mut()).collect()
             }
             StatementKind::Scene(scene) => scene.expressions_mut(),
-            StatementKind::Coordinates(_) | StatementKind::Quaternion(_) | StatementKind::Emit(_) => {
-                Vec::new()
-            }
+            StatementKind::Coordinates(_)
+            | StatementKind::Quaternion(_)
+            | StatementKind::External(_)
+            | StatementKind::Emit(_) => Vec::new(),
         }
     }
 
@@ -236,6 +264,16 @@ impl StatementKind {
     pub fn expressions(&self) -> Vec<AstId> {
         // Of a copy, so that they are listed in one place.
         self.clone().expressions_mut().into_iter().map(|id| *id).collect()
+    }
+
+    /// The name that calls mention, if it declares a function.
+    pub fn declared_function(&self) -> Option<&Name> {
+        match self {
+            StatementKind::Function(function) => Some(&function.name),
+            StatementKind::External(function) => Some(&function.name),
+            StatementKind::Table(table) => Some(&table.name),
+            _ => None,
+        }
     }
 
     /// Names with the expressions that they stand for, be it as a default.
@@ -276,17 +314,6 @@ impl StatementKind {
 
 fn defined(list: &[Definition]) -> Vec<&Name> {
     list.iter().map(|definition| &definition.name).collect()
-}
-
-/// A function of the user's, which stands for an expression.
-#[derive(Clone, Debug)]
-pub struct FunctionDefinition {
-    /// Its name.
-    pub name: Name,
-    /// Names that stand for arguments in its value.
-    pub parameters: Vec<Name>,
-    /// What it stands for.
-    pub value: AstId,
 }
 
 /// A second type with fewer or simpler motions.

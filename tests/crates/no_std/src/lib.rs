@@ -85,6 +85,40 @@ lagrange::system! {
     emit { motion, drawing }
 }
 
+/// The height of a road.
+fn road<S: Scalar>(x: S) -> S {
+    x.sin()
+}
+
+fn road_derivative<S: Scalar>(x: S) -> S {
+    x.cos()
+}
+
+fn road_second_derivative<S: Scalar>(x: S) -> S {
+    -x.sin()
+}
+
+lagrange::system! {
+    /// A wheel on a road of the crate, driven by a motor from a table, in any number type.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Wheel<S>;
+
+    function road(x);
+    table motor(rate) = [(0, 9), (100, 14), (200, 6)], interpolation: monotone, outside: clamp;
+    param m = 3.0, g = 9.81;
+    coord x;
+    kinetic = kinetic_energy(m, dot((x, road(x))));
+    potential = m * g * road(x);
+    force x = motor(dot(x));
+}
+
+/// The acceleration of a wheel at rest at the foot of its road.
+#[must_use]
+pub fn start<S: Scalar>(wheel: &Wheel<S>) -> S {
+    let [acceleration] = wheel.acceleration(S::ZERO, &[S::ZERO], &[S::ZERO]);
+    acceleration
+}
+
 /// How hard the ground holds a rod at rest at an angle.
 #[must_use]
 pub fn grip(beam: &Beam, angle: f32) -> f32 {
@@ -121,8 +155,16 @@ pub fn repulsion<S: Scalar>(chain: &Chain<S>, distance: S) -> S {
 #[cfg(test)]
 mod tests {
     use super::{
-        Beam, Chain, Parcel, Pendulum, SmallPendulum, angle_after_a_second, grip, repulsion, thrown,
+        Beam, Chain, Parcel, Pendulum, SmallPendulum, Wheel, angle_after_a_second, grip, repulsion, start,
+        thrown,
     };
+
+    #[test]
+    fn wheels_start_with_the_torque_of_their_motor() {
+        let (double, single) = (start(&Wheel::<f64>::default()), start(&Wheel::<f32>::default()));
+        assert!((double - (9.0 / 3.0 - 9.81) / 2.0).abs() < 1e-14, "{double}");
+        assert!((f64::from(single) - double).abs() < 1e-5, "{single}");
+    }
 
     #[test]
     fn parcels_come_to_rest_on_the_ground() {

@@ -18,4 +18,5 @@ pub mod letters;
 pub mod precision;
 pub mod products;
 pub mod reduced;
+pub mod tables;
 pub mod touching;

@@ -1,0 +1,13 @@
+//! What is known of a function without a formula.
+
+use proc_macro2::Span;
+
+use crate::opaque::Opaque;
+
+/// A function that calls may mention.
+pub(super) struct Callable {
+    /// `None` of a table that is wrong, which has been reported.
+    pub(super) function: Option<Opaque>,
+    pub(super) span: Span,
+    pub(super) is_called: bool,
+}

@@ -1,0 +1,76 @@
+//! Functions without a formula in a declaration: what they are called, and their calls.
+
+use proc_macro2::Span;
+
+use super::callable::Callable;
+use super::evaluator::Evaluator;
+use super::messages;
+use super::operand::Operand;
+use crate::diagnostics::Report;
+use crate::opaque::{Opaque, OpaqueFunction, Source};
+use crate::syntax::ast::{AstId, ExternalFunction, Name};
+
+/// Makes a function of the user's crate known.
+pub(super) fn define_external(evaluator: &mut Evaluator<'_>, declared: &ExternalFunction) {
+    let derivatives = declared.derivatives.as_ref();
+    let named = derivatives.map(|derivatives| {
+        derivatives
+            .iter()
+            .map(|derivative| (derivative.orders.clone(), derivative.name.text.clone()))
+            .collect()
+    });
+    let function = OpaqueFunction {
+        name: declared.name.text.clone(),
+        parameters: declared.parameters.iter().map(|parameter| parameter.text.clone()).collect(),
+        source: Source::Crate { derivatives: named },
+    };
+    define(evaluator, &declared.name, Some(Opaque::value_of(function)));
+}
+
+/// Makes a function known.
+pub(super) fn define(evaluator: &mut Evaluator<'_>, name: &Name, function: Option<Opaque>) {
+    // One that is declared twice has been reported.
+    if !evaluator.callables.contains(&name.text) {
+        let callable = Callable { function, span: name.span, is_called: false };
+        evaluator.callables.insert(name.text.clone(), callable);
+    }
+}
+
+/// Value of a call of such a function; `None` if there is none of that name, `Some(None)` if something is wrong with the call, which is
+/// reported.
+pub(super) fn evaluate_callable(
+    evaluator: &mut Evaluator<'_>,
+    name: &Name,
+    arguments: &[AstId],
+    call: AstId,
+) -> Option<Option<Operand>> {
+    let callable = evaluator.callables.get_mut(&name.text)?;
+    callable.is_called = true;
+    let span = callable.span;
+    let Some(function) = callable.function.clone() else { return Some(None) };
+    if arguments.len() != function.arity() {
+        let message = messages::names::wrong_argument_count(&name.text, function.arity(), arguments.len());
+        let usage = format!("{}({})", name.text, function.function().parameters.join(", "));
+        let error = evaluator.report.error(evaluator.origin(call), message);
+        error.related(span.into(), messages::names::DECLARED_HERE).help(messages::names::write_call(&usage));
+        return Some(None);
+    }
+    let what = format!("an argument of `{}`", name.text);
+    let scalars = arguments.iter().map(|&argument| evaluator.scalar(argument, &what)).collect::<Vec<_>>();
+    let scalars = scalars.into_iter().collect::<Option<Vec<_>>>();
+    Some(scalars.map(|scalars| Operand::Scalar(evaluator.graph.opaque(function, &scalars))))
+}
+
+/// Warns of functions that nothing calls.
+pub(super) fn report_uncalled(evaluator: &mut Evaluator<'_>) {
+    let uncalled =
+        evaluator.callables.iter().filter(|(name, callable)| !callable.is_called && !name.starts_with('_'));
+    let uncalled = uncalled.map(|(name, callable)| (name.clone(), callable.span)).collect::<Vec<_>>();
+    for (name, span) in uncalled {
+        warn(evaluator.report, &name, span);
+    }
+}
+
+fn warn(report: &mut Report, name: &str, span: Span) {
+    report.unused(name, span, messages::names::never_called(name)).help(messages::names::NEVER_CALLED_HELP);
+}

@@ -1,0 +1,244 @@
+//! Tables: their points, checked and interpolated.
+
+use super::elaborator::Elaborator;
+use super::expression::value_of;
+use super::messages::tables as words;
+use super::opaque::define;
+use crate::calculus::evaluate;
+use crate::diagnostics::{Diagnostic, Origin};
+use crate::expr::{Dependencies, ExprId, Node};
+use crate::opaque::{Interpolation, Opaque, OpaqueFunction, Source, Table, default_name};
+use crate::syntax::ast::{AstId, Name, StatementKind, TableDefinition, TableSource};
+
+/// Tables with more points are refused: the compiler would take minutes to read the emitted coefficients.
+const MOST_POINTS: usize = 100_000;
+
+/// A point with where it stands, in the declaration or on a line of a file.
+struct Point {
+    /// Arguments, then the value.
+    components: Vec<f64>,
+    place: Origin,
+    line: Option<usize>,
+}
+
+/// Makes a table known, be it without a value if something is wrong with its points, which is reported.
+pub(super) fn define_table(elaborator: &mut Elaborator<'_>, table: &TableDefinition) {
+    let source = points(elaborator, table).and_then(|points| match table.parameters.len() {
+        1 => curve(elaborator, table, &points),
+        2 => surface(elaborator, table, points),
+        _ => None,
+    });
+    let parameters = table.parameters.iter().map(|parameter| parameter.text.clone()).collect();
+    let function = source.map(|source| {
+        let source = Source::Table(source);
+        Opaque::value_of(OpaqueFunction { name: table.name.text.clone(), parameters, source })
+    });
+    define(&mut elaborator.evaluator, &table.name, function);
+}
+
+/// The points in numbers, if there are neither too few nor too many.
+fn points(elaborator: &mut Elaborator<'_>, table: &TableDefinition) -> Option<Vec<Point>> {
+    let points = match &table.source {
+        TableSource::Points(points) => {
+            let points = points.iter().map(|(point, place)| {
+                let components =
+                    point.iter().map(|&component| number(elaborator, component)).collect::<Vec<_>>();
+                let components = components.into_iter().collect::<Option<Vec<_>>>()?;
+                Some(Point { components, place: *place, line: None })
+            });
+            points.collect::<Vec<_>>().into_iter().collect::<Option<Vec<_>>>()?
+        }
+        TableSource::File { path, contents } => {
+            let Some(contents) = contents else {
+                report_unread(elaborator, path);
+                return None;
+            };
+            let points = contents.points.iter().map(|(line, components)| Point {
+                components: components.clone(),
+                place: path.span.into(),
+                line: Some(*line),
+            });
+            points.collect()
+        }
+    };
+    let report = &mut elaborator.evaluator.report;
+    if points.len() < 2 {
+        report
+            .error(table.name.span, words::too_few(&table.name.text, points.len()))
+            .help(words::TOO_FEW_HELP);
+        return None;
+    }
+    if points.len() > MOST_POINTS {
+        let message = words::too_many(&table.name.text, points.len(), MOST_POINTS);
+        report.error(table.name.span, message).help(words::TOO_MANY_HELP);
+        return None;
+    }
+    Some(points)
+}
+
+/// Reports that a file was not read, if nobody has said why.
+fn report_unread(elaborator: &mut Elaborator<'_>, path: &Name) {
+    let report = &mut elaborator.evaluator.report;
+    if !report.has_errors() {
+        report.error(path.span, words::UNREAD).help(words::UNREAD_HELP);
+    }
+}
+
+/// A number that does not depend on anything.
+fn number(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<f64> {
+    value_of(&mut elaborator.evaluator, syntax)?;
+    let value = elaborator.evaluator.scalar(syntax, "a number of a table")?;
+    let dependencies = elaborator.evaluator.graph.dependencies(value);
+    if dependencies != Dependencies::NONE {
+        let (place, _) = elaborator.evaluator.blame(syntax, dependencies);
+        elaborator.evaluator.report.error(place, words::NOT_CONSTANT).help(words::NOT_CONSTANT_HELP);
+        return None;
+    }
+    let number = evaluate(&elaborator.evaluator.graph, &[value], |_| f64::NAN)[0];
+    if !number.is_finite() {
+        return elaborator.refuse(syntax, words::NOT_FINITE, words::NOT_FINITE_HELP);
+    }
+    Some(number)
+}
+
+fn curve(elaborator: &mut Elaborator<'_>, table: &TableDefinition, points: &[Point]) -> Option<Table> {
+    for pair in points.windows(2) {
+        let [before, after] = [pair[0].components[0], pair[1].components[0]];
+        if before >= after {
+            let message = words::not_ascending(&table.parameters[0].text, before, after);
+            report_point(elaborator, &pair[1], &message).help(words::NOT_ASCENDING_HELP);
+            return None;
+        }
+    }
+    let points = points.iter().map(|point| (point.components[0], point.components[1])).collect::<Vec<_>>();
+    Some(Table::curve(&points, table.interpolation, table.outside))
+}
+
+/// A table of two arguments, from the points of a grid in any order.
+fn surface(
+    elaborator: &mut Elaborator<'_>,
+    table: &TableDefinition,
+    mut points: Vec<Point>,
+) -> Option<Table> {
+    let axis = |argument: usize| {
+        let mut knots = points.iter().map(|point| point.components[argument]).collect::<Vec<_>>();
+        knots.sort_by(f64::total_cmp);
+        knots.dedup();
+        knots
+    };
+    let axes = [axis(0), axis(1)];
+    for (knots, name) in axes.iter().zip(&table.parameters) {
+        if knots.len() < 2 {
+            let report = &mut elaborator.evaluator.report;
+            let message = words::flat_grid(&table.name.text, &name.text);
+            report.error(table.name.span, message).help(words::TOO_FEW_HELP);
+            return None;
+        }
+    }
+    points.sort_by(|a, b| {
+        a.components[0].total_cmp(&b.components[0]).then(a.components[1].total_cmp(&b.components[1]))
+    });
+    if let Some(pair) = points.windows(2).find(|pair| pair[0].components[..2] == pair[1].components[..2]) {
+        report_point(elaborator, &pair[1], words::REPEATED_POINT).help(words::GRID_HELP);
+        return None;
+    }
+    let grid = axes[0].iter().flat_map(|x| axes[1].iter().map(move |y| [*x, *y]));
+    let mut missing = grid.zip(points.iter().map(Some).chain(std::iter::repeat(None)));
+    let is_missing =
+        |point: &Option<&Point>, at: [f64; 2]| point.is_none_or(|point| point.components[..2] != at);
+    if let Some((at, _)) = missing.find(|(at, point)| is_missing(point, *at)) {
+        let report = &mut elaborator.evaluator.report;
+        report.error(table.name.span, words::missing_point(&table.name.text, at)).help(words::GRID_HELP);
+        return None;
+    }
+    let values =
+        points.chunks(axes[1].len()).map(|row| row.iter().map(|point| point.components[2]).collect());
+    Some(Table::surface(axes, &values.collect::<Vec<Vec<f64>>>(), table.interpolation, table.outside))
+}
+
+fn report_point<'a>(elaborator: &'a mut Elaborator<'_>, point: &Point, message: &str) -> &'a mut Diagnostic {
+    let message = point.line.map_or_else(|| message.to_owned(), |line| words::on_line(line, message));
+    elaborator.evaluator.report.error(point.place, message)
+}
+
+/// Reports tables in energies and constraints whose second derivatives are not continuous, although accelerations are made of them.
+pub(super) fn check_tables(elaborator: &mut Elaborator<'_>) {
+    let energies = elaborator.kinetic.iter().chain(&elaborator.potential).chain(&elaborator.lagrangian);
+    let terms = energies.map(|term| (term.value, Some(term.syntax), Origin::from(term.keyword)));
+    let constraints = elaborator.constraints.iter();
+    let residuals = constraints.map(|(constraint, span)| (constraint.value, None, Origin::from(*span)));
+    let roots = terms.chain(residuals).collect::<Vec<_>>();
+    let mut reported = Vec::new();
+    for (root, syntax, place) in roots {
+        for (call, table) in rough_tables(elaborator, root) {
+            if reported.contains(&table) {
+                continue;
+            }
+            let found = syntax.and_then(|syntax| elaborator.evaluator.place_of(syntax, call));
+            report_rough(elaborator, &table, found.unwrap_or(place));
+            reported.push(table);
+        }
+    }
+}
+
+/// Reports names of functions that emitted code gives to the derivatives of a table.
+pub(super) fn check_names_of_derivatives(elaborator: &mut Elaborator<'_>) {
+    let declaration = elaborator.declaration;
+    let named = declaration.statements.iter().flat_map(|statement| match &statement.kind {
+        StatementKind::External(function) => {
+            let derivatives = function.derivatives.iter().flatten().map(|derivative| &derivative.name);
+            derivatives.chain([&function.name]).collect::<Vec<_>>()
+        }
+        StatementKind::Table(table) => vec![&table.name],
+        _ => Vec::new(),
+    });
+    let named = named.collect::<Vec<_>>();
+    for statement in &declaration.statements {
+        let StatementKind::Table(table) = &statement.kind else { continue };
+        let derivatives = names_of_derivatives(table);
+        for name in named.iter().filter(|name| derivatives.contains(&name.text)) {
+            let message = words::name_of_derivative(&name.text, &table.name.text);
+            let error = elaborator.evaluator.report.error(name.span, message);
+            error.related(table.name.span.into(), super::messages::names::DECLARED_HERE);
+            error.help(super::messages::OTHER_NAME_HELP);
+        }
+    }
+}
+
+/// The names of all derivatives that do not vanish.
+fn names_of_derivatives(table: &TableDefinition) -> Vec<String> {
+    let parameters = table.parameters.iter().map(|name| name.text.clone()).collect::<Vec<_>>();
+    let orders = 0..table.interpolation.coefficients() as u8;
+    let all = match parameters.len() {
+        1 => orders.map(|order| vec![order]).collect::<Vec<_>>(),
+        _ => orders.clone().flat_map(|x| orders.clone().map(move |y| vec![x, y])).collect(),
+    };
+    let derivatives = all.iter().filter(|orders| orders.iter().any(|order| *order > 0));
+    derivatives.map(|orders| default_name(&table.name.text, &parameters, orders)).collect()
+}
+
+/// Calls of tables without continuous second derivatives of which the value changes during motions, with the tables themselves.
+fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId) -> Vec<(ExprId, Opaque)> {
+    let graph = &elaborator.evaluator.graph;
+    let rough = graph.reachable(&[root]).into_iter().filter_map(|id| match graph.node(id) {
+        Node::Opaque(function, _) if graph.dependencies(id).may_change() => {
+            let is_rough = function.table().is_some_and(|table| !table.is_twice_differentiable());
+            is_rough.then(|| (id, Opaque::value_of(function.function().clone())))
+        }
+        _ => None,
+    });
+    rough.collect()
+}
+
+fn report_rough(elaborator: &mut Elaborator<'_>, function: &Opaque, place: Origin) {
+    let name = &function.function().name;
+    let (message, help) = match function.table().map(|table| table.interpolation) {
+        Some(Interpolation::Natural) => (words::bent_ends(name), words::BENT_ENDS_HELP),
+        _ => (words::rough(name), words::ROUGH_HELP),
+    };
+    let declared = elaborator.evaluator.callables.get(name).map(|callable| callable.span);
+    let error = elaborator.evaluator.report.error(place, message).help(help);
+    if let Some(span) = declared {
+        error.related(span.into(), super::messages::names::DECLARED_HERE);
+    }
+}

@@ -1,0 +1,122 @@
+//! Tables: their points as statics, and a function for each value or derivative that methods call.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use crate::code::float;
+use crate::emit::base::members::Members;
+use crate::emit::base::shape::{Shape, doc, length, local};
+use crate::opaque::{Axis, Opaque, Table};
+use crate::syntax::ast::{StatementKind, TableSource};
+
+/// The items of all tables that methods call.
+pub(in crate::emit) fn tables(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let called = members.callees.iter().filter_map(|function| Some((function, function.table()?)));
+    let mut called = called.collect::<Vec<_>>();
+    called.sort_by_key(|(function, _)| (function.function().name.clone(), function.orders().to_vec()));
+    let mut items = watched_files(shape);
+    let mut known: Vec<(String, Ident)> = Vec::new();
+    for (function, table) in called {
+        let name = &function.function().name;
+        if !known.iter().any(|(known, _)| known == name) {
+            let constant = constant_name(name, &known);
+            items.extend(points(shape, &constant, table));
+            known.push((name.clone(), constant));
+        }
+        let constant = known.iter().rfind(|(known, _)| known == name).map(|(_, constant)| constant);
+        items.extend(constant.map(|constant| method(shape, function, constant)));
+    }
+    items
+}
+
+/// The name of a table in capital letters; with underscores behind it where two names differ in nothing else.
+fn constant_name(name: &str, known: &[(String, Ident)]) -> Ident {
+    let mut constant = name.to_uppercase();
+    while known.iter().any(|(_, other)| *other == constant) {
+        constant.push('_');
+    }
+    Ident::new(&constant, Span::mixed_site())
+}
+
+/// The points in the form that they are evaluated in.
+fn points(shape: &Shape<'_>, constant: &Ident, table: &Table) -> TokenStream {
+    let krate = shape.krate;
+    let size = length(table.interpolation.coefficients());
+    let nowhere = float(f64::NAN);
+    let row = |row: &[f64]| match row.iter().all(|number| number.is_nan()) {
+        true => quote!([#nowhere; #size]),
+        false => {
+            let numbers = row.iter().map(|number| float(*number));
+            quote!([#(#numbers),*])
+        }
+    };
+    let axes = table.axes.iter().map(|axis| axis_tokens(shape, axis)).collect::<Vec<_>>();
+    match &axes[..] {
+        [axis] => {
+            let pieces = table.coefficients.chunks(table.interpolation.coefficients()).map(row);
+            quote! {
+                static #constant: #krate::table::Curve<#size> =
+                    #krate::table::Curve { axis: #axis, pieces: &[#(#pieces),*] };
+            }
+        }
+        _ => {
+            let count = table.interpolation.coefficients();
+            let pieces = table.coefficients.chunks(count * count).map(|piece| {
+                if piece.iter().all(|number| number.is_nan()) {
+                    return quote!([[#nowhere; #size]; #size]);
+                }
+                let rows = piece.chunks(count).map(row);
+                quote!([#(#rows),*])
+            });
+            quote! {
+                static #constant: #krate::table::Surface<#size> =
+                    #krate::table::Surface { axes: [#(#axes),*], pieces: &[#(#pieces),*] };
+            }
+        }
+    }
+}
+
+fn axis_tokens(shape: &Shape<'_>, axis: &Axis) -> TokenStream {
+    let (krate, density) = (shape.krate, float(axis.density));
+    let knots = axis.knots.iter().map(|knot| float(*knot));
+    quote!(#krate::table::Axis { knots: &[#(#knots),*], density: #density })
+}
+
+/// A function for a value or a derivative.
+fn method(shape: &Shape<'_>, function: &Opaque, constant: &Ident) -> TokenStream {
+    let (krate, name) = (shape.krate, local(&function.rust_name()));
+    let parameters =
+        function.function().parameters.iter().map(|parameter| local(parameter)).collect::<Vec<_>>();
+    let docs = doc(&format!("Table: {}.", function.describe()));
+    let orders = function.orders().iter().map(|order| length(usize::from(*order))).collect::<Vec<_>>();
+    let value = match (function.order(), &parameters[..], &orders[..]) {
+        (0, ..) => quote!(#constant.value(#(#parameters),*)),
+        (_, [parameter], [order]) => quote!(#constant.derivative(#order, #parameter)),
+        _ => quote!(#constant.derivative([#(#orders),*], [#(#parameters),*])),
+    };
+    quote! {
+        #docs
+        #[inline]
+        fn #name<S: #krate::Number>(#(#parameters: S),*) -> S {
+            #value
+        }
+    }
+}
+
+/// Files that tables were read from, so that the crate is compiled again when one of them changes.
+fn watched_files(shape: &Shape<'_>) -> TokenStream {
+    let files = shape.declaration.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Table(table) => match &table.source {
+            TableSource::File { contents: Some(file), .. } if !file.path.is_empty() => Some(&file.path),
+            _ => None,
+        },
+        _ => None,
+    });
+    files
+        .map(|path| {
+            quote!(
+                const _: &[u8] = ::core::include_bytes!(#path);
+            )
+        })
+        .collect()
+}

@@ -1,0 +1,47 @@
+//! What expressions are made of.
+
+use super::{ExprId, Graph};
+use crate::collections::HashMap;
+
+impl Graph {
+    /// Expressions that the roots are made of, themselves included, children before parents.
+    pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
+        self.reachable_until(roots, |_| false)
+    }
+
+    /// Expressions as of [`reachable`](Graph::reachable), but without what is only reached through those that
+    /// `stop` accepts; those themselves are included.
+    pub fn reachable_until(&self, roots: &[ExprId], stop: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
+        let mut seen = vec![false; roots.iter().map(|root| root.index() + 1).max().unwrap_or(0)];
+        let mut pending = roots.to_vec();
+        let mut found = Vec::new();
+        while let Some(id) = pending.pop() {
+            if !std::mem::replace(&mut seen[id.index()], true) {
+                found.push(id);
+                if !stop(id) {
+                    self.node(id).for_each_child(|child| pending.push(child));
+                }
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// Whether an expression is made of more than `limit` expressions, itself included. Looks at no more than
+    /// that many, however large the expression is.
+    pub fn is_larger_than(&self, root: ExprId, limit: usize) -> bool {
+        let mut seen = HashMap::from_iter([(root, ())]);
+        let mut pending = vec![root];
+        while let Some(id) = pending.pop() {
+            if seen.len() > limit {
+                return true;
+            }
+            self.node(id).for_each_child(|child| {
+                if seen.insert(child, ()).is_none() {
+                    pending.push(child);
+                }
+            });
+        }
+        seen.len() > limit
+    }
+}

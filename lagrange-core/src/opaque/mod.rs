@@ -1,0 +1,233 @@
+//! Functions that are known by their values alone: those of the user's crate, and tables.
+//!
+//! Nothing is assumed of those of the crate but that equal arguments give equal values. A derivative is a function of its own, which the
+//! user names or which has the name that [`default_name`] gives it; what it is worth is known at run time only. Tables are differentiated
+//! piece by piece, and emitted code has functions of the same default names for them.
+
+mod spline;
+mod table;
+
+use std::hash::{Hash, Hasher};
+use std::sync::Arc;
+
+pub use spline::{Interpolation, Outside};
+pub use table::{Axis, Table};
+
+/// A function without a formula.
+#[derive(Clone, PartialEq, Debug)]
+pub struct OpaqueFunction {
+    /// Its name in the declaration.
+    pub name: String,
+    /// The names of its arguments.
+    pub parameters: Vec<String>,
+    /// Source of its values.
+    pub source: Source,
+}
+
+/// Source of the values of an opaque function.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Source {
+    /// A function of the user's crate.
+    Crate {
+        /// Derivatives that it has, with the functions that compute them; `None` if every derivative has its default name.
+        derivatives: Option<Vec<(Orders, String)>>,
+    },
+    /// A table with as many axes as the function has arguments.
+    Table(Table),
+}
+
+/// How often a function is differentiated by each of its arguments.
+pub type Orders = Vec<u8>;
+
+/// The value of an opaque function, or one of its derivatives. Equal are those with the same name and the same orders: no
+/// declaration has two functions of one name.
+#[derive(Clone, Debug)]
+pub struct Opaque {
+    function: Arc<OpaqueFunction>,
+    orders: Orders,
+}
+
+impl PartialEq for Opaque {
+    fn eq(&self, other: &Opaque) -> bool {
+        self.orders == other.orders && self.function.name == other.function.name
+    }
+}
+
+impl Eq for Opaque {}
+
+impl Hash for Opaque {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.function.name.hash(state);
+        self.orders.hash(state);
+    }
+}
+
+impl Opaque {
+    /// The function itself.
+    pub fn value_of(function: OpaqueFunction) -> Opaque {
+        let orders = vec![0; function.parameters.len()];
+        Opaque { function: Arc::new(function), orders }
+    }
+
+    /// The function that this is the value or a derivative of.
+    pub fn function(&self) -> &OpaqueFunction {
+        &self.function
+    }
+
+    /// The number of arguments.
+    pub fn arity(&self) -> usize {
+        self.orders.len()
+    }
+
+    /// How often the function is differentiated by each of its arguments.
+    pub fn orders(&self) -> &[u8] {
+        &self.orders
+    }
+
+    /// How often the function is differentiated in all.
+    pub fn order(&self) -> usize {
+        self.orders.iter().map(|order| usize::from(*order)).sum()
+    }
+
+    /// The partial derivative by an argument.
+    pub fn derivative(&self, argument: usize) -> Opaque {
+        let mut derivative = self.clone();
+        derivative.orders[argument] = derivative.orders[argument].saturating_add(1);
+        derivative
+    }
+
+    /// The name of the Rust function that computes it: as the user says, or by default.
+    pub fn rust_name(&self) -> String {
+        let default = || default_name(&self.function.name, &self.function.parameters, &self.orders);
+        self.declared().map_or_else(default, str::to_owned)
+    }
+
+    /// Whether there is no such function: the user lists the derivatives, and this one is not among them.
+    pub fn is_missing(&self) -> bool {
+        let are_listed = matches!(self.function.source, Source::Crate { derivatives: Some(_) });
+        are_listed && self.order() > 0 && self.declared().is_none()
+    }
+
+    fn declared(&self) -> Option<&str> {
+        let Source::Crate { derivatives: Some(derivatives) } = &self.function.source else { return None };
+        let declared = derivatives.iter().find(|(orders, _)| *orders == self.orders);
+        declared.map(|(_, name)| name.as_str())
+    }
+
+    /// The table, if it is one.
+    pub fn table(&self) -> Option<&Table> {
+        match &self.function.source {
+            Source::Table(table) => Some(table),
+            Source::Crate { .. } => None,
+        }
+    }
+
+    /// Whether it is zero everywhere: a derivative of a table of higher order than its polynomials.
+    pub fn vanishes(&self) -> bool {
+        self.table().is_some_and(|table| table.vanishes(&self.orders))
+    }
+
+    /// Its value, if it is a table.
+    pub fn known_value(&self, arguments: &[f64]) -> Option<f64> {
+        self.table().map(|table| table.value(&self.orders, arguments))
+    }
+
+    /// A value in place of the unknown one, to tell at one point what may differ: a number between 1/2 and 3/2 that the function, the
+    /// orders and the arguments determine. NaN where an argument is.
+    pub fn stand_in(&self, arguments: &[f64]) -> f64 {
+        let name = self.function.name.bytes().map(f64::from);
+        let orders = self.orders.iter().map(|order| f64::from(*order));
+        let known = name.chain(orders).chain(arguments.iter().copied());
+        // Multiples of the golden ratio keep apart.
+        let mixed =
+            known.fold(1.0, |mixed, next| (mixed * 1.618_033_988_749_895 + next * 0.754_877_666).fract());
+        1.0 + 0.5 * mixed
+    }
+
+    /// As formulas write its name: with primes, or with the arguments by which it is differentiated.
+    pub fn text(&self) -> String {
+        let name = &self.function.name;
+        match self.orders[..] {
+            [order] => format!("{name}{}", "'".repeat(usize::from(order))),
+            _ => default_name(name, &self.function.parameters, &self.orders),
+        }
+    }
+
+    /// As LaTeX writes its name.
+    pub fn latex(&self) -> String {
+        let name = format!(r"\operatorname{{{}}}", self.function.name.replace('_', r"\_"));
+        match self.orders[..] {
+            [order] => format!("{name}{}", "'".repeat(usize::from(order))),
+            _ => {
+                let by = self.orders.iter().enumerate().filter(|(_, order)| **order > 0);
+                let by = by.map(|(argument, order)| match order {
+                    1 => format!(r"\partial_{{{}}}", argument + 1),
+                    _ => format!(r"\partial_{{{}}}^{{{order}}}", argument + 1),
+                });
+                by.collect::<String>() + &name
+            }
+        }
+    }
+
+    /// As a declaration lists it: `second_derivative`, or `by alpha, speed`.
+    pub fn label(&self) -> String {
+        match self.orders[..] {
+            [order] if ordinal(order).is_some() => {
+                default_name("", &[], &self.orders).trim_start_matches('_').to_owned()
+            }
+            _ => {
+                let by = arguments(&self.function.parameters, &self.orders).collect::<Vec<_>>();
+                format!("by {}", by.join(", "))
+            }
+        }
+    }
+
+    /// In words: "the second derivative of `road`", or "the derivative of `lift` by `alpha`, `speed`".
+    pub fn describe(&self) -> String {
+        let name = &self.function.name;
+        if self.order() == 0 {
+            return format!("`{name}`");
+        }
+        if let [order] = self.orders[..] {
+            return match ordinal(order) {
+                None => format!("the derivative of order {order} of `{name}`"),
+                Some("") => format!("the derivative of `{name}`"),
+                Some(ordinal) => format!("the {ordinal} derivative of `{name}`"),
+            };
+        }
+        let by = arguments(&self.function.parameters, &self.orders).map(|parameter| format!("`{parameter}`"));
+        format!("the derivative of `{name}` by {}", by.collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// The name of the function that computes a derivative: of one argument `f_derivative`, `f_second_derivative`, …, of several `f_by_x`,
+/// `f_by_x_x`, `f_by_x_y`, ….
+pub fn default_name(name: &str, parameters: &[String], orders: &[u8]) -> String {
+    match orders {
+        [0] => name.to_owned(),
+        &[order] => match ordinal(order) {
+            Some("") => format!("{name}_derivative"),
+            Some(ordinal) => format!("{name}_{ordinal}_derivative"),
+            None => format!("{name}_derivative_{order}"),
+        },
+        _ if orders.iter().all(|order| *order == 0) => name.to_owned(),
+        _ => {
+            let by = arguments(parameters, orders).collect::<Vec<_>>();
+            format!("{name}_by_{}", by.join("_"))
+        }
+    }
+}
+
+/// The arguments by which a function is differentiated, each as often as that is done.
+fn arguments<'a>(parameters: &'a [String], orders: &'a [u8]) -> impl Iterator<Item = &'a str> {
+    let repeated = parameters.iter().zip(orders);
+    repeated.flat_map(|(parameter, order)| std::iter::repeat_n(parameter.as_str(), usize::from(*order)))
+}
+
+/// What stands before "derivative"; nothing for the first.
+fn ordinal(order: u8) -> Option<&'static str> {
+    ["", "second", "third"].get(usize::from(order).checked_sub(1)?).copied()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,150 @@
+//! Tables: functions that are polynomials piece by piece, between the points that a declaration lists and beyond them.
+//!
+//! Of one argument a table is a spline; of two it is the tensor product of two, since splines depend linearly on the values that they
+//! go through: the coefficients of the splines along one axis are interpolated along the other.
+
+use crate::elementary::multiply_add;
+
+use super::spline::{Interpolation, Outside, pieces};
+
+/// A function that is a polynomial piece by piece.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Table {
+    /// Where pieces meet, for each argument.
+    pub axes: Vec<Axis>,
+    /// Interpolation between the points.
+    pub interpolation: Interpolation,
+    /// Value beyond the first and the last of them.
+    pub outside: Outside,
+    /// Coefficients of the pieces, the one before the first knot and the one behind the last among them; those of ascending powers of the
+    /// distance from where a piece begins, with two arguments in rows, pieces in rows, too.
+    pub coefficients: Vec<f64>,
+}
+
+/// Knots along one argument.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Axis {
+    /// At least two numbers, ascending.
+    pub knots: Vec<f64>,
+    /// Pieces in a unit of length, if they are equally long; 0 if not.
+    pub density: f64,
+}
+
+/// Rounding errors, of the largest knot, up to which distances are equal: what is mistaken for the piece beside is continued by it.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+impl Axis {
+    /// Knots, which must ascend.
+    pub fn new(knots: Vec<f64>) -> Axis {
+        let (first, last) = (knots[0], knots[knots.len() - 1]);
+        let intervals = (knots.len() - 1) as f64;
+        let step = (last - first) / intervals;
+        let error = ROUNDING * first.abs().max(last.abs());
+        let is_even =
+            knots.iter().enumerate().all(|(i, knot)| (first + step * i as f64 - knot).abs() <= error);
+        Axis { knots, density: if is_even { intervals / (last - first) } else { 0.0 } }
+    }
+
+    /// The number of pieces, with those beyond the ends.
+    fn pieces(&self) -> usize {
+        self.knots.len() + 1
+    }
+
+    /// The piece that a number is in, and its distance from where that begins; `None` for NaN.
+    fn find(&self, x: f64) -> Option<(usize, f64)> {
+        let (knots, count) = (&self.knots, self.knots.len());
+        let piece = if x.is_nan() {
+            return None;
+        } else if x < knots[0] {
+            0
+        } else if x > knots[count - 1] {
+            count
+        } else if self.density > 0.0 {
+            1 + (((x - knots[0]) * self.density) as usize).min(count - 2)
+        } else {
+            1 + knots[1..count - 1].partition_point(|knot| *knot <= x)
+        };
+        Some((piece, x - knots[piece.saturating_sub(1)]))
+    }
+}
+
+impl Table {
+    /// Table of one argument through points, of which there are at least two and whose first components ascend.
+    pub fn curve(points: &[(f64, f64)], interpolation: Interpolation, outside: Outside) -> Table {
+        let (knots, values): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
+        let coefficients = pieces(&knots, &values, interpolation, outside).concat();
+        Table { axes: vec![Axis::new(knots)], interpolation, outside, coefficients }
+    }
+
+    /// Table of two arguments with these values, in rows for each knot of the first argument. Of the ways to interpolate it has only
+    /// those that depend linearly on the values.
+    pub fn surface(
+        [along_x, along_y]: [Vec<f64>; 2],
+        values: &[Vec<f64>],
+        interpolation: Interpolation,
+        outside: Outside,
+    ) -> Table {
+        let rows = values.iter().map(|row| pieces(&along_y, row, interpolation, outside).concat());
+        let rows = rows.collect::<Vec<_>>();
+        let size = interpolation.coefficients();
+        let (columns, per_row) = (rows[0].len(), along_y.len() + 1);
+        // A spline along x through each coefficient of those along y.
+        let splines = (0..columns).map(|column| {
+            let values = rows.iter().map(|row| row[column]).collect::<Vec<_>>();
+            pieces(&along_x, &values, interpolation, outside)
+        });
+        let splines = splines.collect::<Vec<_>>();
+        let mut coefficients = Vec::with_capacity((along_x.len() + 1) * columns * size);
+        for (i, j) in (0..=along_x.len()).flat_map(|i| (0..per_row).map(move |j| (i, j))) {
+            let of_piece = &splines[j * size..][..size];
+            coefficients
+                .extend((0..size).flat_map(|power| of_piece.iter().map(move |along_x| along_x[i][power])));
+        }
+        let axes = vec![Axis::new(along_x), Axis::new(along_y)];
+        Table { axes, interpolation, outside, coefficients }
+    }
+
+    /// Whether a derivative vanishes on every piece.
+    pub fn vanishes(&self, orders: &[u8]) -> bool {
+        orders.iter().any(|order| usize::from(*order) >= self.interpolation.coefficients())
+    }
+
+    /// Whether second derivatives are continuous.
+    pub fn is_twice_differentiable(&self) -> bool {
+        self.interpolation == Interpolation::Natural && self.outside != Outside::Clamp
+    }
+
+    /// A value or a derivative, computed as emitted code computes it; NaN for NaN.
+    pub fn value(&self, orders: &[u8], arguments: &[f64]) -> f64 {
+        let size = self.interpolation.coefficients();
+        match (&self.axes[..], orders, arguments) {
+            ([axis], [order], [x]) => {
+                let Some((piece, s)) = axis.find(*x) else { return f64::NAN };
+                polynomial(&self.coefficients[piece * size..][..size], usize::from(*order), s)
+            }
+            ([along_x, along_y], [by_x, by_y], [x, y]) => {
+                let (Some((i, s)), Some((j, r))) = (along_x.find(*x), along_y.find(*y)) else {
+                    return f64::NAN;
+                };
+                let piece = (i * along_y.pieces() + j) * size * size;
+                let rows = self.coefficients[piece..][..size * size].chunks(size);
+                let along_x = rows.map(|row| polynomial(row, usize::from(*by_y), r)).collect::<Vec<_>>();
+                polynomial(&along_x, usize::from(*by_x), s)
+            }
+            _ => f64::NAN,
+        }
+    }
+}
+
+/// The derivative of an order of Σ cᵢ sⁱ, by Horner's rule.
+fn polynomial(coefficients: &[f64], order: usize, s: f64) -> f64 {
+    let terms = coefficients.iter().enumerate().skip(order).rev();
+    let mut terms = terms.map(|(power, coefficient)| coefficient * falling(power, order));
+    let Some(highest) = terms.next() else { return 0.0 };
+    terms.fold(highest, |sum, term| multiply_add(sum, s, term))
+}
+
+/// n (n − 1) … (n − k + 1)
+fn falling(n: usize, k: usize) -> f64 {
+    (0..k).map(|i| (n - i) as f64).product()
+}

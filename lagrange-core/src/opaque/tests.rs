@@ -1,0 +1,143 @@
+use super::{Interpolation, Opaque, OpaqueFunction, Outside, Source, Table};
+
+fn function(parameters: &[&str], derivatives: Option<Vec<(Vec<u8>, String)>>) -> Opaque {
+    let parameters = parameters.iter().map(|parameter| (*parameter).to_owned()).collect();
+    Opaque::value_of(OpaqueFunction {
+        name: "lift".to_owned(),
+        parameters,
+        source: Source::Crate { derivatives },
+    })
+}
+
+#[test]
+fn derivatives_have_default_names() {
+    let mut road = function(&["x"], None);
+    let mut names = Vec::new();
+    for _ in 0..5 {
+        names.push(road.rust_name());
+        road = road.derivative(0);
+    }
+    let expected =
+        ["lift", "lift_derivative", "lift_second_derivative", "lift_third_derivative", "lift_derivative_4"];
+    assert_eq!(names, expected);
+    let of_two = function(&["alpha", "speed"], None);
+    let mixed = of_two.derivative(1).derivative(0).derivative(0);
+    assert_eq!(mixed.rust_name(), "lift_by_alpha_alpha_speed");
+    assert_eq!(mixed.latex(), r"\partial_{1}^{2}\partial_{2}\operatorname{lift}");
+}
+
+#[test]
+fn where_derivatives_are_listed_others_are_missing() {
+    let road = function(&["x"], Some(vec![(vec![1], "slope".to_owned())]));
+    let [slope, curvature] = [road.derivative(0), road.derivative(0).derivative(0)];
+    assert_eq!([road.rust_name(), slope.rust_name()], ["lift", "slope"]);
+    assert_eq!([&road, &slope, &curvature].map(Opaque::is_missing), [false, false, true]);
+    assert_eq!(curvature.describe(), "the second derivative of `lift`");
+}
+
+#[test]
+fn the_order_in_which_a_function_is_differentiated_does_not_matter() {
+    let lift = function(&["x", "y"], None);
+    assert_eq!(lift.derivative(0).derivative(1), lift.derivative(1).derivative(0));
+    assert_ne!(lift.derivative(0), lift.derivative(1));
+}
+
+const POINTS: [(f64, f64); 6] = [(0.0, 0.0), (1.0, 0.5), (1.5, 2.0), (3.0, 2.0), (3.5, 1.0), (6.0, -4.0)];
+
+fn central_difference(table: &Table, order: u8, x: f64) -> f64 {
+    let h = 1e-5;
+    (table.value(&[order], &[x + h]) - table.value(&[order], &[x - h])) / (2.0 * h)
+}
+
+#[test]
+fn tables_go_through_their_points_and_have_the_derivatives_of_their_polynomials() {
+    for (name, interpolation) in Interpolation::ALL {
+        let table = Table::curve(&POINTS, interpolation, Outside::Extend);
+        for (x, y) in POINTS {
+            assert!((table.value(&[0], &[x]) - y).abs() < 1e-15, "{name} at {x}");
+        }
+        for x in [-2.0, 0.3, 1.2, 2.9, 3.1, 5.0, 7.5] {
+            for order in 0..3 {
+                let (found, difference) =
+                    (table.value(&[order + 1], &[x]), central_difference(&table, order, x));
+                assert!((found - difference).abs() < 1e-8, "{name} at {x}: {found}, {difference}");
+            }
+        }
+    }
+}
+
+/// From both sides of every knot, the ends included.
+#[test]
+fn natural_splines_that_are_extended_have_continuous_second_derivatives() {
+    let table = Table::curve(&POINTS, Interpolation::Natural, Outside::Extend);
+    for (x, _) in POINTS {
+        for order in 0..3 {
+            let [below, above] = [-1e-12, 1e-12].map(|by| table.value(&[order], &[x + by]));
+            assert!((below - above).abs() < 1e-9, "order {order} at {x}: {below}, {above}");
+        }
+    }
+}
+
+#[test]
+fn monotone_splines_never_overshoot() {
+    let table = Table::curve(&POINTS, Interpolation::Monotone, Outside::Error);
+    let samples = (0..=6000).map(|i| f64::from(i) / 1000.0).collect::<Vec<_>>();
+    for pair in samples.windows(2) {
+        let [before, after] = [pair[0], pair[1]].map(|x| table.value(&[0], &[x]));
+        let interval = POINTS.windows(2).find(|ends| pair[1] <= ends[1].0).expect("within the table");
+        let rise = interval[1].1 - interval[0].1;
+        assert!((after - before) * rise >= 0.0, "at {}: {before}, {after}", pair[0]);
+        assert!(rise != 0.0 || before == after);
+    }
+}
+
+#[test]
+fn what_lies_outside_is_as_declared() {
+    let value =
+        |outside, order, x| Table::curve(&POINTS, Interpolation::Monotone, outside).value(&[order], &[x]);
+    assert!(value(Outside::Error, 0, -1e-9).is_nan() && value(Outside::Error, 1, 6.1).is_nan());
+    assert_eq!([value(Outside::Error, 0, 0.0), value(Outside::Error, 0, 6.0)], [0.0, -4.0]);
+    assert_eq!([value(Outside::Clamp, 0, -5.0), value(Outside::Clamp, 0, 7.0)], [0.0, -4.0]);
+    assert_eq!([value(Outside::Clamp, 1, -5.0), value(Outside::Clamp, 1, 7.0)], [0.0, 0.0]);
+    let slope = value(Outside::Error, 1, 0.0);
+    assert_eq!([value(Outside::Extend, 0, -2.0), value(Outside::Extend, 0, 7.0)], [-2.0 * slope, -6.0]);
+    assert!(value(Outside::Extend, 0, f64::NAN).is_nan() && value(Outside::Clamp, 3, f64::NAN).is_nan());
+}
+
+/// A polynomial of the form that products of splines have is its own interpolation.
+#[test]
+fn tables_of_two_arguments_are_products_of_splines() {
+    let [along_x, along_y] = [vec![0.0, 1.0, 2.5, 4.0], vec![-1.0, 0.0, 2.0]];
+    let at = |x: f64, y: f64| (1.0 + 2.0 * x) * (3.0 - y);
+    let values =
+        along_x.iter().map(|x| along_y.iter().map(|y| at(*x, *y)).collect()).collect::<Vec<Vec<f64>>>();
+    for interpolation in [Interpolation::Linear, Interpolation::Natural] {
+        let axes = [along_x.clone(), along_y.clone()];
+        let table = Table::surface(axes, &values, interpolation, Outside::Extend);
+        for (x, y) in [(0.5, 0.5), (2.5, 2.0), (3.9, -0.9), (-1.0, 1.0), (5.0, 4.0)] {
+            let found = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|orders| table.value(&orders, &[x, y]));
+            for (found, expected) in found.into_iter().zip([at(x, y), 2.0 * (3.0 - y), -1.0 - 2.0 * x, -2.0])
+            {
+                assert!((found - expected).abs() < 1e-13, "{found} at {x}, {y} is not {expected}");
+            }
+        }
+        let strict =
+            Table::surface([along_x.clone(), along_y.clone()], &values, interpolation, Outside::Error);
+        assert!(strict.value(&[0, 0], &[1.0, 3.0]).is_nan() && strict.value(&[0, 0], &[-0.1, 1.0]).is_nan());
+    }
+}
+
+#[test]
+fn even_grids_are_recognised_and_give_the_same_values() {
+    let knots = (0..50).map(|i| 0.1 * f64::from(i) - 1.0).collect::<Vec<_>>();
+    let points = knots.iter().map(|x| (*x, x.sin())).collect::<Vec<_>>();
+    let even = Table::curve(&points, Interpolation::Natural, Outside::Error);
+    assert!((even.axes[0].density - 10.0).abs() < 1e-12);
+    let mut searched = even.clone();
+    searched.axes[0].density = 0.0;
+    for i in 0..=490 {
+        let x = knots[0] + 0.01 * f64::from(i);
+        let [a, b] = [&even, &searched].map(|table| table.value(&[0], &[x.min(knots[49])]));
+        assert!((a - b).abs() < 1e-14, "{a} or {b} at {x}");
+    }
+}

@@ -1,0 +1,47 @@
+//! Diagnostics for tables.
+
+use super::quoted;
+
+pub(in crate::syntax) const POINTS: &str = "a list of points or the path of a file";
+pub(in crate::syntax) const POINT: &str = "a point";
+pub(in crate::syntax) const TOO_MANY_ARGUMENTS: &str = "a table has one or two arguments";
+pub(in crate::syntax) const MONOTONE_SURFACE: &str = "a table of two arguments cannot be monotone";
+pub(in crate::syntax) const MONOTONE_SURFACE_HELP: &str =
+    "write `interpolation: natural` or `interpolation: linear`";
+
+/// How a point with so many components is written.
+pub(in crate::syntax) fn point_help(components: usize) -> &'static str {
+    match components {
+        2 => "a point is an argument and a value, `(x, y)`",
+        _ => "a point is two arguments and a value, `(x, y, z)`",
+    }
+}
+
+pub(in crate::syntax) fn component_count(found: usize) -> String {
+    let numbers = if found == 1 { "number" } else { "numbers" };
+    format!("this is no point of the table: it has {found} {numbers}")
+}
+
+pub(in crate::syntax) fn unsaid(label: &str, table: &str) -> String {
+    match label {
+        "outside" => format!("the value of `{table}` beyond its points is not said"),
+        _ => format!("the {label} of `{table}` is not said"),
+    }
+}
+
+pub(in crate::syntax) fn unknown_option(word: &str) -> String {
+    format!("{} says nothing about a table", quoted(word))
+}
+
+pub(in crate::syntax) fn unknown_way(label: &str, word: &str) -> String {
+    match label {
+        "outside" => format!("{} is nothing that a table has outside", quoted(word)),
+        _ => format!("{} is no {label}", quoted(word)),
+    }
+}
+
+/// Ways of which one is to be chosen, in words.
+pub(in crate::syntax) fn ways(label: &str, names: &[&str]) -> String {
+    let ways = names.iter().map(|name| format!("`{label}: {name}`")).collect::<Vec<_>>();
+    format!("write {}", ways.join(" or "))
+}

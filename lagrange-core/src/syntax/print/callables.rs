@@ -1,0 +1,56 @@
+//! Functions of the user's crate as text.
+
+use super::Printer;
+use crate::syntax::ast::{ExternalFunction, Name, TableDefinition, TableSource};
+
+impl Printer<'_> {
+    /// `function f(x) { derivative: slope; }`
+    pub(super) fn external(&mut self, function: &ExternalFunction) {
+        self.text("function ");
+        self.signature(&function.name, &function.parameters);
+        let Some(derivatives) = &function.derivatives else {
+            self.text(";");
+            return;
+        };
+        self.text(" {");
+        for derivative in derivatives {
+            let by = function.parameters.iter().zip(&derivative.orders);
+            let by = by.flat_map(|(name, order)| std::iter::repeat_n(name, usize::from(*order)));
+            self.text(" by ");
+            self.list(&by.collect::<Vec<_>>(), |printer, name| printer.text(&name.text));
+            self.text(": ");
+            self.text(&derivative.name.text);
+            self.text(";");
+        }
+        self.text(" }");
+    }
+
+    /// `table f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend;`
+    pub(super) fn table(&mut self, table: &TableDefinition) {
+        self.text("table ");
+        self.signature(&table.name, &table.parameters);
+        self.text(" = ");
+        match &table.source {
+            TableSource::File { path, .. } => self.text(&format!("{:?}", path.text)),
+            TableSource::Points(points) => {
+                self.text("[");
+                self.list(points, |printer, (point, _)| {
+                    printer.text("(");
+                    printer.list(point, |printer, component| printer.expression(*component));
+                    printer.text(")");
+                });
+                self.text("]");
+            }
+        }
+        let (interpolation, outside) = (table.interpolation.name(), table.outside.name());
+        self.text(&format!(", interpolation: {interpolation}, outside: {outside};"));
+    }
+
+    /// `f(x, y)`
+    fn signature(&mut self, name: &Name, parameters: &[Name]) {
+        self.text(&name.text);
+        self.text("(");
+        self.list(parameters, |printer, name| printer.text(&name.text));
+        self.text(")");
+    }
+}
