@@ -439,11 +439,9 @@ LAGRANGE_FUNCTION void lagrange_normalise(REAL *q)
             y: &[S; 2],
             rates: &[S; 2],
         ) -> ::core::option::Option<::lagrange::system::Undefined<S>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[("m", self.m), ("l", self.l), ("c", self.c), ("g", self.g)],
                 &[("motor", self.motor)],
                 |_, _| ::core::option::Option::None,
             )
@@ -495,6 +493,14 @@ LAGRANGE_FUNCTION void lagrange_normalise(REAL *q)
         #[inline]
         fn position_rates(&self, _: S, _: &[S; 1], v: &[S; 1]) -> [S; 1] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, S)> {
+            [("m", self.m), ("l", self.l), ("c", self.c), ("g", self.g)]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]
