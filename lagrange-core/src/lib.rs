@@ -36,7 +36,8 @@
 //!
 //! 1. [`syntax`] reads tokens or text into a [`Declaration`](syntax::ast::Declaration), with all mistakes reported
 //!    together;
-//! 2. [`bodies`] translates statements about rigid bodies into plain ones, [`Plain`](bodies::Plain);
+//! 2. [`expand`] writes arrays, loops and sums out, [`inline`] puts functions in the place of their calls, and [`bodies`] translates
+//!    statements about rigid bodies into plain ones, [`Plain`](bodies::Plain);
 //! 3. [`mod@elaborate`] resolves names and checks meaning, which gives a [`Model`](model::Model);
 //! 4. [`mod@derive`] finds the [`Equations`](derive::Equations) of a model;
 //! 5. [`emit`] writes them as Rust: [`program`] lowers expressions to straight-line [`Program`](program::Program)s, [`code`]
@@ -58,6 +59,7 @@ pub mod diagnostics;
 pub mod elaborate;
 pub mod elementary;
 pub mod emit;
+pub mod expand;
 pub mod expr;
 pub mod formula;
 pub mod functions;

@@ -103,7 +103,7 @@ impl Number {
     }
 
     /// The value, if it is an integer that fits a word: most are, and their arithmetic needs no gcd.
-    fn to_integer(&self) -> Option<i64> {
+    pub fn to_integer(&self) -> Option<i64> {
         match &self.0 {
             Repr::Word(ratio) if *ratio.denom() == 1 => Some(*ratio.numer()),
             _ => None,

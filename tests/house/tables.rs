@@ -64,6 +64,7 @@ const CORE: &[Layer] = &[
         purpose: "named rules, `collect` and `quotient` for equations, `present` for readers, `proves_zero`; \
                   tokens to syntax tree, and back to text",
     },
+    Layer { modules: &["expand"], purpose: "arrays, loops and sums, written out" },
     Layer {
         modules: &["inline", "tables"],
         purpose: "functions that a declaration defines, put in the place of their calls; files of tables, read by who can",

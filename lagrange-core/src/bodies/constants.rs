@@ -54,5 +54,6 @@ fn applied(operator: BinaryOperator, left: f64, right: f64) -> f64 {
         BinaryOperator::Multiply => left * right,
         BinaryOperator::Divide => left / right,
         BinaryOperator::Power => left.powf(right),
+        BinaryOperator::Remainder => left.rem_euclid(right),
     }
 }

@@ -68,7 +68,7 @@ impl<'e> TermWriter<'e> {
     }
 
     pub(super) fn call(&mut self, function: &str, arguments: &[AstId]) -> AstId {
-        let name = Name { text: function.to_owned(), span: self.span() };
+        let name = Name::new(function, self.span());
         self.add_node(Expression::Call(name, arguments.to_vec()))
     }
 
@@ -127,7 +127,7 @@ impl<'e> TermWriter<'e> {
         };
         written.unwrap_or_else(|| {
             axes.map(|axis| {
-                let axis = Name { text: axis.to_owned(), span: self.expressions.origin(vector).start };
+                let axis = Name::new(axis, self.expressions.origin(vector).start);
                 self.add_node(Expression::Component(vector, axis))
             })
         })

@@ -131,7 +131,7 @@ impl<'a> Translation<'a> {
     }
 
     pub(super) fn new_name(&mut self, wish: &str) -> Name {
-        Name { text: self.names.fresh(wish), span: self.origin.start }
+        Name::new(self.names.fresh(wish), self.origin.start)
     }
 
     /// The body that an expression names, be it only that.

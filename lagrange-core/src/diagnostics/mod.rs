@@ -160,6 +160,11 @@ impl Report {
         self.diagnostics.get_mut(number)
     }
 
+    /// Changes each mistake, and keeps those of which it is said.
+    pub fn revise(&mut self, keep: impl FnMut(&mut Diagnostic) -> bool) {
+        self.diagnostics.retain_mut(keep);
+    }
+
     /// Whether anything in it is an error.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)

@@ -102,7 +102,7 @@ fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
                     return false;
                 }
             }
-            Expression::Invalid => return false,
+            Expression::Array(_) | Expression::Invalid => return false,
             _ => pending.extend(evaluator.operands(id)),
         }
     }

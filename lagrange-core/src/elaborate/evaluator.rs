@@ -102,7 +102,9 @@ impl<'a> Evaluator<'a> {
     /// The expressions that must have values before `id` has one: the leaves of a chain.
     pub(super) fn operands(&self, id: AstId) -> Vec<AstId> {
         match self.syntax(id) {
-            Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
+            Expression::Number(_) | Expression::Name(_) | Expression::Array(_) | Expression::Invalid => {
+                Vec::new()
+            }
             Expression::Binary(BinaryOperator::Power, _, base, exponent) => vec![*base, *exponent],
             Expression::Negate(_) | Expression::Binary(..) => {
                 self.chain(id).into_iter().map(|link| link.operand).collect()

@@ -109,7 +109,7 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
     }
     let found = entry_of_state(elaborator, text, is_velocity);
     if found.is_none() {
-        let name = Name { text: text.clone(), span: elaborator.evaluator.origin(coordinate).start };
+        let name = Name::new(text.as_str(), elaborator.evaluator.origin(coordinate).start);
         elaborator.report_no_coordinate(&name, messages::ASSIGNMENT_HELP);
     }
     found

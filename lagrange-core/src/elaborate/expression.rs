@@ -58,7 +58,8 @@ fn evaluate_node(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
         Expression::If { condition, then, otherwise } => {
             evaluate_if(evaluator, *condition, *then, *otherwise)
         }
-        Expression::Invalid => None,
+        // Elements have taken the place of what is written of arrays.
+        Expression::Array(_) | Expression::Invalid => None,
     }
 }
 

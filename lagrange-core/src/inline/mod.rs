@@ -134,7 +134,7 @@ impl Inliner<'_> {
         let mut function = function.clone();
         let mut places = HashMap::default();
         let mut is_used = vec![false; function.parameters.len()];
-        for id in parts(&self.expressions, function.value) {
+        for id in self.expressions.parts(function.value) {
             let Expression::Name(name) = self.expressions.get(id) else { continue };
             if let Some(place) = function.parameters.iter().position(|parameter| parameter.text == *name) {
                 places.insert(id, place);
@@ -151,7 +151,7 @@ impl Inliner<'_> {
             warning.help(messages::UNUSED_PARAMETER_HELP);
         }
         function.value = self.inlined(function.value);
-        let parts = parts(&self.expressions, function.value);
+        let parts = self.expressions.parts(function.value);
         let name = function.name.text.clone();
         self.defined.insert(name, Defined { function, places, parts, is_called: false });
     }
@@ -159,7 +159,7 @@ impl Inliner<'_> {
     /// An expression with the values of functions in the place of their calls.
     fn inlined(&mut self, root: AstId) -> AstId {
         let mut replaced: HashMap<AstId, AstId> = HashMap::default();
-        for id in parts(&self.expressions, root) {
+        for id in self.expressions.parts(root) {
             let rebuilt = self.rebuilt(id, &replaced);
             let new = match self.expressions.get(rebuilt) {
                 Expression::Call(function, arguments) => {
@@ -245,7 +245,7 @@ impl Inliner<'_> {
 
     /// The number of terms of an expression when it is written out.
     fn size(&mut self, root: AstId) -> u64 {
-        for id in parts(&self.expressions, root) {
+        for id in self.expressions.parts(root) {
             if !self.sizes.contains(&id) {
                 let operands = self.expressions.get(id).operands();
                 let sizes = operands.iter().map(|operand| self.sizes.get(operand).copied().unwrap_or(1));
@@ -309,17 +309,4 @@ impl Inliner<'_> {
             }
         }
     }
-}
-
-/// All that an expression is made of and itself, operands first.
-fn parts(expressions: &Expressions, root: AstId) -> Vec<AstId> {
-    let mut found = BTreeSet::new();
-    let mut pending = vec![root];
-    while let Some(id) = pending.pop() {
-        if found.insert(id) {
-            pending.extend(expressions.get(id).operands());
-        }
-    }
-    // Operands are added before what is made of them.
-    found.into_iter().collect()
 }

@@ -8,6 +8,7 @@ use crate::derive::{Equations, StrategyChoice, derive};
 use crate::diagnostics::Report;
 use crate::elaborate::elaborate;
 use crate::emit;
+use crate::expand::{has_arrays, once_for_each_array, without_arrays};
 use crate::inline::without_functions;
 use crate::model::{Model, Reduced};
 use crate::syntax::ast::Declaration;
@@ -24,9 +25,18 @@ pub struct DerivedPart {
 }
 
 /// The declaration in plain statements, and what it means; no model after an error.
-pub(super) fn model_of(declaration: Declaration, report: &mut Report) -> (Declaration, Option<Model>) {
+pub(super) fn model_of(mut declaration: Declaration, report: &mut Report) -> (Declaration, Option<Model>) {
+    let (mistakes, is_written_out) = (report.diagnostics().len(), has_arrays(&mut declaration));
+    let declaration = without_arrays(declaration, report);
+    if report.diagnostics().len() > mistakes {
+        // What would be found wrong without what could not be written out is not said.
+        return (declaration, None);
+    }
     let plain = plain(without_functions(declaration, report), report);
     let model = elaborate(&plain, report);
+    if is_written_out {
+        once_for_each_array(&plain.declaration, report);
+    }
     let mut declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
     declaration.attributes = emit::attributes_of_struct(&declaration, report.diagnostics());
     (declaration, model)

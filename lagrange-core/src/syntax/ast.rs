@@ -5,6 +5,7 @@
 
 pub mod bodies;
 mod callables;
+mod conditions;
 mod events;
 mod expressions;
 mod keywords;
@@ -19,13 +20,17 @@ pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, S
 pub use callables::{
     ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableSource,
 };
+pub use conditions::{Comparison, IndexCondition, IndexTest, TestKind};
 pub use events::{Action, Assignment, Direction, Event, Friction};
-pub use expressions::{AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES};
+pub use expressions::{
+    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES, Range,
+};
 pub use keywords::{Keyword, Soft};
 pub use mobilizers::{Mobilizer, MobilizerKind};
 pub use quaternion::Quaternion;
 pub use statements::{
-    Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Statement, StatementKind,
+    Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Repetition, Selection, Statement,
+    StatementKind,
 };
 
 /// A whole `system!` declaration.
@@ -51,6 +56,10 @@ pub struct Declaration {
     pub bodies: Vec<DeclaredBody>,
     /// Whether these move in space; known where plain statements have taken the place of theirs.
     pub is_in_space: bool,
+    /// Arrays whose elements have taken their place among the statements, in source order.
+    pub arrays: Vec<DeclaredArray>,
+    /// Names by which was counted where arrays were written out.
+    pub counted: HashMap<String, ()>,
     /// The expressions that statements refer to.
     pub expressions: Expressions,
     /// Words in places that could not be read: names that may have been declared there.
@@ -113,7 +122,7 @@ impl Declaration {
     }
 
     fn rate_of<'d>(&'d self, coordinate: &'d Name) -> StateVelocity<'d> {
-        let rate = || Name { text: format!("{}_dot", coordinate.text), span: coordinate.span };
+        let rate = || Name::new(format!("{}_dot", coordinate.text), coordinate.span);
         let name = self.velocity_named(coordinate).cloned().unwrap_or_else(rate);
         StateVelocity { name, coordinate: Some(coordinate) }
     }
@@ -173,6 +182,39 @@ pub struct DeclaredBody {
     pub docs: TokenStream,
 }
 
+/// The bodies and frames that statements declare.
+pub fn declared_bodies(statements: &[Statement]) -> Vec<DeclaredBody> {
+    let bodies = statements.iter().filter_map(|statement| {
+        let (name, is_frame) = match &statement.kind {
+            StatementKind::Scene(SceneStatement::Body(body)) => (&body.name, false),
+            StatementKind::Scene(SceneStatement::Frame(name)) => (name, true),
+            _ => return None,
+        };
+        Some(DeclaredBody { name: name.clone(), is_frame, docs: statement.docs.clone() })
+    });
+    bodies.collect()
+}
+
+/// An array whose elements have taken its place.
+#[derive(Clone, Debug)]
+pub struct DeclaredArray {
+    /// Its name.
+    pub name: Name,
+    /// The numbers of elements in each direction, if none is missing.
+    pub sizes: Option<Vec<usize>>,
+    /// Its elements, the last index changing fastest.
+    pub elements: Vec<ArrayElement>,
+}
+
+/// An element of an array.
+#[derive(Clone, Debug)]
+pub struct ArrayElement {
+    /// What it is called where arrays are written out: `theta_2`.
+    pub name: String,
+    /// How it is written where they are not: `theta[2]`.
+    pub written: String,
+}
+
 /// A velocity of the state.
 #[derive(Clone, Debug)]
 pub struct StateVelocity<'d> {
@@ -189,6 +231,15 @@ pub struct Name {
     pub text: String,
     /// Where it stands.
     pub span: Span,
+    /// What stands in square brackets behind it: the numbers of elements of an array that is declared, or the place of one element.
+    pub indices: Vec<AstId>,
+}
+
+impl Name {
+    /// A name without square brackets.
+    pub fn new(text: impl Into<String>, span: Span) -> Name {
+        Name { text: text.into(), span, indices: Vec::new() }
+    }
 }
 
 /// Where a declared name is known.

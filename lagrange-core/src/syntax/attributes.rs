@@ -105,7 +105,7 @@ impl Parser<'_> {
         let paths = list.parse_args_with(|input: ParseStream| paths(input, Path::parse_mod_style));
         let paths = paths.map_err(|error| self.malformed_attribute(&error))?;
         let names = paths.iter().filter_map(|path| path.segments.last());
-        Ok(names.map(|name| Name { text: name.ident.to_string(), span: name.ident.span() }).collect())
+        Ok(names.map(|name| Name::new(name.ident.to_string(), name.ident.span())).collect())
     }
 
     fn scalar(&mut self, name: &Ident, meta: &Meta, attributes: &mut Attributes) -> Parsed<()> {

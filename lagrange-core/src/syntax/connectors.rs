@@ -21,7 +21,10 @@ impl Parser<'_> {
             let label = parser.label_of(&mut labels, cursor)?;
             parser.colon(label, cursor)?;
             match label {
-                "on" => line.on = Some(parser.name(cursor)?),
+                "on" => {
+                    let name = parser.name(cursor)?;
+                    line.on = Some(parser.indexed(name, cursor)?);
+                }
                 "through" => line.through = Some(parser.line_value(cursor)),
                 _ => line.angle = Some(parser.line_value(cursor)),
             }

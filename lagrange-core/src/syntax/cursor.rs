@@ -1,11 +1,17 @@
 //! A position in a sequence of tokens.
+//!
+//! Square brackets behind a word that can be a name are no tokens of their own but belong to the word, so that whoever looks ahead sees
+//! the same of `q = …` and `q[i] = …`.
+
+mod boundaries;
+mod brackets;
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser as _};
 
-use super::ast::Soft;
 use super::keywords;
 use crate::diagnostics::Origin;
+use brackets::SquareBrackets;
 
 /// Operators of two characters, of this language and of others.
 const PAIRS: [&str; 17] =
@@ -19,6 +25,8 @@ const MOST_TOKENS_OF_RUST: usize = 32;
 pub(super) struct Cursor {
     tokens: Vec<TokenTree>,
     next: usize,
+    /// Square brackets that belong to words.
+    brackets: SquareBrackets,
     /// Place behind the last token: the closing bracket, or the last token itself.
     end: Span,
 }
@@ -26,14 +34,37 @@ pub(super) struct Cursor {
 impl Cursor {
     /// At the start of a whole input.
     pub(super) fn new(tokens: TokenStream) -> Cursor {
-        let tokens = tokens.into_iter().collect::<Vec<_>>();
-        let end = tokens.last().map_or_else(Span::call_site, |token| origin(token).end);
-        Cursor { tokens, next: 0, end }
+        let mut cursor = Cursor::over(tokens, Span::call_site());
+        if let Some(last) = cursor.tokens.len().checked_sub(1) {
+            cursor.end = cursor.origin(last).end;
+        }
+        cursor
     }
 
     /// Behind the opening bracket of a group.
     pub(super) fn inside(group: &Group) -> Cursor {
-        Cursor { tokens: group.stream().into_iter().collect(), next: 0, end: group.span_close() }
+        Cursor::over(group.stream(), group.span_close())
+    }
+
+    fn over(stream: TokenStream, end: Span) -> Cursor {
+        let (tokens, brackets) = SquareBrackets::taken_out(stream);
+        Cursor { tokens, next: 0, brackets, end }
+    }
+
+    /// Place of the token of this number, with the square brackets that belong to it.
+    fn origin(&self, number: usize) -> Origin {
+        let word = self.tokens.get(number).map_or(Origin::from(self.end), origin);
+        self.brackets.last(number).map_or(word, |last| word.to(group_origin(last)))
+    }
+
+    /// The square brackets behind the last token, which are read now.
+    pub(super) fn read_brackets(&mut self) -> Vec<Group> {
+        self.next.checked_sub(1).map_or_else(Vec::new, |last| self.brackets.read(last))
+    }
+
+    /// The first square brackets behind what has been taken that nobody read. Nobody is told of them again.
+    pub(super) fn forget_brackets(&mut self) -> Option<Group> {
+        self.brackets.forget(self.next)
     }
 
     /// The next token.
@@ -63,21 +94,20 @@ impl Cursor {
 
     /// Place of the next token; at the end, of what stands there.
     pub(super) fn here(&self) -> Origin {
-        self.peek().map_or(Origin::from(self.end), origin)
+        self.origin(self.next)
     }
 
     /// Place of the last token that was taken; at the start, the same as [`Cursor::here`].
     pub(super) fn before(&self) -> Origin {
-        match self.previous() {
-            Some(token) => origin(token),
+        match self.next.checked_sub(1) {
+            Some(last) => self.origin(last),
             None => self.here(),
         }
     }
 
     /// Place of the next `count` tokens.
     pub(super) fn reaching(&self, count: usize) -> Origin {
-        let last = self.tokens.get(self.next + count.saturating_sub(1)).map(origin);
-        last.map_or(self.here(), |last| self.here().to(last))
+        self.here().to(self.origin(self.next + count.saturating_sub(1)))
     }
 
     /// Number of tokens that were taken; see [`Cursor::since`].
@@ -88,10 +118,7 @@ impl Cursor {
     /// Place of the tokens that were taken since the cursor was at a position; if there are none, the same
     /// as [`Cursor::here`].
     pub(super) fn since(&self, position: usize) -> Origin {
-        match self.tokens.get(position) {
-            Some(first) if position < self.next => origin(first).to(self.before()),
-            _ => self.here(),
-        }
+        if position < self.next { self.origin(position).to(self.before()) } else { self.here() }
     }
 
     /// The tokens that were taken since the cursor was at a position.
@@ -238,71 +265,13 @@ impl Cursor {
         origin
     }
 
-    /// The keyword that begins a statement here, if the next token is one.
-    pub(super) fn statement_keyword(&self) -> Option<String> {
-        let begins = |word: &String| match keywords::soft_statement(word) {
-            Some(form) => self.at_soft_statement(form),
-            None => keywords::begins_statement(word),
-        };
-        self.ident().map(Ident::to_string).filter(begins)
-    }
-
-    /// True if the next token is followed by what makes it begin a statement.
-    fn at_soft_statement(&self, form: Soft) -> bool {
-        let name = match self.peek_past(1) {
-            Some(TokenTree::Ident(name)) => Some(name.to_string()),
-            _ => None,
-        };
-        match form {
-            Soft::Definition => name.is_some() && self.equals_past(2),
-            Soft::Braces if name.is_some() => as_group(self.peek_past(2), Delimiter::Brace).is_some(),
-            Soft::Braces => as_group(self.peek_past(1), Delimiter::Brace).is_some_and(is_labelled),
-            Soft::Joint => name.is_some_and(|name| !keywords::is_connective(&name)),
-            Soft::Alone => name.is_some() && is_punct(self.peek_past(2), ';'),
-            Soft::Function => name.is_some() && as_group(self.peek_past(2), Delimiter::Parenthesis).is_some(),
-            Soft::Coordinates => {
-                let is_list = as_group(self.peek_past(1), Delimiter::Parenthesis).is_some();
-                (name.is_some() || is_list) && self.equals_past(2)
-            }
-        }
-    }
-
-    /// True if a statement begins here, judged by its keyword and the token behind that.
-    pub(super) fn at_statement(&self) -> bool {
-        let follows = match self.peek_past(1) {
-            Some(TokenTree::Ident(_) | TokenTree::Group(_)) => true,
-            _ => self.equals_past(1),
-        };
-        follows && self.statement_keyword().is_some()
-    }
-
-    /// True if a statement ends here, be it that the semicolon behind it was forgotten.
-    pub(super) fn at_statement_end(&self) -> bool {
-        self.at(';') || self.at_end() || self.statement_keyword().is_some()
-    }
-
     /// Skips to the first place that fits, or to the end.
     pub(super) fn skip_to(&mut self, fits: impl Fn(&Cursor) -> bool) {
         while !self.at_end() && !fits(self) {
             self.next += 1;
         }
-    }
-
-    /// Skips to what ends the current statement: its `;`, the next statement or the last token.
-    pub(super) fn skip_statement(&mut self) {
-        self.skip_to(|cursor| cursor.at(';') || cursor.at_statement());
-    }
-
-    /// Skips to what ends the head of a declaration.
-    pub(super) fn skip_head(&mut self) {
-        self.skip_to(|cursor| {
-            cursor.at(';') || cursor.group(Delimiter::Brace).is_some() || cursor.at_statement()
-        });
-    }
-
-    /// Skips to the next `,`, but not beyond the current statement.
-    pub(super) fn skip_item(&mut self) {
-        self.skip_to(|cursor| cursor.at(',') || cursor.at(';') || cursor.at_statement());
+        // What is skipped was reported.
+        self.forget_brackets();
     }
 }
 
@@ -337,12 +306,6 @@ pub(super) fn as_group(token: Option<&TokenTree>, delimiter: Delimiter) -> Optio
         Some(TokenTree::Group(group)) if group.delimiter() == delimiter => Some(group),
         _ => None,
     }
-}
-
-/// True if a group begins with a word and a colon, as no block of an `if` does.
-fn is_labelled(group: &Group) -> bool {
-    let mut tokens = group.stream().into_iter();
-    matches!(tokens.next(), Some(TokenTree::Ident(_))) && is_punct(tokens.next().as_ref(), ':')
 }
 
 /// A number that is made of digits only.

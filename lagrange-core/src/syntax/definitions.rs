@@ -2,13 +2,13 @@
 
 use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
-use super::ast::{AstId, Definition, EmitItem, FunctionDefinition, Name, StatementKind};
+use super::ast::{AstId, Definition, EmitItem, Expression, FunctionDefinition, Name, StatementKind};
 use super::cursor::{Cursor, group_origin};
+use super::identifiers::at_equals_past;
 use super::keywords::is_rust_keyword;
 use super::messages;
 use super::messages::forms::form;
 use super::messages::habits;
-use super::names::at_equals_past;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use super::recovery::Turn;
 
@@ -25,18 +25,31 @@ impl Parser<'_> {
     /// `a, b = 1.0`.
     pub(super) fn definitions(&mut self, help: &'static str, cursor: &mut Cursor) -> Vec<Definition> {
         self.items(List { help, has_values: true }, cursor, |parser, cursor| {
-            let name = parser.declared_name(cursor);
-            if let Ok(name) = &name {
+            let mut name = parser.declared_name(cursor);
+            if let Ok(name) = &mut name {
+                parser.no_unit(name);
                 // Values behind it may hold it.
                 parser.declared_names.insert(name.text.clone(), Declared::Parameter);
                 parser.annotation("param", cursor);
             }
+            let is_array = name.as_ref().is_ok_and(|name| !name.indices.is_empty());
             let value = match at_equals_past(0, cursor) {
-                true => parser.equals(help, cursor).ok().map(|()| parser.item_value(cursor)),
+                true => parser.equals(help, cursor).ok().map(|()| parser.default(is_array, cursor)),
                 false => None,
             };
             Ok(Definition { name: name?, value })
         })
+    }
+
+    /// Reports a unit of measurement in brackets behind the name of a parameter.
+    fn no_unit(&mut self, name: &mut Name) {
+        let [size] = name.indices[..] else { return };
+        let Expression::Name(word) = self.expressions.get(size) else { return };
+        if self.unit(word, "").is_some() {
+            let (message, help) = habits::behind_name("param");
+            self.fail_once(self.expressions.origin(size), message, help);
+            name.indices.clear();
+        }
     }
 
     /// `a = 1, b = 2`.
@@ -63,8 +76,8 @@ impl Parser<'_> {
                 parser.skip_item(cursor);
                 parser.leave_out(cursor, start);
                 match word {
-                    Some(word) => Name { text: word.to_string(), span: word.span() },
-                    None => Name { text: format!("__coordinate_{start}"), span: Span::call_site() },
+                    Some(word) => Name::new(word.to_string(), word.span()),
+                    None => Name::new(format!("__coordinate_{start}"), Span::call_site()),
                 }
             });
             if let Some(equals) = cursor.eat_equals() {
@@ -155,6 +168,15 @@ impl Parser<'_> {
         self.unreadable(cursor, start)
     }
 
+    /// A value behind the equals sign of a definition. Only arrays have lists as values.
+    fn default(&mut self, is_array: bool, cursor: &mut Cursor) -> AstId {
+        let group = cursor.group(Delimiter::Bracket).filter(|_| is_array).cloned();
+        let Some(group) = group else { return self.item_value(cursor) };
+        let start = cursor.position();
+        cursor.skip_one();
+        self.elements_of(&group).unwrap_or_else(|Reported| self.unreadable(cursor, start))
+    }
+
     /// `n = e` or `(a, b) = e`.
     pub(super) fn binding(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         if let Some(origin) = cursor.eat_word("mut") {
@@ -182,6 +204,10 @@ impl Parser<'_> {
     /// `(x, y) = e` behind the name of a function.
     fn function(&mut self, name: Name, group: &Group, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let parameters = self.inside(group, |parser, cursor| parser.component_names("let", cursor))?;
+        if let Some(indexed) = parameters.iter().chain([&name]).find(|name| !name.indices.is_empty()) {
+            let help = messages::arrays::FUNCTIONS_HELP;
+            return Err(self.fail_with_help(indexed.span, messages::arrays::FUNCTIONS, help));
+        }
         let value = self.assigned(form("let"), cursor)?;
         Ok(StatementKind::Function(Box::new(FunctionDefinition { name, parameters, value })))
     }

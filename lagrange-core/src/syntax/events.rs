@@ -5,10 +5,10 @@ use proc_macro2::{Delimiter, Span};
 use super::ast::{Action, Assignment, AstId, Direction, Event, Name};
 use super::cursor::{Cursor, group_origin};
 use super::foreign;
+use super::identifiers::at_relation;
 use super::messages;
 use super::messages::forms::form;
 use super::messages::habits;
-use super::names::at_relation;
 use super::parser::{Parsed, Parser, Reported};
 use crate::diagnostics::nearest;
 

@@ -83,8 +83,8 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
     (
         &["for", "while", "loop", "repeat", "do"],
-        "there are no loops here",
-        "write the terms one by one: statements such as `kinetic = …;` may be repeated, and add up",
+        "loops are written in another way here",
+        "write `for i in 0..n { … }`, with statements between the braces, or `sum(i in 0..n, e)`",
     ),
     (
         &["if", "else", "match", "switch", "case"],

@@ -19,7 +19,7 @@ const DEFAULT_NAME: &str = "System";
 
 /// The declaration that a bare list of statements belongs to.
 pub(super) fn default_header() -> Declaration {
-    let name = Name { text: DEFAULT_NAME.to_owned(), span: Span::call_site() };
+    let name = Name::new(DEFAULT_NAME, Span::call_site());
     declaration(Attributes::default(), (quote!(pub), Span::call_site()), name, ScalarType::F64)
 }
 
@@ -53,6 +53,8 @@ fn declaration(
         expressions: Expressions::default(),
         bodies: Vec::new(),
         is_in_space: false,
+        arrays: Vec::new(),
+        counted: HashMap::default(),
         unreadable_words: HashMap::default(),
         lacks_names: false,
     }
@@ -61,6 +63,7 @@ fn declaration(
 impl Parser<'_> {
     /// Reads the head up to its semicolon; the declaration has no statements yet.
     pub(super) fn header(&mut self, cursor: &mut Cursor) -> Parsed<Declaration> {
+        let mistakes = self.report.diagnostics().len();
         let attributes = self.attributes(cursor);
         let visibility = self.visibility(cursor).unwrap_or_else(|Reported| quote!(pub));
         let Some(keyword) = cursor.eat_word("struct") else {
@@ -75,6 +78,7 @@ impl Parser<'_> {
         let scalar = self.scalar_type(&attributes, parameter);
         self.where_clause(cursor);
         self.end_of_header(cursor);
+        self.refuse_brackets(cursor, mistakes);
         Ok(declaration(attributes, (visibility, keyword), name, scalar))
     }
 

@@ -74,7 +74,10 @@ impl Parser<'_> {
     /// The name of a body or a line.
     pub(super) fn mentioned(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
         match cursor.ident() {
-            Some(_) if !cursor.at_statement() => self.name(cursor),
+            Some(_) if !cursor.at_statement() => {
+                let name = self.name(cursor)?;
+                self.indexed(name, cursor)
+            }
             _ => Err(self.misplaced("a name", help, cursor)),
         }
     }

@@ -1,5 +1,6 @@
 //! Diagnostics for mistakes of writing, with what helps against them.
 
+pub(super) mod arrays;
 pub(super) mod forms;
 pub(super) mod functions;
 pub(super) mod habits;

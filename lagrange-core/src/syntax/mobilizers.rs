@@ -61,12 +61,7 @@ impl Parser<'_> {
         if !cursor.at_statement_end() {
             return Err(self.misplaced("`;`", help, cursor));
         }
-        let named = |suffix: &str| Name { text: format!("{}_{suffix}", body.text), span: body.span };
-        let ground = Name { text: "ground".to_owned(), span: body.span };
-        let free = Mobilizer::between(MobilizerKind::Free, ground, body.clone());
-        let (coordinates, speeds) =
-            (["x", "y", "z"].map(named).to_vec(), ["vx", "vy", "vz"].map(named).to_vec());
-        Ok(Mobilizer { coordinates, speeds, quaternion: Some(Quaternion::named(body)), ..free })
+        Ok(Mobilizer::free(body))
     }
 
     fn mobilizer_line(

@@ -7,16 +7,17 @@
 //! ```text
 //! declaration = attribute* visibility "struct" NAME [ "<" NAME ">" ] ";" statement*
 //! sum         = product { ( "+" | "-" ) product }
-//! product     = signed { ( "*" | "/" ) signed }
+//! product     = signed { ( "*" | "/" | "%" ) signed }
 //! signed      = { "-" } power
 //! power       = operand [ "^" signed ]
 //! operand     = atom { "." NAME [ "(" [ sum { "," sum } ] ")" ] }
-//! atom        = NUMBER | NAME [ "(" [ sum { "," sum } ] ")" ] | "(" sum ")"
+//! atom        = NUMBER | NAME [ "(" [ sum { "," sum } ] ")" ] | NAME { "[" sum "]" } | "(" sum ")"
+//!             | "sum" "(" NAME "in" sum ".." [ "=" ] sum "," sum [ "," ] ")"
 //!             | "(" sum "," sum [ "," sum ] ")"
 //!             | "if" sum ( "<" | "<=" | ">" | ">=" ) sum "{" sum "}" "else" ( "{" sum "}" | if )
 //! ```
 //!
-//! Statements are in the documentation of [`StatementKind`].
+//! `%` stands in indices only. Statements are in the documentation of [`StatementKind`].
 
 pub mod ast;
 mod attributes;
@@ -32,6 +33,7 @@ mod friction;
 mod functions;
 mod habits;
 mod header;
+mod identifiers;
 mod joints;
 mod keywords;
 mod literals;
@@ -53,11 +55,11 @@ mod values;
 use proc_macro2::TokenStream;
 
 use crate::diagnostics::Report;
-use ast::{Declaration, DeclaredBody, SceneStatement, StatementKind};
+use ast::{Declaration, declared_bodies};
 use cursor::Cursor;
 use header::{default_header, header_ahead};
+pub use identifiers::can_be_declared;
 pub use keywords::{STRUCTURAL_FUNCTIONS, is_rust_keyword};
-pub use names::can_be_declared;
 use parser::Parser;
 
 /// Reads the input of `system!`.
@@ -91,15 +93,7 @@ fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cu
     let mut expressions = std::mem::take(&mut parser.expressions);
     expressions.end_of_text();
     let unreadable_words = std::mem::take(&mut parser.unreadable_words);
-    let bodies = statements.iter().filter_map(|statement| {
-        let (name, is_frame) = match &statement.kind {
-            StatementKind::Scene(SceneStatement::Body(body)) => (&body.name, false),
-            StatementKind::Scene(SceneStatement::Frame(name)) => (name, true),
-            _ => return None,
-        };
-        Some(DeclaredBody { name: name.clone(), is_frame, docs: statement.docs.clone() })
-    });
-    let bodies = bodies.collect();
+    let bodies = declared_bodies(&statements);
     Declaration {
         statements,
         bodies,

@@ -17,6 +17,8 @@ pub(super) struct Parser<'r> {
     pub(super) expressions: Expressions,
     /// True if tokens of the current statement were skipped, so that nothing is said about its end.
     pub(super) skipped: bool,
+    /// True where indices are read, which know the operator `%`.
+    pub(super) counts: bool,
     /// Words in what was left out of the syntax tree.
     pub(super) unreadable_words: HashMap<String, ()>,
     /// Names that were declared where the text could be read.
@@ -61,6 +63,7 @@ impl<'r> Parser<'r> {
             report,
             expressions: Expressions::default(),
             skipped: false,
+            counts: false,
             unreadable_words: HashMap::default(),
             declared_names: HashMap::default(),
             lacks_names: false,
@@ -127,7 +130,20 @@ impl<'r> Parser<'r> {
         group: &Group,
         read: impl FnOnce(&mut Self, &mut Cursor) -> Parsed<T>,
     ) -> Parsed<T> {
-        self.nested(group_origin(group), |parser| read(parser, &mut Cursor::inside(group)))
+        self.nested(group_origin(group), |parser| {
+            let (mut cursor, mistakes) = (Cursor::inside(group), parser.report.diagnostics().len());
+            let content = read(parser, &mut cursor);
+            parser.refuse_brackets(&mut cursor, mistakes);
+            content
+        })
+    }
+
+    /// Reports square brackets that belong to a word which cannot have any, unless there are other mistakes around it.
+    pub(super) fn refuse_brackets(&mut self, cursor: &mut Cursor, mistakes: usize) {
+        let unread = cursor.forget_brackets();
+        if let Some(group) = unread.filter(|_| self.report.diagnostics().len() == mistakes) {
+            self.fail_with_help(group_origin(&group), messages::INDEX, messages::INDEX_HELP);
+        }
     }
 
     /// Checks that tokens which are kept as they are can be walked by recursion.

@@ -3,6 +3,7 @@
 //! One statement stands on a line, and parentheses stand only where operators need them. Comments, documentation
 //! and the head of the declaration are left out.
 
+mod arrays;
 mod callables;
 mod expressions;
 mod numbers;
@@ -64,19 +65,19 @@ impl Printer<'_> {
             StatementKind::Constants(list) => self.definitions("const ", list),
             StatementKind::Coordinates(names) => {
                 self.text("coord ");
-                self.list(names, |printer, name| printer.text(&name.text));
+                self.list(names, Self::name);
                 self.text(";");
             }
             StatementKind::Quaternion(quaternion) => {
                 self.text("quaternion ");
-                self.text(&quaternion.name.text);
+                self.name(&quaternion.name);
                 self.text(";");
             }
             StatementKind::Velocity(name, value) => self.named("velocity ", name, *value),
             StatementKind::Let(name, value) => self.named("let ", name, *value),
             StatementKind::LetTuple(names, value) => {
                 self.text("let (");
-                self.list(names, |printer, name| printer.text(&name.text));
+                self.list(names, Self::name);
                 self.between(") = ", *value, ";");
             }
             StatementKind::Function(function) => {
@@ -116,6 +117,8 @@ impl Printer<'_> {
             StatementKind::Output(name, value) => self.named("output ", name, *value),
             StatementKind::Emit(items) => self.emit(items),
             StatementKind::Reduce(reduction) => self.reduction(reduction),
+            StatementKind::Repeat(repetition) => self.repetition(repetition),
+            StatementKind::Select(selection) => self.selection(selection),
             StatementKind::Scene(statement) => self.scene(statement),
         }
     }
@@ -128,7 +131,7 @@ impl Printer<'_> {
     /// `keyword name = value;`
     fn named(&mut self, keyword: &str, name: &Name, value: AstId) {
         self.text(keyword);
-        self.text(&name.text);
+        self.name(name);
         self.between(" = ", value, ";");
     }
 
@@ -139,7 +142,7 @@ impl Printer<'_> {
     }
 
     fn definition(&mut self, name: &Name, value: Option<AstId>) {
-        self.text(&name.text);
+        self.name(name);
         if let Some(value) = value {
             self.labelled(" = ", value);
         }
@@ -147,7 +150,7 @@ impl Printer<'_> {
 
     fn event(&mut self, event: &Event) {
         self.text("event ");
-        self.text(&event.name.text);
+        self.name(&event.name);
         self.labelled(" = ", event.value);
         self.text(match event.direction {
             Direction::Rising => ", rising => ",
@@ -171,7 +174,7 @@ impl Printer<'_> {
 
     fn friction(&mut self, friction: &Friction) {
         self.text("friction ");
-        self.text(&friction.name.text);
+        self.name(&friction.name);
         self.labelled(" = ", friction.slip);
         match friction.fixed {
             None => self.labelled(", ", friction.kinetic),

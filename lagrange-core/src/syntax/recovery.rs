@@ -4,12 +4,12 @@ use proc_macro2::{Delimiter, Ident};
 
 use super::cursor::Cursor;
 use super::foreign;
+use super::identifiers::at_equals_past;
 use super::keywords;
 use super::messages;
 use super::messages::forms;
 use super::messages::forms::form;
 use super::messages::habits;
-use super::names::at_equals_past;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use crate::diagnostics::nearest;
 

@@ -1,15 +1,18 @@
 //! Statements, one by one.
 
+mod loops;
+
 use proc_macro2::Ident;
 
 use super::ast::{
     Action, AstId, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, Statement, StatementKind,
 };
 use super::cursor::Cursor;
+use super::expressions::at_loop;
 use super::header::header_ahead;
+use super::identifiers::{at_equals_past, at_relation};
 use super::messages;
 use super::messages::forms::form;
-use super::names::{at_equals_past, at_relation};
 use super::parser::{Declared, Parsed, Parser, Reported};
 
 impl Parser<'_> {
@@ -56,6 +59,7 @@ impl Parser<'_> {
             return None;
         }
         self.begin_statement();
+        let mistakes = self.report.diagnostics().len();
         let kind = self.statement_kind(cursor);
         if kind.is_err() {
             self.skip_statement(cursor);
@@ -64,6 +68,7 @@ impl Parser<'_> {
         if cursor.eat(';').is_none() && !complete {
             self.missing_semicolon(cursor);
         }
+        self.refuse_brackets(cursor, mistakes);
         kind.ok()
     }
 
@@ -106,6 +111,8 @@ impl Parser<'_> {
             }
             "emit" => Ok(StatementKind::Emit(self.emit(cursor)?)),
             "reduce" => Ok(StatementKind::Reduce(self.reduction(cursor)?)),
+            "for" if at_loop(cursor) => self.repetition(cursor),
+            "if" => self.selection(cursor),
             _ => match self.scene_statement(&keyword, cursor) {
                 Some(statement) => Ok(StatementKind::Scene(statement?)),
                 None => Err(self.unknown_statement(&keyword, cursor)),
@@ -174,7 +181,7 @@ impl Parser<'_> {
     /// `x = e`, `e at e` or `e along e`.
     fn force(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         if cursor.ident().is_some() && at_equals_past(1, cursor) {
-            let name = self.name(cursor)?;
+            let name = self.mentioned(form("force"), cursor)?;
             return Ok(StatementKind::ForceOn(name, self.assigned(form("force"), cursor)?));
         }
         let force = self.loading("force", cursor)?;
@@ -207,6 +214,7 @@ fn ends_in_braces(kind: &StatementKind) -> bool {
     match kind {
         StatementKind::Emit(_) | StatementKind::Reduce(_) => true,
         StatementKind::External(function) => function.derivatives.is_some(),
+        StatementKind::Repeat(_) | StatementKind::Select(_) => true,
         StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),
         StatementKind::Scene(statement) => {
             use SceneStatement::{Body, Connector, Line, Mobilizer};

@@ -61,6 +61,7 @@ fn shown(expressions: &Expressions, id: AstId) -> String {
             let condition_list = list(relation(condition.relation), &[condition.left, condition.right]);
             format!("(if {condition_list} {} {})", show(*then), show(*otherwise))
         }
+        Expression::Array(_) => super::print::expression(expressions, id),
         Expression::Invalid => "?".to_owned(),
     }
 }
@@ -72,6 +73,7 @@ fn sign(operator: BinaryOperator) -> &'static str {
         BinaryOperator::Multiply => "*",
         BinaryOperator::Divide => "/",
         BinaryOperator::Power => "^",
+        BinaryOperator::Remainder => "%",
     }
 }
 
@@ -154,6 +156,11 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
             format!("reduce {}{}", name.text, items.iter().map(item).collect::<String>())
         }
         StatementKind::External(_) | StatementKind::Table(_) => functions::callable(declaration, kind),
+        StatementKind::Repeat(repetition) => {
+            let body = repetition.body.iter().map(|inner| statement(declaration, &inner.kind));
+            format!("for {} ({})", repetition.variable.text, body.collect::<Vec<_>>().join(" "))
+        }
+        StatementKind::Select(selection) => format!("if {}", selection.branches.len()),
         StatementKind::Scene(scene) => bodies::scene(declaration, scene),
     }
 }

@@ -44,7 +44,7 @@ fn character_help(culprit: char) -> &'static str {
         '¼' => "write `1/4`",
         '°' => "angles are in radians: write `30 * pi/180`",
         '∂' | '∇' => "derivatives by coordinates are found by themselves; `dot(x)` is the rate of x",
-        '∫' | '∑' => "write sums term by term; there are no integrals",
+        '∫' | '∑' => "write a sum as `sum(i in 0..n, e)`; there are no integrals",
         '≤' => "write `<=`",
         '≥' => "write `>=`",
         '≠' | '≈' => "compare with `<`, `<=`, `>` or `>=`",

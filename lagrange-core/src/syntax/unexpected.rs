@@ -133,7 +133,7 @@ fn operator_help(cursor: &Cursor, wanted: &str) -> String {
             messages::COMPARISON_PLACE_HELP
         }
         Some(TokenTree::Ident(word)) if word == "and" || word == "or" => messages::LOGIC_HELP,
-        Some(TokenTree::Ident(word)) if word == "for" => habits::NO_LOOPS_HELP,
+        Some(TokenTree::Ident(word)) if word == "for" => habits::SUM_HELP,
         Some(TokenTree::Ident(word)) if word == "mod" => messages::REMAINDER_HELP,
         Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => messages::PARENTHESES_HELP,
         Some(TokenTree::Ident(_) | TokenTree::Literal(_) | TokenTree::Group(_)) => messages::PRODUCT_HELP,

@@ -340,7 +340,10 @@ fn component_counts(declaration: &Declaration) -> HashMap<AstId, usize> {
                 ("cross", Some(argument)) if known(argument) == 3 => 3,
                 _ => 1,
             },
-            Expression::Number(_) | Expression::Component(..) | Expression::Invalid => 1,
+            Expression::Number(_)
+            | Expression::Component(..)
+            | Expression::Array(_)
+            | Expression::Invalid => 1,
         };
         counts.insert(id, count);
     }

@@ -83,6 +83,19 @@ impl SceneStatement {
         }
     }
 
+    /// Its names, but for those that are made of others.
+    pub(super) fn names_mut(&mut self) -> Vec<&mut Name> {
+        match self {
+            SceneStatement::Gravity(_) => Vec::new(),
+            SceneStatement::Body(body) => vec![&mut body.name],
+            SceneStatement::Frame(name) => vec![name],
+            SceneStatement::Line(line) => [&mut line.name].into_iter().chain(&mut line.on).collect(),
+            SceneStatement::Connector(connector) => connector.name.iter_mut().collect(),
+            SceneStatement::Joint(joint) => joint.name.iter_mut().chain(joint.kind.names_mut()).collect(),
+            SceneStatement::Mobilizer(joint) => joint.names_mut(),
+        }
+    }
+
     /// Its expressions.
     pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         match self {
@@ -303,6 +316,14 @@ pub enum JointKind {
 }
 
 impl JointKind {
+    fn names_mut(&mut self) -> Vec<&mut Name> {
+        match self {
+            JointKind::Pin { .. } => Vec::new(),
+            JointKind::Slide { line, .. } => vec![line],
+            JointKind::Roll { body, line, .. } => vec![body, line],
+        }
+    }
+
     fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         match self {
             JointKind::Pin { first, second } => vec![first, second],

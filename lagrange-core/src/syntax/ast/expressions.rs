@@ -1,5 +1,7 @@
 //! Expressions, in an arena.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::Span;
 
 use super::Name;
@@ -24,6 +26,8 @@ pub enum BinaryOperator {
     Divide,
     /// `^`
     Power,
+    /// `%`, of indices only
+    Remainder,
 }
 
 /// One `if` condition `left relation right`.
@@ -66,6 +70,8 @@ pub enum Expression {
         /// Value elsewhere.
         otherwise: AstId,
     },
+    /// Of arrays.
+    Array(ArrayExpression),
     /// Placeholder for what was reported already.
     Invalid,
 }
@@ -76,6 +82,7 @@ impl Expression {
         match self {
             Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
             Expression::Tuple(parts) | Expression::Call(_, parts) => parts.clone(),
+            Expression::Array(array) => array.operands(),
             Expression::Negate(of) | Expression::Component(of, _) => vec![*of],
             Expression::Binary(_, _, a, b) => vec![*a, *b],
             Expression::If { condition, then, otherwise } => {
@@ -89,6 +96,7 @@ impl Expression {
         match self {
             Expression::Tuple(_) => Expression::Tuple(parts.to_vec()),
             Expression::Call(function, _) => Expression::Call(function, parts.to_vec()),
+            Expression::Array(array) => Expression::Array(array.with_operands(parts)),
             Expression::Negate(_) => Expression::Negate(parts[0]),
             Expression::Component(_, name) => Expression::Component(parts[0], name),
             Expression::Binary(operator, span, ..) => Expression::Binary(operator, span, parts[0], parts[1]),
@@ -99,6 +107,58 @@ impl Expression {
             leaf => leaf,
         }
     }
+}
+
+/// What is written of arrays in expressions. None of it is left where expressions have a meaning.
+#[derive(Clone, Debug)]
+pub enum ArrayExpression {
+    /// `p[i + 1]`
+    Element(Name),
+    /// `sum(i in 0..n, e)`
+    Sum {
+        /// The variable.
+        variable: Name,
+        /// Its values.
+        range: Range,
+        /// What is added up for each of them.
+        term: AstId,
+    },
+    /// `[a, b]`, defaults of the elements of an array; those of a grid are such lists themselves.
+    List(Vec<AstId>),
+}
+
+impl ArrayExpression {
+    /// The expressions that it is made of, in source order.
+    fn operands(&self) -> Vec<AstId> {
+        match self {
+            ArrayExpression::Element(name) => name.indices.clone(),
+            ArrayExpression::Sum { range, term, .. } => vec![range.from, range.to, *term],
+            ArrayExpression::List(elements) => elements.clone(),
+        }
+    }
+
+    /// The same with other operands.
+    fn with_operands(mut self, parts: &[AstId]) -> ArrayExpression {
+        match &mut self {
+            ArrayExpression::Element(name) => name.indices = parts.to_vec(),
+            ArrayExpression::List(elements) => *elements = parts.to_vec(),
+            ArrayExpression::Sum { range, term, .. } => {
+                (range.from, range.to, *term) = (parts[0], parts[1], parts[2]);
+            }
+        }
+        self
+    }
+}
+
+/// `a..b` or `a..=b`
+#[derive(Clone, Copy, Debug)]
+pub struct Range {
+    /// The first value.
+    pub from: AstId,
+    /// The end.
+    pub to: AstId,
+    /// Whether the end is a value, too.
+    pub is_inclusive: bool,
 }
 
 /// The arena of expressions of one declaration.
@@ -133,6 +193,19 @@ impl Expressions {
     /// Place of an expression.
     pub fn origin(&self, id: AstId) -> Origin {
         self.nodes[id.0 as usize].1
+    }
+
+    /// An expression and all that it is made of, each once, operands before what is made of them.
+    pub fn parts(&self, root: AstId) -> Vec<AstId> {
+        let mut pending = vec![root];
+        let mut found = BTreeSet::new();
+        while let Some(id) = pending.pop() {
+            if found.insert(id) {
+                pending.extend(self.get(id).operands());
+            }
+        }
+        // Operands are added before what is made of them.
+        found.into_iter().collect()
     }
 
     /// `x` of an expression `dot(x)`.

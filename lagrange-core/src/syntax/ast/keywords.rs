@@ -26,6 +26,8 @@ pub enum Soft {
     Function,
     /// A name or names in parentheses, and `=`.
     Coordinates,
+    /// A name and `in`.
+    Loop,
 }
 
 impl Keyword {

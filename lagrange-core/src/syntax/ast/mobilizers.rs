@@ -98,10 +98,29 @@ impl Mobilizer {
         }
     }
 
+    /// A body that is free, with three coordinates and an orientation.
+    pub fn free(body: Name) -> Mobilizer {
+        let named = |suffix: &str| Name::new(format!("{}_{suffix}", body.text), body.span);
+        let (coordinates, speeds) =
+            (["x", "y", "z"].map(named).to_vec(), ["vx", "vy", "vz"].map(named).to_vec());
+        let quaternion = Some(Quaternion::named(Name::new(body.text.as_str(), body.span)));
+        let free = Mobilizer::between(MobilizerKind::Free, Name::new("ground", body.span), body);
+        Mobilizer { coordinates, speeds, quaternion, ..free }
+    }
+
     /// The names that it declares.
     pub(super) fn names(&self) -> Vec<&Name> {
         let components = self.quaternion.iter().flat_map(Quaternion::names);
         self.coordinates.iter().chain(&self.speeds).chain(components).collect()
+    }
+
+    /// Its names, but for those that are made of others.
+    pub(super) fn names_mut(&mut self) -> Vec<&mut Name> {
+        if self.kind == MobilizerKind::Free {
+            return vec![&mut self.outboard];
+        }
+        let quaternion = self.quaternion.iter_mut().map(|quaternion| &mut quaternion.name);
+        self.coordinates.iter_mut().chain(quaternion).chain([&mut self.inboard, &mut self.outboard]).collect()
     }
 
     pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {

@@ -16,7 +16,7 @@ pub struct Quaternion {
 impl Quaternion {
     /// A quaternion of this name.
     pub fn named(name: Name) -> Quaternion {
-        let component = |suffix: &str| Name { text: format!("{}_{suffix}", name.text), span: name.span };
+        let component = |suffix: &str| Name::new(format!("{}_{suffix}", name.text), name.span);
         Quaternion {
             positions: ["qw", "qx", "qy", "qz"].map(component),
             velocities: ["wx", "wy", "wz"].map(component),

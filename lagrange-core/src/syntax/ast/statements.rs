@@ -2,6 +2,9 @@
 //!
 //! Whoever walks over statements asks for their names and expressions here, and so learns of a variant as soon as it is listed.
 
+mod loops;
+mod names;
+
 use proc_macro2::TokenStream;
 
 use super::bodies::SceneStatement;
@@ -11,6 +14,7 @@ use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
 use crate::diagnostics::Origin;
+pub use loops::{Repetition, Selection};
 
 /// A statement and the stretch of source it covers.
 #[derive(Clone, Debug)]
@@ -46,7 +50,7 @@ pub struct Statement {
 ///           | "friction" NAME "=" sum "," limits ";"
 ///           | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
 ///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
-///           | scene
+///           | loop | choice | scene
 /// derivative = ( "derivative" | "second_derivative" | "third_derivative" | "by" NAME { "," NAME } ) ":" NAME ";"
 /// point     = "(" sum "," sum [ "," sum ] ")"
 /// option    = "interpolation" ":" ( "linear" | "monotone" | "natural" ) | "outside" ":" ( "error" | "clamp" | "extend" )
@@ -55,6 +59,19 @@ pub struct Statement {
 /// action    = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
 ///           | "{" { sum "=" sum ";" } "}" [ ";" ]
 /// limits    = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
+/// ```
+///
+/// Where a statement has `NAME`, `NAME { "[" sum "]" }` is possible, too, but for names of functions, of their parameters and of types;
+/// behind the name of an array a value may be a `list`.
+///
+/// ```text
+/// loop      = "for" NAME "in" range "{" { statement } "}" [ ";" ]
+/// choice    = "if" condition "{" { statement } "}" [ "else" ( "{" { statement } "}" [ ";" ] | choice ) ]
+/// range     = sum ".." [ "=" ] sum
+/// condition = tests { "||" tests }
+/// tests     = test { "&&" test }
+/// test      = { "!" } ( "(" condition ")" | sum ( "<" | "<=" | ">" | ">=" | "==" | "!=" ) sum )
+/// list      = "[" ( sum | list ) { "," ( sum | list ) } [ "," ] "]"
 /// ```
 ///
 /// What `sum` is stands in the documentation of [`syntax`](crate::syntax), what `scene` is in that of [`SceneStatement`].
@@ -134,12 +151,16 @@ pub enum StatementKind {
     Emit(Vec<EmitItem>),
     /// `reduce Name { freeze x = e; small theta; }`
     Reduce(Reduction),
+    /// `for i in 0..n { … }`
+    Repeat(Box<Repetition>),
+    /// `if i > 0 { … } else { … }`
+    Select(Selection),
     /// Of rigid bodies.
     Scene(SceneStatement),
 }
 
 /// Words that begin statements, but for those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 23] = [
+pub const KEYWORDS: [Keyword; 24] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`"),
@@ -184,6 +205,8 @@ pub const KEYWORDS: [Keyword; 23] = [
     Keyword::new("output", "write `output name = e;`"),
     Keyword::new("emit", "write `emit { product, no product }`"),
     Keyword::new("reduce", "write `reduce Name { freeze x = 0; small theta; }`"),
+    Keyword::new("for", "write `for i in 0..n { kinetic = e; }`, with any statements between the braces")
+        .before(Soft::Loop),
 ];
 
 impl StatementKind {
@@ -217,6 +240,8 @@ impl StatementKind {
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Stabilise(_)
+            | StatementKind::Repeat(_)
+            | StatementKind::Select(_)
             | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
         }
     }
@@ -252,6 +277,8 @@ impl StatementKind {
             StatementKind::Reduce(reduction) => {
                 reduction.items.iter_mut().filter_map(|item| item.value.as_mut()).collect()
             }
+            StatementKind::Repeat(repetition) => repetition.expressions_mut(),
+            StatementKind::Select(selection) => selection.expressions_mut(),
             StatementKind::Scene(scene) => scene.expressions_mut(),
             StatementKind::Coordinates(_)
             | StatementKind::Quaternion(_)

@@ -3,6 +3,7 @@
 //! Operators wait on a stack until the operator behind their right operand binds no tighter (operator
 //! precedence parsing), so that chains of any length are read without recursion.
 
+mod arrays;
 mod conditionals;
 mod operands;
 
@@ -14,6 +15,7 @@ use crate::syntax::cursor::Cursor;
 use crate::syntax::messages;
 use crate::syntax::parser::{Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
+pub(super) use arrays::at_loop;
 
 /// A readable piece of an expression, and the tokens it covers including its parentheses.
 #[derive(Clone, Copy)]
@@ -50,11 +52,11 @@ impl Parser<'_> {
 
     /// `in body` behind a whole expression.
     fn in_axes(&mut self, vector: ReadOperand, cursor: &mut Cursor) -> Parsed<ReadOperand> {
-        let word = Name { text: IN_AXES.to_owned(), span: cursor.skip_one().start };
+        let word = Name::new(IN_AXES, cursor.skip_one().start);
         let body = self.name(cursor)?;
-        let origin = vector.origin.to(body.span.into());
-        let place = Origin::from(body.span);
-        let body = self.add(Expression::Name(body.text), place);
+        let body = self.indexed(body, cursor)?;
+        let body = self.named(body, cursor)?;
+        let origin = vector.origin.to(body.origin);
         Ok(self.add(Expression::Call(word, vec![vector.id, body.id]), origin))
     }
 
@@ -91,8 +93,11 @@ impl Parser<'_> {
             ('*', BinaryOperator::Multiply),
             ('/', BinaryOperator::Divide),
             ('^', BinaryOperator::Power),
+            ('%', BinaryOperator::Remainder),
         ];
-        let found = operators.into_iter().find(|&(character, _)| cursor.at(character));
+        let is_known = |operator| operator != BinaryOperator::Remainder || self.counts;
+        let found =
+            operators.into_iter().find(|&(character, operator)| cursor.at(character) && is_known(operator));
         Ok(found.map(|(_, operator)| (operator, cursor.skip_one().end)))
     }
 
@@ -127,7 +132,7 @@ fn ends_before(waiting: &WaitingOperator, next: BinaryOperator) -> bool {
 fn binding(operator: BinaryOperator) -> Binding {
     match operator {
         BinaryOperator::Add | BinaryOperator::Subtract => Binding::Sum,
-        BinaryOperator::Multiply | BinaryOperator::Divide => Binding::Product,
+        BinaryOperator::Multiply | BinaryOperator::Divide | BinaryOperator::Remainder => Binding::Product,
         BinaryOperator::Power => Binding::Power,
     }
 }

@@ -3,6 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use super::ReadOperand;
+use super::arrays::at_sum;
 use crate::diagnostics::Origin;
 use crate::syntax::ast::{AstId, Expression, Name};
 use crate::syntax::cursor::{Cursor, group_origin};
@@ -17,7 +18,8 @@ impl Parser<'_> {
     pub(in crate::syntax) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut operand = self.atom(cursor)?;
         self.turns(cursor, |parser, cursor| {
-            if cursor.eat('.').is_none() {
+            let is_range = parser.counts && cursor.at_pair('.', '.');
+            if is_range || cursor.eat('.').is_none() {
                 return Ok(Turn::Last);
             }
             operand = parser.behind_dot(operand, cursor)?;
@@ -84,9 +86,19 @@ impl Parser<'_> {
 
     fn name_or_call(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let start = Origin::from(name.span);
+        let name = self.indexed(name, cursor)?;
+        let element = cursor.before();
         match cursor.eat_group(Delimiter::Parenthesis) {
-            None => Ok(self.add(Expression::Name(name.text), start)),
+            None => self.named(name, cursor),
+            Some(group) if name.indices.is_empty() && at_sum(&name, &group) => self.sum(&group, start),
             Some(group) => {
+                if !name.indices.is_empty() {
+                    return Err(self.fail_with_help(
+                        element,
+                        messages::arrays::FUNCTIONS,
+                        messages::arrays::FUNCTIONS_HELP,
+                    ));
+                }
                 let arguments = self.arguments(&group, Vec::new());
                 Ok(self.call(name, arguments, start.to(group_origin(&group))))
             }

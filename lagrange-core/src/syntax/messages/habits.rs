@@ -154,7 +154,7 @@ pub(in crate::syntax) fn missing_operand(operator: &str) -> String {
 }
 
 pub(in crate::syntax) const MISSING_EXPRESSION: &str = "write an expression here, such as `0`";
-pub(in crate::syntax) const NO_LOOPS_HELP: &str = "there are no loops: write the terms of a sum one by one";
+pub(in crate::syntax) const SUM_HELP: &str = "write a sum over a loop as `sum(i in 0..n, e)`";
 pub(in crate::syntax) const QUESTION_HELP: &str = "write `if a < b { … } else { … }`";
 pub(in crate::syntax) const LIST_HELP: &str =
     "write vectors in parentheses, `(a, b)`, and `;` behind the statement";

@@ -5,7 +5,9 @@
 use super::Printer;
 use super::numbers::{Form, numeral};
 use crate::expr::Relation;
-use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES};
+use crate::syntax::ast::{
+    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES, Range,
+};
 
 /// Piece to be written.
 enum PrintedPiece {
@@ -75,14 +77,16 @@ fn binding(expressions: &Expressions, id: AstId) -> PrintedBinding {
         Expression::If { .. } => PrintedBinding::Choice,
         Expression::Call(function, _) if function.text == IN_AXES => PrintedBinding::Choice,
         Expression::Name(_) | Expression::Tuple(_) | Expression::Call(..) => PrintedBinding::Operand,
-        Expression::Component(..) | Expression::Invalid => PrintedBinding::Operand,
+        Expression::Component(..) | Expression::Array(_) | Expression::Invalid => PrintedBinding::Operand,
     }
 }
 
 fn own_binding(operator: BinaryOperator) -> PrintedBinding {
     match operator {
         BinaryOperator::Add | BinaryOperator::Subtract => PrintedBinding::Sum,
-        BinaryOperator::Multiply | BinaryOperator::Divide => PrintedBinding::Product,
+        BinaryOperator::Multiply | BinaryOperator::Divide | BinaryOperator::Remainder => {
+            PrintedBinding::Product
+        }
         BinaryOperator::Power => PrintedBinding::Power,
     }
 }
@@ -91,7 +95,9 @@ fn own_binding(operator: BinaryOperator) -> PrintedBinding {
 fn operand_bindings(operator: BinaryOperator) -> (PrintedBinding, PrintedBinding) {
     match operator {
         BinaryOperator::Add | BinaryOperator::Subtract => (PrintedBinding::Sum, PrintedBinding::Product),
-        BinaryOperator::Multiply | BinaryOperator::Divide => (PrintedBinding::Product, PrintedBinding::Sign),
+        BinaryOperator::Multiply | BinaryOperator::Divide | BinaryOperator::Remainder => {
+            (PrintedBinding::Product, PrintedBinding::Sign)
+        }
         BinaryOperator::Power => (PrintedBinding::Operand, PrintedBinding::Sign),
     }
 }
@@ -123,8 +129,39 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
             vec![receiver(expressions, *vector), text(format!(".{}", name.text))]
         }
         Expression::If { condition, then, otherwise } => choice(expressions, condition, *then, *otherwise),
+        Expression::Array(array) => array_pieces(array),
         Expression::Invalid => vec![text("?")],
     }
+}
+
+fn array_pieces(array: &ArrayExpression) -> Vec<PrintedPiece> {
+    let whole = |id: AstId| PrintedPiece::Expression(id, PrintedBinding::Choice);
+    match array {
+        ArrayExpression::Element(name) => {
+            let indices = name.indices.iter().flat_map(|index| [text("["), whole(*index), text("]")]);
+            std::iter::once(text(name.text.as_str())).chain(indices).collect()
+        }
+        ArrayExpression::Sum { variable, range, term } => vec![
+            text(format!("sum({} in ", variable.text)),
+            whole(range.from),
+            text(dots(range)),
+            whole(range.to),
+            text(", "),
+            whole(*term),
+            text(")"),
+        ],
+        ArrayExpression::List(elements) => {
+            let mut pieces = bracketed_list(elements);
+            let last = pieces.len() - 1;
+            (pieces[0], pieces[last]) = (text("["), text("]"));
+            pieces
+        }
+    }
+}
+
+/// What stands between the ends of a range.
+pub(super) fn dots(range: &Range) -> &'static str {
+    if range.is_inclusive { "..=" } else { ".." }
 }
 
 /// Text before a dot. A number takes brackets: the dot behind it would be read as a decimal point.
@@ -177,6 +214,7 @@ fn sign(operator: BinaryOperator, between_words: bool) -> &'static str {
         BinaryOperator::Divide if between_words => "/",
         BinaryOperator::Divide => " / ",
         BinaryOperator::Power => "^",
+        BinaryOperator::Remainder => " % ",
     }
 }
 

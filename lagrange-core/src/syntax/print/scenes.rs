@@ -2,8 +2,7 @@
 
 use super::Printer;
 use crate::syntax::ast::{
-    AstId, Body, Connector, Joint, JointKind, Line, Mobilizer, MobilizerKind, Name, Part, SceneStatement,
-    Shape,
+    AstId, Body, Connector, Joint, JointKind, Line, Mobilizer, MobilizerKind, Part, SceneStatement, Shape,
 };
 
 impl Printer<'_> {
@@ -11,7 +10,11 @@ impl Printer<'_> {
         match statement {
             SceneStatement::Gravity(value) => self.between("gravity = ", *value, ";"),
             SceneStatement::Body(body) => self.body(body),
-            SceneStatement::Frame(name) => self.text(&format!("frame {};", name.text)),
+            SceneStatement::Frame(name) => {
+                self.text("frame ");
+                self.name(name);
+                self.text(";");
+            }
             SceneStatement::Line(line) => self.line(line),
             SceneStatement::Connector(connector) => self.connector(connector),
             SceneStatement::Joint(joint) => self.joint(joint),
@@ -31,7 +34,9 @@ impl Printer<'_> {
     }
 
     fn body(&mut self, body: &Body) {
-        self.text(&format!("body {} {{", body.name.text));
+        self.text("body ");
+        self.name(&body.name);
+        self.text(" {");
         self.given([("mass", body.mass), ("inertia", body.inertia)]);
         if let Some(tensor) = &body.tensor {
             self.text(" inertia: (");
@@ -84,9 +89,13 @@ impl Printer<'_> {
     }
 
     fn line(&mut self, line: &Line) {
-        self.text(&format!("line {} {{", line.name.text));
+        self.text("line ");
+        self.name(&line.name);
+        self.text(" {");
         if let Some(on) = &line.on {
-            self.text(&format!(" on: {};", on.text));
+            self.text(" on: ");
+            self.name(on);
+            self.text(";");
         }
         self.given([("through", line.through), ("angle", line.angle)]);
         self.text(" }");
@@ -95,7 +104,8 @@ impl Printer<'_> {
     fn connector(&mut self, connector: &Connector) {
         self.text(connector.kind.name());
         if let Some(name) = &connector.name {
-            self.text(&format!(" {}", name.text));
+            self.text(" ");
+            self.name(name);
         }
         self.text(" {");
         self.given([
@@ -109,22 +119,30 @@ impl Printer<'_> {
     }
 
     fn joint(&mut self, joint: &Joint) {
-        let word = |word: &str, name: &Option<Name>| match name {
-            Some(name) => format!("{word} {} = ", name.text),
-            None => format!("{word} "),
+        let word = match joint.kind {
+            JointKind::Pin { .. } => "pin ",
+            JointKind::Slide { .. } => "slide ",
+            JointKind::Roll { .. } => "roll ",
         };
+        self.text(word);
+        if let Some(name) = &joint.name {
+            self.name(name);
+            self.text(" = ");
+        }
         match &joint.kind {
             JointKind::Pin { first, second } => {
-                self.labelled(&word("pin", &joint.name), *first);
+                self.expression(*first);
                 self.labelled(" to ", *second);
             }
             JointKind::Slide { point, line } => {
-                self.labelled(&word("slide", &joint.name), *point);
-                self.text(&format!(" on {}", line.text));
+                self.expression(*point);
+                self.text(" on ");
+                self.name(line);
             }
             JointKind::Roll { body, line, radius } => {
-                self.text(&word("roll", &joint.name));
-                self.text(&format!("{} on {}", body.text, line.text));
+                self.name(body);
+                self.text(" on ");
+                self.name(line);
                 radius.iter().for_each(|radius| self.labelled(", radius: ", *radius));
             }
         }
@@ -135,19 +153,29 @@ impl Printer<'_> {
         self.text(joint.kind.name());
         self.text(" ");
         if joint.kind == MobilizerKind::Free {
-            return self.text(&format!("{};", joint.outboard.text));
+            self.name(&joint.outboard);
+            return self.text(";");
         }
-        joint.quaternion.iter().for_each(|quaternion| self.text(&format!("{} = ", quaternion.name.text)));
+        if let Some(quaternion) = &joint.quaternion {
+            self.name(&quaternion.name);
+            self.text(" = ");
+        }
         match joint.coordinates.as_slice() {
             [] => {}
-            [only] => self.text(&format!("{} = ", only.text)),
+            [only] => {
+                self.name(only);
+                self.text(" = ");
+            }
             several => {
                 self.text("(");
-                self.list(several, |printer, name| printer.text(&name.text));
+                self.list(several, Self::name);
                 self.text(") = ");
             }
         }
-        self.text(&format!("{} to {} {{", joint.inboard.text, joint.outboard.text));
+        self.name(&joint.inboard);
+        self.text(" to ");
+        self.name(&joint.outboard);
+        self.text(" {");
         self.given([
             ("at", joint.at),
             ("turned", joint.turned),

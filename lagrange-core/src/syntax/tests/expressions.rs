@@ -93,7 +93,7 @@ fn expressions_of_rust_are_refused_in_words() {
     assert_eq!(mistake("::sin(x)"), "paths with `::` have no meaning here");
     assert_eq!(mistake("vec![1]"), "macros cannot be called in expressions");
     assert_eq!(mistake("x as f64"), "`as` has no meaning here");
-    assert_eq!(mistake("x[0]"), "square brackets have no meaning here");
+    assert_eq!(mistake("(a, b)[0]"), "square brackets have no meaning here");
     assert_eq!(mistake("[a, b]"), "expected an expression, found `[`");
     assert_eq!(mistake("self.x"), "the keyword `self` has no value");
     assert_eq!(mistake("potential"), "the keyword `potential` has no value");

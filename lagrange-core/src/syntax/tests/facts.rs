@@ -2,7 +2,7 @@ use super::systems::systems;
 use super::{errors, parse_text, read};
 use crate::collections::HashMap;
 use crate::diagnostics::Report;
-use crate::syntax::ast::{AstId, Declaration, Expression};
+use crate::syntax::ast::Declaration;
 use crate::syntax::keywords::{self, STATEMENTS};
 use crate::syntax::{messages, print};
 
@@ -36,19 +36,6 @@ fn documentation_of_names_that_cannot_be_read_is_no_second_mistake() {
     assert_eq!(errors("/// Text.\ncoord;").len(), 1);
 }
 
-/// Operands of an expression.
-fn operands(expression: &Expression) -> Vec<AstId> {
-    match expression {
-        Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
-        Expression::Negate(operand) | Expression::Component(operand, _) => vec![*operand],
-        Expression::Binary(_, _, left, right) => vec![*left, *right],
-        Expression::Tuple(operands) | Expression::Call(_, operands) => operands.clone(),
-        Expression::If { condition, then, otherwise } => {
-            vec![condition.left, condition.right, *then, *otherwise]
-        }
-    }
-}
-
 /// Expressions that no statement names and that are part of none that one does.
 fn strays(declaration: &Declaration) -> Vec<String> {
     let expressions = &declaration.expressions;
@@ -56,7 +43,7 @@ fn strays(declaration: &Declaration) -> Vec<String> {
     let mut pending = declaration.statements.iter().flat_map(|s| s.kind.expressions()).collect::<Vec<_>>();
     while let Some(id) = pending.pop() {
         known.insert(id, ());
-        pending.extend(operands(expressions.get(id)));
+        pending.extend(expressions.get(id).operands());
     }
     let strays = expressions.iter().filter(|(id, _)| !known.contains(id));
     strays.map(|(id, _)| print::expression(expressions, id)).collect()

@@ -183,16 +183,8 @@ fn is_sound(text: &str) -> bool {
     report.to_string();
     let expressions = &declaration.expressions;
     expressions.iter().all(|(id, expression)| match expression {
-        Expression::Binary(_, _, left, right) => *left < id && *right < id,
-        Expression::Call(_, children) | Expression::Tuple(children) => {
-            children.iter().all(|child| *child < id)
-        }
-        Expression::Negate(child) | Expression::Component(child, _) => *child < id,
-        Expression::If { condition, then, otherwise } => {
-            [condition.left, condition.right, *then, *otherwise].into_iter().all(|child| child < id)
-        }
         Expression::Invalid => report.has_errors(),
-        Expression::Number(_) | Expression::Name(_) => true,
+        other => other.operands().into_iter().all(|operand| operand < id),
     })
 }
 

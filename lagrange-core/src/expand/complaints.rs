@@ -1,0 +1,101 @@
+//! Mistakes in what is written out, each reported once however often it is written out.
+
+use std::collections::BTreeSet;
+
+use super::counting::{IndexFault, Reason};
+use super::messages;
+use super::scopes::{ScopeId, Scopes};
+use crate::collections::HashMap;
+use crate::diagnostics::{Diagnostic, Origin, Report, nearest};
+use crate::syntax::ast::{AstId, Declaration, Expressions};
+
+/// What is reported, and what is known of names for it.
+pub(super) struct Complaints<'a> {
+    pub(super) report: &'a mut Report,
+    declaration: &'a Declaration,
+    /// The names that are declared anywhere, with those of variables.
+    pub(super) names: &'a BTreeSet<String>,
+    /// Expressions of which something was said.
+    said: HashMap<AstId, ()>,
+    /// True if what could not be read may be where a name is declared.
+    is_partial: bool,
+}
+
+impl<'a> Complaints<'a> {
+    pub(super) fn new(
+        report: &'a mut Report,
+        declaration: &'a Declaration,
+        names: &'a BTreeSet<String>,
+    ) -> Complaints<'a> {
+        let is_partial = report.has_errors();
+        Complaints { report, declaration, names, said: HashMap::default(), is_partial }
+    }
+
+    /// Reports something of an expression; nothing the second time.
+    pub(super) fn once(&mut self, of: AstId, origin: Origin, message: String) -> Option<&mut Diagnostic> {
+        self.said.insert(of, ()).is_none().then(|| self.report.error(origin, message))
+    }
+
+    /// Reports an index that cannot be counted.
+    pub(super) fn fault(
+        &mut self,
+        expressions: &Expressions,
+        fault: &IndexFault,
+        (scopes, scope): (&Scopes, ScopeId),
+    ) {
+        let origin = expressions.origin(fault.place);
+        let place = scopes.place(scope);
+        let (message, help) = match &fault.reason {
+            Reason::Unreadable => return,
+            Reason::Name(name) if self.is_partial && !self.names.contains(name) => return,
+            Reason::Name(name) if self.names.contains(name) => {
+                (messages::no_constant(name), messages::constant_help(name))
+            }
+            Reason::Name(name) if scopes.is_variable(name) => {
+                (messages::unknown_name(name), messages::in_its_loop(name))
+            }
+            Reason::Name(name) => return self.unknown(name, fault.place, origin),
+            Reason::Form => (messages::NO_INDEX.to_owned(), messages::INDEX_HELP.to_owned()),
+            Reason::NoInteger(number) => {
+                (messages::no_integer(number, &place), messages::INDEX_HELP.to_owned())
+            }
+            Reason::DivisionByZero => (messages::division_by_zero(&place), messages::INDEX_HELP.to_owned()),
+            Reason::TooLarge => (messages::TOO_LARGE.to_owned(), messages::INDEX_HELP.to_owned()),
+        };
+        if let Some(error) = self.once(fault.place, origin, message) {
+            error.help(help);
+        }
+    }
+
+    /// Reports a condition between statements that cannot be decided.
+    pub(super) fn undecided(
+        &mut self,
+        expressions: &Expressions,
+        fault: &IndexFault,
+        scope: (&Scopes, ScopeId),
+    ) {
+        match &fault.reason {
+            Reason::Name(name) if self.names.contains(name) => {
+                let origin = expressions.origin(fault.place);
+                if let Some(error) = self.once(fault.place, origin, messages::condition(name)) {
+                    error.help(messages::CONDITION_HELP);
+                }
+            }
+            _ => self.fault(expressions, fault, scope),
+        }
+    }
+
+    /// Reports a name that means nothing, unless it may be declared where the text could not be read.
+    pub(super) fn unknown(&mut self, name: &str, of: AstId, origin: Origin) {
+        if self.declaration.lacks_names || self.declaration.unreadable_words.contains(&name.to_owned()) {
+            return;
+        }
+        let help = match nearest(name, self.names.iter().map(String::as_str)) {
+            Some(nearest) => messages::did_you_mean(nearest),
+            None => messages::DECLARE_HELP.to_owned(),
+        };
+        if let Some(error) = self.once(of, origin, messages::unknown_name(name)) {
+            error.help(help);
+        }
+    }
+}

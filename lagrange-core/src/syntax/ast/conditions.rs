@@ -1,0 +1,86 @@
+//! Conditions on indices, as written.
+
+use super::AstId;
+
+/// A condition on indices: whether one of several holds, each of which holds if all its tests do.
+#[derive(Clone, Debug)]
+pub struct IndexCondition {
+    /// Tests with `&&` between them, in groups with `||` between those.
+    pub alternatives: Vec<Vec<IndexTest>>,
+}
+
+impl IndexCondition {
+    /// Its expressions.
+    pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        let tests = self.alternatives.iter_mut().flatten();
+        let expressions = tests.flat_map(|test| match &mut test.kind {
+            TestKind::Comparison(left, _, right) => vec![left, right],
+            TestKind::Nested(condition) => condition.expressions_mut(),
+        });
+        expressions.collect()
+    }
+}
+
+/// One test of a condition.
+#[derive(Clone, Debug)]
+pub struct IndexTest {
+    /// Whether `!` stands before it.
+    pub is_negated: bool,
+    /// The test itself.
+    pub kind: TestKind,
+}
+
+/// What is tested.
+#[derive(Clone, Debug)]
+pub enum TestKind {
+    /// `i < n`
+    Comparison(AstId, Comparison, AstId),
+    /// A condition in parentheses.
+    Nested(IndexCondition),
+}
+
+/// How indices are compared.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Comparison {
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+    /// `==`
+    Equal,
+    /// `!=`
+    Unequal,
+}
+
+impl Comparison {
+    /// Each with its sign, longer signs before those with which they begin.
+    pub const ALL: [(&'static str, Comparison); 6] = [
+        ("<=", Comparison::LessEqual),
+        (">=", Comparison::GreaterEqual),
+        ("==", Comparison::Equal),
+        ("!=", Comparison::Unequal),
+        ("<", Comparison::Less),
+        (">", Comparison::Greater),
+    ];
+
+    /// Whether it holds of two things in this order.
+    pub fn holds(self, order: std::cmp::Ordering) -> bool {
+        match self {
+            Comparison::Less => order.is_lt(),
+            Comparison::LessEqual => order.is_le(),
+            Comparison::Greater => order.is_gt(),
+            Comparison::GreaterEqual => order.is_ge(),
+            Comparison::Equal => order.is_eq(),
+            Comparison::Unequal => order.is_ne(),
+        }
+    }
+
+    /// Its sign.
+    pub fn sign(self) -> &'static str {
+        Comparison::ALL.iter().find(|(_, comparison)| *comparison == self).map_or("", |(sign, _)| sign)
+    }
+}

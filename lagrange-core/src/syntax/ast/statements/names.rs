@@ -1,0 +1,82 @@
+//! Names in statements, as they stand in the text.
+
+use super::StatementKind;
+use crate::syntax::ast::Name;
+use crate::syntax::ast::bodies::SceneStatement;
+use crate::syntax::ast::mobilizers::MobilizerKind;
+
+impl StatementKind {
+    /// All names outside of expressions, to be read or replaced: those that the statement declares, but for what is made of them, and
+    /// those that it mentions. Those within loops are not among them.
+    pub fn names_mut(&mut self) -> Vec<&mut Name> {
+        match self {
+            StatementKind::Parameters(list)
+            | StatementKind::Inputs(list)
+            | StatementKind::Constants(list) => {
+                list.iter_mut().map(|definition| &mut definition.name).collect()
+            }
+            StatementKind::Coordinates(names) | StatementKind::LetTuple(names, _) => {
+                names.iter_mut().collect()
+            }
+            StatementKind::Quaternion(quaternion) => vec![&mut quaternion.name],
+            StatementKind::Velocity(name, _)
+            | StatementKind::Let(name, _)
+            | StatementKind::ForceOn(name, _)
+            | StatementKind::Constraint(name, _)
+            | StatementKind::Output(name, _) => vec![name],
+            StatementKind::Function(function) => vec![&mut function.name],
+            StatementKind::External(function) => {
+                let derivatives =
+                    function.derivatives.iter_mut().flatten().map(|derivative| &mut derivative.name);
+                derivatives.chain([&mut function.name]).collect()
+            }
+            StatementKind::Table(table) => vec![&mut table.name],
+            StatementKind::Event(event) => vec![&mut event.name],
+            StatementKind::Friction(friction) => vec![&mut friction.name],
+            StatementKind::Reduce(reduction) => {
+                reduction.items.iter_mut().map(|item| &mut item.coordinate).collect()
+            }
+            StatementKind::Scene(scene) => scene.names_mut(),
+            StatementKind::Kinetic(_)
+            | StatementKind::Potential(_)
+            | StatementKind::Lagrangian(_)
+            | StatementKind::Gibbs { .. }
+            | StatementKind::Dissipation(_)
+            | StatementKind::ForceAt { .. }
+            | StatementKind::ForceAlong { .. }
+            | StatementKind::Torque { .. }
+            | StatementKind::Stabilise(_)
+            | StatementKind::Repeat(_)
+            | StatementKind::Select(_)
+            | StatementKind::Emit(_) => Vec::new(),
+        }
+    }
+
+    /// The names that a statement declares but for those of types, each as a name that stands in the text and what follows that: a
+    /// quaternion `hip` declares `hip` with `_qw` behind it.
+    pub fn written_names(&self) -> Vec<(&Name, String)> {
+        match self {
+            StatementKind::Quaternion(quaternion) => made_of(&quaternion.name, quaternion.names()),
+            StatementKind::Function(function) => vec![(&function.name, String::new())],
+            StatementKind::Scene(SceneStatement::Mobilizer(joint)) => match (joint.kind, &joint.quaternion) {
+                (MobilizerKind::Weld, _) => Vec::new(),
+                (MobilizerKind::Free, _) => made_of(&joint.outboard, joint.names()),
+                (_, Some(quaternion)) => made_of(&quaternion.name, quaternion.names()),
+                (_, None) => as_written(joint.coordinates.iter().collect()),
+            },
+            kind => match kind.member_names() {
+                names if names.is_empty() => as_written(kind.declared_names()),
+                names => as_written(names),
+            },
+        }
+    }
+}
+
+fn as_written(names: Vec<&Name>) -> Vec<(&Name, String)> {
+    names.into_iter().map(|name| (name, String::new())).collect()
+}
+
+fn made_of<'a>(name: &'a Name, made: Vec<&Name>) -> Vec<(&'a Name, String)> {
+    let suffix = |made: &Name| made.text.strip_prefix(name.text.as_str()).unwrap_or_default().to_owned();
+    made.into_iter().map(|made| (name, suffix(made))).collect()
+}

@@ -1,0 +1,77 @@
+//! Where statements begin and end.
+
+use proc_macro2::{Delimiter, Group, Ident, TokenTree};
+
+use super::{Cursor, as_group, is_punct, keywords};
+use crate::syntax::ast::Soft;
+
+impl Cursor {
+    /// The keyword that begins a statement here, if the next token is one.
+    pub(in crate::syntax) fn statement_keyword(&self) -> Option<String> {
+        let begins = |word: &String| match keywords::soft_statement(word) {
+            Some(form) => self.at_soft_statement(form),
+            None => keywords::begins_statement(word),
+        };
+        self.ident().map(Ident::to_string).filter(begins)
+    }
+
+    /// True if the next token is followed by what makes it begin a statement.
+    fn at_soft_statement(&self, form: Soft) -> bool {
+        let name = match self.peek_past(1) {
+            Some(TokenTree::Ident(name)) => Some(name.to_string()),
+            _ => None,
+        };
+        match form {
+            Soft::Definition => name.is_some() && self.equals_past(2),
+            Soft::Braces if name.is_some() => as_group(self.peek_past(2), Delimiter::Brace).is_some(),
+            Soft::Braces => as_group(self.peek_past(1), Delimiter::Brace).is_some_and(is_labelled),
+            Soft::Joint => name.is_some_and(|name| !keywords::is_connective(&name)),
+            Soft::Loop => {
+                name.is_some() && matches!(self.peek_past(2), Some(TokenTree::Ident(word)) if word == "in")
+            }
+            Soft::Function => name.is_some() && as_group(self.peek_past(2), Delimiter::Parenthesis).is_some(),
+            Soft::Alone => name.is_some() && is_punct(self.peek_past(2), ';'),
+            Soft::Coordinates => {
+                let is_list = as_group(self.peek_past(1), Delimiter::Parenthesis).is_some();
+                (name.is_some() || is_list) && self.equals_past(2)
+            }
+        }
+    }
+
+    /// True if a statement begins here, judged by its keyword and the token behind that.
+    pub(in crate::syntax) fn at_statement(&self) -> bool {
+        let follows = match self.peek_past(1) {
+            Some(TokenTree::Ident(_) | TokenTree::Group(_)) => true,
+            _ => self.equals_past(1),
+        };
+        follows && self.statement_keyword().is_some()
+    }
+
+    /// True if a statement ends here, be it that the semicolon behind it was forgotten.
+    pub(in crate::syntax) fn at_statement_end(&self) -> bool {
+        self.at(';') || self.at_end() || self.statement_keyword().is_some()
+    }
+
+    /// Skips to what ends the current statement: its `;`, the next statement or the last token.
+    pub(in crate::syntax) fn skip_statement(&mut self) {
+        self.skip_to(|cursor| cursor.at(';') || cursor.at_statement());
+    }
+
+    /// Skips to what ends the head of a declaration.
+    pub(in crate::syntax) fn skip_head(&mut self) {
+        self.skip_to(|cursor| {
+            cursor.at(';') || cursor.group(Delimiter::Brace).is_some() || cursor.at_statement()
+        });
+    }
+
+    /// Skips to the next `,`, but not beyond the current statement.
+    pub(in crate::syntax) fn skip_item(&mut self) {
+        self.skip_to(|cursor| cursor.at(',') || cursor.at(';') || cursor.at_statement());
+    }
+}
+
+/// True if a group begins with a word and a colon, as no block of an `if` does.
+fn is_labelled(group: &Group) -> bool {
+    let mut tokens = group.stream().into_iter();
+    matches!(tokens.next(), Some(TokenTree::Ident(_))) && is_punct(tokens.next().as_ref(), ':')
+}

@@ -1,0 +1,18 @@
+//! What is said of how arrays and loops are written.
+
+pub(in crate::syntax) const EMPTY_BRACKETS: &str = "nothing stands between these brackets";
+pub(in crate::syntax) const INDEX_FORM_HELP: &str = "write one index: `p[i]`, or `u[i][j]` in a grid";
+pub(in crate::syntax) const RANGE: &str =
+    "a loop runs over a range of integers, with two dots between its ends";
+pub(in crate::syntax) const RANGE_HELP: &str = "write `0..n` for 0 up to n - 1, or `1..=n` for 1 up to n";
+pub(in crate::syntax) const SUM_HELP: &str = "write `sum(i in 0..n, e)`";
+pub(in crate::syntax) const LOOP_HELP: &str = "write `for i in 0..n { … }`";
+pub(in crate::syntax) const SELECTION_HELP: &str =
+    "write `if i > 0 { … }`, with statements between the braces";
+pub(in crate::syntax) const COMPARISON: &str = "`<`, `<=`, `>`, `>=`, `==` or `!=`";
+pub(in crate::syntax) const LIST_END: &str = "`,` or `]`";
+pub(in crate::syntax) const LIST_HELP: &str =
+    "write one value for each element: `param l[3] = [1, 0.5, 0.25];`";
+pub(in crate::syntax) const FUNCTIONS: &str = "functions and their parameters have no elements";
+pub(in crate::syntax) const FUNCTIONS_HELP: &str =
+    "make the index another parameter, or write the expression out in a loop";

@@ -1,0 +1,69 @@
+//! Names with indices, loops and choices between statements as text.
+
+use super::Printer;
+use super::expressions::dots;
+use crate::syntax::ast::{IndexCondition, IndexTest, Name, Repetition, Selection, Statement, TestKind};
+
+impl Printer<'_> {
+    /// A name with what stands in square brackets behind it.
+    pub(super) fn name(&mut self, name: &Name) {
+        self.text(&name.text);
+        for index in &name.indices {
+            self.labelled("[", *index);
+            self.text("]");
+        }
+    }
+
+    pub(super) fn repetition(&mut self, repetition: &Repetition) {
+        let Repetition { variable, range, body } = repetition;
+        self.labelled(&format!("for {} in ", variable.text), range.from);
+        self.labelled(dots(range), range.to);
+        self.block(body);
+    }
+
+    pub(super) fn selection(&mut self, selection: &Selection) {
+        for (number, (condition, body)) in selection.branches.iter().enumerate() {
+            self.text(if number == 0 { "if " } else { " else if " });
+            self.index_condition(condition);
+            self.block(body);
+        }
+        if !selection.otherwise.is_empty() {
+            self.text(" else");
+            self.block(&selection.otherwise);
+        }
+    }
+
+    fn block(&mut self, statements: &[Statement]) {
+        self.text(" {");
+        for statement in statements {
+            self.text(" ");
+            self.statement(&statement.kind);
+        }
+        self.text(" }");
+    }
+
+    fn index_condition(&mut self, condition: &IndexCondition) {
+        for (number, tests) in condition.alternatives.iter().enumerate() {
+            self.text(if number == 0 { "" } else { " || " });
+            for (number, test) in tests.iter().enumerate() {
+                self.text(if number == 0 { "" } else { " && " });
+                self.index_test(test);
+            }
+        }
+    }
+
+    fn index_test(&mut self, test: &IndexTest) {
+        self.text(if test.is_negated { "!" } else { "" });
+        match &test.kind {
+            TestKind::Comparison(left, comparison, right) => {
+                self.expression(*left);
+                self.labelled(&format!(" {} ", comparison.sign()), *right);
+            }
+            TestKind::Nested(condition) => {
+                self.text("(");
+                self.index_condition(condition);
+                self.text(")");
+            }
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Loops and choices between statements.
+
+use proc_macro2::{Delimiter, Group, TokenTree};
+
+use crate::syntax::ast::{
+    Comparison, IndexCondition, IndexTest, Repetition, Selection, Statement, StatementKind, TestKind,
+};
+use crate::syntax::cursor::Cursor;
+use crate::syntax::messages::arrays;
+use crate::syntax::parser::{Parsed, Parser};
+use crate::syntax::recovery::Turn;
+
+impl Parser<'_> {
+    /// `i in 0..n { … }` behind the word `for`.
+    pub(super) fn repetition(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        let head = self.variable(arrays::LOOP_HELP, cursor);
+        if head.is_err() {
+            self.skip_braces(cursor);
+        }
+        let (variable, range) = head?;
+        let body = self.statements_between_braces(arrays::LOOP_HELP, cursor)?;
+        Ok(StatementKind::Repeat(Box::new(Repetition { variable, range, body })))
+    }
+
+    /// `i > 0 { … } else if … { … } else { … }` behind the word `if`.
+    pub(super) fn selection(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        let mut selection = Selection { branches: Vec::new(), otherwise: Vec::new() };
+        let whole = self.turns(cursor, |parser, cursor| {
+            let condition = parser.counting(cursor, Self::index_condition)?;
+            let body = parser.statements_between_braces(arrays::SELECTION_HELP, cursor)?;
+            selection.branches.push((condition, body));
+            if cursor.eat_word("else").is_none() {
+                return Ok(Turn::Last);
+            }
+            if cursor.eat_word("if").is_some() {
+                return Ok(Turn::Next);
+            }
+            selection.otherwise = parser.statements_between_braces(arrays::SELECTION_HELP, cursor)?;
+            Ok(Turn::Last)
+        });
+        if whole.is_err() {
+            self.skip_braces(cursor);
+        }
+        whole.map(|()| StatementKind::Select(selection))
+    }
+
+    fn statements_between_braces(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Vec<Statement>> {
+        let group = self.braces(help, cursor)?;
+        let counts = std::mem::replace(&mut self.counts, false);
+        let statements = self.inside(&group, |parser, cursor| Ok(parser.statements(cursor)));
+        (self.counts, self.skipped) = (counts, false);
+        statements
+    }
+
+    /// `i > 0 && i < n || …`
+    fn index_condition(&mut self, cursor: &mut Cursor) -> Parsed<IndexCondition> {
+        let mut alternatives = vec![Vec::new()];
+        self.turns(cursor, |parser, cursor| {
+            let test = parser.index_test(cursor)?;
+            if let Some(tests) = alternatives.last_mut() {
+                tests.push(test);
+            }
+            let is_or = cursor.at_pair('|', '|');
+            if is_or {
+                alternatives.push(Vec::new());
+            }
+            let goes_on = is_or || cursor.at_pair('&', '&');
+            if goes_on {
+                cursor.skip_one();
+                cursor.skip_one();
+            }
+            Ok(Turn::next_if(goes_on))
+        })?;
+        Ok(IndexCondition { alternatives })
+    }
+
+    /// `!(…)`, `(…)` or `i < n`
+    fn index_test(&mut self, cursor: &mut Cursor) -> Parsed<IndexTest> {
+        let is_negated = cursor.eat_all('!').count() % 2 == 1;
+        let group = cursor.group(Delimiter::Parenthesis).filter(|group| is_condition(group)).cloned();
+        if let Some(group) = group {
+            cursor.skip_one();
+            let condition = self.inside(&group, |parser, cursor| {
+                let condition = parser.index_condition(cursor)?;
+                match cursor.at_end() {
+                    true => Ok(condition),
+                    false => Err(parser.no_operator(cursor, "`)`")),
+                }
+            })?;
+            return Ok(IndexTest { is_negated, kind: TestKind::Nested(condition) });
+        }
+        let left = self.expression(cursor)?;
+        let Some(comparison) = eat_comparison(cursor) else {
+            return Err(self.misplaced(arrays::COMPARISON, arrays::SELECTION_HELP, cursor));
+        };
+        let right = self.expression(cursor)?;
+        Ok(IndexTest { is_negated, kind: TestKind::Comparison(left, comparison, right) })
+    }
+}
+
+/// True of parentheses around a condition rather than around a part of an index.
+fn is_condition(group: &Group) -> bool {
+    let mut pending = group.stream().into_iter().collect::<Vec<_>>();
+    while let Some(token) = pending.pop() {
+        match token {
+            TokenTree::Punct(punct) if "<>=!&|".contains(punct.as_char()) => return true,
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => {
+                pending.extend(group.stream());
+            }
+            _ => {}
+        }
+    }
+    false
+}
+
+fn eat_comparison(cursor: &mut Cursor) -> Option<Comparison> {
+    let is_here = |sign: &str| match sign.as_bytes() {
+        [first, second] => cursor.at_pair(char::from(*first), char::from(*second)),
+        [only] => cursor.at(char::from(*only)),
+        _ => false,
+    };
+    let (sign, comparison) = Comparison::ALL.into_iter().find(|(sign, _)| is_here(sign))?;
+    for _ in sign.chars() {
+        cursor.skip_one();
+    }
+    Some(comparison)
+}
