@@ -1,6 +1,7 @@
 //! What a user may rely on of the items that `system!` emits: names, types, conversions, traits.
 
 mod accuracy;
+mod arrays;
 mod axiom;
 mod bodies;
 mod columns;

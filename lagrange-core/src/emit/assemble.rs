@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::base::docs;
+use super::base::fields::entries;
 use super::base::method::{Arguments, Method, Returns};
 use super::base::refusal::{Refusal, report_refusal};
 use super::base::shape::{doc, identifier};
@@ -172,11 +173,10 @@ fn default_body(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
     let defaults = fields.map(|field| field.default).collect::<Option<Vec<_>>>()?;
     let body = writer.constants(&defaults)?;
     let shape = writer.shape;
-    let (names, statements) = (shape.fields.iter().map(|name| identifier(name)), body.statements);
+    let (fields, statements) = (entries(&shape.number_fields(), &body.outputs), body.statements);
     let (modes, switches) = (default_modes(shape), free_switches(shape));
-    let (values, marker) = (body.outputs, shape.needs_marker());
-    let marker = marker.then(|| quote!(scalar: ::core::marker::PhantomData));
-    Some(quote!(#statements Self { #(#names: #values,)* #modes #switches #marker }))
+    let marker = shape.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData));
+    Some(quote!(#statements Self { #(#fields,)* #modes #switches #marker }))
 }
 
 fn constants(writer: &mut MethodWriter<'_>, statements: Option<&str>) -> TokenStream {

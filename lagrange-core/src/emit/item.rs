@@ -6,7 +6,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use super::base::attributes::{conditions, deprecated_exception, split_attributes};
 use super::base::lints::{name_exception, rounded_exception, unused_exception};
 use super::base::members::Members;
-use super::base::shape::{Shape, doc, identifier, local};
+use super::base::shape::{Shape, doc, local};
 use super::base::state::{columns_impls, columns_struct, rhs, state_conversions, state_struct};
 use super::features::constrained::projections;
 use super::features::contacts::mode_fields;
@@ -94,12 +94,7 @@ fn system_struct(shape: &Shape<'_>, members: &Members) -> TokenStream {
         docs.push(doc(""));
         docs.extend(members.docs.iter().map(|line| doc(line)));
     }
-    let field_docs = shape
-        .fields
-        .iter()
-        .map(|name| shape.docs(name, &format!("{} `{}`.", shape.kind_of_field(name), name.text)));
-    let fields = shape.fields.iter().map(|name| identifier(name));
-    let fields = quote!(#(#field_docs pub #fields: #scalar,)*);
+    let fields = shape.field_declarations(&scalar);
     let marker = shape.needs_marker().then(|| {
         quote! {
             /// The number type.

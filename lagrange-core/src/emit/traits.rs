@@ -3,9 +3,10 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::base::fields::places;
 use super::base::members::Members;
 use super::base::method::{ArgumentNames, Arguments};
-use super::base::shape::{Shape, identifier, length, local};
+use super::base::shape::{Shape, length, local};
 use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
 use super::features::contacts::contact_impl;
 use super::features::events::event_members;
@@ -90,7 +91,7 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, scalar) = (shape.krate, shape.scalar());
     let ArgumentNames { time, state, positions, velocities, .. } = &members.names;
     let (all, rates) = (shape.state_length(), local("rates"));
-    let inputs = shape.fields.iter().copied().filter(|name| shape.is_input(name)).map(named);
+    let inputs = named(shape, |name| shape.is_input(name));
     // Under constraints a singular mass matrix may be as good as any.
     let determines = shape.constraints.is_empty() && shape.velocities.len() <= LARGEST_MASS_MATRIX;
     let mass_matrix = members.methods.iter().find(|method| determines && method.name == "mass_matrix");
@@ -115,10 +116,14 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// A field with its name.
-fn named(name: &Name) -> TokenStream {
-    let (text, field) = (&name.text, identifier(name));
-    quote!((#text, self.#field))
+/// Parameters or inputs, each with its name.
+fn named(shape: &Shape<'_>, is_wanted: impl Fn(&Name) -> bool) -> Vec<TokenStream> {
+    let fields = shape.fields.iter().zip(places(&shape.number_fields()));
+    let wanted = fields.filter(|(name, _)| is_wanted(name)).map(|(name, place)| {
+        let text = shape.written(name);
+        quote!((#text, self.#place))
+    });
+    wanted.collect()
 }
 
 /// The members of `OdeSystem` that bring a state back onto what holds it.
@@ -174,7 +179,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (krate, columns, state) = (shape.krate, shape.columns_name(), shape.state_name());
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
-    let coordinates = shape.coordinates.iter().map(|name| &name.text);
+    let coordinates = shape.coordinates.iter().map(|name| shape.written(name));
     let (rates, oriented) = (position_rates(shape, members), orientation_members(shape, members));
     let parameter = parameter_member(shape);
     let lanes = with_lanes(shape, members);
@@ -209,8 +214,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
 /// The member of `MechanicalSystem` that hands out the parameters.
 fn parameter_member(shape: &Shape<'_>) -> Option<TokenStream> {
     let (scalar, index) = (shape.scalar(), local("index"));
-    let parameters = shape.fields.iter().copied().filter(|name| !shape.is_input(name)).map(named);
-    let parameters: Vec<_> = parameters.collect();
+    let parameters = named(shape, |name| !shape.is_input(name));
     (!parameters.is_empty()).then(|| {
         quote! {
             fn parameter(

@@ -1,11 +1,10 @@
 //! Columns beside the state.
 
 use std::boxed::Box;
-use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::system::{MechanicalSystem, OdeSystem, acceleration_name};
+use crate::system::{MechanicalSystem, OdeSystem, WithSuffix};
 
 /// Columns that are computed from time and state.
 pub(super) struct Observer<'a, M: MechanicalSystem> {
@@ -29,16 +28,12 @@ impl<M: MechanicalSystem> Observer<'_, M> {
 /// The names of the velocities.
 fn velocity_names<M: MechanicalSystem>() -> Vec<String> {
     if M::VELOCITIES.is_empty() {
-        return M::COORDINATES.iter().map(|name| format!("{name}_dot")).collect();
+        return M::COORDINATES.iter().map(|name| WithSuffix::velocity(name).to_string()).collect();
     }
     M::VELOCITIES.iter().map(ToString::to_string).collect()
 }
 
 /// The names of the accelerations.
 pub(super) fn acceleration_names<M: MechanicalSystem>() -> Vec<String> {
-    let name = |velocity: &String| {
-        let (stem, suffix) = acceleration_name(velocity);
-        format!("{stem}{suffix}")
-    };
-    velocity_names::<M>().iter().map(name).collect()
+    velocity_names::<M>().iter().map(|velocity| WithSuffix::rate_of(velocity).to_string()).collect()
 }

@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use crate::simulate::builder::ENERGY;
 use crate::simulate::trajectory::Trajectory;
-use crate::system::{MechanicalSystem, StateVector};
+use crate::system::{MechanicalSystem, StateVector, WithSuffix};
 use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
 
 /// What the axis of time is called; SI units, as everywhere.
@@ -66,8 +66,8 @@ where
     /// If there is no such coordinate, or none whose rate is a velocity, or the file cannot be written.
     pub fn plot_phase(&self, coordinate: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let named = M::RATES_OF.iter().zip(M::VELOCITIES).find(|(of, _)| **of == coordinate);
-        let velocity =
-            named.map_or_else(|| std::format!("{coordinate}_dot"), |(_, name)| (*name).to_string());
+        let velocity = named
+            .map_or_else(|| WithSuffix::velocity(coordinate).to_string(), |(_, name)| (*name).to_string());
         self.plot_pair(coordinate, &velocity, path)
     }
 

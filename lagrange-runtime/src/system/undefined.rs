@@ -3,6 +3,7 @@
 use core::fmt::{Debug, Display, Formatter, Result};
 
 use super::MechanicalSystem;
+use super::rate_name::WithSuffix;
 use crate::scalar::Scalar;
 
 /// A number that is not finite, or that makes what follows from it so.
@@ -121,17 +122,9 @@ impl Display for Component {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             Component::Coordinate(name) | Component::NamedVelocity(name) => write!(f, "`{name}`"),
-            Component::Velocity(name) => write!(f, "`{name}_dot`"),
+            Component::Velocity(name) => write!(f, "`{}`", WithSuffix::velocity(name)),
             Component::Index(index) => write!(f, "the component at index {index}"),
         }
-    }
-}
-
-/// What the acceleration is called that is the rate of a velocity of this name.
-pub(crate) fn acceleration_name(velocity: &str) -> (&str, &'static str) {
-    match velocity.strip_suffix("_dot") {
-        Some(coordinate) => (coordinate, "_ddot"),
-        None => (velocity, "_dot"),
     }
 }
 
@@ -142,11 +135,10 @@ impl Display for Acceleration {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self.0 {
             Component::NamedVelocity(name) => {
-                let (stem, suffix) = acceleration_name(name);
-                write!(f, "the acceleration `{stem}{suffix}`")
+                write!(f, "the acceleration `{}`", WithSuffix::rate_of(name))
             }
             Component::Coordinate(name) | Component::Velocity(name) => {
-                write!(f, "the acceleration `{name}_ddot`")
+                write!(f, "the acceleration `{}`", WithSuffix::acceleration(name))
             }
             Component::Index(_) => write!(f, "the rate of {}", self.0),
         }
@@ -177,7 +169,7 @@ impl<S: Debug> Display for Undefined<S> {
             Undefined::State { component, value } => write!(f, "{component} of the state is {value:?}"),
             Undefined::Rate { component, value, time } => {
                 match component {
-                    Component::Coordinate(name) => write!(f, "the rate `{name}_dot`")?,
+                    Component::Coordinate(name) => write!(f, "the rate `{}`", WithSuffix::velocity(name))?,
                     velocity => write!(f, "{}", Acceleration(*velocity))?,
                 }
                 write!(f, " comes to {value:?} at time {time:?}, although the state is finite")

@@ -1,10 +1,10 @@
 //! Variables of method bodies: parameters, coordinates and the rest that they compute with.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::method::{ArgumentNames, Arguments};
-use super::shape::{Shape, identifier, length, local};
+use super::shape::{Shape, length, local};
 use crate::code::Names;
 use crate::collections::HashMap;
 use crate::model::Model;
@@ -90,7 +90,7 @@ impl Bindings<'_> {
     /// Parameters and inputs of numbers side by side, which have no other fields.
     fn lanes_bindings(&self, used: &[Role], names: &mut Names) -> TokenStream {
         let bound = bound_fields(self.shape, self.model, used, names);
-        let has_others = bound.len() < self.shape.fields.len();
+        let has_others = bound.len() < self.shape.number_fields().len();
         destructured(&bound, has_others, (&quote!(Self), &quote!(*self)))
     }
 
@@ -148,25 +148,31 @@ pub(in crate::emit) fn field_bindings(
     destructured(&bound, has_others(shape, &bound), (&quote!(Self), &quote!(*self)))
 }
 
-/// The fields that are used, each with the name that the body uses.
+/// The fields that are used, each with the names that the body uses.
 fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Names) -> Vec<TokenStream> {
     let symbols = model.graph.symbols();
     let used = used.iter().map(|role| (*role, ())).collect::<HashMap<_, _>>();
     let roles = (0..model.parameters.len() as u32).map(Role::Parameter);
-    let roles = roles.chain((0..model.inputs.len() as u32).map(Role::Input));
-    let bound = shape.fields.iter().zip(roles).filter(|(_, role)| used.contains(role));
-    let bound = bound.map(|(name, role)| {
-        let field = identifier(name);
-        let local = names.role(symbols, role);
-        // A field can be named from the macro's side, and must be, for the local to be the macro's.
-        if local == name.text { quote!(#local) } else { quote!(#field: #local) }
+    let mut roles = roles.chain((0..model.inputs.len() as u32).map(Role::Input));
+    let bound = shape.number_fields().into_iter().filter_map(|field| {
+        let own = roles.by_ref().take(field.names.len()).collect::<Vec<_>>();
+        own.iter().any(|role| used.contains(role)).then(|| {
+            // A field can be named from the macro's side, and must be, for the local to be the macro's.
+            let locals = own.into_iter().map(|role| match used.contains(&role) {
+                true => names.role(symbols, role).into_token_stream(),
+                false => quote!(_),
+            });
+            field.with(&locals.collect::<Vec<_>>())
+        })
     });
     bound.collect()
 }
 
 /// Whether the system has fields beside these.
 fn has_others(shape: &Shape<'_>, bound: &[TokenStream]) -> bool {
-    !shape.switches.is_empty() || shape.fields_of_modes().next().is_some() || bound.len() < shape.fields.len()
+    !shape.switches.is_empty()
+        || shape.fields_of_modes().next().is_some()
+        || bound.len() < shape.number_fields().len()
 }
 
 fn destructured(

@@ -5,6 +5,7 @@ pub(super) mod bindings;
 pub(in crate::emit) mod callees;
 pub(super) mod docs;
 pub(super) mod exclusion;
+pub(super) mod fields;
 pub(super) mod lanes_shape;
 pub(super) mod lints;
 pub(super) mod members;

@@ -45,6 +45,8 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) callees: Vec<Name>,
     /// The user's documentation of fields, coordinates and outputs.
     docs: HashMap<&'a str, &'a TokenStream>,
+    /// How elements of arrays are written.
+    written: HashMap<&'a str, &'a str>,
 }
 
 /// Kind of field that keeps the mode of a reaction.
@@ -78,6 +80,7 @@ impl<'a> Shape<'a> {
             outputs: Vec::new(),
             callees: callees(declaration),
             docs: documentation(declaration),
+            written: written_names(declaration),
         };
         let (mut inputs, components) = (Vec::new(), component_counts(declaration));
         for statement in &declaration.statements {
@@ -186,15 +189,6 @@ impl<'a> Shape<'a> {
         })
     }
 
-    /// These fields, those of modes among them, in a literal of the struct, as they are in `self`; with the marker, if there is one.
-    pub(in crate::emit) fn kept_fields(&self, keeps: impl Fn(&Name) -> bool) -> TokenStream {
-        let fields = self.fields.iter().copied().chain(self.fields_of_modes());
-        let fields = fields.filter(|name| keeps(name)).map(identifier);
-        let marker = self.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData,));
-        let fields = fields.map(|field| quote!(#field: self.#field,)).collect::<TokenStream>();
-        quote!(#fields #marker)
-    }
-
     /// The user's documentation of a declared name, or else `line`.
     pub(in crate::emit) fn docs(&self, name: &Name, line: &str) -> TokenStream {
         match self.docs.get(&name.text.as_str()) {
@@ -217,6 +211,11 @@ impl<'a> Shape<'a> {
     pub(in crate::emit) fn user_docs(&self, name: &Name) -> Option<&'a TokenStream> {
         let mut documented = self.declaration.bodies.iter().filter(|body| !body.docs.is_empty());
         documented.find(|body| body.name.text == name.text).map(|body| &body.docs)
+    }
+
+    /// The name of something as it is written: `theta[2]` for an element of an array.
+    pub(in crate::emit) fn written<'n>(&'n self, name: &'n Name) -> &'n str {
+        self.written.get(&name.text.as_str()).copied().unwrap_or(&name.text)
     }
 
     /// The struct's name.
@@ -348,6 +347,11 @@ fn component_counts(declaration: &Declaration) -> HashMap<AstId, usize> {
         counts.insert(id, count);
     }
     counts
+}
+
+fn written_names(declaration: &Declaration) -> HashMap<&str, &str> {
+    let elements = declaration.arrays.iter().flat_map(|array| &array.elements);
+    elements.map(|element| (element.name.as_str(), element.written.as_str())).collect()
 }
 
 fn documentation(declaration: &Declaration) -> HashMap<&str, &TokenStream> {

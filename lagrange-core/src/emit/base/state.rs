@@ -1,8 +1,9 @@
 //! The state of an emitted system as a struct with named fields, and tables of states with named columns.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
+use super::fields::{Field, entries, places};
 use super::lints::{name_exception, type_name_exception};
 use super::method::ArgumentNames;
 use super::shape::{Shape, doc, length, local};
@@ -13,12 +14,17 @@ pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let visibility = &shape.declaration.visibility;
     let title = doc(&format!("State of [`{}`]: positions, then velocities.", shape.declaration.name.text));
     let entries = shape.coordinates.iter().copied().chain(shape.velocities.iter().map(|v| &v.name));
-    let docs = entries.zip(lines(shape)).map(|(name, Line { text, is_component })| {
+    let mut entries = entries.zip(lines(shape));
+    let fields = shape.state_fields().into_iter().filter_map(|field| {
+        let (name, line) = entries.by_ref().take(field.names.len()).collect::<Vec<_>>().into_iter().next()?;
+        let Line { text, is_component } = line.of(&field);
         let (users, blank, own) = (shape.docs(name, &text), doc(""), doc(&text));
         // What is said of an orientation does not tell its components apart.
-        if is_component && shape.is_documented(name) { quote!(#users #blank #own) } else { users }
+        let docs = if is_component && shape.is_documented(name) { quote!(#users #blank #own) } else { users };
+        let (identifier, of_type) = (&field.identifier, field.type_of(&scalar));
+        Some(quote!(#docs pub #identifier: #of_type,))
     });
-    let (fields, names) = (shape.state_fields(), name_exception(shape));
+    let (fields, names) = (fields.collect::<Vec<_>>(), name_exception(shape));
     let type_name = type_name_exception(shape);
     let allow = (!generics.is_empty()).then(
         || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
@@ -30,7 +36,7 @@ pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
         #allow
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
-            #(#docs pub #fields: #scalar,)*
+            #(#fields)*
         }
     }
 }
@@ -39,16 +45,15 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     let (state, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar());
     // Not `Scalar`: a state can be converted whatever its numbers can do.
     let fields = shape.state_fields();
-    let (positions, velocities) = fields.split_at(shape.coordinates.len());
+    let (places, copied) = (places(&fields), shape.copied_generics(&fields));
+    let (positions, velocities) = places.split_at(shape.coordinates.len());
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let all = shape.state_length();
     let variables = state_variables(shape);
-    let entries = fields.iter().zip(&variables).map(|(field, variable)| match field == variable {
-        true => quote!(#variable),
-        false => quote!(#field: #variable),
-    });
+    let values = variables.iter().map(|variable| quote!(#variable)).collect::<Vec<_>>();
+    let entries = entries(&fields, &values);
     quote! {
-        impl #generics #state #generics {
+        impl #copied #state #generics {
             /// The coordinates in their order.
             #[must_use]
             #[inline]
@@ -71,10 +76,10 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
             }
         }
         #[automatically_derived]
-        impl #generics ::core::convert::From<#state #generics> for [#scalar; #all] {
+        impl #copied ::core::convert::From<#state #generics> for [#scalar; #all] {
             #[inline]
             fn from(state: #state #generics) -> Self {
-                [#(state.#fields),*]
+                [#(state.#places),*]
             }
         }
     }
@@ -85,6 +90,19 @@ struct Line {
     text: String,
     /// True of components of quaternions and of angular velocities.
     is_component: bool,
+}
+
+impl Line {
+    /// What is said of the first entry of a field, said of all of it.
+    fn of(self, field: &Field) -> Line {
+        let Some(first) = field.names.first().filter(|_| field.is_array()) else { return self };
+        let (of_one, of_all) = (first.text.as_str(), field.identifier.to_string());
+        let coordinate = |name: &str| name.strip_suffix("_dot").unwrap_or(name).to_owned();
+        let text =
+            self.text.replace(&format!("`{}`", coordinate(of_one)), &format!("`{}`", coordinate(&of_all)));
+        let text = text.replace("Coordinate ", "Coordinates ").replace("Velocity of", "Velocities of");
+        Line { text, ..self }
+    }
 }
 
 /// A line about each entry of the state.
@@ -111,7 +129,7 @@ fn lines(shape: &Shape<'_>) -> Vec<Line> {
 /// Local variables for the entries of a state.
 pub(in crate::emit) fn state_variables(shape: &Shape<'_>) -> Vec<Ident> {
     let mut names = Names::default();
-    shape.state_fields().iter().map(|field| names.fresh(&field.to_string())).collect()
+    shape.state_names().iter().map(|name| names.fresh(&name.text)).collect()
 }
 
 /// A struct around a table, so that the columns can be methods of it.
@@ -150,24 +168,53 @@ pub(in crate::emit) fn columns_impls(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// A method for each entry of the state.
+/// A method for each field of the state; for an array it takes indices.
 fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
-    let fields = shape.state_fields().into_iter().zip(lines(shape));
-    let columns = fields.enumerate().map(|(i, (field, line))| {
-        let docs = doc(&line.text);
+    let (mut lines, mut first) = (lines(shape).into_iter(), 0);
+    let columns = shape.state_fields().into_iter().filter_map(|field| {
+        let line = lines.by_ref().take(field.names.len()).collect::<Vec<_>>().into_iter().next()?.of(&field);
+        let number = first;
+        first += field.names.len();
         // At the user's place but the macro's own, so that nobody is told about columns that are never used.
-        let (name, index) =
-            (Ident::new(&field.to_string(), Span::mixed_site().located_at(field.span())), length(i));
-        quote! {
+        let name =
+            Ident::new(&field.identifier.to_string(), Span::mixed_site().located_at(field.identifier.span()));
+        let docs = doc(&line.text);
+        let (docs, (arguments, index)) = match field.is_array() {
+            true => {
+                let panics = ["", "# Panics", "", "If an index is out of range."].map(doc);
+                (quote!(#docs #(#panics)*), indexed(&field, number))
+            }
+            false => (docs, (TokenStream::new(), length(number).into_token_stream())),
+        };
+        Some(quote! {
             #docs
             #[must_use]
             #[inline]
-            pub fn #name(&self) -> &[C::Scalar] {
+            pub fn #name(&self #arguments) -> &[C::Scalar] {
                 self.0.column(#index)
             }
-        }
+        })
     });
     columns.collect()
+}
+
+/// Arguments for the indices of an array, and the number of the column of that element. An array of units panics in the place of the
+/// column of something else.
+fn indexed(field: &Field, first: usize) -> (TokenStream, TokenStream) {
+    let mut names = Names::default();
+    let indices = field.sizes.iter().map(|_| names.fresh("index")).collect::<Vec<_>>();
+    let mut index = TokenStream::new();
+    for (size, name) in field.sizes.iter().zip(&indices) {
+        let size = length(*size);
+        index = match index.is_empty() {
+            true => quote!(#name),
+            false => quote!((#index) * #size + #name),
+        };
+    }
+    let (first, sizes) = (length(first), field.sizes.iter().map(|size| length(*size)));
+    let message = "an index is out of range";
+    let arguments = quote!(#(, #indices: ::core::primitive::usize)*);
+    (arguments, quote!({ ::core::assert!(#(#indices < #sizes)&&*, #message); #first + #index }))
 }
 
 /// ẏ = [v, a], the rates of the positions being those that `system` says.

@@ -1,9 +1,11 @@
 //! Shape of the state of an emitted system: how many positions and velocities it has, and what they are called.
 
-use proc_macro2::{Ident, Literal};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
+use super::fields::{Field, fields};
 use super::shape::{Shape, identifier, length};
-use crate::syntax::ast::StateVelocity;
+use crate::syntax::ast::{ArrayElement, DeclaredArray, Name, ScalarType, StateVelocity};
 
 impl Shape<'_> {
     /// Number of positions, as the length of an array.
@@ -40,17 +42,47 @@ impl Shape<'_> {
         self.coordinates.iter().position(|name| std::ptr::eq(*name, coordinate))
     }
 
-    /// Fields of the state: positions, then velocities.
-    pub(in crate::emit) fn state_fields(&self) -> Vec<Ident> {
-        let positions = self.coordinates.iter().map(|name| identifier(name));
+    /// Names of the entries of the state: positions, then velocities.
+    pub(in crate::emit) fn state_names(&self) -> Vec<Name> {
+        let positions = self.coordinates.iter().map(|name| (*name).clone());
         let velocities = self.velocities.iter().map(|velocity| {
             let mut name = velocity.name.clone();
             // Where that is a coordinate, which is a mistake, the skeleton has another field.
             while self.coordinates.iter().any(|other| other.text == name.text) {
                 name.text.push('_');
             }
-            identifier(&name)
+            name
         });
         positions.chain(velocities).collect()
+    }
+
+    /// Fields of the state.
+    pub(in crate::emit) fn state_fields(&self) -> Vec<Field> {
+        let names = self.state_names();
+        let arrays = &self.declaration.arrays;
+        let arrays = arrays.iter().cloned().chain(arrays.iter().map(rates)).collect::<Vec<_>>();
+        fields(&names.iter().collect::<Vec<_>>(), &arrays)
+    }
+
+    /// `<S: Copy>` or nothing, for conversions of states and inputs: what is in an array is copied out of it.
+    pub(in crate::emit) fn copied_generics(&self, fields: &[Field]) -> TokenStream {
+        match &self.declaration.scalar {
+            ScalarType::Generic(name) if fields.iter().any(Field::is_array) => {
+                let name = identifier(name);
+                quote!(<#name: ::core::marker::Copy>)
+            }
+            _ => self.generics(),
+        }
+    }
+}
+
+/// The array of the rates of another one.
+fn rates(array: &DeclaredArray) -> DeclaredArray {
+    let rate =
+        |element: &ArrayElement| ArrayElement { name: format!("{}_dot", element.name), ..element.clone() };
+    DeclaredArray {
+        name: Name::new(format!("{}_dot", array.name.text), array.name.span),
+        sizes: array.sizes.clone(),
+        elements: array.elements.iter().map(rate).collect(),
     }
 }

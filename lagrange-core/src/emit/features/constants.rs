@@ -16,7 +16,7 @@ pub(in crate::emit) fn equations_latex(equations: &str) -> TokenStream {
 
 /// The constant that says in which order the fields are differentiated by.
 pub(in crate::emit) fn parameter_names(shape: &Shape<'_>) -> TokenStream {
-    let (names, count) = (shape.fields.iter().map(|name| &name.text), length(shape.fields.len()));
+    let (names, count) = (shape.fields.iter().map(|name| shape.written(name)), length(shape.fields.len()));
     quote! {
         /// Parameters, then inputs: the columns of `parameter_jacobian`.
         pub const PARAMETERS: [&'static ::core::primitive::str; #count] = [#(#names),*];

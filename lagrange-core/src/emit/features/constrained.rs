@@ -193,7 +193,7 @@ pub(in crate::emit) fn constrained_impl(shape: &Shape<'_>, members: &Members) ->
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let parameters = quote!(&self, #time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
     let methods = members.constrained.iter().map(|method| method.of_trait(shape, &members.names));
-    let names = shape.constraints.iter().map(|name| &name.text);
+    let names = shape.constraints.iter().map(|name| shape.written(name));
     let has_scales = members.constrained.iter().any(|method| method.name == "residual_scales");
     let scales = (!has_scales).then(|| dense_scales(shape, members));
     quote! {

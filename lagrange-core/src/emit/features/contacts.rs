@@ -168,7 +168,7 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let (terms, modes, event_of) = (&members.terms, mode_members(shape), event_of(shape));
-    let names = shape.touching.iter().map(|(name, _)| &name.text);
+    let names = shape.touching.iter().map(|(name, _)| shape.written(name));
     let vary = &members.restitutions_vary;
     let vary = vary
         .contains(&true)
@@ -203,7 +203,7 @@ fn mode_members(shape: &Shape<'_>) -> TokenStream {
             None => quote!(#krate::contact::Mode::Smooth),
         }
     });
-    let fields = shape.fields.iter().map(|name| identifier(name));
+    let fields = shape.number_identifiers();
     let switched = shape.touching.iter().enumerate().filter_map(|(k, (name, touch))| {
         let (field, of_type, k) = (identifier(name), mode_type(*touch)?, length(k));
         Some(quote! {

@@ -53,7 +53,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let events = names.iter().map(|(name, direction)| {
-        let name = &name.text;
+        let name = shape.written(name);
         match direction.map(|direction| direction_tokens(shape, direction)) {
             Some(direction) => quote!(#krate::event::DeclaredEvent::new(#name, #direction)),
             None => quote!(#krate::event::DeclaredEvent::switch(#name)),

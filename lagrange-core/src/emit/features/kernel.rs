@@ -11,9 +11,10 @@ use quote::quote;
 use crate::code::{Precision, Unrepresentable, prelude, statements};
 use crate::derive::Equations;
 use crate::emit::base::exclusion::Exclusion;
+use crate::emit::base::fields::places;
 use crate::emit::base::members::Members;
 use crate::emit::base::refusal::Refusal;
-use crate::emit::base::shape::{Shape, identifier, length};
+use crate::emit::base::shape::{Shape, length};
 use crate::emit::base::writer::MethodWriter;
 use crate::expr::ExprId;
 use crate::model::{Model, Product};
@@ -146,8 +147,8 @@ pub(in crate::emit) fn kernel_impl(shape: &Shape<'_>, members: &Members) -> Opti
     members.kernel.as_ref()?;
     let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);
     let (scalar, count) = (shape.scalar(), length(shape.fields.len()));
-    let names = shape.fields.iter().map(|name| &name.text);
-    let fields = shape.fields.iter().map(|name| identifier(name));
+    let names = shape.fields.iter().map(|name| shape.written(name));
+    let fields = places(&shape.number_fields());
     Some(quote! {
         #[automatically_derived]
         impl #bounds #krate::system::KernelSystem for #name #generics {

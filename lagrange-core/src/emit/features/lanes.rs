@@ -9,11 +9,12 @@ use quote::quote;
 
 use crate::emit::base::docs;
 use crate::emit::base::exclusion::Exclusion;
+use crate::emit::base::fields::{entries, places};
 use crate::emit::base::lints::{name_exception, type_name_exception, unused_exception};
 use crate::emit::base::members::{Lanes, Members};
 use crate::emit::base::method::Returns;
 use crate::emit::base::refusal::Refusal;
-use crate::emit::base::shape::{Shape, doc, identifier, length, local};
+use crate::emit::base::shape::{Shape, doc, length, local};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 
@@ -70,11 +71,7 @@ pub(in crate::emit) fn lanes_struct(shape: &Shape<'_>, members: &Members) -> Opt
     ));
     let (counts, names, unused) = (doc(&lanes.docs), name_exception(shape), unused_exception(shape));
     let type_name = type_name_exception(shape);
-    let fields = shape.fields.iter().map(|field| {
-        let docs = shape.docs(field, &format!("{} `{}`.", shape.kind_of_field(field), field.text));
-        let field = identifier(field);
-        quote!(#docs pub #field: #number,)
-    });
+    let fields = shape.field_declarations(&quote!(#number));
     let marker = shape.fields.is_empty().then(|| {
         quote! {
             /// The number type.
@@ -90,7 +87,7 @@ pub(in crate::emit) fn lanes_struct(shape: &Shape<'_>, members: &Members) -> Opt
         #type_name
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
         #visibility struct #name<#number> {
-            #(#fields)*
+            #fields
             #marker
         }
     })
@@ -132,11 +129,14 @@ pub(in crate::emit) fn lanes_items(shape: &Shape<'_>, members: &Members) -> Opti
 fn system_impl(shape: &Shape<'_>) -> TokenStream {
     let (system, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (name, krate, number) = (shape.lanes_name(), shape.krate, shape.other_type_parameter("L"));
-    let fields = shape.fields.iter().map(|field| identifier(field)).collect::<Vec<_>>();
+    let fields = shape.number_fields();
+    let places = places(&fields);
     let [splat, lanes, lane] = match fields.is_empty() {
         true => ["_"; 3].map(local),
         false => ["splat", "lanes", "lane"].map(local),
     };
+    let values = places.iter().map(|place| quote!(#splat(self.#place))).collect::<Vec<_>>();
+    let values = entries(&fields, &values);
     let marker = fields.is_empty().then(|| quote!(scalar: ::core::marker::PhantomData,));
     quote! {
         #[automatically_derived]
@@ -146,14 +146,14 @@ fn system_impl(shape: &Shape<'_>) -> TokenStream {
                 &self,
                 #splat: impl ::core::ops::Fn(#scalar) -> #number,
             ) -> #name<#number> {
-                #name { #(#fields: #splat(self.#fields),)* #marker }
+                #name { #(#values,)* #marker }
             }
             fn set_lane<#number: #krate::system::SideBySide<Element = #scalar>>(
                 &self,
                 #lanes: &mut #name<#number>,
                 #lane: ::core::primitive::usize,
             ) {
-                #(#krate::system::SideBySide::set_lane(&mut #lanes.#fields, #lane, self.#fields);)*
+                #(#krate::system::SideBySide::set_lane(&mut #lanes.#places, #lane, self.#places);)*
             }
         }
     }

@@ -7,6 +7,7 @@ use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, length, local};
 use crate::emit::base::writer::MethodWriter;
+use crate::syntax::ast::{Name, StateVelocity};
 
 /// Writes `position_rates` where velocities are not the rates of the positions.
 pub(in crate::emit) fn write_position_rates(writer: &mut MethodWriter<'_>) {
@@ -51,9 +52,9 @@ pub(in crate::emit) fn orientation_members(shape: &Shape<'_>, members: &Members)
     if !shape.names_velocities() {
         return None;
     }
-    let names = shape.velocities.iter().map(|velocity| &velocity.name.text);
+    let names = shape.velocities.iter().map(|velocity| written_velocity(shape, velocity));
     let rates_of =
-        shape.velocities.iter().map(|velocity| velocity.coordinate.map_or("", |name| name.text.as_str()));
+        shape.velocities.iter().map(|velocity| velocity.coordinate.map_or("", |name| shape.written(name)));
     let normalise = normalise(shape, members);
     let displacement = displacement(shape);
     Some(quote! {
@@ -62,6 +63,18 @@ pub(in crate::emit) fn orientation_members(shape: &Shape<'_>, members: &Members)
         #normalise
         #displacement
     })
+}
+
+/// How a velocity is written: as its own element, or as the rate of one.
+fn written_velocity(shape: &Shape<'_>, velocity: &StateVelocity<'_>) -> String {
+    let is_rate = |name: &&Name| velocity.name.text == format!("{}_dot", name.text);
+    match velocity.coordinate.filter(is_rate).map(|name| shape.written(name)) {
+        Some(coordinate) => {
+            let (stem, brackets) = coordinate.split_at(coordinate.find('[').unwrap_or(coordinate.len()));
+            format!("{stem}_dot{brackets}")
+        }
+        None => shape.written(&velocity.name).to_owned(),
+    }
 }
 
 fn normalise(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {

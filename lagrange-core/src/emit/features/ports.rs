@@ -5,6 +5,7 @@ use quote::{format_ident, quote};
 
 use super::switches::kept_switches;
 use crate::code::Names;
+use crate::emit::base::fields::{entries, places};
 use crate::emit::base::lints::{name_exception, type_name_exception};
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
@@ -20,8 +21,13 @@ pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
     let (name, generics, scalar) = (inputs_name(shape), shape.generics(), shape.scalar_path());
     let visibility = &shape.declaration.visibility;
     let title = doc(&format!("Inputs of [`{}`].", shape.declaration.name.text));
-    let docs = inputs.iter().map(|input| shape.docs(input, &format!("Input `{}`.", input.text)));
-    let fields = inputs.iter().map(|input| identifier(input));
+    let fields = shape.fields_of(&inputs).into_iter().filter_map(|field| {
+        let (name, first) = (&field.identifier, field.names.first()?);
+        let plural = if field.is_array() { "s" } else { "" };
+        let docs = shape.docs(first, &format!("Input{plural} `{name}`."));
+        let of_type = field.type_of(&scalar);
+        Some(quote!(#docs pub #name: #of_type,))
+    });
     let (names, type_name) = (name_exception(shape), type_name_exception(shape));
     let allow = (!generics.is_empty()).then(
         || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
@@ -33,7 +39,7 @@ pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
         #allow
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
-            #(#docs pub #fields: #scalar,)*
+            #(#fields)*
         }
     };
     (!inputs.is_empty()).then_some(item)
@@ -45,14 +51,14 @@ pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
     let (system, name, krate) = (shape.name(), inputs_name(shape), shape.krate);
     let (generics, bounds, scalar) = (shape.generics(), shape.bounds(), shape.scalar());
     let k = length(inputs.len());
-    let texts = inputs.iter().map(|input| input.text.as_str());
-    let fields = inputs.iter().map(|input| identifier(input)).collect::<Vec<_>>();
+    let texts = inputs.iter().map(|input| shape.written(input));
+    let of_inputs = shape.fields_of(&inputs);
+    let (copied, places) = (shape.copied_generics(&of_inputs), places(&of_inputs));
+    let fields = of_inputs.iter().map(|field| &field.identifier).collect::<Vec<_>>();
     let mut names = Names::default();
     let variables = inputs.iter().map(|input| names.fresh(&input.text)).collect::<Vec<_>>();
-    let entries = fields.iter().zip(&variables).map(|(field, variable)| match field == variable {
-        true => quote!(#variable),
-        false => quote!(#field: #variable),
-    });
+    let entries =
+        entries(&of_inputs, &variables.iter().map(|variable| quote!(#variable)).collect::<Vec<_>>());
     let values = local("inputs");
     let (others, switches) = (shape.kept_fields(|field| !shape.is_input(field)), kept_switches(shape));
     let impls = quote! {
@@ -64,10 +70,10 @@ pub(in crate::emit) fn inputs_impls(shape: &Shape<'_>) -> Option<TokenStream> {
             }
         }
         #[automatically_derived]
-        impl #generics ::core::convert::From<#name #generics> for [#scalar; #k] {
+        impl #copied ::core::convert::From<#name #generics> for [#scalar; #k] {
             #[inline]
             fn from(#values: #name #generics) -> Self {
-                [#(#values.#fields),*]
+                [#(#values.#places),*]
             }
         }
         #[automatically_derived]
@@ -131,7 +137,7 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
         };
         let method = identifier(output);
         statements.extend(quote!(let #pattern = self.#method(#time, #positions, #velocities);));
-        texts.extend((0..count).map(|index| column_name(&output.text, index, count)));
+        texts.extend((0..count).map(|index| column_name(shape.written(output), index, count)));
         all.extend(values);
     }
     let k = length(all.len());

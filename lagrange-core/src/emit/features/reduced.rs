@@ -5,10 +5,12 @@ use quote::quote;
 
 use super::switches::{derived_shape, free_switches};
 use crate::code::{Names, body};
+use crate::collections::HashMap;
 use crate::derive::Equations;
 use crate::diagnostics::Report;
 use crate::emit::base::attributes::{conditions, deprecated_exception, split_attributes};
 use crate::emit::base::bindings::field_bindings;
+use crate::emit::base::fields::{Field, entries, places};
 use crate::emit::base::lints::{looks_rounded, rounded_exception};
 use crate::emit::base::refusal::{Refusal, report_refusal};
 use crate::emit::base::shape::{Shape, doc, identifier, local};
@@ -113,7 +115,8 @@ fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> Tok
 fn system_conversion(from: &Shape<'_>, to: &Shape<'_>) -> TokenStream {
     let (source, target, generics, bounds) = (from.name(), to.name(), to.generics(), to.bounds());
     let system = local("system");
-    let fields = to.fields.iter().copied().chain(to.fields_of_modes()).map(identifier).collect::<Vec<_>>();
+    let modes = to.fields_of_modes().map(identifier);
+    let fields = to.number_identifiers().into_iter().chain(modes).collect::<Vec<_>>();
     let switches = free_switches(to);
     let marker = to.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData));
     quote! {
@@ -130,13 +133,16 @@ fn system_conversion(from: &Shape<'_>, to: &Shape<'_>) -> TokenStream {
 /// Conversion of states that leaves out frozen coordinates.
 fn state_conversion(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
     let (source, target, generics) = (full.state_name(), part.state_name(), part.generics());
-    let (state, fields) = (local("state"), part.state_fields());
+    let (state, full_fields, fields) = (local("state"), full.state_fields(), part.state_fields());
+    let copied = full.copied_generics(&full_fields);
+    let values = values_of(part, (full, &full_fields), &state);
+    let entries = entries(&fields, &values);
     quote! {
         #[automatically_derived]
-        impl #generics ::core::convert::From<#source #generics> for #target #generics {
+        impl #copied ::core::convert::From<#source #generics> for #target #generics {
             #[inline]
             fn from(#state: #source #generics) -> Self {
-                Self { #(#fields: #state.#fields),* }
+                Self { #(#entries),* }
             }
         }
     }
@@ -146,27 +152,37 @@ fn state_conversion(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
 fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Result<TokenStream, Refusal> {
     let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
     let expand = with_values(part, reduced, frozen, |state, values, zero| {
-        let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
-            let value = match pinned(frozen, values, i, full) {
-                None => quote!(#state.#field),
+        let kept = values_of(full, (part, &part.state_fields()), state);
+        let all_entries =
+            kept.into_iter().enumerate().map(|(i, kept)| match pinned(frozen, values, i, full) {
+                None => kept,
                 Some(value) => value.unwrap_or(zero).clone(),
-            };
-            quote!(#field: #value)
-        });
+            });
+        let entries = entries(&full.state_fields(), &all_entries.collect::<Vec<_>>());
         quote!(#(#entries),*)
     })?;
     let all = frozen.iter().chain(small).cloned().collect::<Vec<_>>();
     let deviation = with_values(part, reduced, &all, |state, values, zero| {
-        let entries = full.state_fields().into_iter().enumerate().map(|(i, field)| {
-            match pinned(&all, values, i, full) {
-                None => quote!(#field: #zero),
-                Some(None) => quote!(#field: #state.#field),
-                Some(Some(value)) => quote!(#field: #state.#field - #value),
-            }
+        let own = places(&full.state_fields()).into_iter().enumerate();
+        let all_entries = own.map(|(i, place)| match pinned(&all, values, i, full) {
+            None => quote!(#zero),
+            Some(None) => quote!(#state.#place),
+            Some(Some(value)) => quote!(#state.#place - #value),
         });
+        let entries = entries(&full.state_fields(), &all_entries.collect::<Vec<_>>());
         quote!(#(#entries),*)
     })?;
     Ok(inherent_impl(full, part, &expand, &deviation))
+}
+
+/// For each entry of the state of one shape, the same entry in the state of another; nothing where that has none.
+fn values_of(of: &Shape<'_>, (other, fields): (&Shape<'_>, &[Field]), state: &Ident) -> Vec<TokenStream> {
+    let names = other.state_names().into_iter().map(|name| name.text);
+    let places = names.zip(places(fields)).collect::<HashMap<_, _>>();
+    let names = of.state_names().into_iter();
+    let values =
+        names.map(|name| places.get(&name.text).map(|place| quote!(#state.#place)).unwrap_or_default());
+    values.collect()
 }
 
 /// The value of an entry of the state, if the entry belongs to one of `all`: `Some(None)` is a value of zero.

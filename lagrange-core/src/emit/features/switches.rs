@@ -104,8 +104,9 @@ fn write_switch_times(writer: &mut MethodWriter<'_>, times: &[Option<ExprId>]) {
 fn switches_field(shape: &Shape<'_>) -> Ident {
     let mut name = "switches".to_owned();
     let touching = shape.touching.iter().map(|(name, _)| *name);
-    let fields = shape.fields.iter().copied().chain(touching).collect::<Vec<_>>();
-    while fields.iter().any(|field| field.text == name) {
+    let fields = shape.number_identifiers().into_iter().map(|field| field.to_string());
+    let fields = fields.chain(touching.map(|name| name.text.clone())).collect::<Vec<_>>();
+    while fields.contains(&name) {
         name.push('_');
     }
     format_ident!("{name}")

@@ -18,21 +18,13 @@
 /// - Cost of `acceleration`: 16 additions, 14 multiplications, 4 divisions.
 pub struct SpringLattice {
     /// Masses.
-    pub m_0_0: ::core::primitive::f64,
-    /// Masses.
-    pub m_0_1: ::core::primitive::f64,
-    /// Masses.
-    pub m_1_0: ::core::primitive::f64,
-    /// Masses.
-    pub m_1_1: ::core::primitive::f64,
+    pub m: [[::core::primitive::f64; 2]; 2],
     /// Masses.
     pub k: ::core::primitive::f64,
     /// Masses.
     pub g: ::core::primitive::f64,
-    /// Input `pull_0`.
-    pub pull_0: ::core::primitive::f64,
-    /// Input `pull_1`.
-    pub pull_1: ::core::primitive::f64,
+    /// Inputs `pull`.
+    pub pull: [::core::primitive::f64; 2],
 }
 /// State of [`SpringLattice`]: positions, then velocities.
 #[derive(
@@ -43,21 +35,9 @@ pub struct SpringLattice {
 )]
 pub struct SpringLatticeState {
     /// Elongations.
-    pub u_0_0: ::core::primitive::f64,
-    /// Elongations.
-    pub u_0_1: ::core::primitive::f64,
-    /// Elongations.
-    pub u_1_0: ::core::primitive::f64,
-    /// Elongations.
-    pub u_1_1: ::core::primitive::f64,
-    /// Velocity of `u_0_0`.
-    pub u_0_0_dot: ::core::primitive::f64,
-    /// Velocity of `u_0_1`.
-    pub u_0_1_dot: ::core::primitive::f64,
-    /// Velocity of `u_1_0`.
-    pub u_1_0_dot: ::core::primitive::f64,
-    /// Velocity of `u_1_1`.
-    pub u_1_1_dot: ::core::primitive::f64,
+    pub u: [[::core::primitive::f64; 2]; 2],
+    /// Velocities of `u`.
+    pub u_dot: [[::core::primitive::f64; 2]; 2],
 }
 /// Columns of a table of states of [`SpringLattice`].
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
@@ -70,10 +50,8 @@ pub struct SpringLatticeColumns<C>(C);
     ::core::cmp::PartialEq
 )]
 pub struct SpringLatticeInputs {
-    /// Input `pull_0`.
-    pub pull_0: ::core::primitive::f64,
-    /// Input `pull_1`.
-    pub pull_1: ::core::primitive::f64,
+    /// Inputs `pull`.
+    pub pull: [::core::primitive::f64; 2],
 }
 ::lagrange::private::bring_hints! {}
 const _: () = {
@@ -86,7 +64,20 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn acceleration(&self, t: f64, q: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
-            let Self { m_0_0, m_0_1, m_1_0, m_1_1, k, g, pull_0, pull_1 } = *self;
+            let Self {
+                m: [[m_0_0,
+                m_0_1,
+                ],
+                [m_1_0,
+                m_1_1,
+                ],
+                ],
+                k,
+                g,
+                pull: [pull_0,
+                pull_1,
+                ],
+            } = *self;
             let [u_0_0, u_0_1, u_1_0, u_1_1] = *q;
             let pos_0 = k * (u_0_0 - u_1_0);
             let pos_1 = k * (u_0_0 - u_0_1);
@@ -114,7 +105,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn mass_matrix(&self, t: f64, q: &[f64; 4]) -> [[f64; 4]; 4] {
-            let Self { m_0_0, m_0_1, m_1_0, m_1_1, .. } = *self;
+            let Self { m: [[m_0_0, m_0_1], [m_1_0, m_1_1]], .. } = *self;
             [
                 [m_0_0, 0.0, 0.0, 0.0],
                 [0.0, m_0_1, 0.0, 0.0],
@@ -128,7 +119,20 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn forcing(&self, t: f64, q: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
-            let Self { m_0_0, m_0_1, m_1_0, m_1_1, k, g, pull_0, pull_1 } = *self;
+            let Self {
+                m: [[m_0_0,
+                m_0_1,
+                ],
+                [m_1_0,
+                m_1_1,
+                ],
+                ],
+                k,
+                g,
+                pull: [pull_0,
+                pull_1,
+                ],
+            } = *self;
             let [u_0_0, u_0_1, u_1_0, u_1_1] = *q;
             let pos_0 = k * (u_0_0 - u_1_0);
             let pos_1 = k * (u_0_0 - u_0_1);
@@ -154,7 +158,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn momenta(&self, t: f64, q: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
-            let Self { m_0_0, m_0_1, m_1_0, m_1_1, .. } = *self;
+            let Self { m: [[m_0_0, m_0_1], [m_1_0, m_1_1]], .. } = *self;
             let [u_0_0_dot, u_0_1_dot, u_1_0_dot, u_1_1_dot] = *v;
             [m_0_0 * u_0_0_dot, m_0_1 * u_0_1_dot, m_1_0 * u_1_0_dot, m_1_1 * u_1_1_dot]
         }
@@ -164,7 +168,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn kinetic_energy(&self, t: f64, q: &[f64; 4], v: &[f64; 4]) -> f64 {
-            let Self { m_0_0, m_0_1, m_1_0, m_1_1, .. } = *self;
+            let Self { m: [[m_0_0, m_0_1], [m_1_0, m_1_1]], .. } = *self;
             let [u_0_0_dot, u_0_1_dot, u_1_0_dot, u_1_1_dot] = *v;
             let u_0_0_dot_sq = u_0_0_dot * u_0_0_dot;
             let u_0_1_dot_sq = u_0_1_dot * u_0_1_dot;
@@ -184,7 +188,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn potential_energy(&self, t: f64, q: &[f64; 4]) -> f64 {
-            let Self { m_0_0, m_0_1, m_1_0, m_1_1, k, g, .. } = *self;
+            let Self { m: [[m_0_0, m_0_1], [m_1_0, m_1_1]], k, g, .. } = *self;
             let [u_0_0, u_0_1, u_1_0, u_1_1] = *q;
             let u_0_0_sq = u_0_0 * u_0_0;
             let u_0_1_sq = u_0_1 * u_0_1;
@@ -217,7 +221,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn energy(&self, t: f64, q: &[f64; 4], v: &[f64; 4]) -> f64 {
-            let Self { m_0_0, m_0_1, m_1_0, m_1_1, k, g, .. } = *self;
+            let Self { m: [[m_0_0, m_0_1], [m_1_0, m_1_1]], k, g, .. } = *self;
             let [u_0_0, u_0_1, u_1_0, u_1_1] = *q;
             let [u_0_0_dot, u_0_1_dot, u_1_0_dot, u_1_1_dot] = *v;
             let u_0_0_dot_sq = u_0_0_dot * u_0_0_dot;
@@ -265,7 +269,20 @@ const _: () = {
             v: &[f64; 4],
             a: &[f64; 4],
         ) -> [f64; 4] {
-            let Self { m_0_0, m_0_1, m_1_0, m_1_1, k, g, pull_0, pull_1 } = *self;
+            let Self {
+                m: [[m_0_0,
+                m_0_1,
+                ],
+                [m_1_0,
+                m_1_1,
+                ],
+                ],
+                k,
+                g,
+                pull: [pull_0,
+                pull_1,
+                ],
+            } = *self;
             let [u_0_0, u_0_1, u_1_0, u_1_1] = *q;
             let [u_0_0_ddot, u_0_1_ddot, u_1_0_ddot, u_1_1_ddot] = *a;
             let pos_0 = k * (u_0_0 - u_0_1);
@@ -324,14 +341,10 @@ const _: () = {
     impl ::core::default::Default for SpringLattice {
         fn default() -> Self {
             Self {
-                m_0_0: 1.0,
-                m_0_1: 2.0,
-                m_1_0: 3.0,
-                m_1_1: 4.0,
+                m: [[1.0, 2.0], [3.0, 4.0]],
                 k: 50.0,
                 g: 9.81,
-                pull_0: 0.0,
-                pull_1: 0.0,
+                pull: [0.0, 0.0],
             }
         }
     }
@@ -340,13 +353,13 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn coordinates(self) -> [f64; 4] {
-            [self.u_0_0, self.u_0_1, self.u_1_0, self.u_1_1]
+            [self.u[0][0], self.u[0][1], self.u[1][0], self.u[1][1]]
         }
         /// The velocities in their order.
         #[must_use]
         #[inline]
         pub fn velocities(self) -> [f64; 4] {
-            [self.u_0_0_dot, self.u_0_1_dot, self.u_1_0_dot, self.u_1_1_dot]
+            [self.u_dot[0][0], self.u_dot[0][1], self.u_dot[1][0], self.u_dot[1][1]]
         }
     }
     #[automatically_derived]
@@ -364,14 +377,8 @@ const _: () = {
             ]: [f64; 8],
         ) -> Self {
             Self {
-                u_0_0,
-                u_0_1,
-                u_1_0,
-                u_1_1,
-                u_0_0_dot,
-                u_0_1_dot,
-                u_1_0_dot,
-                u_1_1_dot,
+                u: [[u_0_0, u_0_1], [u_1_0, u_1_1]],
+                u_dot: [[u_0_0_dot, u_0_1_dot], [u_1_0_dot, u_1_1_dot]],
             }
         }
     }
@@ -380,65 +387,57 @@ const _: () = {
         #[inline]
         fn from(state: SpringLatticeState) -> Self {
             [
-                state.u_0_0,
-                state.u_0_1,
-                state.u_1_0,
-                state.u_1_1,
-                state.u_0_0_dot,
-                state.u_0_1_dot,
-                state.u_1_0_dot,
-                state.u_1_1_dot,
+                state.u[0][0],
+                state.u[0][1],
+                state.u[1][0],
+                state.u[1][1],
+                state.u_dot[0][0],
+                state.u_dot[0][1],
+                state.u_dot[1][0],
+                state.u_dot[1][1],
             ]
         }
     }
     impl<C: ::lagrange::system::Columns> SpringLatticeColumns<C> {
-        /// Coordinate `u_0_0`.
+        /// Coordinates `u`.
+        ///
+        /// # Panics
+        ///
+        /// If an index is out of range.
         #[must_use]
         #[inline]
-        pub fn u_0_0(&self) -> &[C::Scalar] {
-            self.0.column(0)
+        pub fn u(
+            &self,
+            index: ::core::primitive::usize,
+            index_2: ::core::primitive::usize,
+        ) -> &[C::Scalar] {
+            self.0
+                .column({
+                    ::core::assert!(
+                        index < 2 && index_2 < 2, "an index is out of range"
+                    );
+                    0 + (index) * 2 + index_2
+                })
         }
-        /// Coordinate `u_0_1`.
+        /// Velocities of `u`.
+        ///
+        /// # Panics
+        ///
+        /// If an index is out of range.
         #[must_use]
         #[inline]
-        pub fn u_0_1(&self) -> &[C::Scalar] {
-            self.0.column(1)
-        }
-        /// Coordinate `u_1_0`.
-        #[must_use]
-        #[inline]
-        pub fn u_1_0(&self) -> &[C::Scalar] {
-            self.0.column(2)
-        }
-        /// Coordinate `u_1_1`.
-        #[must_use]
-        #[inline]
-        pub fn u_1_1(&self) -> &[C::Scalar] {
-            self.0.column(3)
-        }
-        /// Velocity of `u_0_0`.
-        #[must_use]
-        #[inline]
-        pub fn u_0_0_dot(&self) -> &[C::Scalar] {
-            self.0.column(4)
-        }
-        /// Velocity of `u_0_1`.
-        #[must_use]
-        #[inline]
-        pub fn u_0_1_dot(&self) -> &[C::Scalar] {
-            self.0.column(5)
-        }
-        /// Velocity of `u_1_0`.
-        #[must_use]
-        #[inline]
-        pub fn u_1_0_dot(&self) -> &[C::Scalar] {
-            self.0.column(6)
-        }
-        /// Velocity of `u_1_1`.
-        #[must_use]
-        #[inline]
-        pub fn u_1_1_dot(&self) -> &[C::Scalar] {
-            self.0.column(7)
+        pub fn u_dot(
+            &self,
+            index: ::core::primitive::usize,
+            index_2: ::core::primitive::usize,
+        ) -> &[C::Scalar] {
+            self.0
+                .column({
+                    ::core::assert!(
+                        index < 2 && index_2 < 2, "an index is out of range"
+                    );
+                    4 + (index) * 2 + index_2
+                })
         }
     }
     #[automatically_derived]
@@ -474,14 +473,14 @@ const _: () = {
             >(
                 (t, y, rates),
                 &[
-                    ("m_0_0", self.m_0_0),
-                    ("m_0_1", self.m_0_1),
-                    ("m_1_0", self.m_1_0),
-                    ("m_1_1", self.m_1_1),
+                    ("m[0][0]", self.m[0][0]),
+                    ("m[0][1]", self.m[0][1]),
+                    ("m[1][0]", self.m[1][0]),
+                    ("m[1][1]", self.m[1][1]),
                     ("k", self.k),
                     ("g", self.g),
                 ],
-                &[("pull_0", self.pull_0), ("pull_1", self.pull_1)],
+                &[("pull[0]", self.pull[0]), ("pull[1]", self.pull[1])],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }
@@ -492,10 +491,10 @@ const _: () = {
         type Velocities = [f64; 4];
         type Columns<C> = SpringLatticeColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &[
-            "u_0_0",
-            "u_0_1",
-            "u_1_0",
-            "u_1_1",
+            "u[0][0]",
+            "u[0][1]",
+            "u[1][0]",
+            "u[1][1]",
         ];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
@@ -523,37 +522,35 @@ const _: () = {
     impl ::core::convert::From<[f64; 2]> for SpringLatticeInputs {
         #[inline]
         fn from([pull_0, pull_1]: [f64; 2]) -> Self {
-            Self { pull_0, pull_1 }
+            Self { pull: [pull_0, pull_1] }
         }
     }
     #[automatically_derived]
     impl ::core::convert::From<SpringLatticeInputs> for [f64; 2] {
         #[inline]
         fn from(inputs: SpringLatticeInputs) -> Self {
-            [inputs.pull_0, inputs.pull_1]
+            [inputs.pull[0], inputs.pull[1]]
         }
     }
     #[automatically_derived]
     impl ::lagrange::system::ControlledSystem for SpringLattice {
         type Inputs = SpringLatticeInputs;
         type InputVector = [f64; 2];
-        const INPUTS: &'static [&'static ::core::primitive::str] = &["pull_0", "pull_1"];
+        const INPUTS: &'static [&'static ::core::primitive::str] = &[
+            "pull[0]",
+            "pull[1]",
+        ];
         #[inline]
         fn inputs(&self) -> SpringLatticeInputs {
             SpringLatticeInputs {
-                pull_0: self.pull_0,
-                pull_1: self.pull_1,
+                pull: self.pull,
             }
         }
         #[inline]
         fn with_inputs(&self, inputs: SpringLatticeInputs) -> Self {
             Self {
-                pull_0: inputs.pull_0,
-                pull_1: inputs.pull_1,
-                m_0_0: self.m_0_0,
-                m_0_1: self.m_0_1,
-                m_1_0: self.m_1_0,
-                m_1_1: self.m_1_1,
+                pull: inputs.pull,
+                m: self.m,
                 k: self.k,
                 g: self.g,
             }
@@ -564,8 +561,8 @@ const _: () = {
         type Outputs = [f64; 3];
         const OUTPUTS: &'static [&'static ::core::primitive::str] = &[
             "mean",
-            "row_1.x",
-            "row_1.y",
+            "row[1].x",
+            "row[1].y",
         ];
         #[inline]
         fn outputs(&self, t: f64, q: &[f64; 4], v: &[f64; 4]) -> [f64; 3] {
@@ -593,21 +590,13 @@ const _: () = {
 /// - Cost of `acceleration`: 7 additions, 7 multiplications, 2 divisions.
 pub struct Half {
     /// Masses.
-    pub m_0_0: ::core::primitive::f64,
-    /// Masses.
-    pub m_0_1: ::core::primitive::f64,
-    /// Masses.
-    pub m_1_0: ::core::primitive::f64,
-    /// Masses.
-    pub m_1_1: ::core::primitive::f64,
+    pub m: [[::core::primitive::f64; 2]; 2],
     /// Masses.
     pub k: ::core::primitive::f64,
     /// Masses.
     pub g: ::core::primitive::f64,
-    /// Input `pull_0`.
-    pub pull_0: ::core::primitive::f64,
-    /// Input `pull_1`.
-    pub pull_1: ::core::primitive::f64,
+    /// Inputs `pull`.
+    pub pull: [::core::primitive::f64; 2],
 }
 /// State of [`Half`]: positions, then velocities.
 #[derive(
@@ -637,10 +626,8 @@ pub struct HalfColumns<C>(C);
     ::core::cmp::PartialEq
 )]
 pub struct HalfInputs {
-    /// Input `pull_0`.
-    pub pull_0: ::core::primitive::f64,
-    /// Input `pull_1`.
-    pub pull_1: ::core::primitive::f64,
+    /// Inputs `pull`.
+    pub pull: [::core::primitive::f64; 2],
 }
 ::lagrange::private::bring_hints! {}
 const _: () = {
@@ -653,7 +640,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
-            let Self { m_1_0, m_1_1, k, g, pull_0, pull_1, .. } = *self;
+            let Self { m: [[_, _], [m_1_0, m_1_1]], k, g, pull: [pull_0, pull_1] } = *self;
             let [u_1_0, u_1_1] = *q;
             let pos_0 = k * (u_1_0 - u_1_1);
             let forcing_0 = multiply_add(
@@ -674,7 +661,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn mass_matrix(&self, t: f64, q: &[f64; 2]) -> [[f64; 2]; 2] {
-            let Self { m_1_0, m_1_1, .. } = *self;
+            let Self { m: [[_, _], [m_1_0, m_1_1]], .. } = *self;
             [[m_1_0, 0.0], [0.0, m_1_1]]
         }
         /// Right-hand side f of M q̈ = f.
@@ -683,7 +670,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn forcing(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
-            let Self { m_1_0, m_1_1, k, g, pull_0, pull_1, .. } = *self;
+            let Self { m: [[_, _], [m_1_0, m_1_1]], k, g, pull: [pull_0, pull_1] } = *self;
             let [u_1_0, u_1_1] = *q;
             let pos_0 = k * (u_1_0 - u_1_1);
             let forcing_0 = multiply_add(
@@ -704,7 +691,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn momenta(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
-            let Self { m_1_0, m_1_1, .. } = *self;
+            let Self { m: [[_, _], [m_1_0, m_1_1]], .. } = *self;
             let [u_1_0_dot, u_1_1_dot] = *v;
             [m_1_0 * u_1_0_dot, m_1_1 * u_1_1_dot]
         }
@@ -714,7 +701,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn kinetic_energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
-            let Self { m_1_0, m_1_1, .. } = *self;
+            let Self { m: [[_, _], [m_1_0, m_1_1]], .. } = *self;
             let [u_1_0_dot, u_1_1_dot] = *v;
             let u_1_0_dot_sq = u_1_0_dot * u_1_0_dot;
             let u_1_1_dot_sq = u_1_1_dot * u_1_1_dot;
@@ -726,7 +713,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn potential_energy(&self, t: f64, q: &[f64; 2]) -> f64 {
-            let Self { m_1_0, m_1_1, k, g, .. } = *self;
+            let Self { m: [[_, _], [m_1_0, m_1_1]], k, g, .. } = *self;
             let [u_1_0, u_1_1] = *q;
             let u_1_0_minus_u_1_1 = u_1_0 - u_1_1;
             let u_1_0_minus_u_1_1_sq = u_1_0_minus_u_1_1 * u_1_0_minus_u_1_1;
@@ -745,7 +732,7 @@ const _: () = {
         #[must_use]
         #[inline]
         pub fn energy(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> f64 {
-            let Self { m_1_0, m_1_1, k, g, .. } = *self;
+            let Self { m: [[_, _], [m_1_0, m_1_1]], k, g, .. } = *self;
             let [u_1_0, u_1_1] = *q;
             let [u_1_0_dot, u_1_1_dot] = *v;
             let u_1_0_dot_sq = u_1_0_dot * u_1_0_dot;
@@ -776,7 +763,7 @@ const _: () = {
             v: &[f64; 2],
             a: &[f64; 2],
         ) -> [f64; 2] {
-            let Self { m_1_0, m_1_1, k, g, pull_0, pull_1, .. } = *self;
+            let Self { m: [[_, _], [m_1_0, m_1_1]], k, g, pull: [pull_0, pull_1] } = *self;
             let [u_1_0, u_1_1] = *q;
             let [u_1_0_ddot, u_1_1_ddot] = *a;
             let pos_0 = k * (u_1_0 - u_1_1);
@@ -816,14 +803,10 @@ const _: () = {
     impl ::core::default::Default for Half {
         fn default() -> Self {
             Self {
-                m_0_0: 1.0,
-                m_0_1: 2.0,
-                m_1_0: 3.0,
-                m_1_1: 4.0,
+                m: [[1.0, 2.0], [3.0, 4.0]],
                 k: 50.0,
                 g: 9.81,
-                pull_0: 0.0,
-                pull_1: 0.0,
+                pull: [0.0, 0.0],
             }
         }
     }
@@ -919,14 +902,14 @@ const _: () = {
             >(
                 (t, y, rates),
                 &[
-                    ("m_0_0", self.m_0_0),
-                    ("m_0_1", self.m_0_1),
-                    ("m_1_0", self.m_1_0),
-                    ("m_1_1", self.m_1_1),
+                    ("m[0][0]", self.m[0][0]),
+                    ("m[0][1]", self.m[0][1]),
+                    ("m[1][0]", self.m[1][0]),
+                    ("m[1][1]", self.m[1][1]),
                     ("k", self.k),
                     ("g", self.g),
                 ],
-                &[("pull_0", self.pull_0), ("pull_1", self.pull_1)],
+                &[("pull[0]", self.pull[0]), ("pull[1]", self.pull[1])],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }
@@ -937,8 +920,8 @@ const _: () = {
         type Velocities = [f64; 2];
         type Columns<C> = HalfColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &[
-            "u_1_0",
-            "u_1_1",
+            "u[1][0]",
+            "u[1][1]",
         ];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
@@ -966,37 +949,33 @@ const _: () = {
     impl ::core::convert::From<[f64; 2]> for HalfInputs {
         #[inline]
         fn from([pull_0, pull_1]: [f64; 2]) -> Self {
-            Self { pull_0, pull_1 }
+            Self { pull: [pull_0, pull_1] }
         }
     }
     #[automatically_derived]
     impl ::core::convert::From<HalfInputs> for [f64; 2] {
         #[inline]
         fn from(inputs: HalfInputs) -> Self {
-            [inputs.pull_0, inputs.pull_1]
+            [inputs.pull[0], inputs.pull[1]]
         }
     }
     #[automatically_derived]
     impl ::lagrange::system::ControlledSystem for Half {
         type Inputs = HalfInputs;
         type InputVector = [f64; 2];
-        const INPUTS: &'static [&'static ::core::primitive::str] = &["pull_0", "pull_1"];
+        const INPUTS: &'static [&'static ::core::primitive::str] = &[
+            "pull[0]",
+            "pull[1]",
+        ];
         #[inline]
         fn inputs(&self) -> HalfInputs {
-            HalfInputs {
-                pull_0: self.pull_0,
-                pull_1: self.pull_1,
-            }
+            HalfInputs { pull: self.pull }
         }
         #[inline]
         fn with_inputs(&self, inputs: HalfInputs) -> Self {
             Self {
-                pull_0: inputs.pull_0,
-                pull_1: inputs.pull_1,
-                m_0_0: self.m_0_0,
-                m_0_1: self.m_0_1,
-                m_1_0: self.m_1_0,
-                m_1_1: self.m_1_1,
+                pull: inputs.pull,
+                m: self.m,
                 k: self.k,
                 g: self.g,
             }
@@ -1007,8 +986,8 @@ const _: () = {
         type Outputs = [f64; 3];
         const OUTPUTS: &'static [&'static ::core::primitive::str] = &[
             "mean",
-            "row_1.x",
-            "row_1.y",
+            "row[1].x",
+            "row[1].y",
         ];
         #[inline]
         fn outputs(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 3] {
@@ -1025,14 +1004,10 @@ const _: () = {
         #[inline]
         fn from(system: &SpringLattice) -> Self {
             Self {
-                m_0_0: system.m_0_0,
-                m_0_1: system.m_0_1,
-                m_1_0: system.m_1_0,
-                m_1_1: system.m_1_1,
+                m: system.m,
                 k: system.k,
                 g: system.g,
-                pull_0: system.pull_0,
-                pull_1: system.pull_1,
+                pull: system.pull,
             }
         }
     }
@@ -1041,14 +1016,10 @@ const _: () = {
         #[inline]
         fn from(system: &Half) -> Self {
             Self {
-                m_0_0: system.m_0_0,
-                m_0_1: system.m_0_1,
-                m_1_0: system.m_1_0,
-                m_1_1: system.m_1_1,
+                m: system.m,
                 k: system.k,
                 g: system.g,
-                pull_0: system.pull_0,
-                pull_1: system.pull_1,
+                pull: system.pull,
             }
         }
     }
@@ -1057,10 +1028,10 @@ const _: () = {
         #[inline]
         fn from(state: SpringLatticeState) -> Self {
             Self {
-                u_1_0: state.u_1_0,
-                u_1_1: state.u_1_1,
-                u_1_0_dot: state.u_1_0_dot,
-                u_1_1_dot: state.u_1_1_dot,
+                u_1_0: state.u[1][0],
+                u_1_1: state.u[1][1],
+                u_1_0_dot: state.u_dot[1][0],
+                u_1_1_dot: state.u_dot[1][1],
             }
         }
     }
@@ -1071,14 +1042,8 @@ const _: () = {
         #[inline]
         pub fn expand(&self, state: HalfState) -> SpringLatticeState {
             SpringLatticeState {
-                u_0_0: 0.0,
-                u_0_1: 0.0,
-                u_1_0: state.u_1_0,
-                u_1_1: state.u_1_1,
-                u_0_0_dot: 0.0,
-                u_0_1_dot: 0.0,
-                u_1_0_dot: state.u_1_0_dot,
-                u_1_1_dot: state.u_1_1_dot,
+                u: [[0.0, 0.0], [state.u_1_0, state.u_1_1]],
+                u_dot: [[0.0, 0.0], [state.u_1_0_dot, state.u_1_1_dot]],
             }
         }
         /// How far a state of [`SpringLattice`] is from those that this system stands for:
@@ -1089,14 +1054,8 @@ const _: () = {
         #[inline]
         pub fn deviation(&self, state: SpringLatticeState) -> SpringLatticeState {
             SpringLatticeState {
-                u_0_0: state.u_0_0,
-                u_0_1: state.u_0_1,
-                u_1_0: 0.0,
-                u_1_1: 0.0,
-                u_0_0_dot: state.u_0_0_dot,
-                u_0_1_dot: state.u_0_1_dot,
-                u_1_0_dot: 0.0,
-                u_1_1_dot: 0.0,
+                u: [[state.u[0][0], state.u[0][1]], [0.0, 0.0]],
+                u_dot: [[state.u_dot[0][0], state.u_dot[0][1]], [0.0, 0.0]],
             }
         }
     }

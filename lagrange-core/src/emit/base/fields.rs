@@ -1,0 +1,163 @@
+//! Fields of emitted structs: numbers, and arrays of them for what is declared as an array.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::shape::{Shape, identifier, length};
+use crate::collections::HashMap;
+use crate::syntax::ast::{DeclaredArray, Name};
+
+/// A field for several names, or for one.
+#[derive(Clone)]
+pub(in crate::emit) struct Field {
+    pub(in crate::emit) identifier: Ident,
+    /// Numbers of elements in each direction; none for a number.
+    pub(in crate::emit) sizes: Vec<usize>,
+    /// Its names, the last index changing fastest.
+    pub(in crate::emit) names: Vec<Name>,
+}
+
+impl Field {
+    fn of_number(name: &Name) -> Field {
+        Field { identifier: identifier(name), sizes: Vec::new(), names: vec![name.clone()] }
+    }
+
+    /// True of an array.
+    pub(in crate::emit) fn is_array(&self) -> bool {
+        !self.sizes.is_empty()
+    }
+
+    /// Its type.
+    pub(in crate::emit) fn type_of(&self, scalar: &TokenStream) -> TokenStream {
+        let arrays = self.sizes.iter().rev();
+        arrays.fold(scalar.clone(), |element, size| {
+            let size = length(*size);
+            quote!([#element; #size])
+        })
+    }
+
+    /// The field with values or patterns for its names, as it stands in a literal or a pattern of the struct.
+    pub(in crate::emit) fn with(&self, values: &[TokenStream]) -> TokenStream {
+        let field = &self.identifier;
+        let value = self.nested(values);
+        if *field == value.to_string() { quote!(#value) } else { quote!(#field: #value) }
+    }
+
+    fn nested(&self, values: &[TokenStream]) -> TokenStream {
+        let mut level = values.to_vec();
+        for size in self.sizes.iter().rev() {
+            level = level.chunks(*size).map(|row| quote!([#(#row),*])).collect();
+        }
+        quote!(#(#level)*)
+    }
+
+    /// Where each of its names stands in the struct: `theta[2]` behind a dot.
+    pub(in crate::emit) fn places(&self) -> Vec<TokenStream> {
+        let field = &self.identifier;
+        let place = |number: usize| {
+            let mut rest = number;
+            let mut indices = self.sizes.iter().rev().map(|size| {
+                let index = length(rest % size);
+                rest /= size;
+                quote!([#index])
+            });
+            let mut indices = indices.by_ref().collect::<Vec<_>>();
+            indices.reverse();
+            quote!(#field #(#indices)*)
+        };
+        (0..self.names.len()).map(place).collect()
+    }
+}
+
+/// Fields for names in their order: arrays where all names of one follow each other, numbers elsewhere. No two have the same name.
+pub(in crate::emit) fn fields(names: &[&Name], arrays: &[DeclaredArray]) -> Vec<Field> {
+    let firsts = arrays.iter().filter_map(|array| Some((array.elements.first()?.name.clone(), array)));
+    let firsts = firsts.collect::<HashMap<_, _>>();
+    let mut fields = Vec::new();
+    let mut rest = names;
+    while let [first, ..] = rest {
+        let array = firsts.get(&first.text).and_then(|array| as_field(array, rest));
+        let field = array.unwrap_or_else(|| Field::of_number(first));
+        rest = rest.get(field.names.len()..).unwrap_or_default();
+        fields.push(field);
+    }
+    without_clashes(fields)
+}
+
+/// The field for an array whose elements come first among these names.
+fn as_field(array: &DeclaredArray, names: &[&Name]) -> Option<Field> {
+    let sizes = array.sizes.clone()?;
+    let own = names.get(..array.elements.len())?;
+    let are_elements = own.iter().zip(&array.elements).all(|(name, element)| name.text == element.name);
+    let names = || own.iter().map(|name| (*name).clone()).collect();
+    are_elements.then(|| Field { identifier: identifier(&array.name), sizes, names: names() })
+}
+
+/// Takes arrays apart that have the name of something else.
+fn without_clashes(fields: Vec<Field>) -> Vec<Field> {
+    let mut counts: HashMap<String, usize> = HashMap::default();
+    for field in &fields {
+        *counts.get_or_insert_with(field.identifier.to_string(), || 0) += 1;
+    }
+    let is_alone = |field: &Field| counts.get(&field.identifier.to_string()) == Some(&1);
+    let apart = |field: Field| match field.is_array() && !is_alone(&field) {
+        true => field.names.iter().map(Field::of_number).collect(),
+        false => vec![field],
+    };
+    fields.into_iter().flat_map(apart).collect()
+}
+
+/// A literal or a pattern of a struct with these fields, of values or patterns for all names in their order.
+pub(in crate::emit) fn entries(fields: &[Field], values: &[TokenStream]) -> Vec<TokenStream> {
+    let mut rest = values;
+    let entries = fields.iter().map(|field| {
+        let (own, others) = rest.split_at(field.names.len().min(rest.len()));
+        rest = others;
+        field.with(own)
+    });
+    entries.collect()
+}
+
+/// Where each name stands in a struct with these fields.
+pub(in crate::emit) fn places(fields: &[Field]) -> Vec<TokenStream> {
+    fields.iter().flat_map(Field::places).collect()
+}
+
+impl Shape<'_> {
+    /// Fields for these parameters and inputs.
+    pub(in crate::emit) fn fields_of(&self, names: &[&Name]) -> Vec<Field> {
+        fields(names, &self.declaration.arrays)
+    }
+
+    /// Fields of parameters and inputs.
+    pub(in crate::emit) fn number_fields(&self) -> Vec<Field> {
+        self.fields_of(&self.fields)
+    }
+
+    /// Fields of parameters and inputs as a struct declares them, in numbers of this type.
+    pub(in crate::emit) fn field_declarations(&self, scalar: &TokenStream) -> TokenStream {
+        let declared = self.number_fields().into_iter().filter_map(|field| {
+            let (name, first) = (&field.identifier, field.names.first()?);
+            let plural = if field.is_array() { "s" } else { "" };
+            let docs = self.docs(first, &format!("{}{plural} `{name}`.", self.kind_of_field(first)));
+            let of_type = field.type_of(scalar);
+            Some(quote!(#docs pub #name: #of_type,))
+        });
+        declared.collect()
+    }
+
+    /// Identifiers of the fields of parameters and inputs.
+    pub(in crate::emit) fn number_identifiers(&self) -> Vec<Ident> {
+        self.number_fields().into_iter().map(|field| field.identifier).collect()
+    }
+
+    /// These fields, those of modes among them, in a literal of the struct, as they are in `self`; with the marker, if there is one.
+    pub(in crate::emit) fn kept_fields(&self, keeps: impl Fn(&Name) -> bool) -> TokenStream {
+        let kept = self.fields.iter().copied().filter(|name| keeps(name)).collect::<Vec<_>>();
+        let modes = self.fields_of_modes().filter(|name| keeps(name)).map(identifier);
+        let fields = self.fields_of(&kept).into_iter().map(|field| field.identifier).chain(modes);
+        let marker = self.needs_marker().then(|| quote!(scalar: ::core::marker::PhantomData,));
+        let fields = fields.map(|field| quote!(#field: self.#field,)).collect::<TokenStream>();
+        quote!(#fields #marker)
+    }
+}
