@@ -1,0 +1,60 @@
+//! Thirty point masses on massless rods, declared in ten lines.
+//!
+//! The chain hangs from a point, bent by a little more from rod to rod, and is released. The mass matrix of its absolute angles is full, but
+//! accelerations are found from body to body, so that their cost is in proportion to the number of rods.
+//!
+//! The reference is the same chain with its mass matrix written by hand, in SciPy: `tools/many_of_a_kind.py`. Look for twelve digits of angles
+//! and accelerations, and for energy that stays what it is.
+//!
+//! `cargo run --example long_chain`
+
+mod common;
+
+use std::error::Error;
+
+use common::compare;
+use lagrange::Simulate;
+
+lagrange::system! {
+    /// A chain of point masses, its angles from the downward vertical.
+    #[derive(Clone, Debug)]
+    pub struct LongChain;
+
+    const n = 30;
+    param m[n] = 0.1, l[n] = 0.1, g = 9.81;
+    coord theta[n];
+    let p[0] = (0, 0);
+    for i in 0..n {
+        let p[i+1] = p[i] + l[i] * (sin(theta[i]), -cos(theta[i]));
+        kinetic = kinetic_energy(m[i], dot(p[i+1]));
+        potential = gravitational_energy(m[i], g, p[i+1].y);
+    }
+    output tip = p[n];
+}
+
+/// First, middle and last rod.
+const RODS: [usize; 3] = [0, 14, 29];
+/// From `tools/many_of_a_kind.py`.
+const ACCELERATIONS: [f64; 3] = [-2.6245707643313034, -1.8161338664874436, -1.7932216625706707];
+const ANGLES: [f64; 3] = [-0.15236872953141431, -0.23063124607433866, -0.42202383087462908];
+const LAST_RATE: f64 = -1.7970165998404366;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let chain = LongChain::default();
+    let theta = std::array::from_fn(|i| 0.3 + 0.01 * i as f64);
+    let start = LongChainState { theta, theta_dot: [0.0; 30] };
+    let acceleration = chain.acceleration(0.0, &start.coordinates(), &start.velocities());
+    let names = ["first rod", "middle rod", "last rod"];
+    let rows = |found: [f64; 3], known: [f64; 3]| [0, 1, 2].map(|i| (names[i], found[i], known[i]));
+    let found = RODS.map(|rod| acceleration[rod]);
+    compare("accelerations at the start, in rad/s²", 1e-12, &rows(found, ACCELERATIONS));
+
+    let run = chain.simulate(start).until(1.0).tolerance(1e-13).energy().run()?;
+    let end = LongChainState::from(run.last());
+    compare("angles after a second, in rad", 1e-12, &rows(RODS.map(|rod| end.theta[rod]), ANGLES));
+    compare("rates", 1e-11, &[("last rod", end.theta_dot[29], LAST_RATE)]);
+    println!("{} states; the last rod began at {} rad", run.len(), run.theta(29)[0]);
+    let energy = run.column("energy").ok_or("it was asked for")?;
+    compare("energy, in J", 1e-11, &[("at the end", energy[energy.len() - 1], energy[0])]);
+    Ok(())
+}

@@ -1,0 +1,71 @@
+//! Five rows of five masses in the plane, between springs that hold them to their neighbours and to fixed points around them.
+//!
+//! Springs are without tension while the masses are in their places, one length apart, so that the lattice is stiff along its lines and
+//! soft across them: forces across are of third order, and the motion is far from that of a linear lattice. There is no gravity.
+//!
+//! The reference is Newton's law for each mass, in SciPy: `tools/many_of_a_kind.py`. Look for twelve digits, and for energy that stays what it is.
+//!
+//! `cargo run --example spring_lattice`
+
+mod common;
+
+use std::array::from_fn;
+use std::error::Error;
+
+use common::compare;
+use lagrange::Simulate;
+
+lagrange::system! {
+    /// Masses in rows i and columns j, displaced by u along the rows and by v across them.
+    #[derive(Clone, Debug)]
+    pub struct SpringLattice;
+
+    const n = 5;
+    param k = 20, rest = 1;
+    coord u[n][n], v[n][n];
+    for i in 0..n {
+        for j in 0..n {
+            let r[i][j] = (j + u[i][j], i + v[i][j]);
+            kinetic = kinetic_energy(1 + (i + j)/10, dot(r[i][j]));
+            let left[i][j] = if j > 0 { r[i][j-1] } else { (-1, i) };
+            let below[i][j] = if i > 0 { r[i-1][j] } else { (j, -1) };
+            potential = spring_energy(k, norm(r[i][j] - left[i][j]) - rest);
+            potential = spring_energy(k, norm(r[i][j] - below[i][j]) - rest);
+        }
+        potential = spring_energy(k, norm(r[i][n-1] - (n, i)) - rest);
+    }
+    for j in 0..n {
+        potential = spring_energy(k, norm(r[n-1][j] - (j, n)) - rest);
+    }
+}
+
+/// A corner, the middle, and a mass on the rim.
+const MASSES: [(usize, usize); 3] = [(0, 0), (2, 2), (4, 1)];
+/// From `tools/many_of_a_kind.py`.
+const U: [f64; 3] = [0.067359617702285240, -0.34435105861536258, 0.13167790956440584];
+const V: [f64; 3] = [-0.15559836584837131, 0.030436138800277103, -0.070722820258380850];
+const RATE: f64 = 0.18637825246960599;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let grid = |f: fn(f64, f64) -> f64| from_fn(|i| from_fn(|j| f(i as f64, j as f64)));
+    let start = SpringLatticeState {
+        u: grid(|i, j| 0.2 * (1.0 + i + 2.0 * j).sin()),
+        v: grid(|i, j| 0.2 * (3.0 * i - j).cos()),
+        u_dot: [[0.0; 5]; 5],
+        v_dot: [[0.0; 5]; 5],
+    };
+    let lattice = SpringLattice::default();
+    let run = lattice.simulate(start).until(2.0).tolerance(1e-13).energy().run()?;
+    let end = SpringLatticeState::from(run.last());
+    let names = ["corner", "middle", "rim"];
+    let rows = |found: &[[f64; 5]; 5], known: [f64; 3]| {
+        [0, 1, 2].map(|k| (names[k], found[MASSES[k].0][MASSES[k].1], known[k]))
+    };
+    compare("displacements along the rows, in m", 1e-12, &rows(&end.u, U));
+    compare("displacements across them, in m", 1e-12, &rows(&end.v, V));
+    compare("rate along the row, in m/s", 1e-12, &[("middle", end.u_dot[2][2], RATE)]);
+    println!("{} states; the middle began at u = {:.6} m", run.len(), run.u(2, 2)[0]);
+    let energy = run.column("energy").ok_or("it was asked for")?;
+    compare("energy, in J", 1e-11, &[("at the end", energy[energy.len() - 1], energy[0])]);
+    Ok(())
+}
