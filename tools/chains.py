@@ -17,37 +17,33 @@ STRICT_CHAINS = [chain for chain in CHAINS if chain[1] in (5, 8, 10, 20)]
 BENCHES = Path(__file__).resolve().parent.parent / "benches"
 
 
-def numbered(letter, n):
-    return [f"{letter}{k}" for k in range(1, n + 1)]
-
-
 def type_name(kind, n):
     return f"{kind.capitalize()}{n}"
 
 
 def declaration(kind, n):
     """The declaration as text, from the doc comment of the struct to the potential."""
-    lines = [
+    angle = "q[i]" if kind == "absolute" else "a[i]"
+    turned = ["    let a[i] = if i > 0 { a[i-1] + q[i] } else { q[i] };"] if kind == "relative" else []
+    place = f"l[i] * (sin({angle}), -cos({angle}))"
+    return [
         f"/// {n} point masses on massless rods in {kind} angles.",
         f"pub(crate) struct {type_name(kind, n)};",
-        f"param {', '.join(numbered('m', n) + numbered('l', n))}, g;",
-        f"coord {', '.join(numbered('q', n))};",
+        f"const n = {n};",
+        "param m[n], l[n], g;",
+        "coord q[n];",
+        "for i in 0..n {",
+        *turned,
+        f"    let p[i] = if i > 0 {{ p[i-1] + {place} }} else {{ {place} }};",
+        "    kinetic = kinetic_energy(m[i], dot(p[i]));",
+        "    potential = gravitational_energy(m[i], g, p[i].y);",
+        "}",
     ]
-    for k in range(1, n + 1):
-        angle = f"q{k}"
-        if kind == "relative":
-            angle = f"a{k}"
-            lines.append(f"let a{k} = {f'a{k - 1} + ' if k > 1 else ''}q{k};")
-        x, y = (f"x{k - 1} + ", f"y{k - 1} ") if k > 1 else ("", "")
-        lines.append(f"let (x{k}, y{k}) = ({x}l{k} * sin({angle}), {y}{'- ' if y else '-'}l{k} * cos({angle}));")
-    lines += [f"kinetic = 1/2 * m{k} * (dot(x{k})^2 + dot(y{k})^2);" for k in range(1, n + 1)]
-    lines += [f"potential = m{k} * g * y{k};" for k in range(1, n + 1)]
-    return lines
 
 
 def module(kind, n, attributes):
     """A Rust module with the emitted type and a constructor from arrays."""
-    name, masses, lengths = type_name(kind, n), numbered("m", n), numbered("l", n)
+    name = type_name(kind, n)
     documentation, *rest = declaration(kind, n)
     indent = lambda lines: "\n".join(f"    {line}" for line in lines)
     return f"""//! Written by `tools/chains.py`.
@@ -56,11 +52,8 @@ lagrange::system! {{
 {indent([documentation, *attributes, *rest])}
 }}
 
-#[rustfmt::skip]
 pub(crate) fn chain(m: &[f64; {n}], l: &[f64; {n}], g: f64) -> {name} {{
-    let [{', '.join(masses)}] = *m;
-    let [{', '.join(lengths)}] = *l;
-    {name} {{ {', '.join(masses + lengths)}, g }}
+    {name} {{ m: *m, l: *l, g }}
 }}
 """
 

@@ -4,19 +4,16 @@ lagrange::system! {
     /// 2 point masses on massless rods in absolute angles.
     #[accuracy(fast)]
     pub(crate) struct Absolute2;
-    param m1, m2, l1, l2, g;
-    coord q1, q2;
-    let (x1, y1) = (l1 * sin(q1), -l1 * cos(q1));
-    let (x2, y2) = (x1 + l2 * sin(q2), y1 - l2 * cos(q2));
-    kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2);
-    kinetic = 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
-    potential = m1 * g * y1;
-    potential = m2 * g * y2;
+    const n = 2;
+    param m[n], l[n], g;
+    coord q[n];
+    for i in 0..n {
+        let p[i] = if i > 0 { p[i-1] + l[i] * (sin(q[i]), -cos(q[i])) } else { l[i] * (sin(q[i]), -cos(q[i])) };
+        kinetic = kinetic_energy(m[i], dot(p[i]));
+        potential = gravitational_energy(m[i], g, p[i].y);
+    }
 }
 
-#[rustfmt::skip]
 pub(crate) fn chain(m: &[f64; 2], l: &[f64; 2], g: f64) -> Absolute2 {
-    let [m1, m2] = *m;
-    let [l1, l2] = *l;
-    Absolute2 { m1, m2, l1, l2, g }
+    Absolute2 { m: *m, l: *l, g }
 }
