@@ -576,11 +576,9 @@ const _: () = {
             y: &[f64; 2],
             rates: &[f64; 2],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[("m", self.m), ("j", self.j), ("r", self.r), ("g", self.g)],
                 &[("throttle", self.throttle)],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -607,6 +605,14 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [("m", self.m), ("j", self.j), ("r", self.r), ("g", self.g)]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

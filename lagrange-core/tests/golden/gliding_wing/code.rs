@@ -320,11 +320,9 @@ const _: () = {
             y: &[S; 4],
             rates: &[S; 4],
         ) -> ::core::option::Option<::lagrange::system::Undefined<S>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[("m", self.m), ("j", self.j), ("g", self.g), ("speed", self.speed)],
                 &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -347,6 +345,14 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: S, _: &[S; 2], v: &[S; 2]) -> [S; 2] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, S)> {
+            [("m", self.m), ("j", self.j), ("g", self.g), ("speed", self.speed)]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

@@ -248,18 +248,9 @@ const _: () = {
             y: &[f64; 4],
             rates: &[f64; 4],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("m", self.m),
-                    ("r", self.r),
-                    ("k", self.k),
-                    ("limit", self.limit),
-                    ("stop", self.stop),
-                    ("g", self.g),
-                ],
                 &[("u", self.u)],
                 |_, _| ::core::option::Option::None,
             )
@@ -313,6 +304,21 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("m", self.m),
+                ("r", self.r),
+                ("k", self.k),
+                ("limit", self.limit),
+                ("stop", self.stop),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]

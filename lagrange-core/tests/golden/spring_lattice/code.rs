@@ -468,18 +468,9 @@ const _: () = {
             y: &[f64; 8],
             rates: &[f64; 8],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("m[0][0]", self.m[0][0]),
-                    ("m[0][1]", self.m[0][1]),
-                    ("m[1][0]", self.m[1][0]),
-                    ("m[1][1]", self.m[1][1]),
-                    ("k", self.k),
-                    ("g", self.g),
-                ],
                 &[("pull[0]", self.pull[0]), ("pull[1]", self.pull[1])],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -503,6 +494,21 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("m[0][0]", self.m[0][0]),
+                ("m[0][1]", self.m[0][1]),
+                ("m[1][0]", self.m[1][0]),
+                ("m[1][1]", self.m[1][1]),
+                ("k", self.k),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]
@@ -897,18 +903,9 @@ const _: () = {
             y: &[f64; 4],
             rates: &[f64; 4],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined::<
-                Self,
-            >(
+            ::lagrange::integrate::undefined(
+                self,
                 (t, y, rates),
-                &[
-                    ("m[0][0]", self.m[0][0]),
-                    ("m[0][1]", self.m[0][1]),
-                    ("m[1][0]", self.m[1][0]),
-                    ("m[1][1]", self.m[1][1]),
-                    ("k", self.k),
-                    ("g", self.g),
-                ],
                 &[("pull[0]", self.pull[0]), ("pull[1]", self.pull[1])],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
@@ -930,6 +927,21 @@ const _: () = {
         #[inline]
         fn position_rates(&self, _: f64, _: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             *v
+        }
+        fn parameter(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<(&'static ::core::primitive::str, f64)> {
+            [
+                ("m[0][0]", self.m[0][0]),
+                ("m[0][1]", self.m[0][1]),
+                ("m[1][0]", self.m[1][0]),
+                ("m[1][1]", self.m[1][1]),
+                ("k", self.k),
+                ("g", self.g),
+            ]
+                .get(index)
+                .copied()
         }
     }
     #[automatically_derived]
