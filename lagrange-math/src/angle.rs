@@ -38,39 +38,39 @@ const SIGN: u64 = 1 << 63;
 
 /// Sine and cosine of an angle of at most 10⁵ in magnitude; of others the result has no meaning.
 #[inline(always)]
-pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
-    let reduced = reduce(x.abs());
+pub(crate) fn sin_cos<const FUSED: bool>(x: f64) -> (f64, f64) {
+    let reduced = reduce::<FUSED>(x.abs());
     let z = reduced.high * reduced.high;
     let half = 0.5 * z;
     let near_cosine = 1.0 - half;
-    let sine = sine(&reduced, z, near_cosine);
-    let cosine = cosine(&reduced, z, half, near_cosine);
+    let sine = sine::<FUSED>(&reduced, z, near_cosine);
+    let cosine = cosine::<FUSED>(&reduced, z, half, near_cosine);
     in_quadrant(reduced.quadrant, sine, cosine, x.to_bits() & SIGN)
 }
 
 #[inline(always)]
-fn sine(reduced: &Reduced, z: f64, near_cosine: f64) -> f64 {
+fn sine<const FUSED: bool>(reduced: &Reduced, z: f64, near_cosine: f64) -> f64 {
     let Reduced { high: r, low, .. } = *reduced;
     let (z2, cube) = (z * z, z * r);
-    let rest = multiply_add(pair(&SINE, 4, z), z2, pair(&SINE, 2, z));
-    let first = multiply_add(pair(&SINE, 0, z), cube, low * near_cosine);
-    r + multiply_add(rest, cube * z2, first)
+    let rest = multiply_add::<FUSED>(pair::<FUSED>(&SINE, 4, z), z2, pair::<FUSED>(&SINE, 2, z));
+    let first = multiply_add::<FUSED>(pair::<FUSED>(&SINE, 0, z), cube, low * near_cosine);
+    r + multiply_add::<FUSED>(rest, cube * z2, first)
 }
 
 #[inline(always)]
-fn cosine(reduced: &Reduced, z: f64, half: f64, near_cosine: f64) -> f64 {
+fn cosine<const FUSED: bool>(reduced: &Reduced, z: f64, half: f64, near_cosine: f64) -> f64 {
     let Reduced { high: r, low, .. } = *reduced;
     let z2 = z * z;
-    let rest = multiply_add(pair(&COSINE, 4, z), z2, pair(&COSINE, 2, z));
+    let rest = multiply_add::<FUSED>(pair::<FUSED>(&COSINE, 4, z), z2, pair::<FUSED>(&COSINE, 2, z));
     let lost = (1.0 - near_cosine) - half;
-    let first = multiply_add(pair(&COSINE, 0, z), z2, lost - r * low);
-    near_cosine + multiply_add(rest, z2 * z2, first)
+    let first = multiply_add::<FUSED>(pair::<FUSED>(&COSINE, 0, z), z2, lost - r * low);
+    near_cosine + multiply_add::<FUSED>(rest, z2 * z2, first)
 }
 
 /// Two neighbouring terms of a polynomial, divided by the power of z that they share.
 #[inline(always)]
-fn pair(coefficients: &[f64; 6], index: usize, z: f64) -> f64 {
-    multiply_add(coefficients[index + 1], z, coefficients[index])
+fn pair<const FUSED: bool>(coefficients: &[f64; 6], index: usize, z: f64) -> f64 {
+    multiply_add::<FUSED>(coefficients[index + 1], z, coefficients[index])
 }
 
 /// Exchanges sine and cosine in odd quadrants and sets their signs. In bits, since on many targets a choice

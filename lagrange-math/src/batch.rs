@@ -1,6 +1,7 @@
 //! Several angles at a time.
 
 use crate::angle;
+use crate::fused::HAS_FUSED;
 
 /// Up to this magnitude angles are reduced in [`sin_cos_each`] itself, in radians.
 pub const LARGEST_ANGLE: f64 = 1e5;
@@ -23,19 +24,37 @@ pub const LARGEST_ANGLE: f64 = 1e5;
 #[inline(always)]
 #[must_use]
 pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
+    let (sines, cosines) = sines_and_cosines::<HAS_FUSED, N>(angles);
+    zipped(sines, cosines)
+}
+
+/// All sines and all cosines of the angles, with products that are fused or not, whatever the target is: for callers that find out at
+/// run time what the processor has, and compile this for it. Results and errors are those of [`sin_cos_each`], which asks for the one or
+/// the other.
+///
+/// ```
+/// use lagrange_math::sines_and_cosines;
+///
+/// let ([sine, _], [_, cosine]) = sines_and_cosines::<true, 2>([0.5, 0.0]);
+/// assert_eq!(cosine, 1.0);
+/// assert!((sine - 0.5_f64.sin()).abs() < 1e-15);
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
     // Apart, so that all sines, and all cosines, lie side by side as vector instructions want them.
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
     let [eights, twos] = const { cuts(N) };
     for range in [0..eights, eights..twos, twos..N] {
         for i in range {
-            (sines[i], cosines[i]) = angle::sin_cos(angles[i]);
+            (sines[i], cosines[i]) = angle::sin_cos::<FUSED>(angles[i]);
         }
     }
     let all_small = angles.iter().fold(true, |all, angle| all & is_small(*angle));
     if !all_small {
         replace_large(&angles, &mut sines, &mut cosines);
     }
-    zipped(sines, cosines)
+    (sines, cosines)
 }
 
 /// By value: compilers then see that the arrays of the result are other ones than those lent to a call, and keep
@@ -51,6 +70,22 @@ fn zipped<const N: usize>(sines: [f64; N], cosines: [f64; N]) -> [(f64, f64); N]
 #[must_use]
 pub fn sin_cos_each_f32<const N: usize>(angles: [f32; N]) -> [(f32, f32); N] {
     sin_cos_each(angles.map(f64::from)).map(|(sine, cosine)| (sine as f32, cosine as f32))
+}
+
+/// [`sines_and_cosines`] in single precision, with results and errors of [`sin_cos_each_f32`].
+#[inline(always)]
+#[must_use]
+pub fn sines_and_cosines_f32<const FUSED: bool, const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {
+    let mut doubles = [0.0; N];
+    for i in 0..N {
+        doubles[i] = f64::from(angles[i]);
+    }
+    let (sines, cosines) = sines_and_cosines::<FUSED, N>(doubles);
+    let mut singles = ([0.0; N], [0.0; N]);
+    for i in 0..N {
+        (singles.0[i], singles.1[i]) = (sines[i] as f32, cosines[i] as f32);
+    }
+    singles
 }
 
 /// Where to end one loop and begin the next, so that compilers unroll what is short and find whole vectors in

@@ -1,11 +1,17 @@
-//! Products and sums in one rounding, where the target has such an instruction.
+//! Products and sums in one rounding, where that is asked for.
 
-/// `a * b + c`, rounded once where that is one instruction and twice elsewhere.
+/// Whether the target that is compiled for has an instruction for a product and a sum with one rounding.
+pub(crate) const HAS_FUSED: bool = cfg!(all(feature = "std", target_feature = "fma"));
+
+/// `a * b + c`, rounded once if FUSED and twice otherwise. Where FUSED is no instruction it is a call of a library.
 #[inline(always)]
-pub(crate) fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
-    #[cfg(all(feature = "std", target_feature = "fma"))]
+pub(crate) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
+    if !FUSED {
+        return a * b + c;
+    }
+    #[cfg(feature = "std")]
     let value = a.mul_add(b, c);
-    #[cfg(not(all(feature = "std", target_feature = "fma")))]
-    let value = a * b + c;
+    #[cfg(not(feature = "std"))]
+    let value = libm::fma(a, b, c);
     value
 }

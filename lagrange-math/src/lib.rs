@@ -19,4 +19,4 @@ mod batch;
 mod fused;
 mod reduction;
 
-pub use batch::{LARGEST_ANGLE, sin_cos_each, sin_cos_each_f32};
+pub use batch::{LARGEST_ANGLE, sin_cos_each, sin_cos_each_f32, sines_and_cosines, sines_and_cosines_f32};

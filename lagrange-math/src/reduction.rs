@@ -32,12 +32,12 @@ pub(crate) struct Reduced {
 
 /// Reduces an angle from 0 to 10⁵; of others the result has no meaning.
 #[inline(always)]
-pub(crate) fn reduce(x: f64) -> Reduced {
-    let shifted = multiply_add(x, FRAC_2_PI, SHIFT);
+pub(crate) fn reduce<const FUSED: bool>(x: f64) -> Reduced {
+    let shifted = multiply_add::<FUSED>(x, FRAC_2_PI, SHIFT);
     let n = shifted - SHIFT;
-    let first = multiply_add(-n, HALF_PI[0], x);
-    let high = multiply_add(-n, HALF_PI[1], first);
+    let first = multiply_add::<FUSED>(-n, HALF_PI[0], x);
+    let high = multiply_add::<FUSED>(-n, HALF_PI[1], first);
     // What rounding took from `high`. Where the product is the larger term, the difference is exact.
-    let lost = multiply_add(-n, HALF_PI[1], first - high);
-    Reduced { quadrant: shifted.to_bits(), high, low: multiply_add(-n, HALF_PI[2], lost) }
+    let lost = multiply_add::<FUSED>(-n, HALF_PI[1], first - high);
+    Reduced { quadrant: shifted.to_bits(), high, low: multiply_add::<FUSED>(-n, HALF_PI[2], lost) }
 }

@@ -5,8 +5,11 @@
 //! and contacts need beside: an order, so that a program may branch. `f64` and `f32` are both, with the functions of
 //! the platform under the `std` feature and those of `libm` without it.
 
+mod lanes;
 mod mask;
+mod rough;
 
+pub use self::lanes::{LaneMask, Lanes};
 pub use self::mask::Mask;
 
 use core::fmt::Debug;
@@ -160,7 +163,7 @@ pub trait Number:
     ///
     /// A negative power is the reciprocal of the positive one. Rounding errors grow in proportion to the
     /// exponent. The result depends on no library and is the same on every platform.
-    #[inline]
+    #[inline(always)]
     fn powi(self, exponent: i32) -> Self {
         let mut product = Self::ONE;
         let mut square = self;
@@ -202,6 +205,38 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
         let rounded = three * (Self::from_f64(4.0) / three - Self::ONE) - Self::ONE;
         if rounded < Self::ZERO { -rounded } else { rounded }
     }
+
+    /// `self * factor + addend` with one rounding for `f64` and `f32`, whatever the target is, for [`Lanes`]: where it is no instruction
+    /// it is a call of a library.
+    #[inline(always)]
+    fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
+        self.multiply_add(factor, addend)
+    }
+
+    /// All sines and all cosines of several angles, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.
+    #[inline(always)]
+    fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+        let (mut sines, mut cosines) = (angles, angles);
+        for i in 0..N {
+            (sines[i], cosines[i]) = angles[i].sin_cos();
+        }
+        (sines, cosines)
+    }
+
+    /// Binary logarithm of a positive normal number to 2 · 10⁻⁴, for lengths of steps. Of others the result has no meaning.
+    #[inline(always)]
+    fn rough_log2(self) -> Self {
+        self.ln() / Self::from_f64(core::f64::consts::LN_2)
+    }
+
+    /// Two to this power, which is brought into [−100, 100], to 10⁻⁴ of it, for lengths of steps.
+    #[inline(always)]
+    fn rough_exp2(self) -> Self {
+        let hundred = Self::from_f64(100.0);
+        let power = if hundred < self { hundred } else { self };
+        let power = if power < -hundred { -hundred } else { power };
+        (power * Self::from_f64(core::f64::consts::LN_2)).exp()
+    }
 }
 
 /// Calls the method of the standard library or, without it, the function of `libm`.
@@ -218,13 +253,33 @@ macro_rules! platform {
 /// Implements `Number` and `Scalar`; each row is a method with its further arguments and its name in `libm`.
 macro_rules! implement_scalar {
     (
-        $scalar:ident, sin_cos: $sin_cos:ident, sin_cos_each: $sin_cos_each:ident, powf: $powf:ident, mul_add: $mul_add:ident;
+        $scalar:ident, sin_cos: $sin_cos:ident, sin_cos_each: $sin_cos_each:ident, lanes: $lanes:ident, powf: $powf:ident, mul_add: $mul_add:ident;
         $($method:ident($($argument:ident)?): $libm:ident;)*
     ) => {
         impl Scalar for $scalar {
             #[inline]
             fn is_finite(self) -> bool {
                 $scalar::is_finite(self)
+            }
+
+            #[inline(always)]
+            fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
+                platform!($scalar::mul_add | $mul_add(self, factor, addend))
+            }
+
+            #[inline(always)]
+            fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
+                lagrange_math::$lanes::<FUSED, N>(angles)
+            }
+
+            #[inline(always)]
+            fn rough_log2(self) -> Self {
+                rough::log2(self.into()) as $scalar
+            }
+
+            #[inline(always)]
+            fn rough_exp2(self) -> Self {
+                rough::exp2(self.into()) as $scalar
             }
         }
 
@@ -304,7 +359,7 @@ macro_rules! implement_scalar {
 }
 
 implement_scalar! {
-    f64, sin_cos: sincos, sin_cos_each: sin_cos_each, powf: pow, mul_add: fma;
+    f64, sin_cos: sincos, sin_cos_each: sin_cos_each, lanes: sines_and_cosines, powf: pow, mul_add: fma;
     sin(): sin;
     cos(): cos;
     tan(): tan;
@@ -322,7 +377,7 @@ implement_scalar! {
 }
 
 implement_scalar! {
-    f32, sin_cos: sincosf, sin_cos_each: sin_cos_each_f32, powf: powf, mul_add: fmaf;
+    f32, sin_cos: sincosf, sin_cos_each: sin_cos_each_f32, lanes: sines_and_cosines_f32, powf: powf, mul_add: fmaf;
     sin(): sinf;
     cos(): cosf;
     tan(): tanf;

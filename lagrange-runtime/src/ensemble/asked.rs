@@ -58,6 +58,12 @@ pub(super) struct Asked<'a, M: MechanicalSystem> {
     pub(super) end: M::Scalar,
     pub(super) seed: u64,
     requests: Vec<Request<'a, M>>,
+    /// Whether every motion is to be a run by itself.
+    pub(super) is_one_by_one: bool,
+    /// Whether columns beside the state were asked for.
+    pub(super) has_columns: bool,
+    pub(super) most_steps: Option<u64>,
+    pub(super) longest_step: Option<M::Scalar>,
     /// The requests in words, by which ensembles are told apart.
     pub(super) words: Vec<String>,
     /// A setting that makes no sense.
@@ -82,6 +88,10 @@ impl<'a, M: SharedSystem> Asked<'a, M> {
             end: from,
             seed: 0,
             requests: Vec::new(),
+            is_one_by_one: false,
+            has_columns: false,
+            most_steps: None,
+            longest_step: None,
             words: Vec::new(),
             fault: None,
             threads: None,
@@ -91,8 +101,28 @@ impl<'a, M: SharedSystem> Asked<'a, M> {
         }
     }
 
-    /// Asks every run for something, which these words tell from others.
+    /// Asks every run for something, which these words tell from others, and which only runs can do.
     pub(super) fn request(
+        &mut self,
+        words: impl Into<String>,
+        request: impl for<'s> Fn(Within<'s, 'a>, usize, Plain<'s, M>) -> Plain<'s, M> + Send + Sync + 'a,
+    ) {
+        self.is_one_by_one = true;
+        self.request_anyhow(words, request);
+    }
+
+    /// Asks for columns, which can be computed of an end however it was found.
+    pub(super) fn request_columns(
+        &mut self,
+        words: impl Into<String>,
+        request: impl for<'s> Fn(Within<'s, 'a>, usize, Plain<'s, M>) -> Plain<'s, M> + Send + Sync + 'a,
+    ) {
+        self.has_columns = true;
+        self.request_anyhow(words, request);
+    }
+
+    /// Asks for something that lanes can do as well as runs.
+    pub(super) fn request_anyhow(
         &mut self,
         words: impl Into<String>,
         request: impl for<'s> Fn(Within<'s, 'a>, usize, Plain<'s, M>) -> Plain<'s, M> + Send + Sync + 'a,
@@ -101,17 +131,18 @@ impl<'a, M: SharedSystem> Asked<'a, M> {
         self.requests.push(Box::new(request));
     }
 
-    /// The run of a motion from here, with everything that was asked for, and the samples that are kept unless others were.
+    /// The run of a motion over this time, with everything that was asked for, and the samples that are kept unless others were.
     pub(super) fn plain<'s>(
         &'s self,
         index: usize,
         (system, state): (&'s M, M::State),
+        [from, until]: [M::Scalar; 2],
         unasked: Unasked,
     ) -> Plain<'s, M>
     where
         'a: 's,
     {
-        let plain = Start::of(system, self.from, state).until(self.end);
+        let plain = Start::of(system, from, state).until(until);
         let plain = match unasked {
             Unasked::EveryStep => plain.every_step(),
             Unasked::EndsOnly => plain.ends_only(),

@@ -147,6 +147,13 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
+    /// Computes every motion as a run by itself, with the bits of a [single run](crate::simulate::Simulation), instead of several
+    /// [in lanes](Self::is_in_lanes).
+    pub fn one_by_one(mut self) -> Self {
+        self.asked.is_one_by_one = true;
+        self
+    }
+
     /// Computes on so many threads, instead of those of rayon's pool, which are as many as the machine has. Results do not depend on it.
     pub fn threads(mut self, threads: usize) -> Self {
         if threads == 0 {

@@ -10,9 +10,9 @@ use super::builder::{Ensemble, KeepEnds};
 use super::engine::Engine;
 use super::error::EnsembleError;
 use super::failure::Failure;
-use super::motion::Ran;
+use super::lanes::{Arrival, Came};
 use super::progress::Counter;
-use super::rows::Rows;
+use super::rows::{Rows, samples};
 use crate::integrate::Method;
 use crate::simulate::{Drive, Table};
 use crate::system::{MechanicalSystem, StateVector};
@@ -115,9 +115,7 @@ where
         let mut rows = Rows::new();
         let compute = |chunk: Range<usize>| {
             let mut rows = Rows::new();
-            self.each(chunk, counter, |index, system, ran| {
-                rows.push_end(&self.asked, index, system, ran);
-            })?;
+            self.each(chunk, counter, |index, system, came| self.push_end(&mut rows, index, system, came))?;
             Ok(rows)
         };
         engine.chunks(motions, counter, compute, |chunk| {
@@ -127,21 +125,19 @@ where
         Ok(rows)
     }
 
-    /// Runs motions one after the other, until the ensemble is cancelled.
-    pub(super) fn each(
-        &self,
-        motions: Range<usize>,
-        counter: &Counter<'_, '_>,
-        mut then: impl FnMut(usize, &M, Ran<M>),
-    ) -> Result<(), EnsembleError> {
-        for index in motions {
-            if counter.is_cancelled() {
-                break;
+    /// Adds the end of a motion, however it was computed.
+    pub(super) fn push_end(&self, rows: &mut Rows<M>, index: usize, system: &M, came: Came<M>) {
+        let end = self.asked.end;
+        match came {
+            Came::Ran(ran) => rows.push_end(&self.asked, index, system, ran),
+            Came::Arrived(Arrival { state, .. }) if self.asked.has_columns => {
+                let instant = self.instant(index, system, (end, state));
+                rows.push_arrival(&self.asked, system, (end, &state), Some(samples(&instant).0));
             }
-            self.ran(index, |system, ran| then(index, system, ran))?;
-            counter.count(1);
+            Came::Arrived(Arrival { state, .. }) => {
+                rows.push_arrival(&self.asked, system, (end, &state), None);
+            }
         }
-        Ok(())
     }
 
     pub(super) fn counter(&self, motions: &Range<usize>) -> Counter<'_, 'a> {
@@ -161,7 +157,7 @@ where
     /// If what was asked for makes no sense, a closure that was given panics, or the progress callback cancels. A motion that fails is
     /// among the [`failures`](Ends::failures), and the others go on.
     pub fn run(self) -> Result<Ends<M>, EnsembleError> {
-        self.run_in(&Engine::new(self.asked.threads)?)
+        self.run_in(&self.engine()?)
     }
 
     pub(super) fn run_in(&self, engine: &Engine) -> Result<Ends<M>, EnsembleError> {

@@ -10,8 +10,12 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::error::EnsembleError;
 use super::progress::Counter;
 
-/// Motions that one thread computes one after the other. Reductions are merged by chunks, so that their bits depend on it.
-pub(super) const CHUNK: usize = 64;
+/// Motions that are summed up together, and that one thread computes one after the other. The bits of reductions depend on it.
+pub(super) const BLOCK: usize = 64;
+/// Most blocks that one thread computes together in lanes, some of which have no motions towards the end.
+const BLOCKS_IN_LANES: usize = 16;
+/// Threads that are done sooner find so many chunks for each of them.
+const CHUNKS_FOR_BALANCE: usize = 4;
 /// Chunks of a thread that are computed before they are merged: so much lies in memory.
 const CHUNKS_PER_THREAD: usize = 64;
 
@@ -32,7 +36,13 @@ impl Engine {
         };
         let pool = pool.transpose().map_err(|error| EnsembleError::Threads(error.to_string()))?;
         let threads = threads.unwrap_or_else(rayon::current_num_threads);
-        Ok(Engine { pool, threads, chunk: CHUNK })
+        Ok(Engine { pool, threads, chunk: BLOCK })
+    }
+
+    /// The same with chunks for lanes, of which there are enough for all threads.
+    pub(super) fn with_wide_chunks(self, motions: usize) -> Self {
+        let blocks = motions / (BLOCK * CHUNKS_FOR_BALANCE * self.threads);
+        Engine { chunk: BLOCK * blocks.clamp(1, BLOCKS_IN_LANES), ..self }
     }
 
     /// Computes all chunks of the motions and hands their results over in their order.

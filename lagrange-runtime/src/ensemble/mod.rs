@@ -55,6 +55,7 @@ mod engine;
 mod error;
 mod failure;
 mod histogram;
+mod lanes;
 mod moments;
 mod motion;
 mod pack;

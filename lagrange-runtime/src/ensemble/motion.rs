@@ -1,5 +1,8 @@
 //! One motion of an ensemble.
 
+use core::cell::OnceCell;
+use core::fmt::{Debug, Formatter};
+use core::ops::Range;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::string::{String, ToString};
@@ -7,21 +10,30 @@ use std::string::{String, ToString};
 use super::asked::{SharedSystem, Unasked};
 use super::builder::Ensemble;
 use super::error::EnsembleError;
+use super::progress::Counter;
 use crate::integrate::Method;
 use crate::simulate::{Drive, SimulationError, Trajectory};
 use crate::system::{MechanicalSystem, NamedSystem, StepFailure};
 
 /// A motion of an ensemble, as those who reduce it see it.
-#[derive(Debug)]
 pub struct Motion<'m, M: MechanicalSystem> {
     index: usize,
     system: &'m M,
-    trajectory: &'m Trajectory<M>,
+    end: (M::Scalar, M::State),
+    kept: Kept<'m, M>,
+}
+
+/// What is kept of a motion.
+#[derive(Clone, Copy)]
+pub(super) enum Kept<'m, M: MechanicalSystem> {
+    Trajectory(&'m Trajectory<M>),
+    /// A place for a trajectory, which is made when it is asked for.
+    Unmade(&'m OnceCell<Trajectory<M>>, &'m dyn Fn() -> Trajectory<M>),
 }
 
 impl<'m, M: MechanicalSystem> Motion<'m, M> {
-    pub(super) fn new(index: usize, system: &'m M, trajectory: &'m Trajectory<M>) -> Self {
-        Motion { index, system, trajectory }
+    pub(super) fn new(index: usize, system: &'m M, end: (M::Scalar, M::State), kept: Kept<'m, M>) -> Self {
+        Motion { index, system, end, kept }
     }
 
     /// Its place in the ensemble, counted from zero.
@@ -39,17 +51,27 @@ impl<'m, M: MechanicalSystem> Motion<'m, M> {
     where
         M: NamedSystem,
     {
-        self.trajectory.last().into()
+        self.end.1.into()
     }
 
     /// The time at which it ended: that which was asked for unless an event stopped it.
     pub fn end_time(&self) -> M::Scalar {
-        self.trajectory.end_time()
+        self.end.0
     }
 
-    /// All that was kept of it: samples if they were asked for, events, columns that were observed.
+    /// All that was kept of it: samples if they were asked for, events, columns that were observed. Of a motion that was computed
+    /// [in lanes](super::Ensemble::is_in_lanes) it is made when it is asked for, with the start and the end as samples.
     pub fn trajectory(&self) -> &'m Trajectory<M> {
-        self.trajectory
+        match self.kept {
+            Kept::Trajectory(trajectory) => trajectory,
+            Kept::Unmade(place, make) => place.get_or_init(make),
+        }
+    }
+}
+
+impl<M: MechanicalSystem> Debug for Motion<'_, M> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Motion").field("index", &self.index).field("end", &self.end).finish_non_exhaustive()
     }
 }
 
@@ -62,7 +84,8 @@ where
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Sync,
 {
-    /// Runs one motion of the ensemble again, or for the first time: with the same bits, and every step kept if samples were not asked for.
+    /// Runs one motion of the ensemble again, or for the first time, by itself, with every step kept if samples were not asked for. It has the
+    /// same bits, unless the ensemble goes [in lanes](Self::is_in_lanes): its end then is the same to within what the tolerance leaves open.
     ///
     /// ```
     /// # lagrange::system! {
@@ -118,16 +141,55 @@ where
         let ran = catch_unwind(AssertUnwindSafe(|| {
             let (varied, state) = self.asked.origin(index);
             let system = varied.as_ref().unwrap_or(self.asked.system);
-            let run = self.asked.plain(index, (system, state), unasked);
-            let ran = run.exchange(|_, _| (self.method.clone(), self.drive.clone())).run();
-            if let Err(error) = &ran
-                && is_setting(error.cause)
-            {
-                return Err(EnsembleError::Setting(std::format!("motion {index}: {error}")));
-            }
+            let ran = self.run_over(index, (system, state), [self.asked.from, self.asked.end], unasked);
+            refuse_settings(index, &ran)?;
             Ok(then(system, ran))
         }));
         ran.unwrap_or_else(|panic| Err(EnsembleError::Panicked { motion: index, message: message(&*panic) }))
+    }
+
+    /// Runs motions one after the other, until the ensemble is cancelled.
+    pub(super) fn each_alone(
+        &self,
+        motions: Range<usize>,
+        counter: &Counter<'_, '_>,
+        mut then: impl FnMut(usize, &M, Ran<M>),
+    ) -> Result<(), EnsembleError> {
+        for index in motions {
+            if counter.is_cancelled() {
+                break;
+            }
+            self.ran(index, |system, ran| then(index, system, ran))?;
+            counter.count(1);
+        }
+        Ok(())
+    }
+
+    /// What would be kept of one instant of a motion.
+    pub(super) fn instant(&self, index: usize, system: &M, (time, state): (M::Scalar, M::State)) -> Ran<M> {
+        self.run_over(index, (system, state), [time, time], Unasked::EndsOnly)
+    }
+
+    fn run_over(
+        &self,
+        index: usize,
+        origin: (&M, M::State),
+        span: [M::Scalar; 2],
+        unasked: Unasked,
+    ) -> Ran<M> {
+        let run = self.asked.plain(index, origin, span, unasked);
+        run.exchange(|_, _| (self.method.clone(), self.drive.clone())).run()
+    }
+}
+
+/// # Errors
+/// If what failed was not the motion but what was asked of all.
+pub(super) fn refuse_settings<M: MechanicalSystem>(index: usize, ran: &Ran<M>) -> Result<(), EnsembleError> {
+    match ran {
+        Err(error) if is_setting(error.cause) => {
+            Err(EnsembleError::Setting(std::format!("motion {index}: {error}")))
+        }
+        _ => Ok(()),
     }
 }
 

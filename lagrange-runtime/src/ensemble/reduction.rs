@@ -1,15 +1,18 @@
 //! Ensembles of which only a sum is kept.
 
+use core::cell::OnceCell;
 use core::fmt::{Debug, Formatter};
 use core::ops::{Deref, Range};
 use std::vec::Vec;
 
 use super::asked::SharedSystem;
 use super::builder::Ensemble;
-use super::engine::Engine;
+use super::engine::BLOCK;
 use super::error::EnsembleError;
 use super::failure::Failure;
-use super::motion::Motion;
+use super::lanes::Came;
+use super::motion::{Kept, Motion};
+
 use super::reduce::Reduce;
 use crate::integrate::Method;
 use crate::simulate::Drive;
@@ -132,19 +135,33 @@ where
         mut then: impl FnMut(Reduced<M, R>),
     ) -> Result<(), EnsembleError> {
         let counter = self.counter(&self.asked.motions()?);
-        let engine = Engine::new(self.asked.threads)?;
+        let engine = self.engine()?;
         let compute = |chunk: Range<usize>| {
-            let mut some = Reduced::new(identity.clone());
-            self.each(chunk, &counter, |index, system, ran| match ran {
-                Ok(trajectory) => add(&mut some.value, &Motion::new(index, system, &trajectory)),
-                Err(error) => some.fail(1, [Failure::new(index, error)]),
+            let blocks = chunk.len().div_ceil(BLOCK);
+            let mut blocks: Vec<_> = (0..blocks).map(|_| Reduced::new(identity.clone())).collect();
+            let first = chunk.start;
+            self.each(chunk, &counter, |index, system, came| {
+                let block = &mut blocks[(index - first) / BLOCK];
+                match came {
+                    Came::Ran(Err(error)) => block.fail(1, [Failure::new(index, error)]),
+                    Came::Ran(Ok(trajectory)) => {
+                        let end = (trajectory.end_time(), trajectory.last());
+                        let kept = Kept::Trajectory(&trajectory);
+                        add(&mut block.value, &Motion::new(index, system, end, kept));
+                    }
+                    Came::Arrived(end) => {
+                        let (place, make) = (OnceCell::new(), || self.ends_of(index, system, &end));
+                        let kept = Kept::Unmade(&place, &make);
+                        add(&mut block.value, &Motion::new(index, system, (self.asked.end, end.state), kept));
+                    }
+                }
             })?;
-            Ok(some)
+            Ok(blocks)
         };
         for part in self.asked.parts()? {
             let mut whole = Reduced::new(identity.clone());
-            engine.chunks(self.asked.part(part), &counter, compute, |some| {
-                whole.merge(some);
+            engine.chunks(self.asked.part(part), &counter, compute, |blocks| {
+                blocks.into_iter().for_each(|block| whole.merge(block));
                 Ok(())
             })?;
             then(whole);

@@ -18,7 +18,7 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
         value: impl Fn(&M, M::Scalar, &M::State) -> M::Scalar + Send + Sync + 'a,
     ) -> Self {
         let (name, value) = (Arc::<str>::from(name), Arc::new(value));
-        self.asked.request(format!("observe {name}"), move |_, _, run| {
+        self.asked.request_columns(format!("observe {name}"), move |_, _, run| {
             let value = Arc::clone(&value);
             run.observe(&name, move |system, t, y| value(system, t, y))
         });
@@ -30,7 +30,7 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     where
         M: EnergyFunction,
     {
-        self.asked.request("energy", |_, _, run| run.energy());
+        self.asked.request_columns("energy", |_, _, run| run.energy());
         self
     }
 
@@ -39,7 +39,7 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     where
         M: OutputSystem,
     {
-        self.asked.request("outputs", |_, _, run| run.outputs());
+        self.asked.request_columns("outputs", |_, _, run| run.outputs());
         self
     }
 
@@ -86,14 +86,17 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
 
     /// Gives a motion up as failed after this many steps, rejected ones included.
     pub fn max_steps(mut self, limit: u64) -> Self {
-        self.asked.request(format!("at most {limit} steps"), move |_, _, run| run.max_steps(limit));
+        self.asked.most_steps = Some(limit);
+        self.asked.request_anyhow(format!("at most {limit} steps"), move |_, _, run| run.max_steps(limit));
         self
     }
 
     /// Takes no step longer than this, as [in a single run](crate::simulate::Simulation::longest_step).
     pub fn longest_step(mut self, longest: M::Scalar) -> Self {
-        self.asked
-            .request(format!("no step longer than {longest:?}"), move |_, _, run| run.longest_step(longest));
+        self.asked.longest_step = Some(longest);
+        self.asked.request_anyhow(format!("no step longer than {longest:?}"), move |_, _, run| {
+            run.longest_step(longest)
+        });
         self
     }
 

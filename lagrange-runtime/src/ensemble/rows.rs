@@ -6,7 +6,7 @@ use super::asked::{Asked, SharedSystem};
 use super::failure::Failure;
 use super::motion::Ran;
 use crate::scalar::Number;
-use crate::simulate::Table;
+use crate::simulate::{Table, state_names};
 use crate::system::MechanicalSystem;
 
 /// The rows of motions that follow each other: state, what was observed, and parameters if motions have their own.
@@ -33,6 +33,25 @@ impl<M: SharedSystem> Rows<M> {
         let row: Vec<_> = row.collect();
         self.table(samples, &parameters).push(time, &row);
         self.fail(index, ran);
+    }
+
+    /// Adds the end of a motion that was no run, with the columns that would be kept of it if there are others than those of the state.
+    pub(super) fn push_arrival(
+        &mut self,
+        asked: &Asked<'_, M>,
+        system: &M,
+        (time, state): (M::Scalar, &M::State),
+        columns: Option<&Table<M::Scalar>>,
+    ) {
+        let unnamed = Table::new(if columns.is_none() { state_names::<M>() } else { Vec::new() });
+        let samples = columns.unwrap_or(&unnamed);
+        let parameters = asked.parameters(system, samples.names());
+        let mut row: Vec<_> = match columns {
+            Some(columns) => columns.columns().filter_map(|values| values.last().copied()).collect(),
+            None => state.as_ref().to_vec(),
+        };
+        row.extend(parameters.iter().map(|(_, value)| *value));
+        self.table(samples, &parameters).push(time, &row);
     }
 
     /// Adds all samples of a motion, of a failed one those until it failed.
@@ -74,7 +93,7 @@ impl<M: SharedSystem> Rows<M> {
 }
 
 /// What was kept of a motion, and whether it came to its end.
-fn samples<M: MechanicalSystem>(ran: &Ran<M>) -> (&Table<M::Scalar>, bool) {
+pub(super) fn samples<M: MechanicalSystem>(ran: &Ran<M>) -> (&Table<M::Scalar>, bool) {
     match ran {
         Ok(trajectory) => (trajectory.table(), true),
         Err(error) => (error.trajectory.table(), false),

@@ -65,7 +65,7 @@ where
         let mut all = Vec::new();
         let compute = |chunk: Range<usize>| {
             let mut ran = Vec::with_capacity(chunk.len());
-            self.each(chunk, &counter, |_, _, motion| ran.push(motion))?;
+            self.each_alone(chunk, &counter, |_, _, motion| ran.push(motion))?;
             Ok(ran)
         };
         let engine = Engine::new(self.asked.threads)?;

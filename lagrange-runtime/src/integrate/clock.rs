@@ -1,6 +1,8 @@
 //! Time in equal steps without accumulation of rounding errors.
 
-use crate::scalar::Scalar;
+use super::lane_wise::take;
+use crate::scalar::Number;
+use crate::system::SideBySide;
 
 /// A time and the part of it that rounding cut off.
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +15,7 @@ pub(super) struct Clock<S> {
 /// A step is stretched by up to this part of itself to end at its limit.
 const STRETCH: f64 = 1e-9;
 
-impl<S: Scalar> Clock<S> {
+impl<S: Number> Clock<S> {
     /// Starts at `time` with steps of the length `step`, negative for backward time.
     pub(super) fn new(time: S, step: S) -> Self {
         Clock { time, remainder: S::ZERO, step }
@@ -36,21 +38,45 @@ impl<S: Scalar> Clock<S> {
     }
 
     /// Goes on by one step, or to `limit` if that is not farther; returns how far that is.
-    #[inline]
+    #[inline(always)]
     pub(super) fn advance(&mut self, limit: S) -> S {
         let left = (limit - self.time) - self.remainder;
-        if left.abs() <= self.step.abs() * S::from_f64(1.0 + STRETCH) {
-            self.time = limit;
-            self.remainder = S::ZERO;
-            return left;
-        }
-        let step = if left < S::ZERO { -self.step.abs() } else { self.step.abs() };
+        let is_last = left.abs().less_equal(self.step.abs() * S::from_f64(1.0 + STRETCH));
+        let step = S::select(left.less(S::ZERO), -self.step.abs(), self.step.abs());
         let wanted = self.remainder + step;
         let before = self.time;
         let rounded = before + wanted;
         // Rounding must not end what has steps to go.
-        self.time = if rounded == limit { before } else { rounded };
-        self.remainder = wanted + (before - self.time);
-        step
+        let is_limit = rounded.less_equal(limit) & limit.less_equal(rounded);
+        let time = S::select(is_limit, before, rounded);
+        self.time = S::select(is_last, limit, time);
+        self.remainder = S::select(is_last, S::ZERO, wanted + (before - time));
+        S::select(is_last, left, step)
+    }
+
+    /// The first clock where the mask is true, the second elsewhere.
+    #[inline(always)]
+    pub(super) fn select(mask: S::Mask, then: &Self, otherwise: &Self) -> Self {
+        Clock {
+            time: S::select(mask, then.time, otherwise.time),
+            remainder: S::select(mask, then.remainder, otherwise.remainder),
+            step: S::select(mask, then.step, otherwise.step),
+        }
+    }
+}
+
+impl<S: SideBySide> Clock<S> {
+    /// Puts another time into a lane, without a remainder of its own: NaN, that is.
+    #[inline(always)]
+    pub(super) fn set_time(&mut self, lane: usize, time: S::Element) {
+        self.time.set_lane(lane, time);
+    }
+
+    /// Puts what is in the lane `from` of another clock into a lane of this one.
+    #[inline(always)]
+    pub(super) fn take(&mut self, lane: usize, other: &Self, from: usize) {
+        let mut numbers = [self.time, self.remainder, self.step];
+        take(&mut numbers, lane, &[other.time, other.remainder, other.step], from);
+        [self.time, self.remainder, self.step] = numbers;
     }
 }

@@ -4,8 +4,9 @@
 //! and added to the next one. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VIII.5,
 //! algorithm 5.1.
 
-use crate::scalar::Scalar;
-use crate::system::StateVector;
+use super::lane_wise::{chosen, take};
+use crate::scalar::Number;
+use crate::system::{SideBySide, StateVector};
 
 /// A state and the part of its increments that did not fit into it.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +17,7 @@ pub(super) struct Compensated<Y> {
 
 impl<Y> Compensated<Y> {
     /// Starts at `value`, taken as exact.
-    pub(super) fn new<S: Scalar>(value: Y) -> Self
+    pub(super) fn new<S: Number>(value: Y) -> Self
     where
         Y: StateVector<S>,
     {
@@ -37,9 +38,31 @@ impl<Y> Compensated<Y> {
         self.value = value;
     }
 
+    /// The first sum where the mask is true, the second elsewhere.
+    #[inline(always)]
+    pub(super) fn select<S: Number>(mask: S::Mask, then: &Self, otherwise: &Self) -> Self
+    where
+        Y: StateVector<S>,
+    {
+        Compensated {
+            value: chosen(mask, &then.value, &otherwise.value),
+            remainder: chosen(mask, &then.remainder, &otherwise.remainder),
+        }
+    }
+
+    /// Puts what is in the lane `from` of another sum into a lane of this one.
+    #[inline(always)]
+    pub(super) fn take<S: SideBySide>(&mut self, lane: usize, other: &Self, from: usize)
+    where
+        Y: StateVector<S>,
+    {
+        take(self.value.as_mut(), lane, other.value.as_ref(), from);
+        take(self.remainder.as_mut(), lane, other.remainder.as_ref(), from);
+    }
+
     /// Adds an increment, component by component.
-    #[inline]
-    pub(super) fn add<S: Scalar>(&mut self, increment: &Y)
+    #[inline(always)]
+    pub(super) fn add<S: Number>(&mut self, increment: &Y)
     where
         Y: StateVector<S>,
     {

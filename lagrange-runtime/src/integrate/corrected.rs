@@ -1,6 +1,6 @@
 //! States that methods may go on from, on the constraints of their system.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
 /// Whether time and state can be gone on from.
@@ -10,6 +10,13 @@ pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<
         return Ok(());
     }
     Err(StepFailure::NotFinite)
+}
+
+/// Whether this is neither NaN nor infinite, for numbers side by side as well.
+#[inline(always)]
+pub(super) fn is_finite<S: Number>(value: S) -> S::Mask {
+    // Infinity by zero is NaN.
+    (value * S::ZERO).less_equal(S::ZERO)
 }
 
 /// A state to start from, brought onto the constraints if it nearly satisfies them.

@@ -2,8 +2,14 @@
 //!
 //! A [`Method`] holds settings and can be kept and compared; it starts a [`Stepper`], which holds all that changes
 //! from step to step and needs no heap.
+//!
+//! Some methods also take several motions side by side, as a [`LanesMethod`]: every lane has its own time and its own step, and no motion sees its
+//! neighbours, so that what comes of a lane has the same bits whatever is in the others. A lane does what is done in every step of an ordinary
+//! motion. Where anything else shows, such as NaN, steps that are lost in rounding, or more of them than are allowed, it gives the motion
+//! up, which is then to be told by a run of its own.
 
-use crate::system::{OdeSystem, StepFailure};
+use crate::scalar::Scalar;
+use crate::system::{Equations, OdeSystem, SideBySide, StepFailure};
 
 /// A method of integration with its settings.
 pub trait Method<M: OdeSystem + ?Sized> {
@@ -39,6 +45,17 @@ pub trait Method<M: OdeSystem + ?Sized> {
         Err(StepFailure::Setting(
             "all steps of this method have the length that it was given: shorten that one",
         ))
+    }
+
+    /// Lets a visitor do what it does with methods that can take several motions side by side.
+    ///
+    /// # Errors
+    /// The visitor comes back if this is none.
+    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V>
+    where
+        Self: Sized,
+    {
+        Err(visitor)
     }
 }
 
@@ -104,4 +121,63 @@ pub struct Work {
     pub jacobians: u64,
     /// Iterations of implicit methods.
     pub iterations: u64,
+}
+
+/// Most lanes that a [`LanesStepper`] may have.
+pub const MOST_LANES: usize = 16;
+
+/// A method of integration that takes several motions side by side.
+pub trait LanesMethod<T: Scalar>: Copy {
+    /// Motions in progress.
+    type Stepper<S: SideBySide<Element = T>, E: Equations<S>>: LanesStepper<S, E>;
+
+    /// Starts a motion in every lane at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
+    fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
+    where
+        S: SideBySide<Element = T>,
+        E: Equations<S>;
+
+    /// Whether a motion of this system, which is under [suspicion](LanesStepper::suspicion) at this time and state, may go on in its lane.
+    fn bears<M: OdeSystem<Scalar = T>>(&self, _system: &M, _t: T, _y: &M::State) -> bool {
+        false
+    }
+}
+
+/// Motions in progress, one in each lane.
+pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
+    /// Tries a step in every lane, towards the end and not beyond.
+    fn step(&mut self, equations: &E);
+
+    /// The times that were reached: the end exactly where a motion has ended, NaN where it was given up.
+    fn time(&self) -> S;
+
+    /// The states that were reached.
+    fn state(&self) -> &E::State;
+
+    /// Where it showed in the last step that the method may not be fit for the motion.
+    fn suspicion(&self) -> S::Mask;
+
+    /// Lets no more steps than this be tried of a motion, rejected ones included: it is given up then.
+    fn limit_steps(&mut self, most: u64);
+
+    /// What the motion in a lane took so far.
+    fn work(&self, lane: usize) -> Work;
+
+    /// Puts the motion that is in the lane `from` of another stepper, started for the same end, into a lane of this one.
+    fn take(&mut self, lane: usize, other: &Self, from: usize);
+
+    /// Puts the motion that is in the lane `from` into another lane, too.
+    fn repeat(&mut self, lane: usize, from: usize) {
+        let same = *self;
+        self.take(lane, &same, from);
+    }
+}
+
+/// Something to do with a method if it can take motions side by side.
+pub trait LanesMethodVisitor<T: Scalar> {
+    /// What comes of it.
+    type Output;
+
+    /// Does it.
+    fn visit(self, method: impl LanesMethod<T>) -> Self::Output;
 }

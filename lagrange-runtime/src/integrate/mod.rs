@@ -14,6 +14,7 @@ mod error;
 mod fixed;
 mod gauss_legendre;
 mod interpolation;
+mod lane_wise;
 mod method;
 mod newton;
 mod prediction;
@@ -29,10 +30,10 @@ pub use self::fixed::{FixedStepper, Formula};
 pub use self::gauss_legendre::{
     GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
 };
-pub use self::method::{Method, Stepper, Work};
-pub use self::rk4::{RungeKutta4, rk4_step};
+pub use self::method::{LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method, Stepper, Work};
+pub use self::rk4::{RungeKutta4, RungeKuttaLanes, rk4_step};
 pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
 pub use self::undefined::{explained, undefined};
 pub use self::variational::Variational;
-pub use self::verner::{Verner98, VernerStepper};
+pub use self::verner::{Verner98, VernerLanes, VernerStepper};
 pub use crate::system::{EventSource, StepFailure};

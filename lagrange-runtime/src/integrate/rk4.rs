@@ -12,9 +12,13 @@
 //! Sources: Kutta 1901; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.1,
 //! table 1.2.
 
+mod lanes;
+
+pub use self::lanes::RungeKuttaLanes;
+
 use crate::integrate::fixed::{FixedStepper, Formula};
 use crate::integrate::interpolation::{Place, cubic};
-use crate::integrate::method::{Method, Work};
+use crate::integrate::method::{LanesMethodVisitor, Method, Work};
 use crate::integrate::stability::{EVALUATIONS, Watch, eigenvalue_at, largest_eigenvalue};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::{Number, Scalar};
@@ -65,6 +69,10 @@ impl<M: OdeSystem + ?Sized> Method<M> for RungeKutta4<M::Scalar> {
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Classical::new(), self.step, system, t, y, end)
     }
+
+    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
+        Ok(visitor.visit(*self))
+    }
 }
 
 /// The formula of [`RungeKutta4`]; Y is the state.
@@ -112,12 +120,7 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
     }
 
     fn longest_stable(&self, system: &M, t: M::Scalar, y: &M::State, work: &mut Work) -> Option<M::Scalar> {
-        let rates = |y: &M::State| {
-            work.evaluations += 1;
-            system.rhs(t, y)
-        };
-        let eigenvalue = eigenvalue_at(rates, y)?;
-        Some(M::Scalar::from_f64(STABLE) / eigenvalue)
+        longest_stable(system, t, y, work)
     }
 
     fn interpolate(
@@ -146,8 +149,6 @@ impl<Y> Classical<Y> {
     }
 
     /// Refuses the step if something is too fast for it.
-    ///
-    /// k₃ − k₂ is (h/2)² J² k₁, with the Jacobian J, up to higher powers of h.
     #[inline]
     fn check<M>(
         &mut self,
@@ -162,8 +163,7 @@ impl<Y> Classical<Y> {
         M: OdeSystem<State = Y> + ?Sized,
         Y: StateVector<M::Scalar>,
     {
-        let hint = M::Scalar::from_f64(STABLE * STABLE / 4.0) * l1_norm(&stages.k1);
-        if !self.watch.follows(l1_distance(&stages.k2, &stages.k3) > hint) {
+        if !self.watch.follows(hints_at_instability(stages)) {
             return Ok(());
         }
         work.evaluations += EVALUATIONS;
@@ -173,6 +173,30 @@ impl<Y> Classical<Y> {
         let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
         if h.abs() > limit { Err(StepFailure::StepTooLong { step: h.abs(), limit }) } else { Ok(()) }
     }
+}
+
+/// Whether something may be too fast for the step whose stages these are: k₃ − k₂ is (h/2)² J² k₁, with the Jacobian J, up to higher
+/// powers of h.
+#[inline(always)]
+fn hints_at_instability<S: Number, Y: StateVector<S>>(stages: &RungeKuttaStages<Y>) -> S::Mask {
+    let hint = S::from_f64(STABLE * STABLE / 4.0) * l1_norm(&stages.k1);
+    hint.less(l1_distance(&stages.k2, &stages.k3))
+}
+
+/// About the longest step that is stable from here on; `None` if nothing moves.
+#[cold]
+fn longest_stable<M: OdeSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    y: &M::State,
+    work: &mut Work,
+) -> Option<M::Scalar> {
+    let rates = |y: &M::State| {
+        work.evaluations += 1;
+        system.rhs(t, y)
+    };
+    let eigenvalue = eigenvalue_at(rates, y)?;
+    Some(M::Scalar::from_f64(STABLE) / eigenvalue)
 }
 
 /// The rates of the four stages.
@@ -198,8 +222,8 @@ impl<Y> RungeKuttaStages<Y> {
     }
 
     /// h (k₁ + 2 k₂ + 2 k₃ + k₄)/6
-    #[inline]
-    fn increment<S: Scalar>(&self, h: S) -> Y
+    #[inline(always)]
+    fn increment<S: Number>(&self, h: S) -> Y
     where
         Y: StateVector<S>,
     {

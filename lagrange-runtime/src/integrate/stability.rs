@@ -46,6 +46,12 @@ impl Watch {
         }
         is_hint
     }
+
+    /// Whether it remembers hints.
+    #[inline]
+    pub(super) fn is_awake(&self) -> bool {
+        self.wait > 0 || self.waited > 0
+    }
 }
 
 /// The magnitude of the largest eigenvalue of ∂`rates`/∂y at `y`, unless the motion grows along it as that of an

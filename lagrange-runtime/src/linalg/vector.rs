@@ -53,14 +53,14 @@ pub(crate) fn add<S: Scalar, Y: StateVector<S>>(y: &mut Y, c: S, x: &Y) {
 }
 
 /// The sum of magnitudes, which neither overflows nor underflows where the components do not.
-#[inline]
-pub(crate) fn l1_norm<S: Scalar, Y: StateVector<S>>(y: &Y) -> S {
+#[inline(always)]
+pub(crate) fn l1_norm<S: Number, Y: StateVector<S>>(y: &Y) -> S {
     y.as_ref().iter().fold(S::ZERO, |sum, component| sum + component.abs())
 }
 
 /// The sum of the magnitudes of differences.
-#[inline]
-pub(crate) fn l1_distance<S: Scalar, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
+#[inline(always)]
+pub(crate) fn l1_distance<S: Number, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
     a.as_ref().iter().zip(b.as_ref()).fold(S::ZERO, |sum, (a, b)| sum + (*a - *b).abs())
 }
 
@@ -70,8 +70,8 @@ pub(crate) fn scaled<S: Scalar, Y: StateVector<S>>(y: &Y, size: S) -> Y {
 }
 
 /// a + c b
-#[inline]
-pub(crate) fn combined<S: Scalar, Y: StateVector<S>>(a: &Y, c: S, b: &Y) -> Y {
+#[inline(always)]
+pub(crate) fn combined<S: Number, Y: StateVector<S>>(a: &Y, c: S, b: &Y) -> Y {
     let mut sum = *a;
     for (a, b) in sum.as_mut().iter_mut().zip(b.as_ref()) {
         *a = b.multiply_add(c, *a);

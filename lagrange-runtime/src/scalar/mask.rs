@@ -15,6 +15,9 @@ pub trait Mask:
 
     /// Whether it is true everywhere.
     fn all(self) -> bool;
+
+    /// Whether it is true in this lane, counted from zero.
+    fn lane(self, lane: usize) -> bool;
 }
 
 impl Mask for bool {
@@ -30,6 +33,11 @@ impl Mask for bool {
 
     #[inline(always)]
     fn all(self) -> bool {
+        self
+    }
+
+    #[inline(always)]
+    fn lane(self, _lane: usize) -> bool {
         self
     }
 }

@@ -74,6 +74,8 @@ pub use self::error::SimulationError;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::error::explain_run;
 pub use self::events::Event;
+#[cfg(feature = "ensemble")]
+pub(crate) use self::observer::state_names;
 pub use self::progress::{Progress, Verdict};
 pub use self::start::InitialState;
 pub use self::table::Table;

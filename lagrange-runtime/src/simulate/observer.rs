@@ -18,11 +18,9 @@ pub(super) type Extend<'a, M> = Box<
         + 'a,
 >;
 
-impl<M: MechanicalSystem> Observer<'_, M> {
-    /// The names of the state: positions, then velocities.
-    pub(super) fn state_names() -> Vec<String> {
-        M::COORDINATES.iter().map(ToString::to_string).chain(velocity_names::<M>()).collect()
-    }
+/// The names of the state: positions, then velocities.
+pub(crate) fn state_names<M: MechanicalSystem>() -> Vec<String> {
+    M::COORDINATES.iter().map(ToString::to_string).chain(velocity_names::<M>()).collect()
 }
 
 /// The names of the velocities.

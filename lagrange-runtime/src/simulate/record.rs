@@ -10,7 +10,7 @@ use crate::scalar::Number;
 use crate::simulate::control::ClosedLoop;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
-use crate::simulate::observer::Observer;
+use crate::simulate::observer::{Observer, state_names};
 use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::Table;
 use crate::simulate::trajectory::{Ending, Trajectory};
@@ -199,7 +199,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
 
 /// The names of all columns: coordinates, velocities, and what observers add.
 fn names<M: MechanicalSystem>(observers: &[Observer<'_, M>]) -> Vec<String> {
-    let mut names = Observer::<M>::state_names();
+    let mut names = state_names::<M>();
     names.extend(observers.iter().flat_map(|observer| observer.names.iter().cloned()));
     names
 }

@@ -1,7 +1,7 @@
 //! Systems whose equations can be evaluated for several motions side by side.
 
 use super::{OdeSystem, StateVector};
-use crate::scalar::Number;
+use crate::scalar::{Lanes, Number, Scalar};
 
 /// Numbers side by side, one in each lane.
 pub trait SideBySide: Number {
@@ -15,6 +15,21 @@ pub trait SideBySide: Number {
 
     /// Puts a number into this lane and leaves the others.
     fn set_lane(&mut self, lane: usize, value: Self::Element);
+}
+
+impl<T: Scalar, const N: usize, const FUSED: bool> SideBySide for Lanes<T, N, FUSED> {
+    type Element = T;
+    const LANES: usize = N;
+
+    #[inline(always)]
+    fn lane(self, lane: usize) -> T {
+        self.0[lane]
+    }
+
+    #[inline(always)]
+    fn set_lane(&mut self, lane: usize, value: T) {
+        self.0[lane] = value;
+    }
 }
 
 /// The equations of a system for numbers of another type, with parameters of that type.

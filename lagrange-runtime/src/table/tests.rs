@@ -100,6 +100,9 @@ impl Mask for Both {
     fn all(self) -> bool {
         self.0 && self.1
     }
+    fn lane(self, lane: usize) -> bool {
+        [self.0, self.1][lane]
+    }
 }
 
 /// Functions of one argument, and of two, number by number.

@@ -55,6 +55,10 @@ impl Mask for PairMask {
     fn all(self) -> bool {
         self.0[0] && self.0[1]
     }
+
+    fn lane(self, lane: usize) -> bool {
+        self.0[lane]
+    }
 }
 
 impl SideBySide for Pair {

@@ -20,6 +20,7 @@ use super::asked::SharedSystem;
 use super::builder::Ensemble;
 use super::engine::Engine;
 use super::error::EnsembleError;
+use super::lanes::Came;
 use super::progress::Counter;
 use crate::integrate::Method;
 use crate::simulate::Drive;
@@ -75,7 +76,7 @@ where
         let folder = Folder::open(folder.as_ref(), self.asked.shard)?;
         let number = self.asked.number_of_parts();
         let is_found = folder.parts(&parts, number, &settings)?;
-        let engine = Engine::new(self.asked.threads)?;
+        let engine = self.engine()?;
         let counter = self.counter(&self.asked.motions()?);
         let missing: Vec<usize> = parts.clone().filter(|part| !is_found[*part]).collect();
         let found = parts.len() - missing.len();
@@ -106,8 +107,13 @@ where
     ) -> Result<(), EnsembleError> {
         let compute = |chunk: Range<usize>| {
             let mut sheet = Sheet::new();
-            self.each(chunk, counter, |index, system, ran| {
-                sheet.push::<P>(&self.asked, index, system, ran);
+            self.each(chunk, counter, |index, system, came| {
+                sheet.push(index, |rows| match came {
+                    Came::Ran(ran) if P::IS_EVERY_SAMPLE => {
+                        rows.push_samples(&self.asked, index, system, ran)
+                    }
+                    came => self.push_end(rows, index, system, came),
+                });
             })?;
             Ok(sheet)
         };

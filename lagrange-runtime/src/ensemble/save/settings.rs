@@ -10,6 +10,7 @@ use std::vec::Vec;
 use crate::ensemble::asked::SharedSystem;
 use crate::ensemble::builder::Ensemble;
 use crate::ensemble::error::EnsembleError;
+use crate::ensemble::lanes::is_fused;
 use crate::ensemble::motion::message;
 use crate::integrate::Method;
 use crate::simulate::Drive;
@@ -22,8 +23,8 @@ impl<M, K, D, P> Ensemble<'_, M, K, D, P>
 where
     M: SharedSystem,
     M::Scalar: Into<f64>,
-    D: Drive<M>,
-    K: Method<D::Closed> + Debug,
+    D: Drive<M> + Sync,
+    K: Method<D::Closed> + Clone + Debug + Sync,
 {
     /// What this ensemble is, but for how it is computed: lines of text.
     ///
@@ -40,6 +41,10 @@ where
             format!("from {:?} until {:?}", asked.from, asked.end),
             format!("method {} {:?}", self.method.name(), self.method),
         ]);
+        // Bits of runs are another matter than bits of lanes, and these depend on the processor.
+        if self.is_in_lanes() {
+            lines.push(format!("in lanes, products {}", if is_fused() { "fused" } else { "rounded" }));
+        }
         lines.extend(asked.words.iter().map(|words| format!("run {}", words.escape_debug())));
         for index in [0, asked.number / 2, asked.number - 1] {
             let probe = catch_unwind(AssertUnwindSafe(|| self.probe(index)));

@@ -4,9 +4,8 @@ use std::string::{String, ToString};
 use std::vec;
 use std::vec::Vec;
 
-use crate::ensemble::asked::{Asked, SharedSystem};
+use crate::ensemble::asked::SharedSystem;
 use crate::ensemble::builder::{KeepEnds, KeepSamples};
-use crate::ensemble::motion::Ran;
 use crate::ensemble::rows::Rows;
 use crate::simulate::Table;
 
@@ -36,12 +35,9 @@ impl<M: SharedSystem> Sheet<M> {
         Sheet { rows: Rows::new(), motions: Vec::new() }
     }
 
-    /// Adds the end or the samples of a motion.
-    pub(super) fn push<P: Kept>(&mut self, asked: &Asked<'_, M>, index: usize, system: &M, ran: Ran<M>) {
-        match P::IS_EVERY_SAMPLE {
-            true => self.rows.push_samples(asked, index, system, ran),
-            false => self.rows.push_end(asked, index, system, ran),
-        }
+    /// Adds the rows of a motion.
+    pub(super) fn push(&mut self, index: usize, push: impl FnOnce(&mut Rows<M>)) {
+        push(&mut self.rows);
         self.motions.resize(self.rows.table.as_ref().map_or(0, Table::len), index as i64);
     }
 

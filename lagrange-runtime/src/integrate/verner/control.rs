@@ -6,19 +6,22 @@
 use crate::scalar::Scalar;
 
 /// The error of a step grows with this power of its length.
-const POWER: f64 = 9.0;
+pub(super) const POWER: f64 = 9.0;
 /// Weight of the error before the last in the choice.
-const MEMORY: f64 = 0.02;
+pub(super) const MEMORY: f64 = 0.02;
 /// Steps are shorter than what would just do by this factor.
-const SAFETY: f64 = 0.8;
+pub(super) const SAFETY: f64 = 0.8;
 /// No step is shorter than the one before by more than this factor,
-const MOST_SHRINKING: f64 = 0.2;
+pub(super) const MOST_SHRINKING: f64 = 0.2;
 /// a step after a rejection is shorter at least by this,
-const LEAST_SHRINKING: f64 = 0.9;
+pub(super) const LEAST_SHRINKING: f64 = 0.9;
 /// and none is longer by more than this.
-const MOST_GROWTH: f64 = 6.0;
+pub(super) const MOST_GROWTH: f64 = 6.0;
 /// How much shorter the next attempt is when a step led to NaN or infinity.
-const RETREAT: f64 = 0.1;
+pub(super) const RETREAT: f64 = 0.1;
+
+/// Errors are remembered as no smaller than this.
+pub(super) const LEAST_ERROR: f64 = 1e-4;
 
 /// The controller with its memory.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +34,7 @@ pub(super) struct Control<S> {
 
 impl<S: Scalar> Control<S> {
     pub(super) fn new(step: S) -> Self {
-        Control { step, error: S::from_f64(1e-4), was_rejected: false }
+        Control { step, error: S::from_f64(LEAST_ERROR), was_rejected: false }
     }
 
     /// A step of length `taken`, which may be shorter than asked for, had this error, not above one.
@@ -43,7 +46,7 @@ impl<S: Scalar> Control<S> {
         let growth = if wanted < most { wanted.max(S::from_f64(MOST_SHRINKING)) } else { most };
         let next = taken * growth;
         self.step = if taken < self.step { next.max(self.step) } else { next };
-        self.error = error.max(S::from_f64(1e-4));
+        self.error = error.max(S::from_f64(LEAST_ERROR));
         self.was_rejected = false;
     }
 

@@ -11,16 +11,19 @@
 mod control;
 mod dense;
 mod interpolant;
+mod lanes;
+mod lanes_control;
 mod stage;
 mod stepper;
 mod stiffness;
 mod tableau;
 mod tolerance;
 
-use crate::integrate::method::Method;
+use crate::integrate::method::{LanesMethodVisitor, Method};
 use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StepFailure};
 
+pub use self::lanes::VernerLanes;
 pub use self::stepper::VernerStepper;
 
 /// Verner's pair of order nine in steps as long as the tolerance allows, for any system that is not stiff.
@@ -109,6 +112,10 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
     fn with_longest_step(self, longest: M::Scalar) -> Result<Self, StepFailure<M::Scalar>> {
         let method = Verner98 { longest_step: Some(longest), ..self };
         method.check().map(|()| method)
+    }
+
+    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
+        Ok(visitor.visit(*self))
     }
 }
 

@@ -1,6 +1,6 @@
 //! One stage of an explicit Runge–Kutta method.
 
-use crate::scalar::Scalar;
+use crate::scalar::Number;
 use crate::system::StateVector;
 
 /// How many rates of the state belong to a step, those for the interpolant included.
@@ -17,13 +17,18 @@ pub(super) struct Stage<const N: usize> {
 impl<const N: usize> Stage<N> {
     /// The time of the stage in a step of the length `h` from `t`.
     #[inline(always)]
-    pub(super) fn time<S: Scalar>(&self, t: S, h: S) -> S {
+    pub(super) fn time<S: Number>(&self, t: S, h: S) -> S {
         S::from_f64(self.node).multiply_add(h, t)
     }
 
     /// y + h Σ wⱼ kⱼ
     #[inline(always)]
-    pub(super) fn point<S: Scalar, Y: StateVector<S>>(&self, y: &Y, h: S, rates: &[Y; RATES]) -> Y {
+    pub(super) fn point<S: Number, Y: StateVector<S>, const R: usize>(
+        &self,
+        y: &Y,
+        h: S,
+        rates: &[Y; R],
+    ) -> Y {
         let mut point = self.weighted(rates);
         for (sum, y) in point.as_mut().iter_mut().zip(y.as_ref()) {
             *sum = sum.multiply_add(h, *y);
@@ -33,15 +38,15 @@ impl<const N: usize> Stage<N> {
 
     /// Σ wⱼ kⱼ
     #[inline(always)]
-    pub(super) fn weighted<S: Scalar, Y: StateVector<S>>(&self, rates: &[Y; RATES]) -> Y {
+    pub(super) fn weighted<S: Number, Y: StateVector<S>, const R: usize>(&self, rates: &[Y; R]) -> Y {
         weighted(rates, self.weights.map(|(rate, weight)| (rate, S::from_f64(weight))))
     }
 }
 
 /// Σ wⱼ kⱼ
 #[inline(always)]
-pub(super) fn weighted<S: Scalar, Y: StateVector<S>, const N: usize>(
-    rates: &[Y; RATES],
+pub(super) fn weighted<S: Number, Y: StateVector<S>, const N: usize, const R: usize>(
+    rates: &[Y; R],
     weights: [(usize, S); N],
 ) -> Y {
     let mut sum = Y::ZERO;

@@ -5,7 +5,7 @@
 //! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
 
 use crate::linalg::vector::{l1_distance, l1_norm};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::StateVector;
 use crate::tolerance::SAME_STATE;
 
@@ -40,16 +40,16 @@ impl Stiffness {
     /// the limit of stability makes it long.
     pub(super) fn watch<S: Scalar, Y: StateVector<S>>(
         &mut self,
-        (h, ahead): (S, S),
+        lengths: (S, S),
         one: Point<'_, Y>,
         other: Point<'_, Y>,
     ) -> bool {
-        let change = l1_distance(one.0, other.0);
-        let rounding = SAME_STATE.part::<S>();
-        let is_many = (ahead / h).abs() > S::from_f64(BEARABLE);
-        let eigenvalue = l1_distance(one.1, other.1) / change;
-        let is_at_limit = (h * eigenvalue).abs() > S::from_f64(STABLE);
-        if is_many && is_at_limit && change > rounding * l1_norm(one.0) {
+        self.count(is_at_limit(lengths, one, other, SAME_STATE.part::<S>()))
+    }
+
+    /// Counts a step at the limit, or below it; whether it is likely that the system is stiff.
+    pub(super) fn count(&mut self, is_at_limit: bool) -> bool {
+        if is_at_limit {
             self.below = 0;
             self.at_limit += 1;
         } else {
@@ -60,4 +60,25 @@ impl Stiffness {
         }
         self.at_limit >= MOST_AT_LIMIT
     }
+}
+
+/// Whether so many steps of the length `h` are ahead that it would be a bother.
+#[inline(always)]
+pub(super) fn are_many<S: Number>((h, ahead): (S, S)) -> S::Mask {
+    S::from_f64(BEARABLE).less((ahead / h).abs())
+}
+
+/// Whether a step whose ends are these is at the limit of stability with many others ahead; states that differ by less than the part
+/// `rounding` of them do not tell.
+#[inline(always)]
+pub(super) fn is_at_limit<S: Number, Y: StateVector<S>>(
+    (h, ahead): (S, S),
+    one: Point<'_, Y>,
+    other: Point<'_, Y>,
+    rounding: S,
+) -> S::Mask {
+    let change = l1_distance(one.0, other.0);
+    let eigenvalue = l1_distance(one.1, other.1) / change;
+    let is_at_limit = S::from_f64(STABLE).less((h * eigenvalue).abs());
+    are_many((h, ahead)) & is_at_limit & (rounding * l1_norm(one.0)).less(change)
 }

@@ -1,24 +1,84 @@
 //! Errors and rates measured by what is tolerated.
 
 use super::{AT_REST, LONGEST, LONGEST_AT_REST, Verner98};
+use crate::integrate::corrected::is_finite;
 use crate::linalg::vector::combined;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 use crate::tolerance::LEAST_TOLERANCE;
 
-impl<S: Scalar> Verner98<S> {
+/// What is tolerated of the error of a component: a part of its size, and something besides.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tolerated<S> {
+    pub(super) relative: S,
+    pub(super) absolute: S,
+}
+
+impl<S: Number> Tolerated<S> {
     /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
+    #[inline(always)]
     pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         let ends = from.as_ref().iter().zip(to.as_ref());
-        let relative = self.relative.max(LEAST_TOLERANCE.part::<S>());
         let mut sum = S::ZERO;
         for (error, (from, to)) in error.as_ref().iter().zip(ends) {
             let size = from.abs().max(to.abs());
-            let part = h * *error / relative.multiply_add(size, self.absolute);
+            let part = h * *error / self.relative.multiply_add(size, self.absolute);
             // Zero by zero where nothing moves and nothing is tolerated.
-            sum = if *error == S::ZERO { sum } else { part.multiply_add(part, sum) };
+            let is_zero = error.less_equal(S::ZERO) & S::ZERO.less_equal(*error);
+            sum = S::select(is_zero, sum, part.multiply_add(part, sum));
         }
         (sum / S::from_f64(from.as_ref().len() as f64)).sqrt()
+    }
+
+    /// Whether a step of the length `h` at this rate changes the state by next to nothing.
+    #[inline(always)]
+    pub(super) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> S::Mask {
+        self.norm(h, rate, y, y).less(S::from_f64(AT_REST))
+    }
+
+    /// The length of an Euler step over which [`first_step`](Self::first_step) looks at how rates change.
+    #[inline(always)]
+    pub(super) fn trial<Y: StateVector<S>>(&self, y: &Y, rate: &Y, longest: S) -> S {
+        let small = S::from_f64(1e-5);
+        let (size, speed) = (self.norm(S::ONE, y, y, y), self.norm(S::ONE, rate, y, y));
+        let proportion = S::from_f64(0.01) * size / speed;
+        let guess = S::select(size.less(small) | speed.less(small), S::from_f64(1e-6), proportion);
+        guess.min(longest)
+    }
+
+    /// A first step whose error is small in all likelihood, not longer than `longest`, given the rates at the state and after an Euler step of
+    /// the length `trial` from there; NaN if there is none because errors measured by the tolerance are no numbers.
+    #[inline(always)]
+    pub(super) fn first_step<Y: StateVector<S>>(
+        &self,
+        y: &Y,
+        [rate, ahead]: [&Y; 2],
+        trial: S,
+        longest: S,
+    ) -> S {
+        let speed = self.norm(S::ONE, rate, y, y);
+        let bend = self.norm(S::ONE / trial, &combined(ahead, -S::ONE, rate), y, y);
+        let fastest = speed.max(bend);
+        let slow = (trial * S::from_f64(1e-3)).max(S::from_f64(1e-6));
+        let length = (S::from_f64(0.01) / fastest).powf(S::from_f64(1.0 / 9.0));
+        let length = S::select(fastest.less_equal(S::from_f64(1e-15)), slow, length);
+        let length = length.min(S::from_f64(100.0) * trial).min(longest);
+        // The trial may have left the domain of the system.
+        let first = S::select(S::ZERO.less(length) & is_finite(length), length, trial);
+        S::select(S::ZERO.less(first) & is_finite(first) & is_finite(speed), first, S::NAN)
+    }
+}
+
+impl<S: Scalar> Verner98<S> {
+    /// What is tolerated, with no less than rounding.
+    pub(super) fn tolerated(&self) -> Tolerated<S> {
+        let relative = self.relative.max(LEAST_TOLERANCE.part::<S>());
+        Tolerated { relative, absolute: self.absolute }
+    }
+
+    /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
+    pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
+        self.tolerated().norm(h, error, from, to)
     }
 
     /// The longest step that is tried on a way of this length, with the state moving or at rest.
@@ -29,7 +89,7 @@ impl<S: Scalar> Verner98<S> {
 
     /// Whether a step of the length `h` at this rate changes the state by next to nothing.
     pub(super) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> bool {
-        self.norm(h, rate, y, y) < S::from_f64(AT_REST)
+        self.tolerated().is_at_rest(h, rate, y)
     }
 
     /// A first step whose error is small in all likelihood, not longer than `longest`, from a state at this rate.
@@ -46,36 +106,14 @@ impl<S: Scalar> Verner98<S> {
     where
         M: OdeSystem<Scalar = S> + ?Sized,
     {
-        let small = S::from_f64(1e-5);
-        let (size, speed) = (self.norm(S::ONE, y, y, y), self.norm(S::ONE, rate, y, y));
-        let guess =
-            if size < small || speed < small { S::from_f64(1e-6) } else { S::from_f64(0.01) * size / speed };
-        let guess = guess.min(longest);
-        let bend = self.bend(system, (t, y), rate, if is_backwards { -guess } else { guess });
-        let fastest = speed.max(bend);
-        let length = if fastest <= S::from_f64(1e-15) {
-            (guess * S::from_f64(1e-3)).max(S::from_f64(1e-6))
-        } else {
-            (S::from_f64(0.01) / fastest).powf(S::from_f64(1.0 / 9.0))
-        };
-        let length = length.min(S::from_f64(100.0) * guess).min(longest);
-        // The guess may have left the domain of the system.
-        let first = if length > S::ZERO && length.is_finite() { length } else { guess };
-        if first > S::ZERO && first.is_finite() && speed.is_finite() {
+        let tolerated = self.tolerated();
+        let trial = tolerated.trial(y, rate, longest);
+        let h = if is_backwards { -trial } else { trial };
+        let ahead = system.rhs(t + h, &combined(y, h, rate));
+        let first = tolerated.first_step(y, [rate, &ahead], trial, longest);
+        if first > S::ZERO {
             return Ok(first);
         }
         Err(StepFailure::NoFirstStep { relative: self.relative, absolute: self.absolute })
-    }
-
-    /// How fast rates change, measured over an Euler step of the length `h`.
-    fn bend<M>(&self, system: &M, (t, y): (S, &M::State), rate: &M::State, h: S) -> S
-    where
-        M: OdeSystem<Scalar = S> + ?Sized,
-    {
-        let mut bend = system.rhs(t + h, &combined(y, h, rate));
-        for (bend, rate) in bend.as_mut().iter_mut().zip(rate.as_ref()) {
-            *bend = *bend - *rate;
-        }
-        self.norm(S::ONE / h.abs(), &bend, y, y)
     }
 }

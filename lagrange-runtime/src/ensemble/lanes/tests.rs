@@ -1,0 +1,365 @@
+//! Motions in lanes beside runs by themselves.
+
+use core::mem::discriminant;
+use std::string::ToString;
+use std::vec::Vec;
+
+use super::refill::{Beginning, EndsOf, Queue, refilled};
+use crate::ensemble::engine::Engine;
+use crate::ensemble::progress::Counter;
+use crate::ensemble::{Ends, Ensemble, Ensembles, Moments};
+use crate::integrate::{GaussLegendre4, LanesMethod, Method, RungeKutta4, Verner98};
+use crate::scalar::{Lanes, Number, Scalar};
+use crate::system::{
+    Equations, LanesSystem, LanesVisitor, MechanicalSystem, OdeSystem, SideBySide, StepFailure, Unnamed,
+};
+
+/// A system of one or two freedoms whose formulas are written for any numbers.
+macro_rules! system {
+    ($name:ident { $($parameter:ident = $value:expr),* }, $freedoms:literal, $names:expr, $rhs:expr) => {
+        #[derive(Clone, Copy, Debug)]
+        struct $name<S> {
+            $($parameter: S),*
+        }
+
+        impl<S: Number> Default for $name<S> {
+            fn default() -> Self {
+                $name { $($parameter: S::from_f64($value)),* }
+            }
+        }
+
+        impl<S: Number> Equations<S> for $name<S> {
+            type State = [S; 2 * $freedoms];
+
+            #[inline(always)]
+            fn rhs(&self, t: S, y: &[S; 2 * $freedoms]) -> [S; 2 * $freedoms] {
+                $rhs(self, t, y)
+            }
+        }
+
+        impl<S: Scalar> OdeSystem for $name<S> {
+            type Scalar = S;
+            type State = [S; 2 * $freedoms];
+
+            fn rhs(&self, t: S, y: &[S; 2 * $freedoms]) -> [S; 2 * $freedoms] {
+                Equations::rhs(self, t, y)
+            }
+        }
+
+        impl<S: Scalar> MechanicalSystem for $name<S> {
+            type Coordinates = [S; $freedoms];
+            type Velocities = [S; $freedoms];
+            type Columns<C> = Unnamed<C>;
+            const COORDINATES: &'static [&'static str] = &$names;
+
+            fn acceleration(&self, t: S, q: &[S; $freedoms], v: &[S; $freedoms]) -> [S; $freedoms] {
+                let rates = Equations::rhs(self, t, &core::array::from_fn(|i| if i < $freedoms { q[i] } else { v[i - $freedoms] }));
+                core::array::from_fn(|i| rates[$freedoms + i])
+            }
+
+            fn position_rates(&self, _t: S, _q: &[S; $freedoms], v: &[S; $freedoms]) -> [S; $freedoms] {
+                *v
+            }
+
+            fn with_lanes<V: LanesVisitor<Self>>(visitor: V) -> Result<V::Output, V> {
+                Ok(visitor.visit())
+            }
+        }
+
+        impl<T: Scalar> LanesSystem for $name<T> {
+            type Lanes<S: Number> = $name<S>;
+
+            fn lanes<S: Number>(&self, splat: impl Fn(T) -> S) -> $name<S> {
+                $name { $($parameter: splat(self.$parameter)),* }
+            }
+
+            fn set_lane<S: SideBySide<Element = T>>(&self, lanes: &mut $name<S>, lane: usize) {
+                $(lanes.$parameter.set_lane(lane, self.$parameter);)*
+            }
+        }
+    };
+}
+
+system!(DoublePendulum { ratio = 0.5, gravity = 9.81 }, 2, ["a", "b"], double_pendulum);
+system!(Root { end = 1.0 }, 1, ["x"], root);
+system!(Spring { stiffness = 1.0 }, 1, ["x"], spring);
+
+system!(Servo { damping = 1.0 }, 1, ["x"], servo);
+
+/// Two masses, the second of which is this part of both, on rods of unit length.
+#[inline(always)]
+fn double_pendulum<S: Number>(system: &DoublePendulum<S>, _t: S, [a, b, v, w]: &[S; 4]) -> [S; 4] {
+    let (sine, cosine) = (*a - *b).sin_cos();
+    let (of_first, of_second) = (system.gravity * a.sin(), system.gravity * b.sin());
+    let part = system.ratio;
+    let determinant = (S::ONE - part) + part * sine * sine;
+    let first = -(part * sine * *w * *w) - of_first;
+    let second = sine * *v * *v - of_second;
+    [*v, *w, (first - part * cosine * second) / determinant, (second - cosine * first) / determinant]
+}
+
+/// ẍ = √(end − t), which is not defined from the end on.
+#[inline(always)]
+fn root<S: Number>(system: &Root<S>, t: S, [_, v]: &[S; 2]) -> [S; 2] {
+    [*v, (system.end - t).sqrt()]
+}
+
+/// ẍ = −k x
+#[inline(always)]
+fn spring<S: Number>(system: &Spring<S>, _t: S, [x, v]: &[S; 2]) -> [S; 2] {
+    [*v, -(system.stiffness * *x)]
+}
+
+/// ẍ = sin t − x − c ẋ
+#[inline(always)]
+fn servo<S: Number>(system: &Servo<S>, t: S, [x, v]: &[S; 2]) -> [S; 2] {
+    [*v, t.sin() - *x - system.damping * *v]
+}
+
+/// Starts and parameters of double pendulums.
+fn beginnings(number: usize) -> Vec<Beginning<DoublePendulum<f64>>> {
+    let beginning = |index: usize| {
+        let system = DoublePendulum { ratio: 0.3 + 0.4 * index as f64 / number as f64, gravity: 9.81 };
+        Beginning { system: Some(system), state: [2.0 - 0.02 * index as f64, 1.0, 0.0, 0.01 * index as f64] }
+    };
+    (0..number).map(beginning).collect()
+}
+
+/// Ends of these motions in lanes of the type S.
+fn ends<M, S>(beginnings: &[Beginning<M>], method: impl LanesMethod<M::Scalar>, end: M::Scalar) -> EndsOf<M>
+where
+    M: MechanicalSystem + LanesSystem + Default,
+    S: SideBySide<Element = <M as OdeSystem>::Scalar>,
+{
+    let (counter, motions) =
+        (Counter::new(None, beginnings.len()), (0..beginnings.len()).collect::<Vec<_>>());
+    let from = M::Scalar::ZERO;
+    let system = &M::default();
+    let queue =
+        Queue { system, beginnings, motions: &motions, from, end, most_steps: None, counter: &counter };
+    refilled::<M, _, S>(&queue, &method)
+}
+
+/// The bits of ends, all of which are there.
+fn bits(ends: &EndsOf<DoublePendulum<f64>>) -> Vec<[u64; 4]> {
+    ends.iter().map(|end| end.expect("ends").state.map(f64::to_bits)).collect()
+}
+
+#[test]
+fn bits_depend_neither_on_lanes_nor_on_neighbours() {
+    fn check(method: impl LanesMethod<f64>) {
+        let beginnings = beginnings(21);
+        let four = bits(&ends::<_, Lanes<f64, 4>>(&beginnings, method, 1.0));
+        assert_eq!(bits(&ends::<_, Lanes<f64, 8>>(&beginnings, method, 1.0)), four);
+        assert_eq!(bits(&ends::<_, Lanes<f64, 16>>(&beginnings, method, 1.0)), four);
+        assert_eq!(bits(&ends::<_, Lanes<f64, 4>>(&beginnings[13..], method, 1.0)), four[13..]);
+        let fused = bits(&ends::<_, Lanes<f64, 8, true>>(&beginnings, method, 1.0));
+        assert_eq!(bits(&ends::<_, Lanes<f64, 4, true>>(&beginnings, method, 1.0)), fused);
+        assert_ne!(fused, four);
+    }
+    check(Verner98::tolerance(1e-9));
+    check(RungeKutta4 { step: 0.01 });
+}
+
+/// The largest difference between ends in lanes and those of runs by themselves.
+fn largest_difference<K>(method: K, end: f64) -> f64
+where
+    K: Method<DoublePendulum<f64>> + LanesMethod<f64> + Sync,
+{
+    let beginnings = beginnings(8);
+    let found = ends::<_, Lanes<f64, 8>>(&beginnings, method, end);
+    let mut largest = 0.0_f64;
+    for (beginning, found) in beginnings.iter().zip(found) {
+        let system = beginning.system.expect("has one");
+        let run = crate::run::integrate(&system, 0.0, beginning.state, end, &method, |_, _| {});
+        let state = found.expect("ends").state;
+        for (one, other) in state.iter().zip(run.expect("runs")) {
+            largest = largest.max((one - other).abs());
+        }
+    }
+    largest
+}
+
+#[test]
+fn ends_are_those_of_runs_to_within_the_tolerance() {
+    for (tolerance, most) in [(1e-6, 2e-4), (1e-9, 2e-7), (1e-12, 2e-10)] {
+        let difference = largest_difference(Verner98::tolerance(tolerance), 2.0);
+        assert!(difference < most, "{tolerance}: {difference}");
+        let back = largest_difference(Verner98::tolerance(tolerance), -2.0);
+        assert!(back < most, "{tolerance}: {back}");
+    }
+    let difference = largest_difference(RungeKutta4 { step: 0.01 }, 2.0);
+    assert!(difference < 1e-12, "{difference}");
+}
+
+type Pendulums<'a> = Ensemble<'a, DoublePendulum<f64>, Verner98<f64>>;
+
+/// As many double pendulums that differ in start and parameter, and how they go.
+fn pendulums(system: &DoublePendulum<f64>, number: usize) -> Pendulums<'_> {
+    let motions =
+        system.ensemble(number).start(|_, random| [random.uniform(-2.0..2.0), 1.0, 0.0, random.normal()]);
+    motions.parameters(|index, system| system.ratio = 0.2 + 4e-3 * index as f64).until(0.3).tolerance(1e-6)
+}
+
+fn all_bits<M: MechanicalSystem<Scalar = f64>>(ends: &Ends<M>) -> Vec<u64> {
+    ends.table().columns().chain([ends.times()]).flatten().map(|value| value.to_bits()).collect()
+}
+
+#[test]
+fn rows_depend_neither_on_threads_nor_on_chunks() {
+    let system = DoublePendulum::default();
+    let found = [(1, 64), (1, 1), (2, 7), (3, 1000)].map(|(threads, chunk)| {
+        let mut engine = Engine::new(Some(threads)).expect("threads");
+        engine.chunk = chunk;
+        all_bits(&pendulums(&system, 90).run_in(&engine).expect("runs"))
+    });
+    assert_eq!(found[0].len(), 5 * 90);
+    assert!(found.iter().all(|other| *other == found[0]));
+}
+
+#[test]
+fn sums_depend_neither_on_threads_nor_on_the_way() {
+    let system = DoublePendulum::default();
+    let moments = |threads| {
+        let ensemble = pendulums(&system, 140).observe("ratio", |system, _, _| system.ratio).threads(threads);
+        assert!(ensemble.is_in_lanes());
+        let reduced = ensemble.reduce((Moments::new(), 0_u64), |(moments, steps), motion| {
+            let trajectory = motion.trajectory();
+            assert_eq!(trajectory.last(), trajectory.state(1).expect("two samples"));
+            assert_eq!(trajectory.first()[1], 1.0);
+            let ratio = trajectory.column("ratio").expect("was observed");
+            assert_eq!(ratio, [motion.system().ratio; 2]);
+            moments.add(trajectory.last()[0]);
+            *steps += trajectory.work().steps;
+        });
+        std::format!("{:?}", reduced.expect("runs").into_value())
+    };
+    let one = moments(1);
+    assert_eq!(moments(3), one);
+}
+
+#[test]
+fn columns_are_those_of_runs() {
+    let system = DoublePendulum::default();
+    let ensemble = || {
+        let ensemble = pendulums(&system, 20).observe("twice", |_, t, y| 2.0 * t * y[0]);
+        ensemble.observe("ratio", |system, _, _| system.ratio)
+    };
+    let (lanes, alone) = (ensemble().run().expect("runs"), ensemble().one_by_one().run().expect("runs"));
+    assert_eq!(lanes.names(), alone.names());
+    assert_eq!(lanes.column("ratio"), alone.column("ratio"));
+    for (found, expected) in lanes.table().columns().zip(alone.table().columns()) {
+        assert!(found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-4));
+    }
+    assert_ne!(all_bits(&lanes), all_bits(&alone));
+    let twice = lanes.column("twice").expect("was observed");
+    assert_eq!(twice[3], 2.0 * 0.3 * lanes.state(3).expect("ended")[0]);
+}
+
+/// Asserts that motions fail in lanes as they do by themselves.
+fn assert_same_failures<M, K>(ensemble: impl Fn() -> Ensemble<'static, M, K>, expected: &[usize])
+where
+    M: MechanicalSystem<Scalar = f64, State = [f64; 2]> + Send + Sync + 'static,
+    K: Method<M> + Clone + Sync,
+{
+    assert!(ensemble().is_in_lanes());
+    let (lanes, alone) = (ensemble().run().expect("runs"), ensemble().one_by_one().run().expect("runs"));
+    let which: Vec<_> = lanes.failures().iter().map(|failure| failure.index).collect();
+    assert_eq!(which, expected);
+    for (found, expected) in lanes.failures().iter().zip(alone.failures()) {
+        assert_eq!(found.to_string(), expected.to_string());
+        assert_eq!(discriminant(&found.cause), discriminant(&expected.cause));
+        assert_eq!(found.time, expected.time);
+        assert_eq!(found.state.map(f64::to_bits), expected.state.map(f64::to_bits));
+    }
+    for index in 0..lanes.len() {
+        let states = (lanes.state(index), alone.state(index));
+        let (Some(found), Some(expected)) = states else {
+            assert!(which.contains(&index) && states == (None, None));
+            continue;
+        };
+        let difference = (found[0] - expected[0]).abs().max((found[1] - expected[1]).abs());
+        assert!(difference < 1e-7, "{index}: {difference}");
+    }
+}
+
+#[test]
+fn motions_fail_as_they_do_alone_and_others_go_on() {
+    const ROOT: Root<f64> = Root { end: 1.0 };
+    let roots = || {
+        let motions = ROOT.ensemble(12).start(|index, _| [if index == 4 { f64::NAN } else { 0.0 }, 0.5]);
+        motions.parameters(|index, root| root.end = if index % 9 == 2 { 0.7 } else { 2.5 }).until(2.0)
+    };
+    assert_same_failures(roots, &[2, 4, 11]);
+    assert_same_failures(|| roots().method(RungeKutta4 { step: 0.01 }), &[2, 4, 11]);
+    const SPRING: Spring<f64> = Spring { stiffness: 1.0 };
+    let springs = |stiffness: f64| {
+        let motions = SPRING.ensemble(9).start(|index, _| [1e-3 * index as f64, 1.0]);
+        motions.parameters(move |index, spring| spring.stiffness = if index == 7 { stiffness } else { 2.0 })
+    };
+    assert_same_failures(move || springs(400.0).until(4.0).max_steps(40), &[7]);
+    assert_same_failures(move || springs(1e6).until(4.0).method(RungeKutta4 { step: 0.02 }), &[7]);
+    assert_same_failures(move || springs(3.0).until(0.0), &[]);
+    assert_same_failures(move || springs(3.0).until(-1.0).longest_step(0.1), &[]);
+    assert_same_failures(move || springs(3.0).until(f64::INFINITY), &(0..9).collect::<Vec<_>>());
+}
+
+#[test]
+fn stiff_motions_are_refused_as_they_are_alone() {
+    const SERVO: Servo<f64> = Servo { damping: 1.0 };
+    let servos = || {
+        let motions = SERVO.ensemble(9).start(|_, _| [0.0, 1.0]).parameters(|index, servo| {
+            servo.damping = if index == 5 { 1e5 } else { 1.0 };
+        });
+        motions.until(10.0).tolerance(1e-6)
+    };
+    assert_same_failures(servos, &[5]);
+    let ends = servos().run().expect("runs");
+    assert!(matches!(ends.failures()[0].cause, StepFailure::Stiff { .. }), "{:?}", ends.failures());
+}
+
+#[test]
+fn single_precision_goes_in_lanes_too() {
+    let system = DoublePendulum::<f32>::default();
+    let ensemble = || system.ensemble(20).start(|index, _| [0.1 * index as f32, 1.0, 0.0, 0.0]).until(1.0);
+    assert!(ensemble().is_in_lanes());
+    let (lanes, alone) = (ensemble().run().expect("runs"), ensemble().one_by_one().run().expect("runs"));
+    for index in 0..20 {
+        let (found, expected) = (lanes.state(index).expect("ended"), alone.state(index).expect("ended"));
+        assert!(found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-4));
+    }
+}
+
+#[test]
+fn what_is_asked_for_decides_on_the_way() {
+    let system = DoublePendulum::default();
+    let ensemble = || pendulums(&system, 3);
+    assert!(ensemble().is_in_lanes() && ensemble().max_steps(100).longest_step(0.1).is_in_lanes());
+    assert!(ensemble().method(RungeKutta4 { step: 0.1 }).is_in_lanes());
+    assert!(!ensemble().one_by_one().is_in_lanes());
+    assert!(!ensemble().every(0.1).is_in_lanes());
+    assert!(!ensemble().restart_at([0.5]).is_in_lanes());
+    assert!(!ensemble().method(GaussLegendre4 { step: 0.1 }.plain()).is_in_lanes());
+    let alone = ensemble().one_by_one().run().expect("runs");
+    let motion = ensemble().motion(2).expect("is there").expect("runs");
+    assert_eq!(alone.state(2), Some(motion.last()));
+}
+
+#[test]
+fn settings_without_sense_are_errors() {
+    let system = DoublePendulum::default();
+    let messages = [
+        pendulums(&system, 3).tolerance(-1.0).run().map(|_| ()),
+        pendulums(&system, 3).observe("a", |_, t, _| t).run().map(|_| ()),
+        pendulums(&system, 3).method(RungeKutta4 { step: 0.0 }).run().map(|_| ()),
+        pendulums(&system, 3).method(RungeKutta4 { step: 0.1 }).longest_step(0.1).run().map(|_| ()),
+    ];
+    let messages = messages.map(|result| result.expect_err("no sense").to_string());
+    let expected = [
+        "motion 0: tolerances must be finite and not negative, and not both zero (at time 0.0)",
+        "motion 0: two columns are called `a` (at time 0.0)",
+        "motion 0: the length of steps must be positive and finite (at time 0.0)",
+        "motion 0: all steps of this method have the length that it was given: shorten that one (at time 0.0)",
+    ];
+    assert_eq!(messages, expected);
+}

@@ -1,0 +1,106 @@
+//! Small operations on numbers and states lane by lane.
+
+use super::method::MOST_LANES;
+use crate::scalar::{Mask, Number};
+use crate::system::{SideBySide, StateVector};
+
+/// The same number in every lane.
+#[inline(always)]
+pub(super) fn splat<S: SideBySide>(value: S::Element) -> S {
+    let mut lanes = S::ZERO;
+    for lane in 0..S::LANES {
+        lanes.set_lane(lane, value);
+    }
+    lanes
+}
+
+/// What a function makes of the number in each lane.
+#[inline(always)]
+pub(super) fn each<S: SideBySide>(value: S, function: impl Fn(S::Element) -> S::Element) -> S {
+    let mut lanes = value;
+    for lane in 0..S::LANES {
+        lanes.set_lane(lane, function(value.lane(lane)));
+    }
+    lanes
+}
+
+/// The larger of two numbers, the second if the first is NaN.
+#[inline(always)]
+pub(super) fn larger<S: Number>(one: S, other: S) -> S {
+    S::select(other.less(one), one, other)
+}
+
+/// The smaller of two numbers, the second if the first is NaN.
+#[inline(always)]
+pub(super) fn smaller<S: Number>(one: S, other: S) -> S {
+    S::select(one.less(other), one, other)
+}
+
+/// Whether two numbers are the same.
+#[inline(always)]
+pub(super) fn is_equal<S: Number>(one: S, other: S) -> S::Mask {
+    one.less_equal(other) & other.less_equal(one)
+}
+
+/// Whether all components are neither NaN nor infinite.
+#[inline(always)]
+pub(super) fn are_finite<S: Number, Y: StateVector<S>>(y: &Y) -> S::Mask {
+    let zero = y.as_ref().iter().fold(S::ZERO, |sum, component| sum + *component * S::ZERO);
+    zero.less_equal(S::ZERO)
+}
+
+/// The first state where the mask is true, the second elsewhere.
+#[inline(always)]
+pub(super) fn chosen<S: Number, Y: StateVector<S>>(mask: S::Mask, then: &Y, otherwise: &Y) -> Y {
+    let mut chosen = *otherwise;
+    for (chosen, then) in chosen.as_mut().iter_mut().zip(then.as_ref()) {
+        *chosen = S::select(mask, *then, *chosen);
+    }
+    chosen
+}
+
+/// Puts what is in the lane `from` of other numbers into a lane of these.
+#[inline(always)]
+pub(super) fn take<S: SideBySide>(numbers: &mut [S], lane: usize, others: &[S], from: usize) {
+    for (number, other) in numbers.iter_mut().zip(others) {
+        number.set_lane(lane, other.lane(from));
+    }
+}
+
+/// Steps in each lane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Counts {
+    tried: [u64; MOST_LANES],
+    taken: [u64; MOST_LANES],
+}
+
+impl Counts {
+    pub(super) fn new() -> Self {
+        Counts { tried: [0; MOST_LANES], taken: [0; MOST_LANES] }
+    }
+
+    /// Counts a step in every lane; whether more than `most` were tried in one of them.
+    #[inline(always)]
+    pub(super) fn count<S: SideBySide>(&mut self, is_taken: S::Mask, most: u64) -> bool {
+        let mut are_spent = false;
+        for lane in 0..S::LANES {
+            self.tried[lane] += 1;
+            self.taken[lane] += u64::from(is_taken.lane(lane));
+            are_spent |= self.tried[lane] > most;
+        }
+        are_spent
+    }
+
+    pub(super) fn tried(&self, lane: usize) -> u64 {
+        self.tried[lane]
+    }
+
+    pub(super) fn taken(&self, lane: usize) -> u64 {
+        self.taken[lane]
+    }
+
+    pub(super) fn take(&mut self, lane: usize, other: &Self, from: usize) {
+        self.tried[lane] = other.tried[from];
+        self.taken[lane] = other.taken[from];
+    }
+}

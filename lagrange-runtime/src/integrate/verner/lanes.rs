@@ -1,0 +1,270 @@
+//! The pair for several motions side by side.
+//!
+//! A step is that of `stepper` for a system without constraints, but that rates are not kept from one attempt to the next, since neighbours
+//! may have come farther, and that lengths of steps are found to three digits. A motion that looks stiff is given up: one of its own tells.
+
+use super::Verner98;
+use super::lanes_control::LanesControl;
+use super::stage::Stage;
+use super::stiffness::{Stiffness, are_many, is_at_limit};
+use super::tableau::{
+    ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
+    STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
+};
+use super::tolerance::Tolerated;
+use crate::integrate::clock::Clock;
+use crate::integrate::compensated::Compensated;
+use crate::integrate::lane_wise::{Counts, are_finite, is_equal, splat};
+use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, Work};
+use crate::linalg::vector::combined;
+use crate::scalar::{Mask, Number, Scalar};
+use crate::system::{Equations, SideBySide, StateVector};
+use crate::tolerance::SAME_STATE;
+
+/// Rates that a step needs.
+const STAGES: usize = 16;
+/// Rates that the choice of a first step needs.
+const FIRST_STAGES: u64 = 2;
+/// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
+const FINEST: f64 = 4096.0;
+
+/// Integrations by [`Verner98`] side by side; Y is the state.
+#[derive(Clone, Copy, Debug)]
+pub struct VernerLanes<S, Y> {
+    settings: Settings<S>,
+    clock: Clock<S>,
+    state: Compensated<Y>,
+    control: LanesControl<S>,
+    /// No step is longer at present.
+    longest: S,
+    rates: [Y; STAGES],
+    counts: Counts,
+    stiffness: [Stiffness; MOST_LANES],
+}
+
+/// What is the same in all lanes.
+#[derive(Clone, Copy, Debug)]
+struct Settings<S> {
+    tolerated: Tolerated<S>,
+    end: S,
+    /// No step is longer while the state moves, or is at rest.
+    longest: [S; 2],
+    most_steps: u64,
+    refuses_stiff: bool,
+}
+
+impl<T: Scalar> LanesMethod<T> for Verner98<T> {
+    type Stepper<S: SideBySide<Element = T>, E: Equations<S>> = VernerLanes<S, E::State>;
+
+    #[inline(always)]
+    fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
+    where
+        S: SideBySide<Element = T>,
+        E: Equations<S>,
+    {
+        let Tolerated { relative, absolute } = self.tolerated();
+        let settings = Settings {
+            tolerated: Tolerated { relative: splat(relative), absolute: splat(absolute) },
+            end: splat(end),
+            longest: [false, true].map(|is_at_rest| splat(self.longest(end - t, is_at_rest))),
+            most_steps: self.max_steps,
+            refuses_stiff: self.refuses_stiff,
+        };
+        let (step, longest) = settings.first_step(equations, splat(t), y);
+        VernerLanes {
+            settings,
+            clock: Clock::new(splat(t), S::ZERO),
+            state: Compensated::new(*y),
+            control: LanesControl::new(self.first_step.map_or(step, splat)),
+            longest,
+            rates: [E::State::ZERO; STAGES],
+            counts: Counts::new(),
+            stiffness: [Stiffness::default(); MOST_LANES],
+        }
+    }
+}
+
+impl<S: Number> Settings<S> {
+    /// The longest of steps from a state where it moves, and where it is at rest.
+    #[inline(always)]
+    fn longest(&self, is_at_rest: S::Mask) -> S {
+        let [moving, at_rest] = self.longest;
+        S::select(is_at_rest, at_rest, moving)
+    }
+
+    /// First steps, NaN where there is none, and the longest ones.
+    #[inline(always)]
+    fn first_step<E: Equations<S>>(&self, equations: &E, t: S, y: &E::State) -> (S, S) {
+        let [_, at_rest] = self.longest;
+        let (mut rates, mut trial, mut longest) = ([E::State::ZERO; 2], S::ZERO, at_rest);
+        // One place of call, so that the right-hand side is inlined once.
+        for stage in 0..2 {
+            let h = S::select(self.end.less(t), -trial, trial);
+            rates[stage] = equations.rhs(t + h, &combined(y, h, &rates[0]));
+            if stage == 0 {
+                longest = self.longest(self.tolerated.is_at_rest(at_rest, &rates[0], y));
+                trial = self.tolerated.trial(y, &rates[0], longest);
+            }
+        }
+        let [rate, ahead] = &rates;
+        (self.tolerated.first_step(y, [rate, ahead], trial, longest), longest)
+    }
+}
+
+/// Applies a method of a [`Stage`] to the one with this index.
+macro_rules! at_stage {
+    ($index:expr, $method:ident($($argument:expr),*)) => {
+        match $index {
+            1 => STAGE_1.$method($($argument),*),
+            2 => STAGE_2.$method($($argument),*),
+            3 => STAGE_3.$method($($argument),*),
+            4 => STAGE_4.$method($($argument),*),
+            5 => STAGE_5.$method($($argument),*),
+            6 => STAGE_6.$method($($argument),*),
+            7 => STAGE_7.$method($($argument),*),
+            8 => STAGE_8.$method($($argument),*),
+            9 => STAGE_9.$method($($argument),*),
+            10 => STAGE_10.$method($($argument),*),
+            11 => STAGE_11.$method($($argument),*),
+            12 => STAGE_12.$method($($argument),*),
+            13 => STAGE_13.$method($($argument),*),
+            14 => STAGE_14.$method($($argument),*),
+            15 => STAGE_15.$method($($argument),*),
+            _ => START.$method($($argument),*),
+        }
+    };
+}
+
+/// The start of a step.
+const START: Stage<0> = Stage { node: 0.0, weights: [] };
+
+impl<S, Y> VernerLanes<S, Y>
+where
+    S: SideBySide<Element: Scalar>,
+    Y: StateVector<S>,
+{
+    /// Evaluates the stages of steps of these lengths.
+    #[inline(always)]
+    fn evaluate<E: Equations<S, State = Y>>(&mut self, equations: &E, h: S) {
+        let (t, y) = (self.clock.time(), *self.state.value());
+        // One place of call, as above.
+        for stage in 0..STAGES {
+            let point = at_stage!(stage, point(&y, h, &self.rates));
+            self.rates[stage] = equations.rhs(at_stage!(stage, time(t, h)), &point);
+        }
+    }
+
+    /// The states after steps of these lengths whose stages are known.
+    #[inline(always)]
+    fn advanced(&self, h: S, increment: &Y) -> Compensated<Y> {
+        let mut increment = *increment;
+        for component in increment.as_mut() {
+            *component = *component * h;
+        }
+        let mut state = self.state;
+        state.add(&increment);
+        state
+    }
+
+    /// Where motions look stiff, given the lengths of the last steps, the states before them, and where these were taken.
+    #[cold]
+    #[inline(never)]
+    fn look_stiff(&mut self, h: S, before: &Y, is_taken: S::Mask) -> [bool; MOST_LANES] {
+        let ends = [STAGE_14.point(before, h, &self.rates), STAGE_15.point(before, h, &self.rates)];
+        let lengths = (h, self.settings.end - self.clock.time());
+        let rounding = splat(SAME_STATE.part::<S::Element>());
+        let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
+        let is_at_limit = is_at_limit(lengths, one, other, rounding);
+        let mut look_stiff = [false; MOST_LANES];
+        for (lane, looks_stiff) in look_stiff.iter_mut().enumerate().take(S::LANES) {
+            let stiffness = &mut self.stiffness[lane];
+            if is_taken.lane(lane) && stiffness.is_due(self.counts.taken(lane) - 1) {
+                *looks_stiff = stiffness.count(is_at_limit.lane(lane));
+            }
+        }
+        look_stiff
+    }
+
+    /// Gives motions up.
+    #[cold]
+    fn give_up(&mut self, which: impl Fn(&Self, usize) -> bool) {
+        for lane in 0..S::LANES {
+            if which(self, lane) {
+                self.clock.set_time(lane, S::Element::NAN);
+            }
+        }
+    }
+}
+
+impl<S, E> LanesStepper<S, E> for VernerLanes<S, E::State>
+where
+    S: SideBySide<Element: Scalar>,
+    E: Equations<S>,
+{
+    #[inline(always)]
+    fn step(&mut self, equations: &E) {
+        let Settings { tolerated, end, most_steps, refuses_stiff, .. } = self.settings;
+        let (t, y) = (self.clock.time(), *self.state.value());
+        let length = self.control.step.min(self.longest);
+        let mut clock = self.clock.with_step(length);
+        let h = clock.advance(end);
+        let is_lost_in_time = (t + S::from_f64(FINEST) * length).less_equal(t) & !is_equal(t, end);
+        let is_lost = is_lost_in_time | !S::ZERO.less(length);
+
+        self.evaluate(equations, h);
+        let increment = ADVANCE.weighted(&self.rates);
+        let state = self.advanced(h, &increment);
+        let error = tolerated.norm(h, &ERROR.weighted(&self.rates), &y, state.value());
+        let error = S::select(are_finite(state.value()), error, S::NAN);
+        let is_taken = error.less_equal(S::ONE);
+
+        self.control.follow(h.abs(), error, is_taken);
+        let longest = self.settings.longest(tolerated.is_at_rest(h, &increment, &y));
+        self.longest = S::select(is_taken, longest, self.longest);
+        self.clock = Clock::select(is_taken, &clock, &self.clock);
+        self.state = Compensated::select(is_taken, &state, &self.state);
+        let are_spent = self.counts.count::<S>(is_taken, most_steps);
+        if are_spent || is_lost.any() {
+            self.give_up(|motions, lane| motions.counts.tried(lane) > most_steps || is_lost.lane(lane));
+        }
+        if refuses_stiff && (is_taken & are_many((h, end - self.clock.time()))).any() {
+            let look_stiff = self.look_stiff(h, &y, is_taken);
+            self.give_up(|_, lane| look_stiff[lane]);
+        }
+    }
+
+    #[inline(always)]
+    fn time(&self) -> S {
+        self.clock.time()
+    }
+
+    #[inline(always)]
+    fn state(&self) -> &E::State {
+        self.state.value()
+    }
+
+    #[inline(always)]
+    fn suspicion(&self) -> S::Mask {
+        S::Mask::splat(false)
+    }
+
+    fn limit_steps(&mut self, most: u64) {
+        self.settings.most_steps = self.settings.most_steps.min(most);
+    }
+
+    fn work(&self, lane: usize) -> Work {
+        let (steps, tried) = (self.counts.taken(lane), self.counts.tried(lane));
+        let evaluations = FIRST_STAGES + tried * STAGES as u64;
+        Work { steps, rejections: tried - steps, evaluations, ..Work::default() }
+    }
+
+    #[inline(always)]
+    fn take(&mut self, lane: usize, other: &Self, from: usize) {
+        self.clock.take(lane, &other.clock, from);
+        self.state.take(lane, &other.state, from);
+        self.control.take(lane, &other.control, from);
+        self.longest.set_lane(lane, other.longest.lane(from));
+        self.counts.take(lane, &other.counts, from);
+        self.stiffness[lane] = other.stiffness[from];
+    }
+}

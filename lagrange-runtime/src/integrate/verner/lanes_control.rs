@@ -1,0 +1,64 @@
+//! How long the next step is, in every lane by itself: the controller of `control` in logarithms, with powers to three digits.
+
+use super::control::{
+    LEAST_ERROR, LEAST_SHRINKING, MEMORY, MOST_GROWTH, MOST_SHRINKING, POWER, RETREAT, SAFETY,
+};
+use crate::integrate::corrected::is_finite;
+use crate::integrate::lane_wise::{each, larger, smaller, take};
+use crate::scalar::Scalar;
+use crate::system::SideBySide;
+
+/// Errors below this let steps grow as much as they may.
+const NEGLIGIBLE: f64 = 1e-10;
+
+/// The controllers with their memories.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LanesControl<S> {
+    /// Lengths of the next steps to try, always positive.
+    pub(super) step: S,
+    /// The binary logarithm of the last error.
+    error: S,
+    /// By how much the next step may be longer.
+    most_growth: S,
+}
+
+impl<S> LanesControl<S>
+where
+    S: SideBySide<Element: Scalar>,
+{
+    #[inline(always)]
+    pub(super) fn new(step: S) -> Self {
+        let error = S::from_f64(LEAST_ERROR.log2());
+        LanesControl { step, error, most_growth: S::from_f64(MOST_GROWTH) }
+    }
+
+    /// Steps of these lengths, which may be shorter than asked for, had these errors, and were taken where the mask is true. Errors that are
+    /// not finite are of steps that led to NaN or infinity.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, length: S, error: S, is_taken: S::Mask) {
+        let safety = S::from_f64(SAFETY.log2());
+        let log_error = each(larger(error, S::from_f64(NEGLIGIBLE)), Scalar::rough_log2);
+        let power = S::from_f64(-(1.0 / POWER - 0.75 * MEMORY));
+        let wanted = each(safety + S::from_f64(MEMORY) * self.error + power * log_error, Scalar::rough_exp2);
+        let growth = smaller(larger(wanted, S::from_f64(MOST_SHRINKING)), self.most_growth);
+        let next = length * growth;
+        let next = S::select(length.less(self.step), larger(next, self.step), next);
+
+        let wanted = each(safety - log_error / S::from_f64(POWER), Scalar::rough_exp2);
+        let shrinking = smaller(larger(wanted, S::from_f64(MOST_SHRINKING)), S::from_f64(LEAST_SHRINKING));
+        let shrinking = S::select(is_finite(error), shrinking, S::from_f64(RETREAT));
+
+        self.step = S::select(is_taken, next, length * shrinking);
+        let remembered = larger(log_error, S::from_f64(LEAST_ERROR.log2()));
+        self.error = S::select(is_taken, remembered, self.error);
+        self.most_growth = S::select(is_taken, S::from_f64(MOST_GROWTH), S::ONE);
+    }
+
+    /// Puts what is in the lane `from` of other controllers into a lane of these.
+    #[inline(always)]
+    pub(super) fn take(&mut self, lane: usize, other: &Self, from: usize) {
+        let mut numbers = [self.step, self.error, self.most_growth];
+        take(&mut numbers, lane, &[other.step, other.error, other.most_growth], from);
+        [self.step, self.error, self.most_growth] = numbers;
+    }
+}
