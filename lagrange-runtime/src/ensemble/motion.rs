@@ -20,19 +20,19 @@ pub struct Motion<'m, M: MechanicalSystem> {
     index: usize,
     system: &'m M,
     end: (M::Scalar, M::State),
-    kept: Kept<'m, M>,
+    kept: Memory<'m, M>,
 }
 
 /// What is kept of a motion.
 #[derive(Clone, Copy)]
-pub(super) enum Kept<'m, M: MechanicalSystem> {
+pub(super) enum Memory<'m, M: MechanicalSystem> {
     Trajectory(&'m Trajectory<M>),
     /// A place for a trajectory, which is made when it is asked for.
     Unmade(&'m OnceCell<Trajectory<M>>, &'m dyn Fn() -> Trajectory<M>),
 }
 
 impl<'m, M: MechanicalSystem> Motion<'m, M> {
-    pub(super) fn new(index: usize, system: &'m M, end: (M::Scalar, M::State), kept: Kept<'m, M>) -> Self {
+    pub(super) fn new(index: usize, system: &'m M, end: (M::Scalar, M::State), kept: Memory<'m, M>) -> Self {
         Motion { index, system, end, kept }
     }
 
@@ -63,8 +63,8 @@ impl<'m, M: MechanicalSystem> Motion<'m, M> {
     /// [in lanes](super::Ensemble::is_in_lanes) it is made when it is asked for, with the start and the end as samples.
     pub fn trajectory(&self) -> &'m Trajectory<M> {
         match self.kept {
-            Kept::Trajectory(trajectory) => trajectory,
-            Kept::Unmade(place, make) => place.get_or_init(make),
+            Memory::Trajectory(trajectory) => trajectory,
+            Memory::Unmade(place, make) => place.get_or_init(make),
         }
     }
 }

@@ -11,7 +11,7 @@ use super::engine::BLOCK;
 use super::error::EnsembleError;
 use super::failure::Failure;
 use super::lanes::Came;
-use super::motion::{Kept, Motion};
+use super::motion::{Memory, Motion};
 
 use super::reduce::Reduce;
 use crate::integrate::Method;
@@ -146,12 +146,12 @@ where
                     Came::Ran(Err(error)) => block.fail(1, [Failure::new(index, error)]),
                     Came::Ran(Ok(trajectory)) => {
                         let end = (trajectory.end_time(), trajectory.last());
-                        let kept = Kept::Trajectory(&trajectory);
+                        let kept = Memory::Trajectory(&trajectory);
                         add(&mut block.value, &Motion::new(index, system, end, kept));
                     }
                     Came::Arrived(end) => {
                         let (place, make) = (OnceCell::new(), || self.ends_of(index, system, &end));
-                        let kept = Kept::Unmade(&place, &make);
+                        let kept = Memory::Unmade(&place, &make);
                         add(&mut block.value, &Motion::new(index, system, (self.asked.end, end.state), kept));
                     }
                 }

@@ -67,19 +67,19 @@ impl<M: MechanicalSystem + LanesSystem, L: LanesMethod<ScalarOf<M>>> Task for Re
 }
 
 /// Equations and motions side by side.
-struct Group<E, T> {
+struct LanesGroup<E, T> {
     equations: E,
     stepper: T,
     /// Which motion is in which lane.
     motions: [usize; MOST_LANES],
 }
 
-type GroupOf<M, L, S> = Group<
+type LanesGroupOf<M, L, S> = LanesGroup<
     <M as LanesSystem>::Lanes<S>,
     <L as LanesMethod<ScalarOf<M>>>::Stepper<S, <M as LanesSystem>::Lanes<S>>,
 >;
 
-impl<E, T> Group<E, T> {
+impl<E, T> LanesGroup<E, T> {
     /// A lane with a motion.
     fn busy_lane(&self) -> Option<usize> {
         self.motions.iter().position(|motion| *motion != FREE)
@@ -94,7 +94,7 @@ impl<M: MechanicalSystem> Queue<'_, '_, M> {
 
     /// Starts as many motions as there are lanes, from `first` on; the last one several times if there are fewer.
     #[inline(always)]
-    fn start<L, S>(&self, method: &L, first: usize) -> GroupOf<M, L, S>
+    fn start<L, S>(&self, method: &L, first: usize) -> LanesGroupOf<M, L, S>
     where
         M: MechanicalSystem + LanesSystem,
         L: LanesMethod<ScalarOf<M>>,
@@ -118,7 +118,7 @@ impl<M: MechanicalSystem> Queue<'_, '_, M> {
         if let Some(most) = self.most_steps {
             stepper.limit_steps(most);
         }
-        Group { equations, stepper, motions }
+        LanesGroup { equations, stepper, motions }
     }
 }
 
@@ -202,8 +202,8 @@ impl<M: MechanicalSystem + LanesSystem, L: LanesMethod<ScalarOf<M>>> Filling<'_,
     #[inline(always)]
     fn refill<S: SideBySide<Element = ScalarOf<M>>>(
         &mut self,
-        running: &mut GroupOf<M, L, S>,
-        waiting: &mut Option<GroupOf<M, L, S>>,
+        running: &mut LanesGroupOf<M, L, S>,
+        waiting: &mut Option<LanesGroupOf<M, L, S>>,
     ) {
         for lane in 0..S::LANES {
             let Some(group) = waiting else { return };
@@ -227,7 +227,7 @@ impl<M: MechanicalSystem + LanesSystem, L: LanesMethod<ScalarOf<M>>> Filling<'_,
 
     /// Takes the ends of motions out of their lanes, and those that are given up.
     #[inline(always)]
-    fn settle<S: SideBySide<Element = ScalarOf<M>>>(&mut self, running: &mut GroupOf<M, L, S>) {
+    fn settle<S: SideBySide<Element = ScalarOf<M>>>(&mut self, running: &mut LanesGroupOf<M, L, S>) {
         let (time, suspicion) = (running.stepper.time(), running.stepper.suspicion());
         for lane in 0..S::LANES {
             let (motion, time) = (running.motions[lane], time.lane(lane));
@@ -257,7 +257,11 @@ impl<M: MechanicalSystem + LanesSystem, L: LanesMethod<ScalarOf<M>>> Filling<'_,
 
     /// Puts another motion once more into a lane that is free: NaN would take the slow way through elementary functions.
     #[cold]
-    fn replace<S: SideBySide<Element = ScalarOf<M>>>(&self, running: &mut GroupOf<M, L, S>, lane: usize) {
+    fn replace<S: SideBySide<Element = ScalarOf<M>>>(
+        &self,
+        running: &mut LanesGroupOf<M, L, S>,
+        lane: usize,
+    ) {
         if let Some(busy) = running.busy_lane() {
             running.stepper.repeat(lane, busy);
             self.queue.system(running.motions[busy]).set_lane(&mut running.equations, lane);
