@@ -1,7 +1,7 @@
 //! Types of declarations with arrays beside those that are written out: arrays in their fields, the same bits in their results.
 
 use lagrange::Simulate;
-use lagrange::system::{ControlledSystem, MechanicalSystem};
+use lagrange::system::{ControlledSystem, Equations, KernelSystem, LanesSystem, MechanicalSystem};
 
 lagrange::system! {
     /// Beads on a ring of springs, pushed one by one.
@@ -60,6 +60,17 @@ lagrange::system! {
         event floor[i] = y[i], falling => impact(1/2);
         friction rub[i] = dot(x[i]), mu[i] * floor[i];
     }
+}
+
+lagrange::system! {
+    /// Beads on springs, also for numbers side by side and as a kernel.
+    struct Beads;
+
+    param k[2] = [1, 4];
+    coord x[2];
+    kinetic = sum(i in 0..2, 1/2 * dot(x[i])^2);
+    potential = sum(i in 0..2, spring_energy(k[i], x[i]));
+    emit { lanes, kernel }
 }
 
 lagrange::system! {
@@ -130,6 +141,16 @@ fn reduced_types_have_arrays_unless_elements_are_missing() {
     assert_eq!((gap.x_0, gap.x_2, gap.x_0_dot, gap.y), (0.3, 0.7, 0.1, 0.1));
     assert_eq!(Gap::from(&ring).expand(gap), state);
     assert_eq!(Gap::from(&ring).deviation(state).x, [0.3, 0.0, 0.0]);
+}
+
+#[test]
+fn lanes_and_kernels_hold_arrays() {
+    let beads = Beads::default();
+    let lanes: BeadsLanes<f64> = beads.lanes(|number| number);
+    assert_eq!(lanes.k, [1.0, 4.0]);
+    assert_eq!(lanes.rhs(0.0, &[1.0, 1.0, 0.0, 0.0]), [0.0, 0.0, -1.0, -4.0]);
+    assert_eq!(beads.parameters(), [1.0, 4.0]);
+    assert_eq!(<Beads as KernelSystem>::PARAMETERS, ["k[0]", "k[1]"]);
 }
 
 #[test]

@@ -94,7 +94,7 @@ fn system_struct(shape: &Shape<'_>, members: &Members) -> TokenStream {
         docs.push(doc(""));
         docs.extend(members.docs.iter().map(|line| doc(line)));
     }
-    let fields = shape.field_declarations(&scalar);
+    let fields = shape.declared_fields(&shape.fields, &scalar);
     let marker = shape.needs_marker().then(|| {
         quote! {
             /// The number type.

@@ -201,13 +201,17 @@ impl Parser<'_> {
         }
     }
 
+    /// Reports names of functions and of their parameters with square brackets behind them.
+    pub(super) fn refuse_elements<'n>(&mut self, mut names: impl Iterator<Item = &'n Name>) -> Parsed<()> {
+        let Some(indexed) = names.find(|name| !name.indices.is_empty()) else { return Ok(()) };
+        let help = messages::arrays::FUNCTIONS_HELP;
+        Err(self.fail_with_help(indexed.span, messages::arrays::FUNCTIONS, help))
+    }
+
     /// `(x, y) = e` behind the name of a function.
     fn function(&mut self, name: Name, group: &Group, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let parameters = self.inside(group, |parser, cursor| parser.component_names("let", cursor))?;
-        if let Some(indexed) = parameters.iter().chain([&name]).find(|name| !name.indices.is_empty()) {
-            let help = messages::arrays::FUNCTIONS_HELP;
-            return Err(self.fail_with_help(indexed.span, messages::arrays::FUNCTIONS, help));
-        }
+        self.refuse_elements(parameters.iter().chain([&name]))?;
         let value = self.assigned(form("let"), cursor)?;
         Ok(StatementKind::Function(Box::new(FunctionDefinition { name, parameters, value })))
     }

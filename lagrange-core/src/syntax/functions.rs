@@ -42,6 +42,7 @@ impl Parser<'_> {
             return Err(self.fail_with_help(cursor.here(), message, form(keyword)));
         };
         let parameters = self.inside(&group, |parser, cursor| parser.component_names(keyword, cursor))?;
+        self.refuse_elements(parameters.iter().chain([&name]))?;
         for (i, parameter) in parameters.iter().enumerate() {
             if let Some(first) = parameters[..i].iter().find(|first| first.text == parameter.text) {
                 let error = self.report.error(parameter.span, words::repeated_argument(&parameter.text));

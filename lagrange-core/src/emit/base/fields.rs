@@ -134,13 +134,13 @@ impl Shape<'_> {
         self.fields_of(&self.fields)
     }
 
-    /// Fields of parameters and inputs as a struct declares them, in numbers of this type.
-    pub(in crate::emit) fn field_declarations(&self, scalar: &TokenStream) -> TokenStream {
-        let declared = self.number_fields().into_iter().filter_map(|field| {
+    /// Fields for these parameters and inputs as they are declared, with documentation.
+    pub(in crate::emit) fn declared_fields(&self, names: &[&Name], number: &TokenStream) -> TokenStream {
+        let declared = self.fields_of(names).into_iter().filter_map(|field| {
             let (name, first) = (&field.identifier, field.names.first()?);
             let plural = if field.is_array() { "s" } else { "" };
             let docs = self.docs(first, &format!("{}{plural} `{name}`.", self.kind_of_field(first)));
-            let of_type = field.type_of(scalar);
+            let of_type = field.type_of(number);
             Some(quote!(#docs pub #name: #of_type,))
         });
         declared.collect()

@@ -5,7 +5,7 @@
 //! to ensembles.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use crate::emit::base::docs;
 use crate::emit::base::exclusion::Exclusion;
@@ -71,7 +71,7 @@ pub(in crate::emit) fn lanes_struct(shape: &Shape<'_>, members: &Members) -> Opt
     ));
     let (counts, names, unused) = (doc(&lanes.docs), name_exception(shape), unused_exception(shape));
     let type_name = type_name_exception(shape);
-    let fields = shape.field_declarations(&quote!(#number));
+    let fields = shape.declared_fields(&shape.fields, &number.to_token_stream());
     let marker = shape.fields.is_empty().then(|| {
         quote! {
             /// The number type.
@@ -129,15 +129,14 @@ pub(in crate::emit) fn lanes_items(shape: &Shape<'_>, members: &Members) -> Opti
 fn system_impl(shape: &Shape<'_>) -> TokenStream {
     let (system, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (name, krate, number) = (shape.lanes_name(), shape.krate, shape.other_type_parameter("L"));
-    let fields = shape.number_fields();
-    let places = places(&fields);
+    let (fields, places) = (shape.number_fields(), places(&shape.number_fields()));
     let [splat, lanes, lane] = match fields.is_empty() {
         true => ["_"; 3].map(local),
         false => ["splat", "lanes", "lane"].map(local),
     };
-    let values = places.iter().map(|place| quote!(#splat(self.#place))).collect::<Vec<_>>();
-    let values = entries(&fields, &values);
     let marker = fields.is_empty().then(|| quote!(scalar: ::core::marker::PhantomData,));
+    let splats = places.iter().map(|place| quote!(#splat(self.#place))).collect::<Vec<_>>();
+    let splats = entries(&fields, &splats);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::LanesSystem for #system #generics {
@@ -146,7 +145,7 @@ fn system_impl(shape: &Shape<'_>) -> TokenStream {
                 &self,
                 #splat: impl ::core::ops::Fn(#scalar) -> #number,
             ) -> #name<#number> {
-                #name { #(#values,)* #marker }
+                #name { #(#splats,)* #marker }
             }
             fn set_lane<#number: #krate::system::SideBySide<Element = #scalar>>(
                 &self,

@@ -21,13 +21,7 @@ pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
     let (name, generics, scalar) = (inputs_name(shape), shape.generics(), shape.scalar_path());
     let visibility = &shape.declaration.visibility;
     let title = doc(&format!("Inputs of [`{}`].", shape.declaration.name.text));
-    let fields = shape.fields_of(&inputs).into_iter().filter_map(|field| {
-        let (name, first) = (&field.identifier, field.names.first()?);
-        let plural = if field.is_array() { "s" } else { "" };
-        let docs = shape.docs(first, &format!("Input{plural} `{name}`."));
-        let of_type = field.type_of(&scalar);
-        Some(quote!(#docs pub #name: #of_type,))
-    });
+    let fields = shape.declared_fields(&inputs, &scalar);
     let (names, type_name) = (name_exception(shape), type_name_exception(shape));
     let allow = (!generics.is_empty()).then(
         || quote!(#[allow(clippy::derive_partial_eq_without_eq, reason = "a number type need not be `Eq`")]),
@@ -39,7 +33,7 @@ pub(in crate::emit) fn inputs_struct(shape: &Shape<'_>) -> Option<TokenStream> {
         #allow
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #name #generics {
-            #(#fields)*
+            #fields
         }
     };
     (!inputs.is_empty()).then_some(item)

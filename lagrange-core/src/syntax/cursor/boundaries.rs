@@ -29,8 +29,8 @@ impl Cursor {
             Soft::Loop => {
                 name.is_some() && matches!(self.peek_past(2), Some(TokenTree::Ident(word)) if word == "in")
             }
-            Soft::Function => name.is_some() && as_group(self.peek_past(2), Delimiter::Parenthesis).is_some(),
             Soft::Alone => name.is_some() && is_punct(self.peek_past(2), ';'),
+            Soft::Function => name.is_some() && as_group(self.peek_past(2), Delimiter::Parenthesis).is_some(),
             Soft::Coordinates => {
                 let is_list = as_group(self.peek_past(1), Delimiter::Parenthesis).is_some();
                 (name.is_some() || is_list) && self.equals_past(2)

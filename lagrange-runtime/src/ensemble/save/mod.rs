@@ -110,7 +110,7 @@ where
             self.each(chunk, counter, |index, system, came| {
                 sheet.push(index, |rows| match came {
                     Came::Ran(ran) if P::IS_EVERY_SAMPLE => {
-                        rows.push_samples(&self.asked, index, system, ran)
+                        rows.push_samples(&self.asked, index, system, ran);
                     }
                     came => self.push_end(rows, index, system, came),
                 });

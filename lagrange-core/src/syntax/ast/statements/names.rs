@@ -25,11 +25,7 @@ impl StatementKind {
             | StatementKind::Constraint(name, _)
             | StatementKind::Output(name, _) => vec![name],
             StatementKind::Function(function) => vec![&mut function.name],
-            StatementKind::External(function) => {
-                let derivatives =
-                    function.derivatives.iter_mut().flatten().map(|derivative| &mut derivative.name);
-                derivatives.chain([&mut function.name]).collect()
-            }
+            StatementKind::External(function) => vec![&mut function.name],
             StatementKind::Table(table) => vec![&mut table.name],
             StatementKind::Event(event) => vec![&mut event.name],
             StatementKind::Friction(friction) => vec![&mut friction.name],
@@ -58,6 +54,8 @@ impl StatementKind {
         match self {
             StatementKind::Quaternion(quaternion) => made_of(&quaternion.name, quaternion.names()),
             StatementKind::Function(function) => vec![(&function.name, String::new())],
+            StatementKind::External(function) => vec![(&function.name, String::new())],
+            StatementKind::Table(table) => vec![(&table.name, String::new())],
             StatementKind::Scene(SceneStatement::Mobilizer(joint)) => match (joint.kind, &joint.quaternion) {
                 (MobilizerKind::Weld, _) => Vec::new(),
                 (MobilizerKind::Free, _) => made_of(&joint.outboard, joint.names()),
