@@ -56,7 +56,7 @@ fn functions_and_tables_have_their_form() {
         "function none 1 listed",
         "table motor 1 [0 90; 1000 100 + 40] monotone clamp",
         "table map 2 [map.csv] linear error",
-        "output function (table * 2)",
+        "output function (* table 2)",
     ];
     assert_eq!(statements(&declaration), expected);
     let printed = print::statements(&declaration);
