@@ -32,8 +32,9 @@
 #[doc(inline)]
 pub use lagrange_runtime::integrate::{
     BlanesMoan4, EventSource, FixedStepper, Formula, GaussLegendre, GaussLegendre4, GaussLegendre6,
-    ImplicitMidpoint, IntegrationError, Method, Outcome, PlainGaussLegendre, RungeKutta4, StepFailure,
-    Stepper, StormerVerlet, SymplecticEuler, Variational, Verner98, VernerStepper, Work, rk4_step, undefined,
+    ImplicitMidpoint, IntegrationError, LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method,
+    Outcome, PlainGaussLegendre, RungeKutta4, StepFailure, Stepper, StormerVerlet, SymplecticEuler,
+    Variational, Verner98, VernerStepper, Work, rk4_step, undefined,
 };
 #[doc(inline)]
 pub use lagrange_runtime::run::integrate;

@@ -4,6 +4,7 @@
 mod bits;
 #[cfg(feature = "parquet")]
 mod files;
+mod lanes;
 mod refusals;
 mod runs;
 

@@ -1,8 +1,6 @@
 //! How long the next step is, in every lane by itself: the controller of `control` in logarithms, with powers to three digits.
 
-use super::control::{
-    LEAST_ERROR, LEAST_SHRINKING, MEMORY, MOST_GROWTH, MOST_SHRINKING, POWER, RETREAT, SAFETY,
-};
+use super::control::{LEAST_SHRINKING, MEMORY, MOST_GROWTH, MOST_SHRINKING, POWER, RETREAT};
 use crate::integrate::corrected::is_finite;
 use crate::integrate::lane_wise::{each, larger, smaller, take};
 use crate::scalar::Scalar;
@@ -10,6 +8,10 @@ use crate::system::SideBySide;
 
 /// Errors below this let steps grow as much as they may.
 const NEGLIGIBLE: f64 = 1e-10;
+/// The binary logarithm of `LEAST_ERROR` of `control`, which no constant expression computes,
+const LOG_LEAST_ERROR: f64 = -13.287_712_379_549_449;
+/// and that of `SAFETY`.
+const LOG_SAFETY: f64 = -0.321_928_094_887_362_3;
 
 /// The controllers with their memories.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +30,7 @@ where
 {
     #[inline(always)]
     pub(super) fn new(step: S) -> Self {
-        let error = S::from_f64(LEAST_ERROR.log2());
+        let error = S::from_f64(LOG_LEAST_ERROR);
         LanesControl { step, error, most_growth: S::from_f64(MOST_GROWTH) }
     }
 
@@ -36,7 +38,7 @@ where
     /// not finite are of steps that led to NaN or infinity.
     #[inline(always)]
     pub(super) fn follow(&mut self, length: S, error: S, is_taken: S::Mask) {
-        let safety = S::from_f64(SAFETY.log2());
+        let safety = S::from_f64(LOG_SAFETY);
         let log_error = each(larger(error, S::from_f64(NEGLIGIBLE)), Scalar::rough_log2);
         let power = S::from_f64(-(1.0 / POWER - 0.75 * MEMORY));
         let wanted = each(safety + S::from_f64(MEMORY) * self.error + power * log_error, Scalar::rough_exp2);
@@ -49,7 +51,7 @@ where
         let shrinking = S::select(is_finite(error), shrinking, S::from_f64(RETREAT));
 
         self.step = S::select(is_taken, next, length * shrinking);
-        let remembered = larger(log_error, S::from_f64(LEAST_ERROR.log2()));
+        let remembered = larger(log_error, S::from_f64(LOG_LEAST_ERROR));
         self.error = S::select(is_taken, remembered, self.error);
         self.most_growth = S::select(is_taken, S::from_f64(MOST_GROWTH), S::ONE);
     }
@@ -60,5 +62,19 @@ where
         let mut numbers = [self.step, self.error, self.most_growth];
         take(&mut numbers, lane, &[other.step, other.error, other.most_growth], from);
         [self.step, self.error, self.most_growth] = numbers;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::control::{LEAST_ERROR, SAFETY};
+    use super::{LOG_LEAST_ERROR, LOG_SAFETY};
+
+    #[test]
+    fn logarithms_are_those_of_the_controller() {
+        let expected = [LEAST_ERROR, SAFETY].map(libm::log2);
+        for (found, expected) in [LOG_LEAST_ERROR, LOG_SAFETY].into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-14, "{found} {expected}");
+        }
     }
 }

@@ -1,0 +1,74 @@
+//! Emitted systems in lanes.
+
+use lagrange::Ensembles;
+use lagrange::ensemble::Random;
+use lagrange::integrate::RungeKutta4;
+
+lagrange::system! {
+    /// A pendulum on a cart.
+    #[derive(Clone)]
+    struct CartPole;
+
+    param m_cart = 1.0, m = 0.1, l = 0.5, g = 9.81;
+    coord x, theta;
+
+    let (x_bob, y_bob) = (x + l * sin(theta), -l * cos(theta));
+    kinetic = 1/2 * m_cart * dot(x)^2 + 1/2 * m * (dot(x_bob)^2 + dot(y_bob)^2);
+    potential = m * g * y_bob;
+    emit { lanes }
+}
+
+fn start(index: usize, random: &mut Random) -> [f64; 4] {
+    [if index == 3 { f64::NAN } else { 0.0 }, random.uniform(-2.0..2.0), 0.0, 0.1]
+}
+
+#[test]
+fn ends_are_those_of_runs_to_within_the_tolerance() {
+    let cart = CartPole::default();
+    let ensemble = || {
+        let motions =
+            cart.ensemble(20).start(start).parameters(|index, cart| cart.l = 0.3 + 0.01 * index as f64);
+        motions.until(1.0).tolerance(1e-9).energy()
+    };
+    assert!(ensemble().is_in_lanes());
+    let (lanes, alone) = (ensemble().run().expect("runs"), ensemble().one_by_one().run().expect("runs"));
+    assert_eq!(lanes.names(), alone.names());
+    assert_eq!((lanes.failures().len(), lanes.failures()[0].index), (1, 3));
+    assert_eq!(lanes.column("l"), alone.column("l"));
+    for (found, expected) in lanes.table().columns().zip(alone.table().columns()) {
+        for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
+            let is_near = (found - expected).abs() < 1e-8;
+            assert!(
+                is_near || (found.is_nan() && expected.is_nan() && index == 3),
+                "{index}: {found} {expected}"
+            );
+        }
+    }
+    let equal = || ensemble().method(RungeKutta4 { step: 0.01 });
+    let (lanes, alone) = (equal().run().expect("runs"), equal().one_by_one().run().expect("runs"));
+    for (found, expected) in lanes.theta().iter().zip(alone.theta()) {
+        assert!(
+            (found - expected).abs() < 1e-13 || (found.is_nan() && expected.is_nan()),
+            "{found} {expected}"
+        );
+    }
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn files_do_not_mix_lanes_with_runs() {
+    use lagrange::ensemble::EnsembleError;
+
+    let folder = std::env::temp_dir().join(format!("lagrange_lanes_{}", std::process::id()));
+    let cart = CartPole::default();
+    let ensemble = || cart.ensemble(20).start(start).until(0.5).motions_per_part(7);
+    assert_eq!(ensemble().save_parquet(&folder).expect("saves").written, 3);
+    let again = ensemble().save_parquet(&folder).expect("is there");
+    let refused = ensemble().one_by_one().save_parquet(&folder);
+    std::fs::remove_dir_all(&folder).expect("was there");
+    assert_eq!((again.written, again.found), (0, 3));
+    let Err(EnsembleError::OtherEnsemble { differs: [there, _], .. }) = refused else {
+        panic!("{refused:?}")
+    };
+    assert!(there.starts_with("in lanes, products "), "{there}");
+}
