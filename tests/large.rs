@@ -14,7 +14,6 @@ mod relative_100;
 mod relative_200;
 
 use std::array::from_fn;
-use std::fmt::Write;
 
 use lagrange::system::MechanicalSystem;
 use lagrange_core::derive::StrategyChoice;
@@ -39,10 +38,7 @@ fn interpreted<const N: usize>(
 ) -> Vec<f64> {
     let (_, rest) = source.split_once("system! {\n").expect("a declaration");
     let (declaration, _) = rest.split_once("\n}\n").expect("its end");
-    let mut values = format!("const g = {GRAVITY};");
-    for k in 0..N {
-        write!(values, "const m{0} = {1:?}, l{0} = {2:?};", k + 1, m[k], l[k]).expect("a string takes it");
-    }
+    let values = format!("const g = {GRAVITY}, n = {N}; const m[n] = {m:?}, l[n] = {l:?};");
     let (_, statements) = declaration.split_once("coord").expect("coordinates");
     let system = parse(&format!("{values} coord{statements}")).unwrap_or_else(|report| panic!("{report}"));
     let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}"));

@@ -1,6 +1,6 @@
 //! Jacobians for methods that cannot do without.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateMatrix, StateVector};
 
 /// ∂f/∂y in rows: the system's own, or central differences, good to about two thirds of the digits of f.
