@@ -36,7 +36,7 @@ lagrange::system! {
 const RODS: [usize; 3] = [0, 14, 29];
 /// From `tools/many_of_a_kind.py`.
 const ACCELERATIONS: [f64; 3] = [-2.6245707643313034, -1.8161338664874436, -1.7932216625706707];
-const ANGLES: [f64; 3] = [-0.15236872953141431, -0.23063124607433866, -0.42202383087462908];
+const ANGLES: [f64; 3] = [-0.1523687295314143, -0.23063124607433866, -0.4220238308746291];
 const LAST_RATE: f64 = -1.7970165998404366;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -97,7 +97,7 @@ fn arrays_of_a_generic_system_compute_the_bits_of_single_fields() {
     assert_eq!(ring.k, [[10.0, 1.0], [20.0, 2.0], [30.0, 30.0]]);
     assert_eq!(ring.acceleration(0.0, &Q, &V), flat.acceleration(0.0, &Q, &V));
     assert_eq!(ring.energy(0.0, &Q, &V), flat.energy(0.0, &Q, &V));
-    assert_eq!(ring.prepared().acceleration(0.0, &Q, &V).map(|a| a.is_finite()), [true; 4]);
+    assert_eq!(ring.prepared().acceleration(0.0, &Q, &V).map(f64::is_finite), [true; 4]);
     assert_eq!(ring.total(0.0, &Q, &V), 1.5 * 0.3 - 2.5 * 0.2 + 0.5 * 0.7);
     assert_eq!(ring.place_2(0.0, &Q, &V), [0.7, 2.0]);
 }

@@ -113,9 +113,9 @@ fn jacobians_go_through_functions_of_two_arguments() {
         let at = |step: f64| {
             let (mut q, mut v) = (q, v);
             if column < 2 {
-                q[column] += step
+                q[column] += step;
             } else {
-                v[column - 2] += step
+                v[column - 2] += step;
             }
             wing.acceleration(0.0, &q, &v)
         };

@@ -101,7 +101,7 @@ fn single_precision_has_the_same_tables() {
 
 #[test]
 fn energy_is_kept_on_a_road_from_a_file() {
-    let pulled = Pulled::default();
+    let pulled = Pulled;
     let run = pulled.simulate([0.0, 0.0]).until(5.0).tolerance(1e-12).run().expect("it stays on the road");
     let [x, v] = run.last();
     let gained = pulled.energy(5.0, &[x], &[v]) - pulled.energy(0.0, &[0.0], &[0.0]);
@@ -111,7 +111,7 @@ fn energy_is_kept_on_a_road_from_a_file() {
 
 #[test]
 fn a_run_that_leaves_its_table_ends_with_an_error() {
-    let run = Pulled::default().simulate([49.0, 2.0]).until(5.0).tolerance(1e-9).run();
-    let error = run.err().expect("the road ends at 50 m");
+    let run = Pulled.simulate([49.0, 2.0]).until(5.0).tolerance(1e-9).run();
+    let error = run.expect_err("the road ends at 50 m");
     assert!(error.to_string().contains("`x_ddot` comes to NaN"), "{error}");
 }
