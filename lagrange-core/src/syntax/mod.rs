@@ -17,7 +17,7 @@
 //!             | "if" sum ( "<" | "<=" | ">" | ">=" ) sum "{" sum "}" "else" ( "{" sum "}" | if )
 //! ```
 //!
-//! `%` stands in indices only. Statements are in the documentation of [`StatementKind`].
+//! `%` stands in indices only. Statements are in the documentation of [`StatementKind`](ast::StatementKind).
 
 pub mod ast;
 mod attributes;
