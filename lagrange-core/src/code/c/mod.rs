@@ -4,8 +4,6 @@
 //! one for all. A value is a statement, and its variable is numbered, since every language has words of its own that a name may not be; what the
 //! declaration calls it stands in a comment.
 
-use std::fmt::Write;
-
 use super::body::Unrepresentable;
 use super::literal::Constant;
 use crate::collections::HashMap;
@@ -64,7 +62,7 @@ pub fn statements(
     }
     for (index, output) in program.outputs().iter().enumerate() {
         let value = &writer.names.values[*output];
-        writeln!(writer.out, "    {results}[{index}] = {value};").expect("strings take all text");
+        writer.out += &format!("    {results}[{index}] = {value};\n");
     }
     match unrepresentable.is_empty() {
         true => Ok(writer.out),
@@ -123,8 +121,7 @@ impl StatementWriter<'_> {
         let variable = self.names.fresh();
         // Not every compiler of C takes other letters, even in comments.
         let comment = name.map_or_else(String::new, |name| format!(" // {}", name.escape_default()));
-        writeln!(self.out, "    const REAL {variable} = {expression};{comment}")
-            .expect("strings take all text");
+        self.out += &format!("    const REAL {variable} = {expression};{comment}\n");
         self.names.values.push(variable);
     }
 
@@ -149,11 +146,8 @@ impl StatementWriter<'_> {
         for (place, angle) in angles.iter().enumerate() {
             let [sine, cosine] = [self.names.fresh(), self.names.fresh()];
             let angle = &self.names.values[*angle];
-            writeln!(
-                self.out,
-                "    REAL {sine}, {cosine};\n    LAGRANGE_SIN_COS({angle}, {sine}, {cosine});"
-            )
-            .expect("strings take all text");
+            self.out +=
+                &format!("    REAL {sine}, {cosine};\n    LAGRANGE_SIN_COS({angle}, {sine}, {cosine});\n");
             self.names.pairs.insert((id, place as u32), [sine, cosine]);
         }
         // The pair itself is no number.

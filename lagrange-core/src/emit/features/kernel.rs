@@ -3,8 +3,6 @@
 //! A text is whole: whoever compiles it, for OpenCL, CUDA or a processor, needs nothing else. Conditions, kinks and jumps are decided as the
 //! state says, since nobody there looks for the places where they change.
 
-use std::fmt::Write;
-
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -59,19 +57,17 @@ pub(in crate::emit) fn kernel(
         ("PARAMETERS", fields.len()),
     ];
     for (what, count) in sizes {
-        write!(out, "\n#define LAGRANGE_{what} {count}").expect("strings take all text");
+        out += &format!("\n#define LAGRANGE_{what} {count}");
     }
     let fields = if fields.is_empty() { "of which there are none".to_owned() } else { fields.join(", ") };
-    write!(out, "\n\n// p: parameters, then inputs: {fields}\n").expect("strings take all text");
+    out += &format!("\n\n// p: parameters, then inputs: {fields}\n");
     let mut function = |name: &str, result: &str, docs: &str, roots: &[ExprId]| {
         let body = body(model, equations, roots, precision, result);
         let body = body.map_err(|error| Refusal::KernelConstants(precision, error.constants))?;
-        write!(
-            out,
+        out += &format!(
             "\n// {docs}\nLAGRANGE_FUNCTION void {name}(REAL t, const REAL *q, const REAL *v, const REAL *p, REAL *{result})\n\
              {{\n    (void)t, (void)q, (void)v, (void)p;\n{body}}}\n"
-        )
-        .expect("strings take all text");
+        );
         Ok(())
     };
     function(
@@ -113,13 +109,11 @@ fn normalise(model: &Model) -> String {
     let mut out = "\n// Brings quaternions among the positions to length one.\nLAGRANGE_FUNCTION void lagrange_normalise(REAL *q)\n{\n    (void)q;\n".to_owned();
     for (number, orientation) in model.orientations.iter().enumerate() {
         let [w, x, y, z] = [0, 1, 2, 3].map(|part| format!("q[{}]", orientation.position + part));
-        writeln!(
-            out,
-            "    const REAL length{number} = LAGRANGE_HYPOT(LAGRANGE_HYPOT({w}, {x}), LAGRANGE_HYPOT({y}, {z}));"
-        )
-        .expect("strings take all text");
+        out += &format!(
+            "    const REAL length{number} = LAGRANGE_HYPOT(LAGRANGE_HYPOT({w}, {x}), LAGRANGE_HYPOT({y}, {z}));\n"
+        );
         for part in [w, x, y, z] {
-            writeln!(out, "    {part} /= length{number};").expect("strings take all text");
+            out += &format!("    {part} /= length{number};\n");
         }
     }
     out.push_str("}\n");
