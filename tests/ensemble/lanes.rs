@@ -3,6 +3,7 @@
 use lagrange::Ensembles;
 use lagrange::ensemble::Random;
 use lagrange::integrate::RungeKutta4;
+use lagrange::system::Direction;
 
 lagrange::system! {
     /// A pendulum on a cart.
@@ -15,6 +16,17 @@ lagrange::system! {
     let (x_bob, y_bob) = (x + l * sin(theta), -l * cos(theta));
     kinetic = 1/2 * m_cart * dot(x)^2 + 1/2 * m * (dot(x_bob)^2 + dot(y_bob)^2);
     potential = m * g * y_bob;
+    emit { lanes }
+}
+
+lagrange::system! {
+    /// A mass that is pushed.
+    struct Pushed;
+
+    coord x;
+    input u;
+    kinetic = 1/2 * dot(x)^2;
+    force x = u;
     emit { lanes }
 }
 
@@ -52,6 +64,26 @@ fn ends_are_those_of_runs_to_within_the_tolerance() {
             "{found} {expected}"
         );
     }
+}
+
+#[test]
+fn inputs_that_change_and_events_are_left_to_runs() {
+    let pushed = Pushed { u: 2.0 };
+    let ensemble = || pushed.ensemble(3).start(|_, _| [0.0, 0.0]).until(1.0);
+    assert!(ensemble().is_in_lanes());
+    let ends = ensemble().run().expect("runs");
+    assert!(ends.x().iter().all(|x| (x - 1.0).abs() < 1e-12), "{:?}", ends.x());
+
+    let law = || ensemble().drive(|_, t, _| PushedInputs { u: 6.0 * t });
+    assert!(!law().is_in_lanes());
+    let ends = law().run().expect("runs");
+    assert!(ends.x().iter().all(|x| (x - 1.0).abs() < 1e-9), "{:?}", ends.x());
+    assert!(!ensemble().sampled(0.1, |_| |_: &Pushed, _, _| PushedInputs { u: 0.0 }).is_in_lanes());
+
+    let stopped = || ensemble().stop_at("half", Direction::Crossing, |_, _, y| y[0] - 0.5);
+    assert!(!stopped().is_in_lanes());
+    let ends = stopped().run().expect("runs");
+    assert!(ends.x().iter().all(|x| (x - 0.5).abs() < 1e-9), "{:?}", ends.x());
 }
 
 #[cfg(feature = "parquet")]

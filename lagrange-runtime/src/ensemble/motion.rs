@@ -137,15 +137,13 @@ where
         unasked: Unasked,
         then: impl FnOnce(&M, Ran<M>) -> R,
     ) -> Result<R, EnsembleError> {
-        // What a panic leaves behind is not looked at again: the ensemble ends with it.
-        let ran = catch_unwind(AssertUnwindSafe(|| {
+        caught(index, || {
             let (varied, state) = self.asked.origin(index);
             let system = varied.as_ref().unwrap_or(self.asked.system);
             let ran = self.run_over(index, (system, state), [self.asked.from, self.asked.end], unasked);
             refuse_settings(index, &ran)?;
             Ok(then(system, ran))
-        }));
-        ran.unwrap_or_else(|panic| Err(EnsembleError::Panicked { motion: index, message: message(&*panic) }))
+        })?
     }
 
     /// Runs motions one after the other, until the ensemble is cancelled.
@@ -182,6 +180,16 @@ where
     }
 }
 
+/// What a closure gives in this motion.
+///
+/// # Errors
+/// If it panics.
+pub(super) fn caught<R>(motion: usize, compute: impl FnOnce() -> R) -> Result<R, EnsembleError> {
+    // What a panic leaves behind is not looked at again: the ensemble ends with it.
+    catch_unwind(AssertUnwindSafe(compute))
+        .map_err(|panic| EnsembleError::Panicked { motion, message: message(&*panic) })
+}
+
 /// # Errors
 /// If what failed was not the motion but what was asked of all.
 pub(super) fn refuse_settings<M: MechanicalSystem>(index: usize, ran: &Ran<M>) -> Result<(), EnsembleError> {
@@ -205,7 +213,7 @@ fn is_setting<S: Copy>(cause: StepFailure<S>) -> bool {
 }
 
 /// What a panic says.
-pub(super) fn message(panic: &(dyn Any + Send)) -> String {
+fn message(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().map(ToString::to_string);
     text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "without a message".into())
 }

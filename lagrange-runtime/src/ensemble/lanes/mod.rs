@@ -10,7 +10,6 @@ mod refill;
 mod tests;
 
 use core::ops::Range;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::vec::Vec;
 
 #[cfg(feature = "parquet")]
@@ -21,7 +20,7 @@ use super::asked::SharedSystem;
 use super::builder::Ensemble;
 use super::engine::Engine;
 use super::error::EnsembleError;
-use super::motion::{Ran, message, refuse_settings};
+use super::motion::{Ran, caught, refuse_settings};
 use super::progress::Counter;
 use crate::integrate::{LanesMethod, LanesMethodVisitor, Method};
 use crate::scalar::Scalar;
@@ -148,13 +147,6 @@ where
         let (start, end_trajectory) = (kept((self.asked.from, start)), kept((self.asked.end, end.state)));
         Trajectory::of_ends(&start, &end_trajectory, end.work)
     }
-}
-
-/// What a closure gives that may panic in a motion.
-fn caught<R>(motion: usize, compute: impl FnOnce() -> R) -> Result<R, EnsembleError> {
-    // What a panic leaves behind is not looked at again: the ensemble ends with it.
-    catch_unwind(AssertUnwindSafe(compute))
-        .map_err(|panic| EnsembleError::Panicked { motion, message: message(&*panic) })
 }
 
 /// Asks whether something can be done in lanes.

@@ -3,7 +3,6 @@
 use core::fmt::Debug;
 use std::any::type_name;
 use std::format;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
@@ -11,7 +10,7 @@ use crate::ensemble::asked::SharedSystem;
 use crate::ensemble::builder::Ensemble;
 use crate::ensemble::error::EnsembleError;
 use crate::ensemble::lanes::is_fused;
-use crate::ensemble::motion::message;
+use crate::ensemble::motion::caught;
 use crate::integrate::Method;
 use crate::simulate::Drive;
 use crate::system::OdeSystem;
@@ -47,11 +46,7 @@ where
         }
         lines.extend(asked.words.iter().map(|words| format!("run {}", words.escape_debug())));
         for index in [0, asked.number / 2, asked.number - 1] {
-            let probe = catch_unwind(AssertUnwindSafe(|| self.probe(index)));
-            lines.push(
-                probe
-                    .map_err(|panic| EnsembleError::Panicked { motion: index, message: message(&*panic) })?,
-            );
+            lines.push(caught(index, || self.probe(index))?);
         }
         Ok(lines.join("\n"))
     }
