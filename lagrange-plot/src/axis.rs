@@ -1,9 +1,10 @@
 //! Axes: what they span, where their marks are, and what is written there.
 
 /// How values are spread over an axis.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Scale {
     /// Evenly.
+    #[default]
     Linear,
     /// By powers of ten; zero lies at the lower end.
     Logarithmic,
@@ -44,6 +45,16 @@ impl Axis {
             Scale::Linear => linear(range.unwrap_or((0.0, 1.0)), room, marks),
             Scale::Logarithmic => logarithmic(range.unwrap_or((0.1, 1.0)), marks),
         }
+    }
+
+    /// An axis for those of these values that are finite, on a logarithmic axis for those above zero.
+    pub(crate) fn over(scale: Scale, values: impl Iterator<Item = f64>, room: f64, marks: u32) -> Self {
+        let shown = values.filter(|value| value.is_finite() && (scale == Scale::Linear || *value > 0.0));
+        let range = shown.fold(None, |range, value| {
+            let (low, high) = range.unwrap_or((value, value));
+            Some((f64::min(low, value), f64::max(high, value)))
+        });
+        Axis::new(scale, range, room, marks)
     }
 
     /// Where a value lies; not finite if the value is not.

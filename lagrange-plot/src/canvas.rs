@@ -9,6 +9,8 @@ use plotters_backend::{
 };
 use tiny_skia::Rect;
 
+use crate::axes::Frame;
+use crate::image::Placed;
 use crate::lettering::{self, SMALL, Slope};
 use crate::pixels::{Colour, Path, PathBuilder, Pixels, Transform};
 
@@ -29,6 +31,16 @@ impl Canvas {
     pub(crate) fn new(size: (u32, u32), fineness: u32) -> Option<Self> {
         let pixels = [size.0, size.1].map(|side| side.div_ceil(fineness));
         Some(Canvas { size, pixels: Pixels::white(pixels, 1.0 / f64::from(fineness))? })
+    }
+
+    /// Draws an image into its frame.
+    pub(crate) fn place(&mut self, Placed { image, frame }: &Placed) {
+        let Frame { left, right, top, bottom, .. } = *frame;
+        self.pixels.place(
+            &image.rgba,
+            [image.columns, image.rows()],
+            [left, top, right, bottom].map(f64::from),
+        );
     }
 }
 
@@ -79,6 +91,17 @@ impl DrawingBackend for Canvas {
     ) -> Drawn {
         if let Some(line) = line(path) {
             self.pixels.stroke(&line, colour(style.color()), f64::from(style.stroke_width()), &[]);
+        }
+        Ok(())
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        corners: I,
+        style: &S,
+    ) -> Drawn {
+        if let Some(area) = line(corners) {
+            self.pixels.fill(&area, colour(style.color()));
         }
         Ok(())
     }

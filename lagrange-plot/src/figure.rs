@@ -1,4 +1,4 @@
-//! Figures of curves, drawn on any backend of `plotters` and saved as SVG or PNG.
+//! Figures of curves, areas and coloured cells, drawn on any backend of `plotters` and saved as SVG or PNG.
 //!
 //! A [`Figure`] is a grid of panels with axes of their own, a [`Panel`] holds curves. Nothing needs tuning: ranges, marks,
 //! labels and colours follow from the numbers. Colours are those of Okabe and Ito, *Color Universal Design* (2008), which
@@ -11,10 +11,12 @@ use std::path::{Path, PathBuf};
 
 use plotters::backend::SVGBackend;
 use plotters::style::WHITE;
-use plotters_backend::{DrawingBackend, DrawingErrorKind};
+use plotters_backend::DrawingBackend;
 
+use crate::axes::{Drawn, FINENESS, Frame};
 use crate::canvas::Canvas;
-use crate::panel::{FINENESS, Frame, Panel};
+use crate::image::Placed;
+use crate::panel::Panel;
 use crate::pixels::Pixels;
 
 /// Panels side by side.
@@ -32,6 +34,12 @@ pub struct Figure {
 const POINTS_A_PIXEL: u32 = 5;
 
 impl Figure {
+    /// A figure of one panel, so large that each of its cells has a whole number of pixels in a PNG file.
+    pub fn of_cells(panel: Panel) -> Figure {
+        let size = panel.size_of_cells(FINENESS / POINTS_A_PIXEL);
+        Figure { panels: vec![panel], columns: 1, size }
+    }
+
     /// Writes the figure to a file: SVG or PNG, by its extension.
     ///
     /// # Errors
@@ -58,8 +66,10 @@ impl Figure {
         let mut text = String::new();
         let (width, height) = self.points();
         let mut backend = SVGBackend::with_string(&mut text, (width, height));
+        drawn::<SVGBackend>(backend.draw_rect((0, 0), (width as i32, height as i32), &WHITE, true))?;
         self.draw(&mut backend)?;
         drop(backend);
+        let text = self.with_images(text)?;
         // Points are finer than what a size is given in, and corners of curves must not stick out.
         let size = |points: u32| format!("=\"{points}\"");
         let wanted = |points: u32| format!("=\"{}\"", points / FINENESS);
@@ -72,25 +82,38 @@ impl Figure {
         let size = self.points();
         let too_large = || PlotError::Backend(format!("{} by {} are too many pixels", size.0, size.1).into());
         let mut canvas = Canvas::new(size, POINTS_A_PIXEL).ok_or_else(too_large)?;
+        self.images().iter().for_each(|image| canvas.place(image));
         self.draw(&mut canvas)?;
         Ok(canvas.pixels)
+    }
+
+    /// Puts images behind the white below everything, which is the first element of an SVG document.
+    fn with_images(&self, svg: String) -> Result<String, PlotError> {
+        let images = self.images().iter().map(Placed::svg).collect::<Result<Vec<_>, _>>();
+        let images = images.map_err(|error| PlotError::Backend(error.into()))?.concat();
+        Ok(if images.is_empty() { svg } else { svg.replacen("/>", &format!("/>{images}"), 1) })
+    }
+
+    /// Images below everything that is drawn.
+    fn images(&self) -> Vec<Placed> {
+        self.frames().flat_map(|(panel, frame)| panel.images(&frame)).collect()
     }
 
     fn draw<B: DrawingBackend>(&self, backend: &mut B) -> Result<(), PlotError>
     where
         B::ErrorType: 'static,
     {
-        let (width, height) = self.points();
-        let drawn = |result: Result<(), DrawingErrorKind<B::ErrorType>>| {
-            result.map_err(|error| PlotError::Backend(Box::new(error)))
-        };
-        drawn(backend.draw_rect((0, 0), (width as i32, height as i32), &WHITE, true))?;
-        for (index, panel) in self.panels.iter().enumerate() {
+        self.frames().try_for_each(|(panel, frame)| drawn::<B>(panel.draw(backend, &frame)))?;
+        drawn::<B>(backend.present())
+    }
+
+    /// Panels and where they lie.
+    fn frames(&self) -> impl Iterator<Item = (&Panel, Frame)> {
+        self.panels.iter().enumerate().map(|(index, panel)| {
             let (row, column) = (index / self.columns, index % self.columns);
             let corner = (column as u32 * self.size.0, row as u32 * self.size.1);
-            drawn(panel.draw(backend, &Frame::new(corner, self.size)))?;
-        }
-        drawn(backend.present())
+            (panel, Frame::new(corner, self.size))
+        })
     }
 
     /// Its size in points.
@@ -99,6 +122,13 @@ impl Figure {
         let rows = self.panels.len().div_ceil(self.columns) as u32;
         (FINENESS * columns * self.size.0, FINENESS * rows * self.size.1)
     }
+}
+
+fn drawn<B: DrawingBackend>(result: Drawn<B>) -> Result<(), PlotError>
+where
+    B::ErrorType: 'static,
+{
+    result.map_err(|error| PlotError::Backend(Box::new(error)))
 }
 
 /// Why a plot could not be made.

@@ -5,11 +5,19 @@
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "figures")]
+mod axes;
+#[cfg(feature = "figures")]
 mod axis;
+#[cfg(feature = "figures")]
+mod band;
 #[cfg(feature = "figures")]
 mod canvas;
 #[cfg(feature = "figures")]
+mod cells;
+#[cfg(feature = "figures")]
 mod figure;
+#[cfg(feature = "figures")]
+mod image;
 pub mod lettering;
 #[cfg(feature = "figures")]
 mod panel;
@@ -21,6 +29,10 @@ mod thin;
 
 #[cfg(feature = "figures")]
 pub use self::axis::Scale;
+#[cfg(feature = "figures")]
+pub use self::band::Band;
+#[cfg(feature = "figures")]
+pub use self::cells::Cells;
 #[cfg(feature = "figures")]
 pub use self::figure::{Figure, PlotError};
 #[cfg(feature = "figures")]

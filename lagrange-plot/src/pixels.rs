@@ -4,7 +4,10 @@ use std::io::{self, Write};
 
 pub use tiny_skia::{Path, PathBuilder, Transform};
 
-use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Pixmap, Stroke, StrokeDash};
+use tiny_skia::{
+    Color, FillRule, FilterQuality, LineCap, LineJoin, Paint, Pixmap, PixmapPaint, PixmapRef, Stroke,
+    StrokeDash,
+};
 
 use crate::lettering::{self, Slope};
 
@@ -58,6 +61,16 @@ impl Pixels {
             ..Stroke::default()
         };
         self.pixmap.stroke_path(lines, &paint(colour), &pen, self.transform, None);
+    }
+
+    /// Draws an image, rows of pixels with red, green, blue and opacity, between these edges on the left, above, on the right and below. Each
+    /// of its pixels stays a rectangle of one colour; opacities are none or full.
+    pub fn place(&mut self, rgba: &[u8], [width, height]: [u32; 2], [left, top, right, bottom]: [f64; 4]) {
+        let Some(image) = PixmapRef::from_bytes(rgba, width, height) else { return };
+        let (wide, high) = ((right - left) / f64::from(width), (bottom - top) / f64::from(height));
+        let within = Transform::from_row(wide as f32, 0.0, 0.0, high as f32, left as f32, top as f32);
+        let paint = PixmapPaint { quality: FilterQuality::Nearest, ..PixmapPaint::default() };
+        self.pixmap.draw_pixmap(0, 0, image, &paint, self.transform.pre_concat(within), None);
     }
 
     /// Writes a line of text, which this takes from a font of size 1 with its left end on the base line at the origin, y downwards, to

@@ -1,5 +1,7 @@
 //! What is drawn, and where.
 
+mod cells;
+
 use std::ops::Range;
 
 use crate::axis::{Axis, Scale};
@@ -9,8 +11,7 @@ use crate::thin::thin;
 use crate::{Curve, Figure, Panel, PlotError};
 
 fn figure(curves: Vec<Curve>) -> Figure {
-    let (x_scale, y_scale) = (Scale::Linear, Scale::Linear);
-    let panel = Panel { x: "time".into(), y: "height".into(), x_scale, y_scale, has_room: false, curves };
+    let panel = Panel { x: "time".into(), y: "height".into(), curves, ..Panel::default() };
     Figure { panels: vec![panel], columns: 1, size: (400, 300) }
 }
 

@@ -1,0 +1,91 @@
+//! Values over two quantities, as a grid of coloured cells.
+
+use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
+use plotters_backend::DrawingBackend;
+
+use crate::axes::{Drawn, Frame, Side, draw_border, draw_ordinate, points};
+use crate::axis::{Axis, Scale};
+use crate::image::{Image, Placed};
+
+/// A grid of cells with a value each, coloured from dark blue for the least to yellow for the largest (Nuñez, Anderton and Renslow,
+/// *PLoS ONE* 13 (2018) e0199239). Cells whose value is not finite stay white.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Cells {
+    /// What the values are called.
+    pub name: String,
+    /// How they are spread over the colours.
+    pub scale: Scale,
+    /// The left and the right edge of the grid.
+    pub x: (f64, f64),
+    /// Its lower and its upper edge.
+    pub y: (f64, f64),
+    /// How many cells are side by side.
+    pub columns: usize,
+    /// From left to right, in rows from the lowest.
+    pub values: Vec<f64>,
+}
+
+/// The bar of colours: how far it is from the grid, how wide it is, and what its marks and its name take.
+const GAP: i32 = 12;
+const BAR: i32 = 14;
+const LABELS: i32 = 62;
+/// As many colours as the bar has.
+const SHADES: u32 = 256;
+/// Pixels that a grid has to a side, about, if its cells are larger than a pixel.
+const SIDE: u32 = 1000;
+
+impl Cells {
+    pub(crate) fn rows(&self) -> usize {
+        self.values.len() / self.columns.max(1)
+    }
+
+    /// The size of a grid of which each cell has a whole number of pixels, of which there are so many to the unit.
+    pub(crate) fn size(&self, pixels: u32) -> (u32, u32) {
+        let (columns, rows) = (self.columns as u32, self.rows() as u32);
+        let each = (SIDE / columns.max(rows).max(1)).max(1);
+        let is_even = columns % pixels == 0 && rows % pixels == 0;
+        let each = if is_even { each } else { each.next_multiple_of(pixels) };
+        (columns * each / pixels, rows * each / pixels)
+    }
+
+    /// What the bar takes on the right.
+    pub(crate) fn bar_width() -> i32 {
+        points(GAP + BAR + LABELS)
+    }
+
+    fn axis(&self, rows: u32) -> Axis {
+        Axis::over(self.scale, self.values.iter().copied(), 0.0, rows)
+    }
+
+    /// The grid in its frame, and the bar beside it.
+    pub(crate) fn images(&self, frame: &Frame) -> [Placed; 2] {
+        let axis = self.axis(frame.rows());
+        let rows = self.values.chunks(self.columns.max(1)).rev();
+        let grid = rows.flatten().flat_map(|value| colour(axis.place(*value))).collect();
+        let shades = (0..SHADES).rev().map(|shade| f64::from(shade) / f64::from(SHADES - 1));
+        let bar = Image { columns: 1, rgba: shades.flat_map(colour).collect() };
+        let grid = Image { columns: self.columns as u32, rgba: grid };
+        [Placed { image: grid, frame: *frame }, Placed { image: bar, frame: bar_frame(frame) }]
+    }
+
+    /// Marks and name of the bar.
+    pub(crate) fn draw_bar<B: DrawingBackend>(&self, backend: &mut B, frame: &Frame) -> Drawn<B> {
+        let bar = bar_frame(frame);
+        draw_border(backend, &bar)?;
+        draw_ordinate(backend, &bar, Side::Right, &self.axis(frame.rows()), &self.name)
+    }
+}
+
+fn bar_frame(frame: &Frame) -> Frame {
+    let left = frame.right + points(GAP);
+    Frame { left, right: left + points(BAR), is_ruled: false, ..*frame }
+}
+
+/// Red, green, blue and opacity of a value that lies there between the least and the largest.
+fn colour(place: f64) -> [u8; 4] {
+    if !place.is_finite() {
+        return [0; 4];
+    }
+    let color = ViridisRGB.get_color(place.clamp(0.0, 1.0));
+    [color.0, color.1, color.2, u8::MAX]
+}
