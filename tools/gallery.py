@@ -5,7 +5,8 @@
     tools/gallery.py --check    says which of them differ, and fails if one does
     tools/gallery.py --check --made     the same of what lies in target/gallery already
 
-Each command is run as it stands there and writes its pictures to target/gallery. Text (SVG, HTML) may differ by a
+Each command is run as it stands there and writes its pictures to target/gallery. Those with `--release` take minutes, of chaotic
+motions, which round differently elsewhere: they are run only by the first of these lines. Text (SVG, HTML) may differ by a
 hundredth of a pixel in numbers, since elementary functions of platforms differ in their last bit; all else byte by byte.
 """
 
@@ -20,19 +21,25 @@ KEPT = ROOT / "docs" / "gallery"
 MADE = ROOT / "target" / "gallery"
 COMMAND = re.compile(r"`(cargo run .*?)`")
 PICTURE = re.compile(r"\]\((\w+\.\w+)\)")
+LONG = "--release"
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 LEEWAY = 0.011
 
 
 def main():
     text = (KEPT / "README.md").read_text(encoding="utf-8")
-    for command in dict.fromkeys(COMMAND.findall(text)) if "--made" not in sys.argv[1:] else []:
+    writes_all = not sys.argv[1:]
+    commands = [command for command in dict.fromkeys(COMMAND.findall(text)) if writes_all or LONG not in command]
+    for command in commands if "--made" not in sys.argv[1:] else []:
         print(command, flush=True)
         subprocess.run(command.split(), cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    pictures = list(dict.fromkeys(PICTURE.findall(text)))
-    strangers = {path.name for path in KEPT.iterdir()} - set(pictures) - {"README.md"}
-    wrong = [f"{name} is not in README.md" for name in sorted(strangers)]
-    wrong += [problem for name in pictures if (problem := keep(name))]
+    # The pictures of each command stand before it.
+    *parts, _ = COMMAND.split(text)
+    shown = {name: command for before, command in zip(parts[::2], parts[1::2]) for name in PICTURE.findall(before)}
+    missing = [name for name in shown if "--check" in sys.argv[1:] and not (KEPT / name).is_file()]
+    strangers = {path.name for path in KEPT.iterdir()} - set(shown) - {"README.md"}
+    wrong = [f"{name} is not in README.md" for name in sorted(strangers)] + [f"{name} is missing" for name in missing]
+    wrong += [problem for name, command in shown.items() if command in commands and (problem := keep(name))]
     for problem in wrong:
         print(problem, file=sys.stderr)
     return 1 if wrong else 0
@@ -46,9 +53,7 @@ def keep(name):
     if "--check" not in sys.argv[1:]:
         shutil.copyfile(made, kept)
         return None
-    if not kept.is_file():
-        return f"{name} is missing"
-    return None if same(made, kept) else f"{name} differs from what its command writes"
+    return None if not kept.is_file() or same(made, kept) else f"{name} differs from what its command writes"
 
 
 def same(made, kept):

@@ -49,12 +49,15 @@ impl Axis {
 
     /// An axis for those of these values that are finite, on a logarithmic axis for those above zero.
     pub(crate) fn over(scale: Scale, values: impl Iterator<Item = f64>, room: f64, marks: u32) -> Self {
-        let shown = values.filter(|value| value.is_finite() && (scale == Scale::Linear || *value > 0.0));
-        let range = shown.fold(None, |range, value| {
-            let (low, high) = range.unwrap_or((value, value));
-            Some((f64::min(low, value), f64::max(high, value)))
-        });
-        Axis::new(scale, range, room, marks)
+        Axis::new(scale, range(scale, values), room, marks)
+    }
+
+    /// An axis that ends with the least and the largest of the finite values, on a logarithmic axis of those above zero.
+    pub(crate) fn exact(scale: Scale, values: impl Iterator<Item = f64>, marks: u32) -> Self {
+        match (scale, range(scale, values)) {
+            (Scale::Logarithmic, Some((low, high))) if low < high => exact_logarithmic((low, high)),
+            (_, range) => Axis::new(scale, range, 0.0, marks),
+        }
     }
 
     /// Where a value lies; not finite if the value is not.
@@ -65,6 +68,15 @@ impl Axis {
             Scale::Logarithmic => (value.log10().max(self.from) - self.from) / (self.to - self.from),
         }
     }
+}
+
+/// The least and the largest of the values that an axis can show.
+fn range(scale: Scale, values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    let shown = values.filter(|value| value.is_finite() && (scale == Scale::Linear || *value > 0.0));
+    shown.fold(None, |range, value| {
+        let (low, high) = range.unwrap_or((value, value));
+        Some((f64::min(low, value), f64::max(high, value)))
+    })
 }
 
 fn linear((low, high): (f64, f64), room: f64, marks: u32) -> Axis {
@@ -92,6 +104,29 @@ fn logarithmic((low, high): (f64, f64), marks: u32) -> Axis {
         std::iter::successors(Some(from), |power| Some(power + step)).take_while(|power| *power <= to);
     let mark = |power: f64| Mark { place: (power - from) / (to - from), label: power_of_ten(power) };
     Axis { scale: Scale::Logarithmic, from, to, marks: powers.map(mark).collect(), note: String::new() }
+}
+
+/// An axis whose ends are no powers of ten: marks are at these, and if they are few at 2 and 5 times each, too.
+fn exact_logarithmic((low, high): (f64, f64)) -> Axis {
+    let (from, to) = (low.log10(), high.log10());
+    let powers: Vec<f64> = std::iter::successors(Some(from.floor()), |power| Some(power + 1.0))
+        .take_while(|power| *power <= to)
+        .collect();
+    let step = (powers.len() / 8).max(1);
+    let factors: &[f64] = if powers.len() < 5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+    let ticks = powers.iter().step_by(step).flat_map(|power| factors.iter().map(|factor| (*power, *factor)));
+    let mark = |(power, factor): (f64, f64)| {
+        let place = (power + factor.log10() - from) / (to - from);
+        let value = factor * 10_f64.powf(power);
+        let label = match factor {
+            _ if PLAIN.contains(&value) => format!("{value:.*}", (-power).max(0.0) as usize),
+            1.0 => power_of_ten(power),
+            _ => format!("{factor}×{}", power_of_ten(power)),
+        };
+        Mark { place, label }
+    };
+    let marks = ticks.map(mark).filter(|mark| (0.0..=1.0).contains(&mark.place)).collect();
+    Axis { scale: Scale::Logarithmic, from, to, marks, note: String::new() }
 }
 
 /// The smallest of 1, 2, 5 times a power of ten that is not smaller.

@@ -54,7 +54,7 @@ impl Cells {
     }
 
     fn axis(&self, rows: u32) -> Axis {
-        Axis::over(self.scale, self.values.iter().copied(), 0.0, rows)
+        Axis::exact(self.scale, self.values.iter().copied(), rows)
     }
 
     /// The grid in its frame, and the bar beside it.

@@ -135,7 +135,7 @@ where
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum PlotError {
-    /// The trajectory has no column of this name.
+    /// There is no column of this name.
     UnknownColumn {
         /// The name that was asked for.
         name: String,
@@ -146,6 +146,15 @@ pub enum PlotError {
     NoColumns,
     /// Only an observed energy can be plotted.
     NoEnergy,
+    /// A grid has another number of cells than there are values for it, or none.
+    Cells {
+        /// How many values there are.
+        values: usize,
+        /// How many cells there are.
+        cells: usize,
+    },
+    /// The quantity of this name does not go from a number to a larger one.
+    Range(String),
     /// The extension of the file is neither `svg` nor `png`.
     Extension(PathBuf),
     /// A file could not be written.
@@ -163,13 +172,19 @@ impl Display for PlotError {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         match self {
             PlotError::UnknownColumn { name, known } => {
-                write!(f, "the trajectory has no column `{name}`; it has `{}`", known.join("`, `"))
+                write!(f, "there is no column `{name}`, but `{}`", known.join("`, `"))
             }
             PlotError::NoColumns => {
                 f.write_str("there is nothing to plot: name at least one column, such as a coordinate")
             }
             PlotError::NoEnergy => {
                 f.write_str("the trajectory has no column `energy`; add `.energy()` to the simulation")
+            }
+            PlotError::Cells { values, cells } => {
+                write!(f, "a map of {cells} cells needs a value for each; there are {values}")
+            }
+            PlotError::Range(name) => {
+                write!(f, "`{name}` does not go from a number to a larger one, as an axis must")
             }
             PlotError::Extension(path) => {
                 write!(f, "`{}` ends neither in .svg nor in .png", path.display())

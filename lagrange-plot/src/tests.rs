@@ -168,6 +168,18 @@ fn a_logarithmic_axis_has_powers_of_ten() {
 }
 
 #[test]
+fn an_exact_axis_ends_with_its_values() {
+    let marks = |low: f64, high: f64| {
+        let axis = Axis::exact(Scale::Logarithmic, [f64::NAN, high, 0.0, low].into_iter(), 6);
+        assert!(axis.place(low).abs() < 1e-12 && (axis.place(high) - 1.0).abs() < 1e-12);
+        axis.marks.into_iter().map(|mark| mark.label).collect::<Vec<_>>()
+    };
+    assert_eq!(marks(0.15, 20.0), ["0.2", "0.5", "1", "2", "5", "10", "20"]);
+    assert_eq!(marks(3e-9, 4e-8), ["5×10⁻⁹", "10⁻⁸", "2×10⁻⁸"]);
+    assert_eq!(marks(1e-20, 1.0).len(), 11);
+}
+
+#[test]
 fn a_picture_has_pixels_where_the_curve_is() {
     let figure = figure(vec![curve("y", [(0.0, 0.0), (1.0, 1.0)].into_iter())]);
     let path = std::env::temp_dir().join(format!("lagrange_{}.png", std::process::id()));

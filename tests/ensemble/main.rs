@@ -5,6 +5,7 @@ mod bits;
 #[cfg(feature = "parquet")]
 mod files;
 mod lanes;
+mod pictures;
 mod refusals;
 mod runs;
 

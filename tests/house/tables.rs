@@ -154,18 +154,20 @@ const MPI: &[Layer] = &[
 
 const PLOT: &[Layer] = &[
     Layer {
-        modules: &["axis", "lettering"],
-        purpose: "what axes span and where their marks are; letters as outlines of a font that is embedded",
+        modules: &["axis", "lettering", "thin"],
+        purpose: "what axes span and where their marks are; letters as outlines of a font that is embedded; as many points of a curve as can be \
+                  told apart",
     },
     Layer {
-        modules: &["pixels"],
-        purpose: "areas, lines and letters in pixels, for all pictures; PNG files",
+        modules: &["axes", "pixels"],
+        purpose: "axes on paper; areas, lines, images and letters in pixels, for all pictures; PNG files",
     },
+    Layer { modules: &["band", "image"], purpose: "areas between curves; images within figures" },
     Layer {
-        modules: &["canvas", "thin"],
-        purpose: "what `plotters` draws, in pixels; as many points of a curve as can be told apart",
+        modules: &["canvas", "cells"],
+        purpose: "what `plotters` draws, in pixels; values as coloured cells",
     },
-    Layer { modules: &["panel"], purpose: "one pair of axes with curves" },
+    Layer { modules: &["panel"], purpose: "one pair of axes with what is over them" },
     Layer { modules: &["figure"], purpose: "panels on any backend of plotters, as SVG or PNG" },
 ];
 

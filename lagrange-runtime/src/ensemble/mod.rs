@@ -39,6 +39,7 @@
 //! | keep ends | [`run`](Ensemble::run), which hands out [`Ends`]; [`observe`](Ensemble::observe) and [`energy`](Ensemble::energy) add columns |
 //! | keep samples | [`every`](Ensemble::every); `run` then hands out [`Samples`] |
 //! | keep a sum | [`reduce`](Ensemble::reduce) to [`Moments`], a [`Histogram`] or what implements [`Reduce`] |
+//! | see them | [`plot_quantiles`](Samples) over time, [`map`](Ends) over the two quantities of a [`Grid`], with the feature `plot` |
 //! | keep files | `save_parquet` with the feature `parquet`, which goes on where it was killed |
 //! | look at one motion | [`motion`](Ensemble::motion) |
 //! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard); sums over processes by MPI: the crate `lagrange-mpi` |
@@ -54,12 +55,16 @@ mod ends;
 mod engine;
 mod error;
 mod failure;
+mod grid;
 mod histogram;
 mod lanes;
+#[cfg(feature = "plot")]
+mod maps;
 mod moments;
 mod motion;
 mod pack;
 mod progress;
+mod quantiles;
 mod random;
 mod reduce;
 mod reduction;
@@ -72,15 +77,18 @@ mod shard;
 mod starts;
 #[cfg(test)]
 mod tests;
-#[cfg(not(feature = "parquet"))]
-mod without_parquet;
+#[cfg(not(all(feature = "parquet", feature = "plot")))]
+mod without_features;
 
 pub use self::asked::SharedSystem;
 pub use self::builder::{Ensemble, KeepEnds, KeepSamples, Motions};
 pub use self::ends::Ends;
 pub use self::error::EnsembleError;
 pub use self::failure::Failure;
+pub use self::grid::Grid;
 pub use self::histogram::Histogram;
+#[cfg(feature = "plot")]
+pub use self::maps::Map;
 pub use self::moments::Moments;
 pub use self::motion::Motion;
 pub use self::pack::Pack;

@@ -76,8 +76,12 @@ pub(crate) use self::error::explain_run;
 pub use self::events::Event;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::observer::state_names;
+#[cfg(all(feature = "ensemble", feature = "plot"))]
+pub(crate) use self::plots::TIME_AXIS;
 pub use self::progress::{Progress, Verdict};
 pub use self::start::InitialState;
+#[cfg(all(feature = "ensemble", feature = "plot"))]
+pub(crate) use self::table::TIME;
 pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};
 #[cfg(feature = "plot")]

@@ -11,7 +11,7 @@ use crate::system::{MechanicalSystem, StateVector, WithSuffix};
 use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
 
 /// What the axis of time is called; SI units, as everywhere.
-const TIME: &str = "time t in s";
+pub(crate) const TIME_AXIS: &str = "time t in s";
 /// Up to this many coordinates have a panel each.
 const SEPARATE: usize = 4;
 /// Sizes of figures and panels.
@@ -111,7 +111,8 @@ where
             if is_growing { (absolute, Scale::Logarithmic) } else { (signed, Scale::Linear) };
         let shown = drift.iter().map(|drift| if is_growing { drift.abs() } else { *drift });
         let points = self.seconds().zip(shown).collect();
-        let panel = Panel { y_scale, ..panel(TIME, name, vec![Curve { name: name.to_string(), points }]) };
+        let panel =
+            Panel { y_scale, ..panel(TIME_AXIS, name, vec![Curve { name: name.to_string(), points }]) };
         Figure { panels: vec![panel], columns: 1, size: WIDE }.save(path.as_ref())
     }
 
@@ -121,7 +122,7 @@ where
             let points = self.seconds().zip(self.numbers(name)?).collect();
             Ok(Curve { name: name.clone(), points })
         };
-        Ok(panel(TIME, title, names.iter().map(curve).collect::<Result<_, PlotError>>()?))
+        Ok(panel(TIME_AXIS, title, names.iter().map(curve).collect::<Result<_, PlotError>>()?))
     }
 
     fn seconds(&self) -> impl Iterator<Item = f64> + '_ {
@@ -143,8 +144,7 @@ fn some(names: &[&str]) -> Result<(), PlotError> {
 }
 
 fn panel(x: &str, y: &str, curves: Vec<Curve>) -> Panel {
-    let (x_scale, y_scale) = (Scale::Linear, Scale::Linear);
-    Panel { x: x.to_string(), y: y.to_string(), x_scale, y_scale, has_room: false, curves }
+    Panel { x: x.to_string(), y: y.to_string(), curves, ..Panel::default() }
 }
 
 /// How far energies are from the first, and what that is called, with and without its sign.

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use crate::system::Columns;
 
 /// What the column of times is called in files.
-pub(super) const TIME: &str = "t";
+pub(crate) const TIME: &str = "t";
 
 /// Samples in columns: their times and, for each name, a number for each time.
 #[derive(Clone, PartialEq, Debug)]

@@ -101,7 +101,7 @@ fn a_plot_of_no_columns_is_refused() {
     }
     assert!(!std::path::Path::new("none.svg").exists());
     let unknown = trajectory.plot_columns(&["x", "velocity"], "none.svg").expect_err("no such column");
-    assert_eq!(std::format!("{unknown}"), "the trajectory has no column `velocity`; it has `x`, `x_dot`");
+    assert_eq!(std::format!("{unknown}"), "there is no column `velocity`, but `x`, `x_dot`");
     let lost = trajectory.plot_columns(&["x"], "/no/such/folder/x.svg").expect_err("no folder");
     assert!(std::format!("{lost}").starts_with("cannot write `/no/such/folder/x.svg`: "), "{lost}");
 }

@@ -1,0 +1,82 @@
+//! Motions over two quantities.
+
+use core::ops::Range;
+use std::string::{String, ToString};
+
+/// A grid over two quantities, of which an ensemble computes a motion for each cell.
+///
+/// ```
+/// use lagrange::Ensembles;
+/// use lagrange::ensemble::Grid;
+///
+/// lagrange::system! {
+///     #[derive(Clone)]
+///     pub struct Pendulum;
+///     param l = 1.0, g = 9.81;
+///     coord theta;
+///     kinetic = 1/2 * (l * dot(theta))^2;
+///     potential = -g * l * cos(theta);
+/// }
+///
+/// let grid = Grid::new(("theta", -3.0..3.0, 30), ("theta_dot", -6.0..6.0, 20));
+/// let pendulum = Pendulum::default();
+/// let ends = pendulum.ensemble(grid.len()).start(|i, _| grid.at(i)).until(1.0).run()?;
+/// assert_eq!(ends.len(), 600);
+/// // With the feature `plot`: ends.map(&grid, "theta")?.save("theta.png")?;
+/// # Ok::<(), lagrange::ensemble::EnsembleError>(())
+/// ```
+#[derive(Clone, PartialEq, Debug)]
+pub struct Grid {
+    pub(super) x: Quantity,
+    pub(super) y: Quantity,
+}
+
+/// A quantity in intervals of one length.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Quantity {
+    pub(super) name: String,
+    pub(super) range: Range<f64>,
+    pub(super) cells: usize,
+}
+
+impl Grid {
+    /// A grid with the first quantity to the right and the second upwards: what each is called, from where to where it goes, and how many cells
+    /// there are in this direction.
+    pub fn new(x: (&str, Range<f64>, usize), y: (&str, Range<f64>, usize)) -> Self {
+        let quantity = |(name, range, cells): (&str, Range<f64>, usize)| {
+            let name = name.to_string();
+            Quantity { name, range, cells }
+        };
+        Grid { x: quantity(x), y: quantity(y) }
+    }
+
+    /// How many cells there are.
+    pub fn len(&self) -> usize {
+        self.x.cells.saturating_mul(self.y.cells)
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Both quantities in the middle of the cell with this index: cells are counted from left to right, in rows from the lowest.
+    pub fn at(&self, index: usize) -> [f64; 2] {
+        let columns = self.x.cells.max(1);
+        [self.x.middle(index % columns), self.y.middle(index / columns)]
+    }
+}
+
+impl Quantity {
+    fn middle(&self, cell: usize) -> f64 {
+        let Range { start, end } = self.range;
+        start + (end - start) * ((cell as f64 + 0.5) / self.cells as f64)
+    }
+
+    /// From where to where it goes, if that is a range.
+    #[cfg(feature = "plot")]
+    pub(super) fn bounds(&self) -> Option<(f64, f64)> {
+        let Range { start, end } = self.range;
+        (start < end && (end - start).is_finite()).then_some((start, end))
+    }
+}

@@ -1,0 +1,121 @@
+//! Pictures of many motions.
+
+use std::path::Path;
+use std::string::{String, ToString};
+use std::vec;
+use std::vec::Vec;
+
+use super::ends::Ends;
+use super::grid::Grid;
+use super::samples::Samples;
+use crate::simulate::{PlotError, TIME, TIME_AXIS};
+use crate::system::MechanicalSystem;
+use lagrange_plot::{Band, Cells, Curve, Figure, Panel, Scale};
+
+/// A picture of values over the two quantities of a [`Grid`], with a colour for each: dark blue for the least, yellow for the largest, white
+/// where a value is not finite, as of motions that failed.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Map {
+    cells: Cells,
+    panel: Panel,
+}
+
+impl Map {
+    /// A picture of these values, one for each cell of the grid in the order of their indices.
+    ///
+    /// # Errors
+    /// If there are not as many values as cells, or the grid does not go from a number to a larger one in both directions.
+    pub fn new(grid: &Grid, name: &str, values: Vec<f64>) -> Result<Self, PlotError> {
+        if values.len() != grid.len() || values.is_empty() {
+            return Err(PlotError::Cells { values: values.len(), cells: grid.len() });
+        }
+        let bounds = |quantity: &super::grid::Quantity| {
+            quantity.bounds().ok_or_else(|| PlotError::Range(quantity.name.clone()))
+        };
+        let (x, y) = (bounds(&grid.x)?, bounds(&grid.y)?);
+        let name = name.to_string();
+        let cells = Cells { name, scale: Scale::Linear, x, y, columns: grid.x.cells, values };
+        let panel = Panel { x: grid.x.name.clone(), y: grid.y.name.clone(), ..Panel::default() };
+        Ok(Map { cells, panel })
+    }
+
+    /// Spreads the colours over the powers of ten.
+    pub fn logarithmic(mut self) -> Self {
+        self.cells.scale = Scale::Logarithmic;
+        self
+    }
+
+    /// Says what the values are called beside the colours, instead of the name of their column.
+    pub fn named(mut self, name: &str) -> Self {
+        self.cells.name = name.to_string();
+        self
+    }
+
+    /// Draws a line through points over the cells, broken where one is not finite; several are named in a legend.
+    pub fn curve(mut self, name: &str, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        self.panel.curves.push(Curve { name: name.to_string(), points: points.into_iter().collect() });
+        self
+    }
+
+    /// Writes the picture: `svg` or `png`, by its extension. Every cell is a square of whole pixels; up to 1000 of them are side by side, or one
+    /// for each cell if these are more.
+    ///
+    /// # Errors
+    /// If the extension is another, or what the operating system says.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
+        Figure::of_cells(Panel { cells: Some(self.cells.clone()), ..self.panel.clone() }).save(path.as_ref())
+    }
+}
+
+impl<M: MechanicalSystem> Ends<M>
+where
+    M::Scalar: Into<f64>,
+{
+    /// A picture of a column, or of the times `t` at which motions ended, over the cells of the grid from which they started.
+    ///
+    /// # Errors
+    /// If there is no such column, these are not the motions of all cells, or the grid does not go from a number to a larger one.
+    pub fn map(&self, grid: &Grid, column: &str) -> Result<Map, PlotError> {
+        let values = if column == TIME { Some(self.times()) } else { self.column(column) };
+        let values = values.ok_or_else(|| unknown(column, self.names()))?;
+        Map::new(grid, column, values.iter().map(|value| (*value).into()).collect())
+    }
+}
+
+/// The bands of a plot of quantiles: what each is called, and the parts between which it lies.
+const BANDS: [(&str, f64, f64); 2] = [("90 %", 0.05, 0.95), ("50 %", 0.25, 0.75)];
+const SIZE: (u32, u32) = (860, 420);
+
+impl<M: MechanicalSystem> Samples<M>
+where
+    M::Scalar: Into<f64>,
+{
+    /// Plots how a column spreads over time: its median, and the bands in which half of the motions and nine of ten lie. They are those of
+    /// [`quantiles`](Self::quantiles).
+    ///
+    /// # Errors
+    /// If there is no such column, or the file cannot be written.
+    pub fn plot_quantiles(&self, column: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
+        let parts: Vec<f64> = BANDS.iter().flat_map(|(_, low, high)| [*low, *high]).chain([0.5]).collect();
+        let quantiles = self.quantiles(column, &parts).ok_or_else(|| {
+            let known = self.iter().next().map_or(&[][..], |(_, motion)| motion.names());
+            unknown(column, known)
+        })?;
+        let times: Vec<f64> = self.times().iter().map(|time| (*time).into()).collect();
+        let band = |((name, ..), pair): (&(&str, f64, f64), &[Vec<f64>])| {
+            let points = times.iter().zip(&pair[0]).zip(&pair[1]);
+            let points = points.map(|((time, low), high)| (*time, *low, *high)).collect();
+            Band { name: (*name).to_string(), points }
+        };
+        let bands = BANDS.iter().zip(quantiles.chunks_exact(2)).map(band).collect();
+        let median = times.iter().copied().zip(quantiles.last().into_iter().flatten().copied()).collect();
+        let curves = vec![Curve { name: "median".to_string(), points: median }];
+        let panel =
+            Panel { x: TIME_AXIS.to_string(), y: column.to_string(), bands, curves, ..Panel::default() };
+        Figure { panels: vec![panel], columns: 1, size: SIZE }.save(path.as_ref())
+    }
+}
+
+fn unknown(name: &str, known: &[String]) -> PlotError {
+    PlotError::UnknownColumn { name: name.to_string(), known: known.to_vec() }
+}
