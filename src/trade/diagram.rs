@@ -62,5 +62,6 @@ fn panel(y: &str, curves: Vec<Curve>) -> Panel {
         y_scale: Scale::Logarithmic,
         has_room: true,
         curves,
+        ..Panel::default()
     }
 }

@@ -21,7 +21,7 @@
 use crate::integrate::canonical::{Derivatives, Step, magnitude};
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations};
-use crate::integrate::variational::coupled::{Coupled, FORCES, PARTS, Values, combined};
+use crate::integrate::variational::coupled::{AtPlace, Coupled, FORCES, PARTS, combined};
 use crate::integrate::variational::{Configuration, balance, places};
 use crate::linalg::vector::add;
 use crate::scalar::Number;
@@ -35,9 +35,9 @@ pub(super) struct ConstrainedEquations<'a, M: CanonicalSystem + ?Sized> {
     derivatives: Derivatives<M>,
     coupled: Coupled<M>,
     /// The constraints at the start, with the velocities there.
-    start: (Values<M>, Vector<M>),
+    start: (AtPlace<M>, Vector<M>),
     /// Those in the middle and at the end, for the first evaluation.
-    known: Option<[Values<M>; 2]>,
+    known: Option<[AtPlace<M>; 2]>,
     /// The change of the momenta at the last evaluation, without the last multipliers.
     change: Vector<M>,
 }
@@ -74,8 +74,8 @@ impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
     fn violations(
         &self,
         places: &[Configuration<M>; 3],
-        middle: &Values<M>,
-        last: &Values<M>,
+        middle: &AtPlace<M>,
+        last: &AtPlace<M>,
     ) -> [M::Coordinates; 2] {
         let (start, reference) = &self.start;
         let mut change = places[0].2;

@@ -15,7 +15,7 @@ use crate::system::{
 type Square<M> = <<M as MechanicalSystem>::Coordinates as StateVector<<M as OdeSystem>::Scalar>>::Square;
 
 /// The constraints at a place.
-pub(super) type Values<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
+pub(super) type AtPlace<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
 /// How much of the velocities at the start, in the middle and at the end of a step moves coordinates in its first half, and in
 /// all of it.
@@ -35,7 +35,7 @@ pub(super) struct Coupled<M: CanonicalSystem + ?Sized> {
     /// The weight of AᵀA in the place of inertia that is missing.
     stiffness: M::Scalar,
     /// The constraints at the start, in the middle and at the end.
-    places: [Values<M>; 3],
+    places: [AtPlace<M>; 3],
     /// How each multiplier at the start and in the middle moves the velocities at both ends.
     moved: [[Square<M>; 2]; 2],
     /// How all multipliers move all constraints, those of the first half before those of the whole step.
@@ -45,7 +45,7 @@ pub(super) struct Coupled<M: CanonicalSystem + ?Sized> {
 impl<M: CanonicalSystem + ?Sized> Coupled<M> {
     pub(super) fn new(
         pencil: &Derivatives<M>,
-        places: [Values<M>; 3],
+        places: [AtPlace<M>; 3],
         h: M::Scalar,
     ) -> Result<Self, StepFailure<M::Scalar>> {
         let (linearised, stiffness) = linearised::<M>(pencil, &places[1])?;
@@ -119,7 +119,7 @@ type Stiffened<M> =
 /// The factors of the equations without constraints, with stiffness in the place of inertia that is missing.
 fn linearised<M: CanonicalSystem + ?Sized>(
     pencil: &Derivatives<M>,
-    middle: &Values<M>,
+    middle: &AtPlace<M>,
 ) -> Result<Stiffened<M>, StepFailure<M::Scalar>> {
     if let Some(linearised) = Linearised::new(pencil) {
         return Ok((linearised, M::Scalar::ZERO));
@@ -135,7 +135,7 @@ fn linearised<M: CanonicalSystem + ?Sized>(
 /// How each multiplier at the start and in the middle moves the velocities at both ends.
 fn moved<M: CanonicalSystem + ?Sized>(
     linearised: &Linearised<M::Scalar, M::Coordinates>,
-    places: &[Values<M>; 3],
+    places: &[AtPlace<M>; 3],
     h: M::Scalar,
 ) -> [[Square<M>; 2]; 2] {
     let mut moved = [[Vector::<M>::ZERO_SQUARE; 2]; 2];
@@ -155,7 +155,7 @@ fn moved<M: CanonicalSystem + ?Sized>(
 }
 
 /// What velocities at both ends move the constraints by, in the first half and in all of a step of the length one.
-fn demands<M: CanonicalSystem + ?Sized>(places: &[Values<M>; 3], ends: &[M::Coordinates; 2]) -> M::State {
+fn demands<M: CanonicalSystem + ?Sized>(places: &[AtPlace<M>; 3], ends: &[M::Coordinates; 2]) -> M::State {
     let (mut demands, count) = (M::State::ZERO, places[0].count());
     for (part, (parabola, parts)) in PARABOLA.iter().zip(PARTS).enumerate() {
         let moved = combined(&[parabola[0], parabola[1]], ends);
