@@ -9,10 +9,10 @@
 //! Times are minima, ratios medians (`timing.rs`). `benches/evaluation.rs` has the statistics of each implementation
 //! by itself; `cargo xtask performance` runs this for several targets and writes docs/performance.md.
 
-mod chains;
-mod fast_chains;
+#[macro_use]
+#[path = "chains/declared.rs"]
+mod declared;
 mod handwritten;
-mod strict_chains;
 mod timing;
 
 use std::array::from_fn;
@@ -25,6 +25,34 @@ use handwritten::{
     relative_chain, relative_chain_articulated,
 };
 use timing::{Times, in_turns};
+
+/// Chains of a level of accuracy.
+macro_rules! chains {
+    ($chains:ident $(, $level:ident)?) => {
+        mod $chains {
+            absolute!(absolute_2, 2 $(, $level)?);
+            absolute!(absolute_5, 5 $(, $level)?);
+            absolute!(absolute_10, 10 $(, $level)?);
+            absolute!(absolute_20, 20 $(, $level)?);
+            absolute!(absolute_30, 30 $(, $level)?);
+            absolute!(absolute_100, 100 $(, $level)?);
+            relative!(relative_4, 4 $(, $level)?);
+            relative!(relative_8, 8 $(, $level)?);
+            relative!(relative_20, 20 $(, $level)?);
+        }
+    };
+}
+
+chains!(chains);
+chains!(fast_chains, fast);
+
+mod strict_chains {
+    absolute!(absolute_5, 5, strict);
+    absolute!(absolute_10, 10, strict);
+    absolute!(absolute_20, 20, strict);
+    relative!(relative_8, 8, strict);
+    relative!(relative_20, 20, strict);
+}
 
 const GRAVITY: f64 = 9.81;
 

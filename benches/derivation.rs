@@ -9,21 +9,16 @@ use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Derived, System, parse};
 use proc_macro2::TokenStream;
 
-const CHAINS: [(&str, &str); 6] = [
-    ("absolute 2", include_str!("chains/absolute_2.rs")),
-    ("absolute 5", include_str!("chains/absolute_5.rs")),
-    ("absolute 10", include_str!("chains/absolute_10.rs")),
-    ("absolute 20", include_str!("chains/absolute_20.rs")),
-    ("relative 4", include_str!("chains/relative_4.rs")),
-    ("relative 8", include_str!("chains/relative_8.rs")),
+const ABSOLUTE: &str = include_str!("chains/absolute.lag");
+const RELATIVE: &str = include_str!("chains/relative.lag");
+const CHAINS: [(&str, &str, usize); 6] = [
+    ("absolute 2", ABSOLUTE, 2),
+    ("absolute 5", ABSOLUTE, 5),
+    ("absolute 10", ABSOLUTE, 10),
+    ("absolute 20", ABSOLUTE, 20),
+    ("relative 4", RELATIVE, 4),
+    ("relative 8", RELATIVE, 8),
 ];
-
-/// What stands between the braces of `system!` in a source file.
-fn declaration(source: &str) -> &str {
-    let (_, rest) = source.split_once("system! {\n").expect("a declaration");
-    let (declaration, _) = rest.split_once("\n}\n").expect("its end");
-    declaration
-}
 
 fn system(text: &str) -> System {
     parse(text).expect("a correct declaration")
@@ -39,8 +34,8 @@ fn emitted(derived: Derived) -> TokenStream {
 }
 
 fn phases(criterion: &mut Criterion) {
-    for (name, source) in CHAINS {
-        let text = declaration(source);
+    for (name, declaration, links) in CHAINS {
+        let text = &declaration.replace("n = N", &format!("n = {links}"));
         let mut group = criterion.benchmark_group(name);
         group.sample_size(10).sampling_mode(SamplingMode::Flat);
         group.bench_function("whole", |bencher| bencher.iter(|| emitted(derived(system(text)))));

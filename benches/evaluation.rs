@@ -3,7 +3,9 @@
 //! Every evaluation waits for the one before, as in an integrator, so that latency counts. All parameters are
 //! read anew in each call; what depends on nothing else is not carried over from call to call.
 
-mod chains;
+#[macro_use]
+#[path = "chains/declared.rs"]
+mod declared;
 mod handwritten;
 
 use std::array::from_fn;
@@ -13,8 +15,14 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
 use lagrange::system::MechanicalSystem;
 
-use chains::{absolute_2, absolute_5, absolute_10, absolute_20, relative_4, relative_8};
 use handwritten::{Platform, absolute_chain, absolute_chain_recursive, double_pendulum, relative_chain};
+
+absolute!(absolute_2, 2);
+absolute!(absolute_5, 5);
+absolute!(absolute_10, 10);
+absolute!(absolute_20, 20);
+relative!(relative_4, 4);
+relative!(relative_8, 8);
 
 const GRAVITY: f64 = 9.81;
 

@@ -5,8 +5,9 @@
 //! rustc 1.95 on x86-64 with glibc; a change of compiler may move them, and then they are committed anew.
 #![allow(missing_docs, unused_qualifications, reason = "in what the macros of gungraun write")]
 
-mod chains;
-mod fast_chains;
+#[macro_use]
+#[path = "chains/declared.rs"]
+mod declared;
 mod handwritten;
 
 use std::array::from_fn;
@@ -19,6 +20,18 @@ use gungraun::{
 use lagrange::system::MechanicalSystem;
 
 use handwritten::{Inline, Platform, absolute_chain_recursive, relative_chain};
+
+mod chains {
+    absolute!(absolute_5, 5);
+    absolute!(absolute_20, 20);
+    relative!(relative_8, 8);
+}
+
+mod fast_chains {
+    absolute!(absolute_5, 5, fast);
+    absolute!(absolute_20, 20, fast);
+    relative!(relative_8, 8, fast);
+}
 
 /// Masses, lengths, gravity, coordinates and velocities.
 type Chain<const N: usize> = ([f64; N], [f64; N], f64, [f64; N], [f64; N]);

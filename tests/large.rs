@@ -2,16 +2,9 @@
 //!
 //! `RUSTFLAGS="--cfg large" cargo test -p lagrange-tests --test large` does the same for two hundred.
 
-#[path = "../benches/chains/absolute_100.rs"]
-mod absolute_100;
-#[cfg(large)]
-#[path = "../benches/chains/absolute_200.rs"]
-mod absolute_200;
-#[path = "../benches/chains/relative_100.rs"]
-mod relative_100;
-#[cfg(large)]
-#[path = "../benches/chains/relative_200.rs"]
-mod relative_200;
+#[macro_use]
+#[path = "../benches/chains/declared.rs"]
+mod declared;
 
 use std::array::from_fn;
 
@@ -19,6 +12,15 @@ use lagrange::system::MechanicalSystem;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{NumericSystem, parse};
 
+absolute!(absolute_100, 100);
+relative!(relative_100, 100);
+#[cfg(large)]
+absolute!(absolute_200, 200);
+#[cfg(large)]
+relative!(relative_200, 200);
+
+const ABSOLUTE: &str = include_str!("../benches/chains/absolute.lag");
+const RELATIVE: &str = include_str!("../benches/chains/relative.lag");
 const GRAVITY: f64 = 9.81;
 /// Bounds what fused multiply-adds may change, against the largest acceleration.
 const ROUNDED: f64 = 1e-9;
@@ -28,16 +30,14 @@ fn spread<const N: usize>(from: f64, step: f64) -> [f64; N] {
     from_fn(|k| from + step * k as f64)
 }
 
-/// What the interpreter makes of the declaration in a source file.
+/// What the interpreter makes of a declaration.
 fn interpreted<const N: usize>(
-    source: &str,
+    declaration: &str,
     m: &[f64; N],
     l: &[f64; N],
     q: &[f64; N],
     v: &[f64; N],
 ) -> Vec<f64> {
-    let (_, rest) = source.split_once("system! {\n").expect("a declaration");
-    let (declaration, _) = rest.split_once("\n}\n").expect("its end");
     let values = format!("const g = {GRAVITY}, n = {N}; const m[n] = {m:?}, l[n] = {l:?};");
     let (_, statements) = declaration.split_once("coord").expect("coordinates");
     let system = parse(&format!("{values} coord{statements}")).unwrap_or_else(|report| panic!("{report}"));
@@ -45,14 +45,14 @@ fn interpreted<const N: usize>(
     NumericSystem::new(&derived).acceleration(0.0, q, v)
 }
 
-fn assert_agrees<const N: usize, S>(source: &str, chain: fn(&[f64; N], &[f64; N], f64) -> S)
+fn assert_agrees<const N: usize, S>(declaration: &str, chain: fn(&[f64; N], &[f64; N], f64) -> S)
 where
     S: MechanicalSystem<Scalar = f64, Coordinates = [f64; N], Velocities = [f64; N]>,
 {
     let (m, l) = (spread(1.0, 0.01), spread(0.8, 0.005));
     let (q, v) = (spread(0.3, 0.017), spread(-0.5, 0.023));
     let compiled = chain(&m, &l, GRAVITY).acceleration(0.0, &q, &v);
-    let interpreted = interpreted(source, &m, &l, &q, &v);
+    let interpreted = interpreted(declaration, &m, &l, &q, &v);
     let largest = interpreted.iter().fold(0.0, |largest: f64, a| largest.max(a.abs()));
     assert!(largest > 1.0 && largest.is_finite(), "{largest}");
     for (a, b) in compiled.iter().zip(&interpreted) {
@@ -62,22 +62,22 @@ where
 
 #[test]
 fn a_hundred_links_in_absolute_angles() {
-    assert_agrees(include_str!("../benches/chains/absolute_100.rs"), absolute_100::chain);
+    assert_agrees(ABSOLUTE, absolute_100::chain);
 }
 
 #[test]
 fn a_hundred_links_in_relative_angles() {
-    assert_agrees(include_str!("../benches/chains/relative_100.rs"), relative_100::chain);
+    assert_agrees(RELATIVE, relative_100::chain);
 }
 
 #[cfg(large)]
 #[test]
 fn two_hundred_links_in_absolute_angles() {
-    assert_agrees(include_str!("../benches/chains/absolute_200.rs"), absolute_200::chain);
+    assert_agrees(ABSOLUTE, absolute_200::chain);
 }
 
 #[cfg(large)]
 #[test]
 fn two_hundred_links_in_relative_angles() {
-    assert_agrees(include_str!("../benches/chains/relative_200.rs"), relative_200::chain);
+    assert_agrees(RELATIVE, relative_200::chain);
 }

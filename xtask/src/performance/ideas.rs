@@ -78,14 +78,13 @@ impl Chain {
         format!("{} {}", self.kind, self.links)
     }
 
-    /// What stands between the braces of `system!` in benches/.
+    /// Its declaration, made of those in benches/.
     pub(super) fn declaration(self, root: &Path, accuracy: Accuracy) -> Result<String, String> {
-        let folder = if accuracy == Accuracy::Fast { "fast_chains" } else { "chains" };
-        let path = root.join(format!("benches/{folder}/{}_{}.rs", self.kind, self.links));
-        let source = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-        let inside = source.split_once("system! {\n").and_then(|(_, rest)| rest.split_once("\n}\n"));
-        let (declaration, _) = inside.ok_or_else(|| format!("{}: no declaration", path.display()))?;
-        Ok(declaration.to_owned())
+        let path = root.join(format!("benches/chains/{}.lag", self.kind));
+        let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+        let level = if accuracy == Accuracy::Fast { "#[accuracy(fast)]\n" } else { "" };
+        let text = text.replace("n = N", &format!("n = {}", self.links));
+        Ok(text.replace("struct Chain", &format!("{level}struct Chain")))
     }
 }
 
