@@ -72,13 +72,17 @@ fn code(result: Result<(), String>) -> ExitCode {
 
 fn check(root: &Path) -> ExitCode {
     let start = Instant::now();
+    let mut times = Vec::new();
     for step in steps() {
+        let begin = Instant::now();
         if !step.run(root) {
             eprintln!("\nfailed: {}", step.title);
             return ExitCode::FAILURE;
         }
+        times.push((begin.elapsed().as_secs(), step.title));
     }
-    println!("\nall checks passed in {} s", start.elapsed().as_secs());
+    println!("\nall checks passed in {} s:", start.elapsed().as_secs());
+    times.iter().for_each(|(seconds, title)| println!("{seconds:>6} s  {title}"));
     ExitCode::SUCCESS
 }
 
