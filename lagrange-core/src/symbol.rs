@@ -17,6 +17,8 @@ pub enum Role {
     Time,
     /// A position: a generalised coordinate, or a component of a unit quaternion.
     Coordinate(u32),
+    /// A first-order state, a position that no velocity displaces; the number is its index among all positions.
+    State(u32),
     /// A generalised velocity: the rate of a coordinate, or a component of an angular velocity.
     Velocity(u32),
     /// The rate of the velocity with the same index.

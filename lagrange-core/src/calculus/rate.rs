@@ -62,7 +62,8 @@ impl Rates {
     }
 
     fn changes(graph: &Graph, id: ExprId) -> bool {
-        let moving = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY;
+        let moving =
+            Dependencies::TIME | Dependencies::COORDINATE | Dependencies::STATE | Dependencies::VELOCITY;
         graph.dependencies(id).intersects(moving)
     }
 

@@ -172,7 +172,7 @@ impl Equations {
     pub fn is_separable(&self, model: &Model) -> bool {
         let depends = |&value: &ExprId| model.graph.dependencies(value).intersects(Dependencies::VELOCITY);
         let free = if model.constraints.is_empty() { &self.accelerations } else { &self.forcing };
-        let are_rates = model.orientations.is_empty();
+        let are_rates = model.velocities_are_rates();
         let is_held = model.constraints.iter().all(|constraint| constraint.is_holonomic);
         let is_free = model.reactions.is_empty();
         self.structure.mass.is_constant && are_rates && is_held && is_free && !free.iter().any(depends)
@@ -195,6 +195,7 @@ impl Equations {
             vectors.chain(matrices.into_iter().flatten()).flatten().chain(rates).copied().collect::<Vec<_>>();
         roots.extend(limits.flat_map(|limit| limit.slopes.iter().chain([&limit.free])));
         roots.extend(model.reactions.iter().map(|reaction| reaction.velocity));
+        roots.extend(model.states().map(|state| state.rate));
         roots
     }
 

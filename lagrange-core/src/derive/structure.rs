@@ -171,7 +171,7 @@ fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
         .filter(|&(_, v)| is_free(v) && !constrained.contains(&velocities[v]))
         .map(|(i, _)| Conserved::Momentum(i))
         .collect::<Vec<_>>();
-    let changing = Dependencies::TIME | Dependencies::INPUT;
+    let changing = Dependencies::TIME | Dependencies::INPUT | Dependencies::STATE;
     let is_steady = !model.graph.dependencies(model.lagrangian).intersects(changing);
     let is_unforced = (0..velocities.len()).all(is_free) && model.reactions.is_empty();
     if is_steady && is_unforced && constraints_do_no_work(model) {

@@ -147,7 +147,8 @@ fn passed_at(graph: &mut Graph, value: ExprId) -> Option<ExprId> {
 
 /// Dependencies that may change in motion. Inputs do where a control computes them from the state.
 fn moving() -> Dependencies {
-    Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY | Dependencies::INPUT
+    let state = Dependencies::COORDINATE | Dependencies::STATE | Dependencies::VELOCITY;
+    Dependencies::TIME | state | Dependencies::INPUT
 }
 
 /// First statement that holds each surface of the declaration.
@@ -165,6 +166,9 @@ fn statements(model: &mut Model) -> HashMap<ExprId, String> {
             roots.extend([(potential, "potential".to_owned()), (kinetic, "kinetic".to_owned())]);
         }
         Energies::Lagrangian => roots.push((model.lagrangian, "lagrangian".to_owned())),
+    }
+    for state in model.states() {
+        roots.push((state.rate, format!("dot({})", state.name)));
     }
     for constraint in &model.constraints {
         roots.push((constraint.value, format!("constraint {}", constraint.name)));

@@ -11,10 +11,11 @@ use super::quadratic_form::QuadraticForm;
 use crate::expr::ExprId;
 use crate::model::Model;
 
-/// −∂L/∂q at the rates of the positions.
+/// −∂L/∂q at the rates of the positions. First-order states are not displaced.
 pub(super) fn add_slopes(model: &mut Model, form: &mut QuadraticForm, slopes: &[ExprId]) {
     let graph = &mut model.graph;
-    for (coordinate, &slope) in model.coordinates.iter().zip(slopes) {
+    let displaced = model.coordinates.iter().zip(slopes).filter(|(coordinate, _)| !coordinate.is_state);
+    for (coordinate, &slope) in displaced {
         let (factor, rate) = graph.split_coefficient(coordinate.rate);
         let opposite = graph.scale(-&factor, slope);
         form.add_linear(graph, rate, opposite);

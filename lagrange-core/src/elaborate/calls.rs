@@ -85,7 +85,21 @@ fn evaluate_rate(
         return None;
     }
     let rate = evaluator.rate(&value, argument)?;
-    if function == "dot" { Some(rate) } else { evaluator.rate(&rate, argument) }
+    if function == "dot" {
+        return Some(rate);
+    }
+    let has_input = |value: &Operand| {
+        let mut components = value.components().iter();
+        components.any(|&c| evaluator.graph.dependencies(c).intersects(Dependencies::INPUT))
+    };
+    // Inputs come in by the equation of a state only.
+    if has_input(&rate) && !has_input(&value) {
+        let (place, name) = evaluator.blame(argument, Dependencies::STATE);
+        let error = evaluator.report.error(place, messages::states::second_rate(&name));
+        error.help(messages::states::SECOND_RATE_HELP);
+        return None;
+    }
+    evaluator.rate(&rate, argument)
 }
 
 /// Whether an expression is made of numbers, constants and parameters, whatever it is worth.

@@ -14,6 +14,7 @@ use super::scene::check_names_of_bodies;
 use super::signs::check_signs;
 use super::smoothness::{check_smoothness, without_kinks};
 use super::stabilisation::check_stabilisation;
+use super::states::{check_states, positions_of_states, report_states_in_momenta};
 use super::tables::{check_names_of_derivatives, check_tables};
 use crate::calculus::{AccelerationTerms, Rates, gradient};
 use crate::diagnostics::Origin;
@@ -48,6 +49,7 @@ pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduc
 fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_header(elaborator);
     check_state_names(elaborator);
+    check_states(elaborator);
     check_reductions(elaborator);
     check_energies(elaborator);
     check_magnitudes(elaborator);
@@ -92,8 +94,9 @@ fn check_state_names(elaborator: &mut Elaborator<'_>) {
     let is_declared = |speed: &Speed| elaborator.evaluator.scope.is_velocity(&speed.name);
     let coordinates = elaborator.coordinates.iter().map(|(c, span)| (&c.name, c.position, *span));
     let speeds = elaborator.speeds.iter().filter(|(speed, _)| is_declared(speed));
+    let states = elaborator.states.iter().map(|state| (&state.name.text, state.position, state.name.span));
     let declared =
-        coordinates.chain(speeds.map(|(s, span)| (&s.name, s.velocity, *span))).collect::<Vec<_>>();
+        coordinates.chain(states).chain(speeds.map(|(s, span)| (&s.name, s.velocity, *span))).collect::<Vec<_>>();
     let mut clashes = Vec::new();
     for (speed, place) in &elaborator.speeds {
         let Some((coordinate, _)) = speed.coordinate.and_then(|index| elaborator.coordinates.get(index))
@@ -160,11 +163,15 @@ fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'s
     }
 }
 
+/// With orientations or states nothing finds velocities by momenta.
+fn velocities_are_rates(elaborator: &Elaborator<'_>) -> bool {
+    elaborator.orientations.is_empty() && elaborator.states.is_empty()
+}
+
 /// Some methods are called by others.
 fn check_needed_products(elaborator: &mut Elaborator<'_>) {
-    // With orientations nothing finds velocities by momenta.
     let is_canonical =
-        elaborator.orientations.is_empty() && elaborator.products().contains(&Product::MomentumRates);
+        velocities_are_rates(elaborator) && elaborator.products().contains(&Product::MomentumRates);
     let is_constrained = !elaborator.constraints.is_empty();
     for &(product, wanted, span) in &elaborator.wanted {
         let reason = match product {
@@ -197,7 +204,7 @@ fn check_derivatives(elaborator: &mut Elaborator<'_>) {
 /// Names of methods that systems with constraints, contacts or events have beside those of all systems.
 fn check_output_names(elaborator: &mut Elaborator<'_>) {
     let groups: [(bool, &[&str]); 4] = [
-        (elaborator.orientations.is_empty(), &["position_rates"]),
+        (velocities_are_rates(elaborator), &["position_rates"]),
         (
             elaborator.constraints.is_empty(),
             &["project", "consistent_velocity", "redundant_motion", "redundant_correction"],
@@ -238,7 +245,7 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
     let velocities = elaborator.speeds.iter().map(|(speed, _)| speed.velocity).collect::<Vec<_>>();
     let momenta = gradient(&mut elaborator.evaluator.graph, lagrangian, &velocities);
     check_smoothness(elaborator, lagrangian, &momenta);
-    let mut needs_input_rate = false;
+    let (mut needs_input_rate, mut holds_states) = (false, false);
     for ((speed, span), momentum) in elaborator.speeds.iter().zip(momenta) {
         let dependencies = elaborator.evaluator.graph.dependencies(momentum);
         let is_determined = dependencies.intersects(Dependencies::VELOCITY);
@@ -248,6 +255,10 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
             error.help(messages::NO_INERTIA_HELP);
         }
         needs_input_rate |= dependencies.intersects(Dependencies::INPUT);
+        holds_states |= dependencies.intersects(Dependencies::STATE);
+    }
+    if holds_states {
+        report_states_in_momenta(elaborator);
     }
     if needs_input_rate {
         report_input_in_kinetic(elaborator);
@@ -269,6 +280,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
     let dissipation = with_limits(&mut elaborator, dissipation);
     let gibbs = total_gibbs(&mut elaborator);
     let products = elaborator.products();
+    let states = positions_of_states(&elaborator);
     let mut labels = elaborator.labels;
     // Rates of what has a name occur in the equations whether or not the user wrote them.
     let moving = Dependencies::VELOCITY | Dependencies::ACCELERATION;
@@ -282,11 +294,12 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
     }
     let rates = elaborator.evaluator.named_rates.iter().map(|(velocity, position)| (*velocity, *position));
     let rates = rates.collect();
+    let coordinates = elaborator.coordinates.into_iter().map(|(coordinate, _)| coordinate);
     Model {
         graph: elaborator.evaluator.graph,
         parameters: elaborator.parameters,
         inputs: elaborator.inputs,
-        coordinates: elaborator.coordinates.into_iter().map(|(coordinate, _)| coordinate).collect(),
+        coordinates: coordinates.chain(states).collect(),
         speeds: elaborator.speeds.into_iter().map(|(speed, _)| speed).collect(),
         orientations: elaborator.orientations,
         energies,

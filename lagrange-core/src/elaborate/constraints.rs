@@ -1,6 +1,7 @@
 //! Constraints as statements: what is zero, and what that demands of the velocities.
 
 use super::elaborator::Elaborator;
+use super::loads::forbid_states;
 use super::messages;
 use super::operand::Operand;
 use super::scope::NameKind;
@@ -51,6 +52,7 @@ fn constrained_velocity(
     syntax: AstId,
     value: ExprId,
 ) -> Option<ExprId> {
+    forbid_states(elaborator, syntax, value, messages::states::CONSTRAINT)?;
     let dependencies = elaborator.evaluator.graph.dependencies(value);
     let origin = elaborator.evaluator.origin(syntax);
     if !dependencies.intersects(Dependencies::COORDINATE | Dependencies::VELOCITY) {

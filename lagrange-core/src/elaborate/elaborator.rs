@@ -8,6 +8,7 @@ use super::messages;
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::staged::Staged;
+use super::states::DeclaredState;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::bodies::Plain;
 use crate::calculus::evaluate;
@@ -24,12 +25,13 @@ pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
 /// Dependencies that a constant value must not have, the most telling first.
-const CHANGING: [Dependencies; 7] = [
+const CHANGING: [Dependencies; 8] = [
     Dependencies::MULTIPLIER,
     Dependencies::REACTION,
     Dependencies::ACCELERATION,
     Dependencies::VELOCITY,
     Dependencies::COORDINATE,
+    Dependencies::STATE,
     Dependencies::INPUT,
     Dependencies::TIME,
 ];
@@ -48,6 +50,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) parameters: Vec<Parameter>,
     pub(super) inputs: Vec<Parameter>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
+    pub(super) states: Vec<DeclaredState>,
     pub(super) speeds: Vec<(Speed, Span)>,
     pub(super) orientations: Vec<Orientation>,
     pub(super) kinetic: Vec<SourceTerm>,
@@ -89,6 +92,7 @@ impl<'a> Elaborator<'a> {
             parameters: Vec::new(),
             inputs: Vec::new(),
             coordinates: Vec::new(),
+            states: Vec::new(),
             speeds: Vec::new(),
             orientations: Vec::new(),
             kinetic: Vec::new(),

@@ -10,7 +10,8 @@ use crate::calculus::{AccelerationTerms, Rates};
 use crate::collections::{HashMap, OrderedMap};
 use crate::diagnostics::{Origin, Report};
 use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression, StatementKind};
 
 /// Evaluates the expressions of one declaration.
 pub(super) struct Evaluator<'a> {
@@ -158,6 +159,9 @@ impl<'a> Evaluator<'a> {
                 self.report.error(place, messages::rate_of_input(&name)).help(messages::RATE_OF_INPUT_HELP);
                 return None;
             }
+            if self.lacks_state_rate(component, origin) {
+                return None;
+            }
         }
         Some(value.map(|component| {
             let rate = self.rates.of(&mut self.graph, component);
@@ -166,7 +170,32 @@ impl<'a> Evaluator<'a> {
         }))
     }
 
+    /// Whether the rate of an expression needs that of a state that is not stated so far. It is reported here if it stands further
+    /// down, elsewhere if it is missing.
+    fn lacks_state_rate(&mut self, component: ExprId, origin: AstId) -> bool {
+        if !self.graph.dependencies(component).intersects(Dependencies::STATE) {
+            return false;
+        }
+        let is_state = |&id: &ExprId| {
+            matches!(self.graph.symbol_of(id).map(|symbol| symbol.role), Some(Role::State(_)))
+        };
+        let mut states = self.graph.reachable(&[component]).into_iter().filter(is_state);
+        let Some(missing) = states.find(|&id| self.graph.rate_of_position(id).is_none()) else { return false };
+        let name = self.graph.symbol_of(missing).map(|symbol| symbol.name.clone()).unwrap_or_default();
+        let states_it = |kind: &StatementKind| matches!(kind, StatementKind::StateRate(state, _) if state.text == name);
+        if self.declaration.statements.iter().any(|statement| states_it(&statement.kind)) {
+            let (place, _) = self.blame(origin, Dependencies::STATE);
+            let error = self.report.error(place, messages::states::rate_too_early(&name));
+            error.help(messages::states::rate_too_early_help(&name));
+        }
+        true
+    }
+
     fn remember_rate(&mut self, position: ExprId, rate: ExprId) {
+        // What a state follows has no position of its own by that.
+        if self.graph.dependencies(position).intersects(Dependencies::STATE) {
+            return;
+        }
         let (coefficient, velocity) = self.graph.split_coefficient(rate);
         if self.graph.as_number(velocity).is_some() || self.named_rates.contains(&velocity) {
             return;

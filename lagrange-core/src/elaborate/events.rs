@@ -6,8 +6,10 @@ mod tests;
 use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages::events as messages;
+use super::messages::states;
 use super::reactions::add_contact;
 use super::scope::NameKind;
+use super::states::{first_state, state_named};
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{Action, Assignment};
@@ -39,7 +41,8 @@ fn event_function(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option
     let value = elaborator.evaluator.scalar(syntax, messages::EVENT_FUNCTION)?;
     let kinds = &[Dependencies::REACTION];
     elaborator.forbid(kinds, (syntax, value), messages::EVENT_FUNCTION, messages::EVENT_FUNCTION_HELP)?;
-    let state = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::VELOCITY;
+    let state =
+        Dependencies::TIME | Dependencies::COORDINATE | Dependencies::STATE | Dependencies::VELOCITY;
     let changing = state | Dependencies::INPUT | Dependencies::ACCELERATION | Dependencies::MULTIPLIER;
     if elaborator.evaluator.graph.dependencies(value).intersects(changing) {
         return Some(value);
@@ -77,7 +80,7 @@ fn check_assigned_once(
         let count = elaborator.declaration.coordinates().len();
         let symbol = match index.checked_sub(count) {
             Some(velocity) => elaborator.speeds.get(velocity).map(|(speed, _)| speed.velocity),
-            None => elaborator.coordinates.get(index).map(|(coordinate, _)| coordinate.position),
+            None => position_at(elaborator, index),
         };
         let symbol = symbol.and_then(|symbol| elaborator.evaluator.graph.symbol_of(symbol));
         let target = symbol.map(Symbol::text).unwrap_or_default();
@@ -85,6 +88,14 @@ fn check_assigned_once(
         error.related(*first, messages::ASSIGNED_HERE).help(messages::ASSIGNED_TWICE_HELP);
     }
     assigned.push((index, origin));
+}
+
+/// The position with this index, states behind all others.
+fn position_at(elaborator: &Elaborator<'_>, index: usize) -> Option<ExprId> {
+    match index.checked_sub(first_state(elaborator)) {
+        Some(state) => elaborator.states.get(state).map(|state| state.position),
+        None => elaborator.coordinates.get(index).map(|(coordinate, _)| coordinate.position),
+    }
 }
 
 /// The index in [q…, v…] of what is assigned to.
@@ -108,6 +119,10 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
         return None;
     }
     let found = entry_of_state(elaborator, text, is_velocity);
+    if is_velocity && elaborator.states.iter().any(|state| state.name.text == *text) {
+        let help = states::assigned_rate_help(text);
+        return elaborator.refuse(syntax, &states::assigned_rate(text), &help);
+    }
     if found.is_none() {
         let name = Name::new(text.as_str(), elaborator.evaluator.origin(coordinate).start);
         elaborator.report_no_coordinate(&name, messages::ASSIGNMENT_HELP);
@@ -121,6 +136,7 @@ fn entry_of_state(elaborator: &Elaborator<'_>, name: &str, is_rate: bool) -> Opt
     let count = elaborator.declaration.coordinates().len();
     let velocity = || elaborator.speed_of(name).map(|index| count + index);
     let position = elaborator.coordinates.iter().position(|(known, _)| known.name == name);
+    let position = position.or_else(|| state_named(elaborator, name));
     match (position, is_rate) {
         (Some(_), true) => velocity(),
         (Some(index), false) => Some(index),

@@ -64,10 +64,21 @@ pub(super) fn add_force_along(elaborator: &mut Elaborator<'_>, force: AstId, vel
     }
 }
 
+/// Reports a place or a velocity that depends on states, which nothing displaces.
+pub(super) fn forbid_states(
+    elaborator: &mut Elaborator<'_>,
+    syntax: AstId,
+    value: ExprId,
+    what: &str,
+) -> Option<()> {
+    elaborator.forbid(&[Dependencies::STATE], (syntax, value), what, messages::states::PLACE_HELP)
+}
+
 /// Reports what is no sum of velocities.
 fn is_affine_in_velocities(elaborator: &mut Elaborator<'_>, syntax: AstId, value: ExprId) -> bool {
     let what = "the velocity of a force";
     let known = elaborator.forbid_accelerations(syntax, value, what);
+    let known = known.and_then(|()| forbid_states(elaborator, syntax, value, what));
     let mut degrees = Degrees::default();
     degrees.classify(&elaborator.evaluator.graph, &[value]);
     let degree = degrees.of(&elaborator.evaluator.graph, value);
@@ -100,6 +111,7 @@ fn velocity_of(
     for &component in value.components() {
         let moving = &[Dependencies::VELOCITY, Dependencies::ACCELERATION];
         elaborator.forbid(moving, (syntax, component), what, messages::PLACE_HELP)?;
+        forbid_states(elaborator, syntax, component, what)?;
     }
     elaborator.evaluator.rate(value, syntax)
 }

@@ -7,6 +7,7 @@ pub(super) mod events;
 pub(super) mod inertia;
 pub(super) mod names;
 pub(super) mod scene;
+pub(super) mod states;
 pub(super) mod tables;
 
 pub(super) fn scalar_needed(what: &str, found: &str) -> String {
@@ -96,6 +97,7 @@ pub(super) const RATE_OF_INPUT_HELP: &str =
 pub(super) fn must_not_depend(place: &str, kind: Dependencies, name: &str) -> String {
     let culprit = match kind {
         Dependencies::VELOCITY => "velocities".to_owned(),
+        Dependencies::STATE => format!("the state `{name}`"),
         Dependencies::MULTIPLIER => format!("the multiplier `{name}`"),
         Dependencies::REACTION => format!("the force `{name}`"),
         _ => "accelerations".to_owned(),

@@ -37,6 +37,7 @@ mod smoothness;
 mod stabilisation;
 mod staged;
 mod statements;
+mod states;
 mod tables;
 mod torques;
 mod unknown_names;

@@ -4,6 +4,7 @@
 
 use super::elaborator::{Elaborator, UNKNOWNS};
 use super::expression::value_of;
+use super::loads::forbid_states;
 use super::messages::events as messages;
 use super::operand::Operand;
 use super::scope::NameKind;
@@ -78,6 +79,7 @@ fn gap_and_rate(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option<(
     let value = elaborator.evaluator.scalar(syntax, messages::GAP)?;
     let kinds = [&[Dependencies::VELOCITY], UNKNOWNS].concat();
     elaborator.forbid(&kinds, (syntax, value), messages::GAP, messages::GAP_HELP)?;
+    forbid_states(elaborator, syntax, value, messages::GAP)?;
     if !elaborator.evaluator.graph.dependencies(value).intersects(Dependencies::COORDINATE) {
         let message = messages::gap_without_coordinate(&event.name.text);
         elaborator
@@ -117,6 +119,7 @@ fn slip_velocity(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) -> O
     if degree_in(elaborator, velocity, Dependencies::VELOCITY) == Degree::Nonlinear {
         return elaborator.refuse(syntax, &messages::nonlinear_slip(name), messages::SLIP_HELP);
     }
+    forbid_states(elaborator, syntax, velocity, messages::SLIP)?;
     // To stick is to keep the slip velocity, whose rate must then be known.
     if friction.width.is_none() {
         elaborator.evaluator.rate(&Operand::Scalar(velocity), syntax)?;

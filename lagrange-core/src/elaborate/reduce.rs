@@ -87,8 +87,7 @@ impl<'a> Reducer<'a> {
         }
         let (outputs, scene) = (self.outputs(model)?, self.scene(model)?);
         let (rates, labels) = (self.rates(model), self.labels(model));
-        let coordinates = model.coordinates.iter().enumerate().filter(|(i, _)| !self.is_frozen(*i));
-        let coordinates = coordinates.map(|(_, coordinate)| coordinate.clone()).collect();
+        let coordinates = self.coordinates(model)?;
         let speeds = model.speeds.iter().filter(|speed| !speed.coordinate.is_some_and(|i| self.is_frozen(i)));
         let speeds = speeds.cloned().collect();
         Ok(Model {
@@ -126,6 +125,23 @@ impl<'a> Reducer<'a> {
 
     fn of(&mut self, root: ExprId, part: &str) -> Result<Series, Undefined> {
         self.expanded.of(&mut self.graph, root, ORDER).ok_or_else(|| part.to_owned())
+    }
+
+    /// What is not frozen. Rates of states stay exact in what still moves.
+    fn coordinates(&mut self, model: &Model) -> Result<Vec<Coordinate>, Undefined> {
+        let mut kept = Vec::new();
+        for (index, coordinate) in model.coordinates.iter().enumerate() {
+            if self.is_frozen(index) {
+                continue;
+            }
+            let mut coordinate = coordinate.clone();
+            if coordinate.is_state {
+                let rate = self.frozen.of(&mut self.graph, coordinate.rate, 0);
+                coordinate.rate = rate.ok_or_else(|| format!("the rate of `{}`", coordinate.name))?.closed;
+            }
+            kept.push(coordinate);
+        }
+        Ok(kept)
     }
 
     /// The power of a load up to second order, as loads: F₀₁₂ along ṗ₀, F₀₁ along ṗ₁ and F₀ along ṗ₂.
@@ -228,6 +244,7 @@ impl Renumbering {
         let velocity = |i: u32| self.velocity(i as usize) as u32;
         match role {
             Role::Coordinate(i) => Role::Coordinate(self.coordinate(i as usize) as u32),
+            Role::State(i) => Role::State(self.coordinate(i as usize) as u32),
             Role::Velocity(i) => Role::Velocity(velocity(i)),
             Role::Acceleration(i) => Role::Acceleration(velocity(i)),
             other => other,

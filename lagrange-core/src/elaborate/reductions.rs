@@ -4,6 +4,8 @@ use proc_macro2::Span;
 
 use super::elaborator::Elaborator;
 use super::messages;
+use super::states::{first_state, state_named};
+use crate::expr::ExprId;
 use crate::model::{Pinned, Reduction};
 use crate::syntax::ast::{self, ReductionItem, ReductionKind, ScalarType};
 
@@ -38,6 +40,9 @@ fn pinned_coordinate(elaborator: &mut Elaborator<'_>, item: &ReductionItem) -> O
         Some(syntax) => elaborator.constant_in_motion(syntax, messages::PINNED_VALUE),
         None => Some(elaborator.evaluator.graph.number(0)),
     };
+    if let Some(state) = state_named(elaborator, &name.text) {
+        return pinned_state(elaborator, item, state, value);
+    }
     let has_rate = |index| elaborator.speeds.iter().any(|(speed, _)| speed.coordinate == Some(index));
     match coordinate.map(has_rate) {
         None => elaborator.report_no_coordinate(name, messages::REDUCTION_HELP),
@@ -50,6 +55,22 @@ fn pinned_coordinate(elaborator: &mut Elaborator<'_>, item: &ReductionItem) -> O
         Some(true) => {}
     }
     Some(Pinned { coordinate: coordinate?, value: value?, span: name.span })
+}
+
+/// A state is held at a value, or not at all.
+fn pinned_state(
+    elaborator: &mut Elaborator<'_>,
+    item: &ReductionItem,
+    state: usize,
+    value: Option<ExprId>,
+) -> Option<Pinned> {
+    let name = &item.coordinate;
+    if item.kind == ReductionKind::Small {
+        let error = elaborator.evaluator.report.error(name.span, messages::states::small(&name.text));
+        error.help(messages::states::SMALL_HELP);
+        return None;
+    }
+    Some(Pinned { coordinate: state, value: value?, span: name.span })
 }
 
 /// The types `Name` and `NameState` must be new.
@@ -83,9 +104,11 @@ pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
     if elaborator.reductions.is_empty() {
         return;
     }
+    let first = first_state(elaborator);
     let report = &mut *elaborator.evaluator.report;
     let all = elaborator.coordinates.len();
-    for reduction in elaborator.reductions.iter().filter(|r| all > 0 && r.frozen.len() == all) {
+    let frozen = |reduction: &Reduction| reduction.frozen.iter().filter(|pinned| pinned.coordinate < first).count();
+    for reduction in elaborator.reductions.iter().filter(|r| all > 0 && frozen(r) == all) {
         report.error(reduction.name.span, messages::ALL_FROZEN).help(messages::ALL_FROZEN_HELP);
     }
     for name in elaborator.declaration.outputs() {

@@ -13,6 +13,7 @@ use super::reactions::add_friction;
 use super::reductions::add_reduction;
 use super::scope::NameKind;
 use super::stabilisation::set_stabilisation;
+use super::states::{add_state_rate, define_state};
 use super::tables::define_table;
 use crate::diagnostics::nearest;
 use crate::expr::Dependencies;
@@ -45,6 +46,8 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Coordinates(names) => {
             names.iter().for_each(|name| define_coordinate(elaborator, name));
         }
+        StatementKind::States(names) => names.iter().for_each(|name| define_state(elaborator, name)),
+        StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),
         StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),
         StatementKind::Velocity(name, value) => name_velocity(elaborator, name, *value),
         StatementKind::Let(name, value) => define_abbreviation(elaborator, name, *value),

@@ -62,6 +62,7 @@ pub(super) fn declares_arrays(kind: &StatementKind) -> bool {
             | StatementKind::Inputs(_)
             | StatementKind::Constants(_)
             | StatementKind::Coordinates(_)
+            | StatementKind::States(_)
             | StatementKind::Quaternion(_)
     )
 }

@@ -19,9 +19,9 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
         StatementKind::Inputs(list) => StatementKind::Inputs(definitions(copier, list, scope)),
         StatementKind::Constants(list) => StatementKind::Constants(definitions(copier, list, scope)),
         StatementKind::Coordinates(names) => {
-            let elements = names.iter().flat_map(|name| elements(copier, name, scope));
-            StatementKind::Coordinates(elements.map(|(_, name)| name).collect())
+            StatementKind::Coordinates(all_elements(copier, names, scope))
         }
+        StatementKind::States(names) => StatementKind::States(all_elements(copier, names, scope)),
         StatementKind::Quaternion(quaternion) => {
             let elements = elements(copier, &quaternion.name, scope).into_iter();
             let named = |name| StatementKind::Quaternion(Box::new(Quaternion::named(name)));
@@ -88,6 +88,11 @@ fn elements(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Vec<(Vec<i6
         (position, Name::new(text, name.span))
     };
     positions.into_iter().map(named).collect()
+}
+
+fn all_elements(copier: &mut Copier<'_>, names: &[Name], scope: ScopeId) -> Vec<Name> {
+    let elements = names.iter().flat_map(|name| elements(copier, name, scope));
+    elements.map(|(_, name)| name).collect()
 }
 
 fn definitions(copier: &mut Copier<'_>, list: &[Definition], scope: ScopeId) -> Vec<Definition> {

@@ -30,6 +30,8 @@ impl Dependencies {
     pub const MULTIPLIER: Dependencies = Dependencies(128);
     /// Depends on the force of a contact or of friction.
     pub const REACTION: Dependencies = Dependencies(256);
+    /// Depends on a first-order state.
+    pub const STATE: Dependencies = Dependencies(512);
     /// Contains a place holder of an unfinished computation.
     pub const PLACEHOLDER: Dependencies = Dependencies(64);
 
@@ -54,6 +56,7 @@ impl Dependencies {
             Role::Input(_) => Dependencies::INPUT,
             Role::Time => Dependencies::TIME,
             Role::Coordinate(_) => Dependencies::COORDINATE,
+            Role::State(_) => Dependencies::STATE,
             // The side may change with whatever the state does.
             Role::Velocity(_) | Role::Side(_) => Dependencies::VELOCITY,
             Role::Acceleration(_) => Dependencies::ACCELERATION,

@@ -55,6 +55,11 @@ fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
     pieces
 }
 
+/// The rate of what has this name.
+pub fn rate(name: &str) -> String {
+    latex_name(name, Some(r"\dot"))
+}
+
 fn symbol_latex(symbol: &Symbol) -> String {
     let accent = match symbol.dots {
         0 => None,

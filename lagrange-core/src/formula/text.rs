@@ -17,6 +17,11 @@ pub fn text(graph: &Graph, expr: ExprId) -> String {
     write(graph, expr, &|_| None)
 }
 
+/// The rate of what has this name.
+pub fn rate(name: &str) -> String {
+    format!("dot({name})")
+}
+
 /// The expression with those of its parts written by name that have one; `expr` itself is written out.
 pub fn write<'n>(graph: &Graph, expr: ExprId, names: &dyn Fn(ExprId) -> Option<&'n str>) -> String {
     let view = View { graph, root: expr, names };

@@ -20,7 +20,7 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Inputs in declaration order.
     pub inputs: Vec<Parameter>,
-    /// Positions in state order: generalised coordinates and components of unit quaternions; at least one.
+    /// Positions in state order: generalised coordinates and components of unit quaternions, at least one, then first-order states.
     pub coordinates: Vec<Coordinate>,
     /// Generalised velocities in state order, one for each freedom.
     pub speeds: Vec<Speed>,
@@ -104,15 +104,18 @@ pub struct Parameter {
     pub default: Option<ExprId>,
 }
 
-/// A position: a generalised coordinate, or a component of a unit quaternion.
+/// A position: a generalised coordinate, a component of a unit quaternion, or a first-order state.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
     /// Its name.
     pub name: String,
     /// q
     pub position: ExprId,
-    /// q̇, a function of positions and generalised velocities
+    /// q̇, a function of positions and generalised velocities, linear in these; of a first-order state any function of time, positions,
+    /// velocities and inputs
     pub rate: ExprId,
+    /// Whether it is a first-order state, which displacements leave as it is.
+    pub is_state: bool,
 }
 
 /// A generalised velocity, which Kane calls a generalised speed: the rate of a coordinate, or a component of an angular velocity.
@@ -308,6 +311,16 @@ impl Model {
     /// The rates of the positions, functions of positions and velocities.
     pub fn position_rates(&self) -> Vec<ExprId> {
         self.coordinates.iter().map(|coordinate| coordinate.rate).collect()
+    }
+
+    /// The first-order states in their order.
+    pub fn states(&self) -> impl Iterator<Item = &Coordinate> {
+        self.coordinates.iter().filter(|coordinate| coordinate.is_state)
+    }
+
+    /// Whether velocities are the rates of the positions, one by one.
+    pub fn velocities_are_rates(&self) -> bool {
+        self.orientations.is_empty() && self.states().next().is_none()
     }
 
     /// The positions in state order.

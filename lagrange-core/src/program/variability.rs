@@ -12,7 +12,7 @@ pub enum Variability {
     Constant,
     /// Inputs.
     Input,
-    /// Time or coordinates.
+    /// Time, coordinates or states.
     Position,
     /// Velocities.
     Velocity,
@@ -26,7 +26,7 @@ impl Variability {
         match role {
             Role::Parameter(_) => Variability::Constant,
             Role::Input(_) => Variability::Input,
-            Role::Time | Role::Coordinate(_) | Role::Placeholder(_) => Variability::Position,
+            Role::Time | Role::Coordinate(_) | Role::State(_) | Role::Placeholder(_) => Variability::Position,
             Role::Velocity(_) | Role::Side(_) => Variability::Velocity,
             Role::Acceleration(_) | Role::Multiplier(_) | Role::Reaction(_) => Variability::Acceleration,
         }
@@ -34,7 +34,10 @@ impl Variability {
 
     /// Variability of an expression.
     pub fn of_expression(graph: &Graph, id: ExprId) -> Variability {
-        let position = Dependencies::TIME | Dependencies::COORDINATE | Dependencies::PLACEHOLDER;
+        let position = Dependencies::TIME
+            | Dependencies::COORDINATE
+            | Dependencies::STATE
+            | Dependencies::PLACEHOLDER;
         let kinds = [
             (Dependencies::ACCELERATION, Variability::Acceleration),
             (Dependencies::VELOCITY, Variability::Velocity),

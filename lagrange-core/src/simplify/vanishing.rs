@@ -51,6 +51,7 @@ pub fn somewhere(role: Role) -> f64 {
         Role::Reaction(i) => (7, i),
         Role::Placeholder(i) => (8, i),
         Role::Side(i) => (9, i),
+        Role::State(i) => (10, i),
     };
     0.5 + (f64::from(7 * index + kind + 1) * GOLDEN_RATIO).fract()
 }

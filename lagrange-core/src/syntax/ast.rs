@@ -88,14 +88,23 @@ impl Declaration {
         self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
     }
 
-    /// The positions in their order: coordinates and components of quaternions.
+    /// The positions in their order: coordinates and components of quaternions, then states.
     pub fn coordinates(&self) -> Vec<&Name> {
         let positions = self.statements.iter().flat_map(|statement| match &statement.kind {
             StatementKind::Coordinates(names) => &names[..],
             StatementKind::Quaternion(quaternion) => &quaternion.positions,
             _ => &[],
         });
-        positions.collect()
+        positions.chain(self.states()).collect()
+    }
+
+    /// The states in their order.
+    pub fn states(&self) -> impl Iterator<Item = &Name> {
+        let states = self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::States(names) => Some(names),
+            _ => None,
+        });
+        states.flatten()
     }
 
     /// The velocities in their order.
@@ -163,7 +172,7 @@ impl Declaration {
         let mut declaration = Declaration { attributes, name: reduction.name.clone(), ..self.clone() };
         declaration.statements.retain(|statement| !matches!(statement.kind, StatementKind::Reduce(_)));
         for statement in &mut declaration.statements {
-            if let StatementKind::Coordinates(names) = &mut statement.kind {
+            if let StatementKind::Coordinates(names) | StatementKind::States(names) = &mut statement.kind {
                 names.retain(|name| !is_frozen(name));
             }
         }

@@ -62,15 +62,15 @@ impl Parser<'_> {
         definitions
     }
 
-    /// `x, theta`. A word that cannot be a name counts all the same, so that vectors have the length that the
+    /// `x, theta` behind this keyword. A word that cannot be a name counts all the same, so that vectors have the length that the
     /// user expects; where it cannot be a field either, a name stands for it that nobody can write.
-    pub(super) fn coordinates(&mut self, cursor: &mut Cursor) -> Vec<Name> {
-        self.items(List { help: form("coord"), has_values: false }, cursor, |parser, cursor| {
+    pub(super) fn coordinates(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Name> {
+        self.items(List { help: form(keyword), has_values: false }, cursor, |parser, cursor| {
             let start = cursor.position();
             let word = cursor.ident().filter(|word| can_be_field(&word.to_string())).cloned();
             let name = parser.declared_name(cursor);
             if name.is_ok() {
-                parser.annotation("coord", cursor);
+                parser.annotation(keyword, cursor);
             }
             let name = name.unwrap_or_else(|Reported| {
                 parser.skip_item(cursor);
@@ -82,7 +82,9 @@ impl Parser<'_> {
             });
             if let Some(equals) = cursor.eat_equals() {
                 let help = messages::COORDINATE_WITH_VALUE_HELP;
-                parser.fail_once(equals, messages::COORDINATE_WITH_VALUE, help);
+                let is_state = keyword == "state";
+                let message = if is_state { messages::STATE_WITH_VALUE } else { messages::COORDINATE_WITH_VALUE };
+                parser.fail_once(equals, message, help);
                 parser.item_value(cursor);
             }
             Ok(name)

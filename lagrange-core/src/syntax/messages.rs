@@ -143,6 +143,7 @@ pub(super) const MISSING_COMMA: &str = "missing `,` in front of this";
 pub(super) const MISSING_SEMICOLON_HELP: &str = "statements end in `;`";
 pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
 pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";
+pub(super) const STATE_WITH_VALUE: &str = "a state has no value in the declaration";
 pub(super) const COORDINATE_WITH_VALUE_HELP: &str =
     "initial values belong to the state from which a simulation starts";
 

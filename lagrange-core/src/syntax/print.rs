@@ -63,10 +63,12 @@ impl Printer<'_> {
             StatementKind::Parameters(list) => self.definitions("param ", list),
             StatementKind::Inputs(list) => self.definitions("input ", list),
             StatementKind::Constants(list) => self.definitions("const ", list),
-            StatementKind::Coordinates(names) => {
-                self.text("coord ");
-                self.list(names, Self::name);
-                self.text(";");
+            StatementKind::Coordinates(names) => self.names("coord ", names),
+            StatementKind::States(names) => self.names("state ", names),
+            StatementKind::StateRate(name, value) => {
+                self.text("dot(");
+                self.name(name);
+                self.between(") = ", *value, ";");
             }
             StatementKind::Quaternion(quaternion) => {
                 self.text("quaternion ");
@@ -121,6 +123,13 @@ impl Printer<'_> {
             StatementKind::Select(selection) => self.selection(selection),
             StatementKind::Scene(statement) => self.scene(statement),
         }
+    }
+
+    /// `keyword a, b;`
+    fn names(&mut self, keyword: &str, names: &[Name]) {
+        self.text(keyword);
+        self.list(names, Self::name);
+        self.text(";");
     }
 
     fn between(&mut self, before: &str, value: AstId, behind: &str) {

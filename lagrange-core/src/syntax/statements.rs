@@ -2,7 +2,7 @@
 
 mod loops;
 
-use proc_macro2::Ident;
+use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::ast::{
     Action, AstId, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, Statement, StatementKind,
@@ -82,7 +82,9 @@ impl Parser<'_> {
             "param" => Ok(StatementKind::Parameters(self.definitions(help, cursor))),
             "input" => Ok(StatementKind::Inputs(self.definitions(help, cursor))),
             "const" => Ok(StatementKind::Constants(self.constants(cursor))),
-            "coord" => Ok(StatementKind::Coordinates(self.coordinates(cursor))),
+            "coord" => Ok(StatementKind::Coordinates(self.coordinates("coord", cursor))),
+            "state" => Ok(StatementKind::States(self.coordinates("state", cursor))),
+            "dot" if self.at_state_rate(cursor) => self.state_rate(cursor),
             "quaternion" => {
                 let name = self.declared_name(cursor)?;
                 Ok(StatementKind::Quaternion(Box::new(Quaternion::named(name))))
@@ -197,6 +199,31 @@ impl Parser<'_> {
         let moment = self.loading("torque", cursor)?;
         self.connective("on", form("torque"), cursor)?;
         Ok(StatementKind::Torque { moment, angle: self.value(cursor) })
+    }
+
+    /// True at `(a) =`, unless a is known to be a coordinate, whose velocity nothing states.
+    fn at_state_rate(&self, cursor: &Cursor) -> bool {
+        let Some(group) = cursor.group(Delimiter::Parenthesis) else { return false };
+        let names_coordinate = match group.stream().into_iter().next() {
+            Some(TokenTree::Ident(word)) => self.declared(&word.to_string()) == Some(Declared::Coordinate),
+            _ => false,
+        };
+        at_equals_past(1, cursor) && !names_coordinate
+    }
+
+    /// `(a) = e`, the equation of a state.
+    fn state_rate(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
+            return Err(self.no_name(form("state"), cursor));
+        };
+        let name = self.inside(&group, |parser, cursor| {
+            let name = parser.mentioned(form("state"), cursor)?;
+            match cursor.at_end() {
+                true => Ok(name),
+                false => Err(parser.misplaced("`)`", form("state"), cursor)),
+            }
+        })?;
+        Ok(StatementKind::StateRate(name, self.assigned(form("state"), cursor)?))
     }
 
     /// A force or moment, which is not missing.

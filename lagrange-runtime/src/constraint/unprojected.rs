@@ -97,6 +97,11 @@ impl<M: MechanicalSystem> MechanicalSystem for Unprojected<M> {
     }
 
     #[inline]
+    fn position_change(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Coordinates {
+        self.0.position_change(t, q, v)
+    }
+
+    #[inline]
     fn normalise(q: &mut M::Coordinates) {
         M::normalise(q);
     }

@@ -11,7 +11,7 @@ use super::{ConstraintValues, MechanicalSystem, StateVector, VelocityMatrix};
     note = "compositions of kicks and drifts take separable systems without constraints only",
     note = "`StormerVerlet` takes constraints on positions, too",
     note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix",
-    note = "methods in coordinates and momenta do not take unit quaternions: for these there are `Verner98`, `RungeKutta4` and \
+    note = "methods in coordinates and momenta do not take unit quaternions or first-order states: for these there are `Verner98`, `RungeKutta4` and \
             `GaussLegendre` with `.plain()`"
 )]
 pub trait SeparableSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {}
@@ -25,7 +25,7 @@ pub trait SeparableSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
     message = "the accelerations of `{Self}` depend on velocities, or its mass matrix is not constant",
     note = "symplectic Euler and Störmer–Verlet take separable systems only; constraints on positions may restrain them",
     note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix",
-    note = "methods in coordinates and momenta do not take unit quaternions: for these there are `Verner98`, `RungeKutta4` and \
+    note = "methods in coordinates and momenta do not take unit quaternions or first-order states: for these there are `Verner98`, `RungeKutta4` and \
             `GaussLegendre` with `.plain()`"
 )]
 pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {
@@ -66,7 +66,7 @@ impl<M: SeparableSystem + ?Sized> LeapfrogSystem for M {}
 #[diagnostic::on_unimplemented(
     message = "the momenta of `{Self}` and their rates are not known",
     note = "where velocities are rates of coordinates, declare it with `emit {{ momentum_rates }}`",
-    note = "methods in coordinates and momenta do not take unit quaternions: for these there are `Verner98`, `RungeKutta4` and \
+    note = "methods in coordinates and momenta do not take unit quaternions or first-order states: for these there are `Verner98`, `RungeKutta4` and \
             `GaussLegendre` with `.plain()`"
 )]
 pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {

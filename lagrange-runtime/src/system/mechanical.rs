@@ -18,6 +18,14 @@ use super::{OdeSystem, StateVector};
 ///
 /// Source: Featherstone, *Rigid Body Dynamics Algorithms*, §3.2, §4.5.
 ///
+/// # First-order states
+///
+/// The last positions may be first-order states z, as the current of a motor or the integral of a controller, whose rates
+/// ż(t, q, v, z) are any functions and which no velocity displaces. The state is then y = `[q…, z…, v…]`, of which q and z are one
+/// vector [`Coordinates`](Self::Coordinates) everywhere, and [`position_rates`](Self::position_rates) returns their rates behind those
+/// of q. Displacements leave them as they are, which [`position_change`](Self::position_change) says, and velocities have
+/// names, [`VELOCITIES`](Self::VELOCITIES). The same methods of integration take such systems as take quaternions.
+///
 /// ```
 /// use lagrange::Simulate;
 /// use lagrange::system::{MechanicalSystem, OdeSystem, StepFailure, Unnamed, join, normalise, split};
@@ -169,13 +177,25 @@ pub trait MechanicalSystem: OdeSystem {
 
     /// The rates of the positions, q̇ = N(q) v: the velocities themselves, `*v`, where they are rates.
     ///
-    /// Linear and homogeneous in `v`: displacements are mapped by it, too.
+    /// Linear and homogeneous in `v` but for [first-order states](MechanicalSystem#first-order-states).
     fn position_rates(
         &self,
         t: Self::Scalar,
         q: &Self::Coordinates,
         v: &Self::Velocities,
     ) -> Self::Coordinates;
+
+    /// The change N(q) δ of positions that belongs to a displacement δ: what [`position_rates`](Self::position_rates) makes of it, and zero
+    /// for [first-order states](MechanicalSystem#first-order-states), of which a system that has some must say it.
+    #[inline]
+    fn position_change(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        displacement: &Self::Velocities,
+    ) -> Self::Coordinates {
+        self.position_rates(t, q, displacement)
+    }
 
     /// Brings unit quaternions among the positions back to length one, and leaves other positions as they are.
     ///
@@ -184,7 +204,7 @@ pub trait MechanicalSystem: OdeSystem {
     #[inline]
     fn normalise(_q: &mut Self::Coordinates) {}
 
-    /// The displacement δ that leads from positions to others nearby: what [`position_rates`](Self::position_rates) at `from` makes of it
+    /// The displacement δ that leads from positions to others nearby: what [`position_change`](Self::position_change) at `from` makes of it
     /// is `to − from` to first order. From a unit quaternion q to p it is 2 Im(q̄ ⊗ p), with the sign of p for which the real part is not
     /// negative, if velocities are along the axes of the body.
     ///

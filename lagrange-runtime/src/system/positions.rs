@@ -69,7 +69,7 @@ where
 {
     let mut to = *q;
     for (part, displacement) in displacements {
-        add(&mut to, part, &system.position_rates(t, q, displacement));
+        add(&mut to, part, &system.position_change(t, q, displacement));
     }
     M::normalise(&mut to);
     to
@@ -92,7 +92,7 @@ pub(crate) fn reach<M: MechanicalSystem + ?Sized>(
     }
     for (j, reach) in reach.as_mut().iter_mut().enumerate() {
         unit.as_mut()[j] = M::Scalar::ONE;
-        *reach = most(system.position_rates(t, q, &unit).as_ref(), by.as_ref());
+        *reach = most(system.position_change(t, q, &unit).as_ref(), by.as_ref());
         unit.as_mut()[j] = M::Scalar::ZERO;
     }
     reach

@@ -216,7 +216,13 @@ where
 
     #[inline]
     fn position_rates(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Coordinates {
-        self.inner().position_rates(t, q, v)
+        let (rates, _) = split::<M>(&self.outer_rhs(t, &join::<M>(q, v)));
+        rates
+    }
+
+    #[inline]
+    fn position_change(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Coordinates {
+        self.inner().position_change(t, q, v)
     }
 
     #[inline]

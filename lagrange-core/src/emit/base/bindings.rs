@@ -42,31 +42,33 @@ impl Bindings<'_> {
         let sides = self.side_bindings(used, names, arguments);
         let fields = quote!(#fields #sides);
         let (nq, nv) = (self.model.coordinates.len(), self.model.speeds.len());
+        let is_state = |index: u32| self.model.coordinates.get(index as usize).is_some_and(|q| q.is_state);
+        let position = |index| if is_state(index) { Role::State(index) } else { Role::Coordinate(index) };
         if arguments == Arguments::Whole {
             let [nq, nv] = [nq as u32, nv as u32];
-            let roles = (0..nq).map(Role::Coordinate).chain((0..nv).map(Role::Velocity));
+            let roles = (0..nq).map(position).chain((0..nv).map(Role::Velocity));
             let pattern = self.pattern(roles, used, names);
             let entries = pattern.map(|pattern| quote!(let #pattern = *#state;));
             return quote!(#fields #entries);
         }
-        let mut vector = |source: TokenStream, count: usize, role: fn(u32) -> Role| {
+        let mut vector = |source: TokenStream, count: usize, role: &dyn Fn(u32) -> Role| {
             let pattern = self.pattern((0..count as u32).map(role), used, names);
             pattern.map(|pattern| quote!(let #pattern = #source;))
         };
-        let q = vector(quote!(*#positions), nq, Role::Coordinate);
-        let v = vector(quote!(*#velocities), nv, Role::Velocity);
+        let q = vector(quote!(*#positions), nq, &position);
+        let v = vector(quote!(*#velocities), nv, &Role::Velocity);
         let accelerations = match arguments {
             Arguments::Motion => quote!(*#accelerations),
             _ => quote!(self.acceleration(#time, #positions, #velocities)),
         };
-        let a = vector(accelerations, nv, Role::Acceleration);
+        let a = vector(accelerations, nv, &Role::Acceleration);
         let multipliers = match arguments {
             Arguments::Residuals => quote!(*#residuals),
             _ => quote!(self.multipliers(#time, #positions, #velocities)),
         };
-        let multipliers = vector(multipliers, self.model.constraints.len(), Role::Multiplier);
+        let multipliers = vector(multipliers, self.model.constraints.len(), &Role::Multiplier);
         let reactions = quote!(self.reactions(#time, #positions, #velocities));
-        let reactions = vector(reactions, self.model.reactions.len(), Role::Reaction);
+        let reactions = vector(reactions, self.model.reactions.len(), &Role::Reaction);
         quote!(#fields #q #v #a #multipliers #reactions)
     }
 

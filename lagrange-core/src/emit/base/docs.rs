@@ -49,7 +49,8 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
         return None;
     }
     let right = right_sides(model, equations);
-    let all = equations.mass_matrix.iter().flatten().chain(&right).copied().collect::<Vec<_>>();
+    let mut all = equations.mass_matrix.iter().flatten().chain(&right).copied().collect::<Vec<_>>();
+    all.extend(model.states().map(|state| state.rate));
     if model.graph.reachable(&all).len() > LARGEST_SYSTEM {
         return None;
     }
@@ -57,7 +58,8 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
     // The right sides are the longer ones: if they cannot be read, the left ones need not be tried.
     readable_lines(text::definitions(&model.graph, &right, LONGEST_EQUATIONS))?;
     let sides = sides(model, equations, &right);
-    let lines = readable_lines(text::definitions(&model.graph, &sides, LONGEST_EQUATIONS))?;
+    let definitions = text::definitions(&model.graph, &sides, LONGEST_EQUATIONS);
+    let lines = readable_lines(with_rates(model, definitions, text::rate))?;
     Some(lines.iter().flat_map(|line| wrapped(line)).collect())
 }
 
@@ -70,7 +72,8 @@ pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
     let right = right_sides(model, equations);
     let right = readable(&mut model.graph, &right);
     let sides = sides(model, equations, &right);
-    lines(latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS)).join("\n")
+    let definitions = latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS);
+    lines(with_rates(model, definitions, latex::rate)).join("\n")
 }
 
 /// f + Aᵀλ + Dᵀr, with the names of constraints, contacts and friction for their forces.
@@ -89,7 +92,7 @@ fn right_sides(model: &mut Model, equations: &Equations) -> Vec<ExprId> {
     sides
 }
 
-/// The left and the right side of each row of M q̈ = f + Aᵀλ, then of each constraint.
+/// The left and the right side of each row of M q̈ = f + Aᵀλ, then of each constraint, then each state and its rate.
 fn sides(model: &mut Model, equations: &Equations, right: &[ExprId]) -> Vec<ExprId> {
     let mass = readable(&mut model.graph, &equations.mass_matrix.concat());
     let rows = mass.chunks(right.len().max(1)).zip(right);
@@ -97,11 +100,26 @@ fn sides(model: &mut Model, equations: &Equations, right: &[ExprId]) -> Vec<Expr
     let constraints = model.constraints.iter().map(|constraint| constraint.value).collect::<Vec<_>>();
     let zero = model.graph.number(0);
     sides.extend(readable(&mut model.graph, &constraints).into_iter().flat_map(|value| [value, zero]));
+    let (states, rates): (Vec<_>, Vec<_>) = model.states().map(|state| (state.position, state.rate)).unzip();
+    let rates = readable(&mut model.graph, &rates);
+    sides.extend(states.into_iter().zip(rates).flat_map(|(state, rate)| [state, rate]));
     sides
 }
 
+/// The texts of both sides with ȧ on the left of the equation of each state a, which come last.
+fn with_rates(model: &Model, (names, mut sides): Definitions, rate: fn(&str) -> String) -> Definitions {
+    let first = sides.len() - 2 * model.states().count();
+    for (left, state) in sides[first..].iter_mut().step_by(2).zip(model.states()) {
+        *left = rate(&state.name);
+    }
+    (names, sides)
+}
+
+/// Names with what they abbreviate, and left and right sides.
+type Definitions = (Vec<(String, String)>, Vec<String>);
+
 /// The lines, unless there are too many characters or abbreviations.
-fn readable_lines(definitions: (Vec<(String, String)>, Vec<String>)) -> Option<Vec<String>> {
+fn readable_lines(definitions: Definitions) -> Option<Vec<String>> {
     let abbreviations = definitions.0.len();
     let lines = lines(definitions);
     let length = lines.iter().map(String::len).sum::<usize>();
@@ -109,7 +127,7 @@ fn readable_lines(definitions: (Vec<(String, String)>, Vec<String>)) -> Option<V
 }
 
 /// Equations between names and what they abbreviate, then between left and right sides.
-fn lines((abbreviations, sides): (Vec<(String, String)>, Vec<String>)) -> Vec<String> {
+fn lines((abbreviations, sides): Definitions) -> Vec<String> {
     let abbreviations = abbreviations.into_iter().map(|(name, value)| format!("{name} = {value}"));
     abbreviations.chain(sides.chunks(2).map(|side| side.join(" = "))).collect()
 }

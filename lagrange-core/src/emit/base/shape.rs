@@ -21,6 +21,8 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) fields: Vec<&'a Name>,
     /// Positions in state order.
     pub(in crate::emit) coordinates: Vec<&'a Name>,
+    /// Number of first-order states, which are the last of the positions.
+    pub(in crate::emit) states: usize,
     /// Velocities in state order.
     pub(in crate::emit) velocities: Vec<StateVelocity<'a>>,
     /// Indices of the scalar parts of unit quaternions among the positions.
@@ -67,6 +69,7 @@ impl<'a> Shape<'a> {
             krate,
             fields: Vec::new(),
             coordinates: declaration.coordinates(),
+            states: 0,
             velocities: declaration.velocities(),
             quaternions: Vec::new(),
             bodies: Vec::new(),
@@ -163,6 +166,8 @@ impl<'a> Shape<'a> {
         let mut first = |name: &Name| seen.insert(name.text.clone(), ()).is_none();
         self.fields.retain(|name| first(name));
         self.coordinates.retain(|name| first(name));
+        let is_state = |name: &&&Name| self.declaration.states().any(|state| std::ptr::eq(state, **name));
+        self.states = self.coordinates.iter().filter(is_state).count();
         self.velocities.retain(|velocity| {
             let is_kept = |name: &Name| self.coordinates.iter().any(|kept| std::ptr::eq(*kept, name));
             velocity.coordinate.is_none_or(is_kept)

@@ -12,7 +12,8 @@ use crate::code::Names;
 pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());
     let visibility = &shape.declaration.visibility;
-    let title = doc(&format!("State of [`{}`]: positions, then velocities.", shape.declaration.name.text));
+    let positions = if shape.states > 0 { "positions, first-order states" } else { "positions" };
+    let title = doc(&format!("State of [`{}`]: {positions}, then velocities.", shape.declaration.name.text));
     let entries = shape.coordinates.iter().copied().chain(shape.velocities.iter().map(|v| &v.name));
     let mut entries = entries.zip(lines(shape));
     let fields = shape.state_fields().into_iter().filter_map(|field| {
@@ -52,9 +53,13 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     let variables = state_variables(shape);
     let values = variables.iter().map(|variable| quote!(#variable)).collect::<Vec<_>>();
     let entries = entries(&fields, &values);
+    let positions_docs = match shape.states {
+        0 => doc("The coordinates in their order."),
+        _ => doc("The coordinates in their order, then the states."),
+    };
     quote! {
         impl #copied #state #generics {
-            /// The coordinates in their order.
+            #positions_docs
             #[must_use]
             #[inline]
             pub fn coordinates(self) -> [#scalar; #nq] {
@@ -100,7 +105,8 @@ impl Line {
         let coordinate = |name: &str| name.strip_suffix("_dot").unwrap_or(name).to_owned();
         let text =
             self.text.replace(&format!("`{}`", coordinate(of_one)), &format!("`{}`", coordinate(&of_all)));
-        let text = text.replace("Coordinate ", "Coordinates ").replace("Velocity of", "Velocities of");
+        let text = text.replace("Coordinate ", "Coordinates ").replace("State ", "States ");
+        let text = text.replace("Velocity of", "Velocities of");
         Line { text, ..self }
     }
 }
@@ -110,6 +116,7 @@ fn lines(shape: &Shape<'_>) -> Vec<Line> {
     let positions = shape.coordinates.iter().enumerate().map(|(index, name)| {
         let first = shape.quaternions.iter().find(|first| (**first..**first + 4).contains(&index));
         let text = match first {
+            None if shape.is_state(index) => format!("State `{}`.", name.text),
             None => format!("Coordinate `{}`.", name.text),
             Some(&first) if first == index => "Scalar part of a unit quaternion.".to_owned(),
             Some(_) => "Component of the vector part of a unit quaternion.".to_owned(),

@@ -25,12 +25,18 @@ impl Shape<'_> {
 
     /// True if velocities are the rates of the positions.
     pub(in crate::emit) fn velocities_are_rates(&self) -> bool {
-        self.quaternions.is_empty()
+        self.quaternions.is_empty() && self.states == 0
     }
 
-    /// True if velocities have names of their own.
+    /// Whether a position is a first-order state.
+    pub(in crate::emit) fn is_state(&self, position: usize) -> bool {
+        position + self.states >= self.coordinates.len()
+    }
+
+    /// True if names of velocities must be said, since they do not follow from those of the positions.
     pub(in crate::emit) fn names_velocities(&self) -> bool {
-        self.velocities.iter().any(|velocity| match velocity.coordinate {
+        let has_states = self.states > 0;
+        has_states || self.velocities.iter().any(|velocity| match velocity.coordinate {
             Some(coordinate) => velocity.name.text != format!("{}_dot", coordinate.text),
             None => true,
         })

@@ -56,9 +56,11 @@ fn rates_of_displacements(model: &mut Model) -> Vec<ExprId> {
     rows.concat()
 }
 
-/// The derivatives of ẏ by fields from the rows of the accelerations; those of the positions' rates are `zeros` zeros.
-pub(in crate::emit) fn by_fields(model: &mut Model, zeros: usize, accelerations: &[ExprId]) -> Vec<ExprId> {
-    let mut entries = vec![model.graph.number(0); zeros];
+/// The derivatives of ẏ by parameters and inputs from the rows of the accelerations.
+pub(in crate::emit) fn by_fields(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
+    let fields = model.parameters.iter().chain(&model.inputs).map(|field| field.symbol);
+    let (rates, fields) = (model.position_rates(), fields.collect::<Vec<_>>());
+    let mut entries = jacobian(&mut model.graph, &rates, &fields).concat();
     entries.extend(accelerations);
     entries
 }

@@ -17,7 +17,10 @@ pub(in crate::emit) fn write_position_rates(writer: &mut MethodWriter<'_>) {
     let rates = writer.model.position_rates();
     let returns = Returns::Vector(rates.len());
     let (body, _) = writer.lowered(&rates, Arguments::State, |results| returns.collect(results));
-    let docs = doc("Rates of the positions: kinematic differential equations.");
+    let docs = match writer.shape.states {
+        0 => doc("Rates of the positions: kinematic differential equations."),
+        _ => doc("Rates of the positions: kinematic differential equations, then the equations of the states."),
+    };
     let name = format_ident!("position_rates");
     writer.members.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
 }
@@ -56,12 +59,37 @@ pub(in crate::emit) fn orientation_members(shape: &Shape<'_>, members: &Members)
     let rates_of =
         shape.velocities.iter().map(|velocity| velocity.coordinate.map_or("", |name| shape.written(name)));
     let normalise = normalise(shape, members);
-    let displacement = displacement(shape);
+    let (displacement, change) = (displacement(shape), position_change(shape, members));
     Some(quote! {
         const VELOCITIES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
         const RATES_OF: &'static [&'static ::core::primitive::str] = &[#(#rates_of),*];
         #normalise
         #displacement
+        #change
+    })
+}
+
+/// `MechanicalSystem::position_change`: states stay what they are.
+fn position_change(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let (krate, scalar) = (shape.krate, shape.scalar());
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let change = local("change");
+    let states = (shape.coordinates.len() - shape.states..shape.coordinates.len()).map(length);
+    (shape.states > 0).then(|| {
+        quote! {
+            #[inline]
+            fn position_change(
+                &self,
+                #time: #scalar,
+                #positions: &[#scalar; #nq],
+                #velocities: &[#scalar; #nv],
+            ) -> [#scalar; #nq] {
+                let mut #change = self.position_rates(#time, #positions, #velocities);
+                #(#change[#states] = <#scalar as #krate::Number>::ZERO;)*
+                #change
+            }
+        }
     })
 }
 

@@ -29,7 +29,7 @@ pub(in crate::emit) fn plan(
     let roots = match product {
         Product::Jacobian => by_state(model, &found),
         Product::TangentJacobian => by_displacements(model, &found),
-        Product::ParameterJacobian => by_fields(model, returns.count() - found.len(), &found),
+        Product::ParameterJacobian => by_fields(model, &found),
         _ => found,
     };
     Some(Plan { docs, arguments, returns, roots })

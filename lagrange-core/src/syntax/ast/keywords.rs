@@ -22,6 +22,8 @@ pub enum Soft {
     Joint,
     /// A name and a semicolon.
     Alone,
+    /// A name and what may follow it in a list.
+    List,
     /// A name and parentheses.
     Function,
     /// A name or names in parentheses, and `=`.

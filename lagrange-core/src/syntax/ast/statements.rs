@@ -32,7 +32,8 @@ pub struct Statement {
 /// ```text
 /// statement = attribute* ( "param" | "input" ) NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 ///           | "const" NAME "=" sum { "," NAME "=" sum } ";"
-///           | "coord" NAME { "," NAME } ";"
+///           | ( "coord" | "state" ) NAME { "," NAME } ";"
+///           | "dot" "(" NAME ")" "=" sum ";"
 ///           | "quaternion" NAME ";"
 ///           | "velocity" NAME "=" sum ";"
 ///           | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
@@ -85,6 +86,10 @@ pub enum StatementKind {
     Constants(Vec<Definition>),
     /// `coord x, theta;`
     Coordinates(Vec<Name>),
+    /// `state current;`
+    States(Vec<Name>),
+    /// `dot(current) = e;`
+    StateRate(Name, AstId),
     /// `quaternion hip;`
     Quaternion(Box<Quaternion>),
     /// `velocity u = dot(x);`
@@ -160,10 +165,11 @@ pub enum StatementKind {
 }
 
 /// Words that begin statements, but for those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 24] = [
+pub const KEYWORDS: [Keyword; 25] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`"),
+    Keyword::new("state", "write `state a, b;`, and `dot(a) = e;` for the rate of each").before(Soft::List),
     Keyword::new("quaternion", "write `quaternion hip;`").before(Soft::Alone),
     Keyword::new("velocity", "write `velocity u = dot(x);`").before(Soft::Definition),
     Keyword::new("input", "write `input u;`"),
@@ -215,7 +221,9 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
             StatementKind::Constants(list) => (defined(list), Reach::Expressions),
-            StatementKind::Coordinates(names) => (names.iter().collect(), Reach::Both),
+            StatementKind::Coordinates(names) | StatementKind::States(names) => {
+                (names.iter().collect(), Reach::Both)
+            }
             StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
             StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
@@ -235,6 +243,7 @@ impl StatementKind {
             | StatementKind::Lagrangian(_)
             | StatementKind::Gibbs { .. }
             | StatementKind::Dissipation(_)
+            | StatementKind::StateRate(..)
             | StatementKind::ForceOn(..)
             | StatementKind::ForceAt { .. }
             | StatementKind::ForceAlong { .. }
@@ -259,6 +268,7 @@ impl StatementKind {
             | StatementKind::Potential(value)
             | StatementKind::Lagrangian(value)
             | StatementKind::Dissipation(value)
+            | StatementKind::StateRate(_, value)
             | StatementKind::ForceOn(_, value)
             | StatementKind::Constraint(_, value)
             | StatementKind::Stabilise(value)
@@ -281,6 +291,7 @@ impl StatementKind {
             StatementKind::Select(selection) => selection.expressions_mut(),
             StatementKind::Scene(scene) => scene.expressions_mut(),
             StatementKind::Coordinates(_)
+            | StatementKind::States(_)
             | StatementKind::Quaternion(_)
             | StatementKind::External(_)
             | StatementKind::Emit(_) => Vec::new(),

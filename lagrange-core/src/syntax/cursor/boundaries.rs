@@ -29,12 +29,22 @@ impl Cursor {
             Soft::Loop => {
                 name.is_some() && matches!(self.peek_past(2), Some(TokenTree::Ident(word)) if word == "in")
             }
+            Soft::List => name.is_some_and(|name| !keywords::is_connective(&name)) && self.goes_on_as_list(2),
             Soft::Alone => name.is_some() && is_punct(self.peek_past(2), ';'),
             Soft::Function => name.is_some() && as_group(self.peek_past(2), Delimiter::Parenthesis).is_some(),
             Soft::Coordinates => {
                 let is_list = as_group(self.peek_past(1), Delimiter::Parenthesis).is_some();
                 (name.is_some() || is_list) && self.equals_past(2)
             }
+        }
+    }
+
+    /// True if what stands behind so many tokens may follow a name in a list: a comma, the end, a number of elements, a colon.
+    fn goes_on_as_list(&self, count: usize) -> bool {
+        match self.peek_past(count) {
+            None => true,
+            Some(TokenTree::Punct(punct)) => ",;:=".contains(punct.as_char()),
+            next => as_group(next, Delimiter::Bracket).is_some(),
         }
     }
 

@@ -15,12 +15,13 @@ impl StatementKind {
             | StatementKind::Constants(list) => {
                 list.iter_mut().map(|definition| &mut definition.name).collect()
             }
-            StatementKind::Coordinates(names) | StatementKind::LetTuple(names, _) => {
-                names.iter_mut().collect()
-            }
+            StatementKind::Coordinates(names)
+            | StatementKind::States(names)
+            | StatementKind::LetTuple(names, _) => names.iter_mut().collect(),
             StatementKind::Quaternion(quaternion) => vec![&mut quaternion.name],
             StatementKind::Velocity(name, _)
             | StatementKind::Let(name, _)
+            | StatementKind::StateRate(name, _)
             | StatementKind::ForceOn(name, _)
             | StatementKind::Constraint(name, _)
             | StatementKind::Output(name, _) => vec![name],

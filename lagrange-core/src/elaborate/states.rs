@@ -1,0 +1,123 @@
+//! First-order states, and the equations that state their rates.
+
+use proc_macro2::Span;
+
+use super::elaborator::{Elaborator, UNKNOWNS};
+use super::expression::value_of;
+use super::messages::states as words;
+use super::operand::Operand;
+use super::scope::NameKind;
+use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
+use crate::diagnostics::Origin;
+use crate::expr::{Dependencies, ExprId};
+use crate::model::{Coordinate, Product};
+use crate::symbol::Role;
+use crate::syntax::ast::{AstId, Name};
+
+/// A declared state.
+pub(super) struct DeclaredState {
+    pub(super) name: Name,
+    pub(super) position: ExprId,
+    /// Where its equation stands, as far as there is one.
+    equation: Option<Span>,
+}
+
+/// States stand behind all other positions, be these declared further down.
+pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name) {
+    let index = first_state(elaborator) + elaborator.states.len();
+    let position = elaborator.evaluator.graph.symbol(&name.text, Role::State(index as u32));
+    elaborator.states.push(DeclaredState { name: name.clone(), position, equation: None });
+    elaborator.declare(name, NameKind::State, Some(Operand::Scalar(position)));
+}
+
+/// Number of positions that are no states.
+pub(super) fn first_state(elaborator: &Elaborator<'_>) -> usize {
+    elaborator.declaration.coordinates().len() - elaborator.declaration.states().count()
+}
+
+/// Index among the positions of the state of this name.
+pub(super) fn state_named(elaborator: &Elaborator<'_>, name: &str) -> Option<usize> {
+    let state = elaborator.states.iter().position(|state| state.name.text == name);
+    state.map(|state| first_state(elaborator) + state)
+}
+
+/// `dot(a) = e;`
+pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
+    let rate = rate_value(elaborator, syntax);
+    let state = elaborator.states.iter().position(|state| state.name.text == name.text);
+    let Some(state) = state else { return report_no_state(elaborator, name) };
+    let first = elaborator.states[state].equation.replace(name.span);
+    if let Some(first) = first {
+        let error = elaborator.evaluator.report.error(name.span, words::stated_twice(&name.text));
+        error.related(Origin::from(first), words::STATED_HERE).help(words::STATED_TWICE_HELP);
+        return;
+    }
+    // Where the equation is wrong, another one keeps what mentions the rate from being reported, too.
+    let graph = &mut elaborator.evaluator.graph;
+    let rate = rate.unwrap_or_else(|| graph.number(0));
+    graph.set_rate(elaborator.states[state].position, rate);
+}
+
+/// A function of time, positions, velocities, states and inputs.
+fn rate_value(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId> {
+    value_of(&mut elaborator.evaluator, syntax)?;
+    let value = elaborator.evaluator.scalar(syntax, words::RATE)?;
+    elaborator.forbid(UNKNOWNS, (syntax, value), words::RATE, words::RATE_HELP)?;
+    Some(value)
+}
+
+/// Reports a name that should be that of a state.
+fn report_no_state(elaborator: &mut Elaborator<'_>, name: &Name) {
+    let (text, origin, evaluator) = (&name.text, name.span.into(), &mut elaborator.evaluator);
+    let Some(kind) = evaluator.scope.resolve(text).map(|entry| entry.kind) else {
+        if !is_known_unresolved(evaluator, text, origin) && !is_declared_elsewhere(evaluator, text, origin) {
+            report_unknown(evaluator, text, origin, words::declare(text));
+        }
+        return;
+    };
+    let (message, help) = match kind {
+        NameKind::Coordinate => (words::rate_of_coordinate(text), words::RATE_OF_COORDINATE_HELP.to_owned()),
+        kind => (words::no_state(kind.describe(), text), words::declare("a")),
+    };
+    evaluator.report.error(name.span, message).help(help);
+}
+
+/// Checks that need all states and all that mentions them.
+pub(super) fn check_states(elaborator: &mut Elaborator<'_>) {
+    let is_read = elaborator.declaration.unreadable_words.is_empty();
+    let scope = &elaborator.evaluator.scope;
+    for state in elaborator.states.iter().filter(|state| is_read && state.equation.is_none()) {
+        let text = &state.name.text;
+        if scope.find(text).is_none_or(|entry| !entry.is_ambiguous) {
+            let error = elaborator.evaluator.report.error(state.name.span, words::without_equation(text));
+            error.help(words::equation_of(text));
+        }
+    }
+    let Some(first) = elaborator.states.first() else { return };
+    let wanted = elaborator.wanted.iter().rev().find(|(product, ..)| *product == Product::TangentJacobian);
+    if let Some(&(_, true, span)) = wanted {
+        let error = elaborator.evaluator.report.error(span, words::TANGENT_JACOBIAN);
+        error.related(Origin::from(first.name.span), words::STATE_IS_HERE).help(words::TANGENT_JACOBIAN_HELP);
+    }
+}
+
+/// Reports energies in which states multiply velocities.
+pub(super) fn report_states_in_momenta(elaborator: &mut Elaborator<'_>) {
+    for term in elaborator.kinetic.iter().chain(&elaborator.lagrangian) {
+        if elaborator.evaluator.graph.dependencies(term.value).intersects(Dependencies::STATE) {
+            let (place, name) = elaborator.evaluator.blame(term.syntax, Dependencies::STATE);
+            let error = elaborator.evaluator.report.error(place, words::in_kinetic(&name));
+            error.help(words::IN_KINETIC_HELP);
+        }
+    }
+}
+
+/// The states as positions, with their rates.
+pub(super) fn positions_of_states(elaborator: &Elaborator<'_>) -> Vec<Coordinate> {
+    let graph = &elaborator.evaluator.graph;
+    let positions = elaborator.states.iter().map(|DeclaredState { name, position, .. }| {
+        let rate = graph.rate_of_position(*position).unwrap_or(*position);
+        Coordinate { name: name.text.clone(), position: *position, rate, is_state: true }
+    });
+    positions.collect()
+}
