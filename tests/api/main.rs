@@ -34,6 +34,7 @@ mod scalars;
 mod shadowing;
 mod simulation;
 mod spatial_axiom;
+mod state_equations;
 mod states;
 mod switches;
 mod tables;

@@ -127,7 +127,7 @@ pub(super) fn loads_beside_squares(
 ) -> QuadraticForm {
     let mut form = QuadraticForm::default();
     let mut rates = Rates::new(accelerations);
-    let mut slopes = Rates::new(AccelerationTerms::Dropped);
+    let mut slopes = displaced_rates(model);
     for &(weight, u) in &split.squares {
         add_convection(&mut model.graph, &mut form, &mut slopes, weight, u);
     }
@@ -145,6 +145,14 @@ pub(super) fn loads_beside_squares(
         add_loads(model, &mut form);
     }
     form
+}
+
+/// Rates along displacements, which leave first-order states as they are.
+fn displaced_rates(model: &mut Model) -> Rates {
+    let mut rates = Rates::new(AccelerationTerms::Dropped);
+    let states = model.states().map(|state| state.position).collect::<Vec<_>>();
+    states.into_iter().for_each(|state| rates.learn(state, model.graph.number(0)));
+    rates
 }
 
 /// What the change of its weight adds to the linear part of ½ w u².

@@ -95,8 +95,10 @@ fn check_state_names(elaborator: &mut Elaborator<'_>) {
     let coordinates = elaborator.coordinates.iter().map(|(c, span)| (&c.name, c.position, *span));
     let speeds = elaborator.speeds.iter().filter(|(speed, _)| is_declared(speed));
     let states = elaborator.states.iter().map(|state| (&state.name.text, state.position, state.name.span));
-    let declared =
-        coordinates.chain(states).chain(speeds.map(|(s, span)| (&s.name, s.velocity, *span))).collect::<Vec<_>>();
+    let declared = coordinates
+        .chain(states)
+        .chain(speeds.map(|(s, span)| (&s.name, s.velocity, *span)))
+        .collect::<Vec<_>>();
     let mut clashes = Vec::new();
     for (speed, place) in &elaborator.speeds {
         let Some((coordinate, _)) = speed.coordinate.and_then(|index| elaborator.coordinates.get(index))

@@ -73,7 +73,9 @@ fn is_declared_before(elaborator: &mut Elaborator<'_>, quaternion: &Quaternion) 
 /// One more position, whose symbol is there already, with its rate.
 fn define_position(elaborator: &mut Elaborator<'_>, name: &Name, position: ExprId, rate: ExprId) {
     elaborator.evaluator.graph.set_rate(position, rate);
-    elaborator.coordinates.push((Coordinate { name: name.text.clone(), position, rate, is_state: false }, name.span));
+    elaborator
+        .coordinates
+        .push((Coordinate { name: name.text.clone(), position, rate, is_state: false }, name.span));
     elaborator.declare(name, NameKind::Coordinate, Some(Operand::Scalar(position)));
 }
 

@@ -11,7 +11,7 @@ use crate::collections::{HashMap, OrderedMap};
 use crate::diagnostics::{Origin, Report};
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::symbol::Role;
-use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression, StatementKind};
+use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
 
 /// Evaluates the expressions of one declaration.
 pub(super) struct Evaluator<'a> {
@@ -176,14 +176,14 @@ impl<'a> Evaluator<'a> {
         if !self.graph.dependencies(component).intersects(Dependencies::STATE) {
             return false;
         }
-        let is_state = |&id: &ExprId| {
-            matches!(self.graph.symbol_of(id).map(|symbol| symbol.role), Some(Role::State(_)))
-        };
+        let is_state =
+            |&id: &ExprId| matches!(self.graph.symbol_of(id).map(|symbol| symbol.role), Some(Role::State(_)));
         let mut states = self.graph.reachable(&[component]).into_iter().filter(is_state);
-        let Some(missing) = states.find(|&id| self.graph.rate_of_position(id).is_none()) else { return false };
+        let Some(missing) = states.find(|&id| self.graph.rate_of_position(id).is_none()) else {
+            return false;
+        };
         let name = self.graph.symbol_of(missing).map(|symbol| symbol.name.clone()).unwrap_or_default();
-        let states_it = |kind: &StatementKind| matches!(kind, StatementKind::StateRate(state, _) if state.text == name);
-        if self.declaration.statements.iter().any(|statement| states_it(&statement.kind)) {
+        if self.declaration.states_rate_of(&name) {
             let (place, _) = self.blame(origin, Dependencies::STATE);
             let error = self.report.error(place, messages::states::rate_too_early(&name));
             error.help(messages::states::rate_too_early_help(&name));

@@ -54,9 +54,8 @@ fn fixed(elaborator: &mut Elaborator, what: &str, syntax: AstId) {
 
 /// The weight m g of a body has the potential −m g·c only where g is the same everywhere.
 fn uniform(elaborator: &mut Elaborator, gravity: AstId) {
-    let varies = |dependencies: Dependencies| {
-        dependencies.intersects(Dependencies::COORDINATE | Dependencies::STATE)
-    };
+    let varies =
+        |dependencies: Dependencies| dependencies.intersects(Dependencies::COORDINATE | Dependencies::STATE);
     free_of(elaborator, gravity, varies, words::GRAVITY_NOT_UNIFORM);
 }
 

@@ -107,7 +107,8 @@ pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
     let first = first_state(elaborator);
     let report = &mut *elaborator.evaluator.report;
     let all = elaborator.coordinates.len();
-    let frozen = |reduction: &Reduction| reduction.frozen.iter().filter(|pinned| pinned.coordinate < first).count();
+    let frozen =
+        |reduction: &Reduction| reduction.frozen.iter().filter(|pinned| pinned.coordinate < first).count();
     for reduction in elaborator.reductions.iter().filter(|r| all > 0 && frozen(r) == all) {
         report.error(reduction.name.span, messages::ALL_FROZEN).help(messages::ALL_FROZEN_HELP);
     }

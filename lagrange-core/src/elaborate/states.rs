@@ -84,11 +84,13 @@ fn report_no_state(elaborator: &mut Elaborator<'_>, name: &Name) {
 
 /// Checks that need all states and all that mentions them.
 pub(super) fn check_states(elaborator: &mut Elaborator<'_>) {
-    let is_read = elaborator.declaration.unreadable_words.is_empty();
+    let declaration = elaborator.declaration;
     let scope = &elaborator.evaluator.scope;
-    for state in elaborator.states.iter().filter(|state| is_read && state.equation.is_none()) {
+    let is_unclear = !declaration.unreadable_words.is_empty();
+    for state in elaborator.states.iter().filter(|_| !is_unclear) {
         let text = &state.name.text;
-        if scope.find(text).is_none_or(|entry| !entry.is_ambiguous) {
+        let is_ambiguous = scope.find(text).is_some_and(|entry| entry.is_ambiguous);
+        if !is_ambiguous && !declaration.states_rate_of(text) {
             let error = elaborator.evaluator.report.error(state.name.span, words::without_equation(text));
             error.help(words::equation_of(text));
         }

@@ -18,9 +18,7 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
         StatementKind::Parameters(list) => StatementKind::Parameters(definitions(copier, list, scope)),
         StatementKind::Inputs(list) => StatementKind::Inputs(definitions(copier, list, scope)),
         StatementKind::Constants(list) => StatementKind::Constants(definitions(copier, list, scope)),
-        StatementKind::Coordinates(names) => {
-            StatementKind::Coordinates(all_elements(copier, names, scope))
-        }
+        StatementKind::Coordinates(names) => StatementKind::Coordinates(all_elements(copier, names, scope)),
         StatementKind::States(names) => StatementKind::States(all_elements(copier, names, scope)),
         StatementKind::Quaternion(quaternion) => {
             let elements = elements(copier, &quaternion.name, scope).into_iter();

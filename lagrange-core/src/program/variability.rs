@@ -34,10 +34,8 @@ impl Variability {
 
     /// Variability of an expression.
     pub fn of_expression(graph: &Graph, id: ExprId) -> Variability {
-        let position = Dependencies::TIME
-            | Dependencies::COORDINATE
-            | Dependencies::STATE
-            | Dependencies::PLACEHOLDER;
+        let position =
+            Dependencies::TIME | Dependencies::COORDINATE | Dependencies::STATE | Dependencies::PLACEHOLDER;
         let kinds = [
             (Dependencies::ACCELERATION, Variability::Acceleration),
             (Dependencies::VELOCITY, Variability::Velocity),

@@ -107,6 +107,13 @@ impl Declaration {
         states.flatten()
     }
 
+    /// Whether there is an equation of the state of this name, be it wrong.
+    pub fn states_rate_of(&self, state: &str) -> bool {
+        let is_its =
+            |kind: &StatementKind| matches!(kind, StatementKind::StateRate(name, _) if name.text == state);
+        self.statements.iter().any(|statement| is_its(&statement.kind))
+    }
+
     /// The velocities in their order.
     pub fn velocities(&self) -> Vec<StateVelocity<'_>> {
         let velocities = self.statements.iter().flat_map(|statement| match &statement.kind {

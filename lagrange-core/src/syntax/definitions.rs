@@ -83,7 +83,8 @@ impl Parser<'_> {
             if let Some(equals) = cursor.eat_equals() {
                 let help = messages::COORDINATE_WITH_VALUE_HELP;
                 let is_state = keyword == "state";
-                let message = if is_state { messages::STATE_WITH_VALUE } else { messages::COORDINATE_WITH_VALUE };
+                let message =
+                    if is_state { messages::STATE_WITH_VALUE } else { messages::COORDINATE_WITH_VALUE };
                 parser.fail_once(equals, message, help);
                 parser.item_value(cursor);
             }

@@ -2,7 +2,7 @@
 
 mod loops;
 
-use proc_macro2::{Delimiter, Ident, TokenTree};
+use proc_macro2::{Delimiter, Ident};
 
 use super::ast::{
     Action, AstId, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, Statement, StatementKind,
@@ -84,7 +84,7 @@ impl Parser<'_> {
             "const" => Ok(StatementKind::Constants(self.constants(cursor))),
             "coord" => Ok(StatementKind::Coordinates(self.coordinates("coord", cursor))),
             "state" => Ok(StatementKind::States(self.coordinates("state", cursor))),
-            "dot" if self.at_state_rate(cursor) => self.state_rate(cursor),
+            "dot" if at_state_rate(cursor) => self.state_rate(cursor),
             "quaternion" => {
                 let name = self.declared_name(cursor)?;
                 Ok(StatementKind::Quaternion(Box::new(Quaternion::named(name))))
@@ -201,16 +201,6 @@ impl Parser<'_> {
         Ok(StatementKind::Torque { moment, angle: self.value(cursor) })
     }
 
-    /// True at `(a) =`, unless a is known to be a coordinate, whose velocity nothing states.
-    fn at_state_rate(&self, cursor: &Cursor) -> bool {
-        let Some(group) = cursor.group(Delimiter::Parenthesis) else { return false };
-        let names_coordinate = match group.stream().into_iter().next() {
-            Some(TokenTree::Ident(word)) => self.declared(&word.to_string()) == Some(Declared::Coordinate),
-            _ => false,
-        };
-        at_equals_past(1, cursor) && !names_coordinate
-    }
-
     /// `(a) = e`, the equation of a state.
     fn state_rate(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
@@ -234,6 +224,11 @@ impl Parser<'_> {
         }
         self.expression(cursor)
     }
+}
+
+/// True at `(…) =`.
+fn at_state_rate(cursor: &Cursor) -> bool {
+    cursor.group(Delimiter::Parenthesis).is_some() && at_equals_past(1, cursor)
 }
 
 /// True if a statement needs no semicolon.

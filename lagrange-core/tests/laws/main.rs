@@ -19,6 +19,7 @@ mod products;
 mod quasi_velocities;
 mod reductions;
 mod scenes;
+mod states;
 mod trees;
 
 use proptest::prelude::ProptestConfig;

@@ -72,6 +72,7 @@ impl Laboratory {
             | Role::Multiplier(_)
             | Role::Reaction(_)
             | Role::Side(_)
+            | Role::State(_)
             | Role::Placeholder(_) => f64::NAN,
         })[0]
     }

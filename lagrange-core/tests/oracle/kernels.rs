@@ -35,7 +35,7 @@ struct Case {
 #[test]
 fn c_computes_what_the_scalar_code_computes() {
     let with_quaternions = models(|name| name == "ball_2");
-    check(&[references(), with_quaternions].into_iter().flatten().collect::<Vec<_>>());
+    check(&[references(), with_quaternions, vec![with_states()]].into_iter().flatten().collect::<Vec<_>>());
 }
 
 /// `cargo test --release -p lagrange-core --test oracle -- --ignored kernels`
@@ -153,6 +153,15 @@ fn models(is_wanted: impl Fn(&str) -> bool) -> Vec<Case> {
         case
     });
     cases.collect()
+}
+
+/// A motor whose current and whose temperature have rates of their own.
+fn with_states() -> Case {
+    let motor = "param j = 0.5, k = 0.2, r = 1.5, l = 0.1; state heat; coord theta; state i; input u;
+        kinetic = 1/2 * j * dot(theta)^2; force theta = k * i - heat * theta;
+        dot(i) = (u - r * i * (1 + heat) - k * dot(theta)) / l; dot(heat) = r * i^2 - abs(heat) + sin(t * theta);";
+    let value = |field: &str| if field == "u" { 12.0 } else { 0.75 };
+    case("motor".to_owned(), motor, value, vec![(0.5, vec![0.2, -1.5, 2.25], vec![0.7])])
 }
 
 fn case(

@@ -19,7 +19,7 @@ pub(in crate::elaborate) fn rate_of_coordinate(name: &str) -> String {
     format!("`{name}` is a coordinate: its velocity is part of the state, and no equation states it")
 }
 
-pub(in crate::elaborate) const RATE_OF_COORDINATE_HELP: &str = "accelerations follow from energies and forces; what must hold of velocities is a `constraint name = e;`, and what has a rate of its own a `state`";
+pub(in crate::elaborate) const RATE_OF_COORDINATE_HELP: &str = "initial velocities belong to the state from which a simulation starts, accelerations follow from energies and forces; what must hold of velocities is a `constraint name = e;`";
 
 pub(in crate::elaborate) fn no_state(kind: &str, name: &str) -> String {
     format!("the {kind} `{name}` is no state")

@@ -36,10 +36,11 @@ impl Shape<'_> {
     /// True if names of velocities must be said, since they do not follow from those of the positions.
     pub(in crate::emit) fn names_velocities(&self) -> bool {
         let has_states = self.states > 0;
-        has_states || self.velocities.iter().any(|velocity| match velocity.coordinate {
-            Some(coordinate) => velocity.name.text != format!("{}_dot", coordinate.text),
-            None => true,
-        })
+        has_states
+            || self.velocities.iter().any(|velocity| match velocity.coordinate {
+                Some(coordinate) => velocity.name.text != format!("{}_dot", coordinate.text),
+                None => true,
+            })
     }
 
     /// Index of the coordinate that a velocity is the rate of.

@@ -19,7 +19,9 @@ pub(in crate::emit) fn write_position_rates(writer: &mut MethodWriter<'_>) {
     let (body, _) = writer.lowered(&rates, Arguments::State, |results| returns.collect(results));
     let docs = match writer.shape.states {
         0 => doc("Rates of the positions: kinematic differential equations."),
-        _ => doc("Rates of the positions: kinematic differential equations, then the equations of the states."),
+        _ => {
+            doc("Rates of the positions: kinematic differential equations, then the equations of the states.")
+        }
     };
     let name = format_ident!("position_rates");
     writer.members.methods.push(Method { name, docs, arguments: Arguments::State, returns, body });
