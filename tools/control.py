@@ -12,6 +12,8 @@ stand for themselves.
 - sampled_cart_pole: the same with the force held for 0.02 s.
 - arm: two links of which the controller knows a wrong mass, on a path by computed torque (Spong, Hutchinson, Vidyasagar, *Robot
   Modeling and Control*, section 8.3).
+- integral_cart_pole: the cart with the pendulum in wind, under a linear feedback and the integral of its position.
+- motor_arm: an arm that a motor with inductance and a gear turns against gravity, with the energy that is supplied to it and the heat.
 - pid: a mass with spring and damper, a sampled PID controller whose output saturates and whose integral waits while it does
   (Astrom, Hagglund, *Advanced PID Control*, section 3.5).
 """
@@ -89,6 +91,33 @@ def sampled_cart_pole(step, columns):
     return sampled(cart_pole_rates, cart_pole_force, start, mpf("0.02"), 250, step, columns)
 
 
+def integral_cart_pole(step, columns):
+    gains = [mpf(k) for k in ("4.7", "-39.7", "5.3", "-8.3", "1.6")]
+    wind = mpf("0.3")
+
+    def rates(t, y):
+        x, th, integral, v, w = y
+        u = sum(k * d for k, d in zip(gains, [x, th - pi, v, w, integral]))
+        v, w, dv, dw = cart_pole_rates(t, [x, th, v, w], u + wind)
+        return [v, w, x, dv, dw]
+
+    return integrate(rates, [mpf(0), pi - mpf("0.2"), mpf(0), mpf(0), mpf(0)], mpf(0), mpf(5), step, columns)
+
+
+def motor_arm(step, columns):
+    """A rod of 1 kg and 0.5 m on a gear of 50 to 1, k = 0.05 Nm/A, R = 1.2 ohm, L = 50 mH, at 1 V from rest."""
+    inertia = mpf(1) / 12 + 50**2 * mpf("1e-4")
+    torque, r, inductance, c = 50 * mpf("0.05"), mpf("1.2"), mpf("0.05"), mpf("0.02")
+    weight = mpf("9.81") / 4
+
+    def rates(t, y):
+        th, i, _, _, w = y
+        return [w, (1 - r * i - torque * w) / inductance, i, r * i * i + c * w * w,
+                (torque * i - c * w - weight * sin(th)) / inertia]
+
+    return integrate(rates, [mpf(0)] * 5, mpf(0), mpf("0.5"), step, columns)
+
+
 def arm_dynamics(load, q1, q2, w1, w2):
     """Mass matrix and the other forces of two links of 1 m with point masses at their ends, the second of them `load`, angles
     relative to each other, gravity 9.81 m/s^2 downwards and q1 = 0 horizontal."""
@@ -149,17 +178,19 @@ CASES = {
     "sampled_cart_pole": (sampled_cart_pole, "5.0", ["x", "theta"]),
     "arm": (arm, "5.0", ["q1", "q2"]),
     "pid": (pid, "6.0", ["x"]),
+    "integral_cart_pole": (integral_cart_pole, "5.0", ["x", "theta"], ["integral"]),
+    "motor_arm": (motor_arm, "0.5", ["theta"], ["current", "supplied", "heat"]),
 }
 
 
 def main():
     rows = []
-    for name, (case, time, coordinates) in CASES.items():
+    for name, (case, time, coordinates, *states) in CASES.items():
         results = []
         for digits, step, columns in RUNS:
             with mp.workdps(digits):
                 results.append(case(step, columns))
-        components = coordinates + [f"{coordinate}_dot" for coordinate in coordinates]
+        components = [*coordinates, *sum(states, []), *(f"{coordinate}_dot" for coordinate in coordinates)]
         for component, one, other in zip(components, *results):
             if abs(one - other) > mpf(10) ** -DIGITS * max(1, abs(other)):
                 raise ArithmeticError(f"{name}: {component} is {one} or {other}")

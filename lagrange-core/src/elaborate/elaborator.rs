@@ -8,7 +8,6 @@ use super::messages;
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::staged::Staged;
-use super::states::DeclaredState;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::bodies::Plain;
 use crate::calculus::evaluate;
@@ -41,6 +40,14 @@ pub(super) struct SourceTerm {
     pub(super) value: ExprId,
     pub(super) syntax: AstId,
     pub(super) keyword: Span,
+}
+
+/// A declared first-order state.
+pub(super) struct DeclaredState {
+    pub(super) name: Name,
+    pub(super) position: ExprId,
+    /// Where its equation stands, as far as there is one.
+    pub(super) equation: Option<Span>,
 }
 
 /// The model under construction.

@@ -1,8 +1,6 @@
 //! First-order states, and the equations that state their rates.
 
-use proc_macro2::Span;
-
-use super::elaborator::{Elaborator, UNKNOWNS};
+use super::elaborator::{DeclaredState, Elaborator, UNKNOWNS};
 use super::expression::value_of;
 use super::messages::states as words;
 use super::operand::Operand;
@@ -13,14 +11,6 @@ use crate::expr::{Dependencies, ExprId};
 use crate::model::{Coordinate, Product};
 use crate::symbol::Role;
 use crate::syntax::ast::{AstId, Name};
-
-/// A declared state.
-pub(super) struct DeclaredState {
-    pub(super) name: Name,
-    pub(super) position: ExprId,
-    /// Where its equation stands, as far as there is one.
-    equation: Option<Span>,
-}
 
 /// States stand behind all other positions, be these declared further down.
 pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name) {

@@ -136,7 +136,7 @@ pub(super) const REPEATED_ATTRIBUTE_HELP: &str = "leave one of them out";
 
 pub(super) const STATEMENT: &str = "a statement";
 pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes have no meaning here";
-pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord`, `quaternion`, `velocity`, `body`, `frame`, `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball`, `free`, `constraint`, `event`, `friction`, `output` and `reduce`; other comments begin with `//`";
+pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord`, `state`, `quaternion`, `velocity`, `body`, `frame`, `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball`, `free`, `constraint`, `event`, `friction`, `output` and `reduce`; other comments begin with `//`";
 pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
 pub(super) const LINE_END: &str = "expected `;`, found `,`";
 pub(super) const MISSING_COMMA: &str = "missing `,` in front of this";

@@ -102,6 +102,8 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::Inputs(list) => format!("input {}", definitions(list)),
         StatementKind::Constants(list) => format!("const {}", definitions(list)),
         StatementKind::Coordinates(list) => format!("coord {}", names(list)),
+        StatementKind::States(list) => format!("state {}", names(list)),
+        StatementKind::StateRate(name, value) => format!("dot({}) {}", name.text, show(value)),
         StatementKind::Quaternion(quaternion) => format!("quaternion {}", quaternion.name.text),
         StatementKind::Velocity(name, value) => format!("velocity {} {}", name.text, show(value)),
         StatementKind::Let(name, value) => format!("let {} {}", name.text, show(value)),

@@ -41,6 +41,7 @@ impl Sample {
             | Role::Multiplier(_)
             | Role::Reaction(_)
             | Role::Side(_)
+            | Role::State(_)
             | Role::Placeholder(_) => f64::NAN,
         }
     }

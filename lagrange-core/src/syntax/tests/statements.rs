@@ -7,6 +7,8 @@ fn every_statement_has_its_form() {
         input u, w = -2;
         const k = 1/2, pi2 = 2 * pi;
         coord x, theta;
+        state current, heat;
+        dot(current) = -r * current;
         let n = a + b;
         let (p, q) = (a, b);
         let (r, s, v) = (a, b, c);
@@ -36,6 +38,8 @@ fn every_statement_has_its_form() {
         "input u (w (- 2))",
         "const (k (/ 1 2)) (pi2 (* 2 pi))",
         "coord x theta",
+        "state current heat",
+        "dot(current) (* (- r) current)",
         "let n (+ a b)",
         "let (p q) (vector a b)",
         "let (r s v) (vector a b c)",
