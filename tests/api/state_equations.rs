@@ -86,6 +86,17 @@ lagrange::system! {
 }
 
 lagrange::system! {
+    /// A sledge on a brake that is pressed more and more.
+    struct Sledge;
+
+    coord x;
+    state pressure;
+    kinetic = 1/2 * dot(x)^2;
+    dot(pressure) = 2;
+    friction brake = dot(x), pressure;
+}
+
+lagrange::system! {
     /// A root that ends.
     struct Ending;
 
@@ -231,6 +242,15 @@ fn projections_and_impacts_leave_states_as_they_are() {
     let run = Ball::default().simulate([1.0, 0.0, 0.0]).until(2.0 * fall + 1e-9).tolerance(1e-12).run();
     let way = run.expect("runs").last()[1];
     assert!((way - 1.5).abs() < 1e-7, "{way}");
+}
+
+/// v = v₀ − t² until it sticks.
+#[test]
+fn limits_of_friction_may_be_states() {
+    let run = Sledge::default().simulate([0.0, 0.0, 4.0]).until(3.0).tolerance(1e-12).run().expect("runs");
+    let [x, pressure, speed] = run.last();
+    assert!((x - 16.0 / 3.0).abs() < 1e-9 && speed == 0.0, "{x} {speed}");
+    assert_close(pressure, 6.0);
 }
 
 #[test]
