@@ -30,6 +30,21 @@ lagrange::system! {
     emit { lanes }
 }
 
+lagrange::system! {
+    /// A wheel on a motor with inductance.
+    #[derive(Clone)]
+    struct Motor;
+
+    param k = 0.3, r = 1.5, inductance = 0.05;
+    coord theta;
+    state current;
+    kinetic = 1/2 * dot(theta)^2;
+    potential = 1/2 * theta^2;
+    force theta = k * current;
+    dot(current) = (1 - r * current - k * dot(theta)) / inductance;
+    emit { lanes }
+}
+
 fn start(index: usize, random: &mut Random) -> [f64; 4] {
     [if index == 3 { f64::NAN } else { 0.0 }, random.uniform(-2.0..2.0), 0.0, 0.1]
 }
@@ -103,4 +118,19 @@ fn files_do_not_mix_lanes_with_runs() {
         panic!("{refused:?}")
     };
     assert!(there.starts_with("in lanes, products "), "{there}");
+}
+
+#[test]
+fn first_order_states_go_in_lanes() {
+    let motor = Motor::default();
+    let ensemble = || {
+        let motions = motor.ensemble(9).start(|index, _| [0.1 * index as f64, -1.0, 0.0]);
+        motions.parameters(|index, motor| motor.k = 0.1 * index as f64).until(1.0).tolerance(1e-10)
+    };
+    assert!(ensemble().is_in_lanes());
+    let (lanes, alone) = (ensemble().run().expect("runs"), ensemble().one_by_one().run().expect("runs"));
+    let named = |name: &str| (lanes.column(name).expect("there"), alone.column(name).expect("there"));
+    for (found, expected) in ["theta", "current", "theta_dot"].map(named) {
+        assert!(found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-9));
+    }
 }

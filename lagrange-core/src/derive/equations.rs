@@ -354,7 +354,8 @@ fn labels(model: &Model, mass_matrix: &[Vec<ExprId>], solution: &Solution) -> Ve
     let accelerations = solution.values.iter().zip(symbols);
     let accelerations = accelerations.filter_map(|(id, symbol)| Some((*id, symbol?.identifier())));
     let derived = matrix_labels(&model.graph, mass_matrix).into_iter().chain(accelerations);
-    let derived = derived.chain(solution.labels.iter().cloned());
+    let rates = model.states().map(|state| (state.rate, format!("{}_dot", state.name)));
+    let derived = derived.chain(rates).chain(solution.labels.iter().cloned());
     // A symbol or the sine of an angle says itself what it is, unless the user has named it.
     let says_itself = |id| matches!(model.graph.node(id), Node::Symbol(_) | Node::Call(..));
     let labels = model.labels.iter().cloned().chain(derived.filter(|(id, _)| !says_itself(*id)));

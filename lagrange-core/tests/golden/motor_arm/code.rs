@@ -106,7 +106,8 @@ const _: () = {
             let [_, current] = *q;
             let [theta_dot] = *v;
             let vel_0 = multiply_add(-k, theta_dot, multiply_add(-r, current, voltage));
-            [theta_dot, 1.0 / inductance * vel_0]
+            let current_dot = 1.0 / inductance * vel_0;
+            [theta_dot, current_dot]
         }
         /// Mass matrix M, in rows.
         ///
@@ -291,7 +292,8 @@ const _: () = {
             let [theta_dot] = *v;
             let [theta_ddot] = self.acceleration(t, q, v);
             let vel_0 = multiply_add(-k, theta_dot, multiply_add(-r, current, voltage));
-            multiply_add(1.0 / inductance, vel_0, theta_ddot)
+            let current_dot = 1.0 / inductance * vel_0;
+            theta_ddot + current_dot
         }
         /// Rate of the state: rates of the positions, then accelerations.
         #[must_use]
