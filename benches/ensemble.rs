@@ -6,8 +6,9 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use lagrange::ensemble::{Ensemble, Moments, Random, SharedSystem};
+use lagrange::ensemble::{Ends, Ensemble, Moments, Random, Samples, SharedSystem};
 use lagrange::integrate::{RungeKutta4, Verner98};
+use lagrange::simulate::Table;
 use lagrange::{Ensembles, Simulate};
 
 lagrange::system! {
@@ -37,39 +38,77 @@ lagrange::system! {
     emit { lanes }
 }
 
+lagrange::system! {
+    #[derive(Clone)]
+    pub struct Chain;
+
+    const n = 10;
+    param m[n] = 0.1, l[n] = 0.1, g = 9.81;
+    coord theta[n];
+    let p[0] = (0, 0);
+    for i in 0..n {
+        let p[i+1] = p[i] + l[i] * (sin(theta[i]), -cos(theta[i]));
+        kinetic = kinetic_energy(m[i], dot(p[i+1]));
+        potential = gravitational_energy(m[i], g, p[i+1].y);
+    }
+    emit { lanes }
+}
+
 const MOTIONS: usize = 1024;
 const ROUNDS: usize = 21;
 const UNTIL: f64 = 10.0;
 const SEED: u64 = 7;
 const STEP: f64 = 0.01;
+const INTERVAL: f64 = 0.1;
 
-fn start(_: usize, random: &mut Random) -> [f64; 4] {
-    [2.0 + 0.1 * random.normal(), 2.0, 0.0, 0.0]
+/// A system, and where its motions start.
+trait Subject: SharedSystem<Scalar = f64, Columns<Table<f64>>: Send> {
+    /// How many motions there are: few of a large system.
+    const MOTIONS: usize = MOTIONS;
+
+    fn start(random: &mut Random) -> Self::State;
 }
 
-/// A system with two coordinates.
-trait Subject: SharedSystem<Scalar = f64, State = [f64; 4]> {}
+impl Subject for DoublePendulum {
+    fn start(random: &mut Random) -> [f64; 4] {
+        [2.0 + 0.1 * random.normal(), 2.0, 0.0, 0.0]
+    }
+}
 
-impl<M: SharedSystem<Scalar = f64, State = [f64; 4]>> Subject for M {}
+impl Subject for CartPole {
+    fn start(random: &mut Random) -> [f64; 4] {
+        DoublePendulum::start(random)
+    }
+}
+
+impl Subject for Chain {
+    const MOTIONS: usize = 256;
+
+    fn start(random: &mut Random) -> [f64; 20] {
+        let angle = 0.5 + 0.1 * random.normal();
+        std::array::from_fn(|index| if index < 10 { angle } else { 0.0 })
+    }
+}
 
 /// Ends of single runs, one after the other.
 fn by_hand<M: Subject>(system: &M, tolerance: f64) -> f64 {
-    let ends = (0..MOTIONS).map(|index| {
-        let run = system.simulate(start(index, &mut Random::new(SEED, index))).until(UNTIL);
+    let ends = (0..M::MOTIONS).map(|index| {
+        let run = system.simulate(M::start(&mut Random::new(SEED, index))).until(UNTIL);
         run.tolerance(tolerance).ends_only().run().expect("runs").last()
     });
-    ends.collect::<Vec<_>>()[MOTIONS - 1][0]
+    ends.collect::<Vec<_>>()[M::MOTIONS - 1].as_ref()[0]
 }
 
 fn ensemble<M: Subject>(system: &M, tolerance: f64, threads: usize) -> Ensemble<'_, M, Verner98<f64>> {
-    system.ensemble(MOTIONS).start(start).until(UNTIL).tolerance(tolerance).seed(SEED).threads(threads)
+    let motions = system.ensemble(M::MOTIONS).start(|_, random| M::start(random)).until(UNTIL);
+    motions.tolerance(tolerance).seed(SEED).threads(threads)
 }
 
-/// Microseconds a motion.
+/// Microseconds.
 fn time(compute: &dyn Fn() -> f64) -> f64 {
     let began = Instant::now();
     black_box(compute());
-    began.elapsed().as_secs_f64() * 1e6 / MOTIONS as f64
+    began.elapsed().as_secs_f64() * 1e6
 }
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -77,18 +116,19 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// The ways, in turns.
-fn measure<const N: usize>(what: &str, ways: [(&str, &dyn Fn() -> f64); N]) {
+/// The ways to compute so many motions, in turns.
+fn measure<const N: usize>(what: &str, motions: usize, ways: [(&str, &dyn Fn() -> f64); N]) {
     let rounds: Vec<_> = (0..ROUNDS).map(|_| ways.map(|(_, compute)| time(compute))).collect();
     for (index, (name, _)) in ways.iter().enumerate() {
-        let least = rounds.iter().map(|times| times[index]).fold(f64::INFINITY, f64::min);
+        let least = rounds.iter().map(|times| times[index]).fold(f64::INFINITY, f64::min) / motions as f64;
         let ratio = median(rounds.iter().map(|times| times[0] / times[index]).collect());
         println!("| {what:20} | {name:27} | {least:7.1} | {ratio:.2} |");
     }
 }
 
 fn measure_all<M: Subject>(name: &str, system: &M) {
-    let last = |ends: lagrange::ensemble::Ends<M>| ends.state(MOTIONS - 1).expect("ended")[0];
+    let last = |ends: Ends<M>| ends.state(M::MOTIONS - 1).expect("ended").as_ref()[0];
+    let last_sample = |samples: Samples<M>| samples.iter().last().expect("ended").1.times()[1];
     for tolerance in [1e-6, 1e-9] {
         let ends = |threads| last(ensemble(system, tolerance, threads).run().expect("runs"));
         let alone = || last(ensemble(system, tolerance, 1).one_by_one().run().expect("runs"));
@@ -106,18 +146,30 @@ fn measure_all<M: Subject>(name: &str, system: &M) {
             ("in lanes, 1 thread, reduced", &reduced),
             ("in lanes, 2 threads", &|| ends(2)),
         ];
-        measure(&format!("{name}, {tolerance:.0e}"), ways);
+        measure(&format!("{name}, {tolerance:.0e}"), M::MOTIONS, ways);
+        let sampled = || ensemble(system, tolerance, 1).every(INTERVAL);
+        let ways: [(&str, &dyn Fn() -> f64); 2] = [
+            ("one by one, 1 thread", &|| last_sample(sampled().one_by_one().run().expect("runs"))),
+            ("in lanes, 1 thread", &|| last_sample(sampled().run().expect("runs"))),
+        ];
+        measure(&format!("{name}, {tolerance:.0e}, samples"), M::MOTIONS, ways);
     }
     let equal = || ensemble(system, 1e-9, 1).method(RungeKutta4 { step: STEP });
     let ways: [(&str, &dyn Fn() -> f64); 2] = [
         ("one by one, 1 thread", &|| last(equal().one_by_one().run().expect("runs"))),
         ("in lanes, 1 thread", &|| last(equal().run().expect("runs"))),
     ];
-    measure(&format!("{name}, RK4"), ways);
+    measure(&format!("{name}, RK4"), M::MOTIONS, ways);
+    let ways: [(&str, &dyn Fn() -> f64); 2] = [
+        ("one by one, 1 thread", &|| last_sample(equal().one_by_one().every(INTERVAL).run().expect("runs"))),
+        ("in lanes, 1 thread", &|| last_sample(equal().every(INTERVAL).run().expect("runs"))),
+    ];
+    measure(&format!("{name}, RK4, samples"), M::MOTIONS, ways);
 }
 
 fn main() {
-    println!("| {MOTIONS} motions of {UNTIL} s | way | µs a motion | times as fast |\n|---|---|---|---|");
+    println!("| motions of {UNTIL} s | way | µs a motion | times as fast |\n|---|---|---|---|");
     measure_all("cart-pole", black_box(&CartPole::default()));
     measure_all("double pendulum", black_box(&DoublePendulum::default()));
+    measure_all("chain of ten", black_box(&Chain::default()));
 }

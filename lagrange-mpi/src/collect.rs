@@ -1,6 +1,6 @@
 //! The parts of all processes, merged in their order.
 
-use lagrange::ensemble::{Ensemble, EnsembleError, Motion, Pack, Reduce, SharedSystem};
+use lagrange::ensemble::{Ensemble, EnsembleError, Keep, Motion, Pack, Reduce, SharedSystem};
 use lagrange::integrate::Method;
 use lagrange::simulate::Drive;
 use mpi::collective::SystemOperation;
@@ -35,6 +35,7 @@ where
     M: SharedSystem,
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Sync,
+    P: Keep,
 {
     fn reduce_over<R: Reduce + Pack>(
         self,

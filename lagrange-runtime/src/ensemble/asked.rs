@@ -60,6 +60,8 @@ pub(super) struct Asked<'a, M: MechanicalSystem> {
     requests: Vec<Request<'a, M>>,
     /// Whether every motion is to be a run by itself.
     pub(super) is_one_by_one: bool,
+    /// How often samples are kept, if they are.
+    pub(super) interval: Option<M::Scalar>,
     /// Whether columns beside the state were asked for.
     pub(super) has_columns: bool,
     pub(super) most_steps: Option<u64>,
@@ -89,6 +91,7 @@ impl<'a, M: SharedSystem> Asked<'a, M> {
             seed: 0,
             requests: Vec::new(),
             is_one_by_one: false,
+            interval: None,
             has_columns: false,
             most_steps: None,
             longest_step: None,

@@ -85,6 +85,20 @@ pub struct KeepEnds;
 #[derive(Clone, Copy, Debug)]
 pub struct KeepSamples;
 
+/// What is kept of every motion: [`KeepEnds`] or [`KeepSamples`].
+pub trait Keep {
+    /// Whether it is samples.
+    const SAMPLES: bool;
+}
+
+impl Keep for KeepEnds {
+    const SAMPLES: bool = false;
+}
+
+impl Keep for KeepSamples {
+    const SAMPLES: bool = true;
+}
+
 /// An ensemble that can be computed: which motions, by which method, and what to keep of them.
 ///
 /// Every motion is a [run of its own](crate::simulate::Simulation), with the same bits: methods, inputs, events, contacts and
@@ -136,7 +150,8 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     /// Keeps samples of every motion, at its start, at its end and so often between them: `.run()` then hands out a trajectory for each,
     /// `.reduce(…)` sees it, and `.save_parquet(…)` writes a row for each sample. After `.run()` all samples of all motions lie in memory.
     pub fn every(mut self, interval: M::Scalar) -> Ensemble<'a, M, K, D, KeepSamples> {
-        self.asked.request(format!("every {interval:?}"), move |_, _, run| run.every(interval));
+        self.asked.interval = Some(interval);
+        self.asked.request_anyhow(format!("every {interval:?}"), move |_, _, run| run.every(interval));
         let Ensemble { asked, method, drive, .. } = self;
         Ensemble { asked, method, drive, kept: PhantomData }
     }

@@ -6,7 +6,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::asked::SharedSystem;
-use super::builder::{Ensemble, KeepEnds};
+use super::builder::{Ensemble, Keep, KeepEnds};
 use super::engine::Engine;
 use super::error::EnsembleError;
 use super::failure::Failure;
@@ -104,6 +104,7 @@ where
     M: SharedSystem,
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Sync,
+    P: Keep,
 {
     /// The rows of these motions.
     fn rows(

@@ -12,8 +12,10 @@ use super::progress::Counter;
 
 /// Motions that are summed up together, and that one thread computes one after the other. The bits of reductions depend on it.
 pub(super) const BLOCK: usize = 64;
-/// Most blocks that one thread computes together in lanes, some of which have no motions towards the end.
+/// Most blocks that one thread computes together in lanes, some of which have no motions towards the end,
 const BLOCKS_IN_LANES: usize = 16;
+/// and with samples, which lie in memory.
+const BLOCKS_OF_SAMPLES: usize = 4;
 /// Threads that are done sooner find so many chunks for each of them.
 const CHUNKS_FOR_BALANCE: usize = 4;
 /// Chunks of a thread that are computed before they are merged: so much lies in memory.
@@ -25,6 +27,8 @@ pub(super) struct Engine {
     pool: Option<ThreadPool>,
     threads: usize,
     pub(super) chunk: usize,
+    /// How many chunks of each thread are computed before they are merged.
+    ahead: usize,
 }
 
 impl Engine {
@@ -36,13 +40,23 @@ impl Engine {
         };
         let pool = pool.transpose().map_err(|error| EnsembleError::Threads(error.to_string()))?;
         let threads = threads.unwrap_or_else(rayon::current_num_threads);
-        Ok(Engine { pool, threads, chunk: BLOCK })
+        Ok(Engine { pool, threads, chunk: BLOCK, ahead: CHUNKS_PER_THREAD })
     }
 
     /// The same with chunks for lanes, of which there are enough for all threads.
     pub(super) fn with_wide_chunks(self, motions: usize) -> Self {
-        let blocks = motions / (BLOCK * CHUNKS_FOR_BALANCE * self.threads);
-        Engine { chunk: BLOCK * blocks.clamp(1, BLOCKS_IN_LANES), ..self }
+        Engine { chunk: BLOCK * self.blocks(motions, BLOCKS_IN_LANES), ..self }
+    }
+
+    /// The same with chunks for lanes and samples, of as many motions ahead as if there were no lanes.
+    pub(super) fn with_chunks_of_samples(self, motions: usize) -> Self {
+        let blocks = self.blocks(motions, BLOCKS_OF_SAMPLES);
+        Engine { chunk: BLOCK * blocks, ahead: CHUNKS_PER_THREAD / blocks, ..self }
+    }
+
+    /// Blocks in a chunk, at most so many, if there are to be enough chunks of these motions for all threads.
+    fn blocks(&self, motions: usize, most: usize) -> usize {
+        (motions / (BLOCK * CHUNKS_FOR_BALANCE * self.threads)).clamp(1, most)
     }
 
     /// Computes all chunks of the motions and hands their results over in their order.
@@ -60,7 +74,7 @@ impl Engine {
         let chunks = chunks.map(|start| start..start.saturating_add(self.chunk).min(motions.end));
         let mut chunks = chunks.peekable();
         while chunks.peek().is_some() {
-            let wave: Vec<_> = chunks.by_ref().take(CHUNKS_PER_THREAD * self.threads).collect();
+            let wave: Vec<_> = chunks.by_ref().take(self.ahead * self.threads).collect();
             for result in self.wave(wave, &compute) {
                 merge(result?)?;
             }

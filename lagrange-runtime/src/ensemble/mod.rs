@@ -81,7 +81,7 @@ mod tests;
 mod without_features;
 
 pub use self::asked::SharedSystem;
-pub use self::builder::{Ensemble, KeepEnds, KeepSamples, Motions};
+pub use self::builder::{Ensemble, Keep, KeepEnds, KeepSamples, Motions};
 pub use self::ends::Ends;
 pub use self::error::EnsembleError;
 pub use self::failure::Failure;

@@ -60,7 +60,7 @@ impl<'m, M: MechanicalSystem> Motion<'m, M> {
     }
 
     /// All that was kept of it: samples if they were asked for, events, columns that were observed. Of a motion that was computed
-    /// [in lanes](super::Ensemble::is_in_lanes) it is made when it is asked for, with the start and the end as samples.
+    /// [in lanes](super::Ensemble::is_in_lanes) it is made when it is asked for, with the start and the end as samples at least.
     pub fn trajectory(&self) -> &'m Trajectory<M> {
         match self.kept {
             Memory::Trajectory(trajectory) => trajectory,

@@ -6,7 +6,7 @@ use core::ops::{Deref, Range};
 use std::vec::Vec;
 
 use super::asked::SharedSystem;
-use super::builder::Ensemble;
+use super::builder::{Ensemble, Keep};
 use super::engine::BLOCK;
 use super::error::EnsembleError;
 use super::failure::Failure;
@@ -87,6 +87,7 @@ where
     M: SharedSystem,
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Sync,
+    P: Keep,
 {
     /// Computes all motions and keeps what they come down to, and nothing of themselves, so that memory does not depend on their number.
     ///
@@ -150,7 +151,7 @@ where
                         add(&mut block.value, &Motion::new(index, system, end, kept));
                     }
                     Came::Arrived(end) => {
-                        let (place, make) = (OnceCell::new(), || self.ends_of(index, system, &end));
+                        let (place, make) = (OnceCell::new(), || self.trajectory_of(index, system, &end));
                         let kept = Memory::Unmade(&place, &make);
                         add(&mut block.value, &Motion::new(index, system, (self.asked.end, end.state), kept));
                     }

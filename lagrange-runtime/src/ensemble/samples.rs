@@ -5,7 +5,6 @@ use std::vec::Vec;
 
 use super::asked::SharedSystem;
 use super::builder::{Ensemble, KeepSamples};
-use super::engine::Engine;
 use super::error::EnsembleError;
 use super::motion::Ran;
 use crate::integrate::Method;
@@ -65,11 +64,10 @@ where
         let mut all = Vec::new();
         let compute = |chunk: Range<usize>| {
             let mut ran = Vec::with_capacity(chunk.len());
-            self.each_alone(chunk, &counter, |_, _, motion| ran.push(motion))?;
+            self.each(chunk, &counter, |index, system, came| ran.push(self.samples_of(index, system, came)))?;
             Ok(ran)
         };
-        let engine = Engine::new(self.asked.threads)?;
-        engine.chunks(motions.clone(), &counter, compute, |chunk| {
+        self.engine()?.chunks(motions.clone(), &counter, compute, |chunk| {
             all.extend(chunk);
             Ok(())
         })?;

@@ -3,7 +3,7 @@
 //! The polynomials are written in changes over the step, so that short steps lose no digits.
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::system::StateVector;
 
 /// A step of the length `h`, and the part `s` of it after which the state is asked for.
@@ -14,7 +14,8 @@ pub(super) struct Place<S> {
 }
 
 /// Cubic Hermite interpolation between the states `y0` and `y1` with the rates `f0` and `f1`. The error is O(h⁴).
-pub(super) fn cubic<S: Scalar, Y: StateVector<S>>(
+#[inline(always)]
+pub(super) fn cubic<S: Number, Y: StateVector<S>>(
     Place { h, s }: Place<S>,
     [y0, y1]: [&Y; 2],
     [f0, f1]: [&Y; 2],

@@ -91,6 +91,11 @@ impl Counts {
         are_spent
     }
 
+    /// A step that was taken in this lane was taken back.
+    pub(super) fn take_back(&mut self, lane: usize) {
+        self.taken[lane] -= 1;
+    }
+
     pub(super) fn tried(&self, lane: usize) -> u64 {
         self.tried[lane]
     }

@@ -145,8 +145,24 @@ pub trait LanesMethod<T: Scalar>: Copy {
 
 /// Motions in progress, one in each lane.
 pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
+    /// What is known of the last step in every lane, by which states within it are told. Who asks for none keeps none.
+    type LastStep: Copy;
+
+    /// What is known before any step.
+    fn last_step(&self) -> Self::LastStep;
+
+    /// Remembers where a step begins that is about to be tried.
+    fn begin(&self, last: &mut Self::LastStep);
+
     /// Tries a step in every lane, towards the end and not beyond.
     fn step(&mut self, equations: &E);
+
+    /// Prepares for [`interpolate`](LanesStepper::interpolate) in these lanes, all of which have just taken a step. Where states within it
+    /// are less accurate than its end, as far as the method can tell, the step is taken back, as by [`Stepper::confirm`].
+    fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, asked: S::Mask);
+
+    /// The states at times within the last steps, in lanes that were prepared, or at their ends; anything elsewhere.
+    fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State;
 
     /// The times that were reached: the end exactly where a motion has ended, NaN where it was given up.
     fn time(&self) -> S;

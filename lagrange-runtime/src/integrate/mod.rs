@@ -31,9 +31,9 @@ pub use self::gauss_legendre::{
     GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
 };
 pub use self::method::{LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method, Stepper, Work};
-pub use self::rk4::{RungeKutta4, RungeKuttaLanes, rk4_step};
+pub use self::rk4::{RungeKutta4, RungeKuttaLanes, RungeKuttaLastStep, rk4_step};
 pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
 pub use self::undefined::{explained, undefined};
 pub use self::variational::Variational;
-pub use self::verner::{Verner98, VernerLanes, VernerStepper};
+pub use self::verner::{Verner98, VernerLanes, VernerLastStep, VernerStepper};
 pub use crate::system::{EventSource, StepFailure};

@@ -14,7 +14,7 @@
 
 mod lanes;
 
-pub use self::lanes::RungeKuttaLanes;
+pub use self::lanes::{RungeKuttaLanes, RungeKuttaLastStep};
 
 use crate::integrate::fixed::{FixedStepper, Formula};
 use crate::integrate::interpolation::{Place, cubic};

@@ -79,6 +79,8 @@ pub(crate) use self::observer::state_names;
 #[cfg(all(feature = "ensemble", feature = "plot"))]
 pub(crate) use self::plots::TIME_AXIS;
 pub use self::progress::{Progress, Verdict};
+#[cfg(feature = "ensemble")]
+pub(crate) use self::sampling::Grid;
 pub use self::start::InitialState;
 #[cfg(all(feature = "ensemble", feature = "plot"))]
 pub(crate) use self::table::TIME;

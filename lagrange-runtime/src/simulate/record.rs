@@ -167,6 +167,13 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         self.events.push(event);
     }
 
+    /// Adds a sample that was reached.
+    #[cfg(feature = "ensemble")]
+    pub(super) fn reach(&mut self, system: &C, (time, state): (M::Scalar, M::State)) {
+        self.sample(system, time, &state);
+        self.last = (time, state);
+    }
+
     /// Adds a sample.
     fn sample(&mut self, system: &C, time: M::Scalar, state: &M::State) {
         self.row.clear();

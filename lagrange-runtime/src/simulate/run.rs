@@ -4,6 +4,8 @@ use std::cmp::Ordering;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+#[cfg(feature = "ensemble")]
+use crate::integrate::Work;
 use crate::integrate::{Method, Stepper, explained};
 use crate::run::{AllEvents, Current, DeclaredEvents, Events, Found, Origin, Run, Sink, Turn};
 use crate::scalar::Scalar;
@@ -29,6 +31,29 @@ impl<M: MechanicalSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
     {
         let (system, drive) = (self.system, self.drive.clone());
         drive.close(system, |closed| run(closed, self))
+    }
+}
+
+/// What is told of a run by who computed it otherwise.
+#[cfg(feature = "ensemble")]
+impl<M: MechanicalSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
+    /// The trajectory of this run, given the samples after its start, the last of which is its end.
+    pub(crate) fn told(
+        self,
+        samples: impl IntoIterator<Item = (M::Scalar, M::State)>,
+        work: Work,
+    ) -> Trajectory<M>
+    where
+        K: Method<D::Closed>,
+    {
+        let Simulation { system, start, observers, method, drive, .. } = self;
+        drive.close(system, |closed| {
+            let current = Current::new(closed);
+            let mut record = Record::new(&current, observers, None, start);
+            samples.into_iter().for_each(|sample| record.reach(closed, sample));
+            record.work = work;
+            record.close(current, Ending::Reached, method.name())
+        })
     }
 }
 

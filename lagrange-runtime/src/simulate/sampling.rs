@@ -16,7 +16,7 @@ pub(super) enum Sampling<S> {
 
 /// The times start + k dt, each computed from k, so that rounding errors do not add up.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Grid<S> {
+pub(crate) struct Grid<S> {
     start: S,
     /// Signed: negative if time runs backwards.
     interval: S,
@@ -30,7 +30,7 @@ const MOST_SAMPLES: f64 = 1e8;
 const SNAP: f64 = 1e-9;
 
 impl<S: Scalar> Grid<S> {
-    pub(super) fn new(start: S, end: S, interval: S) -> Result<Self, StepFailure<S>> {
+    pub(crate) fn new(start: S, end: S, interval: S) -> Result<Self, StepFailure<S>> {
         if !(interval > S::ZERO && interval.is_finite()) {
             return Err(StepFailure::Setting("the interval of sampling must be positive and finite"));
         }
@@ -45,13 +45,25 @@ impl<S: Scalar> Grid<S> {
     }
 
     /// The same if its times can be kept.
-    pub(super) fn that_can_be_kept(self) -> Result<Self, StepFailure<S>> {
+    pub(crate) fn that_can_be_kept(self) -> Result<Self, StepFailure<S>> {
         let samples = (self.end - self.start) / self.interval;
         let most = S::from_f64(MOST_SAMPLES);
         if samples.is_finite() && samples <= most {
             return Ok(self);
         }
         Err(StepFailure::TooManySamples { samples, most })
+    }
+
+    /// Whether time runs backwards.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn is_backwards(&self) -> bool {
+        self.interval < S::ZERO
+    }
+
+    /// The next time, if it comes before the end.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn next(&mut self) -> Option<S> {
+        self.up_to(self.end)
     }
 
     /// The next time, if it comes before the end and not after `reached`.

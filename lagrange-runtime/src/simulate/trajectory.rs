@@ -50,15 +50,6 @@ pub enum Ending {
 }
 
 impl<M: MechanicalSystem> Trajectory<M> {
-    /// The trajectory of which only the start and the end are known, given what would be kept of either.
-    #[cfg(feature = "ensemble")]
-    pub(crate) fn of_ends(start: &Self, end: &Self, work: Work) -> Self {
-        let mut table = start.table().clone();
-        table.append(end.table().clone());
-        let start = start.clone();
-        Trajectory { columns: table.into(), last: end.last, work, ending: Ending::Reached, ..start }
-    }
-
     /// How many samples there are; at least one.
     #[expect(clippy::len_without_is_empty, reason = "there is at least one sample")]
     pub fn len(&self) -> usize {

@@ -6,6 +6,7 @@
 
 mod dispatch;
 mod refill;
+mod sampler;
 #[cfg(test)]
 mod tests;
 
@@ -15,24 +16,31 @@ use std::vec::Vec;
 #[cfg(feature = "parquet")]
 pub(super) use self::dispatch::is_fused;
 pub(super) use self::refill::Arrival;
-use self::refill::{Beginning, EndsOf, Queue, Refill};
-use super::asked::SharedSystem;
-use super::builder::Ensemble;
+use self::refill::{ArrivalOf, Beginning, EndsOf, Queue, Refill};
+use super::asked::{Asked, SharedSystem, Unasked};
+use super::builder::{Ensemble, Keep};
 use super::engine::Engine;
 use super::error::EnsembleError;
 use super::motion::{Ran, caught, refuse_settings};
 use super::progress::Counter;
 use crate::integrate::{LanesMethod, LanesMethodVisitor, Method};
-use crate::scalar::Scalar;
-use crate::simulate::{Drive, Trajectory};
+use crate::scalar::{Number, Scalar};
+use crate::simulate::{Drive, Grid, Trajectory};
 use crate::system::{LanesSystem, LanesVisitor, MechanicalSystem, ScalarOf};
+
+/// Samples of motions that are computed together, at most: some megabytes of a small system. Beyond that
+const MOST_SAMPLES: f64 = 1_048_576.0;
+/// as many motions are, two for each lane,
+const LEAST_TOGETHER: usize = 16;
+/// and never more than these if there are samples of them.
+const MOST_TOGETHER: usize = 256;
 
 /// What came of a motion.
 pub(super) enum Came<M: MechanicalSystem> {
     /// It was a run by itself.
     Ran(Ran<M>),
     /// It went in a lane to the end that was asked for.
-    Arrived(Arrival<M::State>),
+    Arrived(ArrivalOf<M>),
 }
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
@@ -40,12 +48,13 @@ where
     M: SharedSystem,
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Sync,
+    P: Keep,
 {
     /// Whether motions are computed side by side, several at a time with each instruction of the processor.
     ///
     /// They are if the declaration says `emit { lanes }` and has neither constraints nor events, contacts or friction, if the method is
-    /// [`Verner98`](crate::integrate::Verner98) or [`RungeKutta4`](crate::integrate::RungeKutta4), and if nothing is asked for but ends and columns:
-    /// no samples, laws, controllers, events or restarts. A motion that fails, or jumps at a time known beforehand, is a run by itself in
+    /// [`Verner98`](crate::integrate::Verner98) or [`RungeKutta4`](crate::integrate::RungeKutta4), and if nothing is asked for but ends, samples
+    /// and columns: no laws, controllers, events or restarts. A motion that fails, or jumps at a time known beforehand, is a run by itself in
     /// any case.
     ///
     /// What comes of a motion then depends neither on the others nor on threads or shards, but on whether the processor fuses products and
@@ -59,8 +68,12 @@ where
 
     /// Threads, and chunks for them.
     pub(super) fn engine(&self) -> Result<Engine, EnsembleError> {
-        let engine = Engine::new(self.asked.threads)?;
-        Ok(if self.is_in_lanes() { engine.with_wide_chunks(self.asked.motions()?.len()) } else { engine })
+        let (engine, motions) = (Engine::new(self.asked.threads)?, self.asked.motions()?.len());
+        Ok(match (self.is_in_lanes(), P::SAMPLES) {
+            (false, _) => engine,
+            (true, false) => engine.with_wide_chunks(motions),
+            (true, true) => engine.with_chunks_of_samples(motions),
+        })
     }
 
     /// Computes motions and hands over in their order what came of them, until the ensemble is cancelled.
@@ -74,6 +87,33 @@ where
             return self
                 .each_alone(motions, counter, |index, system, ran| then(index, system, Came::Ran(ran)));
         }
+        let together = self.together();
+        for first in motions.clone().step_by(together) {
+            self.each_in_lanes(first..motions.end.min(first.saturating_add(together)), counter, &mut then)?;
+        }
+        Ok(())
+    }
+
+    /// How many motions are computed together: as many as are given, or so few that their samples are not too many.
+    fn together(&self) -> usize {
+        let Some(interval) = self.asked.interval else { return usize::MAX };
+        let samples = ((self.asked.end - self.asked.from) / interval).abs();
+        let is_too_many = |motions: usize| {
+            M::Scalar::from_f64(MOST_SAMPLES) < M::Scalar::from_f64(motions as f64) * samples
+        };
+        let mut together = MOST_TOGETHER;
+        while together > LEAST_TOGETHER && is_too_many(together) {
+            together /= 2;
+        }
+        together
+    }
+
+    fn each_in_lanes(
+        &self,
+        motions: Range<usize>,
+        counter: &Counter<'_, '_>,
+        then: &mut impl FnMut(usize, &M, Came<M>),
+    ) -> Result<(), EnsembleError> {
         let beginnings: Vec<_> =
             motions.clone().map(|index| self.beginning(index)).collect::<Result<_, _>>()?;
         if let Some(first) = beginnings.first() {
@@ -119,17 +159,29 @@ where
             is_smooth && matches!(system.begin(asked.from, state), Ok(None))
         };
         let has_length = (asked.end - asked.from).is_finite() && asked.end != asked.from;
+        let grid =
+            asked.interval.map(|interval| Grid::new(asked.from, asked.end, interval)?.that_can_be_kept());
+        // What is wrong with the times of samples a run tells.
+        let Ok(grid) = grid.transpose() else { return beginnings.iter().map(|_| None).collect() };
         let motions: Vec<_> = (0..beginnings.len()).filter(|motion| has_length && is_plain(motion)).collect();
-        let queue = Queue {
-            system: asked.system,
-            beginnings,
-            motions: &motions,
-            from: asked.from,
-            end: asked.end,
-            most_steps: asked.most_steps,
-            counter,
-        };
-        let method = match asked.longest_step {
+        if P::SAMPLES {
+            self.arrivals::<true>(beginnings, &motions, grid, counter)
+        } else {
+            self.arrivals::<false>(beginnings, &motions, None, counter)
+        }
+    }
+
+    /// Where these motions end, which are places in the list of where motions start.
+    fn arrivals<const SAMPLED: bool>(
+        &self,
+        beginnings: &[Beginning<M>],
+        motions: &[usize],
+        grid: Option<Grid<M::Scalar>>,
+        counter: &Counter<'_, '_>,
+    ) -> EndsOf<M> {
+        let &Asked { system, from, end, most_steps, longest_step, .. } = &self.asked;
+        let queue = Queue::<M, SAMPLED> { system, beginnings, motions, from, end, grid, most_steps, counter };
+        let method = match longest_step {
             Some(longest) => self.method.clone().with_longest_step(longest).ok(),
             None => Some(self.method.clone()),
         };
@@ -137,15 +189,21 @@ where
         ends.unwrap_or_else(|| beginnings.iter().map(|_| None).collect())
     }
 
-    /// The trajectory of a motion of which only the ends are known.
-    pub(super) fn ends_of(&self, index: usize, system: &M, end: &Arrival<M::State>) -> Trajectory<M> {
-        let kept = |instant| match self.instant(index, system, instant) {
-            Ok(trajectory) => trajectory,
-            Err(error) => *error.trajectory,
-        };
-        let (_, start) = self.asked.origin(index);
-        let (start, end_trajectory) = (kept((self.asked.from, start)), kept((self.asked.end, end.state)));
-        Trajectory::of_ends(&start, &end_trajectory, end.work)
+    /// The trajectory of a motion that went in a lane: its start, its samples and its end, with all columns.
+    pub(super) fn trajectory_of(&self, index: usize, system: &M, arrival: &ArrivalOf<M>) -> Trajectory<M> {
+        let (asked, Arrival { state, samples, work }) = (&self.asked, arrival);
+        let (_, start) = asked.origin(index);
+        let run = asked.plain(index, (system, start), [asked.from, asked.end], Unasked::EndsOnly);
+        let run = run.exchange(|_, _| (self.method.clone(), self.drive.clone()));
+        run.told(samples.iter().copied().chain([(asked.end, *state)]), *work)
+    }
+
+    /// The samples of a motion, however it was computed.
+    pub(super) fn samples_of(&self, index: usize, system: &M, came: Came<M>) -> Ran<M> {
+        match came {
+            Came::Ran(ran) => ran,
+            Came::Arrived(arrival) => Ok(self.trajectory_of(index, system, &arrival)),
+        }
     }
 }
 
@@ -164,7 +222,10 @@ impl<M> LanesVisitor<M> for Ask {
     fn visit(self) {}
 }
 
-impl<M: MechanicalSystem> LanesMethodVisitor<M::Scalar> for Queue<'_, '_, M> {
+impl<M, const SAMPLED: bool> LanesMethodVisitor<M::Scalar> for Queue<'_, '_, M, SAMPLED>
+where
+    M: MechanicalSystem,
+{
     type Output = Option<EndsOf<M>>;
 
     fn visit(self, method: impl LanesMethod<M::Scalar>) -> Self::Output {
@@ -172,7 +233,11 @@ impl<M: MechanicalSystem> LanesMethodVisitor<M::Scalar> for Queue<'_, '_, M> {
     }
 }
 
-impl<M: MechanicalSystem, L: LanesMethod<ScalarOf<M>>> LanesVisitor<M> for Refill<'_, '_, M, L> {
+impl<M, L, const SAMPLED: bool> LanesVisitor<M> for Refill<'_, '_, M, L, SAMPLED>
+where
+    M: MechanicalSystem,
+    L: LanesMethod<ScalarOf<M>>,
+{
     type Output = EndsOf<M>;
 
     fn visit(self) -> EndsOf<M>

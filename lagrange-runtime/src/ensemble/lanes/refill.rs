@@ -5,9 +5,11 @@
 use std::vec::Vec;
 
 use super::dispatch::Task;
+use super::sampler::{Sampler, SamplesWithin};
 use crate::ensemble::progress::Counter;
 use crate::integrate::{LanesMethod, LanesStepper, MOST_LANES, Work};
 use crate::scalar::{Lanes, Mask, Scalar};
+use crate::simulate::Grid;
 use crate::system::{Equations, LanesSystem, MechanicalSystem, OdeSystem, ScalarOf, SideBySide, StateVector};
 
 /// Motions that fill a register of the widest instructions twice, or four times one of the usual.
@@ -29,40 +31,50 @@ impl<M: MechanicalSystem> Beginning<M> {
     }
 }
 
-/// Where a motion ended, and what it took.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::ensemble) struct Arrival<Y> {
+/// Where a motion ended, and what it took, with its samples between start and end if any were asked for.
+#[derive(Clone, Debug)]
+pub(in crate::ensemble) struct Arrival<T, Y> {
     pub(in crate::ensemble) state: Y,
+    pub(in crate::ensemble) samples: SamplesWithin<T, Y>,
     pub(in crate::ensemble) work: Work,
 }
 
-/// Where motions ended, in their order; `None` of one that is to be told by a run of its own.
-pub(in crate::ensemble) type EndsOf<M> = Vec<Option<Arrival<<M as OdeSystem>::State>>>;
+/// Where a motion of this system ended.
+pub(in crate::ensemble) type ArrivalOf<M> = Arrival<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 
-/// Motions that are to be computed.
-pub(super) struct Queue<'q, 'a, M: MechanicalSystem> {
+/// Where motions ended, in their order; `None` of one that is to be told by a run of its own.
+pub(in crate::ensemble) type EndsOf<M> = Vec<Option<ArrivalOf<M>>>;
+
+/// Motions that are to be computed, with samples if they are `SAMPLED`.
+pub(super) struct Queue<'q, 'a, M: MechanicalSystem, const SAMPLED: bool> {
     pub(super) system: &'q M,
     pub(super) beginnings: &'q [Beginning<M>],
     /// The places of those that are to be computed.
     pub(super) motions: &'q [usize],
     pub(super) from: M::Scalar,
     pub(super) end: M::Scalar,
+    /// The times of samples.
+    pub(super) grid: Option<Grid<M::Scalar>>,
     pub(super) most_steps: Option<u64>,
     pub(super) counter: &'q Counter<'q, 'a>,
 }
 
 /// A queue and the method by which it is computed.
-pub(super) struct Refill<'q, 'a, M: MechanicalSystem, L> {
-    pub(super) queue: Queue<'q, 'a, M>,
+pub(super) struct Refill<'q, 'a, M: MechanicalSystem, L, const SAMPLED: bool> {
+    pub(super) queue: Queue<'q, 'a, M, SAMPLED>,
     pub(super) method: L,
 }
 
-impl<M: MechanicalSystem + LanesSystem, L: LanesMethod<ScalarOf<M>>> Task for Refill<'_, '_, M, L> {
+impl<M, L, const SAMPLED: bool> Task for Refill<'_, '_, M, L, SAMPLED>
+where
+    M: MechanicalSystem + LanesSystem,
+    L: LanesMethod<ScalarOf<M>>,
+{
     type Output = EndsOf<M>;
 
     #[inline(always)]
     fn compute<const FUSED: bool>(self) -> EndsOf<M> {
-        refilled::<M, L, Lanes<ScalarOf<M>, LANES, FUSED>>(&self.queue, &self.method)
+        refilled::<M, L, Lanes<ScalarOf<M>, LANES, FUSED>, SAMPLED>(&self.queue, &self.method)
     }
 }
 
@@ -74,9 +86,16 @@ struct LanesGroup<E, T> {
     motions: [usize; MOST_LANES],
 }
 
-type LanesGroupOf<M, L, S> = LanesGroup<
-    <M as LanesSystem>::Lanes<S>,
-    <L as LanesMethod<ScalarOf<M>>>::Stepper<S, <M as LanesSystem>::Lanes<S>>,
+type LanesGroupOf<M, L, S> = LanesGroup<<M as LanesSystem>::Lanes<S>, StepperOf<M, L, S>>;
+
+/// What advances motions side by side.
+type StepperOf<M, L, S> = <L as LanesMethod<ScalarOf<M>>>::Stepper<S, <M as LanesSystem>::Lanes<S>>;
+
+/// What keeps samples of them.
+type SamplerOf<M, L, S> = Sampler<
+    S,
+    <M as OdeSystem>::State,
+    <StepperOf<M, L, S> as LanesStepper<S, <M as LanesSystem>::Lanes<S>>>::LastStep,
 >;
 
 impl<E, T> LanesGroup<E, T> {
@@ -86,7 +105,7 @@ impl<E, T> LanesGroup<E, T> {
     }
 }
 
-impl<M: MechanicalSystem> Queue<'_, '_, M> {
+impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
     /// The system of a motion.
     fn system(&self, motion: usize) -> &M {
         self.beginnings[motion].system(self.system)
@@ -124,22 +143,25 @@ impl<M: MechanicalSystem> Queue<'_, '_, M> {
 
 /// Where the motions of a queue end.
 #[inline(always)]
-pub(super) fn refilled<M, L, S>(queue: &Queue<'_, '_, M>, method: &L) -> EndsOf<M>
+pub(super) fn refilled<M, L, S, const SAMPLED: bool>(
+    queue: &Queue<'_, '_, M, SAMPLED>,
+    method: &L,
+) -> EndsOf<M>
 where
     M: MechanicalSystem + LanesSystem,
     L: LanesMethod<ScalarOf<M>>,
     S: SideBySide<Element = ScalarOf<M>>,
 {
-    let mut filling = Filling { queue, method, ends: Vec::new(), next: 0, busy: 0 };
+    let mut filling = Filling { queue, method, ends: Vec::new(), next: 0, busy: 0, sampler: None };
     filling.ends.resize_with(queue.beginnings.len(), || None);
     let (mut running, mut waiting) = (None, None);
     loop {
-        // One place of call each for starts and steps, so that the right-hand side is inlined twice and no more.
+        // One place of call each for starts, steps and samples, so that the right-hand side is inlined no more often.
         if waiting.is_none() && filling.has_more() {
             let group = queue.start::<L, S>(method, filling.next);
             filling.next += S::LANES;
             if running.is_none() {
-                filling.busy = group.motions.iter().filter(|motion| **motion != FREE).count();
+                filling.begin(&group);
                 running = Some(group);
             } else {
                 waiting = Some(group);
@@ -155,7 +177,7 @@ where
         if filling.busy == 0 {
             break;
         }
-        running.stepper.step(&running.equations);
+        filling.step(running);
         if is_settled(running.stepper.time(), queue.end).any() || running.stepper.suspicion().any() {
             filling.settle(running);
         }
@@ -182,29 +204,68 @@ fn splat<S: SideBySide>(value: S::Element) -> S {
 }
 
 /// How far a queue is computed.
-struct Filling<'p, 'q, 'a, M: MechanicalSystem, L> {
-    queue: &'p Queue<'q, 'a, M>,
+struct Filling<'p, 'q, 'a, M, L, S, const SAMPLED: bool>
+where
+    M: MechanicalSystem + LanesSystem,
+    L: LanesMethod<ScalarOf<M>>,
+    S: SideBySide<Element = ScalarOf<M>>,
+{
+    queue: &'p Queue<'q, 'a, M, SAMPLED>,
     method: &'p L,
     ends: EndsOf<M>,
     /// How many motions were started.
     next: usize,
     /// How many motions are in lanes.
     busy: usize,
+    /// There is one if motions are `SAMPLED`.
+    sampler: Option<SamplerOf<M, L, S>>,
 }
 
-impl<M: MechanicalSystem + LanesSystem, L: LanesMethod<ScalarOf<M>>> Filling<'_, '_, '_, M, L> {
+impl<M, L, S, const SAMPLED: bool> Filling<'_, '_, '_, M, L, S, SAMPLED>
+where
+    M: MechanicalSystem + LanesSystem,
+    L: LanesMethod<ScalarOf<M>>,
+    S: SideBySide<Element = ScalarOf<M>>,
+{
     /// Whether there are motions that were not started, and that are still wanted.
     fn has_more(&self) -> bool {
         self.next < self.queue.motions.len() && !self.queue.counter.is_cancelled()
     }
 
+    /// Begins with these motions.
+    #[inline(always)]
+    fn begin(&mut self, group: &LanesGroupOf<M, L, S>) {
+        if SAMPLED {
+            self.sampler = self.queue.grid.map(|grid| Sampler::new(grid, group.stepper.last_step()));
+        }
+        for lane in (0..S::LANES).filter(|lane| group.motions[*lane] != FREE) {
+            self.fill(lane);
+        }
+    }
+
+    /// A motion is put into this lane.
+    fn fill(&mut self, lane: usize) {
+        self.busy += 1;
+        if SAMPLED && let Some(sampler) = &mut self.sampler {
+            sampler.start(lane);
+        }
+    }
+
+    /// Tries a step in every lane, and keeps the samples within.
+    #[inline(always)]
+    fn step(&mut self, LanesGroup { equations, stepper, .. }: &mut LanesGroupOf<M, L, S>) {
+        if SAMPLED && let Some(sampler) = &mut self.sampler {
+            sampler.begin(stepper);
+        }
+        stepper.step(equations);
+        if SAMPLED && let Some(sampler) = &mut self.sampler {
+            sampler.keep(equations, stepper);
+        }
+    }
+
     /// Puts motions that wait into lanes that have none.
     #[inline(always)]
-    fn refill<S: SideBySide<Element = ScalarOf<M>>>(
-        &mut self,
-        running: &mut LanesGroupOf<M, L, S>,
-        waiting: &mut Option<LanesGroupOf<M, L, S>>,
-    ) {
+    fn refill(&mut self, running: &mut LanesGroupOf<M, L, S>, waiting: &mut Option<LanesGroupOf<M, L, S>>) {
         for lane in 0..S::LANES {
             let Some(group) = waiting else { return };
             if running.motions[lane] != FREE {
@@ -218,7 +279,7 @@ impl<M: MechanicalSystem + LanesSystem, L: LanesMethod<ScalarOf<M>>> Filling<'_,
             running.motions[lane] = motion;
             running.stepper.take(lane, &group.stepper, from);
             self.queue.system(motion).set_lane(&mut running.equations, lane);
-            self.busy += 1;
+            self.fill(lane);
         }
         if waiting.as_ref().is_some_and(|group| group.busy_lane().is_none()) {
             *waiting = None;
@@ -227,7 +288,7 @@ impl<M: MechanicalSystem + LanesSystem, L: LanesMethod<ScalarOf<M>>> Filling<'_,
 
     /// Takes the ends of motions out of their lanes, and those that are given up.
     #[inline(always)]
-    fn settle<S: SideBySide<Element = ScalarOf<M>>>(&mut self, running: &mut LanesGroupOf<M, L, S>) {
+    fn settle(&mut self, running: &mut LanesGroupOf<M, L, S>) {
         let (time, suspicion) = (running.stepper.time(), running.stepper.suspicion());
         for lane in 0..S::LANES {
             let (motion, time) = (running.motions[lane], time.lane(lane));
@@ -240,28 +301,34 @@ impl<M: MechanicalSystem + LanesSystem, L: LanesMethod<ScalarOf<M>>> Filling<'_,
             }
             let is_borne =
                 !suspicion.lane(lane) || self.method.bears(self.queue.system(motion), time, &state);
-            let (has_ended, is_lost) = (time == self.queue.end && is_borne, !time.is_finite() || !is_borne);
-            if has_ended {
-                self.ends[motion] = Some(Arrival { state, work: running.stepper.work(lane) });
+            if !time.is_finite() || !is_borne {
+                self.free(running, lane);
+                self.replace(running, lane);
+            } else if time == self.queue.end {
+                let (samples, work) = (self.free(running, lane), running.stepper.work(lane));
+                self.ends[motion] = Some(Arrival { state, samples, work });
                 self.queue.counter.count(1);
             }
-            if has_ended || is_lost {
-                running.motions[lane] = FREE;
-                self.busy -= 1;
-            }
-            if is_lost {
-                self.replace(running, lane);
-            }
+        }
+    }
+
+    /// Frees a lane. The samples of its motion.
+    fn free(
+        &mut self,
+        running: &mut LanesGroupOf<M, L, S>,
+        lane: usize,
+    ) -> SamplesWithin<ScalarOf<M>, M::State> {
+        running.motions[lane] = FREE;
+        self.busy -= 1;
+        match &mut self.sampler {
+            Some(sampler) if SAMPLED => sampler.end(lane),
+            _ => Vec::new(),
         }
     }
 
     /// Puts another motion once more into a lane that is free: NaN would take the slow way through elementary functions.
     #[cold]
-    fn replace<S: SideBySide<Element = ScalarOf<M>>>(
-        &self,
-        running: &mut LanesGroupOf<M, L, S>,
-        lane: usize,
-    ) {
+    fn replace(&self, running: &mut LanesGroupOf<M, L, S>, lane: usize) {
         if let Some(busy) = running.busy_lane() {
             running.stepper.repeat(lane, busy);
             self.queue.system(running.motions[busy]).set_lane(&mut running.equations, lane);

@@ -15,12 +15,11 @@ use std::vec::Vec;
 
 use self::folder::Folder;
 use self::part::PartFile;
-use self::sheet::{Kept, Sheet};
+use self::sheet::Sheet;
 use super::asked::SharedSystem;
-use super::builder::Ensemble;
+use super::builder::{Ensemble, Keep};
 use super::engine::Engine;
 use super::error::EnsembleError;
-use super::lanes::Came;
 use super::progress::Counter;
 use crate::integrate::Method;
 use crate::simulate::Drive;
@@ -45,7 +44,7 @@ where
     M::Scalar: Into<f64>,
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Debug + Sync,
-    P: Kept,
+    P: Keep,
 {
     /// Computes all motions and saves their ends, or their samples if [`every`](Self::every) asks for them, to Parquet files in a folder,
     /// `part-000000.parquet` and so on, in the order of motions.
@@ -108,11 +107,12 @@ where
         let compute = |chunk: Range<usize>| {
             let mut sheet = Sheet::new();
             self.each(chunk, counter, |index, system, came| {
-                sheet.push(index, |rows| match came {
-                    Came::Ran(ran) if P::IS_EVERY_SAMPLE => {
-                        rows.push_samples(&self.asked, index, system, ran);
+                sheet.push(index, |rows| {
+                    if P::SAMPLES {
+                        rows.push_samples(&self.asked, index, system, self.samples_of(index, system, came));
+                    } else {
+                        self.push_end(rows, index, system, came);
                     }
-                    came => self.push_end(rows, index, system, came),
                 });
             })?;
             Ok(sheet)

@@ -7,7 +7,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use crate::ensemble::asked::SharedSystem;
-use crate::ensemble::builder::Ensemble;
+use crate::ensemble::builder::{Ensemble, Keep};
 use crate::ensemble::error::EnsembleError;
 use crate::ensemble::lanes::is_fused;
 use crate::ensemble::motion::caught;
@@ -24,6 +24,7 @@ where
     M::Scalar: Into<f64>,
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Debug + Sync,
+    P: Keep,
 {
     /// What this ensemble is, but for how it is computed: lines of text.
     ///

@@ -5,23 +5,8 @@ use std::vec;
 use std::vec::Vec;
 
 use crate::ensemble::asked::SharedSystem;
-use crate::ensemble::builder::{KeepEnds, KeepSamples};
 use crate::ensemble::rows::Rows;
 use crate::simulate::Table;
-
-/// What may be kept of motions.
-#[doc(hidden)]
-pub trait Kept {
-    const IS_EVERY_SAMPLE: bool;
-}
-
-impl Kept for KeepEnds {
-    const IS_EVERY_SAMPLE: bool = false;
-}
-
-impl Kept for KeepSamples {
-    const IS_EVERY_SAMPLE: bool = true;
-}
 
 /// The rows of motions that follow each other, and to which motion each belongs.
 pub(super) struct Sheet<M: SharedSystem> {

@@ -3,7 +3,8 @@
 use super::{RungeKutta4, RungeKuttaStages, hints_at_instability, longest_stable};
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
-use crate::integrate::lane_wise::{Counts, are_finite, splat};
+use crate::integrate::interpolation::{Place, cubic};
+use crate::integrate::lane_wise::{Counts, are_finite, chosen, is_equal, splat};
 use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, Work};
 use crate::integrate::stability::Watch;
 use crate::linalg::vector::combined;
@@ -16,11 +17,23 @@ pub struct RungeKuttaLanes<S: Number, Y> {
     end: S,
     clock: Clock<S>,
     state: Compensated<Y>,
+    /// The rates where the last steps began.
+    start: Y,
     suspicion: S::Mask,
     watches: [Watch; MOST_LANES],
     are_watched: bool,
     most_steps: u64,
     counts: Counts,
+}
+
+/// The last steps by [`RungeKutta4`] side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct RungeKuttaLastStep<S, Y> {
+    /// Where they began.
+    t: S,
+    y: Y,
+    /// The rates where they ended, if states within them were asked for.
+    end: Y,
 }
 
 impl<T: Scalar> LanesMethod<T> for RungeKutta4<T> {
@@ -36,6 +49,7 @@ impl<T: Scalar> LanesMethod<T> for RungeKutta4<T> {
             end: splat(end),
             clock: Clock::new(splat(t), splat(self.step)),
             state: Compensated::new(*y),
+            start: E::State::ZERO,
             suspicion: S::Mask::splat(false),
             watches: [Watch::default(); MOST_LANES],
             are_watched: false,
@@ -104,11 +118,37 @@ where
     S: SideBySide<Element: Scalar>,
     E: Equations<S>,
 {
+    type LastStep = RungeKuttaLastStep<S, E::State>;
+
+    #[inline(always)]
+    fn last_step(&self) -> Self::LastStep {
+        RungeKuttaLastStep { t: self.clock.time(), y: *self.state.value(), end: E::State::ZERO }
+    }
+
+    #[inline(always)]
+    fn begin(&self, last: &mut Self::LastStep) {
+        (last.t, last.y) = (self.clock.time(), *self.state.value());
+    }
+
+    #[inline(always)]
+    fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, _asked: S::Mask) {
+        last.end = equations.rhs(self.clock.time(), self.state.value());
+    }
+
+    #[inline(always)]
+    fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State {
+        let (to, y) = (self.clock.time(), self.state.value());
+        let h = to - last.t;
+        let within = cubic(Place { h, s: (t - last.t) / h }, [&last.y, y], [&self.start, &last.end]);
+        chosen(is_equal(t, to), y, &within)
+    }
+
     #[inline(always)]
     fn step(&mut self, equations: &E) {
         let mut clock = self.clock;
         let h = clock.advance(self.end);
         let stages = self.evaluate(equations, h);
+        self.start = stages.k1;
         self.state.add(&stages.increment(h));
         self.clock = clock;
         let are_spent = self.counts.count::<S>(S::Mask::splat(true), self.most_steps);

@@ -3,9 +3,10 @@
 use super::interpolant::{
     BEND, STAGE_17, STAGE_18, STAGE_19, STAGE_20, STAGE_21, STAGE_22, STAGE_23, STAGE_24, STAGE_25,
 };
-use super::stage::{RATES, weighted};
+use super::stage::RATES;
 use super::tableau::ADVANCE;
-use crate::scalar::{Number, Scalar};
+use crate::linalg::vector::combined;
+use crate::scalar::Number;
 use crate::system::{OdeSystem, StateVector};
 
 /// A step of length `h` from `y` at `t`.
@@ -33,14 +34,20 @@ where
     );
 }
 
-/// The state at the part `s` of the step, once its rates are complete: the chord and its bend.
-pub(super) fn interpolate<S, Y>(span: &Span<S, Y>, s: S, rates: &[Y; RATES]) -> Y
-where
-    S: Scalar,
-    Y: StateVector<S>,
-{
-    let both = s * (S::ONE - s);
-    let bend = weighted(rates, BEND.map(|(rate, coefficients)| (rate, both * polynomial(coefficients, s).0)));
+/// The state at the part `s` of the step, once its rates are complete.
+pub(super) fn interpolate<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, rates: &[Y; RATES]) -> Y {
+    interpolated(span, s, rates)
+}
+
+/// The chord of the step at its part `s`, and its bend.
+#[inline(always)]
+pub(super) fn interpolated<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, rates: &[Y; RATES]) -> Y {
+    let (both, mut bend) = (s * (S::ONE - s), Y::ZERO);
+    // Loops and no closures, which are not inlined into functions of other instructions than their own.
+    for (rate, coefficients) in &BEND {
+        let (value, _) = polynomial(coefficients, s);
+        bend = combined(&bend, both * value, &rates[*rate]);
+    }
     let chord = ADVANCE.weighted(rates);
     let mut y = span.y;
     for (y, (bend, chord)) in y.as_mut().iter_mut().zip(bend.as_ref().iter().zip(chord.as_ref())) {
@@ -59,13 +66,21 @@ pub(super) fn defect<M>(
 where
     M: OdeSystem + ?Sized,
 {
-    let (one, two) = (M::Scalar::ONE, M::Scalar::from_f64(2.0));
-    let slopes = BEND.map(|(rate, coefficients)| {
+    defect_of(system.rhs(s.multiply_add(span.h, span.t), &interpolate(span, s, rates)), s, rates)
+}
+
+/// The same, given the rate of the system there.
+#[inline(always)]
+pub(super) fn defect_of<S: Number, Y: StateVector<S>>(rate: Y, s: S, rates: &[Y; RATES]) -> Y {
+    let (one, two) = (S::ONE, S::from_f64(2.0));
+    let mut bend = Y::ZERO;
+    for (rate, coefficients) in &BEND {
         let (value, slope) = polynomial(coefficients, s);
-        (rate, (one - two * s) * value + s * (one - s) * slope)
-    });
-    let (bend, chord) = (weighted(rates, slopes), ADVANCE.weighted(rates));
-    let mut defect = system.rhs(s.multiply_add(span.h, span.t), &interpolate(span, s, rates));
+        let weight = (one - two * s) * value + s * (one - s) * slope;
+        bend = combined(&bend, weight, &rates[*rate]);
+    }
+    let chord = ADVANCE.weighted(rates);
+    let mut defect = rate;
     for (defect, (bend, chord)) in defect.as_mut().iter_mut().zip(bend.as_ref().iter().zip(chord.as_ref())) {
         *defect = *chord + *bend - *defect;
     }
@@ -73,11 +88,14 @@ where
 }
 
 /// A polynomial about the middle of the step, at the part `s` of it, and its derivative there.
-fn polynomial<S: Scalar, const N: usize>(coefficients: [f64; N], s: S) -> (S, S) {
+#[inline(always)]
+fn polynomial<S: Number, const N: usize>(coefficients: &[f64; N], s: S) -> (S, S) {
     let two = S::from_f64(2.0);
     let x = two * s - S::ONE;
-    let (value, slope) = coefficients.iter().rev().fold((S::ZERO, S::ZERO), |(value, slope), c| {
-        (value.multiply_add(x, S::from_f64(*c)), slope.multiply_add(x, value))
-    });
+    let (mut value, mut slope) = (S::ZERO, S::ZERO);
+    for coefficient in coefficients.iter().rev() {
+        slope = slope.multiply_add(x, value);
+        value = value.multiply_add(x, S::from_f64(*coefficient));
+    }
     (value, two * slope)
 }

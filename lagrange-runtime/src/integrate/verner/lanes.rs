@@ -5,7 +5,8 @@
 
 use super::Verner98;
 use super::lanes_control::LanesControl;
-use super::stage::Stage;
+use super::lanes_dense::{StepEnd, VernerLastStep};
+use super::stage::{STAGES, Stage, at_stage};
 use super::stiffness::{Stiffness, are_many, is_at_limit};
 use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
@@ -21,8 +22,6 @@ use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{Equations, SideBySide, StateVector};
 use crate::tolerance::SAME_STATE;
 
-/// Rates that a step needs.
-const STAGES: usize = 16;
 /// Rates that the choice of a first step needs.
 const FIRST_STAGES: u64 = 2;
 /// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
@@ -37,6 +36,8 @@ pub struct VernerLanes<S, Y> {
     control: LanesControl<S>,
     /// No step is longer at present.
     longest: S,
+    /// Lengths of the steps that were tried last, and their rates.
+    h: S,
     rates: [Y; STAGES],
     counts: Counts,
     stiffness: [Stiffness; MOST_LANES],
@@ -77,6 +78,7 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
             state: Compensated::new(*y),
             control: LanesControl::new(self.first_step.map_or(step, splat)),
             longest,
+            h: S::ZERO,
             rates: [E::State::ZERO; STAGES],
             counts: Counts::new(),
             stiffness: [Stiffness::default(); MOST_LANES],
@@ -111,27 +113,13 @@ impl<S: Number> Settings<S> {
     }
 }
 
-/// Applies a method of a [`Stage`] to the one with this index.
-macro_rules! at_stage {
-    ($index:expr, $method:ident($($argument:expr),*)) => {
-        match $index {
-            1 => STAGE_1.$method($($argument),*),
-            2 => STAGE_2.$method($($argument),*),
-            3 => STAGE_3.$method($($argument),*),
-            4 => STAGE_4.$method($($argument),*),
-            5 => STAGE_5.$method($($argument),*),
-            6 => STAGE_6.$method($($argument),*),
-            7 => STAGE_7.$method($($argument),*),
-            8 => STAGE_8.$method($($argument),*),
-            9 => STAGE_9.$method($($argument),*),
-            10 => STAGE_10.$method($($argument),*),
-            11 => STAGE_11.$method($($argument),*),
-            12 => STAGE_12.$method($($argument),*),
-            13 => STAGE_13.$method($($argument),*),
-            14 => STAGE_14.$method($($argument),*),
-            15 => STAGE_15.$method($($argument),*),
-            _ => START.$method($($argument),*),
-        }
+/// Applies a method of a [`Stage`] to the one of a step with this index.
+macro_rules! at_step {
+    ($index:expr, $method:ident $arguments:tt) => {
+        at_stage!($index, $method $arguments, [
+            1: STAGE_1, 2: STAGE_2, 3: STAGE_3, 4: STAGE_4, 5: STAGE_5, 6: STAGE_6, 7: STAGE_7, 8: STAGE_8,
+            9: STAGE_9, 10: STAGE_10, 11: STAGE_11, 12: STAGE_12, 13: STAGE_13, 14: STAGE_14, 15: STAGE_15
+        ], START)
     };
 }
 
@@ -149,8 +137,8 @@ where
         let (t, y) = (self.clock.time(), *self.state.value());
         // One place of call, as above.
         for stage in 0..STAGES {
-            let point = at_stage!(stage, point(&y, h, &self.rates));
-            self.rates[stage] = equations.rhs(at_stage!(stage, time(t, h)), &point);
+            let point = at_step!(stage, point(&y, h, &self.rates));
+            self.rates[stage] = equations.rhs(at_step!(stage, time(t, h)), &point);
         }
     }
 
@@ -185,6 +173,25 @@ where
         look_stiff
     }
 
+    /// Where the last steps led, in lanes in which they were taken.
+    #[inline(always)]
+    fn reached(&self) -> StepEnd<'_, S, Y> {
+        StepEnd { h: self.h, t: self.clock.time(), y: self.state.value() }
+    }
+
+    /// Takes steps back that led too far for the interpolant, by this excess of its error.
+    #[cold]
+    fn take_back(&mut self, last: &VernerLastStep<S, Y>, excess: S, are_refused: S::Mask) {
+        self.clock = Clock::select(are_refused, &last.clock, &self.clock);
+        self.state = Compensated::select(are_refused, &last.state, &self.state);
+        self.control.take_back(self.h.abs(), excess, are_refused);
+        for lane in 0..S::LANES {
+            if are_refused.lane(lane) {
+                self.counts.take_back(lane);
+            }
+        }
+    }
+
     /// Gives motions up.
     #[cold]
     fn give_up(&mut self, which: impl Fn(&Self, usize) -> bool) {
@@ -201,6 +208,18 @@ where
     S: SideBySide<Element: Scalar>,
     E: Equations<S>,
 {
+    type LastStep = VernerLastStep<S, E::State>;
+
+    #[inline(always)]
+    fn last_step(&self) -> Self::LastStep {
+        VernerLastStep::new(self.clock, self.state)
+    }
+
+    #[inline(always)]
+    fn begin(&self, last: &mut Self::LastStep) {
+        last.begin(self.clock, self.state);
+    }
+
     #[inline(always)]
     fn step(&mut self, equations: &E) {
         let Settings { tolerated, end, most_steps, refuses_stiff, .. } = self.settings;
@@ -218,6 +237,7 @@ where
         let error = S::select(are_finite(state.value()), error, S::NAN);
         let is_taken = error.less_equal(S::ONE);
 
+        self.h = h;
         self.control.follow(h.abs(), error, is_taken);
         let longest = self.settings.longest(tolerated.is_at_rest(h, &increment, &y));
         self.longest = S::select(is_taken, longest, self.longest);
@@ -231,6 +251,20 @@ where
             let look_stiff = self.look_stiff(h, &y, is_taken);
             self.give_up(|_, lane| look_stiff[lane]);
         }
+    }
+
+    #[inline(always)]
+    fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, asked: S::Mask) {
+        let excess = last.complete(equations, &self.rates, self.reached(), &self.settings.tolerated);
+        let are_refused = asked & !excess.less_equal(S::ONE);
+        if are_refused.any() {
+            self.take_back(last, excess, are_refused);
+        }
+    }
+
+    #[inline(always)]
+    fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State {
+        last.interpolate(self.reached(), t)
     }
 
     #[inline(always)]

@@ -46,14 +46,17 @@ where
         let next = length * growth;
         let next = S::select(length.less(self.step), larger(next, self.step), next);
 
-        let wanted = each(safety - log_error / S::from_f64(POWER), Scalar::rough_exp2);
-        let shrinking = smaller(larger(wanted, S::from_f64(MOST_SHRINKING)), S::from_f64(LEAST_SHRINKING));
-        let shrinking = S::select(is_finite(error), shrinking, S::from_f64(RETREAT));
-
-        self.step = S::select(is_taken, next, length * shrinking);
+        self.step = S::select(is_taken, next, length * shrinking(error, log_error));
         let remembered = larger(log_error, S::from_f64(LOG_LEAST_ERROR));
         self.error = S::select(is_taken, remembered, self.error);
         self.most_growth = S::select(is_taken, S::from_f64(MOST_GROWTH), S::ONE);
+    }
+
+    /// Steps of these lengths that were taken are taken back where the mask is true, by these errors.
+    pub(super) fn take_back(&mut self, length: S, error: S, are_taken_back: S::Mask) {
+        let log_error = each(larger(error, S::from_f64(NEGLIGIBLE)), Scalar::rough_log2);
+        self.step = S::select(are_taken_back, length * shrinking(error, log_error), self.step);
+        self.most_growth = S::select(are_taken_back, S::ONE, self.most_growth);
     }
 
     /// Puts what is in the lane `from` of other controllers into a lane of these.
@@ -63,6 +66,14 @@ where
         take(&mut numbers, lane, &[other.step, other.error, other.most_growth], from);
         [self.step, self.error, self.most_growth] = numbers;
     }
+}
+
+/// By how much a step is shorter than one that was thrown away for this error, whose binary logarithm is given, too.
+#[inline(always)]
+fn shrinking<S: SideBySide<Element: Scalar>>(error: S, log_error: S) -> S {
+    let wanted = each(S::from_f64(LOG_SAFETY) - log_error / S::from_f64(POWER), Scalar::rough_exp2);
+    let shrinking = smaller(larger(wanted, S::from_f64(MOST_SHRINKING)), S::from_f64(LEAST_SHRINKING));
+    S::select(is_finite(error), shrinking, S::from_f64(RETREAT))
 }
 
 #[cfg(test)]

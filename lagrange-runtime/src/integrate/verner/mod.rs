@@ -13,6 +13,7 @@ mod dense;
 mod interpolant;
 mod lanes;
 mod lanes_control;
+mod lanes_dense;
 mod stage;
 mod stepper;
 mod stiffness;
@@ -24,6 +25,7 @@ use crate::scalar::Scalar;
 use crate::system::{OdeSystem, StepFailure};
 
 pub use self::lanes::VernerLanes;
+pub use self::lanes_dense::VernerLastStep;
 pub use self::stepper::VernerStepper;
 
 /// Verner's pair of order nine in steps as long as the tolerance allows, for any system that is not stiff.

@@ -3,7 +3,9 @@
 use crate::scalar::Number;
 use crate::system::StateVector;
 
-/// How many rates of the state belong to a step, those for the interpolant included.
+/// How many rates a step needs,
+pub(super) const STAGES: usize = 16;
+/// and how many of the state belong to it, those for the interpolant included.
 pub(super) const RATES: usize = 26;
 
 /// Where a stage lies in a step, and the weights of the rates that lead there.
@@ -43,9 +45,21 @@ impl<const N: usize> Stage<N> {
     }
 }
 
+/// Applies a method of a [`Stage`] to the one with this index, or to the last one.
+macro_rules! at_stage {
+    ($index:expr, $method:ident $arguments:tt, [$($number:literal: $stage:ident),*], $last:ident) => {
+        match $index {
+            $($number => $stage.$method $arguments,)*
+            _ => $last.$method $arguments,
+        }
+    };
+}
+
+pub(super) use at_stage;
+
 /// Σ wⱼ kⱼ
 #[inline(always)]
-pub(super) fn weighted<S: Number, Y: StateVector<S>, const N: usize, const R: usize>(
+fn weighted<S: Number, Y: StateVector<S>, const N: usize, const R: usize>(
     rates: &[Y; R],
     weights: [(usize, S); N],
 ) -> Y {

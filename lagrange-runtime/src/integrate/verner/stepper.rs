@@ -32,12 +32,12 @@ const FAST: f64 = 100.0;
 const SLOWEST: f64 = 1e-9;
 /// The parts of a step after which the defect of the interpolant is looked at: the middle of the widest gap between stages, and
 /// near the end, where it is large if the motion is smooth.
-const CHECKED: [f64; 2] = [0.34, 0.94];
+pub(super) const CHECKED: [f64; 2] = [0.34, 0.94];
 /// The interpolant is refused if its defect times the step is larger than this times what is tolerated. On smooth motions the defect
 /// at the places above is a third to a half of the estimated error of the step, and the error within the step less than that.
-const LARGEST_DEFECT: f64 = 2.0;
+pub(super) const LARGEST_DEFECT: f64 = 2.0;
 /// Where the rate at the end of a step, which begins the next one, has its place.
-const END: usize = 16;
+pub(super) const END: usize = 16;
 
 /// An integration by [`Verner98`] in progress.
 #[derive(Clone, Debug)]

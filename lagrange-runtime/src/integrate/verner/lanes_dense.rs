@@ -1,0 +1,109 @@
+//! The states within steps side by side.
+
+use super::dense::{Span, defect_of, interpolated};
+use super::interpolant::{
+    STAGE_17, STAGE_18, STAGE_19, STAGE_20, STAGE_21, STAGE_22, STAGE_23, STAGE_24, STAGE_25,
+};
+use super::stage::{RATES, STAGES, at_stage};
+use super::stepper::{CHECKED, END, LARGEST_DEFECT};
+use super::tolerance::Tolerated;
+use crate::integrate::clock::Clock;
+use crate::integrate::compensated::Compensated;
+use crate::integrate::lane_wise::{chosen, is_equal, splat};
+use crate::scalar::Scalar;
+use crate::system::{Equations, SideBySide, StateVector};
+use crate::tolerance::DEFECT;
+
+/// Applies a method of a [`Stage`](super::stage::Stage) to the one of the interpolant with this index.
+macro_rules! at_inner {
+    ($index:expr, $method:ident $arguments:tt) => {
+        at_stage!($index, $method $arguments, [
+            17: STAGE_17, 18: STAGE_18, 19: STAGE_19, 20: STAGE_20, 21: STAGE_21, 22: STAGE_22, 23: STAGE_23,
+            24: STAGE_24
+        ], STAGE_25)
+    };
+}
+
+/// The last steps by [`Verner98`](super::Verner98) side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct VernerLastStep<S, Y> {
+    /// Where they began.
+    pub(super) clock: Clock<S>,
+    pub(super) state: Compensated<Y>,
+    /// Their rates, of which those of the stages of steps that were not looked into are of earlier ones.
+    rates: [Y; RATES],
+}
+
+/// Where steps of the length `h` led.
+#[derive(Clone, Copy)]
+pub(super) struct StepEnd<'r, S, Y> {
+    pub(super) h: S,
+    pub(super) t: S,
+    pub(super) y: &'r Y,
+}
+
+impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
+    /// No step from here.
+    #[inline(always)]
+    pub(super) fn new(clock: Clock<S>, state: Compensated<Y>) -> Self {
+        VernerLastStep { clock, state, rates: [Y::ZERO; RATES] }
+    }
+
+    /// Remembers where steps begin.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, clock: Clock<S>, state: Compensated<Y>) {
+        (self.clock, self.state) = (clock, state);
+    }
+
+    /// Steps of the length `h` from where they began.
+    #[inline(always)]
+    fn span(&self, h: S) -> Span<S, Y> {
+        Span { t: self.clock.time(), y: *self.state.value(), h }
+    }
+
+    /// Finds the rates that the interpolant needs, given those of the stages, and by how much the interpolant is less accurate than it may
+    /// be, for which one is just enough.
+    #[inline(always)]
+    pub(super) fn complete<E: Equations<S, State = Y>>(
+        &mut self,
+        equations: &E,
+        stages: &[Y; STAGES],
+        reached: StepEnd<'_, S, Y>,
+        tolerated: &Tolerated<S>,
+    ) -> S {
+        self.rates[..STAGES].copy_from_slice(stages);
+        let (span, rates) = (self.span(reached.h), &mut self.rates);
+        let mut largest = S::ZERO;
+        // One place of call, so that the right-hand side is inlined once.
+        for stage in END..RATES + CHECKED.len() {
+            let (time, point) = match stage {
+                END => (reached.t, *reached.y),
+                RATES.. => {
+                    let s = S::from_f64(CHECKED[stage - RATES]);
+                    (s.multiply_add(span.h, span.t), interpolated(&span, s, rates))
+                }
+                _ => {
+                    (at_inner!(stage, time(span.t, span.h)), at_inner!(stage, point(&span.y, span.h, rates)))
+                }
+            };
+            let rate = equations.rhs(time, &point);
+            if stage < RATES {
+                rates[stage] = rate;
+            } else {
+                let defect = defect_of(rate, S::from_f64(CHECKED[stage - RATES]), rates);
+                largest = largest.max(tolerated.norm(span.h, &defect, &span.y, reached.y));
+            }
+        }
+        let rounding =
+            splat::<S>(DEFECT.part::<S::Element>()) * tolerated.norm(span.h, &rates[0], &span.y, reached.y);
+        largest / (S::from_f64(LARGEST_DEFECT) + rounding)
+    }
+
+    /// The states at these times, which are the ends where the times are.
+    #[inline(always)]
+    pub(super) fn interpolate(&self, reached: StepEnd<'_, S, Y>, t: S) -> Y {
+        let span = self.span(reached.h);
+        let within = interpolated(&span, (t - span.t) / span.h, &self.rates);
+        chosen(is_equal(t, reached.t), reached.y, &within)
+    }
+}
