@@ -7,7 +7,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use lagrange::ensemble::{Ends, Ensemble, Moments, Random, Samples, SharedSystem};
-use lagrange::integrate::{RungeKutta4, Verner98};
+use lagrange::integrate::{BlanesMoan4, Method, RungeKutta4, StormerVerlet, Verner98};
 use lagrange::simulate::Table;
 use lagrange::{Ensembles, Simulate};
 
@@ -54,6 +54,17 @@ lagrange::system! {
     emit { lanes }
 }
 
+lagrange::system! {
+    /// The motion of a star in a galaxy (Hénon, Heiles 1964), which is separable.
+    #[derive(Clone)]
+    pub struct HenonHeiles;
+
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    potential = 1/2 * (x^2 + y^2) + x^2 * y - 1/3 * y^3;
+    emit { lanes }
+}
+
 const MOTIONS: usize = 1024;
 const ROUNDS: usize = 21;
 const UNTIL: f64 = 10.0;
@@ -78,6 +89,12 @@ impl Subject for DoublePendulum {
 impl Subject for CartPole {
     fn start(random: &mut Random) -> [f64; 4] {
         DoublePendulum::start(random)
+    }
+}
+
+impl Subject for HenonHeiles {
+    fn start(random: &mut Random) -> [f64; 4] {
+        [0.1 * random.normal(), 0.1, 0.1, 0.1]
     }
 }
 
@@ -126,9 +143,17 @@ fn measure<const N: usize>(what: &str, motions: usize, ways: [(&str, &dyn Fn() -
     }
 }
 
+/// A number of the last motion.
+fn last<M: Subject>(ends: Ends<M>) -> f64 {
+    ends.state(M::MOTIONS - 1).expect("ended").as_ref()[0]
+}
+
+/// A number of its trajectory.
+fn last_sample<M: Subject>(samples: Samples<M>) -> f64 {
+    samples.iter().last().expect("ended").1.last().as_ref()[0]
+}
+
 fn measure_all<M: Subject>(name: &str, system: &M) {
-    let last = |ends: Ends<M>| ends.state(M::MOTIONS - 1).expect("ended").as_ref()[0];
-    let last_sample = |samples: Samples<M>| samples.iter().last().expect("ended").1.times()[1];
     for tolerance in [1e-6, 1e-9] {
         let ends = |threads| last(ensemble(system, tolerance, threads).run().expect("runs"));
         let alone = || last(ensemble(system, tolerance, 1).one_by_one().run().expect("runs"));
@@ -154,17 +179,25 @@ fn measure_all<M: Subject>(name: &str, system: &M) {
         ];
         measure(&format!("{name}, {tolerance:.0e}, samples"), M::MOTIONS, ways);
     }
-    let equal = || ensemble(system, 1e-9, 1).method(RungeKutta4 { step: STEP });
+    measure_equal(name, system, "RK4", RungeKutta4 { step: STEP });
+}
+
+/// A method in equal steps.
+fn measure_equal<M: Subject, K>(name: &str, system: &M, method: &str, settings: K)
+where
+    K: Method<M> + Copy + Sync,
+{
+    let equal = || ensemble(system, 1e-9, 1).method(settings);
     let ways: [(&str, &dyn Fn() -> f64); 2] = [
         ("one by one, 1 thread", &|| last(equal().one_by_one().run().expect("runs"))),
         ("in lanes, 1 thread", &|| last(equal().run().expect("runs"))),
     ];
-    measure(&format!("{name}, RK4"), M::MOTIONS, ways);
+    measure(&format!("{name}, {method}"), M::MOTIONS, ways);
     let ways: [(&str, &dyn Fn() -> f64); 2] = [
         ("one by one, 1 thread", &|| last_sample(equal().one_by_one().every(INTERVAL).run().expect("runs"))),
         ("in lanes, 1 thread", &|| last_sample(equal().every(INTERVAL).run().expect("runs"))),
     ];
-    measure(&format!("{name}, RK4, samples"), M::MOTIONS, ways);
+    measure(&format!("{name}, {method}, samples"), M::MOTIONS, ways);
 }
 
 fn main() {
@@ -172,4 +205,7 @@ fn main() {
     measure_all("cart-pole", black_box(&CartPole::default()));
     measure_all("double pendulum", black_box(&DoublePendulum::default()));
     measure_all("chain of ten", black_box(&Chain::default()));
+    let star = HenonHeiles::default();
+    measure_equal("Hénon–Heiles", &star, "Störmer–Verlet", StormerVerlet { step: STEP });
+    measure_equal("Hénon–Heiles", &star, "Blanes–Moan", BlanesMoan4 { step: 6.0 * STEP });
 }

@@ -1,11 +1,15 @@
 //! Steps of equal length.
 
+mod lanes;
+
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected, is_same};
 use crate::integrate::method::{Stepper, Work};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StepFailure};
+
+pub(super) use self::lanes::FixedLanes;
 
 /// A formula that advances the state by a step of given length.
 ///

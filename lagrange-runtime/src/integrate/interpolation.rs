@@ -3,7 +3,7 @@
 //! The polynomials are written in changes over the step, so that short steps lose no digits.
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6.
 
-use crate::scalar::{Number, Scalar};
+use crate::scalar::Number;
 use crate::system::StateVector;
 
 /// A step of the length `h`, and the part `s` of it after which the state is asked for.
@@ -47,7 +47,8 @@ pub(super) struct Motion<Q> {
 ///
 /// The velocity is the cubic that has the right values and rates at the ends, and κ s² (1 − s)², which makes its
 /// integral the change of the coordinates.
-pub(super) fn quintic<S: Scalar, Q: StateVector<S>>(Place { h, s }: Place<S>, motion: &Motion<Q>) -> (Q, Q) {
+#[inline(always)]
+pub(super) fn quintic<S: Number, Q: StateVector<S>>(Place { h, s }: Place<S>, motion: &Motion<Q>) -> (Q, Q) {
     let number = S::from_f64;
     let [v0, v1] = &motion.velocities;
     let [a0, a1] = &motion.accelerations;

@@ -32,7 +32,7 @@ pub use self::gauss_legendre::{
 };
 pub use self::method::{LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method, Stepper, Work};
 pub use self::rk4::{RungeKutta4, RungeKuttaLanes, RungeKuttaLastStep, rk4_step};
-pub use self::splitting::{BlanesMoan4, StormerVerlet, SymplecticEuler};
+pub use self::splitting::{BlanesMoan4, SplittingLanes, SplittingLastStep, StormerVerlet, SymplecticEuler};
 pub use self::undefined::{explained, undefined};
 pub use self::variational::Variational;
 pub use self::verner::{Verner98, VernerLanes, VernerLastStep, VernerStepper};

@@ -13,7 +13,7 @@ mod tests;
 use core::ops::Range;
 use std::vec::Vec;
 
-#[cfg(feature = "parquet")]
+#[cfg(any(feature = "parquet", test))]
 pub(super) use self::dispatch::is_fused;
 pub(super) use self::refill::Arrival;
 use self::refill::{ArrivalOf, Beginning, EndsOf, Queue, Refill};
@@ -53,9 +53,10 @@ where
     /// Whether motions are computed side by side, several at a time with each instruction of the processor.
     ///
     /// They are if the declaration says `emit { lanes }` and has neither constraints nor events, contacts or friction, if the method is
-    /// [`Verner98`](crate::integrate::Verner98) or [`RungeKutta4`](crate::integrate::RungeKutta4), and if nothing is asked for but ends, samples
-    /// and columns: no laws, controllers, events or restarts. A motion that fails, or jumps at a time known beforehand, is a run by itself in
-    /// any case.
+    /// [`Verner98`](crate::integrate::Verner98), [`RungeKutta4`](crate::integrate::RungeKutta4),
+    /// [`StormerVerlet`](crate::integrate::StormerVerlet), [`SymplecticEuler`](crate::integrate::SymplecticEuler) or
+    /// [`BlanesMoan4`](crate::integrate::BlanesMoan4), and if nothing is asked for but ends, samples and columns: no laws, controllers, events
+    /// or restarts. A motion that fails, or jumps at a time known beforehand, is a run by itself in any case.
     ///
     /// What comes of a motion then depends neither on the others nor on threads or shards, but on whether the processor fuses products and
     /// sums; and it is that of a single run only to within what the tolerance leaves open. [`one_by_one`](Self::one_by_one) gives the bits of

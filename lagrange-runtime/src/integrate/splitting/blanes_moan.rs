@@ -9,7 +9,7 @@
 //! begins with a kick.
 
 use crate::integrate::fixed::FixedStepper;
-use crate::integrate::method::Method;
+use crate::integrate::method::{LanesMethodVisitor, Method};
 use crate::integrate::splitting::{Composition, Splitting};
 use crate::system::{SeparableSystem, StepFailure};
 
@@ -31,7 +31,7 @@ const DRIFTS: [f64; 3] = {
     let [first, second] = [0.245_298_957_184_271, 0.604_872_665_711_08];
     [first, second, 0.5 - (first + second)]
 };
-const COMPOSITION: Composition<6> = Composition {
+pub(super) const COMPOSITION: Composition<6> = Composition {
     first: KICKS[0],
     rest: [
         (DRIFTS[0], KICKS[1]),
@@ -64,5 +64,9 @@ impl<M: SeparableSystem + ?Sized> Method<M> for BlanesMoan4<M::Scalar> {
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
+    }
+
+    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
+        Ok(visitor.visit(*self))
     }
 }

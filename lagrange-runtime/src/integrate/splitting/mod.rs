@@ -17,6 +17,7 @@
 
 mod blanes_moan;
 mod constrained;
+mod lanes;
 mod symplectic_euler;
 mod verlet;
 
@@ -29,6 +30,7 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{LeapfrogSystem, StateVector, StepFailure, join, split};
 
 pub use self::blanes_moan::BlanesMoan4;
+pub use self::lanes::{SplittingLanes, SplittingLastStep};
 pub use self::symplectic_euler::SymplecticEuler;
 pub use self::verlet::StormerVerlet;
 

@@ -3,7 +3,7 @@
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §I.1.2 and theorem VI.3.3.
 
 use crate::integrate::fixed::FixedStepper;
-use crate::integrate::method::Method;
+use crate::integrate::method::{LanesMethodVisitor, Method};
 use crate::integrate::splitting::{Composition, Splitting};
 use crate::system::{LeapfrogSystem, StepFailure};
 
@@ -18,7 +18,7 @@ pub struct SymplecticEuler<S> {
     pub step: S,
 }
 
-const COMPOSITION: Composition<1> = Composition { first: 1.0, rest: [(1.0, 0.0)], stable: 2.0 };
+pub(super) const COMPOSITION: Composition<1> = Composition { first: 1.0, rest: [(1.0, 0.0)], stable: 2.0 };
 
 impl<M: LeapfrogSystem + ?Sized> Method<M> for SymplecticEuler<M::Scalar> {
     type Stepper = FixedStepper<M, Splitting<M::Scalar, M::Coordinates, 1>>;
@@ -39,5 +39,9 @@ impl<M: LeapfrogSystem + ?Sized> Method<M> for SymplecticEuler<M::Scalar> {
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
+    }
+
+    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
+        Ok(visitor.visit(*self))
     }
 }

@@ -4,7 +4,7 @@
 //! Numerica 12 (2003), 399–450.
 
 use crate::integrate::fixed::FixedStepper;
-use crate::integrate::method::Method;
+use crate::integrate::method::{LanesMethodVisitor, Method};
 use crate::integrate::splitting::{Composition, Splitting};
 use crate::system::{LeapfrogSystem, StepFailure};
 
@@ -42,7 +42,7 @@ pub struct StormerVerlet<S> {
     pub step: S,
 }
 
-const COMPOSITION: Composition<1> = Composition { first: 0.5, rest: [(1.0, 0.5)], stable: 2.0 };
+pub(super) const COMPOSITION: Composition<1> = Composition { first: 0.5, rest: [(1.0, 0.5)], stable: 2.0 };
 
 impl<M: LeapfrogSystem + ?Sized> Method<M> for StormerVerlet<M::Scalar> {
     type Stepper = FixedStepper<M, Splitting<M::Scalar, M::Coordinates, 1>>;
@@ -63,5 +63,9 @@ impl<M: LeapfrogSystem + ?Sized> Method<M> for StormerVerlet<M::Scalar> {
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
+    }
+
+    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
+        Ok(visitor.visit(*self))
     }
 }

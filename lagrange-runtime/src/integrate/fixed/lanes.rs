@@ -1,0 +1,129 @@
+//! Steps of equal length for several motions side by side.
+
+use crate::integrate::clock::Clock;
+use crate::integrate::compensated::Compensated;
+use crate::integrate::lane_wise::{Counts, are_finite, splat};
+use crate::integrate::method::MOST_LANES;
+use crate::integrate::stability::Watch;
+use crate::scalar::{Mask, Number, Scalar};
+use crate::system::{SideBySide, StateVector};
+
+/// What methods in equal steps have in common side by side; Y is the state.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::integrate) struct FixedLanes<S: Number, Y> {
+    end: S,
+    clock: Clock<S>,
+    state: Compensated<Y>,
+    suspicion: S::Mask,
+    watches: [Watch; MOST_LANES],
+    are_watched: bool,
+    most_steps: u64,
+    counts: Counts,
+}
+
+impl<S, Y> FixedLanes<S, Y>
+where
+    S: SideBySide<Element: Scalar>,
+    Y: StateVector<S>,
+{
+    /// Motions from the state `y` at time `t` in steps of this length towards `end`.
+    #[inline(always)]
+    pub(in crate::integrate) fn start(step: S::Element, t: S::Element, y: &Y, end: S::Element) -> Self {
+        FixedLanes {
+            end: splat(end),
+            clock: Clock::new(splat(t), splat(step)),
+            state: Compensated::new(*y),
+            suspicion: S::Mask::splat(false),
+            watches: [Watch::default(); MOST_LANES],
+            are_watched: false,
+            most_steps: u64::MAX,
+            counts: Counts::new(),
+        }
+    }
+
+    /// The times that were reached.
+    #[inline(always)]
+    pub(in crate::integrate) fn time(&self) -> S {
+        self.clock.time()
+    }
+
+    /// The states that were reached.
+    #[inline(always)]
+    pub(in crate::integrate) fn state(&self) -> &Y {
+        self.state.value()
+    }
+
+    /// Where a hint at instability in the last step was worth following.
+    #[inline(always)]
+    pub(in crate::integrate) fn suspicion(&self) -> S::Mask {
+        self.suspicion
+    }
+
+    /// How many steps the motion in a lane took.
+    pub(in crate::integrate) fn steps(&self, lane: usize) -> u64 {
+        self.counts.taken(lane)
+    }
+
+    /// Lets no more steps than this be taken of a motion.
+    pub(in crate::integrate) fn limit_steps(&mut self, most: u64) {
+        self.most_steps = most;
+    }
+
+    /// The lengths of the next steps, and the clock after them.
+    #[inline(always)]
+    pub(in crate::integrate) fn next(&self) -> (S, Clock<S>) {
+        let mut clock = self.clock;
+        let h = clock.advance(self.end);
+        (h, clock)
+    }
+
+    /// Takes steps by these increments up to where the clock then is; they hint at instability where the mask is true.
+    #[inline(always)]
+    pub(in crate::integrate) fn accept(&mut self, clock: Clock<S>, increment: &Y, hints: S::Mask) {
+        self.state.add(increment);
+        self.clock = clock;
+        let are_spent = self.counts.count::<S>(S::Mask::splat(true), self.most_steps);
+        let are_finite = are_finite(self.state.value());
+        if are_spent || !are_finite.all() {
+            self.give_up(are_finite);
+        }
+        self.suspicion = S::Mask::splat(false);
+        if self.are_watched || hints.any() {
+            self.watch(hints);
+        }
+    }
+
+    /// Puts what is in the lane `from` of other motions into a lane of these.
+    #[inline(always)]
+    pub(in crate::integrate) fn take(&mut self, lane: usize, other: &Self, from: usize) {
+        self.clock.take(lane, &other.clock, from);
+        self.state.take(lane, &other.state, from);
+        self.watches[lane] = other.watches[from];
+        self.are_watched |= other.are_watched;
+        self.counts.take(lane, &other.counts, from);
+    }
+
+    /// Gives motions up that are not finite or took more steps than they may.
+    #[cold]
+    fn give_up(&mut self, are_finite: S::Mask) {
+        for lane in 0..S::LANES {
+            if !are_finite.lane(lane) || self.counts.tried(lane) > self.most_steps {
+                self.clock.set_time(lane, S::Element::NAN);
+            }
+        }
+    }
+
+    /// Follows hints where they are worth it.
+    #[cold]
+    fn watch(&mut self, hints: S::Mask) {
+        let mut followed = S::ZERO;
+        self.are_watched = false;
+        for lane in 0..S::LANES {
+            if self.watches[lane].follows(hints.lane(lane)) {
+                followed.set_lane(lane, S::Element::ONE);
+            }
+            self.are_watched |= self.watches[lane].is_awake();
+        }
+        self.suspicion = S::ZERO.less(followed);
+    }
+}
