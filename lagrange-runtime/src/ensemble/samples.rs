@@ -5,6 +5,7 @@ use std::vec::Vec;
 
 use super::asked::SharedSystem;
 use super::builder::{Ensemble, KeepSamples};
+use super::engine::Engine;
 use super::error::EnsembleError;
 use super::motion::Ran;
 use crate::integrate::Method;
@@ -59,6 +60,10 @@ where
     /// If what was asked for makes no sense, a closure that was given panics, or the progress callback cancels. A motion that fails is
     /// among the [`failures`](Samples::failures), and the others go on.
     pub fn run(self) -> Result<Samples<M>, EnsembleError> {
+        self.run_in(&self.engine()?)
+    }
+
+    pub(super) fn run_in(&self, engine: &Engine) -> Result<Samples<M>, EnsembleError> {
         let motions = self.asked.motions()?;
         let counter = self.counter(&motions);
         let mut all = Vec::new();
@@ -67,7 +72,7 @@ where
             self.each(chunk, &counter, |index, system, came| ran.push(self.samples_of(index, system, came)))?;
             Ok(ran)
         };
-        self.engine()?.chunks(motions.clone(), &counter, compute, |chunk| {
+        engine.chunks(motions.clone(), &counter, compute, |chunk| {
             all.extend(chunk);
             Ok(())
         })?;

@@ -22,7 +22,7 @@ pub(super) fn compute<T: Task>(task: T) -> T::Output {
 }
 
 /// Whether products are fused.
-#[cfg(feature = "parquet")]
+#[cfg(any(feature = "parquet", test))]
 pub(in crate::ensemble) fn is_fused() -> bool {
     struct Ask;
 

@@ -4,16 +4,20 @@ use core::mem::discriminant;
 use std::string::ToString;
 use std::vec::Vec;
 
+mod bits;
 mod samples;
 
 use super::refill::{Beginning, EndsOf, Queue, refilled};
-use crate::ensemble::engine::Engine;
 use crate::ensemble::progress::Counter;
 use crate::ensemble::{Ends, Ensemble, Ensembles, Moments};
-use crate::integrate::{GaussLegendre4, LanesMethod, Method, RungeKutta4, Verner98};
+use crate::integrate::{
+    BlanesMoan4, GaussLegendre4, LanesMethod, Method, RungeKutta4, StormerVerlet, Verner98,
+};
 use crate::scalar::{Lanes, Number, Scalar};
+use crate::simulate::Grid;
 use crate::system::{
-    Equations, LanesSystem, LanesVisitor, MechanicalSystem, OdeSystem, SideBySide, StepFailure, Unnamed,
+    Equations, LanesSystem, LanesVisitor, MechanicalSystem, OdeSystem, SeparableSystem, SideBySide,
+    StepFailure, Unnamed,
 };
 
 /// A system of one or two freedoms whose formulas are written for any numbers.
@@ -88,6 +92,8 @@ system!(Spring { stiffness = 1.0 }, 1, ["x"], spring);
 
 system!(Servo { damping = 1.0 }, 1, ["x"], servo);
 
+impl<S: Scalar> SeparableSystem for Spring<S> {}
+
 /// Two masses, the second of which is this part of both, on rods of unit length.
 #[inline(always)]
 fn double_pendulum<S: Number>(system: &DoublePendulum<S>, _t: S, [a, b, v, w]: &[S; 4]) -> [S; 4] {
@@ -127,49 +133,23 @@ fn beginnings(number: usize) -> Vec<Beginning<DoublePendulum<f64>>> {
     (0..number).map(beginning).collect()
 }
 
-/// Ends of these motions in lanes of the type S.
-fn ends<M, S>(beginnings: &[Beginning<M>], method: impl LanesMethod<M::Scalar>, end: M::Scalar) -> EndsOf<M>
+/// Motions in lanes of the type S.
+fn arrivals<M, S, const SAMPLED: bool>(
+    beginnings: &[Beginning<M>],
+    method: impl LanesMethod<M::Scalar>,
+    end: M::Scalar,
+    grid: Option<Grid<M::Scalar>>,
+) -> EndsOf<M>
 where
     M: MechanicalSystem + LanesSystem + Default,
     S: SideBySide<Element = <M as OdeSystem>::Scalar>,
 {
     let (counter, motions) =
         (Counter::new(None, beginnings.len()), (0..beginnings.len()).collect::<Vec<_>>());
-    let from = M::Scalar::ZERO;
-    let system = &M::default();
-    let grid = None;
-    let queue = Queue::<_, false> {
-        system,
-        beginnings,
-        motions: &motions,
-        from,
-        end,
-        grid,
-        most_steps: None,
-        counter: &counter,
-    };
-    refilled::<M, _, S, false>(&queue, &method)
-}
-
-/// The bits of ends, all of which are there.
-fn bits(ends: &EndsOf<DoublePendulum<f64>>) -> Vec<[u64; 4]> {
-    ends.iter().map(|end| end.as_ref().expect("ends").state.map(f64::to_bits)).collect()
-}
-
-#[test]
-fn bits_depend_neither_on_lanes_nor_on_neighbours() {
-    fn check(method: impl LanesMethod<f64>) {
-        let beginnings = beginnings(21);
-        let four = bits(&ends::<_, Lanes<f64, 4>>(&beginnings, method, 1.0));
-        assert_eq!(bits(&ends::<_, Lanes<f64, 8>>(&beginnings, method, 1.0)), four);
-        assert_eq!(bits(&ends::<_, Lanes<f64, 16>>(&beginnings, method, 1.0)), four);
-        assert_eq!(bits(&ends::<_, Lanes<f64, 4>>(&beginnings[13..], method, 1.0)), four[13..]);
-        let fused = bits(&ends::<_, Lanes<f64, 8, true>>(&beginnings, method, 1.0));
-        assert_eq!(bits(&ends::<_, Lanes<f64, 4, true>>(&beginnings, method, 1.0)), fused);
-        assert_ne!(fused, four);
-    }
-    check(Verner98::tolerance(1e-9));
-    check(RungeKutta4 { step: 0.01 });
+    let (system, motions, counter) = (&M::default(), &motions[..], &counter);
+    let (from, most_steps) = (M::Scalar::ZERO, None);
+    let queue = Queue::<M, SAMPLED> { system, beginnings, motions, from, end, grid, most_steps, counter };
+    refilled::<M, _, S, SAMPLED>(&queue, &method)
 }
 
 /// The largest difference between ends in lanes and those of runs by themselves.
@@ -178,7 +158,7 @@ where
     K: Method<DoublePendulum<f64>> + LanesMethod<f64> + Sync,
 {
     let beginnings = beginnings(8);
-    let found = ends::<_, Lanes<f64, 8>>(&beginnings, method, end);
+    let found = arrivals::<_, Lanes<f64, 8>, false>(&beginnings, method, end, None);
     let mut largest = 0.0_f64;
     for (beginning, found) in beginnings.iter().zip(found) {
         let system = beginning.system.expect("has one");
@@ -214,18 +194,6 @@ fn pendulums(system: &DoublePendulum<f64>, number: usize) -> Pendulums<'_> {
 
 fn all_bits<M: MechanicalSystem<Scalar = f64>>(ends: &Ends<M>) -> Vec<u64> {
     ends.table().columns().chain([ends.times()]).flatten().map(|value| value.to_bits()).collect()
-}
-
-#[test]
-fn rows_depend_neither_on_threads_nor_on_chunks() {
-    let system = DoublePendulum::default();
-    let found = [(1, 64), (1, 1), (2, 7), (3, 1000)].map(|(threads, chunk)| {
-        let mut engine = Engine::new(Some(threads)).expect("threads");
-        engine.chunk = chunk;
-        all_bits(&pendulums(&system, 90).run_in(&engine).expect("runs"))
-    });
-    assert_eq!(found[0].len(), 5 * 90);
-    assert!(found.iter().all(|other| *other == found[0]));
 }
 
 #[test]
@@ -310,6 +278,8 @@ fn motions_fail_as_they_do_alone_and_others_go_on() {
     };
     assert_same_failures(move || springs(400.0).until(4.0).max_steps(40), &[7]);
     assert_same_failures(move || springs(1e6).until(4.0).method(RungeKutta4 { step: 0.02 }), &[7]);
+    assert_same_failures(move || springs(1e6).until(4.0).method(StormerVerlet { step: 0.02 }), &[7]);
+    assert_same_failures(move || springs(1e6).until(-4.0).method(BlanesMoan4 { step: 0.02 }), &[7]);
     assert_same_failures(move || springs(3.0).until(0.0), &[]);
     assert_same_failures(move || springs(3.0).until(-1.0).longest_step(0.1), &[]);
     assert_same_failures(move || springs(3.0).until(f64::INFINITY), &(0..9).collect::<Vec<_>>());
