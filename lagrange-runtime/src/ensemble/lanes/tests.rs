@@ -90,6 +90,7 @@ system!(DoublePendulum { ratio = 0.5, gravity = 9.81 }, 2, ["a", "b"], double_pe
 system!(Root { end = 1.0 }, 1, ["x"], root);
 system!(Spring { stiffness = 1.0 }, 1, ["x"], spring);
 
+system!(Pulse { time = 1.0 }, 1, ["x"], pulse);
 system!(Servo { damping = 1.0 }, 1, ["x"], servo);
 
 impl<S: Scalar> SeparableSystem for Spring<S> {}
@@ -116,6 +117,13 @@ fn root<S: Number>(system: &Root<S>, t: S, [_, v]: &[S; 2]) -> [S; 2] {
 #[inline(always)]
 fn spring<S: Number>(system: &Spring<S>, _t: S, [x, v]: &[S; 2]) -> [S; 2] {
     [*v, -(system.stiffness * *x)]
+}
+
+/// ẍ = exp(−400 (t − time)²), which lasts for about a tenth of a second
+#[inline(always)]
+fn pulse<S: Number>(system: &Pulse<S>, t: S, [_, v]: &[S; 2]) -> [S; 2] {
+    let past = S::from_f64(20.0) * (t - system.time);
+    [*v, (-(past * past)).exp()]
 }
 
 /// ẍ = sin t − x − c ẋ
