@@ -39,7 +39,7 @@ pub(super) fn interpolate<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S,
     interpolated(span, s, rates)
 }
 
-/// The chord of the step at its part `s`, and its bend.
+/// The same, always inlined.
 #[inline(always)]
 pub(super) fn interpolated<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, rates: &[Y; RATES]) -> Y {
     let (both, mut bend) = (s * (S::ONE - s), Y::ZERO);
@@ -48,8 +48,13 @@ pub(super) fn interpolated<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S
         let (value, _) = polynomial(coefficients, s);
         bend = combined(&bend, both * value, &rates[*rate]);
     }
-    let chord = ADVANCE.weighted(rates);
-    let mut y = span.y;
+    bent(span, s, &bend, rates)
+}
+
+/// The chord of the step at its part `s`, and the bend there.
+#[inline(always)]
+fn bent<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, bend: &Y, rates: &[Y; RATES]) -> Y {
+    let (chord, mut y) = (ADVANCE.weighted(rates), span.y);
     for (y, (bend, chord)) in y.as_mut().iter_mut().zip(bend.as_ref().iter().zip(chord.as_ref())) {
         *y = *y + span.h * s.multiply_add(*chord, *bend);
     }
@@ -70,21 +75,73 @@ where
 }
 
 /// The same, given the rate of the system there.
-#[inline(always)]
-pub(super) fn defect_of<S: Number, Y: StateVector<S>>(rate: Y, s: S, rates: &[Y; RATES]) -> Y {
+fn defect_of<S: Number, Y: StateVector<S>>(rate: Y, s: S, rates: &[Y; RATES]) -> Y {
     let (one, two) = (S::ONE, S::from_f64(2.0));
-    let mut bend = Y::ZERO;
+    let mut slope = Y::ZERO;
     for (rate, coefficients) in &BEND {
-        let (value, slope) = polynomial(coefficients, s);
-        let weight = (one - two * s) * value + s * (one - s) * slope;
-        bend = combined(&bend, weight, &rates[*rate]);
+        let (value, rise) = polynomial(coefficients, s);
+        slope = combined(&slope, (one - two * s) * value + s * (one - s) * rise, &rates[*rate]);
     }
-    let chord = ADVANCE.weighted(rates);
-    let mut defect = rate;
-    for (defect, (bend, chord)) in defect.as_mut().iter_mut().zip(bend.as_ref().iter().zip(chord.as_ref())) {
+    beside(rate, &slope, rates)
+}
+
+/// By how much the slope of the chord and that of the bend differ from this rate.
+#[inline(always)]
+fn beside<S: Number, Y: StateVector<S>>(rate: Y, slope: &Y, rates: &[Y; RATES]) -> Y {
+    let (chord, mut defect) = (ADVANCE.weighted(rates), rate);
+    for (defect, (bend, chord)) in defect.as_mut().iter_mut().zip(slope.as_ref().iter().zip(chord.as_ref())) {
         *defect = *chord + *bend - *defect;
     }
     defect
+}
+
+/// A part of every step, with the weights there of rates in the bend and in its slope, which need no polynomials at run time.
+pub(super) struct FixedPart {
+    pub(super) s: f64,
+    bend: [f64; BEND.len()],
+    slope: [f64; BEND.len()],
+}
+
+impl FixedPart {
+    pub(super) const fn new(s: f64) -> Self {
+        let (mut bend, mut slope) = ([0.0; BEND.len()], [0.0; BEND.len()]);
+        let (x, mut index) = (2.0 * s - 1.0, 0);
+        while index < BEND.len() {
+            let (_, coefficients) = &BEND[index];
+            let (mut value, mut rise, mut power) = (0.0, 0.0, coefficients.len());
+            while power > 0 {
+                power -= 1;
+                rise = rise * x + value;
+                value = value * x + coefficients[power];
+            }
+            bend[index] = s * (1.0 - s) * value;
+            slope[index] = (1.0 - 2.0 * s) * value + s * (1.0 - s) * 2.0 * rise;
+            index += 1;
+        }
+        FixedPart { s, bend, slope }
+    }
+
+    /// The state there.
+    #[inline(always)]
+    pub(super) fn state<S: Number, Y: StateVector<S>>(&self, span: &Span<S, Y>, rates: &[Y; RATES]) -> Y {
+        bent(span, S::from_f64(self.s), &weighted_bend(&self.bend, rates), rates)
+    }
+
+    /// By how much the rate of the interpolant differs there from that of the system at the state there.
+    #[inline(always)]
+    pub(super) fn defect<S: Number, Y: StateVector<S>>(&self, rate: Y, rates: &[Y; RATES]) -> Y {
+        beside(rate, &weighted_bend(&self.slope, rates), rates)
+    }
+}
+
+/// A sum of the rates in the bend.
+#[inline(always)]
+fn weighted_bend<S: Number, Y: StateVector<S>>(weights: &[f64; BEND.len()], rates: &[Y; RATES]) -> Y {
+    let mut sum = Y::ZERO;
+    for ((rate, _), weight) in BEND.iter().zip(weights) {
+        sum = combined(&sum, S::from_f64(*weight), &rates[*rate]);
+    }
+    sum
 }
 
 /// A polynomial about the middle of the step, at the part `s` of it, and its derivative there.
@@ -98,4 +155,24 @@ fn polynomial<S: Number, const N: usize>(coefficients: &[f64; N], s: S) -> (S, S
         value = value.multiply_add(x, S::from_f64(*coefficient));
     }
     (value, two * slope)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FixedPart, RATES, Span, defect_of, interpolated};
+
+    #[test]
+    fn weights_of_a_fixed_part_are_those_of_the_polynomials() {
+        let span = Span { t: 0.0, y: [1.0_f64], h: 0.5 };
+        let rates: [[f64; 1]; RATES] = core::array::from_fn(|rate| [libm::sin(rate as f64)]);
+        for s in [0.1, 0.34, 0.94] {
+            let part = FixedPart::new(s);
+            let [state, defect] =
+                [part.state(&span, &rates), part.defect([2.0], &rates)].map(|[value]| value);
+            let [expected] = interpolated(&span, s, &rates);
+            assert!((state - expected).abs() < 1e-13, "{s}: {state} {expected}");
+            let [expected] = defect_of([2.0], s, &rates);
+            assert!((defect - expected).abs() < 1e-12, "{s}: {defect} {expected}");
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The states within steps side by side.
 
-use super::dense::{Span, defect_of, interpolated};
+use super::dense::{FixedPart, Span, interpolated};
 use super::interpolant::{
     STAGE_17, STAGE_18, STAGE_19, STAGE_20, STAGE_21, STAGE_22, STAGE_23, STAGE_24, STAGE_25,
 };
@@ -23,6 +23,9 @@ macro_rules! at_inner {
         ], STAGE_25)
     };
 }
+
+/// The parts of steps at which defects are looked at.
+const PARTS: [FixedPart; CHECKED.len()] = [FixedPart::new(CHECKED[0]), FixedPart::new(CHECKED[1])];
 
 /// The last steps by [`Verner98`](super::Verner98) side by side.
 #[derive(Clone, Copy, Debug)]
@@ -79,8 +82,8 @@ impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
             let (time, point) = match stage {
                 END => (reached.t, *reached.y),
                 RATES.. => {
-                    let s = S::from_f64(CHECKED[stage - RATES]);
-                    (s.multiply_add(span.h, span.t), interpolated(&span, s, rates))
+                    let part = &PARTS[stage - RATES];
+                    (S::from_f64(part.s).multiply_add(span.h, span.t), part.state(&span, rates))
                 }
                 _ => {
                     (at_inner!(stage, time(span.t, span.h)), at_inner!(stage, point(&span.y, span.h, rates)))
@@ -90,7 +93,7 @@ impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
             if stage < RATES {
                 rates[stage] = rate;
             } else {
-                let defect = defect_of(rate, S::from_f64(CHECKED[stage - RATES]), rates);
+                let defect = PARTS[stage - RATES].defect(rate, rates);
                 largest = largest.max(tolerated.norm(span.h, &defect, &span.y, reached.y));
             }
         }
