@@ -2,7 +2,7 @@
 
 use lagrange::Ensembles;
 use lagrange::ensemble::Random;
-use lagrange::integrate::RungeKutta4;
+use lagrange::integrate::{RungeKutta4, StormerVerlet};
 use lagrange::system::Direction;
 
 lagrange::system! {
@@ -99,6 +99,21 @@ fn inputs_that_change_and_events_are_left_to_runs() {
     assert!(!stopped().is_in_lanes());
     let ends = stopped().run().expect("runs");
     assert!(ends.x().iter().all(|x| (x - 0.5).abs() < 1e-9), "{:?}", ends.x());
+}
+
+#[test]
+fn samples_of_symplectic_methods_go_in_lanes() {
+    let pushed = Pushed { u: 2.0 };
+    let motions = pushed.ensemble(3).start(|_, _| [0.0, 0.0]).until(1.0);
+    let ensemble = motions.method(StormerVerlet { step: 0.1 }).every(0.25);
+    assert!(ensemble.is_in_lanes());
+    let samples = ensemble.run().expect("runs");
+    assert_eq!((samples.len(), samples.failures().count()), (3, 0));
+    for (_, trajectory) in samples.iter() {
+        assert_eq!(trajectory.times(), [0.0, 0.25, 0.5, 0.75, 1.0]);
+        let errors = trajectory.times().iter().zip(trajectory.x()).map(|(t, x)| (x - t * t).abs());
+        assert!(errors.fold(0.0, f64::max) < 1e-14, "{:?}", trajectory.x());
+    }
 }
 
 #[cfg(feature = "parquet")]
