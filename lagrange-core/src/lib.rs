@@ -43,7 +43,7 @@
 //! 5. [`emit`] writes them as Rust: [`program`] lowers expressions to straight-line [`Program`](program::Program)s, [`code`]
 //!    writes those as the body of a function, [`formula`] writes expressions as text, LaTeX or graphs.
 //!
-//! They stand on [`elementary`], one row for each elementary function, [`opaque`], functions without a formula, of which [`tables`] may be
+//! They stand on [`elementary`], one row for each elementary function, [`units`], one row for each unit of measurement, [`opaque`], functions without a formula, of which [`tables`] may be
 //! read from files, and [`solids`], one row for each solid; [`expr`], the graph
 //! that owns every expression of a system; [`functions`], their values as expressions; [`calculus`] and [`simplify`], algorithms
 //! that take the graph; and on [`number`], [`symbol`], [`diagnostics`] and [`collections`]. `ARCHITECTURE.md` says which may import
@@ -56,6 +56,7 @@ pub mod code;
 pub mod collections;
 pub mod derive;
 pub mod diagnostics;
+pub mod dimensions;
 pub mod elaborate;
 pub mod elementary;
 pub mod emit;
@@ -74,6 +75,7 @@ pub mod solids;
 pub mod symbol;
 pub mod syntax;
 pub mod tables;
+pub mod units;
 
 /// `docs/tour.md`, compiled and run.
 #[cfg(doctest)]

@@ -45,8 +45,8 @@ const CORE: &[Layer] = &[
         purpose: "containers in a fixed order; mistakes with places and help; exact rationals",
     },
     Layer {
-        modules: &["elementary", "symbol"],
-        purpose: "one row per elementary function; names with roles",
+        modules: &["elementary", "symbol", "units"],
+        purpose: "one row per elementary function; names with roles; units of measurement, what they measure and their exact factors",
     },
     Layer { modules: &["opaque"], purpose: "functions without a formula: those of the user's crate, tables" },
     Layer {
@@ -70,9 +70,9 @@ const CORE: &[Layer] = &[
         purpose: "functions that a declaration defines, put in the place of their calls; files of tables, read by who can",
     },
     Layer {
-        modules: &["bodies", "program"],
-        purpose: "rigid bodies, springs and joints, in the plane and in space, to plain statements, syntax to syntax; straight-line \
-                  programs: lowering, passes, verifier, interpreter, operation counts",
+        modules: &["bodies", "dimensions", "program"],
+        purpose: "rigid bodies, springs and joints, in the plane and in space, to plain statements, syntax to syntax; numbers in \
+                  coherent units, and what has which dimension; straight-line programs: lowering, passes, verifier, interpreter, operation counts",
     },
     Layer {
         modules: &["code", "model"],

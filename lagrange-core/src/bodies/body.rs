@@ -55,7 +55,10 @@ fn body_angle(translation: &mut Translation<'_>, statement: &ast::Body) -> AstId
     let angle = turning(translation, angle);
     translation.mentioned.push(angle);
     match translation.expressions.get(angle) {
-        ast::Expression::Name(_) | ast::Expression::Number(_) | ast::Expression::Invalid => angle,
+        ast::Expression::Name(_)
+        | ast::Expression::Number(_)
+        | ast::Expression::Quantity(..)
+        | ast::Expression::Invalid => angle,
         _ => translation.bind(&format!("{}_angle", statement.name.text), angle),
     }
 }

@@ -29,6 +29,10 @@ pub(super) fn number(
             Expression::Number(number) => values.push(number.to_f64()),
             Expression::Name(name) if name == "pi" => values.push(std::f64::consts::PI),
             Expression::Name(name) => values.push(*constants.get(name)?),
+            Expression::Quantity(_, unit) if are_parts_known => {
+                let value = values.pop()?;
+                values.push(value * unit.scale.to_f64());
+            }
             Expression::Negate(_) if are_parts_known => {
                 let value = values.pop()?;
                 values.push(-value);
@@ -37,7 +41,9 @@ pub(super) fn number(
                 let (right, left) = (values.pop()?, values.pop()?);
                 values.push(applied(*operator, left, right));
             }
-            Expression::Negate(of) => pending.extend([(id, true), (*of, false)]),
+            Expression::Negate(of) | Expression::Quantity(of, _) => {
+                pending.extend([(id, true), (*of, false)])
+            }
             Expression::Binary(_, _, left, right) => {
                 pending.extend([(id, true), (*right, false), (*left, false)]);
             }

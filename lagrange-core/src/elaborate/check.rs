@@ -21,6 +21,7 @@ use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{Energies, Model, Product, Reduction, Speed};
 use crate::syntax::ast::StatementKind;
+use crate::units::NamedUnits;
 
 /// The model and what is to be reduced of it; `None` if anything is wrong, which has been reported.
 pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduction>)> {
@@ -318,6 +319,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
         scene: elaborator.scene,
         rates,
         labels,
+        units: NamedUnits::default(),
         accuracy: elaborator.declaration.accuracy,
         products,
         reduced: Vec::new(),

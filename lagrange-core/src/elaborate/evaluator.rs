@@ -112,7 +112,7 @@ impl<'a> Evaluator<'a> {
             }
             Expression::Tuple(components) => components.clone(),
             Expression::Call(_, arguments) => arguments.clone(),
-            Expression::Component(of, _) => vec![*of],
+            Expression::Component(of, _) | Expression::Quantity(of, _) => vec![*of],
             Expression::If { condition, then, otherwise } => {
                 vec![condition.left, condition.right, *then, *otherwise]
             }

@@ -13,8 +13,10 @@ use super::operand::{Operand, rebuild};
 use super::scope::NameKind;
 use super::unknown_names::{help_for_unknown, is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::diagnostics::Origin;
+use crate::number::Number;
 use crate::symbol::Role;
 use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Name};
+use crate::units::Unit;
 
 /// The value of an expression; `None` if something in it is wrong, which has been reported.
 pub(super) fn value_of(evaluator: &mut Evaluator<'_>, root: AstId) -> Option<Operand> {
@@ -40,6 +42,7 @@ pub(super) fn value_of(evaluator: &mut Evaluator<'_>, root: AstId) -> Option<Ope
 fn evaluate_node(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
     match evaluator.syntax(id) {
         Expression::Number(value) => Some(Operand::Scalar(evaluator.graph.number(value.clone()))),
+        Expression::Quantity(number, unit) => evaluate_quantity(evaluator, *number, unit),
         Expression::Name(name) => evaluate_name(evaluator, name, evaluator.origin(id)),
         Expression::Binary(BinaryOperator::Power, _, base, exponent) => {
             evaluate_power(evaluator, *base, *exponent, evaluator.origin(id))
@@ -61,6 +64,15 @@ fn evaluate_node(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
         // Elements have taken the place of what is written of arrays.
         Expression::Array(_) | Expression::Invalid => None,
     }
+}
+
+/// A number in the coherent unit.
+fn evaluate_quantity(evaluator: &mut Evaluator<'_>, number: AstId, unit: &Unit) -> Option<Operand> {
+    let number = evaluator.scalar(number, "a number with a unit")?;
+    let (scale, pi) = (evaluator.graph.number(unit.scale.number.clone()), evaluator.graph.pi());
+    let factors = [(number, 1), (scale, 1), (pi, unit.scale.pi)];
+    let factors = factors.map(|(factor, exponent)| (factor, Number::from(i64::from(exponent))));
+    Some(Operand::Scalar(evaluator.graph.product(factors)))
 }
 
 fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> Option<Operand> {

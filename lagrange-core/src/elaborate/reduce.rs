@@ -113,6 +113,7 @@ impl<'a> Reducer<'a> {
             scene,
             rates,
             labels,
+            units: model.units.clone(),
             accuracy: model.accuracy,
             products: model.products.clone(),
             reduced: Vec::new(),

@@ -99,6 +99,7 @@ impl Counting<'_> {
             }
             Expression::Invalid => return Err(Reason::Unreadable),
             Expression::Array(_)
+            | Expression::Quantity(..)
             | Expression::Tuple(_)
             | Expression::Call(..)
             | Expression::Component(..)

@@ -67,7 +67,7 @@ fn rename_parts(joint: &mut Mobilizer) {
 /// What a name outside of expressions stands for.
 fn mentioned(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Option<Name> {
     if !name.indices.is_empty() {
-        return Some(Name::new(copier.element(name, scope)?, name.span));
+        return Some(element(name, copier.element(name, scope)?));
     }
     let Some((message, help)) = copier.objection(&name.text) else { return Some(name.clone()) };
     copier.complaints.report.error(name.span, message).help(help);
@@ -83,7 +83,7 @@ fn elements(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Vec<(Vec<i6
     let positions = sizes.as_deref().map(positions).unwrap_or_default();
     let named = |position: Vec<i64>| {
         let text = messages::element(&name.text, &position);
-        (position, Name::new(text, name.span))
+        (position, element(name, text))
     };
     positions.into_iter().map(named).collect()
 }
@@ -91,6 +91,11 @@ fn elements(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Vec<(Vec<i6
 fn all_elements(copier: &mut Copier<'_>, names: &[Name], scope: ScopeId) -> Vec<Name> {
     let elements = names.iter().flat_map(|name| elements(copier, name, scope));
     elements.map(|(_, name)| name).collect()
+}
+
+/// The name of an element, with the unit of the array.
+fn element(of: &Name, text: String) -> Name {
+    Name { unit: of.unit.clone(), ..Name::new(text, of.span) }
 }
 
 fn definitions(copier: &mut Copier<'_>, list: &[Definition], scope: ScopeId) -> Vec<Definition> {

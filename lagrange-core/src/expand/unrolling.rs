@@ -99,7 +99,9 @@ impl<'d> Unroller<'_, '_, 'd> {
     /// Remembers a constant, if it is a number that indices can be made of.
     fn constant(&mut self, definition: &Definition) {
         let (name, outermost) = (&definition.name, ScopeId::default());
-        let Some(value) = definition.value else { return };
+        // A length is no number that indices can be made of.
+        let is_plain = name.unit.as_ref().is_none_or(|unit| unit.is_coherent() && unit.dimension.is_none());
+        let Some(value) = definition.value.filter(|_| is_plain) else { return };
         let sizes = name.indices.iter().map(|size| self.counting().integer(*size, outermost));
         let Ok(sizes) = sizes.collect::<Result<Vec<_>, _>>() else { return };
         let positions = positions(&sizes);

@@ -7,6 +7,7 @@ use proc_macro2::Span;
 
 use crate::expr::{ExprId, Graph};
 use crate::syntax::ast::{Accuracy, Direction, Name};
+use crate::units::NamedUnits;
 
 pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
 pub use scene::{BodyMotion, DrawnItem, LinkPose, LinkTwist, OutlinedPart, Scene, SpatialBodyMotion};
@@ -54,6 +55,8 @@ pub struct Model {
     pub rates: Vec<(ExprId, ExprId)>,
     /// The user's names for expressions, in the order of preference.
     pub labels: Vec<(ExprId, String)>,
+    /// Units of parameters, inputs, coordinates, velocities and outputs, as far as they are known.
+    pub units: NamedUnits,
     /// The level of accuracy that was asked for.
     pub accuracy: Accuracy,
     /// The products to emit, in the order of [`Product::ALL`].

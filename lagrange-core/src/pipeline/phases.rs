@@ -6,12 +6,14 @@ use quote::quote;
 use crate::bodies::plain;
 use crate::derive::{Equations, StrategyChoice, derive};
 use crate::diagnostics::Report;
+use crate::dimensions::in_coherent_units;
 use crate::elaborate::elaborate;
 use crate::emit;
 use crate::expand::{has_arrays, once_for_each_array, without_arrays};
 use crate::inline::without_functions;
 use crate::model::{Model, Reduced};
 use crate::syntax::ast::Declaration;
+use crate::units::NamedUnits;
 
 /// A reduced type with its equations of motion.
 #[derive(Clone, Debug)]
@@ -32,14 +34,22 @@ pub(super) fn model_of(mut declaration: Declaration, report: &mut Report) -> (De
         // What would be found wrong without what could not be written out is not said.
         return (declaration, None);
     }
-    let plain = plain(without_functions(declaration, report), report);
-    let model = elaborate(&plain, report);
+    let mut declaration = without_functions(declaration, report);
+    let units = in_coherent_units(&mut declaration, report);
+    let plain = plain(declaration, report);
+    let mut model = elaborate(&plain, report);
+    model.iter_mut().for_each(|model| name_units(model, &units));
     if is_written_out {
         once_for_each_array(&plain.declaration, report);
     }
     let mut declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
     declaration.attributes = emit::attributes_of_struct(&declaration, report.diagnostics());
     (declaration, model)
+}
+
+fn name_units(model: &mut Model, units: &NamedUnits) {
+    model.reduced.iter_mut().for_each(|reduced| reduced.model.units = units.clone());
+    model.units = units.clone();
 }
 
 /// The equations of a model and those of its reduced types, which are taken out of it.

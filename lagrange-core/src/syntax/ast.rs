@@ -16,6 +16,7 @@ pub mod statements;
 use proc_macro2::{Span, TokenStream};
 
 use crate::collections::HashMap;
+use crate::units::Unit;
 pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
 pub use callables::{
     ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableSource,
@@ -66,6 +67,8 @@ pub struct Declaration {
     pub unreadable_words: HashMap<String, ()>,
     /// True if something was declared without a name, so that any unknown name may be meant for it.
     pub lacks_names: bool,
+    /// True if a unit of measurement is written anywhere.
+    pub has_units: bool,
 }
 
 impl Declaration {
@@ -249,12 +252,14 @@ pub struct Name {
     pub span: Span,
     /// What stands in square brackets behind it: the numbers of elements of an array that is declared, or the place of one element.
     pub indices: Vec<AstId>,
+    /// The unit of measurement behind the colon where it is declared; of a function, that of its value.
+    pub unit: Option<Box<Unit>>,
 }
 
 impl Name {
-    /// A name without square brackets.
+    /// A name without square brackets and unit.
     pub fn new(text: impl Into<String>, span: Span) -> Name {
-        Name { text: text.into(), span, indices: Vec::new() }
+        Name { text: text.into(), span, indices: Vec::new(), unit: None }
     }
 }
 

@@ -9,8 +9,10 @@ use super::keywords::is_rust_keyword;
 use super::messages;
 use super::messages::forms::form;
 use super::messages::habits;
+use super::messages::units;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use super::recovery::Turn;
+use super::units::at_unit;
 
 /// A list of names with commas between them.
 #[derive(Clone, Copy)]
@@ -30,7 +32,7 @@ impl Parser<'_> {
                 parser.no_unit(name);
                 // Values behind it may hold it.
                 parser.declared_names.insert(name.text.clone(), Declared::Parameter);
-                parser.annotation("param", cursor);
+                parser.annotation(name, "param", cursor);
             }
             let is_array = name.as_ref().is_ok_and(|name| !name.indices.is_empty());
             let value = match at_equals_past(0, cursor) {
@@ -45,9 +47,9 @@ impl Parser<'_> {
     fn no_unit(&mut self, name: &mut Name) {
         let [size] = name.indices[..] else { return };
         let Expression::Name(word) = self.expressions.get(size) else { return };
-        if self.unit(word, "").is_some() {
-            let (message, help) = habits::behind_name("param");
-            self.fail_once(self.expressions.origin(size), message, help);
+        if self.is_free_unit(word) {
+            let help = units::behind_name(&name.text, word);
+            self.fail_once(self.expressions.origin(size), units::BEHIND_NAME, &help);
             name.indices.clear();
         }
     }
@@ -68,9 +70,9 @@ impl Parser<'_> {
         self.items(List { help: form(keyword), has_values: false }, cursor, |parser, cursor| {
             let start = cursor.position();
             let word = cursor.ident().filter(|word| can_be_field(&word.to_string())).cloned();
-            let name = parser.declared_name(cursor);
-            if name.is_ok() {
-                parser.annotation(keyword, cursor);
+            let mut name = parser.declared_name(cursor);
+            if let Ok(name) = &mut name {
+                parser.annotation(name, keyword, cursor);
             }
             let name = name.unwrap_or_else(|Reported| {
                 parser.skip_item(cursor);
@@ -189,11 +191,11 @@ impl Parser<'_> {
         match cursor.eat_group(Delimiter::Parenthesis) {
             None if cursor.ident().is_none() => Err(self.no_name(help, cursor)),
             None => {
-                let name = self.declared_name(cursor)?;
+                let mut name = self.declared_name(cursor)?;
                 if let Some(group) = cursor.eat_group(Delimiter::Parenthesis) {
                     return self.function(name, &group, cursor);
                 }
-                self.annotation("let", cursor);
+                self.annotation(&mut name, "let", cursor);
                 Ok(StatementKind::Let(name, self.assigned(help, cursor)?))
             }
             Some(group) => {
@@ -215,6 +217,7 @@ impl Parser<'_> {
     fn function(&mut self, name: Name, group: &Group, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let parameters = self.inside(group, |parser, cursor| parser.component_names("let", cursor))?;
         self.refuse_elements(parameters.iter().chain([&name]))?;
+        self.refuse_units(&parameters);
         let value = self.assigned(form("let"), cursor)?;
         Ok(StatementKind::Function(Box::new(FunctionDefinition { name, parameters, value })))
     }
@@ -223,7 +226,11 @@ impl Parser<'_> {
     pub(super) fn component_names(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<Vec<Name>> {
         let mut names = Vec::new();
         self.turns(cursor, |parser, cursor| {
-            names.push(parser.declared_name(cursor)?);
+            let mut name = parser.declared_name(cursor)?;
+            if at_unit(cursor) {
+                name.unit = parser.unit_behind_colon(cursor);
+            }
+            names.push(name);
             Ok(Turn::next_if(cursor.eat(',').is_some() && !cursor.at_end()))
         })?;
         if cursor.at_end() {

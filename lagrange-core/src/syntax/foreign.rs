@@ -250,14 +250,6 @@ const LETTERS: &[(char, &str)] = &[
     ('Ω', "Omega"),
 ];
 
-/// Units of measurement, in front of which numbers stand elsewhere.
-const UNITS: &[&str] = &[
-    "m", "cm", "mm", "km", "kg", "g", "s", "ms", "min", "h", "Hz", "N", "Nm", "kN", "J", "W", "Pa", "rad",
-    "deg", "degree", "degrees", "grad", "meter", "meters", "metre", "second", "seconds", "newton", "rpm",
-];
-/// Functions among them that measure angles in degrees.
-const DEGREES: &[&str] = &["deg", "degree", "degrees"];
-
 /// The keyword that is meant by a word that begins no statement.
 pub(super) fn statement(word: &str) -> Option<&'static str> {
     STATEMENTS.iter().find(|(words, _)| words.contains(&word)).map(|(_, keyword)| *keyword)
@@ -304,11 +296,6 @@ pub fn solid(word: &str) -> Option<&'static str> {
 pub fn part((kind, object): (Owner, &str), word: &str) -> Option<String> {
     let (.., template) = PARTS.iter().find(|(owner, words, _)| *owner == kind && words.contains(&word))?;
     Some(filled(template, &[object.to_owned(), word.to_owned()]))
-}
-
-/// `None` if a word is no unit of measurement, `Some(true)` if it is one of degrees.
-pub(super) fn unit(word: &str) -> Option<bool> {
-    UNITS.contains(&word).then(|| DEGREES.contains(&word))
 }
 
 fn is_row_of(rows: &[(&str, &[&str])], key: &str, word: &str) -> bool {

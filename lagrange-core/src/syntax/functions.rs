@@ -10,6 +10,7 @@ use super::messages::forms::form;
 use super::messages::functions as words;
 use super::parser::{Parsed, Parser};
 use super::recovery::Turn;
+use super::units::at_unit;
 use crate::diagnostics::{Origin, nearest};
 
 /// Labels of derivatives of functions of one argument, in the order of their orders.
@@ -35,7 +36,7 @@ impl Parser<'_> {
 
     /// `f(x, y)`.
     pub(super) fn function_head(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<(Name, Vec<Name>)> {
-        let name = self.declared_name(cursor)?;
+        let mut name = self.declared_name(cursor)?;
         self.check_callee(&name);
         let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
             let message = messages::expected("`(`", cursor.peek());
@@ -48,6 +49,9 @@ impl Parser<'_> {
                 let error = self.report.error(parameter.span, words::repeated_argument(&parameter.text));
                 error.related(first.span.into(), messages::FIRST_HERE).help(messages::OTHER_NAME_HELP);
             }
+        }
+        if at_unit(cursor) {
+            name.unit = self.unit_behind_colon(cursor);
         }
         Ok((name, parameters))
     }

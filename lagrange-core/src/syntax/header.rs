@@ -57,6 +57,7 @@ fn declaration(
         counted: HashMap::default(),
         unreadable_words: HashMap::default(),
         lacks_names: false,
+        has_units: false,
     }
 }
 

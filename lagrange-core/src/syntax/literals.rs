@@ -2,17 +2,18 @@
 
 use proc_macro2::Literal;
 
-use super::foreign;
 use super::messages;
 use super::messages::habits;
+use super::messages::units;
 use super::parser::{Parsed, Parser};
 use crate::number::Number;
+use crate::units::meant;
 
 /// Longer literals are refused before any arithmetic is done on them.
 const LONGEST_LITERAL: usize = 5000;
 
 /// Suffixes of numbers in Rust.
-const TYPES: [&str; 14] =
+pub(super) const TYPES: [&str; 14] =
     ["f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize"];
 
 impl Parser<'_> {
@@ -32,12 +33,13 @@ impl Parser<'_> {
         if !suffix.is_empty() {
             let digits = decimal.trim_end_matches('_');
             if !TYPES.contains(&suffix) {
-                return Err(match self.unit(suffix, digits) {
-                    Some(help) => self.fail_with_help(span, habits::UNIT, help),
-                    None => {
-                        self.fail_with_help(span, messages::LETTERS, messages::letters_help(digits, suffix))
+                let (message, help) = match self.is_free_unit(suffix) {
+                    true => {
+                        (units::WITHOUT_SPACE, units::with_space(digits, meant(suffix).unwrap_or(suffix)))
                     }
-                });
+                    false => (messages::LETTERS, messages::letters_help(digits, suffix)),
+                };
+                return Err(self.fail_with_help(span, message, help));
             }
             return Err(self.fail_with_help(span, messages::SUFFIX, messages::suffix_help(digits)));
         }
@@ -46,12 +48,6 @@ impl Parser<'_> {
             let message = messages::excessive_number(&text);
             self.fail_with_help(span, message, messages::EXCESSIVE_NUMBER_HELP)
         })
-    }
-
-    /// Advice for a word behind a number that is a unit of measurement and nothing that was declared.
-    pub(super) fn unit(&self, word: &str, number: &str) -> Option<String> {
-        let is_in_degrees = foreign::unit(word).filter(|_| self.declared(word).is_none())?;
-        Some(if is_in_degrees { habits::in_radians(number) } else { habits::without_unit(number) })
     }
 }
 

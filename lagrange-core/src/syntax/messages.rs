@@ -6,6 +6,7 @@ pub(super) mod functions;
 pub(super) mod habits;
 pub(super) mod scenes;
 pub(super) mod tables;
+pub(super) mod units;
 
 use proc_macro2::{Delimiter, TokenTree};
 

@@ -11,10 +11,13 @@
 //! signed      = { "-" } power
 //! power       = operand [ "^" signed ]
 //! operand     = atom { "." NAME [ "(" [ sum { "," sum } ] ")" ] }
-//! atom        = NUMBER | NAME [ "(" [ sum { "," sum } ] ")" ] | NAME { "[" sum "]" } | "(" sum ")"
+//! atom        = NUMBER [ NAME [ "^" exponent ] | "[" unit "]" ] | NAME [ "(" [ sum { "," sum } ] ")" ] | NAME { "[" sum "]" } | "(" sum ")"
 //!             | "sum" "(" NAME "in" sum ".." [ "=" ] sum "," sum [ "," ] ")"
 //!             | "(" sum "," sum [ "," sum ] ")"
 //!             | "if" sum ( "<" | "<=" | ">" | ">=" ) sum "{" sum "}" "else" ( "{" sum "}" | if )
+//! unit        = factor { ( "*" | "/" ) factor }
+//! factor      = ( NAME | "1" | "(" unit ")" ) [ "^" exponent ]
+//! exponent    = [ "-" ] NUMBER | "(" [ "-" ] NUMBER [ "/" NUMBER ] ")"
 //! ```
 //!
 //! `%` stands in indices only. Statements are in the documentation of [`StatementKind`](ast::StatementKind).
@@ -50,6 +53,7 @@ mod tables;
 mod tests;
 mod text;
 mod unexpected;
+mod units;
 mod values;
 
 use proc_macro2::TokenStream;
@@ -100,6 +104,7 @@ fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cu
         expressions,
         unreadable_words,
         lacks_names: parser.lacks_names,
+        has_units: parser.has_units,
         ..header
     }
 }

@@ -9,6 +9,7 @@ use super::messages;
 use super::messages::forms::form;
 use super::messages::habits;
 use super::parser::{Parsed, Parser};
+use super::units::at_unit;
 
 impl Parser<'_> {
     /// Reads a name that is being declared, with what stands in square brackets behind it.
@@ -31,13 +32,13 @@ impl Parser<'_> {
         if is_end {
             return Err(self.no_name(form(keyword), cursor));
         }
-        let name = self.declared_name(cursor)?;
-        self.annotation(keyword, cursor);
+        let mut name = self.declared_name(cursor)?;
+        self.annotation(&mut name, keyword, cursor);
         Ok(name)
     }
 
-    /// Reports what stands elsewhere between a declared name and its value, a type, a unit or an argument, and skips it.
-    pub(super) fn annotation(&mut self, keyword: &str, cursor: &mut Cursor) {
+    /// Reads the unit between a declared name and its value. What stands there elsewhere, a type or an argument, is reported and skipped.
+    pub(super) fn annotation(&mut self, name: &mut Name, keyword: &str, cursor: &mut Cursor) {
         let start = cursor.position();
         let (message, help) = match cursor.peek() {
             Some(TokenTree::Punct(punct)) if punct.as_char() == ':' && cursor.pair().is_none() => {
@@ -48,6 +49,10 @@ impl Parser<'_> {
                 };
                 if is_equals {
                     // The colon stands for the equals sign.
+                    return;
+                }
+                if at_unit(cursor) {
+                    name.unit = self.unit_behind_colon(cursor);
                     return;
                 }
                 let ends = |cursor: &Cursor| {

@@ -25,6 +25,8 @@ pub(super) struct Parser<'r> {
     pub(super) declared_names: HashMap<String, Declared>,
     /// True if something is declared without the name that it should have.
     pub(super) lacks_names: bool,
+    /// True if a unit of measurement is written anywhere.
+    pub(super) has_units: bool,
     /// Messages that are given only once in a statement.
     said: HashMap<String, ()>,
     depth: u32,
@@ -67,6 +69,7 @@ impl<'r> Parser<'r> {
             unreadable_words: HashMap::default(),
             declared_names: HashMap::default(),
             lacks_names: false,
+            has_units: false,
             said: HashMap::default(),
             depth: 0,
         }

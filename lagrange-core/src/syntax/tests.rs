@@ -9,6 +9,7 @@ mod mistakes;
 mod print;
 mod statements;
 mod systems;
+mod units;
 
 use super::ast::{
     Action, Assignment, AstId, BinaryOperator, Declaration, Definition, EmitItem, Expression, Expressions,
@@ -61,7 +62,7 @@ fn shown(expressions: &Expressions, id: AstId) -> String {
             let condition_list = list(relation(condition.relation), &[condition.left, condition.right]);
             format!("(if {condition_list} {} {})", show(*then), show(*otherwise))
         }
-        Expression::Array(_) => super::print::expression(expressions, id),
+        Expression::Array(_) | Expression::Quantity(..) => super::print::expression(expressions, id),
         Expression::Invalid => "?".to_owned(),
     }
 }

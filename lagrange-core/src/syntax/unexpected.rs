@@ -6,7 +6,9 @@ use super::cursor::Cursor;
 use super::keywords;
 use super::messages;
 use super::messages::habits;
+use super::messages::units;
 use super::parser::{Parser, Reported};
+use crate::units::{meaning, meant};
 
 /// A message and what to do.
 type Mistake = (String, String);
@@ -32,27 +34,32 @@ impl Parser<'_> {
             return self.fail_with_help(origin, habits::DECIMAL_COMMA, habits::decimal_point(&number));
         }
         let (message, help) =
-            self.unit_mistake(cursor).or_else(|| operator_mistake(cursor)).unwrap_or_else(|| {
+            self.unit_mistake(cursor, wanted).or_else(|| operator_mistake(cursor)).unwrap_or_else(|| {
                 (messages::expected_operator_or(wanted, cursor.peek()), operator_help(cursor, wanted))
             });
         self.fail_with_help(cursor.here_to_pair(), message, help)
     }
 
-    /// A unit of measurement behind a number.
-    fn unit_mistake(&self, cursor: &Cursor) -> Option<Mistake> {
+    /// A word behind a number that is the name of something declared and of a unit, or no unit by that name.
+    fn unit_mistake(&self, cursor: &Cursor, wanted: &str) -> Option<Mistake> {
         let (Some(TokenTree::Literal(number)), Some(word)) = (cursor.previous(), cursor.ident()) else {
             return None;
         };
-        let number = number.to_string();
-        // A unit is told from a factor of that name by what it is multiplied with or divided by.
-        let is_joined =
-            matches!(cursor.peek_past(1), Some(TokenTree::Punct(sign)) if "*/".contains(sign.as_char()));
-        let unit_behind = match cursor.peek_past(2) {
-            Some(TokenTree::Ident(word)) if is_joined => self.unit(&word.to_string(), &number),
-            _ => None,
-        };
-        let help = self.unit(&word.to_string(), &number).or(unit_behind)?;
-        Some((habits::UNIT.to_owned(), help))
+        let (number, word) = (number.to_string(), word.to_string());
+        if meaning(&word).is_none() {
+            let unit = meant(&word).filter(|_| self.is_free_unit(&word))?;
+            return Some((units::unknown(&word), units::with_space(&number, unit)));
+        }
+        if let (Some(TokenTree::Punct(sign)), Some(TokenTree::Ident(behind))) =
+            (cursor.peek_past(1), cursor.peek_past(2))
+            && "*/".contains(sign.as_char())
+            && self.is_free_unit(&behind.to_string())
+        {
+            let unit = format!("{word}{}{behind}", sign.as_char());
+            return Some((units::SEVERAL_FACTORS.to_owned(), units::in_brackets(&number, &unit)));
+        }
+        let message = messages::expected_operator_or(wanted, cursor.peek());
+        self.declared(&word).map(|_| (message, units::product_or_unit(&number, &word)))
     }
 }
 

@@ -15,7 +15,7 @@ lagrange::system! {
 
 lagrange::system! {
     struct WithUnits;
-    param m = 2.0 kg;
+    param m = 2.0 kilograms;
     coord x;
     kinetic = 1/2 * m * dot(x)^2;
 }

@@ -179,7 +179,11 @@ pub(super) fn under_name(translation: &mut Translation<'_>, wish: &str, value: A
 pub(super) fn is_atom(translation: &Translation<'_>, id: AstId) -> bool {
     matches!(
         translation.expressions.get(id),
-        Expression::Number(_) | Expression::Name(_) | Expression::Component(..) | Expression::Invalid
+        Expression::Number(_)
+            | Expression::Quantity(..)
+            | Expression::Name(_)
+            | Expression::Component(..)
+            | Expression::Invalid
     )
 }
 

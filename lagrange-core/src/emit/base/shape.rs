@@ -345,6 +345,7 @@ fn component_counts(declaration: &Declaration) -> HashMap<AstId, usize> {
                 _ => 1,
             },
             Expression::Number(_)
+            | Expression::Quantity(..)
             | Expression::Component(..)
             | Expression::Array(_)
             | Expression::Invalid => 1,

@@ -8,6 +8,7 @@ use super::Name;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
 use crate::number::Number;
+use crate::units::Unit;
 
 /// Identifies an expression of one [`Expressions`] arena.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -49,6 +50,8 @@ pub const IN_AXES: &str = "in";
 pub enum Expression {
     /// A literal, exactly.
     Number(Number),
+    /// A number and the unit behind it, `30 deg` or `9.81 [m/s^2]`.
+    Quantity(AstId, Box<Unit>),
     /// A name, not yet resolved.
     Name(String),
     /// `(a, b)` or `(a, b, c)`.
@@ -83,7 +86,7 @@ impl Expression {
             Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
             Expression::Tuple(parts) | Expression::Call(_, parts) => parts.clone(),
             Expression::Array(array) => array.operands(),
-            Expression::Negate(of) | Expression::Component(of, _) => vec![*of],
+            Expression::Negate(of) | Expression::Component(of, _) | Expression::Quantity(of, _) => vec![*of],
             Expression::Binary(_, _, a, b) => vec![*a, *b],
             Expression::If { condition, then, otherwise } => {
                 vec![condition.left, condition.right, *then, *otherwise]
@@ -98,6 +101,7 @@ impl Expression {
             Expression::Call(function, _) => Expression::Call(function, parts.to_vec()),
             Expression::Array(array) => Expression::Array(array.with_operands(parts)),
             Expression::Negate(_) => Expression::Negate(parts[0]),
+            Expression::Quantity(_, unit) => Expression::Quantity(parts[0], unit),
             Expression::Component(_, name) => Expression::Component(parts[0], name),
             Expression::Binary(operator, span, ..) => Expression::Binary(operator, span, parts[0], parts[1]),
             Expression::If { mut condition, .. } => {

@@ -30,28 +30,30 @@ pub struct Statement {
 /// What a statement says.
 ///
 /// ```text
-/// statement = attribute* ( "param" | "input" ) NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
-///           | "const" NAME "=" sum { "," NAME "=" sum } ";"
-///           | ( "coord" | "state" ) NAME { "," NAME } ";"
+/// statement = attribute* ( "param" | "input" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
+///           | "const" named "=" sum { "," named "=" sum } ";"
+///           | ( "coord" | "state" ) named { "," named } ";"
 ///           | "dot" "(" NAME ")" "=" sum ";"
 ///           | "quaternion" NAME ";"
-///           | "velocity" NAME "=" sum ";"
-///           | "let" ( NAME | "(" NAME "," NAME [ "," NAME ] ")" ) "=" sum ";"
+///           | "velocity" named "=" sum ";"
+///           | "let" ( named | "(" named "," named [ "," named ] ")" ) "=" sum ";"
 ///           | "let" NAME "(" NAME { "," NAME } ")" "=" sum ";"
-///           | "function" NAME "(" NAME { "," NAME } ")" ( ";" | "{" { derivative } "}" [ ";" ] )
-///           | "table" NAME "(" NAME [ "," NAME ] ")" "=" ( STRING | "[" point { "," point } "]" ) { "," option } ";"
+///           | "function" NAME "(" named { "," named } ")" [ ":" unit ] ( ";" | "{" { derivative } "}" [ ";" ] )
+///           | "table" NAME "(" named [ "," named ] ")" [ ":" unit ] "=" ( STRING | "[" point { "," point } "]" ) { "," option } ";"
 ///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
 ///           | "gibbs" "=" sum "," "for" ":" sum ";"
 ///           | "force" NAME "=" sum ";"
 ///           | "force" sum ( "at" | "along" ) sum ";"
 ///           | "torque" sum "on" sum ";"
-///           | ( "constraint" | "output" ) NAME "=" sum ";"
+///           | "constraint" NAME "=" sum ";"
+///           | "output" named "=" sum ";"
 ///           | "stabilise" "=" sum ";"
 ///           | "event" NAME "=" sum "," ( "rising" | "falling" | "crossing" ) "=>" action
 ///           | "friction" NAME "=" sum "," limits ";"
 ///           | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
 ///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
 ///           | loop | choice | scene
+/// named     = NAME [ ":" unit ]
 /// derivative = ( "derivative" | "second_derivative" | "third_derivative" | "by" NAME { "," NAME } ) ":" NAME ";"
 /// point     = "(" sum "," sum [ "," sum ] ")"
 /// option    = "interpolation" ":" ( "linear" | "monotone" | "natural" ) | "outside" ":" ( "error" | "clamp" | "extend" )

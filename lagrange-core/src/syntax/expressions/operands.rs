@@ -34,7 +34,8 @@ impl Parser<'_> {
             Some(TokenTree::Literal(literal)) => {
                 let number = self.number(literal)?;
                 cursor.skip_one();
-                Ok(self.add(Expression::Number(number), origin))
+                let number = self.add(Expression::Number(number), origin);
+                self.quantity(number, cursor)
             }
             Some(TokenTree::Ident(word)) if word == "if" => self.conditional(cursor),
             Some(TokenTree::Ident(_)) if cursor.at_statement() => Err(self.no_operand(cursor)),

@@ -28,13 +28,13 @@ pub(in crate::syntax) const TWICE_IN_A_ROW: &str = "this name stands here twice"
 pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static str) {
     match keyword {
         "coord" => (
-            "coordinates depend on time by themselves, and numbers have no units here",
-            "leave this out: write `coord x, theta;`",
+            "coordinates depend on time by themselves, and units stand behind a colon",
+            "write `coord x, theta;`, or `coord x: m, theta: rad;` with units",
         ),
         keyword => (
-            "nothing can stand between a name and its value, such as a unit or an argument",
+            "nothing but a unit behind a colon can stand between a name and its value",
             match keyword {
-                "param" => "leave this out: write `param m = 1.0;`",
+                "param" => "write `param m = 1.0;`, or `param m: kg = 1.0;` with a unit",
                 other => form(other),
             },
         ),
@@ -123,18 +123,9 @@ pub(in crate::syntax) fn compound_assignment(operator: char) -> String {
 pub(in crate::syntax) const COMPOUND_ASSIGNMENT_HELP: &str = "write the whole new value, `x = x + e;`";
 pub(in crate::syntax) const QUOTIENT: &str = "derivatives by time are not written as `d/dt`";
 pub(in crate::syntax) const POWER_OF_FUNCTION: &str = "the power of a function stands behind its argument";
-pub(in crate::syntax) const UNIT: &str = "numbers have no units here";
 
 pub(in crate::syntax) fn written(usage: &str) -> String {
     format!("write {}", quoted(usage))
-}
-
-pub(in crate::syntax) fn without_unit(number: &str) -> String {
-    format!("write {} and keep to units that fit together, such as those of the SI", quoted(number))
-}
-
-pub(in crate::syntax) fn in_radians(number: &str) -> String {
-    format!("angles are in radians: write {}", quoted(&format!("{number} * pi/180")))
 }
 
 pub(in crate::syntax) const RUST_NAME_HELP: &str =

@@ -5,12 +5,20 @@ use super::expressions::dots;
 use crate::syntax::ast::{IndexCondition, IndexTest, Name, Repetition, Selection, Statement, TestKind};
 
 impl Printer<'_> {
-    /// A name with what stands in square brackets behind it.
+    /// A name with what stands in square brackets and behind a colon.
     pub(super) fn name(&mut self, name: &Name) {
         self.text(&name.text);
         for index in &name.indices {
             self.labelled("[", *index);
             self.text("]");
+        }
+        self.unit(name);
+    }
+
+    /// The unit behind a name.
+    pub(super) fn unit(&mut self, name: &Name) {
+        if let Some(unit) = &name.unit {
+            self.text(&format!(": {unit}"));
         }
     }
 

@@ -50,7 +50,8 @@ impl Printer<'_> {
     fn signature(&mut self, name: &Name, parameters: &[Name]) {
         self.text(&name.text);
         self.text("(");
-        self.list(parameters, |printer, name| printer.text(&name.text));
+        self.list(parameters, Self::name);
         self.text(")");
+        self.unit(name);
     }
 }

@@ -72,6 +72,7 @@ fn binding(expressions: &Expressions, id: AstId) -> PrintedBinding {
             Form::Negative => PrintedBinding::Sign,
             Form::Quotient => PrintedBinding::Product,
         },
+        Expression::Quantity(..) => PrintedBinding::Operand,
         Expression::Negate(_) => PrintedBinding::Sign,
         Expression::Binary(operator, ..) => own_binding(*operator),
         Expression::If { .. } => PrintedBinding::Choice,
@@ -105,6 +106,10 @@ fn operand_bindings(operator: BinaryOperator) -> (PrintedBinding, PrintedBinding
 fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
     match expressions.get(id) {
         Expression::Number(number) => vec![text(numeral(number).0)],
+        // In brackets, since names of units may be those of parameters.
+        Expression::Quantity(number, unit) => {
+            vec![PrintedPiece::Expression(*number, PrintedBinding::Operand), text(format!(" [{unit}]"))]
+        }
         Expression::Name(name) => vec![text(name.as_str())],
         Expression::Tuple(components) => bracketed_list(components),
         Expression::Negate(inner) => vec![text("-"), PrintedPiece::Expression(*inner, PrintedBinding::Sign)],

@@ -110,7 +110,8 @@ fn missing_parts_are_named() {
     assert_eq!(mistake("a + "), "expected an expression, found `;`");
     assert_eq!(mistake("+a"), "`+` has nothing on its left");
     assert_eq!(mistake("2 mass"), "expected an operator or `;`, found `mass`");
-    assert_eq!(mistake("2 m"), "numbers have no units here");
+    assert_eq!(mistake("2 metres"), "`metres` is not a unit");
+    assert_eq!(mistake("2 m/s"), "a unit of several factors stands in square brackets behind its number");
     assert_eq!(mistake("2(m)"), "expected an operator or `;`, found `(`");
     assert_eq!(mistake("(a b)"), "expected an operator, `,` or `)`, found `b`");
     assert_eq!(mistake("f(a; b)"), "expected an operator, `,` or `)`, found `;`");

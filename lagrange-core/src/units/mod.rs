@@ -1,0 +1,128 @@
+//! Units of measurement: how they are written, what they measure, and what they are in coherent units of the SI.
+//!
+//! A unit is a product of powers of named units, such as `kg*m^2/s`. It has a [`Dimension`], the exponents of the base units, and a
+//! [`Scale`], the exact factor to the coherent unit of that dimension. Numbers at run time are in coherent units always, so that a unit
+//! costs nothing there; other units scale what is written in a declaration.
+//!
+//! Definitions of units: *The International System of Units*, 9th edition, BIPM 2019, and NIST Special Publication 811, appendix B.
+
+mod dimension;
+mod named;
+mod spelling;
+mod table;
+#[cfg(test)]
+mod tests;
+
+use std::fmt;
+
+use crate::diagnostics::Origin;
+use crate::number::Number;
+
+pub use dimension::{BASE_UNITS, Dimension};
+pub use named::{NamedUnit, NamedUnits};
+pub use spelling::{described, spelled};
+pub use table::{UnitMeaning, meaning, meant, names};
+
+/// The factor from a unit to the coherent unit: a rational number times a power of π.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Scale {
+    /// The rational part.
+    pub number: Number,
+    /// The exponent of π.
+    pub pi: i32,
+}
+
+impl Scale {
+    /// That of coherent units.
+    pub const ONE: Scale = Scale { number: Number::ONE, pi: 0 };
+
+    /// Whether nothing is scaled.
+    pub fn is_one(&self) -> bool {
+        *self == Scale::ONE
+    }
+
+    /// Rounded once.
+    pub fn to_f64(&self) -> f64 {
+        self.number.to_f64() * std::f64::consts::PI.powi(self.pi)
+    }
+
+    fn times(&self, other: &Scale) -> Scale {
+        Scale { number: &self.number * &other.number, pi: self.pi + other.pi }
+    }
+
+    /// A power; `None` if it is not a rational number times a whole power of π.
+    fn power(&self, exponent: &Number) -> Option<Scale> {
+        if self.is_one() {
+            return Some(Scale::ONE);
+        }
+        let exponent = exponent.to_i32()?;
+        Some(Scale { number: self.number.power(exponent)?, pi: self.pi.checked_mul(exponent)? })
+    }
+}
+
+/// A named unit to a power.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct UnitFactor {
+    /// The name, such as `kN`.
+    pub name: String,
+    /// The exponent, not zero.
+    pub exponent: Number,
+}
+
+/// A unit as it is written; without factors it is `1`, the unit of plain numbers.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// Factors in the order in which they are written.
+    pub factors: Vec<UnitFactor>,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Its factor to the coherent unit.
+    pub scale: Scale,
+    /// Where it stands.
+    pub origin: Origin,
+}
+
+impl Unit {
+    /// The product of these factors, which must be known; `None` if its factor to the coherent unit is not exact.
+    pub fn of(factors: Vec<UnitFactor>, origin: Origin) -> Option<Unit> {
+        let mut unit = Unit { factors: Vec::new(), dimension: Dimension::NONE, scale: Scale::ONE, origin };
+        for factor in &factors {
+            let UnitMeaning { dimension, scale, .. } = meaning(&factor.name)?;
+            unit.dimension = unit.dimension.times(&dimension.power(&factor.exponent));
+            unit.scale = unit.scale.times(&scale.power(&factor.exponent)?);
+        }
+        unit.factors = factors.into_iter().filter(|factor| !factor.exponent.is_zero()).collect();
+        Some(unit)
+    }
+
+    /// Whether numbers in it are numbers in coherent units.
+    pub fn is_coherent(&self) -> bool {
+        self.scale.is_one()
+    }
+
+    /// The unit of the same dimension that numbers have at run time: itself if it is coherent, else with coherent units for its factors.
+    pub fn coherent(&self) -> Unit {
+        if self.is_coherent() {
+            return self.clone();
+        }
+        let mut factors: Vec<UnitFactor> = Vec::new();
+        for factor in &self.factors {
+            for (name, exponent) in meaning(&factor.name).into_iter().flat_map(|meaning| meaning.coherent) {
+                let exponent = &factor.exponent * &Number::from(i64::from(exponent));
+                match factors.iter_mut().find(|known| known.name == name) {
+                    Some(known) => known.exponent = &known.exponent + &exponent,
+                    None => factors.push(UnitFactor { name: name.to_owned(), exponent }),
+                }
+            }
+        }
+        Unit::of(factors, self.origin).unwrap_or_else(|| self.clone())
+    }
+}
+
+/// `kg*m^2/s`, as units are written in declarations.
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let powers = self.factors.iter().map(|factor| (factor.name.as_str(), factor.exponent.clone()));
+        f.write_str(&spelling::product(&powers.collect::<Vec<_>>()))
+    }
+}

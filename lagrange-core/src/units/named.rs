@@ -1,0 +1,33 @@
+//! Units of the names of a system.
+
+use crate::collections::OrderedMap;
+
+/// The unit of a field, a column or an output.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct NamedUnit {
+    /// The coherent unit that its numbers have at run time: `rad/s`, `kg*m^2`; `1` for plain numbers.
+    pub unit: String,
+    /// The default in the unit in which it is written, `500 mm`, if that is not the coherent one.
+    pub default: Option<String>,
+}
+
+/// Units by names, in the order in which these are declared. Names without an entry have no known unit.
+#[derive(Clone, Default, Debug)]
+pub struct NamedUnits(OrderedMap<String, NamedUnit>);
+
+impl NamedUnits {
+    /// The unit of a name, such as that of a parameter, a coordinate, a velocity or an output.
+    pub fn get(&self, name: &str) -> Option<&NamedUnit> {
+        self.0.get(&name.to_owned())
+    }
+
+    /// Every name that has a unit.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &NamedUnit)> {
+        self.0.iter().map(|(name, unit)| (name.as_str(), unit))
+    }
+
+    /// Gives a name a unit, unless it has one.
+    pub fn insert(&mut self, name: &str, unit: NamedUnit) {
+        self.0.get_or_insert_with(name.to_owned(), || unit);
+    }
+}
