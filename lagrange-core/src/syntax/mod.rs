@@ -53,6 +53,7 @@ mod tables;
 mod tests;
 mod text;
 mod unexpected;
+mod unit_names;
 mod units;
 mod values;
 

@@ -9,14 +9,11 @@ use super::keywords;
 use super::literals::TYPES;
 use super::messages;
 use super::messages::units as words;
-use super::parser::{Parsed, Parser};
+use super::parser::{Parsed, Parser, Reported};
 use super::recovery::Turn;
-use crate::diagnostics::nearest;
+use crate::diagnostics::{Origin, nearest};
 use crate::number::Number;
 use crate::units::{Unit, UnitFactor, meaning, meant, names};
-
-/// Names of units that have a meaning in expressions, too.
-const BUILT_IN: [&str; 1] = ["t"];
 
 /// Larger exponents are refused before anything is raised to them.
 const LARGEST_EXPONENT: i64 = 99;
@@ -58,12 +55,6 @@ impl Parser<'_> {
         Ok(self.add(Expression::Quantity(number.id, unit), origin))
     }
 
-    /// Whether a word is the name of a unit and of nothing that was declared.
-    pub(super) fn is_free_unit(&self, word: &str) -> bool {
-        let is_unit = meaning(word).is_some() || meant(word).is_some();
-        is_unit && self.declared(word).is_none() && !BUILT_IN.contains(&word)
-    }
-
     /// Whether the word here is a unit, rather than a name that is defined or a function that is called.
     fn is_unit_here(&self, word: &str, cursor: &Cursor) -> bool {
         let is_call = matches!(cursor.peek_past(1), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis);
@@ -102,7 +93,7 @@ impl Parser<'_> {
         self.unit_of(factors, cursor.since(start))
     }
 
-    fn unit_of(&mut self, factors: Vec<UnitFactor>, origin: crate::diagnostics::Origin) -> Parsed<Box<Unit>> {
+    fn unit_of(&mut self, factors: Vec<UnitFactor>, origin: Origin) -> Parsed<Box<Unit>> {
         self.has_units = true;
         match Unit::of(factors, origin) {
             Some(unit) => Ok(Box::new(unit)),
@@ -205,16 +196,12 @@ impl Parser<'_> {
     }
 
     /// Reports what stands in a unit and is no part of one.
-    fn no_unit_sign(&mut self, cursor: &Cursor) -> super::parser::Reported {
+    fn no_unit_sign(&mut self, cursor: &Cursor) -> Reported {
         let message = messages::expected(words::UNIT, cursor.peek());
         self.fail_with_help(cursor.here(), message, words::UNIT_HELP)
     }
 
-    pub(super) fn unknown_unit(
-        &mut self,
-        word: &str,
-        place: crate::diagnostics::Origin,
-    ) -> super::parser::Reported {
+    pub(super) fn unknown_unit(&mut self, word: &str, place: Origin) -> Reported {
         let known = names();
         let help = match (meant(word), nearest(word, known.iter().map(String::as_str))) {
             (Some(unit), _) => words::write_unit(unit),
